@@ -1,0 +1,14 @@
+# Compiler options that every target shares.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+# The same numbers from every compiler and optimisation level: no fused multiply-add that the source does not ask for.
+add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers)
+add_compile_definitions(GLM_FORCE_XYZW_ONLY)
+
+if(COASTER_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()

@@ -1,0 +1,15 @@
+# coaster_room(NAME [USES room ...] [LINK library ...])
+# One static library coaster_NAME from src/NAME/*.cpp. Rooms include each other's headers as "room/file.h"; which room may
+# include which is checked by tools/check_layers.
+function(coaster_room name)
+  cmake_parse_arguments(room "" "" "USES;LINK" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/app/main\\.cpp$")
+  if(NOT COASTER_WINDOW)
+    list(FILTER sources EXCLUDE REGEX "/platform/glfw_.*\\.cpp$")
+  endif()
+  add_library(coaster_${name} STATIC ${sources})
+  target_include_directories(coaster_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  list(TRANSFORM room_USES PREPEND coaster_)
+  target_link_libraries(coaster_${name} PUBLIC ${room_USES} ${room_LINK})
+endfunction()

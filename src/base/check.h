@@ -1,0 +1,13 @@
+// Checks for programmer errors. Not for bad input: that is a Status (status.h).
+#pragma once
+
+namespace coaster::base {
+
+// Prints the condition, its place and the reason to stderr and aborts. Never returns.
+[[noreturn]] void check_failed(const char* condition, const char* why, const char* file, int line);
+
+}  // namespace coaster::base
+
+// Aborts when `cond` is false; on in every build. `why` says which promise was broken.
+#define COASTER_CHECK(cond, why) \
+  ((cond) ? void(0) : ::coaster::base::check_failed(#cond, (why), __FILE__, __LINE__))

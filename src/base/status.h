@@ -1,0 +1,58 @@
+// What a function that can fail for the user's sake returns: a code and one line of text. Nothing throws.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/check.h"
+
+namespace coaster::base {
+
+// The numbers are the program's exit codes (docs/script.md), but for `refused`.
+enum class Code {
+  ok = 0,
+  expectation = 1,  // an expectation of a script failed
+  usage = 2,        // command line or script
+  bad_file = 3,     // a track that cannot be read
+  graphics = 4,     // no display, or OpenGL below 3.3
+  io = 5,           // the operating system refused to read or write
+  timeout = 6,
+  refused = 7,      // a command that would break a limit or names what is not there; exit code 2
+};
+
+// One line that says what, where and what was expected; empty when ok.
+struct Status {
+  Code code = Code::ok;
+  std::string message;
+
+  bool ok() const { return code == Code::ok; }
+  explicit operator bool() const { return ok(); }
+  friend bool operator==(const Status&, const Status&) = default;
+};
+
+// The exit code of the program for a code: `refused` counts as `usage`.
+inline int exit_code(Code code) { return code == Code::refused ? 2 : static_cast<int>(code); }
+
+// A value, or the Status that says why there is none.
+template <class T>
+class Result {
+ public:
+  Result(T value) : value_(std::move(value)) {}
+  Result(Status status) : status_(std::move(status)) {
+    COASTER_CHECK(!status_.ok(), "a Result without a value needs a reason");
+  }
+  bool ok() const { return value_.has_value(); }
+  explicit operator bool() const { return ok(); }
+  const Status& status() const { return status_; }
+  T& operator*() { return *value_; }
+  const T& operator*() const { return *value_; }
+  T* operator->() { return &*value_; }
+  const T* operator->() const { return &*value_; }
+
+ private:
+  std::optional<T> value_;
+  Status status_;
+};
+
+}  // namespace coaster::base

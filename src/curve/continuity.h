@@ -1,0 +1,30 @@
+// How smoothly two cubics join: geometric (shape) and parametric (shape and speed of the parameter) continuity.
+#pragma once
+
+#include <string_view>
+
+#include "curve/cubic.h"
+
+namespace coaster::curve {
+
+enum class Geometric { broken, g0, g1, g2 };
+enum class Parametric { broken, c0, c1, c2 };
+
+struct Joint {
+  double gap;              // m, |b3 - c0|
+  double angle;            // radians between the tangents
+  double speed_ratio;      // |C'(0)| / |B'(1)|
+  double curvature_jump;   // 1/m, length of the difference of the curvature vectors
+  Geometric geometric;
+  Parametric parametric;
+};
+
+// Compares the end of `before` with the start of `after`. Tolerances: gap 0 exactly for G0/C0 (control points are shared), angle 1e-3
+// rad, relative speed 1e-4, curvature 1e-3 /m, second derivative 1e-3 of its size.
+// Paper erratum: a common tangent line is G1; equal first derivatives (C1) are more.
+Joint joint(const Cubic& before, const Cubic& after);
+
+std::string_view name(Geometric g);   // "none", "G0", "G1", "G2"
+std::string_view name(Parametric c);  // "none", "C0", "C1", "C2"
+
+}  // namespace coaster::curve

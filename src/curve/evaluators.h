@@ -1,0 +1,41 @@
+// The table of polyline evaluators: the methods of Barrett 2012, section 3, each in its textbook form. Panels, scripts,
+// tests and benchmarks iterate the table; to add a method, write its function and one row in evaluators.cpp.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "curve/cubic.h"
+
+namespace coaster::curve {
+
+inline constexpr int kMinSteps = 1;
+inline constexpr int kMaxSteps = 4096;
+
+// Row numbers of the table, stable for settings files.
+enum class EvaluatorId : int {};
+
+// Writes the polyline of one segment. `points` and `tangents` hold n+1 entries, n = steps >= 1: vertex i is B(i/n), tangent i
+// is B'(i/n) (not normalised). points.front() is exactly p0 and points.back() exactly p3, whatever the method, so
+// joints never gap. `tangents` may be empty: then only points are written. Spans of different sizes are a programmer error.
+using PolylineFunction = void (*)(const PreparedCubic& curve, std::span<glm::vec3> points,
+                                  std::span<glm::vec3> tangents);
+
+struct Evaluator {
+  std::string_view name;     // in scripts and files: "bernstein"
+  std::string_view label;    // in the panel: "Cubic (Bernstein)"
+  std::string_view formula;  // one line for the tooltip
+  std::string_view cost;     // operations a point, as the field counts them
+  PolylineFunction polyline;
+  // Largest |vertex - exact| for `steps` steps of a cubic whose control points are at most `extent` from the origin and
+  // whose control polygon is `size` long; derived in evaluators.cpp.
+  double (*error_bound)(double extent, double size, int steps);
+};
+
+std::span<const Evaluator> evaluators();
+const Evaluator& evaluator(EvaluatorId id);
+std::optional<EvaluatorId> find_evaluator(std::string_view name);
+inline constexpr EvaluatorId kDefaultEvaluator{2};  // Horner
+
+}  // namespace coaster::curve

@@ -1,0 +1,34 @@
+// Generational entity ids and the names people use for them.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace coaster::world {
+
+// A slot and how often it has been used; an id of a destroyed entity never comes alive again. The default is "none".
+struct Entity {
+  std::uint32_t index = 0xffffffffu;
+  std::uint32_t generation = 0;
+  bool valid() const { return index != 0xffffffffu; }
+  friend auto operator<=>(const Entity&, const Entity&) = default;
+};
+inline constexpr Entity kNone{};
+
+enum class Kind : std::uint8_t { knot, segment, cart };
+
+// What people call an entity: k3, s2, c1. Numbers start at 1, are unique within a kind and never used again within a
+// document, so an undo brings the same name back.
+struct Name {
+  Kind kind = Kind::knot;
+  std::uint32_t number = 0;
+  friend auto operator<=>(const Name&, const Name&) = default;
+};
+
+std::string to_text(Name name);                         // "k3"
+std::optional<Name> parse_name(std::string_view text);  // "k3", without the @ of scripts
+
+}  // namespace coaster::world

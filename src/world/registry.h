@@ -1,0 +1,136 @@
+// A registry that is a value: copy it for a snapshot, compare it for equality. Sparse-set pools over a compile-time list of
+// components; no type erasure, no signals.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "base/check.h"
+#include "world/entity.h"
+
+namespace coaster::world {
+
+// Components of one type, dense, found by entity in O(1). Pointers hold until the next insert or erase.
+template <class T>
+class Pool {
+ public:
+  bool contains(Entity e) const {
+    return e.index < sparse_.size() && sparse_[e.index] != kAbsent && entities_[sparse_[e.index]] == e;
+  }
+  T* find(Entity e) { return contains(e) ? &items_[sparse_[e.index]] : nullptr; }
+  const T* find(Entity e) const { return contains(e) ? &items_[sparse_[e.index]] : nullptr; }
+  T& get(Entity e) {
+    COASTER_CHECK(contains(e), "the entity has this component");
+    return items_[sparse_[e.index]];
+  }
+  const T& get(Entity e) const {
+    COASTER_CHECK(contains(e), "the entity has this component");
+    return items_[sparse_[e.index]];
+  }
+  // Adds or replaces. An older generation in the same slot is replaced too.
+  T& put(Entity e, T value) {
+    COASTER_CHECK(e.valid(), "a component belongs to an entity");
+    if (e.index >= sparse_.size()) sparse_.resize(e.index + 1, kAbsent);
+    std::uint32_t& slot = sparse_[e.index];
+    if (slot == kAbsent) {
+      slot = static_cast<std::uint32_t>(items_.size());
+      entities_.push_back(e);
+      items_.push_back(std::move(value));
+    } else {
+      entities_[slot] = e;
+      items_[slot] = std::move(value);
+    }
+    return items_[slot];
+  }
+  // O(1); moves the last item into the hole. No effect when absent.
+  void erase(Entity e) {
+    if (!contains(e)) return;
+    const std::uint32_t slot = sparse_[e.index], last = static_cast<std::uint32_t>(items_.size() - 1);
+    if (slot != last) {
+      items_[slot] = std::move(items_[last]);
+      entities_[slot] = entities_[last];
+      sparse_[entities_[slot].index] = slot;
+    }
+    items_.pop_back();
+    entities_.pop_back();
+    sparse_[e.index] = kAbsent;
+  }
+  std::size_t size() const { return items_.size(); }
+  const std::vector<Entity>& entities() const { return entities_; }  // dense order, as items()
+  const std::vector<T>& items() const { return items_; }
+  std::vector<T>& items() { return items_; }
+
+  // Same components on the same entities, in whatever dense order.
+  friend bool operator==(const Pool& a, const Pool& b) {
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const T* other = b.find(a.entities_[i]);
+      if (!other || !(*other == a.items_[i])) return false;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::uint32_t kAbsent = 0xffffffffu;
+  std::vector<std::uint32_t> sparse_;
+  std::vector<Entity> entities_;
+  std::vector<T> items_;
+};
+
+template <class... Components>
+class Registry {
+ public:
+  Entity create() {
+    ++alive_;
+    if (!free_.empty()) {
+      const std::uint32_t index = free_.back();
+      free_.pop_back();
+      return {index, generations_[index]};
+    }
+    generations_.push_back(0);
+    return {static_cast<std::uint32_t>(generations_.size() - 1), 0};
+  }
+  void destroy(Entity e) {
+    COASTER_CHECK(alive(e), "only a living entity can be destroyed");
+    (pool<Components>().erase(e), ...);
+    ++generations_[e.index];
+    free_.push_back(e.index);
+    --alive_;
+  }
+  // True for ids made by create() and not destroyed since.
+  bool alive(Entity e) const {
+    if (e.index >= generations_.size() || generations_[e.index] != e.generation) return false;
+    return true;
+  }
+  std::size_t size() const { return alive_; }
+
+  template <class T>
+  Pool<T>& pool() { return std::get<Pool<T>>(pools_); }
+  template <class T>
+  const Pool<T>& pool() const { return std::get<Pool<T>>(pools_); }
+  template <class T>
+  T& get(Entity e) { return pool<T>().get(e); }
+  template <class T>
+  const T& get(Entity e) const { return pool<T>().get(e); }
+  template <class T>
+  const T* find(Entity e) const { return pool<T>().find(e); }
+  template <class T>
+  T& put(Entity e, T value) {
+    COASTER_CHECK(alive(e), "components go on living entities");
+    return pool<T>().put(e, std::move(value));
+  }
+
+  friend bool operator==(const Registry& a, const Registry& b) {
+    return a.generations_ == b.generations_ && a.pools_ == b.pools_;
+  }
+
+ private:
+  std::vector<std::uint32_t> generations_;
+  std::vector<std::uint32_t> free_;
+  std::size_t alive_ = 0;
+  std::tuple<Pool<Components>...> pools_;
+};
+
+}  // namespace coaster::world
