@@ -1,0 +1,283 @@
+// The one vocabulary: everything that a person, a script or a recording can make the program do to document, motion and settings.
+// Plain structs with a name, a line of help and a list of fields; from these come printing, parsing, help and completion.
+// Commands carry names and numbers, never screen coordinates.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <glm/glm.hpp>
+
+#include "world/document.h"
+#include "world/settings.h"
+
+namespace coaster::edit {
+
+// An entity of any kind, written "@k3"; number 0 is "none".
+struct Target {
+  world::Name name;
+  friend bool operator==(const Target&, const Target&) = default;
+};
+enum class HandleEnd : std::uint8_t { in, out };
+// A knot's handle, written "@k3.in" or "@k3.out".
+struct HandleTarget {
+  world::Name knot;
+  HandleEnd end = HandleEnd::out;
+  friend bool operator==(const HandleTarget&, const HandleTarget&) = default;
+};
+
+// What a command changes: undo and recording depend on it.
+enum class Effect : std::uint8_t { document, settings, motion, history, session };
+
+struct CommandInfo {
+  std::string_view name;  // the first word of its line
+  std::string_view help;
+  Effect effect;
+};
+
+// fields(self, visit) calls visit(keyword, member) in the order of the text; an empty keyword is positional:
+// "move @k4 to 1 2 3" has the fields ("", knot) and ("to", position).
+#define COASTER_COMMAND(name, help, effect) \
+  static constexpr CommandInfo kInfo { name, help, effect }
+#define COASTER_FIELDS(...)                              \
+  template <class Self, class Visit>                     \
+  static void fields([[maybe_unused]] Self& self, [[maybe_unused]] Visit&& visit) { \
+    __VA_ARGS__;                                         \
+  }
+
+// --- document ---------------------------------------------------------------------------------------------------------
+struct MoveKnot {
+  Target knot;
+  glm::vec3 to{0};
+  COASTER_COMMAND("move", "Move a knot to a position (m).", Effect::document);
+  COASTER_FIELDS(visit("", self.knot), visit("to", self.to))
+};
+struct MoveHandle {
+  HandleTarget handle;
+  glm::vec3 to{0};
+  COASTER_COMMAND("handle", "Move a handle to a position (m): sets the knot's direction and that side's length; a smooth joint keeps both sides equal.", Effect::document);
+  COASTER_FIELDS(visit("", self.handle), visit("to", self.to))
+};
+struct SetDirection {
+  Target knot;
+  glm::vec3 to{1, 0, 0};
+  COASTER_COMMAND("direct", "Turn a knot's tangent to a direction.", Effect::document);
+  COASTER_FIELDS(visit("", self.knot), visit("to", self.to))
+};
+struct SetLengths {
+  Target knot;
+  float in = 5, out = 5;
+  COASTER_COMMAND("lengths", "Set a knot's handle lengths (m); different ones make a smooth joint aligned.", Effect::document);
+  COASTER_FIELDS(visit("", self.knot), visit("in", self.in), visit("out", self.out))
+};
+struct SetRoll {
+  Target knot;
+  double to = 0;
+  COASTER_COMMAND("roll", "Set a knot's roll (degrees from the horizon, positive to the rider's right).", Effect::document);
+  COASTER_FIELDS(visit("", self.knot), visit("to", self.to))
+};
+struct SetJoint {
+  Target knot;
+  world::JointKind to = world::JointKind::smooth;
+  COASTER_COMMAND("joint", "Set a knot's joint: smooth, aligned or automatic.", Effect::document);
+  COASTER_FIELDS(visit("", self.knot), visit("to", self.to))
+};
+struct SetTurns {
+  Target segment;
+  int to = 0;
+  COASTER_COMMAND("turns", "Set the whole turns of roll within a segment.", Effect::document);
+  COASTER_FIELDS(visit("", self.segment), visit("to", self.to))
+};
+struct SplitSegment {
+  Target segment;
+  double at = 0.5;
+  COASTER_COMMAND("split", "Insert a knot into a segment at a parameter, keeping the shape (de Casteljau).", Effect::document);
+  COASTER_FIELDS(visit("", self.segment), visit("at", self.at))
+};
+struct AddCurve {
+  COASTER_COMMAND("add_curve", "Split the longest segment at half its arc length; on an open track with no segment, append a knot.", Effect::document);
+  COASTER_FIELDS()
+};
+struct AppendKnot {
+  glm::vec3 at{0};
+  COASTER_COMMAND("append", "Append a knot to an open track.", Effect::document);
+  COASTER_FIELDS(visit("at", self.at))
+};
+struct RemoveKnot {
+  Target knot;
+  COASTER_COMMAND("remove", "Remove a knot or a cart.", Effect::document);
+  COASTER_FIELDS(visit("", self.knot))
+};
+struct SetClosed {
+  bool to = true;
+  COASTER_COMMAND("closed", "Close the track (on) or open it (off).", Effect::document);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct AddCart {
+  Target segment;
+  double at = 0;
+  COASTER_COMMAND("add_cart", "Add a cart that starts on a segment, at a fraction of its length.", Effect::document);
+  COASTER_FIELDS(visit("", self.segment), visit("at", self.at))
+};
+struct SetName {
+  std::string to;
+  COASTER_COMMAND("name", "Name the track.", Effect::document);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct SetStartSpeed {
+  double to = 1;
+  COASTER_COMMAND("start_speed", "Set the speed at which carts start (m/s).", Effect::document);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct SetDatum {
+  double to = 0;
+  COASTER_COMMAND("datum", "Set the height at which potential energy is zero (m).", Effect::document);
+  COASTER_FIELDS(visit("", self.to))
+};
+
+// --- settings ---------------------------------------------------------------------------------------------------------
+struct SetEvaluator {
+  curve::EvaluatorId to{};
+  COASTER_COMMAND("evaluator", "Choose how polylines are evaluated.", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct SetResolution {
+  int to = 64;
+  COASTER_COMMAND("resolution", "Set the polyline's steps per segment (1..4096).", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct SetVertexBudget {
+  std::int64_t to = 16'000'000;
+  COASTER_COMMAND("vertex_budget", "Set how many vertices all polylines together may have.", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct SetArcLength {
+  curve::ArcLengthId to{};
+  COASTER_COMMAND("arc_length", "Choose how the displayed length is measured.", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct SetFrames {
+  world::FrameMethod to{};
+  COASTER_COMMAND("frames_by", "Orient carts by the knots' frames (knots) or by Frenet-Serret (frenet).", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+// A row of sim::integrators(), by name in text.
+struct IntegratorId {
+  int row = 0;
+  friend bool operator==(const IntegratorId&, const IntegratorId&) = default;
+};
+struct SetIntegrator {
+  IntegratorId to{};
+  COASTER_COMMAND("integrator", "Choose how carts move.", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct SetCamera {
+  world::Camera to;
+  COASTER_COMMAND("camera", "Look at a target (m) from a distance (m) at yaw and pitch (degrees).", Effect::settings);
+  COASTER_FIELDS(visit("target", self.to.target), visit("yaw", self.to.yaw_deg), visit("pitch", self.to.pitch_deg),
+                 visit("distance", self.to.distance))
+};
+struct SetCameraMode {
+  world::CameraMode to{};
+  COASTER_COMMAND("camera_mode", "Look by orbit, or from the first cart (ride).", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct Select {
+  Target what;
+  double at = 0.5;
+  COASTER_COMMAND("select", "Select a knot, a cart, or a segment with a place on it; none clears.", Effect::settings);
+  COASTER_FIELDS(visit("", self.what), visit("at?", self.at))
+};
+struct SetPanels {
+  bool to = true;
+  COASTER_COMMAND("panels", "Show or hide the panels (on, off).", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct SetPolyline {
+  bool to = true;
+  COASTER_COMMAND("polyline", "Show or hide the evaluated polyline over the track (on, off).", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct SetAppendMode {
+  bool to = true;
+  COASTER_COMMAND("append_mode", "Clicks on the ground append knots (on, off).", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct SetScale {
+  float to = 1;
+  COASTER_COMMAND("scale", "Scale the panels (0.75..3).", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+
+// --- motion -----------------------------------------------------------------------------------------------------------
+struct RideStart {
+  COASTER_COMMAND("ride.start", "Let the carts run, from where they are.", Effect::motion);
+  COASTER_FIELDS()
+};
+struct RidePause {
+  COASTER_COMMAND("ride.pause", "Hold the carts where they are.", Effect::motion);
+  COASTER_FIELDS()
+};
+struct RideStop {
+  COASTER_COMMAND("ride.stop", "Put the carts back to their start.", Effect::motion);
+  COASTER_FIELDS()
+};
+struct RideStep {
+  int ticks = 1;
+  COASTER_COMMAND("ride.step", "Advance a paused ride by some ticks of 1/120 s.", Effect::motion);
+  COASTER_FIELDS(visit("", self.ticks))
+};
+struct RideSeek {
+  double to = 0;
+  COASTER_COMMAND("ride.seek", "Put the first cart at a distance from the track's start (m), keeping its energy.", Effect::motion);
+  COASTER_FIELDS(visit("", self.to))
+};
+
+// --- history and session ----------------------------------------------------------------------------------------------
+struct Undo {
+  COASTER_COMMAND("undo", "Undo the last step.", Effect::history);
+  COASTER_FIELDS()
+};
+struct Redo {
+  COASTER_COMMAND("redo", "Redo the step undone last.", Effect::history);
+  COASTER_FIELDS()
+};
+// Commands between begin and end are one step of undo; cancel restores the document at begin exactly.
+struct BeginGesture {
+  COASTER_COMMAND("gesture.begin", "Commands up to gesture.end are one step of undo.", Effect::history);
+  COASTER_FIELDS()
+};
+struct EndGesture {
+  COASTER_COMMAND("gesture.end", "End a gesture.", Effect::history);
+  COASTER_FIELDS()
+};
+struct CancelGesture {
+  COASTER_COMMAND("gesture.cancel", "End a gesture and put everything back as it was before.", Effect::history);
+  COASTER_FIELDS()
+};
+struct Load {
+  std::string path;
+  COASTER_COMMAND("load", "Open a track file.", Effect::session);
+  COASTER_FIELDS(visit("", self.path))
+};
+struct Save {
+  std::string path;
+  COASTER_COMMAND("save", "Save the track to a file.", Effect::session);
+  COASTER_FIELDS(visit("", self.path))
+};
+struct NewTrack {
+  COASTER_COMMAND("new", "Start an empty track.", Effect::session);
+  COASTER_FIELDS()
+};
+
+using Command = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve,
+                             AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum,  //
+                             SetEvaluator, SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera,
+                             SetCameraMode, Select, SetPanels, SetPolyline, SetAppendMode, SetScale,          //
+                             RideStart, RidePause, RideStop, RideStep, RideSeek,                              //
+                             Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save, NewTrack>;
+
+const CommandInfo& info(const Command& command);
+
+}  // namespace coaster::edit

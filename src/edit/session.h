@@ -1,0 +1,69 @@
+// What one running program holds: document, settings, motion, derived, history and notices; and apply(), the only way to change it.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/files.h"
+#include "edit/commands.h"
+#include "sim/derived.h"
+#include "sim/ride.h"
+
+namespace coaster::edit {
+
+// One step of undo: the document before and after it by value would be twice the memory, so each step keeps one side.
+struct HistoryStep {
+  std::string label;         // the command's text, or that of a gesture's last command
+  world::Document document;  // before the step on the undo stack, after it on the redo stack
+};
+
+struct History {
+  std::deque<HistoryStep> undo;  // oldest first; the oldest are dropped beyond kMaxHistoryBytes (estimated)
+  std::vector<HistoryStep> redo;
+  bool in_gesture = false;
+  world::Document gesture_start;
+  std::string gesture_label;
+};
+inline constexpr std::size_t kMaxHistoryBytes = 256u << 20;
+
+enum class NoticeKind : std::uint8_t { info, warning, error };
+struct Notice {
+  NoticeKind kind = NoticeKind::info;
+  std::string text;
+  std::uint64_t serial = 0;  // counts up; the panel fades old ones
+};
+
+struct Session {
+  world::Document document;
+  world::Settings settings;
+  world::Motion motion;
+  sim::Derived derived;
+  History history;
+  std::vector<Notice> notices;     // the newest last, at most 32
+  std::uint64_t notice_serial = 0;
+  std::filesystem::path path;      // of the document; empty when it has none
+  std::uint64_t saved_hash = 0;    // document hash when last loaded, saved or made
+  std::uint64_t tick = 0;          // ticks since the program's start
+  sim::Clock clock;                // to measure evaluation with
+};
+
+void notify(Session& session, NoticeKind kind, std::string text);
+bool dirty(const Session& session);  // the document differs from its file
+
+// Checks first, changes nothing on error. On success document, settings, motion, derived and history are consistent again (derive and
+// reconcile have run). Numbers beyond the limits are clamped with a warning notice that contains the word "limit"; what cannot be done
+// (unknown names, over the vertex budget, too short handles) is refused with Code::refused, file errors pass through, and either way an error
+// notice is shown. A document command outside a gesture is one step of undo; a command that leaves the document equal adds none.
+// undo inside a gesture cancels it.
+base::Status apply(Session& session, base::Files& files, const Command& command);
+
+// Advances the ride by whole ticks.
+void advance(Session& session, int ticks);
+
+// A session on an empty document.
+Session make_session(sim::Clock clock);
+
+}  // namespace coaster::edit

@@ -1,0 +1,35 @@
+// The project's own track format, JSON (docs/track-format.md). Reading checks everything; a bad file never yields a document.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/files.h"
+#include "world/document.h"
+
+namespace coaster::exchange {
+
+inline constexpr std::string_view kTrackFormat = "coaster-track";
+inline constexpr int kTrackVersion = 1;
+
+struct LoadedTrack {
+  world::Document document;
+  std::vector<std::string> warnings;  // one line each: unknown members, which are kept
+};
+
+// Parses a whole file's text. Errors are Code::bad_file with one line "NAME:LINE:COLUMN: error: ..." for broken JSON and
+// "NAME: error: knots[3].tangent: expected ..., found ..." for everything else. Refuses: wrong format or a newer version, duplicate
+// members, nesting over 32, NaN, infinities and numbers outside the limits of world/components.h, zero tangents, unknown ids.
+base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view name);
+
+// The text of a document: two-space indentation, one knot a line, every float in its shortest exact form; ends with a newline.
+// parse_track(print_track(d)) equals d by hash, and printing that again gives the same bytes.
+std::string print_track(const world::Document& document);
+
+// By the ending of the path (".json" so far; another is refused with the list of those known).
+base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path);
+base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document);
+
+}  // namespace coaster::exchange

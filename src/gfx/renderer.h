@@ -1,0 +1,64 @@
+// Draws one picture of a scene into a framebuffer of its own, multisampled where the driver can, and hands out the resolved colour.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gfx/gl.h"
+#include "sim/ride.h"
+#include "view/camera.h"
+#include "view/overlay.h"
+
+namespace coaster::gfx {
+
+// What is drawn: const views of state that outlive the call.
+struct Scene {
+  const sim::Derived& derived;
+  const view::View& view;
+  const view::Overlay& overlay;
+  std::span<const sim::Pose> carts;
+  bool show_polyline = true;
+};
+
+// Of the last draw.
+struct DrawStats {
+  int uploads = 0;     // segments whose slots were written
+  int draw_calls = 0;
+  int samples = 0;
+  double cpu_ms = 0;   // spent by the cache on preparing what is uploaded, outside GL
+};
+
+// 8-bit RGBA, rows from the top.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+class Renderer {
+ public:
+  // Compiles the shaders (embedded at build from shaders/). Code::graphics with the compiler's log on failure. `gl` must outlive it.
+  static base::Result<std::unique_ptr<Renderer>> make(const Gl& gl, int samples);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  // 0 or 1: no multisampling; clamped to what the driver has.
+  void set_samples(int samples);
+
+  // Draws the scene into scene.view.viewport of a width x height picture (both >= 1), clears the rest, resolves it, and leaves the
+  // resolved framebuffer bound for drawing (viewport: the whole picture) so that panels can be drawn over it.
+  DrawStats draw(const Scene& scene, int width, int height);
+
+  unsigned framebuffer() const;  // the resolved one, for Surface::present
+  Image read_pixels() const;     // of the resolved framebuffer
+
+ private:
+  struct Parts;
+  explicit Renderer(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace coaster::gfx

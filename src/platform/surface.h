@@ -1,0 +1,53 @@
+// Where frames go: a window (GLFW) or memory (OSMesa). The only interface with virtual functions in the program.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/status.h"
+#include "platform/events.h"
+
+namespace coaster::platform {
+
+struct Size {
+  int width = 0, height = 0;
+  friend bool operator==(const Size&, const Size&) = default;
+};
+
+class Surface {
+ public:
+  virtual ~Surface() = default;
+  // Appends what happened since the last call, the Tick last. Headless: a Tick of exactly 1/60 s and nothing else.
+  virtual void poll(Events& events) = 0;
+  virtual Size size() const = 0;           // framebuffer pixels; zero when minimised
+  virtual float content_scale() const = 0;  // 1 on ordinary screens, 2 on high-density ones
+  virtual void* gl_proc(const char* name) = 0;
+  // Shows the colour of `framebuffer` (a GL name, single-sampled, of size()): the window copies it, memory keeps nothing: read pixels
+  // with gfx::read_pixels before.
+  virtual void present(unsigned framebuffer) = 0;
+  virtual double clock() const = 0;        // seconds, monotonic
+  virtual void set_title(const std::string& title) = 0;
+  virtual void resize(Size size) = 0;      // a window asks the window system, memory obeys
+  virtual std::string clipboard() = 0;
+  virtual void set_clipboard(const std::string& text) = 0;
+  virtual bool is_window() const = 0;
+};
+
+struct SurfaceOptions {
+  Size size{1280, 720};
+  std::string title = "coaster";
+  bool visible = true;
+  bool vsync = true;
+};
+
+// A window with an OpenGL 3.3 core context. Code::graphics when there is no display (the message has the hint --headless) or no
+// such context (versions needed and found), or when the program was built without windows.
+base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options);
+
+// An off-screen OpenGL core context by OSMesa, loaded at run time from libOSMesa.so.8 (or .6). Code::graphics when missing: the message names the
+// package to install.
+base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options);
+
+}  // namespace coaster::platform

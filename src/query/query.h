@@ -1,0 +1,59 @@
+// The named values that panels, scripts and challenges read, each with a unit and a line of text. A row of the table adds one.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "base/text.h"
+#include "edit/session.h"
+
+namespace coaster::query {
+
+// Measured by the frame loop; shown here.
+struct FrameStats {
+  std::uint64_t frame = 0;
+  int uploads = 0;        // segments whose vertex buffers were uploaded in the last frame
+  int rebuilds = 0;       // segments evaluated in the last frame
+  int recolours = 0;      // segments whose ride-coloured stream was uploaded (counted apart)
+  double fps = 0;         // 0: not measured
+  double cpu_ms = 0;      // of the last frame, outside GL and waiting
+  double gl_ms = 0;
+  double evaluation_ms = 0;  // in evaluators during the last frame that evaluated anything
+  std::int64_t evaluated_vertices = 0;
+  int draw_calls = 0;
+  bool hide_times = false;   // scripted: times read "--"
+  int samples = 0;           // of multisampling in use
+  int width = 0, height = 0;
+};
+
+struct Context {
+  const edit::Session& session;
+  const FrameStats& stats;
+  std::string_view toast;   // text of the newest notice, "" when none shows
+  std::string_view title;
+};
+
+// Ordered values such as continuity compare by rank: G0 < G1 < G2.
+struct Ranked {
+  int rank;
+  std::string text;
+};
+using Value = std::variant<double, std::string, Ranked, glm::dvec3>;
+
+std::string to_text(const Value& value);
+
+struct Query {
+  std::string_view name;       // "ride.speed"; with an argument: "position"
+  std::string_view argument;   // "" or what must follow: "@knot", "document|motion"
+  std::string_view unit;       // "m/s", "" where there is none
+  std::string_view text;
+  base::Result<Value> (*evaluate)(const Context& context, std::string_view argument);
+};
+
+std::span<const Query> queries();
+const Query* find_query(std::string_view name);
+
+}  // namespace coaster::query

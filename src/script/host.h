@@ -1,0 +1,58 @@
+// What a script needs of the running program, as plain functions that the app fills in: scripts know neither ImGui nor GL.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/files.h"
+#include "edit/commands.h"
+#include "platform/events.h"
+#include "query/query.h"
+
+namespace coaster::script {
+
+struct WidgetState {
+  std::string path, kind, value;
+  float x = 0, y = 0, width = 0, height = 0;
+  bool visible = true, enabled = true, covered = false;
+};
+
+// A thing to aim at in the viewport, resolved to a pixel by the app.
+struct AimPoint {
+  enum class Kind { knot, handle_in, handle_out, curve, cart, ground, world } kind = Kind::ground;
+  world::Name name;
+  double t = 0;
+  glm::vec3 position{0};  // for ground (y = 0) and world
+};
+
+// Session-wide switches of the env line.
+struct Environment {
+  int width = 640, height = 360;
+  std::uint64_t seed = 0;
+  float scale = 1;
+  int samples = 0;
+};
+
+struct Host {
+  std::function<base::Status(const Environment&)> set_environment;
+  std::function<base::Status(const edit::Command&)> apply;             // at once, between frames
+  std::function<base::Status(const platform::Events&, int ticks)> frame;  // one whole frame: events, UI, commands, ticks, drawing
+  std::function<void(int ticks)> advance;                              // ticks without drawing
+  std::function<const query::Context()> context;                       // of the last frame and the present state
+  std::function<std::vector<WidgetState>()> widgets;                   // of the last frame
+  std::function<base::Result<glm::vec2>(const AimPoint&)> pixel_of;    // in the last frame's view; refused when not on screen
+  std::function<base::Result<glm::vec3>(const AimPoint&)> position_of;
+  std::function<base::Status(const std::filesystem::path&)> screenshot;  // PNG of the last frame
+  // Compares the last frame with a golden PNG; writes new/reference/difference and an HTML page below the folder.
+  std::function<base::Status(const std::string& name, const std::filesystem::path& golden, const std::filesystem::path& folder, bool update)> snap;
+  std::function<void(std::string_view line)> print;                    // to stdout (log, hash log)
+  base::Files* files = nullptr;
+  bool window = false;                                                 // frames are paced by a screen
+};
+
+}  // namespace coaster::script

@@ -1,0 +1,53 @@
+// The orbit camera's matrices, rays and projections. Pixels have their origin at the top left.
+#pragma once
+
+#include <optional>
+
+#include <glm/glm.hpp>
+
+#include "sim/derived.h"
+#include "sim/ride.h"
+#include "world/settings.h"
+
+namespace coaster::view {
+
+// A rectangle of the window in pixels.
+struct Viewport {
+  float x = 0, y = 0, width = 1, height = 1;
+  bool contains(glm::vec2 p) const { return p.x >= x && p.y >= y && p.x < x + width && p.y < y + height; }
+};
+
+// What the picture is taken with.
+struct View {
+  glm::mat4 view{1}, projection{1};  // OpenGL clip space, right-handed
+  glm::vec3 eye{0};
+  Viewport viewport;
+};
+
+struct Ray {
+  glm::vec3 origin, direction;  // unit
+};
+
+inline constexpr float kFieldOfViewDeg = 45;
+
+// The eye is kept at least 0.3 m over the ground plane y = 0. A viewport without area is taken as 1 x 1.
+View orbit_view(const world::Camera& camera, Viewport viewport);
+// From the seat of a cart: the eye 1.1 m over the rails, looking forward.
+View ride_view(const sim::Pose& pose, Viewport viewport);
+
+// Window pixel of a world point, or nothing when it is behind the eye. z: depth as NDC in [-1,1].
+std::optional<glm::vec3> project(const View& view, glm::vec3 world);
+Ray ray_through(const View& view, glm::vec2 pixel);
+
+// Where the ray meets the plane through `point` with `normal`; nothing when parallel, behind the eye or beyond 1e5 m.
+std::optional<glm::vec3> meet_plane(const Ray& ray, glm::vec3 point, glm::vec3 normal);
+// Height (y) on the vertical line through `point` that is nearest to the ray.
+std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point);
+
+// A camera with the same yaw and pitch that shows the box with some margin at the viewport's aspect.
+world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport);
+// The same for the whole track (an empty one: 40 m about the origin) or for one entity.
+world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport);
+world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity, Viewport viewport);
+
+}  // namespace coaster::view

@@ -1,0 +1,41 @@
+// Lists of marks and thin lines that are drawn over the scene, rebuilt each frame from const state. No GL.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "view/pick.h"
+
+namespace coaster::view {
+
+enum class MarkShape : std::uint8_t { disc, square };
+
+// Screen-facing marks of constant pixel size.
+struct Mark {
+  glm::vec3 position{0};
+  float radius_px = kKnotRadius;
+  std::uint32_t rgba = 0xffffffff;  // 0xRRGGBBAA
+  MarkShape shape = MarkShape::disc;
+  friend bool operator==(const Mark&, const Mark&) = default;
+};
+
+// Lines of constant pixel width, drawn as quads.
+struct Line {
+  glm::vec3 from{0}, to{0};
+  float width_px = 1.5f;
+  std::uint32_t rgba = 0xffffffff;
+  friend bool operator==(const Line&, const Line&) = default;
+};
+
+struct Overlay {
+  std::vector<Line> lines;
+  std::vector<Mark> marks;  // in drawing order, far to near within a layer
+  friend bool operator==(const Overlay&, const Overlay&) = default;
+};
+
+// Knots, handles of the selection, the control polygon of the selected segment (or of the segments at the selected knot), the picked
+// place; what is under the cursor is larger and brighter.
+Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+                      const View& view, const Pick& hovered);
+
+}  // namespace coaster::view
