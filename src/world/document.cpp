@@ -1,0 +1,69 @@
+// Reading a document: names, control points, neighbours, length. Changes nothing (topology.cpp does).
+#include "world/document.h"
+
+#include "curve/arc_length.h"
+
+namespace coaster::world {
+
+Entity find(const Document& document, Name name) {
+  const Pool<Name>& names = document.entities.pool<Name>();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names.items()[i] == name) return names.entities()[i];
+  return kNone;
+}
+
+Name name_of(const Document& document, Entity entity) {
+  return document.entities.get<Name>(entity);
+}
+
+std::string label_of(const Document& document, Entity entity) {
+  const Name* const name = document.entities.find<Name>(entity);
+  return name ? to_text(*name) : "-";
+}
+
+const Knot& knot(const Document& document, Entity e) {
+  return document.entities.get<Knot>(e);
+}
+const Segment& segment(const Document& document, Entity e) {
+  return document.entities.get<Segment>(e);
+}
+
+curve::Cubic cubic_of(const Document& document, Entity segment_entity) {
+  const Segment& s = segment(document, segment_entity);
+  const Knot &from = knot(document, s.from), &to = knot(document, s.to);
+  return {from.position, out_handle(from), in_handle(to), to.position};
+}
+
+glm::vec3 in_handle(const Knot& k) {
+  return k.position - k.tangent * k.in_length;
+}
+glm::vec3 out_handle(const Knot& k) {
+  return k.position + k.tangent * k.out_length;
+}
+
+Neighbours neighbours(const Document& document, Entity knot_entity) {
+  const Track& track = document.track;
+  const auto index = index_of(track.knots, knot_entity);
+  COASTER_CHECK(index, "the knot is on the track");
+  Neighbours result;
+  if (*index > 0)
+    result.before = track.segments[*index - 1];
+  else if (track.closed)
+    result.before = track.segments.back();
+  if (*index < track.segments.size()) result.after = track.segments[*index];
+  return result;
+}
+
+std::optional<std::size_t> index_of(const std::vector<Entity>& order, Entity e) {
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (order[i] == e) return i;
+  return std::nullopt;
+}
+
+double exact_length(const Document& document) {
+  double sum = 0;
+  for (const Entity s : document.track.segments) sum += curve::arc_length(cubic_of(document, s));
+  return sum;
+}
+
+}  // namespace coaster::world

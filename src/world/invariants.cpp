@@ -1,0 +1,105 @@
+// Checks every promise that document.h, components.h and registry.h make about a document. For tests and
+// after loading.
+#include <cmath>
+#include <set>
+
+#include "world/document.h"
+
+namespace coaster::world {
+namespace {
+
+using Broken = std::optional<std::string>;
+
+// Twice the tolerance of orthonormalise(): rounding to float after it must not break the promise.
+constexpr double kUnitTolerance = 2e-6;
+
+bool within(double value, double low, double high) {
+  return value >= low && value <= high;
+}  // false for NaN
+
+Broken broken_knot(const Document& document, Entity e) {
+  const Knot& k = knot(document, e);
+  const auto broken = [&](const char* what) { return label_of(document, e) + ": " + what; };
+  for (int axis = 0; axis < 3; ++axis)
+    if (!within(k.position[axis], -kMaxCoordinate, kMaxCoordinate))
+      return broken("position beyond the limit");
+  const glm::dvec3 tangent(k.tangent), up(k.up);
+  if (!within(glm::dot(tangent, tangent), 1 - kUnitTolerance, 1 + kUnitTolerance))
+    return broken("tangent is not unit");
+  if (!within(glm::dot(up, up), 1 - kUnitTolerance, 1 + kUnitTolerance)) return broken("up is not unit");
+  if (!within(glm::dot(tangent, up), -kUnitTolerance, kUnitTolerance))
+    return broken("up is not perpendicular");
+  if (!within(k.in_length, kMinHandle, kMaxHandle) || !within(k.out_length, kMinHandle, kMaxHandle))
+    return broken("handle length beyond the limits");
+  if (k.joint == JointKind::smooth && k.in_length != k.out_length)
+    return broken("smooth joint with unequal lengths");
+  return {};
+}
+
+Broken broken_names(const Document& document) {
+  std::set<Name> seen;
+  const auto& names = document.entities.pool<Name>();
+  if (names.size() != document.entities.size()) return "an entity without a name";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Name name = names.items()[i];
+    const Entity e = names.entities()[i];
+    if (!seen.insert(name).second) return to_text(name) + ": the name is taken twice";
+    if (name.number < 1 || name.number > document.last_number[static_cast<std::size_t>(name.kind)])
+      return to_text(name) + ": number beyond the last one given";
+    if (!document.entities.alive(e)) return to_text(name) + ": names a dead entity";
+    const bool knot_here = document.entities.find<Knot>(e), segment_here = document.entities.find<Segment>(e),
+               cart_here = document.entities.find<Cart>(e);
+    if (knot_here != (name.kind == Kind::knot) || segment_here != (name.kind == Kind::segment) ||
+        cart_here != (name.kind == Kind::cart))
+      return to_text(name) + ": components of another kind";
+  }
+  return {};
+}
+
+Broken broken_chain(const Document& document) {
+  const Track& track = document.track;
+  const std::size_t count = track.knots.size();
+  if (count > kMaxKnots) return "more knots than the limit";
+  if (track.closed && count < 2) return "a closed track has at least 2 knots";
+  const std::size_t expected = track.closed ? count : count > 0 ? count - 1 : 0;
+  if (track.segments.size() != expected) return "the number of segments does not fit the knots";
+  if (document.entities.pool<Knot>().size() != count) return "a knot is not on the track, or twice";
+  if (document.entities.pool<Segment>().size() != expected) return "a segment is not on the track, or twice";
+  std::set<Entity> seen;
+  for (const Entity e : track.knots)
+    if (!document.entities.find<Knot>(e) || !seen.insert(e).second) return "the order of knots is broken";
+  for (std::size_t i = 0; i < expected; ++i) {
+    const Entity e = track.segments[i];
+    if (!document.entities.find<Segment>(e) || !seen.insert(e).second)
+      return "the order of segments is broken";
+    const Segment& s = segment(document, e);
+    if (s.from != track.knots[i] || s.to != track.knots[(i + 1) % count])
+      return label_of(document, e) + ": does not lead from its knot to the next";
+    if (s.turns < -kMaxTurns || s.turns > kMaxTurns)
+      return label_of(document, e) + ": turns beyond the limit";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<std::string> broken_invariant(const Document& document) {
+  if (!within(document.start_speed, -kMaxSpeed, kMaxSpeed)) return "start speed beyond the limit";
+  if (!within(document.datum, -double{kMaxCoordinate}, double{kMaxCoordinate}))
+    return "datum beyond the limit";
+  if (Broken broken = broken_names(document)) return broken;
+  if (Broken broken = broken_chain(document)) return broken;
+  for (const Entity e : document.track.knots)
+    if (Broken broken = broken_knot(document, e)) return broken;
+  const auto& carts = document.entities.pool<Cart>();
+  for (std::size_t i = 0; i < carts.size(); ++i) {
+    const Cart& cart = carts.items()[i];
+    if (!document.entities.find<Segment>(cart.segment))
+      return label_of(document, carts.entities()[i]) + ": on no segment";
+    if (!(cart.fraction >= 0 && cart.fraction < 1))
+      return label_of(document, carts.entities()[i]) + ": fraction not in [0,1)";
+  }
+  return {};
+}
+
+}  // namespace coaster::world

@@ -1,0 +1,82 @@
+// The hashes of document and motion. They depend on names, order and values, never on entity slots or on what
+// a file does not hold. The order of the fields here is fixed: scripts contain such hashes.
+#include <algorithm>
+#include <vector>
+
+#include "base/hash.h"
+#include "world/motion.h"
+
+namespace coaster::world {
+namespace {
+
+// 0 for what is not alive, which no name has.
+std::uint32_t number_of(const Document& document, Entity e) {
+  const Name* const name = document.entities.find<Name>(e);
+  return name ? name->number : 0;
+}
+
+void add_extra(base::Hasher& hasher, const Document& document, Entity e) {
+  const Extra* const extra = document.entities.find<Extra>(e);
+  hasher.add(extra ? std::string_view(extra->json) : std::string_view());
+}
+
+std::vector<Entity> by_number(const Document& document, std::vector<Entity> entities) {
+  std::sort(entities.begin(), entities.end(), [&](Entity a, Entity b) {
+    const std::uint32_t x = number_of(document, a), y = number_of(document, b);
+    return x != y ? x < y : a < b;
+  });
+  return entities;
+}
+
+void add_knot(base::Hasher& hasher, const Knot& k) {
+  hasher.add(k.position), hasher.add(k.tangent), hasher.add(k.up);
+  hasher.add(k.in_length), hasher.add(k.out_length), hasher.add(k.joint);
+}
+
+}  // namespace
+
+std::uint64_t hash(const Document& document) {
+  base::Hasher hasher;
+  hasher.add(std::string_view(document.name));
+  hasher.add(document.start_speed), hasher.add(document.datum);
+  hasher.add(document.track.closed);
+  hasher.add(std::string_view(document.extra.json));
+  hasher.add(document.track.knots.size());
+  for (const Entity e : document.track.knots) {
+    hasher.add(number_of(document, e));
+    add_knot(hasher, knot(document, e));
+    add_extra(hasher, document, e);
+  }
+  hasher.add(document.track.segments.size());  // from and to follow from the order
+  for (const Entity e : document.track.segments) {
+    hasher.add(number_of(document, e));
+    hasher.add(segment(document, e).turns);
+    add_extra(hasher, document, e);
+  }
+  const auto& carts = document.entities.pool<Cart>();
+  hasher.add(carts.size());
+  for (const Entity e : by_number(document, carts.entities())) {
+    const Cart& cart = carts.get(e);
+    hasher.add(number_of(document, e)), hasher.add(number_of(document, cart.segment)),
+        hasher.add(cart.fraction);
+    add_extra(hasher, document, e);
+  }
+  return hasher.digest();
+}
+
+std::uint64_t hash(const Document& document, const Motion& motion) {
+  base::Hasher hasher;
+  hasher.add(motion.state);
+  hasher.add(motion.carts.size());
+  for (const Entity e : by_number(document, motion.carts.entities())) {
+    const CartMotion& cart = motion.carts.get(e);
+    hasher.add(number_of(document, e)), hasher.add(number_of(document, cart.segment));
+    hasher.add(cart.s), hasher.add(cart.speed), hasher.add(cart.segment_length),
+        hasher.add(cart.track_distance);
+    hasher.add(cart.travelled), hasher.add(cart.laps);
+    hasher.add(cart.reference_energy), hasher.add(cart.peak_kinetic);
+  }
+  return hasher.digest();
+}
+
+}  // namespace coaster::world
