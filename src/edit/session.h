@@ -23,6 +23,7 @@ struct HistoryStep {
 struct History {
   std::deque<HistoryStep> undo;  // oldest first; the oldest are dropped beyond kMaxHistoryBytes (estimated)
   std::vector<HistoryStep> redo;
+  std::size_t undo_bytes = 0;    // estimate of what the undo stack holds
   bool in_gesture = false;
   world::Document gesture_start;
   std::string gesture_label;

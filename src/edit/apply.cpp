@@ -1,0 +1,197 @@
+// apply(): every command's way into the session, and what follows from it: joints, derived data, carts,
+// history, notices.
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "base/portable_math.h"
+#include "edit/change.h"
+#include "edit/codec.h"
+#include "edit/history.h"
+#include "edit/motion_follow.h"
+#include "exchange/track_file.h"
+#include "world/topology.h"
+
+namespace coaster::edit {
+namespace {
+
+using base::Status;
+
+void derive(Session& session) {
+  sim::derive(session.document, session.settings, session.clock, session.derived);
+}
+
+// A ride that has not started shows the carts as designed (so does one without carts: nothing is left that
+// could go on); any other keeps them where they are.
+void settle_motion(Session& session) {
+  if (session.motion.state == world::RideState::stopped ||
+      session.document.entities.pool<world::Cart>().size() == 0)
+    sim::reset(session.document, session.derived, session.motion);
+  else
+    sim::reconcile(session.document, session.derived, session.motion);
+}
+
+void drop_dead_selection(Session& session) {
+  world::Entity& selected = session.settings.selected;
+  if (selected.valid() && !session.document.entities.alive(selected)) selected = world::kNone;
+}
+
+// A split knows only `up` at the new knot, which fixes the twist of both halves up to whole turns: those
+// follow from the twist that the segment had, shared out by length.
+void share_turns(Session& session, const MotionFollowUp& split, double twist) {
+  const double left = session.derived.shape(split.first).arc.length(),
+               right = session.derived.shape(split.second).arc.length();
+  bool changed = false;
+  for (const auto& [e, share] : {std::pair{split.first, left}, std::pair{split.second, right}}) {
+    if (!(left + right > 0)) continue;
+    const double missing = twist * (share / (left + right)) - session.derived.shape(e).twist;
+    const auto turns = static_cast<std::int32_t>(std::lround(missing / (2 * base::kPi)));
+    if (turns == 0) continue;
+    session.document.entities.get<world::Segment>(e).turns += turns;
+    changed = true;
+  }
+  if (changed) derive(session);
+}
+
+// Everything that must hold again after the document has changed.
+void follow_document(Session& session, const Change& change, double twist_before) {
+  world::settle_joints(session.document);
+  derive(session);
+  if (change.motion.kind == MotionFollowUp::Kind::split) share_turns(session, change.motion, twist_before);
+  follow(change.motion, session.derived, session.motion);
+  settle_motion(session);
+  if (change.select) session.settings.selected = *change.select;
+  drop_dead_selection(session);
+}
+
+template <class C>
+Status document_command(Session& session, const C& command, Change& change) {
+  History& history = session.history;
+  std::optional<world::Document> before;  // inside a gesture its start is the snapshot
+  if (!history.in_gesture) before = session.document;
+  const Status status = perform(session, change, command);
+  if (!status) return status;
+  // The derived data are still those of the document before.
+  const sim::SegmentShape* const split = session.derived.segments.find(change.motion.first);
+  follow_document(session, change, split ? split->twist : 0.0);
+  if (history.in_gesture)
+    history.gesture_label = print(command);
+  else if (!(*before == session.document))
+    record(history, print(command), std::move(*before));
+  return {};
+}
+
+template <class C>
+Status settings_command(Session& session, const C& command, Change& change) {
+  const Status status = perform(session, change, command);
+  if (status && change.remeasure) derive(session);
+  return status;
+}
+
+// Exchanges the whole document by `exchange` (which returns false when there is nothing to exchange) and
+// brings the rest in line.
+template <class Exchange>
+bool exchange_document(Session& session, Exchange exchange) {
+  world::Document next = session.document;
+  if (!exchange(next)) return false;
+  follow_by_distance(session.document, next, session.derived, session.motion);
+  session.document = std::move(next);
+  fit_budget(session);
+  derive(session);
+  settle_motion(session);
+  drop_dead_selection(session);
+  return true;
+}
+
+Status cancel(Session& session) {
+  exchange_document(session, [&](world::Document& d) { return cancel_gesture(session.history, d), true; });
+  return {};
+}
+
+Status steps(Session& session, const Undo&) {
+  if (session.history.in_gesture) return cancel(session);
+  if (exchange_document(session, [&](world::Document& d) { return undo(session.history, d); })) return {};
+  return refused("there is nothing to undo");
+}
+Status steps(Session& session, const Redo&) {
+  if (session.history.in_gesture) return refused("a gesture is open");
+  if (exchange_document(session, [&](world::Document& d) { return redo(session.history, d); })) return {};
+  return refused("there is nothing to redo");
+}
+Status steps(Session& session, const BeginGesture&) {
+  if (session.history.in_gesture) return refused("a gesture is open already");
+  begin_gesture(session.history, session.document);
+  return {};
+}
+Status steps(Session& session, const EndGesture&) {
+  if (!session.history.in_gesture) return refused("no gesture is open");
+  end_gesture(session.history, session.document);
+  return {};
+}
+Status steps(Session& session, const CancelGesture&) {
+  if (!session.history.in_gesture) return refused("no gesture is open");
+  return cancel(session);
+}
+
+// Another document: nothing of the old one stays, but settings do.
+void start_over(Session& session, world::Document document, std::filesystem::path path) {
+  session.document = std::move(document);
+  session.history = {};
+  session.motion = {};
+  session.settings.selected = world::kNone;
+  session.path = std::move(path);
+  session.saved_hash = world::hash(session.document);
+  fit_budget(session);
+  derive(session);
+  sim::reset(session.document, session.derived, session.motion);
+}
+
+Status files_command(Session& session, base::Files& files, const Load& command) {
+  base::Result<exchange::LoadedTrack> loaded = exchange::load_track(files, command.path);
+  if (!loaded) return loaded.status();
+  start_over(session, std::move(loaded->document), command.path);
+  for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
+  return {};
+}
+Status files_command(Session& session, base::Files& files, const Save& command) {
+  if (command.path.empty()) return refused("expected a file to save to");
+  const Status status = exchange::save_track(files, command.path, session.document);
+  if (!status) return status;
+  session.path = command.path;
+  session.saved_hash = world::hash(session.document);
+  notify(session, NoticeKind::info, "saved " + command.path);
+  return {};
+}
+Status files_command(Session& session, base::Files&, const NewTrack&) {
+  start_over(session, {}, {});
+  return {};
+}
+
+}  // namespace
+
+Status apply(Session& session, base::Files& files, const Command& command) {
+  Change change;
+  Status status = std::visit(
+      [&]<class C>(const C& c) -> Status {
+        if constexpr (C::kInfo.effect == Effect::document)
+          return document_command(session, c, change);
+        else if constexpr (C::kInfo.effect == Effect::settings)
+          return settings_command(session, c, change);
+        else if constexpr (C::kInfo.effect == Effect::motion)
+          return perform(session, change, c);
+        else if constexpr (C::kInfo.effect == Effect::history)
+          return steps(session, c);
+        else
+          return files_command(session, files, c);
+      },
+      command);
+  const std::string name(info(command).name);
+  if (status.code == base::Code::refused) status.message = name + ": " + status.message;
+  if (!status)
+    notify(session, NoticeKind::error, status.message);
+  else
+    for (const std::string& line : change.clamped) notify(session, NoticeKind::warning, name + ": " + line);
+  return status;
+}
+
+}  // namespace coaster::edit

@@ -1,0 +1,125 @@
+// Commands on how things are shown and measured. They touch neither document nor motion.
+#include <algorithm>
+#include <cmath>
+
+#include "edit/change.h"
+
+namespace coaster::edit {
+namespace {
+
+using base::Status;
+
+constexpr std::int64_t kMinBudget = 1'000, kMaxBudget = 1'000'000'000;
+constexpr float kMaxPitch = 89, kMinDistance = 0.5f, kMaxDistance = 20'000;
+constexpr float kMinScale = 0.75f, kMaxScale = 3;
+
+// Commands read from text name rows; others may come from anywhere.
+template <class Id, class Rows>
+Status known_row(Id id, const Rows& rows) {
+  const int row = static_cast<int>(id);
+  if (row >= 0 && static_cast<std::size_t>(row) < rows.size()) return {};
+  return refused("there is no row " + std::to_string(row) + " in the table of " +
+                 std::to_string(rows.size()));
+}
+
+}  // namespace
+
+Status perform(Session& session, Change& change, const SetEvaluator& command) {
+  const Status known = known_row(command.to, curve::evaluators());
+  if (!known) return known;
+  session.settings.evaluator = command.to;
+  change.remeasure = true;
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetResolution& command) {
+  const int steps = change.clamp("resolution", command.to, curve::kMinSteps, curve::kMaxSteps);
+  const Status room =
+      within_budget(session.document.track.segments.size(), steps, session.settings.vertex_budget);
+  if (!room) return room;
+  session.settings.steps = steps;
+  change.remeasure = true;
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetVertexBudget& command) {
+  const std::int64_t budget = change.clamp("vertex budget", command.to, kMinBudget, kMaxBudget);
+  const Status room = within_budget(session.document.track.segments.size(), session.settings.steps, budget);
+  if (!room) return room;
+  session.settings.vertex_budget = budget;
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetArcLength& command) {
+  const Status known = known_row(command.to, curve::arc_length_methods());
+  if (!known) return known;
+  session.settings.arc_length = command.to;
+  change.remeasure = true;
+  return {};
+}
+
+Status perform(Session& session, Change&, const SetFrames& command) {
+  session.settings.frames = command.to;
+  return {};
+}
+
+Status perform(Session& session, Change&, const SetIntegrator& command) {
+  const Status known = known_row(command.to.row, sim::integrators());
+  if (!known) return known;
+  session.settings.integrator = command.to.row;
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetCamera& command) {
+  world::Camera camera = command.to;
+  if (!finite(camera.target) || !std::isfinite(camera.yaw_deg) || !std::isfinite(camera.pitch_deg) ||
+      !std::isfinite(camera.distance))
+    return refused("expected finite numbers");
+  camera.target = change.clamp_position("target", camera.target);
+  camera.yaw_deg = std::remainder(camera.yaw_deg, 360.0f);
+  camera.pitch_deg = change.clamp("pitch", camera.pitch_deg, -kMaxPitch, kMaxPitch, "degrees");
+  camera.distance = change.clamp("distance", camera.distance, kMinDistance, kMaxDistance, "m");
+  session.settings.camera = camera;
+  return {};
+}
+
+Status perform(Session& session, Change&, const SetCameraMode& command) {
+  session.settings.camera_mode = command.to;
+  return {};
+}
+
+Status perform(Session& session, Change& change, const Select& command) {
+  if (command.what.name.number == 0) {
+    session.settings.selected = world::kNone;
+    return {};
+  }
+  const auto e = require(session, command.what, command.what.name.kind);
+  if (!e) return e.status();
+  if (command.what.name.kind == world::Kind::segment) {
+    if (!std::isfinite(command.at)) return refused("expected a finite place");
+    session.settings.selected_t = change.clamp("place", command.at, 0.0, 1.0);
+  }
+  session.settings.selected = *e;
+  return {};
+}
+
+Status perform(Session& session, Change&, const SetPanels& command) {
+  session.settings.show_panels = command.to;
+  return {};
+}
+Status perform(Session& session, Change&, const SetPolyline& command) {
+  session.settings.show_polyline = command.to;
+  return {};
+}
+Status perform(Session& session, Change&, const SetAppendMode& command) {
+  session.settings.append_mode = command.to;
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetScale& command) {
+  if (!std::isfinite(command.to)) return refused("expected a finite scale");
+  session.settings.ui_scale = change.clamp("scale", command.to, kMinScale, kMaxScale);
+  return {};
+}
+
+}  // namespace coaster::edit
