@@ -1,0 +1,122 @@
+#include "base/files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace coaster::base {
+namespace {
+
+// A file descriptor that closes itself, for every way out of a function.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return fd_; }
+  bool valid() const { return fd_ >= 0; }
+  int close() { return ::close(std::exchange(fd_, -1)); }
+
+ private:
+  int fd_;
+};
+
+Status failure(Code code, const std::filesystem::path& path, std::string_view what, int error) {
+  return {code, path.string() + ": " + std::string(what) + ": " + std::strerror(error)};
+}
+
+Code code_of_open(int error) {
+  return error == ENOENT || error == ENOTDIR || error == ELOOP || error == ENAMETOOLONG ? Code::bad_file : Code::io;
+}
+
+}  // namespace
+
+void Files::inject(IoOperation operation, int nth) { countdown_[static_cast<std::size_t>(operation)] = nth; }
+
+bool Files::fails(IoOperation operation) {
+  int& count = countdown_[static_cast<std::size_t>(operation)];
+  if (count == 0 || --count > 0) return false;
+  errno = EIO;
+  return true;
+}
+
+Result<std::string> Files::read(const std::filesystem::path& path, std::size_t limit) {
+  // O_NONBLOCK: opening a FIFO must not wait for a writer.
+  Descriptor file(fails(IoOperation::open) ? -1 : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!file.valid()) {
+    const int error = errno;
+    return failure(code_of_open(error), path, "cannot be opened", error);
+  }
+  struct stat info {};
+  if (::fstat(file.get(), &info) != 0) return failure(Code::io, path, "cannot be examined", errno);
+  if (S_ISDIR(info.st_mode)) return Status{Code::bad_file, path.string() + ": is a directory, expected a file"};
+  if (!S_ISREG(info.st_mode)) return Status{Code::bad_file, path.string() + ": is not a regular file"};
+  const Status too_large{Code::bad_file, path.string() + ": is larger than the limit of " + std::to_string(limit) + " bytes"};
+  if (static_cast<std::uint64_t>(info.st_size) > limit) return too_large;
+
+  std::string bytes;
+  std::array<char, 65536> chunk;
+  for (;;) {
+    const ssize_t got = fails(IoOperation::read) ? -1 : ::read(file.get(), chunk.data(), chunk.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return failure(Code::io, path, "cannot be read", errno);
+    if (got == 0) return bytes;
+    bytes.append(chunk.data(), static_cast<std::size_t>(got));
+    if (bytes.size() > limit) return too_large;
+  }
+}
+
+Status Files::write_atomic(const std::filesystem::path& path, std::string_view bytes) {
+  std::error_code ignored;
+  std::filesystem::path target = path;
+  if (std::filesystem::is_symlink(path, ignored)) {
+    target = std::filesystem::weakly_canonical(path, ignored);
+    if (ignored) return {Code::io, path.string() + ": the symbolic link cannot be followed: " + ignored.message()};
+  }
+  struct stat old {};
+  const bool exists = ::stat(target.c_str(), &old) == 0;
+  if (exists && !S_ISREG(old.st_mode)) return {Code::io, path.string() + ": is not a regular file, so it cannot be written"};
+
+  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  std::string temporary = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
+  Descriptor file(fails(IoOperation::open) ? -1 : ::mkostemp(temporary.data(), O_CLOEXEC));
+  if (!file.valid()) return failure(Code::io, path, "open", errno);
+  // From here on every error removes the temporary file and leaves the old one as it was.
+  const auto give_up = [&](std::string_view what) {
+    const Status status = failure(Code::io, path, what, errno);
+    ::unlink(temporary.c_str());
+    return status;
+  };
+
+  mode_t mode = old.st_mode & 07777;
+  if (!exists) {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    mode = 0666 & ~mask;
+  }
+  if (::fchmod(file.get(), mode) != 0) return give_up("chmod");
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t wrote = fails(IoOperation::write) ? -1 : ::write(file.get(), bytes.data() + done, bytes.size() - done);
+    if (wrote < 0 && errno == EINTR) continue;
+    if (wrote < 0) return give_up("write");
+    done += static_cast<std::size_t>(wrote);
+  }
+  if (fails(IoOperation::fsync) || ::fsync(file.get()) != 0) return give_up("fsync");
+  if (fails(IoOperation::close) || file.close() != 0) return give_up("close");
+  if (fails(IoOperation::rename) || ::rename(temporary.c_str(), target.c_str()) != 0) return give_up("rename");
+
+  // The new file is in place; without this a power cut could still bring the old one back.
+  Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!directory.valid() || fails(IoOperation::fsync) || ::fsync(directory.get()) != 0)
+    return failure(Code::io, path, "fsync of the folder", errno);
+  return {};
+}
+
+}  // namespace coaster::base

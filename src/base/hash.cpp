@@ -1,0 +1,28 @@
+#include "base/hash.h"
+
+#include <xxhash.h>
+
+namespace coaster::base {
+
+struct Hasher::State {
+  XXH64_state_t* xxh = XXH64_createState();
+  ~State() { XXH64_freeState(xxh); }
+};
+
+Hasher::Hasher() : state_(std::make_unique<State>()) { XXH64_reset(state_->xxh, 0); }
+Hasher::~Hasher() = default;
+
+void Hasher::bytes(const void* data, std::size_t size) {
+  if (size > 0) XXH64_update(state_->xxh, data, size);
+}
+
+std::uint64_t Hasher::digest() const { return XXH64_digest(state_->xxh); }
+
+std::string hex16(std::uint64_t value) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string text(16, '0');
+  for (int i = 15; i >= 0; --i, value >>= 4) text[static_cast<std::size_t>(i)] = digits[value & 15];
+  return text;
+}
+
+}  // namespace coaster::base

@@ -1,0 +1,158 @@
+#include "base/text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace coaster::base {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+// Reads a quoted word whose opening quote is at `i`; leaves `i` behind the closing one.
+bool read_quoted(std::string_view line, std::size_t& i, Token& token, TextError& error) {
+  const std::size_t start = i++;
+  token.quoted = true;
+  while (i < line.size() && line[i] != '"') {
+    char c = line[i];
+    if (c == '\\') {
+      if (++i >= line.size()) break;
+      switch (line[i]) {
+        case 'n': c = '\n'; break;
+        case '"': c = '"'; break;
+        case '\\': c = '\\'; break;
+        default:
+          error = {static_cast<int>(i), "unknown escape; expected \\\", \\\\ or \\n"};
+          return false;
+      }
+    }
+    token.text += c;
+    ++i;
+  }
+  if (i >= line.size()) {
+    error = {static_cast<int>(start) + 1, "the quote is not closed"};
+    return false;
+  }
+  ++i;
+  return true;
+}
+
+template <class T>
+std::optional<T> parse_number(std::string_view text) {
+  T value{};
+  const char* end = text.data() + text.size();
+  const auto [stopped, code] = std::from_chars(text.data(), end, value);
+  if (code != std::errc{} || stopped != end || text.empty()) return std::nullopt;
+  return value;
+}
+
+template <class T>
+std::string print_number(T value) {
+  char buffer[64];
+  const auto [end, code] = std::to_chars(buffer, buffer + sizeof buffer, value);
+  return code == std::errc{} ? std::string(buffer, end) : std::string("nan");
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& error) {
+  tokens.clear();
+  for (std::size_t i = 0; i < line.size();) {
+    if (is_blank(line[i])) {
+      ++i;
+      continue;
+    }
+    if (line[i] == '#') return true;
+    Token token;
+    token.column = static_cast<int>(i) + 1;
+    if (line[i] == '"') {
+      if (!read_quoted(line, i, token, error)) return false;
+      if (i < line.size() && !is_blank(line[i])) {
+        error = {static_cast<int>(i) + 1, "expected a blank behind the quote"};
+        return false;
+      }
+    } else {
+      while (i < line.size() && !is_blank(line[i]) && line[i] != '#' && line[i] != '"') {
+        if (static_cast<unsigned char>(line[i]) < 0x20 || line[i] == 0x7f) {
+          error = {static_cast<int>(i) + 1, "control character in the line"};
+          return false;
+        }
+        token.text += line[i++];
+      }
+      if (i < line.size() && line[i] == '"') {
+        error = {static_cast<int>(i) + 1, "expected a blank before the quote"};
+        return false;
+      }
+    }
+    tokens.push_back(std::move(token));
+  }
+  return true;
+}
+
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (char c : text) {
+    if (c == '\n') {
+      out += "\\n";
+      continue;
+    }
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+std::optional<double> parse_double(std::string_view text) {
+  const auto value = parse_number<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<float> parse_float(std::string_view text) {
+  const auto value = parse_number<float>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<std::int64_t> parse_int(std::string_view text) { return parse_number<std::int64_t>(text); }
+
+std::string to_text(float value) { return print_number(value); }
+std::string to_text(double value) { return print_number(value); }
+
+std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates) {
+  const std::string* best = nullptr;
+  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance < best_distance && distance < std::max(word.size(), candidate.size())) {
+      best = &candidate;
+      best_distance = distance;
+    }
+  }
+  if (!best) return std::nullopt;
+  return *best;
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string> candidates) {
+  const auto found = nearest(word, candidates);
+  return found ? " did you mean \"" + *found + "\"?" : "";
+}
+
+std::string at_place(std::string_view file, int line, int column, std::string_view message) {
+  return std::string(file) + ":" + std::to_string(line) + ":" + std::to_string(column) + ": error: " + std::string(message);
+}
+
+}  // namespace coaster::base
