@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -29,7 +30,7 @@ const ArcLengthMethod& arc_length_method(ArcLengthId id);
 std::optional<ArcLengthId> find_arc_length_method(std::string_view name);
 
 // Integral of |B'| over [t0,t1], t0 <= t1, by adaptive Gauss-Legendre in double: relative error below 1e-12 for track-like
-// cubics; subdivision is capped at 24 levels, so a cusp costs bounded work and at most 1e-9 relative.
+// cubics; subdivision is capped at 24 levels, so a cusp costs bounded work and at most 1e-9 relative. Cost: 24 evaluations of B' where nothing is subdivided.
 double arc_length(const Cubic& cubic, double t0 = 0.0, double t1 = 1.0);
 
 // Length of a cubic with what is needed to invert it. Immutable; 33 knots of s over uniform t.
@@ -49,8 +50,11 @@ class ArcLengthMap {
 
  private:
   static constexpr int kIntervals = 32;
+  double partial(int interval, double t) const;  // length from the interval's start to t within it
+
   CoefficientsD c_{};
   std::array<double, kIntervals + 1> table_{};
+  std::uint32_t rough_ = 0;  // bit i: interval i needs the adaptive rule (near a cusp)
 };
 
 }  // namespace coaster::curve

@@ -1,0 +1,185 @@
+#include "curve/arc_length.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+
+namespace coaster::curve {
+namespace {
+
+using glm::dvec3;
+
+struct Node {
+  double x, weight;  // on [-1,1], the positive half; the rule is symmetric
+};
+// Roots of the Legendre polynomials P8 and P16 and their weights.
+constexpr Node kGauss8[] = {{0.183434642495649804939, 0.362683783378361982965},
+                            {0.525532409916328985817, 0.313706645877887287337},
+                            {0.796666477413626739591, 0.222381034453374470544},
+                            {0.960289856497536231683, 0.101228536290376259152}};
+constexpr Node kGauss16[] = {{0.095012509837637440185, 0.189450610455068496285},
+                             {0.281603550779258913230, 0.182603415044923588866},
+                             {0.458016777657227386342, 0.169156519395002538189},
+                             {0.617876244402643748446, 0.149595988816576732081},
+                             {0.755404408355003033895, 0.124628971255533872052},
+                             {0.865631202387831743880, 0.095158511682492784809},
+                             {0.944575023073232576077, 0.062253523938647892862},
+                             {0.989400934991649932596, 0.027152459411754094851}};
+
+constexpr int kMaxDepth = 24;
+
+double speed(const CoefficientsD& c, double t) {
+  const dvec3 d = c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3));
+  return std::sqrt(glm::dot(d, d));
+}
+
+template <std::size_t N>
+double gauss(const CoefficientsD& c, double a, double b, const Node (&nodes)[N]) {
+  const double half = 0.5 * (b - a), middle = 0.5 * (a + b);
+  double sum = 0;
+  for (const Node& node : nodes) sum += node.weight * (speed(c, middle - half * node.x) + speed(c, middle + half * node.x));
+  return half * sum;
+}
+
+// Where the 8-node rule is right to 3e-7, the 16-node rule is right to about its square (both converge geometrically
+// with the same base). `floor` is an absolute error too small to matter: it ends the subdivision towards a cusp.
+double adaptive(const CoefficientsD& c, double a, double b, double floor, int depth) {
+  const double fine = gauss(c, a, b, kGauss16);
+  const double error = std::abs(fine - gauss(c, a, b, kGauss8));
+  if (error <= std::max(3e-7 * fine, floor) || depth >= kMaxDepth) return fine;
+  const double middle = 0.5 * (a + b);
+  return adaptive(c, a, middle, floor, depth + 1) + adaptive(c, middle, b, floor, depth + 1);
+}
+
+// The length of the control polygon, from the coefficients: bounds the arc length from above.
+double polygon_length(const CoefficientsD& c) {
+  const dvec3 d0 = c.c1 / 3.0, d1 = d0 + c.c2 / 3.0, d2 = d1 + (c.c3 + c.c2 / 3.0);
+  return glm::length(d0) + glm::length(d1) + glm::length(d2);
+}
+
+double adaptive_length(const CoefficientsD& c, double a, double b) { return adaptive(c, a, b, 1e-13 * polygon_length(c), 0); }
+
+// --- the rows -------------------------------------------------------------------------------------------------------
+
+double gauss_legendre(const Cubic& cubic, int) { return arc_length(cubic); }
+
+double gravesen(const Cubic& c, int) {
+  // Paper erratum: half the polygon "multiplied by" the chord is square metres; the estimate is their mean, and errs by at
+  // most half their difference.
+  const double chord = glm::length(dvec3(c.p3) - dvec3(c.p0));
+  const double polygon = glm::length(dvec3(c.p1) - dvec3(c.p0)) + glm::length(dvec3(c.p2) - dvec3(c.p1)) + glm::length(dvec3(c.p3) - dvec3(c.p2));
+  return 0.5 * (chord + polygon);
+}
+
+double chord_sum(const Cubic& cubic, int steps) {
+  double sum = 0;
+  dvec3 last(cubic.p0);
+  for (int i = 1; i <= steps; ++i) {
+    const dvec3 next = point(cubic, static_cast<double>(i) / steps);
+    sum += glm::length(next - last);
+    last = next;
+  }
+  return sum;
+}
+
+double simpson(const Cubic& cubic, int steps) {
+  const CoefficientsD c = coefficients_d(cubic);
+  const int n = steps + steps % 2;  // Simpson's rule takes pairs of intervals
+  double sum = speed(c, 0) + speed(c, 1);
+  for (int i = 1; i < n; ++i) sum += (i % 2 == 1 ? 4.0 : 2.0) * speed(c, static_cast<double>(i) / n);
+  return sum / (3.0 * n);
+}
+
+double trapezium(const Cubic& cubic, int steps) {
+  const CoefficientsD c = coefficients_d(cubic);
+  double sum = 0.5 * (speed(c, 0) + speed(c, 1));
+  for (int i = 1; i < steps; ++i) sum += speed(c, static_cast<double>(i) / steps);
+  return sum / steps;
+}
+
+double riemann(const Cubic& cubic, int steps) {
+  const CoefficientsD c = coefficients_d(cubic);
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) sum += speed(c, static_cast<double>(i) / steps);
+  return sum / steps;
+}
+
+constexpr std::array<ArcLengthMethod, 6> kTable{{
+    {"gauss_legendre", "Gauss-Legendre, adaptive", "sum of w_i |B'(t_i)|, 16 nodes, halved until 8 nodes agree", gauss_legendre},
+    {"gravesen", "Gravesen's mean", "(chord + control polygon) / 2", gravesen},
+    {"chord_sum", "Chords of the polyline", "sum of |B(t_(i+1)) - B(t_i)|", chord_sum},
+    {"simpson", "Simpson", "h/3 (f_0 + 4 f_1 + 2 f_2 + ... + f_n), f = |B'|", simpson},
+    {"trapezium", "Trapezium", "h (f_0/2 + f_1 + ... + f_n/2), f = |B'|", trapezium},
+    {"riemann", "Riemann (left)", "h (f_0 + f_1 + ... + f_(n-1)), f = |B'|", riemann},
+}};
+
+}  // namespace
+
+std::span<const ArcLengthMethod> arc_length_methods() { return kTable; }
+
+const ArcLengthMethod& arc_length_method(ArcLengthId id) {
+  const auto row = static_cast<std::size_t>(id);
+  COASTER_CHECK(row < kTable.size(), "the id is a row of the arc-length table");
+  return kTable[row];
+}
+
+std::optional<ArcLengthId> find_arc_length_method(std::string_view name) {
+  for (std::size_t i = 0; i < kTable.size(); ++i)
+    if (kTable[i].name == name) return static_cast<ArcLengthId>(i);
+  return std::nullopt;
+}
+
+double arc_length(const Cubic& cubic, double t0, double t1) { return adaptive_length(coefficients_d(cubic), t0, t1); }
+
+ArcLengthMap::ArcLengthMap(const Cubic& cubic) : c_(coefficients_d(cubic)) {
+  const double floor = 1e-13 * polygon_length(c_) / kIntervals;
+  table_[0] = 0;
+  for (int i = 0; i < kIntervals; ++i) {
+    const double a = static_cast<double>(i) / kIntervals, b = static_cast<double>(i + 1) / kIntervals;
+    const double fine = gauss(c_, a, b, kGauss8), coarse = gauss(c_, a, 0.5 * (a + b), kGauss8) + gauss(c_, 0.5 * (a + b), b, kGauss8);
+    // Smooth intervals are right to rounding with 8 nodes; the others (near a cusp) are measured adaptively for good.
+    const bool smooth = std::abs(fine - coarse) <= std::max(1e-14 * fine, floor);
+    if (!smooth) rough_ |= 1u << i;
+    table_[static_cast<std::size_t>(i) + 1] = table_[static_cast<std::size_t>(i)] + (smooth ? fine : adaptive(c_, a, b, floor, 0));
+  }
+}
+
+double ArcLengthMap::partial(int interval, double t) const {
+  const double a = static_cast<double>(interval) / kIntervals;
+  if (rough_ >> interval & 1u) return adaptive(c_, a, t, 1e-13 * table_.back() / kIntervals, 0);
+  return gauss(c_, a, t, kGauss8);
+}
+
+double ArcLengthMap::distance(double t) const {
+  if (!(t > 0.0)) return 0.0;
+  if (t >= 1.0) return length();
+  const int interval = std::min(static_cast<int>(t * kIntervals), kIntervals - 1);
+  return table_[static_cast<std::size_t>(interval)] + partial(interval, t);
+}
+
+double ArcLengthMap::parameter(double s) const {
+  const double total = length();
+  if (!(s > 0.0) || !(total > 0.0)) return 0.0;
+  if (s >= total) return 1.0;
+  const auto above = std::upper_bound(table_.begin(), table_.end(), s);
+  const int interval = static_cast<int>(above - table_.begin()) - 1;
+  const double s0 = table_[static_cast<std::size_t>(interval)], s1 = table_[static_cast<std::size_t>(interval) + 1];
+  double low = static_cast<double>(interval) / kIntervals, high = static_cast<double>(interval + 1) / kIntervals;
+  double t = low + (high - low) * ((s - s0) / (s1 - s0));
+  const double tolerance = 4e-16 * total;
+  // Newton on distance(t) - s with derivative |B'|, halving where it would leave the bracket (a cusp has |B'| = 0).
+  for (int i = 0; i < 60; ++i) {
+    const double error = s0 + partial(interval, t) - s;
+    if (std::abs(error) <= tolerance) break;
+    (error > 0 ? high : low) = t;
+    const double slope = speed(c_, t);
+    const double next = slope > 0 ? t - error / slope : -1.0;
+    const double previous = t;
+    t = next > low && next < high ? next : 0.5 * (low + high);
+    if (std::abs(t - previous) <= 1e-16) break;
+  }
+  return t;
+}
+
+}  // namespace coaster::curve

@@ -1,0 +1,65 @@
+#include "curve/continuity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coaster::curve {
+namespace {
+
+using glm::dvec3;
+
+// Curvature as a vector: what turns the tangent per metre; G2 asks for equal vectors.
+dvec3 curvature_vector(const Cubic& cubic, double t) {
+  const dvec3 d = derivative(cubic, t), dd = second_derivative(cubic, t);
+  const double squared = glm::dot(d, d);
+  if (!(squared > 1e-18)) return dvec3(0);
+  return (dd - d * (glm::dot(dd, d) / squared)) / squared;
+}
+
+}  // namespace
+
+Joint joint(const Cubic& before, const Cubic& after) {
+  Joint j{};
+  j.gap = glm::length(dvec3(before.p3) - dvec3(after.p0));
+  const dvec3 t0 = unit_tangent(before, 1.0), t1 = unit_tangent(after, 0.0);
+  j.angle = std::atan2(glm::length(glm::cross(t0, t1)), glm::dot(t0, t1));
+  const dvec3 d0 = derivative(before, 1.0), d1 = derivative(after, 0.0);
+  const double v0 = glm::length(d0), v1 = glm::length(d1);
+  j.speed_ratio = v0 > 0 ? v1 / v0 : 0.0;
+  j.curvature_jump = glm::length(curvature_vector(after, 0.0) - curvature_vector(before, 1.0));
+
+  j.geometric = Geometric::broken;
+  j.parametric = Parametric::broken;
+  if (j.gap > 0.0) return j;
+  j.geometric = Geometric::g0;
+  j.parametric = Parametric::c0;
+  if (j.angle < 1e-3) j.geometric = j.curvature_jump < 1e-3 ? Geometric::g2 : Geometric::g1;
+  if (j.angle < 1e-3 && std::abs(j.speed_ratio - 1.0) < 1e-4) {
+    const dvec3 a = second_derivative(before, 1.0), b = second_derivative(after, 0.0);
+    const double size = std::max({glm::length(a), glm::length(b), v0});
+    j.parametric = glm::length(a - b) < 1e-3 * size ? Parametric::c2 : Parametric::c1;
+  }
+  return j;
+}
+
+std::string_view name(Geometric g) {
+  switch (g) {
+    case Geometric::broken: return "none";
+    case Geometric::g0: return "G0";
+    case Geometric::g1: return "G1";
+    case Geometric::g2: return "G2";
+  }
+  return "none";
+}
+
+std::string_view name(Parametric c) {
+  switch (c) {
+    case Parametric::broken: return "none";
+    case Parametric::c0: return "C0";
+    case Parametric::c1: return "C1";
+    case Parametric::c2: return "C2";
+  }
+  return "none";
+}
+
+}  // namespace coaster::curve

@@ -1,0 +1,129 @@
+#include "curve/cubic.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coaster::curve {
+namespace {
+
+using glm::dvec3;
+
+struct DoubleControls {
+  dvec3 p0, p1, p2, p3;
+};
+DoubleControls widen(const Cubic& c) { return {dvec3(c.p0), dvec3(c.p1), dvec3(c.p2), dvec3(c.p3)}; }
+
+dvec3 lerp(dvec3 a, dvec3 b, double t) { return a + t * (b - a); }
+
+}  // namespace
+
+Coefficients coefficients(const Cubic& c) {
+  // Barrett 2012, section 3.3, rearranged to differences of neighbours: each is small, so little is lost by rounding.
+  const glm::vec3 d0 = c.p1 - c.p0, d1 = c.p2 - c.p1, d2 = c.p3 - c.p2;
+  return {c.p0, 3.0f * d0, 3.0f * (d1 - d0), (d2 - d1) - (d1 - d0)};
+}
+
+CoefficientsD coefficients_d(const Cubic& cubic) {
+  const DoubleControls c = widen(cubic);
+  const dvec3 d0 = c.p1 - c.p0, d1 = c.p2 - c.p1, d2 = c.p3 - c.p2;
+  return {c.p0, 3.0 * d0, 3.0 * (d1 - d0), (d2 - d1) - (d1 - d0)};
+}
+
+PreparedCubic prepare(const Cubic& cubic) { return {cubic, coefficients(cubic)}; }
+
+glm::dvec3 point(const Cubic& cubic, double t) {
+  if (t == 1.0) return dvec3(cubic.p3);
+  const CoefficientsD c = coefficients_d(cubic);
+  return c.c0 + t * (c.c1 + t * (c.c2 + t * c.c3));
+}
+
+glm::dvec3 derivative(const Cubic& cubic, double t) {
+  const CoefficientsD c = coefficients_d(cubic);
+  return c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3));
+}
+
+glm::dvec3 second_derivative(const Cubic& cubic, double t) {
+  const CoefficientsD c = coefficients_d(cubic);
+  return 2.0 * c.c2 + t * (6.0 * c.c3);
+}
+
+glm::dvec3 third_derivative(const Cubic& cubic) { return 6.0 * coefficients_d(cubic).c3; }
+
+glm::dvec3 point_long_double(const Cubic& cubic, double t) {
+  const long double u = t, v = 1.0L - u;
+  dvec3 out;
+  for (int axis = 0; axis < 3; ++axis) {
+    const long double p0 = cubic.p0[axis], p1 = cubic.p1[axis], p2 = cubic.p2[axis], p3 = cubic.p3[axis];
+    const long double a = v * p0 + u * p1, b = v * p1 + u * p2, c = v * p2 + u * p3;
+    const long double d = v * a + u * b, e = v * b + u * c;
+    out[axis] = static_cast<double>(v * d + u * e);
+  }
+  return out;
+}
+
+glm::dvec3 unit_tangent(const Cubic& cubic, double t) {
+  // The direction of travel where B' vanishes is that of the first derivative that does not; approached from before t at
+  // the end of the curve, where an even derivative counts backwards.
+  const double size = std::max({glm::length(dvec3(cubic.p1 - cubic.p0)), glm::length(dvec3(cubic.p2 - cubic.p1)),
+                                glm::length(dvec3(cubic.p3 - cubic.p2))});
+  if (!(size > 0.0)) return {1, 0, 0};
+  const double sign = t >= 1.0 ? -1.0 : 1.0;
+  const dvec3 candidates[] = {derivative(cubic, t), sign * second_derivative(cubic, t), third_derivative(cubic)};
+  for (const dvec3 d : candidates) {
+    const double length = glm::length(d);
+    if (length > 1e-9 * size) return d / length;
+  }
+  return {1, 0, 0};
+}
+
+double curvature(const Cubic& cubic, double t) {
+  const dvec3 d = derivative(cubic, t);
+  const double speed = glm::length(d);
+  if (!(speed > 1e-12)) return 0.0;
+  const double k = glm::length(glm::cross(d, second_derivative(cubic, t))) / (speed * speed * speed);
+  return std::isfinite(k) ? k : 0.0;
+}
+
+SplitCubic split(const Cubic& cubic, double t) {
+  // Barrett 2012, section 3.2: the table of de Casteljau's method holds the control points of both halves.
+  const DoubleControls c = widen(cubic);
+  const dvec3 a = lerp(c.p0, c.p1, t), b = lerp(c.p1, c.p2, t), d = lerp(c.p2, c.p3, t);
+  const dvec3 e = lerp(a, b, t), f = lerp(b, d, t);
+  const glm::vec3 middle(lerp(e, f, t));
+  return {{cubic.p0, glm::vec3(a), glm::vec3(e), middle}, {middle, glm::vec3(f), glm::vec3(d), cubic.p3}};
+}
+
+Box control_box(const Cubic& c) {
+  return {glm::min(glm::min(c.p0, c.p1), glm::min(c.p2, c.p3)), glm::max(glm::max(c.p0, c.p1), glm::max(c.p2, c.p3))};
+}
+
+NearestPoint nearest_point(const Cubic& cubic, glm::dvec3 target) {
+  constexpr int kIntervals = 32;
+  const auto squared = [&](double t) {
+    const dvec3 d = point(cubic, t) - target;
+    return glm::dot(d, d);
+  };
+  int best = 0;
+  double best_squared = squared(0.0);
+  for (int i = 1; i <= kIntervals; ++i) {
+    const double s = squared(static_cast<double>(i) / kIntervals);
+    if (s < best_squared) best = i, best_squared = s;
+  }
+  double low = std::max(0, best - 1) / static_cast<double>(kIntervals);
+  double high = std::min(kIntervals, best + 1) / static_cast<double>(kIntervals);
+  double t = static_cast<double>(best) / kIntervals;
+  // Newton on f = (B - target) . B', which rises through the minimum; halving where it would leave the bracket.
+  for (int i = 0; i < 60 && high - low > 1e-12; ++i) {
+    const dvec3 offset = point(cubic, t) - target, d = derivative(cubic, t);
+    const double f = glm::dot(offset, d), slope = glm::dot(d, d) + glm::dot(offset, second_derivative(cubic, t));
+    (f > 0 ? high : low) = t;
+    const double next = slope > 0 ? t - f / slope : 2.0;
+    const double previous = t;
+    t = next > low && next < high ? next : 0.5 * (low + high);
+    if (std::abs(t - previous) < 1e-13) break;
+  }
+  if (squared(t) > best_squared) t = static_cast<double>(best) / kIntervals;
+  return {t, std::sqrt(squared(t))};
+}
+
+}  // namespace coaster::curve
