@@ -13,6 +13,7 @@
 #include "edit/commands.h"
 #include "platform/events.h"
 #include "query/query.h"
+#include "view/pick.h"
 
 namespace coaster::script {
 
@@ -50,6 +51,11 @@ struct Host {
   std::function<base::Status(const std::filesystem::path&)> screenshot;  // PNG of the last frame
   // Compares the last frame with a golden PNG; writes new/reference/difference and an HTML page below the folder.
   std::function<base::Status(const std::string& name, const std::filesystem::path& golden, const std::filesystem::path& folder, bool update)> snap;
+  // The next four may be empty: then what needs them is not checked, or refused.
+  std::function<std::uint64_t()> commands;                             // carried out by the program since its start, by whatever way
+  std::function<view::Pick()> hovered;                                 // what the last frame found under the cursor
+  std::function<view::Viewport()> viewport;                            // of the last frame
+  std::function<void(int line, int lines)> progress;                   // before each statement
   std::function<void(std::string_view line)> print;                    // to stdout (log, hash log)
   base::Files* files = nullptr;
   bool window = false;                                                 // frames are paced by a screen

@@ -1,0 +1,207 @@
+// Conditions of expect and wait.
+#include "script/condition.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace coaster::script {
+namespace {
+
+struct OpName {
+  std::string_view text;
+  Op op;
+};
+constexpr std::array<OpName, 8> kOps{{{"==", Op::equal},
+                                      {"=", Op::equal},
+                                      {"!=", Op::not_equal},
+                                      {"<", Op::less},
+                                      {"<=", Op::less_equal},
+                                      {">", Op::greater},
+                                      {">=", Op::greater_equal},
+                                      {"~", Op::contains}}};
+
+std::optional<Op> op_of(const base::Token& word) {
+  if (word.quoted) return std::nullopt;
+  for (const OpName& row : kOps)
+    if (row.text == word.text) return row.op;
+  return std::nullopt;
+}
+
+constexpr std::array<std::string_view, 3> kToleranceMarks{"+-", "+/-", "\u00b1"};
+
+// The rest of a word that starts a tolerance: "" for "+-" alone; nothing for other words.
+std::optional<std::string> tolerance_in(const base::Token& word) {
+  if (word.quoted) return std::nullopt;
+  for (const std::string_view mark : kToleranceMarks)
+    if (word.text.starts_with(mark)) return word.text.substr(mark.size());
+  return std::nullopt;
+}
+
+bool parse_tolerance(Words& words, Condition& condition) {
+  const base::Token* const word = words.take("a tolerance");
+  const std::string attached = *tolerance_in(*word);
+  if (attached.empty()) {
+    condition.tolerance = words.number("a tolerance");
+  } else {
+    condition.tolerance = base::parse_double(attached);
+    if (!condition.tolerance) return words.fail(word->column, "expected a tolerance such as +-0.01, found " + base::quoted(word->text));
+  }
+  if (condition.tolerance && !(*condition.tolerance >= 0)) return words.fail(word->column, "a tolerance is not negative");
+  return condition.tolerance.has_value();
+}
+
+std::vector<std::string> query_names() {
+  std::vector<std::string> names;
+  for (const query::Query& q : query::queries())
+    if (std::find(names.begin(), names.end(), q.name) == names.end()) names.emplace_back(q.name);
+  return names;
+}
+
+std::string joined(const std::vector<base::Token>& values) {
+  std::string text;
+  for (const base::Token& value : values) text += (text.empty() ? "" : " ") + value.text;
+  return text;
+}
+
+base::Status mismatch(std::string message) { return {base::Code::usage, std::move(message)}; }
+
+// Compares by sign of (found - wanted), equal within the tolerance.
+bool ordered(Op op, double found, double wanted, double tolerance, bool exact) {
+  const bool same = std::abs(found - wanted) <= tolerance || (!exact && static_cast<float>(found) == static_cast<float>(wanted));
+  switch (op) {
+    case Op::equal: return same;
+    case Op::not_equal: return !same;
+    case Op::less: return found < wanted && !(exact && same && tolerance > 0);
+    case Op::less_equal: return found <= wanted || same;
+    case Op::greater: return found > wanted;
+    case Op::greater_equal: return found >= wanted || same;
+    case Op::contains: return same;
+  }
+  return false;
+}
+
+bool whole(double value) { return std::floor(value) == value && std::abs(value) < 9e15; }
+
+std::optional<double> number_of(std::string_view text) {
+  if (const auto on = parse_switch(text)) return *on ? 1 : 0;
+  if (text.starts_with('+')) text.remove_prefix(1);
+  return base::parse_double(text);
+}
+
+base::Result<bool> holds_number(const Condition& c, double found) {
+  if (c.values.size() != 1) return mismatch("expected one number");
+  if (*c.op == Op::contains && !c.tolerance) return lower(base::to_text(found)).find(lower(c.values[0].text)) != std::string::npos;
+  const auto wanted = number_of(c.values[0].text);
+  if (!wanted) return mismatch("expected a number, found " + base::quoted(c.values[0].text));
+  return ordered(*c.op, found, *wanted, c.tolerance.value_or(0), whole(found) && whole(*wanted));
+}
+
+base::Result<bool> holds_text(const Condition& c, const std::string& found) {
+  const std::string wanted = joined(c.values);
+  const auto bare = [](std::string_view t) { return t.starts_with('@') ? t.substr(1) : t; };
+  const auto found_switch = parse_switch(found), wanted_switch = parse_switch(wanted);
+  const bool same = bare(found) == bare(wanted) || (found_switch && found_switch == wanted_switch);
+  switch (*c.op) {
+    case Op::equal: return same;
+    case Op::not_equal: return !same;
+    case Op::contains: return lower(found).find(lower(wanted)) != std::string::npos;
+    case Op::less:
+    case Op::less_equal:
+    case Op::greater:
+    case Op::greater_equal: break;
+  }
+  const auto a = base::parse_double(found), b = number_of(wanted);
+  if (!a || !b) return mismatch("a text can be compared with ==, != and ~ alone");
+  return ordered(*c.op, *a, *b, c.tolerance.value_or(0), true);
+}
+
+base::Result<bool> holds_ranked(const Condition& c, const query::Ranked& found) {
+  const std::string wanted = joined(c.values);
+  if (*c.op == Op::contains) return lower(found.text).find(lower(wanted)) != std::string::npos;
+  std::optional<double> rank;
+  if (lower(wanted) == lower(found.text)) {
+    rank = found.rank;
+  } else if (wanted.size() == 2 && !found.text.empty() && lower(wanted)[0] == lower(found.text)[0] && wanted[1] >= '0' && wanted[1] <= '9') {
+    rank = wanted[1] - '0';
+  } else {
+    rank = number_of(wanted);
+  }
+  if (!rank) return mismatch("expected a value such as " + found.text + ", found " + base::quoted(wanted));
+  return ordered(*c.op, found.rank, *rank, 0, true);
+}
+
+base::Result<bool> holds_vector(const Condition& c, glm::dvec3 found) {
+  if (*c.op != Op::equal && *c.op != Op::not_equal && *c.op != Op::contains) return mismatch("a vector can be compared with == and != alone");
+  if (c.values.size() != 3) return mismatch("expected three numbers");
+  bool same = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto wanted = number_of(c.values[static_cast<std::size_t>(axis)].text);
+    if (!wanted) return mismatch("expected a number, found " + base::quoted(c.values[static_cast<std::size_t>(axis)].text));
+    same = same && ordered(Op::equal, found[axis], *wanted, c.tolerance.value_or(0), whole(found[axis]) && whole(*wanted));
+  }
+  return (*c.op == Op::not_equal) != same;
+}
+
+bool is_true(const query::Value& value) {
+  if (const double* const number = std::get_if<double>(&value)) return *number != 0;
+  if (const query::Ranked* const ranked = std::get_if<query::Ranked>(&value)) return ranked->rank != 0;
+  if (const std::string* const text = std::get_if<std::string>(&value)) return parse_switch(*text).value_or(!text->empty());
+  return true;
+}
+
+}  // namespace
+
+bool parse_condition(Words& words, Condition& condition, std::string_view stop) {
+  if (words.accept("not")) condition.negated = true;
+  const base::Token* const name = words.take("a query");
+  if (!name) return false;
+  condition.column = name->column;
+  condition.query = name->text;
+  condition.text = name->text;
+  const query::Query* const query = query::find_query(name->text);
+  if (!query) return words.fail(name->column, "no query " + base::quoted(name->text) + base::suggestion(name->text, query_names()));
+  if (!query->argument.empty()) {
+    const base::Token* const argument = words.take(query->argument);
+    if (!argument) return false;
+    if (op_of(*argument)) return words.fail(argument->column, "expected " + std::string(query->argument) + ", found " + base::quoted(argument->text));
+    condition.argument = argument->text;
+    condition.text += " " + argument->text;
+  }
+  const auto stops = [&] { return words.at_end() || (!stop.empty() && !words.peek()->quoted && words.peek()->text == stop); };
+  if (stops()) return true;
+  const base::Token* const op = words.take("an operator");
+  condition.op = op_of(*op);
+  if (!condition.op) return words.fail(op->column, "expected == != < <= > >= or ~, found " + base::quoted(op->text));
+  condition.text += " " + op->text;
+  while (!stops() && !tolerance_in(*words.peek())) {
+    const base::Token* const value = words.take("a value");
+    condition.text += " " + (value->quoted ? base::quoted(value->text) : value->text);
+    condition.values.push_back(*value);
+  }
+  if (condition.values.size() > 1 && !condition.values.back().quoted && condition.values.back().text == query->unit) condition.values.pop_back();
+  if (condition.values.empty()) return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected a value");
+  if (!stops() && !parse_tolerance(words, condition)) return false;
+  if (condition.tolerance) condition.text += " +-" + base::to_text(*condition.tolerance);
+  return true;
+}
+
+base::Result<bool> holds(const Condition& condition, const query::Value& value) {
+  struct Visitor {
+    const Condition& c;
+    base::Result<bool> operator()(double v) const { return holds_number(c, v); }
+    base::Result<bool> operator()(const std::string& v) const { return holds_text(c, v); }
+    base::Result<bool> operator()(const query::Ranked& v) const { return holds_ranked(c, v); }
+    base::Result<bool> operator()(glm::dvec3 v) const { return holds_vector(c, v); }
+  };
+  const base::Result<bool> result = condition.op ? std::visit(Visitor{condition}, value) : base::Result<bool>(is_true(value));
+  if (!result) return result.status();
+  return *result != condition.negated;
+}
+
+std::string describe(const query::Query& query, const query::Value& value) {
+  const std::string text = std::holds_alternative<std::string>(value) ? base::quoted(query::to_text(value)) : query::to_text(value);
+  return query.unit.empty() ? text : text + " " + std::string(query.unit);
+}
+
+}  // namespace coaster::script

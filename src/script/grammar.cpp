@@ -1,0 +1,195 @@
+// Files, blocks and includes; the words of single lines are read by lines.cpp.
+#include "script/grammar.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "script/lines.h"
+#include "script/paths.h"
+#include "script/words.h"
+
+namespace coaster::script {
+namespace {
+
+// Parses one file after the other into one script; keeps going after an error.
+class Parser {
+ public:
+  Parser(ParsedScript& out, base::Files& files) : out_(out), files_(files) {}
+
+  void file(std::string_view text, const std::string& name, const std::filesystem::path& folder, bool header_required, Block& block);
+
+ private:
+  // A repeat or gesture that is still open, with the place where it began.
+  struct Open {
+    Statement opener;
+    Block body;
+  };
+
+  void line(int source, int number, const std::string& text);
+  void statement(int source, int number, std::span<const base::Token> tokens);
+  void header(int source, int number, std::span<const base::Token> tokens);
+  void include(int source, int number, std::span<const base::Token> tokens);
+  void close(int source, int number, std::span<const base::Token> tokens);
+  void error(int source, int number, int column, const std::string& message) {
+    out_.errors.push_back(describe_error(out_.script.sources[static_cast<std::size_t>(source)], number, column, message));
+  }
+  void add(Statement statement) { (open_.empty() ? *block_ : open_.back().body).push_back(std::move(statement)); }
+
+  ParsedScript& out_;
+  base::Files& files_;
+  std::vector<std::filesystem::path> including_;  // the files being read, outermost first
+  std::vector<Open> open_;
+  Block* block_ = nullptr;
+  bool header_seen_ = false;
+
+  friend ParsedScript coaster::script::parse_script(std::string_view, const std::string&, const std::filesystem::path&, base::Files&);
+};
+
+void Parser::header(int source, int number, std::span<const base::Token> tokens) {
+  const auto version = tokens.size() == 2 ? base::parse_int(tokens[1].text) : std::nullopt;
+  const int column = tokens.size() > 1 ? tokens[1].column : tokens[0].column;
+  if (!version) return error(source, number, column, "expected \"coaster-script 1\"");
+  if (*version > kScriptVersion)
+    return error(source, number, column, "the script needs version " + std::to_string(*version) + "; this program reads version 1");
+  if (*version < 1) error(source, number, column, "expected version 1");
+}
+
+void Parser::include(int source, int number, std::span<const base::Token> tokens) {
+  if (tokens.size() != 2) return error(source, number, tokens[0].column, "expected include \"FILE\"");
+  const std::filesystem::path path = find_input(out_.script.sources[static_cast<std::size_t>(source)].folder, tokens[1].text, {});
+  std::error_code ignored;
+  const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ignored);
+  if (std::find(including_.begin(), including_.end(), canonical) != including_.end())
+    return error(source, number, tokens[1].column, "the file " + base::quoted(tokens[1].text) + " includes itself");
+  if (static_cast<int>(including_.size()) > kMaxIncludeDepth) return error(source, number, tokens[1].column, "includes are nested too deep");
+  const auto text = files_.read(path);
+  if (!text) return error(source, number, tokens[1].column, text.status().message);
+  Statement statement{source, number, tokens[0].column, {}};
+  Include included;
+  including_.push_back(canonical);
+  Parser inner(out_, files_);
+  inner.including_ = including_;
+  inner.file(*text, path.string(), path.parent_path(), false, included.body);
+  including_.pop_back();
+  statement.action = std::move(included);
+  add(std::move(statement));
+}
+
+void Parser::close(int source, int number, std::span<const base::Token> tokens) {
+  if (tokens.size() > 1) error(source, number, tokens[1].column, "unexpected " + base::quoted(tokens[1].text) + " after end");
+  if (open_.empty()) return error(source, number, tokens[0].column, "\"end\" without repeat or gesture");
+  Open closed = std::move(open_.back());
+  open_.pop_back();
+  if (Repeat* const repeat = std::get_if<Repeat>(&closed.opener.action)) repeat->body = std::move(closed.body);
+  if (Gesture* const gesture = std::get_if<Gesture>(&closed.opener.action)) gesture->body = std::move(closed.body);
+  add(std::move(closed.opener));
+}
+
+void Parser::statement(int source, int number, std::span<const base::Token> tokens) {
+  const base::Token& first = tokens.front();
+  Statement made{source, number, first.column, {}};
+  base::TextError problem;
+  Words words(tokens, problem);
+  words.take("a statement");
+  if (first.text == "end") return close(source, number, tokens);
+  if (first.text == "include") return include(source, number, tokens);
+  if (first.text == "repeat" || first.text == "gesture") {
+    if (first.text == "repeat") {
+      const auto count = words.whole("a count", 0, 1'000'000);
+      made.action = Repeat{count.value_or(1), {}};
+    } else {
+      made.action = Gesture{};
+    }
+    if (!words.end()) error(source, number, problem.column, problem.message);
+    if (static_cast<int>(open_.size()) >= kMaxBlockDepth) return error(source, number, first.column, "blocks are nested too deep");
+    open_.push_back({std::move(made), {}});
+    return;
+  }
+  if (!parse_line(tokens, problem, made.action)) return error(source, number, problem.column, problem.message);
+  add(std::move(made));
+}
+
+void Parser::line(int source, int number, const std::string& text) {
+  std::vector<base::Token> tokens;
+  base::TextError problem;
+  if (!base::tokenise(text, tokens, problem)) return error(source, number, problem.column, problem.message);
+  if (tokens.empty()) return;
+  if (tokens[0].text == "coaster-script") {
+    if (header_seen_) return error(source, number, tokens[0].column, "a second \"coaster-script\" line");
+    header_seen_ = true;
+    return header(source, number, tokens);
+  }
+  if (!header_seen_) {
+    header_seen_ = true;
+    error(source, number, tokens[0].column, "expected \"coaster-script 1\" before the first statement");
+  }
+  statement(source, number, tokens);
+}
+
+void Parser::file(std::string_view text, const std::string& name, const std::filesystem::path& folder, bool header_required, Block& block) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  const int source = static_cast<int>(out_.script.sources.size());
+  Source made{name, folder, {}};
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string one(text.substr(0, end));
+    if (one.ends_with('\r')) one.pop_back();
+    std::replace(one.begin(), one.end(), '\t', ' ');
+    made.lines.push_back(std::move(one));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  out_.script.sources.push_back(std::move(made));
+  block_ = &block;
+  header_seen_ = !header_required;
+  const std::size_t count = out_.script.sources.back().lines.size();
+  for (std::size_t i = 0; i < count; ++i)
+    line(source, static_cast<int>(i) + 1, std::string(out_.script.sources[static_cast<std::size_t>(source)].lines[i]));
+  if (header_required && !header_seen_) error(source, 1, 1, "expected \"coaster-script 1\"");
+  for (const Open& open : open_) error(source, open.opener.line, open.opener.column, "no \"end\" for this block");
+}
+
+}  // namespace
+
+const std::vector<std::string>& statement_words() {
+  static const std::vector<std::string> kWords = [] {
+    std::vector<std::string> words = line_words();
+    for (const char* const word : {"coaster-script", "repeat", "gesture", "end", "include"}) words.emplace_back(word);
+    return words;
+  }();
+  return kWords;
+}
+
+ParsedScript parse_script(std::string_view text, const std::string& name, const std::filesystem::path& folder, base::Files& files) {
+  ParsedScript out;
+  Parser parser(out, files);
+  std::error_code ignored;
+  parser.including_.push_back(std::filesystem::weakly_canonical(folder / std::filesystem::path(name).filename(), ignored));
+  parser.file(text, name, folder, true, out.script.statements);
+  return out;
+}
+
+base::Result<ParsedScript> parse_script_file(const std::filesystem::path& path, base::Files& files) {
+  const auto text = files.read(path);
+  if (!text) return base::Status{base::Code::usage, text.status().message};
+  return parse_script(*text, path.string(), path.parent_path(), files);
+}
+
+std::string describe_error(const Source& source, int line, int column, std::string message, const std::string& note) {
+  std::string hint;
+  if (const std::size_t at = message.find(" did you mean "); at != std::string::npos) {
+    hint = message.substr(at);
+    message.resize(at);
+    while (message.ends_with(',') || message.ends_with(';')) message.pop_back();
+  }
+  if (!note.empty()) hint += " (" + note + ")";
+  std::string out = base::at_place(source.name, line, column, message);
+  if (line >= 1 && static_cast<std::size_t>(line) <= source.lines.size()) {
+    const std::string& text = source.lines[static_cast<std::size_t>(line) - 1];
+    const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
+    out += "\n    " + text.substr(blanks) + "\n    " + std::string(static_cast<std::size_t>(std::max(0, column - 1 - static_cast<int>(blanks))), ' ') + "^";
+  }
+  return out + hint;
+}
+
+}  // namespace coaster::script

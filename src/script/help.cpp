@@ -1,0 +1,90 @@
+// The page of --help-script.
+#include "script/help.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "edit/codec.h"
+#include "query/query.h"
+
+namespace coaster::script {
+namespace {
+
+struct Row {
+  std::string_view usage, text;
+};
+
+constexpr std::array kSession{
+    Row{"coaster-script 1", "The first line of every script."},
+    Row{"env [size WxH] [seed N] [scale X] [msaa N]", "Picture size (640x360), seed, scale of the panels, samples a pixel (0)."},
+    Row{"include \"FILE\"", "The statements of another script."},
+    Row{"repeat N ... end", "The lines up to end, N times."},
+    Row{"gesture ... end", "The commands up to end are one step of undo."},
+    Row{"frames N", "Draws N frames of 2 ticks (1/60 s) each."},
+    Row{"ticks N", "Advances by N ticks of 1/120 s without drawing."},
+    Row{"wait QUERY [ARGUMENT] OP VALUE [+-TOLERANCE] [max N ticks|frames|seconds]", "Advances until it is so; exit code 6 when it is not in time."},
+    Row{"camera [target X Y Z] [yaw A] [pitch B] [distance D]", "Looks so; what is not named stays."},
+    Row{"camera all|selection", "Frames the whole track or what is selected."},
+};
+constexpr std::array kInput{
+    Row{"ui.click|doubleclick|hover \"PATH\"", "On the one widget with this label path."},
+    Row{"ui.check \"PATH\" on|off", "Clicks when the box shows the other."},
+    Row{"ui.type \"PATH\" \"TEXT\"", "Replaces a field's text and presses Enter."},
+    Row{"ui.drag \"PATH\" by N px", "Drags sideways from the widget's middle."},
+    Row{"ui.drag \"PATH\" to VALUE", "Drags a slider until it shows the value."},
+    Row{"ui.open|close \"PATH\"", "Opens or closes a header; opens a combo or menu."},
+    Row{"ui.menu \"MENU/ITEM\"", "Opens the menu and clicks the item."},
+    Row{"ui.scroll \"PANEL\" N", "Turns the wheel over a panel; positive: down."},
+    Row{"aim.click|doubleclick|hover [+shift] [+ctrl] [+alt] TARGET", "TARGET: @k3 @k3.in @k3.out @s2:0.4 @c1, ground X Y Z, world X Y Z."},
+    Row{"aim.drag [+shift] [+ctrl] [+alt] TARGET by X Y Z", "Presses, moves and releases in the viewport, by a distance (m)."},
+    Row{"aim.drag [+shift] [+ctrl] [+alt] TARGET to X Y Z|TARGET", "The same, to a place."},
+    Row{"key CHORD", "Presses and releases a key: F, Escape, Ctrl+Z."},
+    Row{"text \"TEXT\"", "Types a text."},
+    Row{"wheel N [at X Y]", "Turns the wheel; positive: up."},
+    Row{"drop \"FILE\"", "Drops a file on the window."},
+    Row{"focus on|off", "The window gets or loses the keyboard."},
+    Row{"resize WxH", "Changes the picture's size."},
+    Row{"minimise", "Hides the window: size 0, nothing is drawn."},
+    Row{"raw.move X Y", "Moves the cursor to a pixel."},
+    Row{"raw.press|release left|right|middle", "Presses or releases a button."},
+    Row{"raw.key CHORD down|up", "Presses or releases a key."},
+};
+constexpr std::array kOutput{
+    Row{"expect QUERY [ARGUMENT] OP VALUE [+-TOLERANCE]", "OP: == != < <= > >= and ~ (contains)."},
+    Row{"expect [not] visible|enabled \"PATH\"", "A widget's state."},
+    Row{"expect file \"FILE\" exists | same \"FILE\"", "A file is there, or is the same byte by byte."},
+    Row{"expect error STATEMENT [~ \"TEXT\"]", "The statement must fail, and say TEXT."},
+    Row{"snap \"NAME\"", "Compares the picture with golden/NAME.png."},
+    Row{"shot \"$OUT/FILE.png\"", "Writes the picture."},
+    Row{"dump \"NAME\"", "Writes picture, widgets, values and document to $OUT/NAME.*."},
+    Row{"log QUERY|\"TEXT\" ...", "Prints values and texts to stdout."},
+    Row{"fault io.open|read|write|fsync|rename|close fail N", "The Nth such operation from now on fails."},
+};
+
+template <class Rows>
+void section(std::string& out, std::string_view title, const Rows& rows) {
+  out += std::string(title) + "\n";
+  for (const Row& row : rows) out += "  " + std::string(row.usage) + "\n      " + std::string(row.text) + "\n";
+  out += "\n";
+}
+
+}  // namespace
+
+std::string help() {
+  std::string out = "Coaster scripts, version 1: one statement a line; # starts a comment.\n\n";
+  section(out, "Session", kSession);
+  section(out, "Input", kInput);
+  section(out, "Checks and output", kOutput);
+  out += "Commands\n";
+  for (const edit::CommandHelp& row : edit::command_table()) out += "  " + row.usage + "\n      " + std::string(row.info.help) + "\n";
+  out += "\nQueries\n";
+  for (const query::Query& query : query::queries()) {
+    out += "  " + std::string(query.name) + (query.argument.empty() ? "" : " " + std::string(query.argument));
+    if (!query.unit.empty()) out += " (" + std::string(query.unit) + ")";
+    out += "\n      " + std::string(query.text) + "\n";
+  }
+  return out + "\nExit codes: 0 ok, 1 an expectation failed, 2 usage or script error, 3 bad file, 4 no graphics, 5 input or output, 6 timeout.\n";
+}
+
+}  // namespace coaster::script

@@ -1,0 +1,213 @@
+// The table of statements and how each reads its words; ui.*, aim.* and expect have files of their own.
+#include "script/lines.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "edit/codec.h"
+#include "script/condition.h"
+#include "script/grammar.h"
+#include "script/lines_parts.h"
+#include "script/words.h"
+
+namespace coaster::script {
+namespace {
+
+constexpr std::int64_t kMostFrames = 10'000'000;
+
+bool parse_env(Words& words, Action& action) {
+  static const std::vector<std::string> kNames{"size", "seed", "scale", "msaa"};
+  SetEnvironment env;
+  if (words.at_end()) return words.fail(words.end_column(), "expected size, seed, scale or msaa");
+  while (!words.at_end()) {
+    const auto name = words.one_of("size, seed, scale or msaa", kNames);
+    if (!name) return false;
+    if (*name == 0) {
+      const base::Token* const size = words.take("WIDTHxHEIGHT");
+      if (!size) return false;
+      int width = 0, height = 0;
+      if (!parse_size(size->text, width, height)) return words.fail(size->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(size->text));
+      env.width = width, env.height = height;
+    } else if (*name == 1) {
+      const auto seed = words.whole("a seed", 0, std::numeric_limits<std::int64_t>::max());
+      if (!seed) return false;
+      env.seed = static_cast<std::uint64_t>(*seed);
+    } else if (*name == 2) {
+      const auto scale = words.number("a scale");
+      if (!scale) return false;
+      env.scale = static_cast<float>(*scale);
+    } else {
+      const auto samples = words.whole("a number of samples", 0, 64);
+      if (!samples) return false;
+      env.samples = static_cast<int>(*samples);
+    }
+  }
+  action = env;
+  return true;
+}
+
+bool parse_frames(Words& words, Action& action) {
+  const auto count = words.at_end() ? std::optional<std::int64_t>(1) : words.whole("a number of frames", 0, kMostFrames);
+  if (count) action = Frames{*count};
+  return count && words.end();
+}
+
+bool parse_ticks(Words& words, Action& action) {
+  const auto count = words.at_end() ? std::optional<std::int64_t>(1) : words.whole("a number of ticks", 0, kMostFrames);
+  if (count) action = Ticks{*count};
+  return count && words.end();
+}
+
+bool parse_wait(Words& words, Action& action) {
+  Wait wait;
+  if (!parse_condition(words, wait.condition, "max")) return false;
+  if (words.accept("max")) {
+    static const std::vector<std::string> kUnits{"ticks", "frames", "tick", "frame", "s", "seconds"};
+    const auto most = words.whole("a number of ticks or frames", 0, kMostFrames);
+    if (!most) return false;
+    wait.most = *most;
+    if (!words.at_end()) {
+      const auto unit = words.one_of("ticks or frames", kUnits);
+      if (!unit) return false;
+      wait.frames = *unit == 1 || *unit == 3;
+      if (*unit >= 4) wait.most *= world::kTicksPerSecond;
+    }
+  }
+  action = wait;
+  return words.end();
+}
+
+bool parse_snap(Words& words, Action& action) {
+  const base::Token* const name = words.take("a name");
+  if (!name) return false;
+  if (name->text.empty() || name->text.find("..") != std::string::npos || name->text.starts_with('/'))
+    return words.fail(name->column, "expected a name below the script's folder golden");
+  action = Snap{name->text};
+  return words.end();
+}
+
+bool parse_shot(Words& words, Action& action) {
+  const base::Token* const path = words.take("a file below $OUT");
+  if (path) action = Shot{*path};
+  return path && words.end();
+}
+
+bool parse_dump(Words& words, Action& action) {
+  const base::Token* const name = words.take("a name");
+  if (!name) return false;
+  std::string text = name->text;
+  if (text.starts_with("$OUT/")) text = text.substr(5);
+  if (text.empty() || text.find("..") != std::string::npos || text.starts_with('/')) return words.fail(name->column, "expected a name");
+  action = Dump{text};
+  return words.end();
+}
+
+bool parse_log(Words& words, Action& action) {
+  Log log;
+  if (words.at_end()) return words.fail(words.end_column(), "expected a query or a text");
+  while (!words.at_end()) {
+    if (words.peek()->quoted) {
+      log.parts.push_back({words.take("a text")->text, {}, {}, 1});
+      continue;
+    }
+    Condition value;
+    const base::Token* const name = words.peek();
+    // A query alone: parse_condition stops where the words that belong to it end.
+    const query::Query* const query = query::find_query(name->text);
+    const std::size_t count = query && !query->argument.empty() ? 2 : 1;
+    base::TextError error;
+    Words part(words.rest().first(std::min(count, words.rest().size())), error);
+    if (!parse_condition(part, value)) return words.fail(error.column, error.message);
+    for (std::size_t i = 0; i < count; ++i) words.take("a query");
+    log.parts.push_back({{}, value.query, value.argument, value.column});
+  }
+  action = log;
+  return true;
+}
+
+bool parse_fault(Words& words, Action& action) {
+  static const std::vector<std::string> kOperations = [] {
+    std::vector<std::string> names;
+    for (const std::string_view name : base::kIoOperationNames) names.push_back("io." + std::string(name));
+    return names;
+  }();
+  const auto operation = words.one_of("an operation such as io.fsync", kOperations);
+  if (!operation) return false;
+  if (!words.accept("fail")) return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected \"fail\"");
+  const auto nth = words.at_end() ? std::optional<std::int64_t>(1) : words.whole("which call from now on fails", 0, 1'000'000);
+  if (!nth) return false;
+  action = Fault{static_cast<base::IoOperation>(*operation), static_cast<int>(*nth)};
+  return words.end();
+}
+
+bool parse_camera(Words& words, Action& action) {
+  static const std::vector<std::string> kNames{"target", "yaw", "pitch", "distance", "all", "fit", "selection"};
+  if (words.at_end()) return words.fail(words.end_column(), "expected target, yaw, pitch, distance, all or selection");
+  MoveCamera camera;
+  while (!words.at_end()) {
+    const auto name = words.one_of("target, yaw, pitch, distance, all or selection", kNames);
+    if (!name) return false;
+    if (*name >= 4) {
+      action = FitCamera{*name == 6};
+      return words.end();
+    }
+    if (*name == 0) {
+      camera.target = words.vector("a number of the target");
+    } else {
+      const auto value = words.number("a number");
+      if (!value) return false;
+      (*name == 1 ? camera.yaw_deg : *name == 2 ? camera.pitch_deg : camera.distance) = static_cast<float>(*value);
+    }
+  }
+  action = camera;
+  return words.end();
+}
+
+struct Row {
+  std::string_view word;
+  bool (*parse)(Words& words, Action& action);
+};
+constexpr std::array kRows{
+    Row{"env", parse_env}, Row{"frames", parse_frames}, Row{"ticks", parse_ticks}, Row{"wait", parse_wait},
+    Row{"expect", parse_expect}, Row{"snap", parse_snap}, Row{"shot", parse_shot}, Row{"dump", parse_dump},
+    Row{"log", parse_log}, Row{"fault", parse_fault}, Row{"camera", parse_camera},
+    Row{"key", parse_key}, Row{"text", parse_text}, Row{"wheel", parse_wheel}, Row{"drop", parse_drop},
+    Row{"focus", parse_focus}, Row{"resize", parse_resize}, Row{"minimise", parse_minimise}, Row{"minimize", parse_minimise},
+    Row{"raw.move", parse_raw_move}, Row{"raw.press", parse_raw_press}, Row{"raw.release", parse_raw_release},
+    Row{"raw.key", parse_raw_key}, Row{"raw.wheel", parse_wheel}, Row{"raw.text", parse_text},
+    Row{"ui.click", parse_ui_click}, Row{"ui.doubleclick", parse_ui_doubleclick}, Row{"ui.hover", parse_ui_hover},
+    Row{"ui.check", parse_ui_check}, Row{"ui.type", parse_ui_type}, Row{"ui.drag", parse_ui_drag},
+    Row{"ui.open", parse_ui_open}, Row{"ui.close", parse_ui_close}, Row{"ui.menu", parse_ui_menu}, Row{"ui.scroll", parse_ui_scroll},
+    Row{"aim.click", parse_aim_click}, Row{"aim.doubleclick", parse_aim_doubleclick}, Row{"aim.hover", parse_aim_hover},
+    Row{"aim.drag", parse_aim_drag}};
+
+}  // namespace
+
+std::vector<std::string> line_words() {
+  std::vector<std::string> words;
+  for (const Row& row : kRows) words.emplace_back(row.word);
+  for (const edit::CommandHelp& row : edit::command_table())
+    if (std::find(words.begin(), words.end(), row.info.name) == words.end()) words.emplace_back(row.info.name);
+  return words;
+}
+
+bool parse_line(std::span<const base::Token> line, base::TextError& error, Action& action) {
+  const base::Token& first = line.front();
+  for (const Row& row : kRows) {
+    if (row.word != first.text || first.quoted) continue;
+    Words words(line, error);
+    words.take("a statement");
+    return row.parse(words, action) && !words.failed();
+  }
+  if (!edit::is_command(first.text)) {
+    error = {first.column, "no command " + base::quoted(first.text) + base::suggestion(first.text, statement_words())};
+    return false;
+  }
+  auto command = edit::parse(line, error);
+  if (!command) return false;
+  action = RunCommand{*command};
+  return true;
+}
+
+}  // namespace coaster::script

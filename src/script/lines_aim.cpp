@@ -1,0 +1,118 @@
+// Reading aim.*: what to aim at, with which modifiers, and where to drag it.
+#include "script/lines_parts.h"
+
+namespace coaster::script {
+namespace {
+
+using Kind = AimPoint::Kind;
+using Verb = AimAction::Verb;
+constexpr std::string_view kTargets = "@k3, @k3.in, @k3.out, @s2:0.4, @c1, ground X Y Z or world X Y Z";
+
+bool refuse(Words& words, const base::Token& word) {
+  return words.fail(word.column, "expected " + std::string(kTargets) + ", found " + base::quoted(word.text));
+}
+
+// "@k3.in", "@s2:0.4" and so on.
+bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
+  std::string_view text = word.text;
+  if (!text.starts_with('@')) return refuse(words, word);
+  text.remove_prefix(1);
+  std::string_view handle, place;
+  if (const std::size_t dot = text.find('.'); dot != std::string_view::npos && text.find(':') == std::string_view::npos)
+    handle = text.substr(dot + 1), text = text.substr(0, dot);
+  if (const std::size_t colon = text.find(':'); colon != std::string_view::npos) place = text.substr(colon + 1), text = text.substr(0, colon);
+  const auto name = world::parse_name(text);
+  if (!name) return refuse(words, word);
+  point.name = *name;
+  if (name->kind == world::Kind::knot && place.empty() && (handle.empty() || handle == "in" || handle == "out")) {
+    point.kind = handle.empty() ? Kind::knot : handle == "in" ? Kind::handle_in : Kind::handle_out;
+    return true;
+  }
+  if (name->kind == world::Kind::cart && place.empty() && handle.empty()) return point.kind = Kind::cart, true;
+  if (name->kind != world::Kind::segment || !handle.empty()) return refuse(words, word);
+  point.kind = Kind::curve;
+  point.t = 0.5;
+  if (place.empty()) return true;
+  const auto t = base::parse_double(place);
+  if (!t || *t < 0 || *t > 1) return words.fail(word.column, "expected a parameter from 0 to 1 behind the colon, found " + base::quoted(place));
+  point.t = *t;
+  return true;
+}
+
+bool parse_point(Words& words, AimPoint& point, std::string& text, int& column) {
+  const base::Token* const word = words.take(kTargets);
+  if (!word) return false;
+  text = word->text, column = word->column;
+  if (word->text != "ground" && word->text != "world") return parse_entity(words, *word, point);
+  point.kind = word->text == "ground" ? Kind::ground : Kind::world;
+  const auto position = words.vector("a coordinate (m)");
+  if (!position) return false;
+  point.position = *position;
+  return true;
+}
+
+void take_modifiers(Words& words, platform::Modifiers& modifiers) {
+  for (;;) {
+    if (words.accept("+shift")) modifiers.shift = true;
+    else if (words.accept("+ctrl")) modifiers.ctrl = true;
+    else if (words.accept("+alt")) modifiers.alt = true;
+    else return;
+  }
+}
+
+bool begin(Words& words, Verb verb, AimAction& aim) {
+  aim.verb = verb;
+  take_modifiers(words, aim.modifiers);
+  if (!parse_point(words, aim.target, aim.target_text, aim.target_column)) return false;
+  take_modifiers(words, aim.modifiers);
+  return true;
+}
+
+bool target_alone(Words& words, Action& action, Verb verb) {
+  AimAction aim;
+  if (!begin(words, verb, aim)) return false;
+  action = std::move(aim);
+  return words.end();
+}
+
+// "to X Y Z" or "to TARGET".
+bool parse_destination(Words& words, AimAction& aim) {
+  const base::Token* const next = words.peek();
+  AimPoint to;
+  if (next && base::parse_double(next->text)) {
+    to.kind = Kind::world;
+    const auto position = words.vector("a coordinate (m)");
+    if (!position) return false;
+    to.position = *position;
+  } else {
+    std::string text;
+    int column = 1;
+    if (!parse_point(words, to, text, column)) return false;
+  }
+  aim.to = to;
+  return true;
+}
+
+}  // namespace
+
+bool parse_aim_click(Words& words, Action& action) { return target_alone(words, action, Verb::click); }
+bool parse_aim_doubleclick(Words& words, Action& action) { return target_alone(words, action, Verb::doubleclick); }
+bool parse_aim_hover(Words& words, Action& action) { return target_alone(words, action, Verb::hover); }
+
+bool parse_aim_drag(Words& words, Action& action) {
+  AimAction aim;
+  if (!begin(words, Verb::drag, aim)) return false;
+  if (words.accept("to")) {
+    if (!parse_destination(words, aim)) return false;
+  } else if (words.accept("by")) {
+    aim.by = words.vector("a distance (m)");
+    if (!aim.by) return false;
+  } else {
+    return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected by X Y Z or to TARGET");
+  }
+  take_modifiers(words, aim.modifiers);
+  action = std::move(aim);
+  return words.end();
+}
+
+}  // namespace coaster::script

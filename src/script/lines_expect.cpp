@@ -1,0 +1,91 @@
+// Reading expect: a condition, a widget's state, a file, or a statement that must fail.
+#include "script/condition.h"
+#include "script/grammar.h"
+#include "script/lines.h"
+#include "script/lines_parts.h"
+
+#include <algorithm>
+
+namespace coaster::script {
+namespace {
+
+bool parse_widget(Words& words, ExpectWidget::What what, bool negated, Action& action) {
+  const base::Token* const path = words.take("a widget's path");
+  if (!path) return false;
+  if (!words.at_end()) {  // "expect visible "path" off"
+    const auto on = words.on_off();
+    if (!on) return false;
+    negated = negated == *on;
+  }
+  action = ExpectWidget{*path, what, negated};
+  return words.end();
+}
+
+bool parse_file(Words& words, bool negated, Action& action) {
+  ExpectFile expect;
+  expect.negated = negated;
+  const base::Token* const path = words.take("a file");
+  if (!path) return false;
+  expect.path = *path;
+  if (words.accept("not")) expect.negated = !expect.negated;
+  if (words.at_end() || words.accept("exists")) {
+    action = expect;
+    return words.end();
+  }
+  if (!words.accept("same") && !words.accept("==")) return words.fail(words.peek()->column, "expected same or exists, found " + base::quoted(words.peek()->text));
+  words.accept("as");
+  const base::Token* const other = words.take("the file to compare with");
+  if (!other) return false;
+  expect.same_as = *other;
+  action = expect;
+  return words.end();
+}
+
+// The statement may end in: ~ "text that the error contains".
+bool parse_error(Words& words, Action& action) {
+  ExpectError expect;
+  std::span<const base::Token> rest = words.rest();
+  if (rest.size() >= 2 && rest[rest.size() - 2].text == "~" && !rest[rest.size() - 2].quoted) {
+    expect.contains = rest.back().text;
+    rest = rest.first(rest.size() - 2);
+  }
+  if (rest.empty() && expect.contains) {  // expect error ~ "text": what the newest notice says
+    Condition notice;
+    notice.query = notice.text = "toast";
+    notice.op = Op::contains;
+    notice.values = {words.rest().back()};
+    notice.column = words.rest().front().column;
+    action = Expect{notice};
+    return true;
+  }
+  if (rest.empty()) return words.fail(words.end_column(), "expected a statement that must fail");
+  const std::vector<std::string>& known = statement_words();
+  if (std::find(known.begin(), known.end(), rest.front().text) == known.end())
+    return words.fail(rest.front().column, "no command " + base::quoted(rest.front().text) + base::suggestion(rest.front().text, known));
+  Statement inner;
+  inner.column = rest.front().column;
+  base::TextError error;
+  if (!parse_line(rest, error, inner.action)) expect.parse_error = error.message;
+  expect.statement.push_back(std::move(inner));
+  action = std::move(expect);
+  return true;
+}
+
+}  // namespace
+
+bool parse_expect(Words& words, Action& action) {
+  const bool negated = words.accept("not");
+  if (words.accept("visible")) return parse_widget(words, ExpectWidget::What::visible, negated, action);
+  if (words.accept("enabled")) return parse_widget(words, ExpectWidget::What::enabled, negated, action);
+  if (words.accept("hidden")) return parse_widget(words, ExpectWidget::What::visible, !negated, action);
+  if (words.accept("disabled")) return parse_widget(words, ExpectWidget::What::enabled, !negated, action);
+  if (words.accept("file")) return parse_file(words, negated, action);
+  if (!negated && words.accept("error")) return parse_error(words, action);
+  Expect expect;
+  if (!parse_condition(words, expect.condition)) return false;
+  expect.condition.negated = expect.condition.negated != negated;
+  action = std::move(expect);
+  return words.end();
+}
+
+}  // namespace coaster::script

@@ -1,0 +1,117 @@
+// Reading input: keys, text, wheel, files dropped, focus, size, and raw events.
+#include "script/lines_parts.h"
+
+#include <algorithm>
+
+namespace coaster::script {
+namespace {
+
+bool finish(Words& words, Action& action, Input input) {
+  action = std::move(input);
+  return words.end();
+}
+
+std::optional<platform::Chord> take_chord(Words& words) {
+  const base::Token* const word = words.take("a key such as F or Ctrl+Z");
+  if (!word) return std::nullopt;
+  const auto chord = platform::parse_chord(word->text);
+  if (!chord) words.fail(word->column, "expected a key such as F, Escape or Ctrl+Z, found " + base::quoted(word->text));
+  return chord;
+}
+
+std::optional<platform::Button> take_button(Words& words) {
+  static const std::vector<std::string> kButtons{"left", "right", "middle"};
+  if (words.at_end()) return platform::Button::left;
+  const auto button = words.one_of("left, right or middle", kButtons);
+  if (!button) return std::nullopt;
+  return static_cast<platform::Button>(*button);
+}
+
+bool raw_button(Words& words, Action& action, bool down) {
+  const auto button = take_button(words);
+  if (!button) return false;
+  platform::Modifiers modifiers;
+  while (!words.at_end()) {
+    if (words.accept("+shift")) modifiers.shift = true;
+    else if (words.accept("+ctrl")) modifiers.ctrl = true;
+    else if (words.accept("+alt")) modifiers.alt = true;
+    else return words.end();
+  }
+  return finish(words, action, {{{platform::MouseButton{*button, down, modifiers}}}});
+}
+
+}  // namespace
+
+bool parse_key(Words& words, Action& action) {
+  const auto chord = take_chord(words);
+  if (!chord) return false;
+  Input input;
+  input.steps.push_back({platform::KeyPress{chord->key, true, false, chord->modifiers}});
+  input.steps.push_back({platform::KeyPress{chord->key, false, false, {}}});
+  input.last_step_can_wait = true;
+  return finish(words, action, std::move(input));
+}
+
+bool parse_text(Words& words, Action& action) {
+  const base::Token* const text = words.take("a text");
+  if (!text) return false;
+  return finish(words, action, {{{platform::TextInput{text->text}}}});
+}
+
+bool parse_wheel(Words& words, Action& action) {
+  const auto notches = words.number("notches of the wheel");
+  if (!notches) return false;
+  Input input;
+  if (words.accept("at")) {
+    const auto x = words.number("x in pixels"), y = words.number("y in pixels");
+    if (!x || !y) return false;
+    input.steps.push_back({platform::MouseMove{static_cast<float>(*x), static_cast<float>(*y)}});
+  }
+  input.steps.push_back({platform::Wheel{0, static_cast<float>(*notches)}});
+  return finish(words, action, std::move(input));
+}
+
+bool parse_drop(Words& words, Action& action) {
+  const base::Token* const path = words.take("a file");
+  if (!path) return false;
+  return finish(words, action, {{{platform::Drop{path->text}}}});
+}
+
+bool parse_focus(Words& words, Action& action) {
+  const auto on = words.at_end() ? std::optional<bool>(true) : words.on_off();
+  if (!on) return false;
+  return finish(words, action, {{{platform::Focus{*on}}}});
+}
+
+bool parse_resize(Words& words, Action& action) {
+  const base::Token* const first = words.take("WIDTHxHEIGHT");
+  if (!first) return false;
+  int width = 0, height = 0;
+  std::string text = first->text;
+  if (!words.at_end()) text += "x" + words.take("a height")->text;
+  if (!parse_size(text, width, height)) return words.fail(first->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(text));
+  return finish(words, action, {{{platform::Resize{width, height}}}});
+}
+
+bool parse_minimise(Words& words, Action& action) { return finish(words, action, {{{platform::Resize{0, 0}}}}); }
+
+bool parse_raw_move(Words& words, Action& action) {
+  const auto x = words.number("x in pixels"), y = words.number("y in pixels");
+  if (!x || !y) return false;
+  return finish(words, action, {{{platform::MouseMove{static_cast<float>(*x), static_cast<float>(*y)}}}});
+}
+
+bool parse_raw_press(Words& words, Action& action) { return raw_button(words, action, true); }
+bool parse_raw_release(Words& words, Action& action) { return raw_button(words, action, false); }
+
+bool parse_raw_key(Words& words, Action& action) {
+  static const std::vector<std::string> kWays{"down", "up"};
+  const auto chord = take_chord(words);
+  if (!chord) return false;
+  const auto way = words.one_of("down or up", kWays);
+  if (!way) return false;
+  const bool down = *way == 0;
+  return finish(words, action, {{{platform::KeyPress{chord->key, down, false, down ? chord->modifiers : platform::Modifiers{}}}}});
+}
+
+}  // namespace coaster::script

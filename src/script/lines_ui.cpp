@@ -1,0 +1,90 @@
+// Reading ui.*: a widget's path and what to do to it.
+#include "script/lines_parts.h"
+
+namespace coaster::script {
+namespace {
+
+using Verb = UiAction::Verb;
+
+std::optional<UiAction> take_path(Words& words, Verb verb) {
+  const base::Token* const path = words.take("a widget's path such as \"Track/Insert point\"");
+  if (!path) return std::nullopt;
+  if (path->text.empty()) {
+    words.fail(path->column, "expected a widget's path, found \"\"");
+    return std::nullopt;
+  }
+  UiAction ui;
+  ui.verb = verb;
+  ui.path = *path;
+  return ui;
+}
+
+bool path_alone(Words& words, Action& action, Verb verb) {
+  auto ui = take_path(words, verb);
+  if (ui) action = *std::move(ui);
+  return words.end();
+}
+
+}  // namespace
+
+bool parse_ui_click(Words& words, Action& action) { return path_alone(words, action, Verb::click); }
+bool parse_ui_doubleclick(Words& words, Action& action) { return path_alone(words, action, Verb::doubleclick); }
+bool parse_ui_hover(Words& words, Action& action) { return path_alone(words, action, Verb::hover); }
+bool parse_ui_open(Words& words, Action& action) { return path_alone(words, action, Verb::open); }
+bool parse_ui_close(Words& words, Action& action) { return path_alone(words, action, Verb::close); }
+bool parse_ui_menu(Words& words, Action& action) { return path_alone(words, action, Verb::menu); }
+
+bool parse_ui_check(Words& words, Action& action) {
+  auto ui = take_path(words, Verb::check);
+  if (!ui) return false;
+  if (!words.at_end()) {
+    const auto on = words.on_off();
+    if (!on) return false;
+    ui->on = *on;
+  }
+  action = *std::move(ui);
+  return words.end();
+}
+
+bool parse_ui_type(Words& words, Action& action) {
+  auto ui = take_path(words, Verb::type);
+  if (!ui) return false;
+  const base::Token* const text = words.take("the text to type");
+  if (!text) return false;
+  ui->text = text->text;
+  action = *std::move(ui);
+  return words.end();
+}
+
+bool parse_ui_drag(Words& words, Action& action) {
+  auto ui = take_path(words, Verb::drag_by);
+  if (!ui) return false;
+  if (words.accept("to")) {
+    const base::Token* const value = words.take("a value");
+    if (!value) return false;
+    if (!base::parse_double(value->text)) return words.fail(value->column, "expected a number, found " + base::quoted(value->text));
+    ui->verb = Verb::drag_to;
+    ui->text = value->text;
+  } else {
+    words.accept("by");
+    const auto by = words.number("a distance in pixels");
+    if (!by) return false;
+    words.accept("px");
+    ui->number = *by;
+  }
+  action = *std::move(ui);
+  return words.end();
+}
+
+bool parse_ui_scroll(Words& words, Action& action) {
+  auto ui = take_path(words, Verb::scroll);
+  if (!ui) return false;
+  words.accept("by");
+  const auto notches = words.number("notches of the wheel (positive: down)");
+  if (!notches) return false;
+  ui->number = *notches;
+  action = *std::move(ui);
+  return words.end();
+}
+
+}  // namespace coaster::script

@@ -1,0 +1,134 @@
+// Blocks, commands, time and input.
+#include "script/runner.h"
+
+#include <algorithm>
+
+#include "script/grammar.h"
+#include "script/paths.h"
+#include "view/camera.h"
+
+namespace coaster::script {
+
+base::Status run_script(const Script& script, Host& host, const RunOptions& options) { return Runner(script, host, options).run(); }
+
+base::Status Runner::run() {
+  if (const base::Status made = make_folder(options_.out); !made) return made;
+  if (const base::Status status = stage_.set_environment(environment_); !status) return status;
+  const Failure result = run(script_.statements);
+  if (result) return {};
+  const std::string note = write_evidence();
+  const int column = result.column > 0 ? result.column : failed_at_->column;
+  return {result.code, describe_error(script_.sources[static_cast<std::size_t>(failed_at_->source)], failed_at_->line, column, result.message, note)};
+}
+
+Failure Runner::run(const Block& block) {
+  for (const Statement& statement : block)
+    if (Failure result = run(statement); !result) return result;
+  return {};
+}
+
+Failure Runner::run(const Statement& statement) {
+  source_ = statement.source;
+  if (stage_.host().progress) stage_.host().progress(statement.line, static_cast<int>(source().lines.size()));
+  failed_at_ = nullptr;
+  Failure result = std::visit([this](const auto& action) { return perform(action); }, statement.action);
+  if (!result && !failed_at_) failed_at_ = &statement;
+  return result;
+}
+
+std::filesystem::path Runner::input(std::string_view written) const { return find_input(source().folder, written, options_.out); }
+
+Failure Runner::perform(const RunCommand& run) {
+  edit::Command command = run.command;
+  if (edit::Load* const load = std::get_if<edit::Load>(&command)) {
+    load->path = input(load->path).string();
+    // A file that cannot be opened is a bad file too: the exit code says which kind of thing is wrong, not why.
+    const base::Status loaded = stage_.apply(command);
+    return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
+  }
+  if (edit::Save* const save = std::get_if<edit::Save>(&command)) {
+    const auto path = find_output(save->path, options_.out);
+    if (!path) return failure(path.status());
+    save->path = path->string();
+  }
+  return failure(stage_.apply(command));
+}
+
+Failure Runner::perform(const SetEnvironment& change) {
+  if (change.width) environment_.width = *change.width;
+  if (change.height) environment_.height = *change.height;
+  if (change.samples) environment_.samples = *change.samples;
+  if (change.seed) environment_.seed = *change.seed;
+  if (change.scale) environment_.scale = *change.scale;
+  return failure(stage_.set_environment(environment_));
+}
+
+Failure Runner::perform(const Frames& frames) {
+  for (std::int64_t i = 0; i < frames.count; ++i)
+    if (const base::Status status = stage_.frame({}); !status) return failure(status);
+  return {};
+}
+
+Failure Runner::perform(const Ticks& ticks) {
+  stage_.advance(ticks.count);
+  return {};
+}
+
+Failure Runner::perform(const Repeat& repeat) {
+  for (std::int64_t i = 0; i < repeat.count; ++i)
+    if (Failure result = run(repeat.body); !result) return result;
+  return {};
+}
+
+Failure Runner::perform(const Gesture& gesture) {
+  if (const base::Status status = stage_.apply(edit::BeginGesture{}); !status) return failure(status);
+  if (Failure result = run(gesture.body); !result) return result;
+  return failure(stage_.apply(edit::EndGesture{}));
+}
+
+Failure Runner::perform(const Include& include) { return run(include.body); }
+
+Failure Runner::perform(const Input& given) {
+  for (std::size_t i = 0; i < given.steps.size(); ++i) {
+    platform::Events events = given.steps[i];
+    for (platform::Event& event : events)
+      if (platform::Drop* const drop = std::get_if<platform::Drop>(&event)) drop->path = input(drop->path).string();
+    const std::uint64_t before = stage_.commands();
+    if (const base::Status status = stage_.frame(std::move(events)); !status) return failure(status);
+    // What a key did shows in this frame's numbers: its release joins the next frame then.
+    if (given.last_step_can_wait && i + 2 == given.steps.size() && stage_.commands() != before) {
+      stage_.put_off(given.steps.back());
+      break;
+    }
+  }
+  return {};
+}
+
+Failure Runner::perform(const MoveCamera& move) {
+  world::Camera camera = stage_.host().context().session.settings.camera;
+  if (move.target) camera.target = *move.target;
+  if (move.yaw_deg) camera.yaw_deg = *move.yaw_deg;
+  if (move.pitch_deg) camera.pitch_deg = *move.pitch_deg;
+  if (move.distance) camera.distance = *move.distance;
+  return failure(stage_.apply(edit::SetCamera{camera}));
+}
+
+Failure Runner::perform(const FitCamera& fit) {
+  if (!stage_.host().viewport) return wrong("there is no viewport");
+  if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
+  const query::Context context = stage_.host().context();
+  const edit::Session& session = context.session;
+  const view::Viewport viewport = stage_.host().viewport();
+  if (fit.selection && !session.settings.selected.valid()) return wrong("nothing is selected");
+  const world::Camera& now = session.settings.camera;
+  return failure(stage_.apply(edit::SetCamera{fit.selection ? view::frame_entity(now, session.document, session.settings.selected, viewport)
+                                                            : view::frame_all(now, session.document, viewport)}));
+}
+
+Failure Runner::perform(const Fault& fault) {
+  if (!stage_.host().files) return wrong("there are no files to fail");
+  stage_.host().files->inject(fault.operation, fault.nth);
+  return {};
+}
+
+}  // namespace coaster::script

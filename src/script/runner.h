@@ -1,0 +1,89 @@
+// Runs a parsed script against a Host, from its first statement to its last or to the first that fails.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "script/host.h"
+#include "script/stage.h"
+#include "script/statements.h"
+
+namespace coaster::script {
+
+struct RunOptions {
+  std::filesystem::path out;    // what $OUT stands for
+  bool update_goldens = false;
+  Environment environment;      // before the first env line
+};
+
+// Why a statement failed; column 0: that of the statement.
+struct Failure {
+  base::Code code = base::Code::ok;
+  std::string message;
+  int column = 0;
+
+  bool ok() const { return code == base::Code::ok; }
+  explicit operator bool() const { return ok(); }
+};
+inline Failure failure(const base::Status& status, int column = 0) { return {status.code, status.message, column}; }
+inline Failure failed(std::string message, int column = 0) { return {base::Code::expectation, std::move(message), column}; }
+inline Failure wrong(std::string message, int column = 0) { return {base::Code::usage, std::move(message), column}; }
+
+// Ok, or the exit code's reason with place, line, caret, frame and where picture and state were written (describe_error()).
+base::Status run_script(const Script& script, Host& host, const RunOptions& options);
+
+// One run. The statements' meaning is spread over runner.cpp (blocks, session), runner_expect.cpp, runner_ui.cpp, runner_aim.cpp
+// and runner_output.cpp.
+class Runner {
+ public:
+  Runner(const Script& script, Host& host, const RunOptions& options)
+      : script_(script), stage_(host), options_(options), environment_(options.environment) {}
+
+  base::Status run();
+
+ private:
+  Failure run(const Block& block);
+  Failure run(const Statement& statement);
+
+  Failure perform(const RunCommand& command);
+  Failure perform(const SetEnvironment& change);
+  Failure perform(const Frames& frames);
+  Failure perform(const Ticks& ticks);
+  Failure perform(const Repeat& repeat);
+  Failure perform(const Gesture& gesture);
+  Failure perform(const Include& include);
+  Failure perform(const Input& input);
+  Failure perform(const MoveCamera& move);
+  Failure perform(const FitCamera& fit);
+  Failure perform(const Fault& fault);
+
+  Failure perform(const Expect& expect);
+  Failure perform(const Wait& wait);
+  Failure perform(const ExpectWidget& expect);
+  Failure perform(const ExpectFile& expect);
+  Failure perform(const ExpectError& expect);
+
+  Failure perform(const UiAction& ui);
+  Failure perform(const AimAction& aim);
+
+  Failure perform(const Snap& snap);
+  Failure perform(const Shot& shot);
+  Failure perform(const Dump& dump);
+  Failure perform(const Log& log);
+
+  // The condition's value now; `found` gets it as text.
+  base::Result<bool> check(const Condition& condition, std::string& found);
+  const Source& source() const { return script_.sources[static_cast<std::size_t>(source_)]; }
+  std::filesystem::path input(std::string_view written) const;
+  // Picture, widgets and values beside $OUT; the note for the message.
+  std::string write_evidence();
+
+  const Script& script_;
+  Stage stage_;
+  const RunOptions& options_;
+  Environment environment_;
+  int source_ = 0;                     // of the statement that runs
+  const Statement* failed_at_ = nullptr;  // the innermost statement that failed
+};
+
+}  // namespace coaster::script

@@ -1,0 +1,98 @@
+// aim.*: the cursor goes to where an entity is on the screen, and presses there only when the program finds that entity under it.
+#include <algorithm>
+
+#include "script/runner.h"
+
+namespace coaster::script {
+namespace {
+
+using platform::Button;
+using platform::MouseButton;
+using platform::MouseMove;
+
+constexpr int kDragSteps = 6;
+
+view::PickKind pick_kind(AimPoint::Kind kind) {
+  switch (kind) {
+    case AimPoint::Kind::knot: return view::PickKind::knot;
+    case AimPoint::Kind::handle_in: return view::PickKind::handle_in;
+    case AimPoint::Kind::handle_out: return view::PickKind::handle_out;
+    case AimPoint::Kind::curve: return view::PickKind::curve;
+    case AimPoint::Kind::cart: return view::PickKind::cart;
+    case AimPoint::Kind::ground:
+    case AimPoint::Kind::world: break;
+  }
+  return view::PickKind::none;
+}
+
+std::string name_of(const world::Document& document, const view::Pick& pick) {
+  const std::string label = "@" + world::label_of(document, pick.entity);
+  switch (pick.kind) {
+    case view::PickKind::none: return "nothing";
+    case view::PickKind::handle_in: return label + ".in";
+    case view::PickKind::handle_out: return label + ".out";
+    case view::PickKind::curve: return label + ":" + base::to_text(static_cast<float>(pick.t));
+    case view::PickKind::knot:
+    case view::PickKind::cart: break;
+  }
+  return label;
+}
+
+// The hovered thing must be the one aimed at; ground and world points may have anything over them but panels.
+Failure check_hover(Stage& stage, const AimAction& aim) {
+  const view::PickKind wanted = pick_kind(aim.target.kind);
+  if (wanted == view::PickKind::none || !stage.host().hovered) return {};
+  const view::Pick found = stage.host().hovered();
+  const query::Context context = stage.host().context();
+  const world::Document& document = context.session.document;
+  if (found.kind == wanted && found.entity == world::find(document, aim.target.name)) return {};
+  const std::string what = name_of(document, found);
+  if (found.kind == view::PickKind::none) return failed("the cursor finds nothing at " + aim.target_text + ": something covers it", aim.target_column);
+  return failed(aim.target_text + " is covered by " + what, aim.target_column);
+}
+
+}  // namespace
+
+Failure Runner::perform(const AimAction& aim) {
+  const auto at_target = [&](const base::Status& status) { return failure(status, aim.target_column); };
+  if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
+  const base::Result<glm::vec2> pixel = stage_.host().pixel_of(aim.target);
+  if (!pixel) return at_target(pixel.status());
+  glm::vec2 end = *pixel;
+  if (aim.verb == AimAction::Verb::drag) {
+    AimPoint destination;
+    if (aim.to) {
+      destination = *aim.to;
+    } else {
+      const base::Result<glm::vec3> from = stage_.host().position_of(aim.target);
+      if (!from) return at_target(from.status());
+      destination.kind = AimPoint::Kind::world;
+      destination.position = *from + aim.by.value_or(glm::vec3(0));
+    }
+    const base::Result<glm::vec2> to = stage_.host().pixel_of(destination);
+    if (!to) return at_target(to.status());
+    end = *to;
+  }
+  if (const base::Status status = stage_.frame({MouseMove{pixel->x, pixel->y}}); !status) return failure(status);
+  if (Failure covered = check_hover(stage_, aim); !covered) return covered;
+  if (aim.verb == AimAction::Verb::hover) return {};
+
+  const int clicks = aim.verb == AimAction::Verb::doubleclick ? 2 : 1;
+  for (int i = 0; i < clicks; ++i) {
+    const std::uint64_t before = stage_.commands();
+    if (const base::Status status = stage_.frame({MouseButton{Button::left, true, aim.modifiers}}); !status) return failure(status);
+    const int steps = aim.verb == AimAction::Verb::drag ? kDragSteps : 0;
+    for (int step = 1; step <= steps; ++step) {
+      const glm::vec2 at = *pixel + (end - *pixel) * (static_cast<float>(step) / static_cast<float>(steps));
+      if (const base::Status status = stage_.frame({MouseMove{at.x, at.y}}); !status) return failure(status);
+    }
+    const platform::Event up = MouseButton{Button::left, false, aim.modifiers};
+    // A click that did its work at the press leaves the release to the next frame: the last frame's numbers are those of the work.
+    const bool done = stage_.commands() != before && steps == 0 && i + 1 == clicks;
+    if (done) stage_.put_off({up});
+    else if (const base::Status status = stage_.frame({up}); !status) return failure(status);
+  }
+  return {};
+}
+
+}  // namespace coaster::script

@@ -1,0 +1,92 @@
+// expect and wait.
+#include <algorithm>
+
+#include "script/condition.h"
+#include "script/runner.h"
+#include "script/widgets.h"
+
+namespace coaster::script {
+
+base::Result<bool> Runner::check(const Condition& condition, std::string& found) {
+  const query::Query* const query = query::find_query(condition.query);
+  COASTER_CHECK(query, "the grammar lets known queries through alone");
+  const base::Result<query::Value> value = query->evaluate(stage_.host().context(), condition.argument);
+  if (!value) return base::Status{base::Code::usage, value.status().message};
+  found = describe(*query, *value);
+  return holds(condition, *value);
+}
+
+Failure Runner::perform(const Expect& expect) {
+  if (const base::Status status = stage_.settle(); !status) return failure(status);
+  const Condition& condition = expect.condition;
+  std::string found;
+  const base::Result<bool> result = check(condition, found);
+  if (!result) return failure(result.status(), condition.column);
+  if (*result) return {};
+  return failed(std::string(condition.negated ? "expected not " : "expected ") + condition.text + ", found " + found, condition.column);
+}
+
+Failure Runner::perform(const Wait& wait) {
+  std::string found;
+  for (std::int64_t i = 0;; ++i) {
+    const base::Result<bool> result = check(wait.condition, found);
+    if (!result) return failure(result.status(), wait.condition.column);
+    if (*result) return {};
+    if (i == wait.most) break;
+    if (!wait.frames) stage_.advance(1);
+    else if (const base::Status status = stage_.frame({}); !status) return failure(status);
+  }
+  return {base::Code::timeout,
+          "waited " + std::to_string(wait.most) + (wait.frames ? " frames" : " ticks") + " for " + wait.condition.text + ", found " + found,
+          wait.condition.column};
+}
+
+Failure Runner::perform(const ExpectWidget& expect) {
+  if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
+  const std::vector<WidgetState> widgets = stage_.host().widgets();
+  const base::Result<std::size_t> found = find_widget(widgets, expect.path.text);
+  const bool asks_visible = expect.what == ExpectWidget::What::visible;
+  if (!found) {
+    const bool absent = find_widgets(widgets, expect.path.text).empty();
+    if (absent && asks_visible && expect.negated) return {};
+    return {absent && asks_visible ? base::Code::expectation : base::Code::usage, found.status().message, expect.path.column};
+  }
+  const WidgetState& widget = widgets[*found];
+  const bool is = asks_visible ? widget.visible && !widget.covered : widget.enabled;
+  if (is != expect.negated) return {};
+  const std::string word = asks_visible ? (is ? "visible" : widget.covered ? "covered" : "not visible") : (is ? "enabled" : "disabled");
+  return failed(base::quoted(widget.path) + " is " + word, expect.path.column);
+}
+
+Failure Runner::perform(const ExpectFile& expect) {
+  base::Files files;
+  const std::filesystem::path path = input(expect.path.text);
+  const base::Result<std::string> bytes = files.read(path);
+  if (!expect.same_as) {
+    if (bytes.ok() != expect.negated) return {};
+    return failed(expect.negated ? path.string() + ": exists" : bytes.status().message, expect.path.column);
+  }
+  if (!bytes) return failed(bytes.status().message, expect.path.column);
+  const base::Result<std::string> wanted = files.read(input(expect.same_as->text));
+  if (!wanted) return failed(wanted.status().message, expect.same_as->column);
+  if ((*bytes == *wanted) != expect.negated) return {};
+  if (expect.negated) return failed("the files are the same", expect.path.column);
+  const auto [a, b] = std::mismatch(bytes->begin(), bytes->end(), wanted->begin(), wanted->end());
+  const auto line = 1 + std::count(bytes->begin(), a, '\n');
+  return failed(path.string() + " differs from line " + std::to_string(line) + " on", expect.path.column);
+}
+
+Failure Runner::perform(const ExpectError& expect) {
+  std::string message = expect.parse_error;
+  if (message.empty()) {
+    const Statement& statement = expect.statement.front();
+    const Failure result = std::visit([this](const auto& action) { return perform(action); }, statement.action);
+    failed_at_ = nullptr;
+    if (result) return failed("expected an error, but the statement succeeded", statement.column);
+    message = result.message;
+  }
+  if (!expect.contains || message.find(*expect.contains) != std::string::npos) return {};
+  return failed("expected an error with " + base::quoted(*expect.contains) + ", found " + base::quoted(message), expect.statement.front().column);
+}
+
+}  // namespace coaster::script

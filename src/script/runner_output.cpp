@@ -1,0 +1,132 @@
+// snap, shot, dump, log, and the evidence of a failure.
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "exchange/track_file.h"
+#include "script/condition.h"
+#include "script/output.h"
+#include "script/paths.h"
+#include "script/runner.h"
+
+namespace coaster::script {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const query::Value& value) {
+  struct Visitor {
+    Json operator()(double v) const { return std::isfinite(v) ? Json(v) : Json(nullptr); }
+    Json operator()(const std::string& v) const { return v; }
+    Json operator()(const query::Ranked& v) const { return v.text; }
+    Json operator()(glm::dvec3 v) const { return {v.x, v.y, v.z}; }
+  };
+  return std::visit(Visitor{}, value);
+}
+
+// The entities that an argument such as "@knot" ranges over.
+std::vector<std::string> arguments_of(std::string_view argument, const world::Document& document) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::vector<world::Entity>& entities) {
+    for (const world::Entity e : entities) names.push_back("@" + world::label_of(document, e));
+  };
+  if (argument.find("document") != std::string_view::npos) return {"document", "motion"};
+  if (argument.find("@knot") != std::string_view::npos) add(document.track.knots);
+  if (argument.find("@segment") != std::string_view::npos) add(document.track.segments);
+  if (argument.find("@cart") != std::string_view::npos) add(document.entities.pool<world::Cart>().entities());
+  return names;
+}
+
+}  // namespace
+
+std::string state_json(const query::Context& context) {
+  constexpr std::size_t kMostKnots = 1000;  // values of single knots are left out for larger tracks
+  Json all = Json::object();
+  for (const query::Query& query : query::queries()) {
+    const std::string name(query.name);
+    if (query.argument.empty()) {
+      const auto value = query.evaluate(context, "");
+      all[name] = value ? to_json(*value) : Json(nullptr);
+      continue;
+    }
+    if (context.session.document.track.knots.size() > kMostKnots) continue;
+    for (const std::string& argument : arguments_of(query.argument, context.session.document)) {
+      const auto value = query.evaluate(context, argument);
+      if (value) all[name + " " + argument] = to_json(*value);
+    }
+  }
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string widgets_text(std::span<const WidgetState> widgets) {
+  std::string text;
+  for (const WidgetState& w : widgets) {
+    text += base::quoted(w.path) + " " + w.kind + " " + base::to_text(w.x) + "," + base::to_text(w.y) + " " + base::to_text(w.width) + "x" +
+            base::to_text(w.height);
+    if (!w.value.empty()) text += " value " + base::quoted(w.value);
+    if (!w.visible) text += " out-of-sight";
+    if (!w.enabled) text += " disabled";
+    if (w.covered) text += " covered";
+    text += "\n";
+  }
+  return text;
+}
+
+std::string Runner::write_evidence() {
+  Host& host = stage_.host();
+  base::Files files;  // not the program's: those may have faults injected
+  const query::Context context = host.context();
+  std::string note = "frame " + std::to_string(context.stats.frame) + "; " + (options_.out / "frame.png").string();
+  const bool written = host.screenshot(options_.out / "frame.png").ok();
+  if (!written) note = "frame " + std::to_string(context.stats.frame) + "; " + options_.out.string() + "/";
+  const bool texts = files.write_atomic(options_.out / "widgets.txt", widgets_text(host.widgets())).ok() &&
+                     files.write_atomic(options_.out / "state.json", state_json(context)).ok();
+  if (texts) note += written ? ", widgets.txt, state.json" : "widgets.txt, state.json";
+  return note;
+}
+
+Failure Runner::perform(const Snap& snap) {
+  if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
+  const std::filesystem::path golden = source().folder / "golden" / (snap.name + ".png");
+  return failure(stage_.host().snap(snap.name, golden, options_.out, options_.update_goldens));
+}
+
+Failure Runner::perform(const Shot& shot) {
+  const auto path = find_output(shot.path.text.starts_with("$OUT") ? shot.path.text : "$OUT/" + shot.path.text, options_.out);
+  if (!path) return failure(path.status(), shot.path.column);
+  if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
+  return failure(stage_.host().screenshot(*path));
+}
+
+Failure Runner::perform(const Dump& dump) {
+  if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
+  const auto stem = find_output("$OUT/" + dump.name, options_.out);
+  if (!stem) return failure(stem.status());
+  const auto with = [&](const char* ending) { return std::filesystem::path(stem->string() + ending); };
+  base::Files files;
+  const query::Context context = stage_.host().context();
+  if (const base::Status s = stage_.host().screenshot(with(".frame.png")); !s) return failure(s);
+  if (const base::Status s = files.write_atomic(with(".widgets.txt"), widgets_text(stage_.host().widgets())); !s) return failure(s);
+  if (const base::Status s = files.write_atomic(with(".state.json"), state_json(context)); !s) return failure(s);
+  return failure(files.write_atomic(with(".json"), exchange::print_track(context.session.document)));
+}
+
+Failure Runner::perform(const Log& log) {
+  if (const base::Status status = stage_.settle(); !status) return failure(status);
+  std::string line;
+  for (const Log::Part& part : log.parts) {
+    if (!line.empty()) line += " ";
+    if (part.query.empty()) {
+      line += part.text;
+      continue;
+    }
+    const auto value = query::find_query(part.query)->evaluate(stage_.host().context(), part.argument);
+    if (!value) return failure(value.status(), part.column);
+    line += query::to_text(*value);
+  }
+  stage_.host().print(line);
+  return {};
+}
+
+}  // namespace coaster::script

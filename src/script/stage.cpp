@@ -1,0 +1,52 @@
+// When scripts draw.
+#include "script/stage.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace coaster::script {
+
+base::Status Stage::set_environment(const Environment& environment) {
+  picture_stale_ = panels_stale_ = true;
+  return host_.set_environment(environment);
+}
+
+base::Status Stage::apply(const edit::Command& command) {
+  picture_stale_ = panels_stale_ = true;  // a refused command shows a notice
+  return host_.apply(command);
+}
+
+base::Status Stage::frame(platform::Events events, int ticks) {
+  events.insert(events.begin(), put_off_.begin(), put_off_.end());
+  put_off_.clear();
+  const std::uint64_t before = commands();
+  const base::Status status = host_.frame(events, ticks);
+  picture_stale_ = false;
+  panels_stale_ = !events.empty() || commands() != before;
+  return status;
+}
+
+void Stage::put_off(platform::Events events) {
+  put_off_.insert(put_off_.end(), events.begin(), events.end());
+  panels_stale_ = true;
+}
+
+void Stage::advance(std::int64_t ticks) {
+  if (ticks > 0) picture_stale_ = true;
+  while (ticks > 0) {
+    const auto some = static_cast<int>(std::min<std::int64_t>(ticks, std::numeric_limits<int>::max()));
+    host_.advance(some);
+    ticks -= some;
+  }
+}
+
+base::Status Stage::settle() { return picture_stale_ ? frame({}, 0) : base::Status{}; }
+
+base::Status Stage::settle_panels() {
+  if (!picture_stale_ && !panels_stale_) return {};
+  for (int i = 0; i < 2; ++i)
+    if (const base::Status status = frame({}, 0); !status) return status;
+  return {};
+}
+
+}  // namespace coaster::script

@@ -1,0 +1,167 @@
+// What a script says, parsed: statements as plain data. How lines become statements: grammar.h; what they do: runner.h.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/files.h"
+#include "base/text.h"
+#include "edit/commands.h"
+#include "platform/events.h"
+#include "script/host.h"
+
+namespace coaster::script {
+
+struct Statement;
+using Block = std::vector<Statement>;
+
+// A command of edit::Command; the paths of load and save are as written.
+struct RunCommand {
+  edit::Command command;
+};
+// Only what the line names.
+struct SetEnvironment {
+  std::optional<int> width, height, samples;
+  std::optional<std::uint64_t> seed;
+  std::optional<float> scale;
+};
+struct Frames {
+  std::int64_t count = 1;
+};
+struct Ticks {
+  std::int64_t count = 1;
+};
+struct Repeat {
+  std::int64_t count = 1;
+  Block body;
+};
+struct Gesture {
+  Block body;
+};
+struct Include {
+  Block body;
+};
+
+enum class Op : std::uint8_t { equal, not_equal, less, less_equal, greater, greater_equal, contains };
+
+// "<query> [argument] <op> <value> [+-tolerance]". Without an operator: that the value is true.
+struct Condition {
+  std::string query, argument;
+  std::optional<Op> op;
+  std::vector<base::Token> values;
+  std::optional<double> tolerance;
+  bool negated = false;
+  std::string text;  // as written
+  int column = 1;
+};
+struct Expect {
+  Condition condition;
+};
+// "wait CONDITION max N ticks|frames".
+struct Wait {
+  Condition condition;
+  std::int64_t most = 7200;
+  bool frames = false;
+};
+struct ExpectWidget {
+  base::Token path;
+  enum class What : std::uint8_t { visible, enabled } what = What::visible;
+  bool negated = false;
+};
+// exists, or same as another file byte by byte.
+struct ExpectFile {
+  base::Token path;
+  std::optional<base::Token> same_as;
+  bool negated = false;
+};
+// The statement must fail; words that do not even parse have failed already, with `parse_error`.
+struct ExpectError {
+  Block statement;
+  std::string parse_error;
+  std::optional<std::string> contains;
+};
+
+struct UiAction {
+  enum class Verb : std::uint8_t { click, doubleclick, hover, check, type, drag_by, drag_to, open, close, menu, scroll };
+  Verb verb = Verb::click;
+  base::Token path;
+  std::string text;      // of type; the value of drag to
+  double number = 0;     // px of drag by, notches of scroll
+  bool on = true;        // of check
+};
+
+// Frames of events, one after the other.
+struct Input {
+  std::vector<platform::Events> steps;
+  bool last_step_can_wait = false;  // a release: may join the next frame
+};
+
+struct AimAction {
+  enum class Verb : std::uint8_t { click, doubleclick, hover, drag };
+  Verb verb = Verb::click;
+  platform::Modifiers modifiers;
+  AimPoint target;
+  std::string target_text;
+  int target_column = 1;
+  std::optional<glm::vec3> by;
+  std::optional<AimPoint> to;
+};
+
+// Camera as the line names it; the rest stays.
+struct MoveCamera {
+  std::optional<glm::vec3> target;
+  std::optional<float> yaw_deg, pitch_deg, distance;
+};
+// Frames the whole track or the selection.
+struct FitCamera {
+  bool selection = false;
+};
+
+struct Snap {
+  std::string name;
+};
+struct Shot {
+  base::Token path;
+};
+struct Dump {
+  std::string name;
+};
+// Texts and values, separated by blanks.
+struct Log {
+  struct Part {
+    std::string text;             // when query is empty
+    std::string query, argument;
+    int column = 1;
+  };
+  std::vector<Part> parts;
+};
+struct Fault {
+  base::IoOperation operation = base::IoOperation::open;
+  int nth = 1;
+};
+
+using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, Gesture, Include, Expect, Wait, ExpectWidget, ExpectFile,
+                            ExpectError, UiAction, Input, AimAction, MoveCamera, FitCamera, Snap, Shot, Dump, Log, Fault>;
+
+struct Statement {
+  int source = 0;  // into Script::sources
+  int line = 1, column = 1;
+  Action action;
+};
+
+struct Source {
+  std::string name;  // as given by who named it
+  std::filesystem::path folder;
+  std::vector<std::string> lines;
+};
+
+struct Script {
+  std::vector<Source> sources;  // the script, then what it includes
+  Block statements;
+};
+
+}  // namespace coaster::script

@@ -1,0 +1,274 @@
+// Reaching and working widgets. Nothing is activated by id: what a hand could not press is refused.
+#include "script/ui_driver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coaster::script {
+namespace {
+
+constexpr int kMostScrolls = 80;
+using platform::Button;
+using platform::Key;
+using platform::KeyPress;
+using platform::MouseButton;
+using platform::MouseMove;
+
+MouseMove middle(const WidgetState& w) { return {w.x + w.width / 2, w.y + w.height / 2}; }
+
+// The number a widget shows, without its unit.
+std::optional<double> number_shown(const std::string& text) {
+  for (std::size_t size = text.size(); size > 0; --size)
+    if (const auto number = base::parse_double(std::string_view(text).substr(0, size))) return number;
+  return std::nullopt;
+}
+
+}  // namespace
+
+const WidgetState* UiDriver::now(std::string_view path) {
+  widgets_ = stage_.host().widgets();
+  const auto found = find_widget(widgets_, path);
+  return found ? &widgets_[*found] : nullptr;
+}
+
+Failure UiDriver::refusal(const WidgetState& widget) const {
+  if (!widget.visible) return failed(base::quoted(widget.path) + " is out of sight");
+  if (widget.covered) return failed(base::quoted(widget.path) + " is covered by another window");
+  if (!widget.enabled) return failed(base::quoted(widget.path) + " is disabled");
+  return {};
+}
+
+Failure UiDriver::click_widget(const WidgetState& widget) {
+  if (Failure moved = frame({middle(widget)}); !moved) return moved;
+  return press_and_release({});
+}
+
+// Headers whose path the wanted path goes through, then the closed headers of its panel.
+Failure UiDriver::open_way_to(std::string_view path) {
+  const auto missing = [&] { return find_widgets(stage_.host().widgets(), path).empty(); };
+  if (!missing()) return {};
+  const std::string panel(panel_of(path));
+  for (const bool on_path_alone : {true, false}) {
+    std::vector<std::string> tried;
+    for (bool again = true; again && missing();) {
+      again = false;
+      for (const WidgetState& widget : stage_.host().widgets()) {
+        const bool on_path = path.starts_with(widget.path + "/");
+        const bool in_panel = panel_of(widget.path) == panel || panel == path;
+        if (!is_closed_header(widget) || !(on_path || (!on_path_alone && in_panel))) continue;
+        if (std::find(tried.begin(), tried.end(), widget.path) != tried.end()) continue;
+        tried.push_back(widget.path);
+        WidgetState header = widget;
+        if (Failure sight = bring_into_sight(header.path, header); !sight) continue;
+        if (Failure clicked = click_widget(header); !clicked) return clicked;
+        if (const base::Status settled = stage_.settle_panels(); !settled) return failure(settled);
+        again = true;
+        break;
+      }
+    }
+  }
+  return {};
+}
+
+Failure UiDriver::find(std::string_view path, WidgetState& widget) {
+  if (const base::Status settled = stage_.settle_panels(); !settled) return failure(settled);
+  if (Failure opened = open_way_to(path); !opened) return opened;
+  widgets_ = stage_.host().widgets();
+  const auto found = find_widget(widgets_, path);
+  if (!found) return failure(found.status());
+  widget = widgets_[*found];
+  return {};
+}
+
+// Turns the wheel over the widget's column: at a widget of it that is in sight.
+Failure UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
+  float last_y = widget.y;
+  int stuck = 0;
+  for (int i = 0; i < kMostScrolls && !widget.visible && stuck < 3; ++i) {
+    const WidgetState* over = nullptr;
+    const float x = middle(widget).x;
+    for (const WidgetState& other : widgets_) {
+      if (!other.visible || other.covered || panel_of(other.path) == "Menu" || other.kind == "menu" || other.kind == "item") continue;
+      if (x < other.x || x > other.x + other.width) continue;
+      const bool same_panel = panel_of(other.path) == panel_of(widget.path);
+      const bool better = !over || (same_panel && panel_of(over->path) != panel_of(widget.path));
+      if (better) over = &other;
+    }
+    if (!over) break;
+    const MouseMove at{x, middle(*over).y};
+    const float notch = widget.y > at.y ? -1.0f : 1.0f;
+    if (Failure turned = frame({at, platform::Wheel{0, notch}}); !turned) return turned;
+    if (const base::Status settled = stage_.settle_panels(); !settled) return failure(settled);
+    const WidgetState* const moved = now(path);
+    if (!moved) break;
+    widget = *moved;
+    stuck = widget.y == last_y ? stuck + 1 : 0;
+    last_y = widget.y;
+  }
+  return {};
+}
+
+Failure UiDriver::reach(std::string_view path) {
+  if (Failure found = find(path, widget_); !found) return found;
+  if (Failure sight = bring_into_sight(path, widget_); !sight) return sight;
+  if (Failure refused = refusal(widget_); !refused) return refused;
+  if (Failure moved = frame({middle(widget_)}); !moved) return moved;
+  if (const WidgetState* const hovered = now(path)) widget_ = *hovered;  // hovering may change the layout
+  return refusal(widget_);
+}
+
+// A press or key whose work is done may leave its release to the next frame, so that the last frame's numbers are those of the work.
+Failure UiDriver::release(platform::Event event, std::uint64_t commands_before, bool can_wait) {
+  if (can_wait && stage_.commands() != commands_before) {
+    stage_.put_off({std::move(event)});
+    return {};
+  }
+  if (Failure up = frame({std::move(event)}); !up) return up;
+  // Some widgets report what was done a frame after the release.
+  return stage_.commands() == commands_before ? frame({}) : Failure{};
+}
+
+Failure UiDriver::press_and_release(platform::Modifiers modifiers) {
+  const std::uint64_t before = stage_.commands();
+  if (Failure down = frame({MouseButton{Button::left, true, modifiers}}); !down) return down;
+  return release(MouseButton{Button::left, false, modifiers}, before, false);
+}
+
+Failure UiDriver::key(Key which, platform::Modifiers modifiers, bool release_can_wait) {
+  const std::uint64_t before = stage_.commands();
+  if (Failure down = frame({KeyPress{which, true, false, modifiers}}); !down) return down;
+  return release(KeyPress{which, false, false, {}}, before, release_can_wait);
+}
+
+Failure UiDriver::click(std::string_view path, int clicks) {
+  if (Failure reached = reach(path); !reached) return reached;
+  for (int i = 0; i < clicks; ++i)
+    if (Failure pressed = press_and_release({}); !pressed) return pressed;
+  return {};
+}
+
+Failure UiDriver::check(std::string_view path, bool on) {
+  if (Failure reached = reach(path); !reached) return reached;
+  if (is_on(widget_) == on) return {};
+  if (!on && widget_.kind == "radio") return failed(base::quoted(widget_.path) + " is one of several: it goes off when another goes on");
+  return press_and_release({});
+}
+
+Failure UiDriver::type(std::string_view path, std::string_view text) {
+  if (Failure reached = reach(path); !reached) return reached;
+  const platform::Modifiers ctrl{false, true, false};
+  if (Failure opened = press_and_release(widget_.kind == "text" ? platform::Modifiers{} : ctrl); !opened) return opened;
+  if (Failure all = key(Key::a, ctrl); !all) return all;
+  if (Failure typed = frame(text.empty() ? platform::Events{KeyPress{Key::del, true, false, {}}, KeyPress{Key::del, false, false, {}}}
+                                         : platform::Events{platform::TextInput{std::string(text)}});
+      !typed)
+    return typed;
+  return key(Key::enter, {}, true);
+}
+
+Failure UiDriver::drag_by(std::string_view path, float pixels) {
+  if (Failure reached = reach(path); !reached) return reached;
+  const MouseMove from = middle(widget_);
+  if (Failure down = frame({MouseButton{Button::left, true, {}}}); !down) return down;
+  constexpr int kSteps = 4;
+  for (int i = 1; i <= kSteps; ++i)
+    if (Failure moved = frame({MouseMove{from.x + pixels * static_cast<float>(i) / kSteps, from.y}}); !moved) return moved;
+  const std::uint64_t before = stage_.commands();
+  return release(MouseButton{Button::left, false, {}}, before, false);
+}
+
+Failure UiDriver::drag_to(std::string_view path, double value) {
+  if (Failure reached = reach(path); !reached) return reached;
+  if (Failure down = frame({MouseButton{Button::left, true, {}}}); !down) return down;
+  const float y = middle(widget_).y;
+  float low = widget_.x, high = widget_.x + widget_.width;
+  bool there = false;
+  for (int i = 0; i < 16 && high - low > 0.5f && !there; ++i) {
+    const float x = (low + high) / 2;
+    // Two frames: a slider shows what it was at the start of a frame.
+    if (Failure moved = frame({MouseMove{x, y}}); !moved) return moved;
+    if (Failure again = frame({}); !again) return again;
+    const WidgetState* const shown = now(path);
+    const auto number = shown ? number_shown(shown->value) : std::nullopt;
+    if (!number) break;
+    there = *number == value;
+    (*number < value ? low : high) = x;
+  }
+  if (Failure up = release(MouseButton{Button::left, false, {}}, stage_.commands(), false); !up) return up;
+  return there ? Failure{} : type(path, base::to_text(value));
+}
+
+Failure UiDriver::open(std::string_view path, bool open) {
+  if (Failure reached = reach(path); !reached) return reached;
+  if (widget_.kind != "header" && widget_.kind != "combo" && widget_.kind != "menu")
+    return wrong(base::quoted(widget_.path) + " is a " + widget_.kind + ": headers, combos and menus open");
+  if (widget_.kind == "header" && is_closed_header(widget_) != open) return {};
+  return press_and_release({});
+}
+
+// "Edit/Undo": opens the menu Edit, clicks Undo in it.
+Failure UiDriver::menu(std::string_view path) {
+  if (const base::Status settled = stage_.settle_panels(); !settled) return failure(settled);
+  for (std::size_t slash = path.find('/'); slash != std::string_view::npos; slash = path.find('/', slash + 1)) {
+    if (!find_widgets(stage_.host().widgets(), path).empty()) break;  // open already
+    const std::string_view part = path.substr(0, slash);
+    widgets_ = stage_.host().widgets();
+    std::vector<WidgetState> menus;
+    for (const WidgetState& widget : widgets_)
+      if (widget.kind == "menu") menus.push_back(widget);
+    const auto found = find_widget(menus, part);
+    if (!found && (part == "Menu" || part == "Menus")) continue;  // the bar itself
+    if (!found) return failure(found.status());
+    if (Failure refused = refusal(menus[*found]); !refused) return refused;
+    if (Failure clicked = click_widget(menus[*found]); !clicked) return clicked;
+    if (const base::Status settled = stage_.settle_panels(); !settled) return failure(settled);
+  }
+  return click(path);
+}
+
+Failure UiDriver::scroll(std::string_view path, double notches) {
+  if (const base::Status settled = stage_.settle_panels(); !settled) return failure(settled);
+  widgets_ = stage_.host().widgets();
+  const WidgetState* over = nullptr;
+  for (const WidgetState& widget : widgets_)
+    if (!over && widget.visible && !widget.covered && (panel_of(widget.path) == path || widget.path == path)) over = &widget;
+  if (!over) {
+    const auto found = find_widget(widgets_, path);
+    if (!found) return failure(found.status());
+    over = &widgets_[*found];
+    if (Failure refused = refusal(*over); !refused) return refused;
+  }
+  if (Failure moved = frame({middle(*over)}); !moved) return moved;
+  const int whole = static_cast<int>(std::ceil(std::abs(notches)));
+  for (int i = 0; i < whole; ++i) {
+    const double part = std::min(1.0, std::abs(notches) - i);
+    if (Failure turned = frame({platform::Wheel{0, static_cast<float>(notches > 0 ? -part : part)}}); !turned) return turned;
+  }
+  return {};
+}
+
+Failure Runner::perform(const UiAction& ui) {
+  UiDriver driver(stage_);
+  const std::string& path = ui.path.text;
+  const auto act = [&]() -> Failure {
+    switch (ui.verb) {
+      case UiAction::Verb::click: return driver.click(path);
+      case UiAction::Verb::doubleclick: return driver.click(path, 2);
+      case UiAction::Verb::hover: return driver.reach(path);
+      case UiAction::Verb::check: return driver.check(path, ui.on);
+      case UiAction::Verb::type: return driver.type(path, ui.text);
+      case UiAction::Verb::drag_by: return driver.drag_by(path, static_cast<float>(ui.number));
+      case UiAction::Verb::drag_to: return driver.drag_to(path, *base::parse_double(ui.text));
+      case UiAction::Verb::open: return driver.open(path, true);
+      case UiAction::Verb::close: return driver.open(path, false);
+      case UiAction::Verb::menu: return driver.menu(path);
+      case UiAction::Verb::scroll: return driver.scroll(path, ui.number);
+    }
+    return {};
+  };
+  Failure result = act();
+  if (!result && result.column == 0) result.column = ui.path.column;
+  return result;
+}
+
+}  // namespace coaster::script

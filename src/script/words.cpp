@@ -1,0 +1,118 @@
+// Walking the words of a line.
+#include "script/words.h"
+
+#include <algorithm>
+
+namespace coaster::script {
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return out;
+}
+
+std::optional<bool> parse_switch(std::string_view word) {
+  const std::string w = lower(word);
+  if (w == "on" || w == "true" || w == "yes") return true;
+  if (w == "off" || w == "false" || w == "no") return false;
+  return std::nullopt;
+}
+
+bool parse_size(std::string_view text, int& width, int& height) {
+  const std::size_t x = text.find_first_of("xX");
+  if (x == std::string_view::npos) return false;
+  const auto w = base::parse_int(text.substr(0, x)), h = base::parse_int(text.substr(x + 1));
+  constexpr std::int64_t kMost = 16384;
+  if (!w || !h || *w < 1 || *h < 1 || *w > kMost || *h > kMost) return false;
+  width = static_cast<int>(*w), height = static_cast<int>(*h);
+  return true;
+}
+
+bool Words::accept(std::string_view word) {
+  const base::Token* const next = peek();
+  if (!next || next->quoted || next->text != word) return false;
+  ++next_;
+  return true;
+}
+
+const base::Token* Words::take(std::string_view what) {
+  if (failed_) return nullptr;
+  if (const base::Token* const next = peek()) return ++next_, next;
+  fail(end_column(), "expected " + std::string(what) + " at the end of the line");
+  return nullptr;
+}
+
+std::optional<double> Words::number(std::string_view what) {
+  const base::Token* const word = take(what);
+  if (!word) return std::nullopt;
+  std::string_view text = word->text;
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  const auto value = base::parse_double(text);
+  if (!value) fail(word->column, "expected " + std::string(what) + ", found " + base::quoted(word->text));
+  return value;
+}
+
+std::optional<std::int64_t> Words::whole(std::string_view what, std::int64_t low, std::int64_t high) {
+  const base::Token* const word = take(what);
+  if (!word) return std::nullopt;
+  const auto value = base::parse_int(word->text);
+  if (value && *value >= low && *value <= high) return value;
+  fail(word->column, "expected " + std::string(what) + " (" + std::to_string(low) + ".." + std::to_string(high) + "), found " +
+                         base::quoted(word->text));
+  return std::nullopt;
+}
+
+std::optional<glm::vec3> Words::vector(std::string_view what) {
+  glm::vec3 v{0};
+  for (int axis = 0; axis < 3; ++axis) {
+    const base::Token* const word = take(what);
+    if (!word) return std::nullopt;
+    const auto value = base::parse_float(word->text);
+    if (!value) {
+      fail(word->column, "expected " + std::string(what) + ", found " + base::quoted(word->text));
+      return std::nullopt;
+    }
+    v[axis] = *value;
+  }
+  return v;
+}
+
+std::optional<bool> Words::on_off() {
+  const base::Token* const word = take("on or off");
+  if (!word) return std::nullopt;
+  if (word->text == "1") return true;
+  if (word->text == "0") return false;
+  const auto value = parse_switch(word->text);
+  if (!value) fail(word->column, "expected on or off, found " + base::quoted(word->text));
+  return value;
+}
+
+std::optional<std::size_t> Words::one_of(std::string_view what, std::span<const std::string> names) {
+  const base::Token* const word = take(what);
+  if (!word) return std::nullopt;
+  const auto found = std::find(names.begin(), names.end(), word->text);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  fail(word->column, "expected " + std::string(what) + ", found " + base::quoted(word->text) + base::suggestion(word->text, names));
+  return std::nullopt;
+}
+
+bool Words::end() {
+  if (failed_) return false;
+  if (const base::Token* const extra = peek()) return fail(extra->column, "unexpected " + base::quoted(extra->text) + " after the end of the statement");
+  return true;
+}
+
+bool Words::fail(int column, std::string message) {
+  if (!failed_) error_ = {column, std::move(message)};
+  failed_ = true;
+  return false;
+}
+
+int Words::end_column() const {
+  if (words_.empty()) return 1;
+  const base::Token& last = words_.back();
+  return last.column + static_cast<int>(last.quoted ? base::quoted(last.text).size() : last.text.size());
+}
+
+}  // namespace coaster::script
