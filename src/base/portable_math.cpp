@@ -1,6 +1,7 @@
 // Cody-Waite reduction by pi/2 in three parts, then Taylor polynomials on [-pi/4, pi/4], whose first dropped terms are below 1e-17.
 #include "base/portable_math.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -50,6 +51,23 @@ SinCos sin_cos(double radians) {
     case 2: return {-s, -c};
     default: return {-c, s};
   }
+}
+
+double arc_tangent(double y, double x) {
+  const double radius = std::sqrt(x * x + y * y);
+  if (!(radius > 0.0) || !std::isfinite(radius)) return 0.0;
+  const double c = x / radius, s = y / radius;
+  // A first guess within 0.005 rad in the octant, then Newton on sin(guess - angle): its error is cubed each time.
+  const double small = std::min(std::abs(c), std::abs(s)) / std::max(std::abs(c), std::abs(s));
+  double angle = small * (0.7853981633974483 + 0.273 * (1.0 - small));
+  if (std::abs(s) > std::abs(c)) angle = kPi / 2 - angle;
+  if (c < 0) angle = kPi - angle;
+  if (s < 0) angle = -angle;
+  for (int i = 0; i < 3; ++i) {
+    const SinCos at = sin_cos(angle);
+    angle += s * at.cos - c * at.sin;
+  }
+  return angle;
 }
 
 }  // namespace coaster::base

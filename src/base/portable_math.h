@@ -11,6 +11,9 @@ struct SinCos {
 // Sine and cosine of `radians`; absolute error below 1e-15 for |radians| <= 1e4. Non-finite input gives {0, 1}.
 SinCos sin_cos(double radians);
 
+// The angle of the point (x, y) in (-pi, pi], as std::atan2 has it, absolute error below 1e-15; {0, 0} gives 0.
+double arc_tangent(double y, double x);
+
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double radians(double degrees) { return degrees * (kPi / 180.0); }
 inline constexpr double degrees(double radians) { return radians * (180.0 / kPi); }

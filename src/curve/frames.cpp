@@ -54,7 +54,7 @@ dvec3 rotate(dvec3 v, dvec3 axis, double radians) {
 }
 
 double signed_angle(dvec3 from, dvec3 to, dvec3 axis) {
-  return std::atan2(glm::dot(glm::cross(from, to), axis), glm::dot(from, to));
+  return base::arc_tangent(glm::dot(glm::cross(from, to), axis), glm::dot(from, to));
 }
 
 dvec3 perpendicular(dvec3 forward, dvec3 wish) {

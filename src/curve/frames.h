@@ -34,7 +34,7 @@ glm::dvec3 least_rotation(glm::dvec3 from, glm::dvec3 to, glm::dvec3 v, glm::dve
 // `v` turned about the unit `axis` by `radians` (right-handed), with base::sin_cos: the same bits everywhere.
 glm::dvec3 rotate(glm::dvec3 v, glm::dvec3 axis, double radians);
 
-// Signed angle in (-pi, pi] that turns `from` to `to` about `axis` (libm atan2: not for hashed state).
+// Signed angle in (-pi, pi] that turns `from` to `to` about `axis`; the same bits everywhere (base::arc_tangent).
 double signed_angle(glm::dvec3 from, glm::dvec3 to, glm::dvec3 axis);
 
 // A unit vector perpendicular to unit `forward`, as near to `wish` as can be; when they are parallel, some perpendicular

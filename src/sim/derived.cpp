@@ -1,0 +1,158 @@
+#include "sim/derived.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "base/portable_math.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec3;
+
+// Frames at uniform t: rotation-minimising from `up_from`, and the twist that is left to `up_to`, spread linearly in arc length.
+void build_frames(const ShapeKey& key, SegmentShape& shape) {
+  const curve::Cubic& c = key.cubic;
+  shape.frames.resize(kFrameIntervals + 1);
+  dvec3 last = curve::point(c, 0.0);
+  const dvec3 start = curve::unit_tangent(c, 0.0);
+  shape.frames[0] = {start, curve::perpendicular(start, dvec3(key.up_from))};
+  for (int i = 1; i <= kFrameIntervals; ++i) {
+    const double t = static_cast<double>(i) / kFrameIntervals;
+    const dvec3 here = curve::point(c, t);
+    shape.frames[i] = curve::transport(shape.frames[i - 1], last, here, curve::unit_tangent(c, t));
+    last = here;
+  }
+  const curve::Frame& end = shape.frames.back();
+  const dvec3 wanted = curve::perpendicular(end.forward, dvec3(key.up_to));
+  shape.twist = curve::signed_angle(end.up, wanted, end.forward) + key.turns * 2.0 * base::kPi;
+  const double length = shape.arc.length();
+  if (!(length > 0)) return;
+  for (int i = 1; i <= kFrameIntervals; ++i) {
+    const double share = i == kFrameIntervals ? 1.0 : shape.arc.distance(static_cast<double>(i) / kFrameIntervals) / length;
+    shape.frames[i].up = curve::rotate(shape.frames[i].up, shape.frames[i].forward, shape.twist * share);
+  }
+}
+
+void build_shape(const ShapeKey& key, SegmentShape& shape) {
+  shape.key = key;
+  shape.curve = curve::prepare(key.cubic);
+  shape.arc = curve::ArcLengthMap(key.cubic);
+  build_frames(key, shape);
+}
+
+// The largest distance of a vertex from the exact point at the same parameter: the deviation that the evaluator's rounding makes.
+double deviation_of(const SegmentShape& shape) {
+  const int n = static_cast<int>(shape.points.size()) - 1;
+  double worst = 0;
+  for (int i = 0; i <= n; ++i) {
+    const dvec3 exact = curve::point_long_double(shape.key.cubic, static_cast<double>(i) / n);
+    const dvec3 d = dvec3(shape.points[i]) - exact;
+    worst = std::max(worst, glm::dot(d, d));
+  }
+  return std::sqrt(worst);
+}
+
+ShapeKey key_of(const world::Document& document, const world::Segment& segment) {
+  const world::Knot &from = world::knot(document, segment.from), &to = world::knot(document, segment.to);
+  return {{from.position, world::out_handle(from), world::in_handle(to), to.position}, from.up, to.up, segment.turns};
+}
+
+// Erases what belongs to segments that are gone.
+void drop_vanished(const world::Document& document, Derived& derived) {
+  std::vector<world::Entity> vanished;
+  for (const world::Entity e : derived.segments.entities())
+    if (!document.entities.find<world::Segment>(e)) vanished.push_back(e);
+  for (const world::Entity e : vanished) derived.segments.erase(e);
+}
+
+}  // namespace
+
+void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived) {
+  if (derived.order != document.track.segments) {
+    derived.order = document.track.segments;
+    drop_vanished(document, derived);
+  }
+  derived.closed = document.track.closed;
+  derived.rebuilds = 0;
+  derived.evaluation_seconds = 0;
+  derived.evaluated_vertices = 0;
+  derived.vertices = 0;
+  derived.deviation = 0;
+  derived.measured_length = 0;
+  derived.starts.resize(derived.order.size() + 1);
+  derived.starts[0] = 0;
+  const curve::Evaluator& row = curve::evaluator(settings.evaluator);
+  const curve::ArcLengthMethod& method = curve::arc_length_method(settings.arc_length);
+  const PolylineKey polyline{settings.evaluator, settings.steps};
+
+  for (std::size_t i = 0; i < derived.order.size(); ++i) {
+    const world::Entity entity = derived.order[i];
+    const ShapeKey key = key_of(document, world::segment(document, entity));
+    SegmentShape* shape = derived.segments.find(entity);
+    if (!shape) shape = &derived.segments.put(entity, SegmentShape{});
+    const bool new_shape = shape->shape_build == 0 || !(shape->key == key);
+    if (new_shape) {
+      build_shape(key, *shape);
+      shape->shape_build = ++derived.last_build;
+    }
+    if (new_shape || shape->measured_by != settings.arc_length || shape->measured_steps != settings.steps) {
+      shape->measured_length = method.length(key.cubic, settings.steps);
+      shape->measured_by = settings.arc_length;
+      shape->measured_steps = settings.steps;
+    }
+    if (new_shape || !(shape->polyline_key == polyline)) {
+      shape->points.resize(static_cast<std::size_t>(settings.steps) + 1);
+      shape->tangents.resize(shape->points.size());
+      const double before = clock ? clock() : 0.0;
+      row.polyline(shape->curve, shape->points, shape->tangents);
+      if (clock) derived.evaluation_seconds += clock() - before;
+      shape->polyline_key = polyline;
+      shape->polyline_build = ++derived.last_build;
+      shape->deviation = deviation_of(*shape);
+      derived.evaluated_vertices += settings.steps + 1;
+      ++derived.rebuilds;
+    }
+    derived.starts[i + 1] = derived.starts[i] + shape->arc.length();
+    derived.measured_length += shape->measured_length;
+    derived.vertices += static_cast<std::int64_t>(shape->points.size());
+    derived.deviation = std::max(derived.deviation, shape->deviation);
+  }
+  derived.length = derived.starts.back();
+}
+
+TrackPlace place_at(const Derived& derived, double distance) {
+  COASTER_CHECK(!derived.order.empty(), "a place needs a segment");
+  if (derived.closed && derived.length > 0) {
+    distance -= derived.length * std::floor(distance / derived.length);
+    if (distance >= derived.length) distance = 0;
+  }
+  distance = std::clamp(distance, 0.0, derived.length);
+  const auto above = std::upper_bound(derived.starts.begin(), derived.starts.end(), distance);
+  std::size_t index = static_cast<std::size_t>(above - derived.starts.begin());
+  index = std::min(index == 0 ? 0 : index - 1, derived.order.size() - 1);
+  return {index, distance - derived.starts[index]};
+}
+
+curve::Frame frame_at(const SegmentShape& shape, double s) {
+  const curve::Cubic& c = shape.key.cubic;
+  const double length = shape.arc.length();
+  if (!(s > 0)) return shape.frames.front();
+  if (s >= length) return shape.frames.back();
+  const double t = shape.arc.parameter(s);
+  const int below = std::min(static_cast<int>(t * kFrameIntervals), kFrameIntervals - 1);
+  const double t0 = static_cast<double>(below) / kFrameIntervals;
+  curve::Frame frame = curve::transport(shape.frames[below], curve::point(c, t0), curve::point(c, t), curve::unit_tangent(c, t));
+  const double share = (s - shape.arc.distance(t0)) / length;
+  frame.up = curve::rotate(frame.up, frame.forward, shape.twist * share);
+  return frame;
+}
+
+curve::Frame frame_of(const world::Document& document, world::Entity segment, double t) {
+  SegmentShape shape;
+  build_shape(key_of(document, world::segment(document, segment)), shape);
+  return frame_at(shape, shape.arc.distance(t));
+}
+
+}  // namespace coaster::sim
