@@ -1,0 +1,163 @@
+// What keys and menus do.
+#include "ui/actions.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <variant>
+
+#include "ui/toasts.h"
+
+namespace coaster::ui {
+namespace {
+
+using platform::Chord;
+using platform::Key;
+using world::CameraMode;
+using world::Kind;
+
+constexpr Chord key(Key k) { return {k, {}}; }
+constexpr Chord ctrl(Key k) { return {k, {.ctrl = true}}; }
+constexpr Chord shift(Key k) { return {k, {.shift = true}}; }
+constexpr Chord kNoKey{};
+
+const world::Name* selected(const Act& act) {
+  const edit::Session& session = act.ui.session();
+  return session.document.entities.find<world::Name>(session.settings.selected);
+}
+
+bool always(const Act&) { return true; }
+bool any_selected(const Act& act) { return selected(act) != nullptr; }
+bool removable(const Act& act) { return any_selected(act) && selected(act)->kind != Kind::segment; }
+bool can_undo(const Act& act) { return !act.ui.session().history.undo.empty() || act.ui.session().history.in_gesture; }
+bool can_redo(const Act& act) { return !act.ui.session().history.redo.empty(); }
+bool rideable(const Act& act) {
+  const edit::Session& session = act.ui.session();
+  return session.document.entities.pool<world::Cart>().size() > 0 && !session.document.track.segments.empty();
+}
+bool insertable(const Act& act) {
+  return act.hovered.kind == view::PickKind::curve || (any_selected(act) && selected(act)->kind == Kind::segment);
+}
+bool appending(const Act& act) { return act.ui.session().settings.append_mode; }
+bool panels_shown(const Act& act) { return act.ui.session().settings.show_panels; }
+bool riding(const Act& act) { return act.ui.session().settings.camera_mode == CameraMode::ride; }
+
+// Takes back what the mouse is dragging, in the viewport or in a number. False when it drags nothing that changes the document.
+bool cancel_drags(Act& act) {
+  if (act.tool.cancel(act.ui)) return true;
+  if (!act.ui.gesture.open) return false;
+  act.ui.emit(edit::CancelGesture{});
+  act.ui.gesture = {};
+  ImGui::ClearActiveID();
+  return true;
+}
+
+void undo(Act& act) {
+  if (!cancel_drags(act)) act.ui.emit(edit::Undo{});
+}
+void redo(Act& act) { act.ui.emit(edit::Redo{}); }
+void remove(Act& act) { act.ui.emit(edit::RemoveKnot{{*selected(act)}}); }
+void select_none(Act& act) { act.ui.emit(edit::Select{}); }
+
+void escape(Act& act) {
+  if (cancel_drags(act)) return;
+  if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) {
+    ImGui::ClosePopupToLevel(0, true);
+  } else if (appending(act)) {
+    act.ui.emit(edit::SetAppendMode{false});
+  } else if (any_selected(act)) {
+    select_none(act);
+  }
+}
+
+void insert_point(Act& act) {
+  const edit::Session& session = act.ui.session();
+  if (act.hovered.kind == view::PickKind::curve && session.document.entities.alive(act.hovered.entity))
+    act.ui.emit(edit::SplitSegment{{world::name_of(session.document, act.hovered.entity)}, act.hovered.t});
+  else if (any_selected(act) && selected(act)->kind == Kind::segment)
+    act.ui.emit(edit::SplitSegment{{*selected(act)}, session.settings.selected_t});
+}
+void add_curve(Act& act) { act.ui.emit(edit::AddCurve{}); }
+void toggle_append(Act& act) { act.ui.emit(edit::SetAppendMode{!appending(act)}); }
+
+void frame_all(Act& act) {
+  const edit::Session& session = act.ui.session();
+  act.ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, act.scene)});
+}
+void frame_selection(Act& act) {
+  const edit::Session& session = act.ui.session();
+  act.ui.emit(edit::SetCamera{view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene)});
+}
+void toggle_panels(Act& act) { act.ui.emit(edit::SetPanels{!panels_shown(act)}); }
+void toggle_ride_camera(Act& act) { act.ui.emit(edit::SetCameraMode{riding(act) ? CameraMode::orbit : CameraMode::ride}); }
+
+void play_pause(Act& act) {
+  if (act.ui.session().motion.state == world::RideState::running)
+    act.ui.emit(edit::RidePause{});
+  else
+    act.ui.emit(edit::RideStart{});
+}
+void single_step(Act& act) {
+  if (act.ui.session().motion.state == world::RideState::running) act.ui.emit(edit::RidePause{});
+  act.ui.emit(edit::RideStep{1});
+}
+void reset(Act& act) { act.ui.emit(edit::RideStop{}); }
+
+void new_track(Act& act) { act.ui.emit(edit::NewTrack{}); }
+void save(Act& act) {
+  if (act.ui.file.empty())
+    act.ui.toasts.show(edit::NoticeKind::warning, "Type a file name in Track/File first, then save.", act.ui.state.seconds);
+  else
+    act.ui.emit(edit::Save{act.ui.file});
+}
+void screenshot(Act& act) { act.ui.out.wants_screenshot = true; }
+void quit(Act& act) { request_quit(act.ui); }
+
+constexpr Action kActions[] = {
+    {"New", "File", "", kNoKey, kNoKey, false, false, "Start an empty track.", always, nullptr, new_track},
+    {"Save", "File", "Ctrl+S", ctrl(Key::s), kNoKey, false, false, "Save the track to the file named in the Track panel.", always, nullptr, save},
+    {"Screenshot", "File", "F12", key(Key::f12), kNoKey, false, true, "Write a picture of the window.", always, nullptr, screenshot},
+    {"Quit", "File", "Ctrl+Q", ctrl(Key::q), kNoKey, false, false, "Leave the program.", always, nullptr, quit},
+
+    {"Undo", "Edit", "Ctrl+Z", ctrl(Key::z), kNoKey, true, true, "Undo the last step; during a drag, take the drag back.", can_undo, nullptr, undo},
+    {"Redo", "Edit", "Ctrl+Y", ctrl(Key::y), {Key::z, {.shift = true, .ctrl = true}}, true, false, "Redo the step undone last. Also Ctrl+Shift+Z.",
+     can_redo, nullptr, redo},
+    {"Delete", "Edit", "Delete", key(Key::del), key(Key::x), false, false, "Remove the selected knot or cart. Also X.", removable, nullptr, remove},
+    {"Select none", "Edit", "", kNoKey, kNoKey, false, false, "Clear the selection. Escape does so too.", any_selected, nullptr, select_none},
+    {"Add curve", "Edit", "C", key(Key::c), kNoKey, false, false, "Split the longest segment at half its length, keeping the shape.", always, nullptr, add_curve},
+    {"Insert point", "Edit", "I", key(Key::i), kNoKey, false, false, "Insert a knot under the cursor, or at the picked place, keeping the shape.", insertable,
+     nullptr, insert_point},
+    {"Append points", "Edit", "A", key(Key::a), kNoKey, false, false, "Clicks on the ground append knots to an open track.", always, appending, toggle_append},
+
+    {"Frame all", "View", "F", key(Key::f), kNoKey, false, true, "Show the whole track.", always, nullptr, frame_all},
+    {"Frame selection", "View", "Shift+F", shift(Key::f), kNoKey, false, true, "Show what is selected.", any_selected, nullptr, frame_selection},
+    {"Panels", "View", "Tab", key(Key::tab), kNoKey, false, false, "Show or hide menu, panels and status bar.", always, panels_shown, toggle_panels},
+    {"Ride camera", "View", "V", key(Key::v), kNoKey, false, false, "Look from the first cart, or from outside.", always, riding, toggle_ride_camera},
+
+    {"Play or pause", "Ride", "Space", key(Key::space), kNoKey, false, true, "Let the carts run, or hold them.", rideable, nullptr, play_pause},
+    {"Single step", "Ride", ".", key(Key::period), kNoKey, true, true, "Hold the carts and advance one tick of 1/120 s.", rideable, nullptr, single_step},
+    {"Reset", "Ride", "R", key(Key::r), kNoKey, false, true, "Put the carts back to their start.", rideable, nullptr, reset},
+
+    {"Cancel", "", "Escape", key(Key::escape), kNoKey, false, true, "Take back a drag, close a list, leave append mode, or clear the selection.", always, nullptr,
+     escape},
+};
+
+}  // namespace
+
+std::span<const Action> actions() { return kActions; }
+
+void run_keys(Act& act, const platform::Events& events) {
+  for (const platform::Event& event : events) {
+    const auto* press = std::get_if<platform::KeyPress>(&event);
+    if (press == nullptr || !press->down || press->key == Key::unknown) continue;
+    const Chord chord{press->key, press->modifiers};
+    for (const Action& action : actions()) {
+      if (chord != action.chord && chord != action.other) continue;
+      if (press->repeat && !action.repeats) continue;
+      if (!action.in_drag && (act.tool.dragging() || act.ui.gesture.open)) continue;
+      if (action.enabled(act)) action.run(act);
+    }
+  }
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,39 @@
+// What keys and menus do: one table with the key, the menu, the help text and the commands it emits.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "ui/viewport_tool.h"
+
+namespace coaster::ui {
+
+// What an action works with.
+struct Act {
+  Ui& ui;
+  ViewportTool& tool;
+  const view::Viewport& scene;
+  const view::Pick& hovered;  // in the frame before
+};
+
+struct Action {
+  std::string_view name;            // in the menu
+  std::string_view menu;            // "" when it is in none
+  std::string_view keys;            // as shown: "Ctrl+Z"
+  platform::Chord chord, other;     // other: a second key, Key::unknown for none
+  bool repeats;                     // while the key is held
+  bool in_drag;                     // allowed while the mouse drags something
+  std::string_view help;
+  bool (*enabled)(const Act& act);
+  bool (*checked)(const Act& act);  // null: no mark
+  void (*run)(Act& act);
+};
+std::span<const Action> actions();
+
+// Runs what the pressed keys ask for. Not to be called while a text field has the keyboard.
+void run_keys(Act& act, const platform::Events& events);
+void build_menu(Act& act);
+// Asks to quit; with unsaved changes only at the second time in a row.
+void request_quit(Ui& ui);
+
+}  // namespace coaster::ui

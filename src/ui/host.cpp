@@ -1,0 +1,223 @@
+// One frame of the UI, in order: input, keys, menu, columns, status bar, viewport tool, notices.
+#include "ui/host.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "ui/actions.h"
+#include "ui/imgui_input.h"
+#include "ui/imgui_renderer.h"
+#include "ui/layout.h"
+#include "ui/panels.h"
+#include "ui/theme.h"
+#include "ui/toasts.h"
+
+namespace coaster::ui {
+namespace {
+
+constexpr const char* kUnsavedNotice = "There are unsaved changes: save them (Ctrl+S), or quit once more to lose them.";
+
+bool text_has_keyboard() {
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  return g.ActiveId != 0 && g.ActiveId == g.InputTextState.ID;
+}
+
+// The place of the first cart, by name.
+std::optional<sim::Pose> first_pose(const edit::Session& session) {
+  const auto& carts = session.motion.carts.entities();
+  if (carts.empty() || session.derived.order.empty()) return std::nullopt;
+  const auto by_name = [&](world::Entity a, world::Entity b) { return world::name_of(session.document, a) < world::name_of(session.document, b); };
+  const world::Entity first = *std::min_element(carts.begin(), carts.end(), by_name);
+  return sim::pose(session.derived, session.motion.carts.get(first), session.settings.frames);
+}
+
+view::View make_view(const edit::Session& session, const view::Viewport& scene) {
+  if (session.settings.camera_mode == world::CameraMode::ride)
+    if (const auto pose = first_pose(session)) return view::ride_view(*pose, scene);
+  return view::orbit_view(session.settings.camera, scene);
+}
+
+// What an empty viewport tells a newcomer.
+void draw_hint(const edit::Session& session, const view::Viewport& scene) {
+  if (!session.document.track.knots.empty()) return;
+  constexpr const char* kHint = "Click on the ground to place the first knot";
+  const ImVec2 size = ImGui::CalcTextSize(kHint);
+  const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f), std::floor(scene.y + scene.height * 0.62f));
+  const ImVec2 pad(size.y * 0.9f, size.y * 0.5f);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y}, packed(kDark.background, 0.78f), size.y);
+  list.AddText(at, packed(kDark.text), kHint);
+}
+
+}  // namespace
+
+void request_quit(Ui& ui) {
+  if (!edit::dirty(ui.session()) || ui.toasts.shown == kUnsavedNotice)
+    ui.out.quit = true;
+  else
+    ui.toasts.show(edit::NoticeKind::warning, kUnsavedNotice, ui.state.seconds);
+}
+
+struct Host::Parts {
+  const gfx::Gl& gl;
+  float content_scale = 1;
+  ImGuiContext* context = nullptr;
+  std::unique_ptr<ImGuiRenderer> renderer;
+  ImGuiInput input;
+  float loaded_scale = 0;  // of the fonts
+  WidgetList list;
+  Entry entry;
+  Gesture gesture;
+  Rest rest;
+  Toasts toasts;
+  std::string file;               // in the field Track/File
+  std::filesystem::path file_of;  // the session's path it was taken from
+  ViewportTool tool;
+  view::View view;
+  view::Pick hovered;
+  bool frame_next = false;        // show the whole track once the one asked for is there
+
+  explicit Parts(const gfx::Gl& table) : gl(table) {}
+  ~Parts() {
+    renderer.reset();
+    if (context != nullptr) ImGui::DestroyContext(context);
+  }
+
+  void rescale(float scale);
+  void follow_session(const State& state);
+  void settle_gesture(Ui& ui);
+  void take_files(Ui& ui, const platform::Events& events);
+  void count_rest();
+  void lay_out(Ui& ui, const platform::Events& events, int width, int height);
+};
+
+void Host::Parts::rescale(float scale) {
+  if (scale == loaded_scale) return;
+  loaded_scale = scale;
+  apply_theme(kDark, scale);
+  load_fonts(scale);
+  renderer->upload_fonts();
+}
+
+void Host::Parts::follow_session(const State& state) {
+  toasts.update(state.session, state.seconds, state.scripted);
+  if (state.session.path != file_of) {
+    file_of = state.session.path;
+    file = file_of.string();
+  }
+  if (gesture.open && !state.session.history.in_gesture) {  // undone, or ended by a script
+    gesture = {};
+    ImGui::ClearActiveID();
+  }
+}
+
+// Ends the gesture of a number once the mouse has let go of it, or its field is gone.
+void Host::Parts::settle_gesture(Ui& ui) {
+  const ImGuiID active = ImGui::GetCurrentContext()->ActiveId;
+  if (gesture.open && active != gesture.id) {
+    ui.emit(edit::EndGesture{});
+    gesture = {};
+  }
+  if (entry.id != 0 && active != entry.id) entry = {};
+}
+
+void Host::Parts::take_files(Ui& ui, const platform::Events& events) {
+  for (const platform::Event& event : events) {
+    if (const auto* drop = std::get_if<platform::Drop>(&event)) ui.emit(edit::Load{drop->path});
+    if (std::holds_alternative<platform::CloseRequest>(event)) request_quit(ui);
+  }
+}
+
+void Host::Parts::count_rest() {
+  rest.seconds = rest.next == rest.path ? rest.seconds + ImGui::GetIO().DeltaTime : 0;
+  rest.path = std::exchange(rest.next, {});
+}
+
+void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int height) {
+  const edit::Session& session = ui.session();
+  const Layout layout = make_layout(width, height, ui.scale, ImGui::GetFrameHeight(), session.settings.show_panels);
+  view = make_view(session, layout.scene);
+  if (std::exchange(frame_next, false)) ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
+
+  take_files(ui, events);
+  Act act{ui, tool, layout.scene, hovered};
+  if (!text_has_keyboard()) run_keys(act, events);
+  if (session.settings.show_panels) {
+    build_menu(act);
+    build_column(ui, Column::left, layout.left);
+    build_column(ui, Column::right, layout.right);
+    build_status_bar(ui, layout.status);
+  }
+  settle_gesture(ui);
+  hovered = tool.update(ui, view);
+  draw_hint(session, layout.scene);
+  toasts.draw(layout.scene, ui.scale, ui.state.seconds, ui.state.scripted);
+  for (const edit::Command& command : ui.out.commands)
+    frame_next = frame_next || std::holds_alternative<edit::Load>(command) || std::holds_alternative<edit::NewTrack>(command);
+}
+
+base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl, float content_scale) {
+  auto parts = std::make_unique<Parts>(gl);
+  parts->content_scale = content_scale > 0 ? content_scale : 1;
+  IMGUI_CHECKVERSION();
+  ImGuiContext* before = ImGui::GetCurrentContext();
+  parts->context = ImGui::CreateContext();
+  ImGui::SetCurrentContext(parts->context);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+  io.MouseDragThreshold = 3;
+  auto renderer = ImGuiRenderer::make(gl);
+  if (!renderer) {
+    ImGui::SetCurrentContext(before);
+    return renderer.status();
+  }
+  parts->renderer = std::move(*renderer);
+  return std::unique_ptr<Host>(new Host(std::move(parts)));
+}
+
+Host::Host(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Host::~Host() = default;
+
+Output Host::build(const platform::Events& events, const State& state, int width, int height) {
+  COASTER_CHECK(width >= 1 && height >= 1, "the UI needs a pixel to stand on");
+  Parts& p = *parts_;
+  ImGui::SetCurrentContext(p.context);
+  const float scale = fitted_scale(width, height, state.session.settings.ui_scale, p.content_scale);
+  p.rescale(scale);
+  p.follow_session(state);
+  p.input.feed(events, width, height, text_has_keyboard());
+  ImGui::NewFrame();
+  Output out;
+  p.list.clear();
+  Ui ui{state, out, p.list, p.entry, p.gesture, p.rest, p.toasts, p.file, p.gl.renderer, scale, {}};
+  p.lay_out(ui, events, width, height);
+  p.list.finish();
+  p.count_rest();
+  ImGui::Render();
+  out.view = p.view;
+  out.hovered = p.hovered;
+  return out;
+}
+
+void Host::draw(int width, int height) {
+  ImGui::SetCurrentContext(parts_->context);
+  const ImDrawData* data = ImGui::GetDrawData();
+  if (data != nullptr) parts_->renderer->draw(*data, width, height);
+}
+
+const std::vector<Widget>& Host::widgets() const { return parts_->list.widgets(); }
+const view::View& Host::view() const { return parts_->view; }
+std::string Host::toast() const { return parts_->toasts.shown; }
+
+bool Host::wants_keyboard() const {
+  ImGui::SetCurrentContext(parts_->context);
+  return text_has_keyboard() || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,19 @@
+// Where menu, columns, status bar and viewport lie in a window of a given size. Nothing overlaps; the viewport keeps the rest.
+#pragma once
+
+#include "view/camera.h"
+
+namespace coaster::ui {
+
+struct Layout {
+  view::Viewport menu, left, right, status;  // without area while the panels are hidden
+  view::Viewport scene;
+};
+
+// Pixels per design pixel: the user's scale times the screen's, somewhat smaller in windows below 1000 x 560.
+float fitted_scale(int width, int height, float ui_scale, float content_scale);
+
+// `bar` is the height of menu bar and status bar, px. Columns get 300 and 320 design pixels, and at most 60 % of the width together.
+Layout make_layout(int width, int height, float scale, float bar, bool show_panels);
+
+}  // namespace coaster::ui

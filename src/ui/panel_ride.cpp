@@ -1,0 +1,71 @@
+// Ride: running the carts, how they move, and what the riders feel.
+#include <imgui.h>
+
+#include <utility>
+
+#include "ui/panels.h"
+
+namespace coaster::ui {
+namespace {
+
+void controls(Ui& ui) {
+  const edit::Session& session = ui.session();
+  const bool any = session.document.entities.pool<world::Cart>().size() > 0 && !session.document.track.segments.empty();
+  const world::RideState state = session.motion.state;
+  const bool running = state == world::RideState::running;
+  const float width = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemInnerSpacing.x) / 4;
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  if (button(ui, "Play", "Let the carts run from where they are. Space.", any && !running, width)) ui.emit(edit::RideStart{});
+  ImGui::SameLine(0, gap);
+  if (button(ui, "Pause", "Hold the carts where they are. Space.", any && running, width)) ui.emit(edit::RidePause{});
+  ImGui::SameLine(0, gap);
+  const bool steppable = any && (state == world::RideState::paused || state == world::RideState::stopped);
+  if (button(ui, "Step", "Advance a held ride by one tick of 1/120 s. Key . (period).", steppable, width)) ui.emit(edit::RideStep{1});
+  ImGui::SameLine(0, gap);
+  if (button(ui, "Reset", "Put the carts back to their start. Key R.", any, width)) ui.emit(edit::RideStop{});
+}
+
+void read_outs(Ui& ui) {
+  read_query(ui, "State", "ride.state", {}, "stopped at the start, running, paused, or ended at an open end.");
+  read_query(ui, "Speed", "ride.speed", {}, "Speed of the first cart along the track.", {.decimals = 2});
+  read_query(ui, "Height", "ride.height", {}, "Height of the first cart over the ground.", {.decimals = 2});
+  read_query(ui, "Distance", "ride.distance", {}, "Place of the first cart, along the track from its start.", {.decimals = 2});
+  read_query(ui, "Lap", "ride.lap", {}, "Whole rounds since the start.", {.decimals = 0});
+  read_query(ui, "Energy", "ride.energy", {}, "v\u00B2/2 + g (y - datum), per kilogram.", {.decimals = 3});
+  read_query(ui, "Energy drift", "ride.energy_drift", {},
+             "How far the energy is from where it started, relative to the peak kinetic energy: the integrator's error.",
+             {.decimals = 4, .unit = "ppm", .factor = 1e6});
+  read_query(ui, "g up", "ride.g_up", {}, "Felt acceleration towards the rider's head; at rest on the flat 1.", {.decimals = 2, .unit = "g"});
+  read_query(ui, "g side", "ride.g_side", {}, "Felt acceleration to the side.", {.decimals = 2, .unit = "g"});
+  read_query(ui, "g forward", "ride.g_forward", {}, "Felt acceleration forwards.", {.decimals = 2, .unit = "g"});
+}
+
+void methods(Ui& ui) {
+  const world::Settings& settings = ui.session().settings;
+  heading(ui, "Frame method", "What carts and ties are oriented by.");
+  constexpr std::pair<const char*, world::FrameMethod> kFrames[] = {{"Frenet-Serret", world::FrameMethod::frenet},
+                                                                    {"Rotation-minimising", world::FrameMethod::knots}};
+  constexpr const char* kTooltips[] = {
+      "Tangent, principal normal, binormal: T, N = T'/|T'|, B = T \u00D7 N. Undefined on straights, and flips across an inflection.",
+      "The knots' up carried by double reflection, turning about the tangent as little as can be; the twist to the next knot is spread over the segment."};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (radio(ui, kFrames[i].first, settings.frames == kFrames[i].second, kTooltips[i])) ui.emit(edit::SetFrames{kFrames[i].second});
+  }
+  std::vector<Choice> choices;
+  for (const auto& row : sim::integrators()) choices.push_back({std::string(row.label), std::string(row.formula)});
+  const auto chosen = combo(ui, "Integrator", choices, settings.integrator, "How speed and place advance from tick to tick (1/120 s).");
+  if (chosen) ui.emit(edit::SetIntegrator{{*chosen}});
+  const bool riding = settings.camera_mode == world::CameraMode::ride;
+  if (const auto on = checkbox(ui, "Ride camera", riding, "Look from the first cart, 1.1 m over the rails. Key V."))
+    ui.emit(edit::SetCameraMode{*on ? world::CameraMode::ride : world::CameraMode::orbit});
+}
+
+}  // namespace
+
+void ride_panel(Ui& ui) {
+  controls(ui);
+  read_outs(ui);
+  methods(ui);
+}
+
+}  // namespace coaster::ui

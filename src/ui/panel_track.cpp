@@ -1,0 +1,80 @@
+// Track: name, size, what can be added or removed, start of the ride, file.
+#include <imgui.h>
+
+#include "ui/panels.h"
+
+namespace coaster::ui {
+namespace {
+
+using world::Kind;
+
+const world::Name* selected_name(const edit::Session& session) {
+  return session.document.entities.find<world::Name>(session.settings.selected);
+}
+
+float half(const Ui&) { return (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) * 0.5f; }
+
+void size(Ui& ui) {
+  read_query(ui, "Length", "length", {}, "Length of the track, by the arc-length method chosen under Evaluation.", {.decimals = 3});
+  read_query(ui, "Segments", "segments", {}, "Cubic Bézier segments.", {.decimals = 0});
+  read_query(ui, "Knots", "knots", {}, "Places the track goes through.", {.decimals = 0});
+}
+
+void building(Ui& ui) {
+  const edit::Session& session = ui.session();
+  const world::Name* selected = selected_name(session);
+  const bool on_segment = selected != nullptr && selected->kind == Kind::segment;
+  const bool removable = selected != nullptr && selected->kind != Kind::segment;
+  const std::size_t knots = session.document.track.knots.size();
+  const bool closed = session.document.track.closed;
+
+  if (const auto to = checkbox(ui, "Closed", closed, "Join the last knot to the first (a circuit), or open the track there.", closed || knots >= 2))
+    ui.emit(edit::SetClosed{*to});
+  if (const auto on = checkbox(ui, "Append points", session.settings.append_mode,
+                               "A click on the ground appends a knot to an open track. Key A; Escape leaves it."))
+    ui.emit(edit::SetAppendMode{*on});
+
+  const float width = half(ui);
+  if (button(ui, "Add curve", "Split the longest segment at half its length, keeping the shape. Key C.", true, width)) ui.emit(edit::AddCurve{});
+  ImGui::SameLine();
+  if (button(ui, "Insert point", "Insert a knot at the picked place of the selected segment, keeping the shape (de Casteljau). Key I, or double-click the curve.",
+             on_segment, width))
+    ui.emit(edit::SplitSegment{{*selected}, session.settings.selected_t});
+  if (button(ui, "Delete", "Remove the selected knot or cart. Key Delete or X.", removable, width)) ui.emit(edit::RemoveKnot{{*selected}});
+  ImGui::SameLine();
+  const auto& segments = session.document.track.segments;
+  if (button(ui, "Add cart", "Add a cart at the start of the selected segment, or of the track.", !segments.empty(), width)) {
+    const world::Name segment = on_segment ? *selected : world::name_of(session.document, segments.front());
+    ui.emit(edit::AddCart{{segment}, 0});
+  }
+}
+
+void start(Ui& ui) {
+  const world::Document& document = ui.session().document;
+  const Number speed{.value = document.start_speed, .unit = "m/s", .decimals = 2, .step = 0.05, .low = -world::kMaxSpeed, .high = world::kMaxSpeed, .largest = 1e300};
+  if (const auto to = number(ui, "Start speed", speed, "Speed at which carts start; negative runs backwards.")) ui.emit(edit::SetStartSpeed{*to});
+  const Number datum{.value = document.datum, .unit = "m", .decimals = 2, .step = 0.05, .low = -world::kMaxCoordinate, .high = world::kMaxCoordinate, .largest = 1e300};
+  if (const auto to = number(ui, "Datum", datum, "Height at which potential energy is zero.")) ui.emit(edit::SetDatum{*to});
+}
+
+void file(Ui& ui) {
+  if (auto path = text(ui, "File", ui.file, "Path of a track file (.json), to open or to save to.")) ui.file = std::move(*path);
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
+  if (button(ui, "New", "Start an empty track.", true, width)) ui.emit(edit::NewTrack{});
+  ImGui::SameLine();
+  if (button(ui, "Open", "Open the file named above.", !ui.file.empty(), width)) ui.emit(edit::Load{ui.file});
+  ImGui::SameLine();
+  if (button(ui, "Save", "Save the track to the file named above. Ctrl+S.", !ui.file.empty(), width)) ui.emit(edit::Save{ui.file});
+}
+
+}  // namespace
+
+void track_panel(Ui& ui) {
+  if (auto name = text(ui, "Name", ui.session().document.name, "The track's name.")) ui.emit(edit::SetName{std::move(*name)});
+  size(ui);
+  building(ui);
+  start(ui);
+  file(ui);
+}
+
+}  // namespace coaster::ui

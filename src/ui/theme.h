@@ -1,0 +1,31 @@
+// Colours, spacing and fonts of the panels. A theme is a handful of named colours; everything else follows from them.
+#pragma once
+
+#include <cstdint>
+
+#include <imgui.h>
+
+namespace coaster::ui {
+
+// Colours as 0xRRGGBB.
+struct Palette {
+  std::uint32_t background = 0x1B1F27, raised = 0x262C37, field = 0x303846, border = 0x3A4352;
+  std::uint32_t text = 0xE6E9EF, dim = 0x9AA3B2;
+  std::uint32_t accent = 0x4C9AFF, warning = 0xF2B84B, error = 0xE5534B, good = 0x4FB477;
+  std::uint32_t axis[3] = {0xE5534B, 0x4FB477, 0x4C9AFF};
+};
+inline constexpr Palette kDark{};
+
+ImVec4 colour(std::uint32_t rgb, float alpha = 1.0f);
+ImU32 packed(std::uint32_t rgb, float alpha = 1.0f);
+
+inline constexpr float kFontPixels = 15.0f;  // at scale 1
+
+// Colours and sizes of the current ImGui context for `scale` (1: 15 px text).
+void apply_theme(const Palette& palette, float scale);
+
+// Replaces the fonts of the current context by Inter (or the built-in font where Inter was not embedded) at `scale`. Digits all get the
+// width of the widest, so that numbers stand still. Call outside a frame; the font texture has to be uploaded again after it.
+void load_fonts(float scale);
+
+}  // namespace coaster::ui

@@ -1,0 +1,183 @@
+// The mouse in the viewport.
+#include "ui/viewport_tool.h"
+
+#include <imgui.h>
+
+namespace coaster::ui {
+namespace {
+
+using view::PickKind;
+
+glm::vec2 mouse_position() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
+
+bool is_handle(PickKind kind) { return kind == PickKind::handle_in || kind == PickKind::handle_out; }
+
+// Where a knot or handle is now.
+glm::vec3 item_position(const world::Document& document, const view::Pick& pick) {
+  const world::Knot& knot = world::knot(document, pick.entity);
+  if (pick.kind == PickKind::handle_in) return world::in_handle(knot);
+  if (pick.kind == PickKind::handle_out) return world::out_handle(knot);
+  return knot.position;
+}
+
+glm::vec3 looking(const view::View& v) { return -glm::vec3(v.view[0][2], v.view[1][2], v.view[2][2]); }
+
+// The place on a segment under the cursor, which may stray some way from the curve while it is dragged.
+std::optional<view::Pick> place_under(const edit::Session& session, const view::View& view, glm::vec2 mouse, world::Entity segment) {
+  constexpr float kStray = 80;  // px
+  const auto pick = view::pick_curve(session.derived, view, mouse, kStray);
+  return pick && pick->entity == segment ? pick : std::nullopt;
+}
+
+}  // namespace
+
+view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const edit::Session& session = ui.session();
+  const glm::vec2 mouse = mouse_position();
+  // An undo or a script may have ended the gesture, or removed what is dragged.
+  if (drag_.gesture && !session.history.in_gesture) drag_ = {};
+  if (dragging() && drag_.pick.kind != PickKind::none && !session.document.entities.alive(drag_.pick.entity)) cancel(ui);
+
+  const bool over = view.viewport.contains(mouse) && !io.WantCaptureMouse;
+  view::Pick under;
+  if (over && !dragging())
+    under = view::pick(session.document, session.derived, session.motion, session.settings, view, mouse);
+  if (over && !dragging()) press(ui, view, under);
+  if (over && io.MouseWheel != 0 && session.settings.camera_mode == world::CameraMode::orbit)
+    ui.emit(edit::SetCamera{zoomed(session.settings.camera, io.MouseWheel)});
+  if (!dragging()) return under;
+
+  const view::Pick held = drag_.pick;
+  move(ui, view, mouse);
+  if (!io.MouseDown[drag_.button]) release(ui, view);
+  return held;
+}
+
+bool ViewportTool::cancel(Ui& ui) {
+  if (!dragging()) return false;
+  if (drag_.gesture) ui.emit(edit::CancelGesture{});
+  drag_ = {};
+  return true;
+}
+
+void ViewportTool::press(Ui& ui, const view::View&, const view::Pick& under) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const auto begin = [&](What what, int button) {
+    drag_ = {};
+    drag_.what = what;
+    drag_.button = button;
+    drag_.start = drag_.last = mouse_position();
+  };
+  if (io.MouseClicked[ImGuiMouseButton_Left]) {
+    begin(What::orbit, ImGuiMouseButton_Left);
+    if (!io.KeyAlt) press_left(ui, under);
+  } else if (io.MouseClicked[ImGuiMouseButton_Right]) {
+    begin(io.KeyShift ? What::pan : What::orbit, ImGuiMouseButton_Right);
+  } else if (io.MouseClicked[ImGuiMouseButton_Middle]) {
+    begin(What::pan, ImGuiMouseButton_Middle);
+  }
+}
+
+void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
+  const edit::Session& session = ui.session();
+  const bool twice = ImGui::GetIO().MouseDoubleClicked[ImGuiMouseButton_Left];
+  drag_.pick = under;
+  if (under.kind == PickKind::none) {
+    drag_.click_acts = !twice;
+    return;
+  }
+  const edit::Target target{world::name_of(session.document, under.entity)};
+  if (under.kind == PickKind::curve) {
+    drag_.what = What::place;
+    if (twice) {
+      drag_.what = What::cart;  // the place is gone with the split: the rest of the press does nothing
+      ui.emit(edit::SplitSegment{target, under.t});
+    } else {
+      ui.emit(edit::Select{target, under.t});
+    }
+    return;
+  }
+  drag_.what = under.kind == PickKind::cart ? What::cart : What::item;
+  if (!is_handle(under.kind) && session.settings.selected != under.entity) ui.emit(edit::Select{target});
+}
+
+void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
+  constexpr float kStill = 3;  // px
+  drag_.moved = drag_.moved || glm::length(mouse - drag_.start) >= kStill;
+  if (!drag_.moved) return;
+  const edit::Session& session = ui.session();
+  const world::Camera& camera = session.settings.camera;
+  const glm::vec2 by = mouse - drag_.last;
+  const bool turns = by != glm::vec2(0) && session.settings.camera_mode == world::CameraMode::orbit;
+  switch (drag_.what) {
+    case What::orbit:
+      if (turns) ui.emit(edit::SetCamera{orbited(camera, by, ui.scale)});
+      break;
+    case What::pan:
+      if (turns) ui.emit(edit::SetCamera{panned(camera, view, by)});
+      break;
+    case What::item: move_item(ui, view, mouse); break;
+    case What::place:
+      if (by == glm::vec2(0)) break;
+      if (const auto place = place_under(session, view, mouse, drag_.pick.entity))
+        ui.emit(edit::Select{{world::name_of(session.document, place->entity)}, place->t});
+      break;
+    case What::cart:
+    case What::nothing: break;
+  }
+  drag_.last = mouse;
+}
+
+void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const world::Document& document = ui.session().document;
+  const Along along = io.KeyShift ? Along::vertical : io.KeyCtrl ? Along::ground : Along::screen;
+  const auto hit = [&](glm::vec2 pixel) -> std::optional<glm::vec3> {
+    const view::Ray ray = view::ray_through(view, pixel);
+    if (along == Along::screen) return view::meet_plane(ray, drag_.anchor, looking(view));
+    if (along == Along::ground) return view::meet_plane(ray, drag_.anchor, {0, 1, 0});
+    const auto height = view::meet_vertical(ray, drag_.anchor);
+    return height ? std::optional(glm::vec3(drag_.anchor.x, *height, drag_.anchor.z)) : std::nullopt;
+  };
+  if (!drag_.grabbed || along != drag_.along) {  // another plane takes over from where the item is
+    drag_.along = along;
+    drag_.anchor = drag_.sent = item_position(document, drag_.pick);
+    const auto at = hit(drag_.last);
+    drag_.grabbed = at.has_value();
+    if (!at) return;
+    drag_.offset = drag_.anchor - *at;
+  }
+  const auto at = hit(mouse);
+  if (!at) return;
+  const glm::vec3 to = *at + drag_.offset;
+  if (to == drag_.sent) return;
+  if (!drag_.gesture) ui.emit(edit::BeginGesture{});
+  drag_.gesture = true;
+  drag_.sent = to;
+  const world::Name name = world::name_of(document, drag_.pick.entity);
+  if (drag_.pick.kind == PickKind::knot) {
+    ui.emit(edit::MoveKnot{{name}, to});
+  } else {
+    const auto end = drag_.pick.kind == PickKind::handle_in ? edit::HandleEnd::in : edit::HandleEnd::out;
+    ui.emit(edit::MoveHandle{{name, end}, to});
+  }
+}
+
+void ViewportTool::release(Ui& ui, const view::View& view) {
+  if (drag_.gesture) ui.emit(edit::EndGesture{});
+  if (!drag_.moved && drag_.click_acts) click_ground(ui, view);
+  drag_ = {};
+}
+
+void ViewportTool::click_ground(Ui& ui, const view::View& view) {
+  const edit::Session& session = ui.session();
+  if (session.settings.append_mode || session.document.track.knots.empty()) {
+    const auto at = view::meet_plane(view::ray_through(view, drag_.start), glm::vec3(0), {0, 1, 0});
+    if (at) ui.emit(edit::AppendKnot{*at});
+  } else if (session.settings.selected.valid()) {
+    ui.emit(edit::Select{});
+  }
+}
+
+}  // namespace coaster::ui
