@@ -7,6 +7,16 @@
 #include "base/text.h"
 
 namespace coaster::exchange {
+namespace {
+
+// Whole limits in full: 100000, not 1e+05.
+template <class T>
+std::string limit_text(T limit) {
+  const bool plain = std::abs(limit) < 1e9 && limit == std::trunc(limit);
+  return plain ? std::to_string(static_cast<std::int64_t>(limit)) : base::to_text(limit);
+}
+
+}  // namespace
 
 std::string Place::text() const {
   return list.empty() ? std::string() : std::string(list) + "[" + std::to_string(index) + "]";
@@ -61,7 +71,7 @@ bool Fields::flag(std::string_view name, bool& value) {
 }
 
 bool Fields::number(std::string_view name, double& value, double low, double high) {
-  const std::string expected = "a number from " + base::to_text(low) + " to " + base::to_text(high);
+  const std::string expected = "a number from " + limit_text(low) + " to " + limit_text(high);
   const Json* const m = member(name, expected);
   if (!m) return false;
   if (!m->is_number()) return reject(name, expected);
@@ -70,7 +80,7 @@ bool Fields::number(std::string_view name, double& value, double low, double hig
 }
 
 bool Fields::length(std::string_view name, float& value, float low, float high) {
-  const std::string expected = "a length from " + base::to_text(low) + " to " + base::to_text(high) + " m";
+  const std::string expected = "a length from " + limit_text(low) + " to " + limit_text(high) + " m";
   const Json* const m = member(name, expected);
   if (!m) return false;
   if (!m->is_number()) return reject(name, expected);
@@ -103,7 +113,7 @@ bool Fields::vector(std::string_view name, glm::dvec3& value, double limit) {
     if (!component.is_number()) return fail(at, "expected a finite number, found " + describe(component));
     value[axis] = component.get<double>();
     if (!(std::abs(value[axis]) <= limit))
-      return fail(at, "expected a number from " + base::to_text(-limit) + " to " + base::to_text(limit) +
+      return fail(at, "expected a number from " + limit_text(-limit) + " to " + limit_text(limit) +
                           ", found " + describe(component));
   }
   return true;

@@ -1,0 +1,64 @@
+#include "exchange/track_file.h"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "world/sample_documents.h"
+
+namespace coaster::exchange {
+namespace {
+
+// A folder of the test's own, gone afterwards.
+class TrackFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              ("coaster_" + std::string(test->name()) + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::filesystem::path folder_;
+  base::Files files_;
+};
+
+TEST_F(TrackFile, what_is_saved_loads_again) {
+  const world::Document d = test::sample_document();
+  ASSERT_TRUE(save_track(files_, folder_ / "a.json", d));
+  const auto loaded = load_track(files_, folder_ / "a.json");
+  ASSERT_TRUE(loaded) << loaded.status().message;
+  EXPECT_EQ(world::hash(loaded->document), world::hash(d));
+}
+
+TEST_F(TrackFile, other_endings_are_refused_with_the_known_ones) {
+  const auto loaded = load_track(files_, folder_ / "a.txt");
+  EXPECT_EQ(loaded.status().code, base::Code::bad_file);
+  EXPECT_NE(loaded.status().message.find("a.txt: error: expected a file ending in .json"), std::string::npos);
+  EXPECT_FALSE(save_track(files_, folder_ / "a", {}));
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(TrackFile, a_missing_file_is_a_bad_file) {
+  EXPECT_EQ(load_track(files_, folder_ / "none.json").status().code, base::Code::bad_file);
+}
+
+TEST_F(TrackFile, a_failing_disk_leaves_the_old_file) {
+  const world::Document d = test::sample_document();
+  ASSERT_TRUE(save_track(files_, folder_ / "a.json", d));
+  world::Document other = d;
+  other.name = "other";
+  for (const auto operation : {base::IoOperation::open, base::IoOperation::write, base::IoOperation::fsync,
+                               base::IoOperation::rename}) {
+    files_.inject(operation, 1);
+    EXPECT_EQ(save_track(files_, folder_ / "a.json", other).code, base::Code::io);
+    files_.inject(operation, 0);
+    const auto loaded = load_track(files_, folder_ / "a.json");
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ(loaded->document.name, d.name);
+  }
+}
+
+}  // namespace
+}  // namespace coaster::exchange
