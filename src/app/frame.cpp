@@ -1,0 +1,102 @@
+// The frame, from top to bottom: events, panels, commands, ticks, picture, panels' picture, screen, numbers.
+#include "app/frame.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "sim/ride.h"
+
+namespace coaster::app {
+namespace {
+
+// Time and what only the program itself acts on.
+void take_events(Program& program, const platform::Events& events) {
+  for (const platform::Event& event : events) {
+    if (const auto* const tick = std::get_if<platform::Tick>(&event)) program.seconds += tick->dt;
+    if (std::holds_alternative<platform::CloseRequest>(event)) program.quit = true;
+  }
+}
+
+std::vector<sim::Pose> cart_poses(const edit::Session& session) {
+  std::vector<sim::Pose> poses;
+  if (session.derived.order.empty()) return poses;
+  for (const world::CartMotion& cart : session.motion.carts.items()) poses.push_back(sim::pose(session.derived, cart, session.settings.frames));
+  return poses;
+}
+
+// Panels and viewport tool see the state before this frame's commands, which are applied here.
+ui::Output build_panels(Program& program, const platform::Events& events, platform::Size size) {
+  const ui::State state{program.session, program.stats, program.seconds, program.stats.hide_times};
+  ui::Output output = program.ui->build(events, state, size.width, size.height);
+  for (const edit::Command& command : output.commands) (void)apply(program, command);  // what is refused shows as a notice
+  program.hovered = output.hovered;
+  program.quit = program.quit || output.quit;
+  program.toast = program.ui->toast();
+  return output;
+}
+
+gfx::DrawStats draw_scene(Program& program, const ui::Output& output, platform::Size size) {
+  const edit::Session& session = program.session;
+  const view::Overlay overlay = view::build_overlay(session.document, session.derived, session.settings, output.view, output.hovered);
+  const std::vector<sim::Pose> carts = cart_poses(session);
+  const gfx::Scene scene{session.derived, output.view, overlay, carts, session.settings.show_polyline};
+  return program.renderer->draw(scene, size.width, size.height);
+}
+
+// Numbers of the frame that was just drawn, for the panels of the next one and for scripts.
+void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size size, double began, double built, double drew) {
+  query::FrameStats& stats = program.stats;
+  const sim::Derived& derived = program.session.derived;
+  ++stats.frame;
+  stats.uploads = drawn.uploads;
+  stats.rebuilds = program.rebuilds;
+  if (program.rebuilds > 0) {
+    stats.evaluation_ms = derived.evaluation_seconds * 1e3;
+    stats.evaluated_vertices = derived.evaluated_vertices;
+  }
+  program.rebuilds = 0;
+  stats.draw_calls = drawn.draw_calls;
+  stats.samples = drawn.samples;
+  stats.width = size.width, stats.height = size.height;
+  stats.cpu_ms = (built - began) * 1e3 + drawn.cpu_ms;
+  stats.gl_ms = (drew - built) * 1e3 - drawn.cpu_ms;
+}
+
+void set_title(Program& program) {
+  std::string title = title_of(program.session);
+  if (title == program.title) return;
+  program.surface->set_title(title);
+  program.title = std::move(title);
+}
+
+}  // namespace
+
+int take_ticks(Program& program, const platform::Events& events) {
+  constexpr double kLongestPause = 0.25;
+  for (const platform::Event& event : events)
+    if (const auto* const tick = std::get_if<platform::Tick>(&event)) program.tick_debt += std::clamp(tick->dt, 0.0, kLongestPause);
+  const int ticks = static_cast<int>(program.tick_debt / world::kTick + 1e-9);
+  program.tick_debt = std::max(0.0, program.tick_debt - ticks * world::kTick);
+  return ticks;
+}
+
+void run_frame(Program& program, const platform::Events& events, int ticks) {
+  const double began = program.surface->clock();
+  take_events(program, events);
+  const platform::Size size = program.surface->size();
+  if (size.width < 1 || size.height < 1) {
+    advance(program, ticks);
+    return;
+  }
+  const ui::Output output = build_panels(program, events, size);
+  advance(program, ticks);
+  const double built = program.surface->clock();
+  const gfx::DrawStats drawn = draw_scene(program, output, size);
+  program.ui->draw(size.width, size.height);
+  const double drew = program.surface->clock();
+  program.surface->present(program.renderer->framebuffer());
+  fill_stats(program, drawn, size, began, built, drew);
+  set_title(program);
+}
+
+}  // namespace coaster::app

@@ -1,0 +1,174 @@
+// The program's modes and the order in which each starts up.
+#include "app/modes.h"
+
+#include <cstdio>
+#include <unistd.h>
+
+#include "app/frame.h"
+#include "app/pictures.h"
+#include "app/program.h"
+#include "app/ride_summary.h"
+#include "app/script_host.h"
+#include "exchange/track_file.h"
+#include "script/grammar.h"
+#include "script/paths.h"
+#include "script/runner.h"
+
+namespace coaster::app {
+namespace {
+
+int finish(const base::Status& status) {
+  std::fflush(stdout);
+  if (status) return 0;
+  if (isatty(STDERR_FILENO)) std::fputs("\r", stderr);
+  std::fprintf(stderr, "%s\n", status.message.c_str());
+  return base::exit_code(status.code);
+}
+
+base::Result<script::Script> read_script(const std::string& path) {
+  base::Files files;
+  auto parsed = script::parse_script_file(path, files);
+  if (!parsed) return parsed.status();
+  if (parsed->errors.empty()) return std::move(parsed->script);
+  std::string all;
+  for (const std::string& error : parsed->errors) all += (all.empty() ? "" : "\n") + error;
+  return base::Status{base::Code::usage, all};
+}
+
+int validate(const Options& options) {
+  for (const std::string& path : {options.file, options.script}) {
+    if (path.empty()) continue;
+    if (path == options.script || std::filesystem::path(path).extension() == ".coaster") {
+      if (const auto script = read_script(path); !script) return finish(script.status());
+    } else {
+      base::Files files;
+      const auto track = exchange::load_track(files, path);
+      if (!track) return finish(track.status());
+      for (const std::string& warning : track->warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+    }
+  }
+  std::puts("ok");
+  return 0;
+}
+
+// A first frame, so that the viewport is known, then the track.
+base::Status open_track(Program& program, const std::filesystem::path& path) {
+  run_frame(program, {platform::Tick{0}}, 0);
+  if (path.empty()) return apply(program, edit::NewTrack{});
+  const base::Status loaded = apply(program, edit::Load{path.string()});
+  return loaded ? loaded : base::Status{base::Code::bad_file, loaded.message};
+}
+
+base::Status start_recording(Program& program) {
+  if (program.options.record.empty()) return {};
+  auto recorder = script::Recorder::start(program.files, program.options.record, program.session);
+  if (!recorder) return {base::Code::io, recorder.status().message};
+  program.recorder = std::move(*recorder);
+  return {};
+}
+
+int run_script(const Options& options) {
+  const auto script = read_script(options.script);
+  if (!script) return finish(script.status());
+  script::RunOptions run;
+  run.out = options.out.empty() ? std::filesystem::path("out") / std::filesystem::path(options.script).stem() : std::filesystem::path(options.out);
+  run.update_goldens = options.update_goldens;
+  run.environment.seed = options.seed;
+  if (options.width > 0) run.environment.width = options.width, run.environment.height = options.height;
+  if (const base::Status made = script::make_folder(run.out); !made) return finish({base::Code::io, made.message});
+  const platform::Size size{run.environment.width, run.environment.height};
+  auto program = make_program(options, size, 0);
+  if (!program) return finish(program.status());
+  (*program)->stats.hide_times = true;
+  (*program)->writable = run.out;
+  if (!options.file.empty())
+    if (const base::Status opened = open_track(**program, options.file); !opened) return finish(opened);
+  if (const base::Status started = start_recording(**program); !started) return finish(started);
+  script::Host host = make_script_host(**program);
+  return finish(script::run_script(*script, host, run));
+}
+
+bool lap_is_done(const edit::Session& session) {
+  if (session.motion.state != world::RideState::running) return true;
+  return session.motion.carts.size() > 0 && session.motion.carts.items()[0].laps != 0;
+}
+
+// With --frames: that many frames, all drawn. Else a lap (two minutes at most) without drawing, and one picture from its middle.
+base::Status ride(Program& program, RideSummary& summary) {
+  constexpr std::int64_t kMostTicks = 120 * world::kTicksPerSecond;
+  const auto tick = [&] {
+    advance(program, 1);
+    measure(program.session, summary);
+  };
+  const auto draw = [&] { run_frame(program, {platform::Tick{2 * world::kTick}}, 0); };
+  if (const base::Status started = apply(program, edit::RideStart{}); !started) return started;
+  if (program.options.frames) {
+    for (std::int64_t frame = 0; frame < *program.options.frames; ++frame) {
+      tick(), tick();
+      draw();
+    }
+  } else {
+    while (summary.ticks < kMostTicks && !lap_is_done(program.session)) tick();
+    if (const base::Status again = apply(program, edit::RideStop{}); !again) return again;
+    if (const base::Status again = apply(program, edit::RideStart{}); !again) return again;
+    advance(program, static_cast<int>(summary.ticks / 2));
+  }
+  draw(), draw();  // the second one shows values of the first
+  return {};
+}
+
+int run_headless(const Options& options) {
+  const platform::Size size = options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
+  const std::filesystem::path out = options.out.empty() ? "out" : options.out;
+  if (const base::Status made = script::make_folder(out); !made) return finish({base::Code::io, made.message});
+  constexpr int kSamples = 4;
+  auto program = make_program(options, size, kSamples);
+  if (!program) return finish(program.status());
+  const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);
+  if (const base::Status opened = open_track(**program, track); !opened) return finish(opened);
+  if (const base::Status started = start_recording(**program); !started) return finish(started);
+  (*program)->stats.hide_times = true;
+  RideSummary summary = begin_summary((*program)->session);
+  if (summary.segments > 0 && (*program)->session.motion.carts.size() > 0) {
+    if (const base::Status rode = ride(**program, summary); !rode) return finish(rode);
+  } else {
+    for (std::int64_t frame = 0; frame < options.frames.value_or(2); ++frame) run_frame(**program, {platform::Tick{2 * world::kTick}}, 2);
+    if (options.frames.value_or(2) == 0) run_frame(**program, {platform::Tick{0}}, 0);
+  }
+  std::fputs((options.json ? to_json(summary) : to_text(summary)).c_str(), stdout);
+  return finish(write_picture(**program, out / "ride.png"));
+}
+
+int run_window(const Options& options) {
+  const platform::Size size = options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
+  constexpr int kSamples = 4;
+  auto program = make_program(options, size, kSamples);
+  if (!program) return finish(program.status());
+  Program& p = **program;
+  const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);
+  if (const base::Status opened = open_track(p, track); !opened) return finish(opened);
+  if (const base::Status started = start_recording(p); !started) return finish(started);
+  double last = p.surface->clock();
+  double smoothed = 0;
+  for (std::int64_t frame = 0; !p.quit && (!options.frames || frame < *options.frames); ++frame) {
+    platform::Events events;
+    p.surface->poll(events);
+    run_frame(p, events, take_ticks(p, events));
+    const double now = p.surface->clock();
+    constexpr double kWeight = 0.05;  // of the newest frame in the shown rate
+    smoothed = smoothed == 0 ? now - last : smoothed + (now - last - smoothed) * kWeight;
+    p.stats.fps = smoothed > 0 ? 1 / smoothed : 0;
+    last = now;
+  }
+  return finish({});
+}
+
+}  // namespace
+
+int run_program(const Options& options) {
+  if (options.validate) return validate(options);
+  if (!options.script.empty()) return run_script(options);
+  return options.headless ? run_headless(options) : run_window(options);
+}
+
+}  // namespace coaster::app

@@ -1,0 +1,67 @@
+// Writing and comparing pictures.
+#include "app/pictures.h"
+
+#include <system_error>
+
+#include "gfx/image.h"
+
+namespace coaster::app {
+namespace {
+
+base::Status make_folders(const std::filesystem::path& path) {
+  std::error_code error;
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
+  if (error) return {base::Code::io, path.string() + ": " + error.message()};
+  return {};
+}
+
+// Pictures go through file handling of their own: injected faults are meant for documents.
+base::Status write(const std::filesystem::path& path, const gfx::Image& image) {
+  if (const base::Status made = make_folders(path); !made) return made;
+  base::Files files;
+  return files.write_atomic(path, gfx::encode_png(image));
+}
+
+std::string page(const std::string& file) {
+  std::string html = "<!doctype html><meta charset=\"utf-8\"><title>" + file + "</title>\n";
+  for (const char* const kind : {"new", "reference", "difference"})
+    html += "<figure><figcaption>" + std::string(kind) + "</figcaption><img src=\"" + file + "." + kind + ".png\"></figure>\n";
+  return html;
+}
+
+}  // namespace
+
+base::Status write_picture(Program& program, const std::filesystem::path& path) {
+  if (program.stats.frame == 0) return {base::Code::refused, "no frame has been drawn"};
+  return write(path, program.renderer->read_pixels());
+}
+
+base::Status compare_picture(Program& program, const std::string& name, const std::filesystem::path& golden,
+                             const std::filesystem::path& folder, bool update) {
+  if (program.stats.frame == 0) return {base::Code::refused, "no frame has been drawn"};
+  const gfx::Image picture = program.renderer->read_pixels();
+  if (update) return write(golden, picture);
+  base::Files files;
+  const auto at = [&](const char* kind) { return folder / (name + "." + kind); };
+  const auto bytes = files.read(golden);
+  if (!bytes) {
+    if (const base::Status wrote = write(at("new.png"), picture); !wrote) return wrote;
+    return {base::Code::expectation, "no golden picture " + golden.string() + " (--update-goldens makes it); the picture is " + at("new.png").string()};
+  }
+  const auto reference = gfx::decode_png(*bytes, golden.string());
+  if (!reference) return reference.status();
+  const gfx::Difference difference = gfx::compare(picture, *reference);
+  if (difference.acceptable) return {};
+  for (const base::Status& wrote : {write(at("new.png"), picture), write(at("reference.png"), *reference)})
+    if (!wrote) return wrote;
+  if (difference.same_size)
+    if (const base::Status wrote = write(at("difference.png"), difference.picture); !wrote) return wrote;
+  if (const base::Status wrote = files.write_atomic(at("html"), page(std::filesystem::path(name).filename().string())); !wrote) return wrote;
+  if (!difference.same_size)
+    return {base::Code::expectation, "the picture is " + std::to_string(picture.width) + "x" + std::to_string(picture.height) + ", the golden one " +
+                                         std::to_string(reference->width) + "x" + std::to_string(reference->height)};
+  return {base::Code::expectation, "the picture differs from " + golden.string() + " in " + std::to_string(difference.pixels) +
+                                       " pixels, at most " + std::to_string(difference.worst_block) + " in a block; see " + at("html").string()};
+}
+
+}  // namespace coaster::app

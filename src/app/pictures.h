@@ -1,0 +1,18 @@
+// The last frame as a PNG file, and its comparison with a golden one.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/program.h"
+
+namespace coaster::app {
+
+base::Status write_picture(Program& program, const std::filesystem::path& path);
+
+// By the rule of gfx/image.h. Writes NAME.new.png, NAME.reference.png, NAME.difference.png and NAME.html into `folder` when they differ.
+// `update`: writes the golden instead. Code::expectation when there is no golden or the pictures differ.
+base::Status compare_picture(Program& program, const std::string& name, const std::filesystem::path& golden,
+                             const std::filesystem::path& folder, bool update);
+
+}  // namespace coaster::app

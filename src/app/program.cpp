@@ -1,0 +1,97 @@
+// Making a program and changing its state.
+#include "app/program.h"
+
+#include <cstdio>
+#include <system_error>
+
+#include "base/hash.h"
+#include "base/text.h"
+#include "script/paths.h"
+#include "view/camera.h"
+
+namespace coaster::app {
+
+base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples) {
+  auto program = std::make_unique<Program>();
+  program->options = options;
+  const platform::SurfaceOptions surface{size, "coaster", true, true};
+  auto made = options.headless ? platform::make_offscreen(surface) : platform::make_window(surface);
+  if (!made) return made.status();
+  program->surface = std::move(*made);
+  platform::Surface* const screen = program->surface.get();
+  auto gl = gfx::load_gl([screen](const char* name) { return screen->gl_proc(name); });
+  if (!gl) return gl.status();
+  program->gl = std::move(*gl);
+  auto renderer = gfx::Renderer::make(program->gl, samples);
+  if (!renderer) return renderer.status();
+  program->renderer = std::move(*renderer);
+  auto panels = ui::Host::make(program->gl, screen->content_scale());
+  if (!panels) return panels.status();
+  program->ui = std::move(*panels);
+  program->session = edit::make_session([screen] { return screen->clock(); });
+  return program;
+}
+
+namespace {
+
+// One command, applied and recorded.
+base::Status apply_one(Program& program, const edit::Command& command) {
+  if (const edit::Save* const save = std::get_if<edit::Save>(&command);
+      save && !program.writable.empty() && !script::lies_below(save->path, program.writable)) {
+    const base::Status refused{base::Code::refused, "save: scripts write only below $OUT, found " + base::quoted(save->path)};
+    edit::notify(program.session, edit::NoticeKind::error, refused.message);
+    return refused;
+  }
+  const std::uint64_t builds = program.session.derived.last_build;
+  const base::Status applied = edit::apply(program.session, program.files, command);
+  if (program.session.derived.last_build != builds) program.rebuilds += program.session.derived.rebuilds;
+  ++program.commands;
+  if (!applied || !program.recorder) return applied;
+  const base::Status recorded = program.recorder->command(program.files, command, program.session);
+  if (!recorded) {
+    edit::notify(program.session, edit::NoticeKind::error, recorded.message);
+    program.recorder.reset();
+  }
+  return {};
+}
+
+}  // namespace
+
+base::Status apply(Program& program, const edit::Command& command) {
+  const base::Status applied = apply_one(program, command);
+  if (!applied || edit::info(command).effect != edit::Effect::session || std::holds_alternative<edit::Save>(command)) return applied;
+  // Another track: looked at from where all of it is seen.
+  const edit::Session& session = program.session;
+  const world::Camera camera = view::frame_all(session.settings.camera, session.document, program.ui->view().viewport);
+  (void)apply_one(program, edit::SetCamera{camera});
+  return applied;
+}
+
+void advance(Program& program, int ticks) {
+  if (program.recorder && !program.recorder->ticks(ticks)) program.recorder.reset();
+  if (!program.options.hash_log) return edit::advance(program.session, ticks);
+  const std::string document = base::hex16(world::hash(program.session.document));
+  for (int i = 0; i < ticks; ++i) {
+    edit::advance(program.session, 1);
+    const std::string motion = base::hex16(world::hash(program.session.document, program.session.motion));
+    std::printf("tick %llu document %s motion %s\n", static_cast<unsigned long long>(program.session.tick), document.c_str(), motion.c_str());
+  }
+}
+
+query::Context context_of(const Program& program) { return {program.session, program.stats, program.toast, program.title}; }
+
+std::string title_of(const edit::Session& session) {
+  return session.document.name + (edit::dirty(session) ? "*" : "") + " - coaster";
+}
+
+std::filesystem::path default_track() {
+  std::error_code ignored;
+  const std::filesystem::path name = "loop.json";
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  for (const std::filesystem::path& folder :
+       {std::filesystem::path("tracks"), std::filesystem::path(COASTER_TRACK_DIR), program.parent_path() / "../share/coaster/tracks"})
+    if (std::filesystem::exists(folder / name, ignored)) return folder / name;
+  return {};
+}
+
+}  // namespace coaster::app

@@ -1,0 +1,59 @@
+// What a running program owns, and the one way in which its state changes.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/options.h"
+#include "base/files.h"
+#include "edit/session.h"
+#include "gfx/renderer.h"
+#include "platform/surface.h"
+#include "query/query.h"
+#include "script/recorder.h"
+#include "ui/host.h"
+
+namespace coaster::app {
+
+struct Program {
+  Options options;
+  base::Files files;
+  edit::Session session;
+  query::FrameStats stats;
+  std::unique_ptr<platform::Surface> surface;
+  gfx::Gl gl;                                   // before what uses it, so that it goes last
+  std::unique_ptr<gfx::Renderer> renderer;
+  std::unique_ptr<ui::Host> ui;
+  std::unique_ptr<script::Recorder> recorder;   // null: nothing is recorded
+  std::filesystem::path writable;               // scripts: the only folder that may be written to; empty: no limit
+
+  view::Pick hovered;              // of the last frame
+  std::uint64_t commands = 0;      // applied since the start
+  int rebuilds = 0;                // segments evaluated since the last frame was drawn
+  double seconds = 0;              // since the start, as the events have it
+  double tick_debt = 0;            // s that passed and are not ticked yet
+  bool quit = false;
+  std::string title;               // of the window
+  std::string toast;
+};
+
+// A window, or memory when `headless`, with renderer and panels. Code::graphics when there is none.
+base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples);
+
+// Applies a command and records it. Errors show as a notice, too. After another track was opened or begun, the camera shows all of it:
+// the viewport is that of the last frame, so one must have been drawn.
+base::Status apply(Program& program, const edit::Command& command);
+
+// Advances the ride by whole ticks; prints the hashes of each when asked to.
+void advance(Program& program, int ticks);
+
+query::Context context_of(const Program& program);
+
+// "Red Comet* - coaster": the track's name, and a star when it is not saved.
+std::string title_of(const edit::Session& session);
+
+// The track to open when none is named: tracks/loop.json of the source folder or of the installation; empty when there is neither.
+std::filesystem::path default_track();
+
+}  // namespace coaster::app

@@ -1,0 +1,75 @@
+// Measuring and printing a ride.
+#include "app/ride_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/ride.h"
+
+namespace coaster::app {
+
+RideSummary begin_summary(const edit::Session& session) {
+  RideSummary summary;
+  summary.name = session.document.name;
+  summary.knots = session.document.track.knots.size();
+  summary.segments = session.document.track.segments.size();
+  summary.closed = session.document.track.closed;
+  summary.length = session.derived.length;
+  if (session.motion.carts.size() == 0) return summary;
+  summary.highest = summary.lowest = sim::pose(session.derived, session.motion.carts.items()[0], world::FrameMethod::knots).position.y;
+  return summary;
+}
+
+void measure(const edit::Session& session, RideSummary& summary) {
+  ++summary.ticks;
+  if (session.motion.carts.size() == 0) return;
+  const world::CartMotion& cart = session.motion.carts.items()[0];
+  const double height = sim::pose(session.derived, cart, world::FrameMethod::knots).position.y;
+  const sim::Felt felt = sim::felt(session.derived, cart);
+  summary.laps = cart.laps;
+  summary.distance = cart.travelled;
+  summary.top_speed = std::max(summary.top_speed, std::abs(cart.speed));
+  summary.highest = std::max(summary.highest, height);
+  summary.lowest = std::min(summary.lowest, height);
+  summary.most_up = std::max(summary.most_up, felt.up);
+  summary.least_up = std::min(summary.least_up, felt.up);
+  summary.most_side = std::max(summary.most_side, std::abs(felt.left));
+  summary.worst_drift = std::max(summary.worst_drift, sim::energy_drift(session.document, session.derived, cart));
+}
+
+std::string to_text(const RideSummary& s) {
+  char text[1024];
+  std::snprintf(text, sizeof text,
+                "%zu knots, %zu segments, %s, %.2f m\n"
+                "rode %.2f m in %.2f s, %lld laps\n"
+                "top speed %.2f m/s, heights %.2f..%.2f m\n"
+                "up %.2f..%.2f g, sideways at most %.2f g\n"
+                "energy drift at most %.1e\n",
+                s.knots, s.segments, s.closed ? "closed" : "open", s.length, s.distance, static_cast<double>(s.ticks) * world::kTick,
+                static_cast<long long>(s.laps), s.top_speed, s.lowest, s.highest, s.least_up, s.most_up, s.most_side, s.worst_drift);
+  return s.name + ": " + text;
+}
+
+std::string to_json(const RideSummary& s) {
+  const nlohmann::ordered_json json{{"name", s.name},
+                                    {"knots", s.knots},
+                                    {"segments", s.segments},
+                                    {"closed", s.closed},
+                                    {"length_m", s.length},
+                                    {"time_s", static_cast<double>(s.ticks) * world::kTick},
+                                    {"laps", s.laps},
+                                    {"distance_m", s.distance},
+                                    {"top_speed_m_s", s.top_speed},
+                                    {"highest_m", s.highest},
+                                    {"lowest_m", s.lowest},
+                                    {"most_up_g", s.most_up},
+                                    {"least_up_g", s.least_up},
+                                    {"most_side_g", s.most_side},
+                                    {"energy_drift", s.worst_drift}};
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace coaster::app

@@ -1,0 +1,30 @@
+// What a ride was like, in numbers: measured tick by tick.
+#pragma once
+
+#include <string>
+
+#include "edit/session.h"
+
+namespace coaster::app {
+
+struct RideSummary {
+  std::string name;
+  std::size_t knots = 0, segments = 0;
+  bool closed = false;
+  double length = 0;               // m
+  std::int64_t ticks = 0, laps = 0;
+  double distance = 0;             // m, signed
+  double top_speed = 0;            // m/s
+  double highest = 0, lowest = 0;  // m
+  double most_up = 1, least_up = 1, most_side = 0;  // g
+  double worst_drift = 0;          // of the energy, relative
+};
+
+RideSummary begin_summary(const edit::Session& session);
+// Takes the state after a tick into account.
+void measure(const edit::Session& session, RideSummary& summary);
+
+std::string to_text(const RideSummary& summary);
+std::string to_json(const RideSummary& summary);
+
+}  // namespace coaster::app

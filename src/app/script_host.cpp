@@ -1,0 +1,116 @@
+// Fills script::Host with the frame, the session and the viewport.
+#include "app/script_host.h"
+
+#include <cstdio>
+#include <unistd.h>
+
+#include "app/frame.h"
+#include "app/pictures.h"
+#include "base/text.h"
+#include "view/camera.h"
+#include "view/pick.h"
+
+namespace coaster::app {
+namespace {
+
+using script::AimPoint;
+
+// Ends with a frame, so that the viewport is known when a track is opened.
+base::Status set_environment(Program& program, const script::Environment& environment) {
+  program.surface->resize({environment.width, environment.height});
+  program.renderer->set_samples(environment.samples);
+  if (program.session.settings.ui_scale != environment.scale)
+    if (const base::Status scaled = apply(program, edit::SetScale{environment.scale}); !scaled) return scaled;
+  run_frame(program, {platform::Resize{environment.width, environment.height}, platform::Tick{0}}, 0);
+  return {};
+}
+
+// A script's size goes to the surface first, so that the frame that tells the panels draws in it.
+base::Status frame(Program& program, platform::Events events, int ticks) {
+  for (const platform::Event& event : events)
+    if (const auto* const resize = std::get_if<platform::Resize>(&event)) program.surface->resize({resize->width, resize->height});
+  if (program.surface->is_window()) {
+    platform::Events ignored;  // the window system is kept answered; the script alone decides what happens
+    program.surface->poll(ignored);
+  }
+  events.push_back(platform::Tick{ticks * world::kTick});
+  run_frame(program, events, ticks);
+  return {};
+}
+
+std::vector<script::WidgetState> widgets(const Program& program) {
+  std::vector<script::WidgetState> states;
+  for (const ui::Widget& w : program.ui->widgets())
+    states.push_back({w.path, w.kind, w.value, w.x, w.y, w.width, w.height, w.visible, w.enabled, w.covered});
+  return states;
+}
+
+view::PickKind kind_of(AimPoint::Kind kind) {
+  switch (kind) {
+    case AimPoint::Kind::knot: return view::PickKind::knot;
+    case AimPoint::Kind::handle_in: return view::PickKind::handle_in;
+    case AimPoint::Kind::handle_out: return view::PickKind::handle_out;
+    case AimPoint::Kind::curve: return view::PickKind::curve;
+    case AimPoint::Kind::cart: return view::PickKind::cart;
+    case AimPoint::Kind::ground:
+    case AimPoint::Kind::world: break;
+  }
+  return view::PickKind::none;
+}
+
+base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim) {
+  const edit::Session& session = program.session;
+  if (aim.kind == AimPoint::Kind::world) return aim.position;
+  if (aim.kind == AimPoint::Kind::ground) return glm::vec3(aim.position.x, 0, aim.position.z);
+  const world::Entity entity = world::find(session.document, aim.name);
+  const std::string label = "@" + world::to_text(aim.name);
+  if (!entity.valid()) return base::Status{base::Code::refused, "there is no " + label};
+  const auto position = view::position_of(session.document, session.derived, session.motion, kind_of(aim.kind), entity, aim.t);
+  if (!position) return base::Status{base::Code::refused, label + " has no place on the screen"};
+  return *position;
+}
+
+// Handles show for what is selected alone.
+base::Result<glm::vec2> pixel_of(const Program& program, const AimPoint& aim) {
+  const auto position = position_of(program, aim);
+  if (!position) return position.status();
+  const view::View& view = program.ui->view();
+  const auto pixel = view::project(view, *position);
+  if (!pixel || !view.viewport.contains({pixel->x, pixel->y}))
+    return base::Status{base::Code::expectation, "the target is not on the screen (camera all shows the whole track)"};
+  return glm::vec2(pixel->x, pixel->y);
+}
+
+// A line that renews itself, on terminals alone.
+void progress(int line, int lines) {
+  if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\rline %d of %d ", line, lines);
+}
+
+}  // namespace
+
+script::Host make_script_host(Program& program) {
+  script::Host host;
+  Program* const p = &program;
+  host.set_environment = [p](const script::Environment& environment) { return set_environment(*p, environment); };
+  host.apply = [p](const edit::Command& command) { return apply(*p, command); };
+  host.frame = [p](const platform::Events& events, int ticks) { return frame(*p, events, ticks); };
+  host.advance = [p](int ticks) { advance(*p, ticks); };
+  host.context = [p]() -> const query::Context { return context_of(*p); };
+  host.widgets = [p] { return widgets(*p); };
+  host.pixel_of = [p](const AimPoint& aim) { return pixel_of(*p, aim); };
+  host.position_of = [p](const AimPoint& aim) { return position_of(*p, aim); };
+  host.screenshot = [p](const std::filesystem::path& path) { return write_picture(*p, path); };
+  host.snap = [p](const std::string& name, const std::filesystem::path& golden, const std::filesystem::path& folder, bool update) {
+    return compare_picture(*p, name, golden, folder, update);
+  };
+  host.commands = [p] { return p->commands; };
+  host.hovered = [p] { return p->hovered; };
+  host.viewport = [p] { return p->ui->view().viewport; };
+  host.progress = progress;
+  host.print = [](std::string_view line) { std::printf("%.*s\n", static_cast<int>(line.size()), line.data()); };
+  host.files = &program.files;
+  host.window = program.surface->is_window();
+  return host;
+}
+
+}  // namespace coaster::app

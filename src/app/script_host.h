@@ -1,0 +1,12 @@
+// What scripts need of the running program.
+#pragma once
+
+#include "app/program.h"
+#include "script/host.h"
+
+namespace coaster::app {
+
+// Functions over `program`, which must outlive them.
+script::Host make_script_host(Program& program);
+
+}  // namespace coaster::app

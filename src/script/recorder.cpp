@@ -1,0 +1,76 @@
+// Recording: each line is flushed, so that a crash loses at most the last second of ticks.
+#include "script/recorder.h"
+
+#include <system_error>
+
+#include "base/text.h"
+#include "edit/codec.h"
+#include "exchange/track_file.h"
+
+namespace coaster::script {
+namespace {
+
+// Settings and selection at the start, as the commands that set them.
+std::vector<edit::Command> settings_commands(const edit::Session& session) {
+  const world::Settings& s = session.settings;
+  std::vector<edit::Command> commands{
+      edit::SetEvaluator{s.evaluator}, edit::SetResolution{s.steps}, edit::SetVertexBudget{s.vertex_budget}, edit::SetArcLength{s.arc_length},
+      edit::SetFrames{s.frames}, edit::SetIntegrator{{s.integrator}}, edit::SetCamera{s.camera}, edit::SetCameraMode{s.camera_mode},
+      edit::SetPanels{s.show_panels}, edit::SetPolyline{s.show_polyline}, edit::SetAppendMode{s.append_mode}, edit::SetScale{s.ui_scale}};
+  if (s.selected.valid() && session.document.entities.alive(s.selected))
+    commands.push_back(edit::Select{{world::name_of(session.document, s.selected)}, s.selected_t});
+  return commands;
+}
+
+}  // namespace
+
+base::Result<std::unique_ptr<Recorder>> Recorder::start(base::Files& files, const std::filesystem::path& path, const edit::Session& session) {
+  std::error_code ignored;
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), ignored);
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  if (!out) return base::Status{base::Code::io, path.string() + ": cannot be written"};
+  std::unique_ptr<Recorder> recorder(new Recorder(path, std::move(out)));
+  if (const base::Status s = recorder->line("coaster-script 1"); !s) return s;
+  if (const base::Status s = recorder->snapshot(files, session); !s) return s;
+  for (const edit::Command& command : settings_commands(session))
+    if (const base::Status s = recorder->line(edit::print(command)); !s) return s;
+  return recorder;
+}
+
+Recorder::~Recorder() { (void)write_ticks(); }
+
+base::Status Recorder::line(const std::string& text) {
+  out_ << text << '\n';
+  out_.flush();
+  if (!out_) return {base::Code::io, path_.string() + ": the recording cannot be written"};
+  return {};
+}
+
+base::Status Recorder::write_ticks() {
+  if (pending_ticks_ == 0) return {};
+  const std::string text = "ticks " + std::to_string(pending_ticks_);
+  pending_ticks_ = 0;
+  return line(text);
+}
+
+base::Status Recorder::snapshot(base::Files& files, const edit::Session& session) {
+  std::filesystem::path track = path_;
+  ++snapshots_;
+  track.replace_filename(path_.stem().string() + (snapshots_ > 1 ? "-" + std::to_string(snapshots_) : "") + ".json");
+  if (const base::Status saved = exchange::save_track(files, track, session.document); !saved) return saved;
+  return line("load " + base::quoted(track.filename().string()));
+}
+
+base::Status Recorder::command(base::Files& files, const edit::Command& command, const edit::Session& after) {
+  if (std::holds_alternative<edit::Save>(command)) return {};
+  if (const base::Status written = write_ticks(); !written) return written;
+  if (std::holds_alternative<edit::Load>(command)) return snapshot(files, after);
+  return line(edit::print(command));
+}
+
+base::Status Recorder::ticks(int count) {
+  pending_ticks_ += count;
+  return pending_ticks_ >= world::kTicksPerSecond ? write_ticks() : base::Status{};
+}
+
+}  // namespace coaster::script

@@ -1,0 +1,18 @@
+# Each tests/scripts/*.coaster is a test of its own: it runs headless and must end with exit code 0.
+file(GLOB scripts CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/scripts/*.coaster)
+function(coaster_script_test name)
+  add_test(NAME script.${name} COMMAND ${ARGN} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  set_tests_properties(script.${name} PROPERTIES LABELS script ENVIRONMENT "${hermetic}" TIMEOUT 300)
+endfunction()
+foreach(script ${scripts})
+  cmake_path(GET script STEM name)
+  coaster_script_test(${name} $<TARGET_FILE:coaster> --headless --script ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/out/${name})
+endforeach()
+
+# The command line: exit codes, recordings that replay to the same hashes, files checked without running.
+file(GLOB checks CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/*_check.sh)
+foreach(check ${checks})
+  cmake_path(GET check STEM name)
+  coaster_script_test(${name} ${CMAKE_COMMAND} -E env COASTER=$<TARGET_FILE:coaster> OUT=${CMAKE_CURRENT_BINARY_DIR}/out/${name}
+                      SOURCE=${CMAKE_SOURCE_DIR} bash ${check})
+endforeach()
