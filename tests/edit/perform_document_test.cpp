@@ -1,0 +1,33 @@
+#include <limits>
+
+#include "edit/session_fixture.h"
+
+namespace coaster::edit {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+class DocumentMembers : public test::SessionTest {};
+
+TEST_F(DocumentMembers, names_are_utf_8_without_control_characters) {
+  good("name \"Ünï — 東京 😀\"");
+  EXPECT_EQ(session.document.name, "Ünï — 東京 😀");
+  for (const char* bad : {"\xff", "a\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80",
+                          "\xf8\x88\x80\x80\x80", "\xe0\x80\x80", "a\tb", "\x7f"})
+    refused(SetName{bad}, "UTF-8");
+  refused(SetName{std::string(201, 'x')}, "limit of 200 bytes");
+  EXPECT_TRUE(apply(SetName{std::string(200, 'x')}));
+}
+
+TEST_F(DocumentMembers, start_speed_and_datum_are_clamped) {
+  good("start_speed -12.5");
+  EXPECT_EQ(session.document.start_speed, -12.5);
+  clamped("start_speed 151", "limit of 150 m/s");
+  clamped("start_speed -1e9", "limit of -150 m/s");
+  clamped("datum 1e6", "limit of 100000 m");
+  refused(SetStartSpeed{kNan}, "finite");
+  refused(SetDatum{kNan}, "finite");
+}
+
+}  // namespace
+}  // namespace coaster::edit

@@ -1,0 +1,84 @@
+#include <limits>
+
+#include "edit/session_fixture.h"
+
+namespace coaster::edit {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+class ChangingSettings : public test::SessionTest {};
+
+TEST_F(ChangingSettings, settings_touch_neither_document_nor_motion_nor_history) {
+  const std::uint64_t before = hash(), motion = world::hash(session.document, session.motion);
+  for (const char* line :
+       {"evaluator bernstein", "resolution 17", "arc_length simpson", "frames_by frenet", "polyline off",
+        "camera target 1 2 3 yaw 10 pitch 20 distance 30", "camera_mode ride", "select @k3", "panels off",
+        "append_mode on", "scale 1.5", "vertex_budget 5000"})
+    good(line);
+  for (const sim::Integrator& row : sim::integrators()) good("integrator " + std::string(row.name));
+  EXPECT_EQ(hash(), before);
+  EXPECT_EQ(world::hash(session.document, session.motion), motion);
+  EXPECT_TRUE(session.history.undo.empty());
+  EXPECT_EQ(session.derived.vertices, 4 * 18);
+  EXPECT_FALSE(dirty(session));
+}
+
+TEST_F(ChangingSettings, the_resolution_is_clamped) {
+  clamped("resolution 5000", "resolution 5000 is beyond the limit of 4096");
+  EXPECT_EQ(session.settings.steps, 4096);
+  clamped("resolution 0", "limit of 1");
+  EXPECT_EQ(session.settings.steps, 1);
+  clamped("vertex_budget 5", "limit of 1000");
+  clamped("vertex_budget 99999999999", "limit of 1000000000");
+}
+
+TEST_F(ChangingSettings, the_camera_is_clamped_and_yaw_wraps) {
+  clamped("camera target 1 2 3 yaw 370 pitch 99 distance 30", "pitch 99 is beyond the limit of 89 degrees");
+  EXPECT_EQ(session.settings.camera, (world::Camera{{1, 2, 3}, 10, 89, 30}));
+  clamped("camera target 1 2 3 yaw 0 pitch -99 distance 30", "limit of -89");
+  clamped("camera target 1 2 3 yaw 0 pitch 0 distance 0", "limit of 0.5 m");
+  clamped("camera target 1 2 3 yaw 0 pitch 0 distance 1e6", "limit of 20000 m");
+  clamped("camera target 1e6 2 3 yaw 0 pitch 0 distance 10", "target.x");
+  refused(SetCamera{{{kNan, 0, 0}, 0, 0, 10}}, "finite");
+  refused(SetCamera{{{0, 0, 0}, kNan, 0, 10}}, "finite");
+  refused(SetCamera{{{0, 0, 0}, 0, kNan, 10}}, "finite");
+  refused(SetCamera{{{0, 0, 0}, 0, 0, kNan}}, "finite");
+}
+
+TEST_F(ChangingSettings, a_segment_is_selected_with_its_place) {
+  good("select @s2 at 0.3");
+  EXPECT_EQ(session.settings.selected, entity("s2"));
+  EXPECT_EQ(session.settings.selected_t, 0.3);
+  clamped("select @s2 at 1.5", "limit of 1");
+  good("select none");
+  EXPECT_EQ(session.settings.selected, world::kNone);
+  refused("select @k9", "there is no knot @k9");
+  refused(Select{{{world::Kind::segment, 2}}, std::numeric_limits<double>::quiet_NaN()}, "finite");
+}
+
+TEST_F(ChangingSettings, rows_that_no_table_has_are_refused) {
+  refused(SetEvaluator{curve::EvaluatorId{99}}, "no row 99");
+  refused(SetArcLength{curve::ArcLengthId{-1}}, "no row -1");
+  refused(SetIntegrator{{99}}, "no row 99");
+}
+
+TEST_F(ChangingSettings, the_scale_is_clamped) {
+  clamped("scale 0.1", "limit of 0.75");
+  clamped("scale 10", "limit of 3");
+  refused(SetScale{kNan}, "finite");
+}
+
+TEST_F(ChangingSettings, saying_the_same_at_a_limit_renews_the_notice) {
+  clamped("resolution 5000", "limit");
+  const std::size_t count = session.notices.size();
+  const std::uint64_t serial = session.notices.back().serial;
+  clamped("resolution 5000", "limit");
+  EXPECT_EQ(session.notices.size(), count);
+  EXPECT_GT(session.notices.back().serial, serial);
+  for (int i = 0; i < 100; ++i) clamped("resolution " + std::to_string(5000 + i), "limit");
+  EXPECT_EQ(session.notices.size(), 32u);
+}
+
+}  // namespace
+}  // namespace coaster::edit

@@ -1,0 +1,65 @@
+// Random commands of every kind, through the same lists of fields that the codec uses.
+#pragma once
+
+#include <cmath>
+#include <random>
+#include <type_traits>
+#include <utility>
+
+#include "edit/commands.h"
+#include "sim/ride.h"
+
+namespace coaster::test {
+
+class RandomCommands {
+ public:
+  explicit RandomCommands(std::uint32_t seed) : bits_(seed) {}
+
+  std::uint32_t below(std::uint32_t n) { return bits_() % n; }
+  double uniform(double low, double high) { return low + (high - low) * (bits_() / 4294967296.0); }
+
+  // A command of the variant's alternative `kind`, with every field set.
+  edit::Command of_kind(std::size_t kind) {
+    edit::Command command;
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      ((I == kind ? void(command = filled(std::variant_alternative_t<I, edit::Command>{})) : void()), ...);
+    }
+    (std::make_index_sequence<std::variant_size_v<edit::Command>>{});
+    return command;
+  }
+
+ private:
+  template <class C>
+  C filled(C command) {
+    C::fields(command, [&](std::string_view, auto& value) { fill(value); });
+    return command;
+  }
+  world::Name name() { return {static_cast<world::Kind>(below(3)), 1 + below(9)}; }
+  double number() { return uniform(-1, 1) * std::exp2(uniform(-20, 12)); }
+  void fill(edit::Target& v) { v.name = below(9) ? name() : world::Name{}; }
+  void fill(edit::HandleTarget& v) {
+    v = {{world::Kind::knot, 1 + below(9)}, below(2) ? edit::HandleEnd::in : edit::HandleEnd::out};
+  }
+  void fill(glm::vec3& v) { v = {number(), number(), number()}; }
+  void fill(float& v) { v = static_cast<float>(number()); }
+  void fill(double& v) { v = number(); }
+  void fill(int& v) { v = static_cast<int>(below(2000)) - 1000; }
+  void fill(std::int64_t& v) { v = static_cast<std::int64_t>(bits_()) * 1000 - 7; }
+  void fill(bool& v) { v = below(2) == 1; }
+  void fill(std::string& v) {
+    constexpr std::string_view kLetters = "ab \"\\#@'\n.";
+    for (std::uint32_t i = below(8); i > 0; --i) v += kLetters[below(kLetters.size())];
+  }
+  void fill(world::JointKind& v) { v = static_cast<world::JointKind>(below(3)); }
+  void fill(world::FrameMethod& v) { v = static_cast<world::FrameMethod>(below(2)); }
+  void fill(world::CameraMode& v) { v = static_cast<world::CameraMode>(below(2)); }
+  void fill(curve::EvaluatorId& v) { v = static_cast<curve::EvaluatorId>(below(curve::evaluators().size())); }
+  void fill(curve::ArcLengthId& v) {
+    v = static_cast<curve::ArcLengthId>(below(curve::arc_length_methods().size()));
+  }
+  void fill(edit::IntegratorId& v) { v.row = static_cast<int>(below(sim::integrators().size())); }
+
+  std::mt19937 bits_;
+};
+
+}  // namespace coaster::test

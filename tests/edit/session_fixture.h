@@ -1,0 +1,81 @@
+// A session on a track for tests of commands, with short ways to apply commands by their text.
+#pragma once
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "edit/codec.h"
+#include "edit/session.h"
+#include "exchange/track_file.h"
+#include "world/sample_documents.h"
+
+namespace coaster::test {
+
+class SessionTest : public testing::Test {
+ protected:
+  // Starts on `document` as if it had been loaded.
+  explicit SessionTest(const world::Document& document = sample_document())
+      : session(edit::make_session({})) {
+    session.document = document;
+    session.saved_hash = world::hash(document);
+    sim::derive(session.document, session.settings, {}, session.derived);
+    sim::reset(session.document, session.derived, session.motion);
+  }
+
+  static edit::Command command(const std::string& line) {
+    std::vector<base::Token> tokens;
+    base::TextError error;
+    EXPECT_TRUE(base::tokenise(line, tokens, error)) << line;
+    const auto parsed = edit::parse(tokens, error);
+    EXPECT_TRUE(parsed) << line << ": " << error.message;
+    return parsed ? *parsed : edit::Command{};
+  }
+  base::Status apply(const edit::Command& c) { return edit::apply(session, files, c); }
+  base::Status apply(const std::string& line) { return apply(command(line)); }
+  void good(const std::string& line) {
+    const base::Status status = apply(line);
+    EXPECT_TRUE(status) << line << ": " << status.message;
+    EXPECT_EQ(world::broken_invariant(session.document), std::nullopt) << line;
+  }
+  // Refused with a notice, and nothing else has changed.
+  void refused(const edit::Command& c, std::string_view part) {
+    const world::Document document = session.document;
+    const world::Settings settings = session.settings;
+    const world::Motion motion = session.motion;
+    const std::size_t undo = session.history.undo.size(), redo = session.history.redo.size();
+    const std::uint64_t serial = session.notice_serial;
+    const base::Status status = apply(c);
+    EXPECT_EQ(status.code, base::Code::refused);
+    EXPECT_NE(status.message.find(part), std::string::npos) << status.message;
+    EXPECT_TRUE(session.document == document && session.settings == settings && session.motion == motion);
+    EXPECT_EQ(session.history.undo.size(), undo);
+    EXPECT_EQ(session.history.redo.size(), redo);
+    EXPECT_EQ(session.notice_serial, serial + 1);
+    EXPECT_EQ(session.notices.back().kind, edit::NoticeKind::error);
+  }
+  void refused(const std::string& line, std::string_view part) { refused(command(line), part); }
+  // Applied with a warning about a limit.
+  void clamped(const std::string& line, std::string_view part) {
+    const std::uint64_t serial = session.notice_serial;
+    good(line);
+    ASSERT_GT(session.notice_serial, serial) << line;
+    const edit::Notice& notice = session.notices.back();
+    EXPECT_EQ(notice.kind, edit::NoticeKind::warning) << line;
+    EXPECT_NE(notice.text.find("limit"), std::string::npos) << notice.text;
+    EXPECT_NE(notice.text.find(part), std::string::npos) << notice.text;
+  }
+
+  const world::Knot& knot(std::uint32_t number) const {
+    return world::knot(session.document, world::find(session.document, {world::Kind::knot, number}));
+  }
+  world::Entity entity(const char* name) const {
+    return world::find(session.document, *world::parse_name(name));
+  }
+  std::uint64_t hash() const { return world::hash(session.document); }
+
+  edit::Session session;
+  base::Files files;
+};
+
+}  // namespace coaster::test
