@@ -176,7 +176,13 @@ std::optional<int> slider(Ui& ui, std::string_view label, int value, int low, in
   } else {
     int wanted = value;
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));  // drawn below, beside the grab
     if (ImGui::SliderInt("##slide", &wanted, low, high, "%d", flags) && wanted != value) result = wanted;
+    ImGui::PopStyleColor();
+    const double part = logarithmic && low > 0 ? std::log(double(value) / low) / std::log(double(high) / low) : double(value - low) / (high - low);
+    const std::string digits = std::to_string(value);
+    const float pad = std::floor(8 * ui.scale), left = part > 0.5 ? from.x + pad : to.x - pad - text_size(digits).x;
+    ImGui::GetWindowDrawList()->AddText({std::floor(left), std::floor((from.y + to.y - ImGui::GetTextLineHeight()) * 0.5f)}, packed(kDark.text), digits.c_str());
   }
   ImGui::PopID();
   note(ui, label, "slider", tooltip, true, std::to_string(value), from, to);

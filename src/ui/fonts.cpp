@@ -20,7 +20,7 @@ void make_figures_tabular(ImFont& font) {
   for (ImWchar c = '0'; c <= '9'; ++c) {
     auto* glyph = const_cast<ImFontGlyph*>(font.FindGlyphNoFallback(c));
     if (glyph == nullptr) continue;
-    const float shift = std::round((widest - glyph->AdvanceX) * 0.5f);
+    const float shift = (widest - glyph->AdvanceX) * 0.5f;
     glyph->X0 += shift;
     glyph->X1 += shift;
     glyph->AdvanceX = widest;
@@ -42,7 +42,7 @@ void load_fonts(float scale) {
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = 3;
     config.OversampleV = 1;
-    config.PixelSnapH = true;
+    config.PixelSnapH = false;
     config.RasterizerMultiply = 1.1f;  // light text on dark looks thin otherwise
     // The atlas only reads data it does not own.
     font = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(inter.data()), static_cast<int>(inter.size()), pixels, &config, kRanges);

@@ -18,7 +18,8 @@ ImVec2 text_size(std::string_view text);
 void note(Ui& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled, std::string value, ImVec2 low,
           ImVec2 high);
 
-// Draws the label and sets the next item's place and width: beside the label, or below it when the label is long for the row.
-void begin_row(Ui& ui, std::string_view label);
+// Draws the label and sets the next item's place and width: beside the label, or below it when the label is long for the row or the
+// control needs more than the `needed` px that are left there.
+void begin_row(Ui& ui, std::string_view label, float needed = 0);
 
 }  // namespace coaster::ui

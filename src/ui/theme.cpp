@@ -17,9 +17,9 @@ namespace {
 void set_colours(const Palette& p, ImVec4* c) {
   c[ImGuiCol_Text] = colour(p.text);
   c[ImGuiCol_TextDisabled] = colour(p.dim);
-  c[ImGuiCol_WindowBg] = colour(p.background, 0.97f);
+  c[ImGuiCol_WindowBg] = colour(p.background);
   c[ImGuiCol_ChildBg] = colour(p.background, 0.0f);
-  c[ImGuiCol_PopupBg] = colour(p.raised, 0.99f);
+  c[ImGuiCol_PopupBg] = colour(p.raised);
   c[ImGuiCol_Border] = colour(p.border);
   c[ImGuiCol_FrameBg] = colour(p.field);
   c[ImGuiCol_FrameBgHovered] = colour(p.border);
@@ -49,8 +49,8 @@ void apply_theme(const Palette& palette, float scale) {
   ImGuiStyle style;
   ImGui::StyleColorsDark(&style);
   set_colours(palette, style.Colors);
-  style.WindowPadding = {10, 8};
-  style.FramePadding = {8, 4};
+  style.WindowPadding = {10, 6};
+  style.FramePadding = {8, 3};
   style.ItemSpacing = {8, 5};
   style.ItemInnerSpacing = {6, 4};
   style.WindowRounding = 0;
@@ -59,9 +59,9 @@ void apply_theme(const Palette& palette, float scale) {
   style.PopupBorderSize = 1;
   style.ScrollbarSize = 10;
   style.GrabMinSize = 10;
-  style.WindowMinSize = {1, 1};
   style.DisabledAlpha = 0.45f;
   style.ScaleAllSizes(scale);
+  style.WindowMinSize = {1, 1};  // ImGui refuses less
   ImGui::GetStyle() = style;
 }
 

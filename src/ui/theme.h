@@ -9,7 +9,7 @@ namespace coaster::ui {
 
 // Colours as 0xRRGGBB.
 struct Palette {
-  std::uint32_t background = 0x1B1F27, raised = 0x262C37, field = 0x303846, border = 0x3A4352;
+  std::uint32_t background = 0x1B1F27, raised = 0x262C37, field = 0x343D4D, border = 0x3A4352;
   std::uint32_t text = 0xE6E9EF, dim = 0x9AA3B2;
   std::uint32_t accent = 0x4C9AFF, warning = 0xF2B84B, error = 0xE5534B, good = 0x4FB477;
   std::uint32_t axis[3] = {0xE5534B, 0x4FB477, 0x4C9AFF};
@@ -19,9 +19,9 @@ inline constexpr Palette kDark{};
 ImVec4 colour(std::uint32_t rgb, float alpha = 1.0f);
 ImU32 packed(std::uint32_t rgb, float alpha = 1.0f);
 
-inline constexpr float kFontPixels = 15.0f;  // at scale 1
+inline constexpr float kFontPixels = 17.0f;  // line height at scale 1: Inter's em is then 14 px
 
-// Colours and sizes of the current ImGui context for `scale` (1: 15 px text).
+// Colours and sizes of the current ImGui context for `scale`.
 void apply_theme(const Palette& palette, float scale);
 
 // Replaces the fonts of the current context by Inter (or the built-in font where Inter was not embedded) at `scale`. Digits all get the

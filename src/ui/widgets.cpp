@@ -51,25 +51,22 @@ std::string hidden(std::string_view label) { return "##" + std::string(label); }
 
 ImVec2 text_size(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()); }
 
-void begin_row(Ui&, std::string_view label) {
+void begin_row(Ui&, std::string_view label, float needed) {
   constexpr float kLabelPart = 0.47f;  // of the row, for the label beside a control
   const float start = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
-  const float label_room = room * kLabelPart;
-  if (text_size(label).x + ImGui::GetStyle().ItemInnerSpacing.x <= label_room) ImGui::AlignTextToFramePadding();
+  const float label_room = std::floor(room * kLabelPart);
+  const bool beside = text_size(label).x + ImGui::GetStyle().ItemInnerSpacing.x <= label_room && needed <= room - label_room;
+  if (beside) ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.dim));
   ImGui::TextUnformatted(label.data(), label.data() + label.size());
   ImGui::PopStyleColor();
-  if (text_size(label).x + ImGui::GetStyle().ItemInnerSpacing.x <= label_room) {
-    ImGui::SameLine(start + label_room);
-    ImGui::SetNextItemWidth(room - label_room);
-  } else {
-    ImGui::SetNextItemWidth(room);
-  }
+  if (beside) ImGui::SameLine(start + label_room);
+  ImGui::SetNextItemWidth(beside ? room - label_room : room);
 }
 
 bool header(Ui& ui, std::string_view name, std::string_view tooltip) {
   const std::string label(name);
-  ImGui::Dummy({0, std::floor(2 * ui.scale)});
+  if (ImGui::GetCursorPosY() > 2 * ImGui::GetStyle().WindowPadding.y) ImGui::Dummy({0, std::floor(3 * ui.scale)});  // not before the first
   const bool open = ImGui::CollapsingHeader(label.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
   note(ui, "", "header", tooltip, true, open ? "open" : "closed", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   return open;
@@ -113,7 +110,9 @@ std::optional<bool> checkbox(Ui& ui, std::string_view label, bool on, std::strin
 }
 
 std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice> choices, int current, std::string_view tooltip) {
-  begin_row(ui, label);
+  float widest = 0;
+  for (const Choice& choice : choices) widest = std::max(widest, text_size(choice.label).x);
+  begin_row(ui, label, widest + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight());
   const std::string preview = current >= 0 && current < static_cast<int>(choices.size()) ? choices[static_cast<std::size_t>(current)].label : "";
   // Once the list is open, ImGui's last item is the list's: the box has to be known before.
   const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -121,11 +120,13 @@ std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice>
   std::optional<int> chosen;
   const bool open = ImGui::BeginCombo(hidden(label).c_str(), preview.c_str());
   if (open) {
+    ImGui::PushStyleColor(ImGuiCol_Header, colour(kDark.accent, 0.35f));
     for (std::size_t i = 0; i < choices.size(); ++i) {
       const bool on = static_cast<int>(i) == current;
       if (ImGui::Selectable(choices[i].label.c_str(), on) && !on) chosen = static_cast<int>(i);
       note_item(ui, std::string(label) + "/" + choices[i].label, "item", choices[i].tooltip, true, on ? "on" : "off");
     }
+    ImGui::PopStyleColor();
     ImGui::EndCombo();
   }
   note(ui, label, "combo", tooltip, true, preview, low, high);
