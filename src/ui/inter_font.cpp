@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#ifdef COASTER_INTER_FONT
+#ifdef COASTER_HAS_INTER_FONT
 namespace coaster::embedded {
 extern const unsigned char inter_font[];
 extern const std::size_t inter_font_size;
@@ -13,7 +13,7 @@ extern const std::size_t inter_font_size;
 namespace coaster::ui {
 
 std::span<const unsigned char> inter_font() {
-#ifdef COASTER_INTER_FONT
+#ifdef COASTER_HAS_INTER_FONT
   return {embedded::inter_font, embedded::inter_font_size};
 #else
   return {};

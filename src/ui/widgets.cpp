@@ -146,6 +146,13 @@ void read_out(Ui& ui, std::string_view label, std::string_view value, std::strin
   const float top = start.y + (stacked ? line : 0);
   const float right = start.x + room;
   const float edge = unit.empty() ? right : column ? right - unit_room : right - text_size(unit).x - gap;
+  if (value_width > room) {  // too long for any line: wrapped below its label
+    const ImVec2 block = ImGui::CalcTextSize(value.data(), value.data() + value.size(), false, room);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {start.x, top}, packed(kDark.text), value.data(), value.data() + value.size(), room);
+    ImGui::Dummy({room, line + block.y});
+    note_item(ui, label, "label", tooltip, true, std::string(value));
+    return;
+  }
   list.AddText({std::floor(edge - text_size(value).x), top}, packed(kDark.text), value.data(), value.data() + value.size());
   if (!unit.empty()) list.AddText({std::floor(edge + gap), top}, packed(kDark.dim), unit.data(), unit.data() + unit.size());
   ImGui::Dummy({room, stacked ? 2 * line : line});
