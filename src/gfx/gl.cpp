@@ -1,0 +1,39 @@
+// Fills the table of OpenGL functions and checks the version of the current context.
+#include "gfx/gl.h"
+
+namespace coaster::gfx {
+namespace {
+
+constexpr int kNeededMajor = 3, kNeededMinor = 3;
+
+std::string text_of(const Gl& gl, GLenum name) {
+  const GLubyte* text = gl.GetString(name);
+  return text == nullptr ? std::string("unknown") : std::string(reinterpret_cast<const char*>(text));
+}
+
+}  // namespace
+
+base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc) {
+  Gl gl;
+  const char* missing = nullptr;
+  // Drivers hand out stubs for names they do not know, so a pointer proves little; a null one is certainly an error.
+#define X(type, name)                                                     \
+  gl.name = reinterpret_cast<PFNGL##type##PROC>(proc("gl" #name));        \
+  if (gl.name == nullptr && missing == nullptr) missing = "gl" #name;
+  COASTER_GL_FUNCTIONS(X)
+#undef X
+  if (gl.GetString == nullptr || gl.GetIntegerv == nullptr)
+    return base::Status{base::Code::graphics, "OpenGL: no current context"};
+  gl.GetIntegerv(GL_MAJOR_VERSION, &gl.major);
+  gl.GetIntegerv(GL_MINOR_VERSION, &gl.minor);
+  if (gl.major < kNeededMajor || (gl.major == kNeededMajor && gl.minor < kNeededMinor))
+    return base::Status{base::Code::graphics, "OpenGL " + std::to_string(kNeededMajor) + "." + std::to_string(kNeededMinor) +
+                                                  " is needed, the driver has " + text_of(gl, GL_VERSION)};
+  if (missing != nullptr)
+    return base::Status{base::Code::graphics, std::string("OpenGL: the driver lacks ") + missing + " (" + text_of(gl, GL_VERSION) + ")"};
+  gl.GetIntegerv(GL_MAX_SAMPLES, &gl.max_samples);
+  gl.renderer = text_of(gl, GL_RENDERER);
+  return gl;
+}
+
+}  // namespace coaster::gfx
