@@ -11,7 +11,7 @@
 
 namespace coaster::sim {
 
-enum class Part : std::uint8_t { rail, spine, tie };
+enum class Part : std::uint8_t { rail, spine, tie, body, stripe, wheel };
 
 struct MeshVertex {
   glm::vec3 position;
@@ -29,8 +29,13 @@ inline constexpr double kRailRadius = 0.09;  // m
 inline constexpr double kSpineRadius = 0.19;  // m
 inline constexpr double kSpineDrop = 0.55;   // m below the rails' plane
 inline constexpr double kTieSpacing = 1.5;   // m between ties, about: a whole number fits a segment
+inline constexpr int kTubeSides = 8;
+inline constexpr int kMaxRings = 400;        // of a segment
 
 // Rings lie closer where the curve bends; the rings at both ends depend on the joint's frame alone, so neighbours meet without a crack.
+// About 6 degrees of bend or twist and at most 3 m from ring to ring where it bends, 2 to kMaxRings rings; a straight segment
+// has 2. Tubes have smooth normals and are closed at both ends. Replaces what `mesh` holds. A segment without length gives
+// tubes without length, never NaN.
 void sweep_track(const SegmentShape& shape, Mesh& mesh);
 
 // A cart of 2.2 x 1.3 x 1.1 m about the origin: forward +X, up +Y, left -Z; the rails' plane at y = 0.
