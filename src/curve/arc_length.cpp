@@ -42,12 +42,12 @@ double gauss(const CoefficientsD& c, double a, double b, const Node (&nodes)[N])
   return half * sum;
 }
 
-// Where the 8-node rule is right to 3e-7, the 16-node rule is right to about its square (both converge geometrically
+// Where the 8-node rule is right to 3e-8, the 16-node rule is right to about its square (both converge geometrically
 // with the same base). `floor` is an absolute error too small to matter: it ends the subdivision towards a cusp.
 double adaptive(const CoefficientsD& c, double a, double b, double floor, int depth) {
   const double fine = gauss(c, a, b, kGauss16);
   const double error = std::abs(fine - gauss(c, a, b, kGauss8));
-  if (error <= std::max(3e-7 * fine, floor) || depth >= kMaxDepth) return fine;
+  if (error <= std::max(3e-8 * fine, floor) || depth >= kMaxDepth) return fine;
   const double middle = 0.5 * (a + b);
   return adaptive(c, a, middle, floor, depth + 1) + adaptive(c, middle, b, floor, depth + 1);
 }
@@ -58,7 +58,60 @@ double polygon_length(const CoefficientsD& c) {
   return glm::length(d0) + glm::length(d1) + glm::length(d2);
 }
 
-double adaptive_length(const CoefficientsD& c, double a, double b) { return adaptive(c, a, b, 1e-13 * polygon_length(c), 0); }
+// The parameters in (0,1) where |B'| has a minimum: at a cusp it is a kink that nodes may miss, so integrals are split there.
+// |B'|^2 is smallest where g = B'.B'' goes from negative to positive; g is a cubic, monotone between the roots of g'.
+SlowPoints slow_points(const CoefficientsD& c) {
+  const double g0 = glm::dot(c.c1, c.c2) * 2.0, g1 = 4.0 * glm::dot(c.c2, c.c2) + 6.0 * glm::dot(c.c1, c.c3),
+               g2 = 18.0 * glm::dot(c.c2, c.c3), g3 = 18.0 * glm::dot(c.c3, c.c3);
+  const auto g = [&](double t) { return g0 + t * (g1 + t * (g2 + t * g3)); };
+  std::array<double, 4> edges{0.0, 1.0, 1.0, 1.0};
+  std::size_t count = 1;
+  const double discriminant = g2 * g2 - 3.0 * g3 * g1;
+  if (g3 > 0 && discriminant > 0) {
+    const double root = std::sqrt(discriminant);
+    for (const double t : {(-g2 - root) / (3.0 * g3), (-g2 + root) / (3.0 * g3)})
+      if (t > 0 && t < 1) edges[count++] = t;
+  }
+  edges[count++] = 1.0;
+  SlowPoints slow;
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    double low = edges[i], high = edges[i + 1];
+    if (!(g(low) < 0 && g(high) > 0)) continue;
+    for (int k = 0; k < 55; ++k) {
+      const double middle = 0.5 * (low + high);
+      (g(middle) < 0 ? low : high) = middle;
+    }
+    slow.t[slow.count++] = 0.5 * (low + high);
+  }
+  return slow;
+}
+
+double split_at_slow_points(const CoefficientsD& c, const SlowPoints& slow, double a, double b, double floor) {
+  double sum = 0, from = a;
+  for (int i = 0; i < slow.count; ++i) {
+    const double t = slow.t[static_cast<std::size_t>(i)];
+    if (!(t > from && t < b)) continue;
+    sum += adaptive(c, from, t, floor, 0);
+    from = t;
+  }
+  return sum + adaptive(c, from, b, floor, 0);
+}
+
+// A curve that slows down to less than a quarter of its fastest may have a cusp between any samples.
+bool slows_down(const CoefficientsD& c, double a, double b) {
+  double slowest = speed(c, b), fastest = slowest;
+  for (int i = 0; i < 8; ++i) {
+    const double v = speed(c, a + (b - a) * i / 8.0);
+    slowest = std::min(slowest, v);
+    fastest = std::max(fastest, v);
+  }
+  return slowest < 0.25 * fastest;
+}
+
+double adaptive_length(const CoefficientsD& c, double a, double b) {
+  const double floor = 1e-13 * polygon_length(c);
+  return split_at_slow_points(c, slows_down(c, a, b) ? slow_points(c) : SlowPoints{}, a, b, floor);
+}
 
 // --- the rows -------------------------------------------------------------------------------------------------------
 
@@ -134,20 +187,26 @@ double arc_length(const Cubic& cubic, double t0, double t1) { return adaptive_le
 
 ArcLengthMap::ArcLengthMap(const Cubic& cubic) : c_(coefficients_d(cubic)) {
   const double floor = 1e-13 * polygon_length(c_) / kIntervals;
+  if (slows_down(c_, 0.0, 1.0)) slow_ = slow_points(c_);
+  for (int i = 0; i < slow_.count; ++i)
+    rough_ |= 1u << std::min(static_cast<int>(slow_.t[static_cast<std::size_t>(i)] * kIntervals), kIntervals - 1);
   table_[0] = 0;
   for (int i = 0; i < kIntervals; ++i) {
-    const double a = static_cast<double>(i) / kIntervals, b = static_cast<double>(i + 1) / kIntervals;
-    const double fine = gauss(c_, a, b, kGauss8), coarse = gauss(c_, a, 0.5 * (a + b), kGauss8) + gauss(c_, 0.5 * (a + b), b, kGauss8);
+    const double a = static_cast<double>(i) / kIntervals, b = static_cast<double>(i + 1) / kIntervals, middle = 0.5 * (a + b);
+    double length = gauss(c_, a, b, kGauss8);
     // Smooth intervals are right to rounding with 8 nodes; the others (near a cusp) are measured adaptively for good.
-    const bool smooth = std::abs(fine - coarse) <= std::max(1e-14 * fine, floor);
-    if (!smooth) rough_ |= 1u << i;
-    table_[static_cast<std::size_t>(i) + 1] = table_[static_cast<std::size_t>(i)] + (smooth ? fine : adaptive(c_, a, b, floor, 0));
+    const double halves = rough_ >> i & 1u ? 0.0 : gauss(c_, a, middle, kGauss8) + gauss(c_, middle, b, kGauss8);
+    if (std::abs(length - halves) > std::max(1e-14 * length, floor)) {
+      rough_ |= 1u << i;
+      length = split_at_slow_points(c_, slow_, a, b, floor);
+    }
+    table_[static_cast<std::size_t>(i) + 1] = table_[static_cast<std::size_t>(i)] + length;
   }
 }
 
 double ArcLengthMap::partial(int interval, double t) const {
   const double a = static_cast<double>(interval) / kIntervals;
-  if (rough_ >> interval & 1u) return adaptive(c_, a, t, 1e-13 * table_.back() / kIntervals, 0);
+  if (rough_ >> interval & 1u) return split_at_slow_points(c_, slow_, a, t, 1e-13 * table_.back() / kIntervals);
   return gauss(c_, a, t, kGauss8);
 }
 

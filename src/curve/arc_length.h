@@ -33,6 +33,12 @@ std::optional<ArcLengthId> find_arc_length_method(std::string_view name);
 // cubics; subdivision is capped at 24 levels, so a cusp costs bounded work and at most 1e-9 relative. Cost: 24 evaluations of B' where nothing is subdivided.
 double arc_length(const Cubic& cubic, double t0 = 0.0, double t1 = 1.0);
 
+// Parameters where a cubic is slowest, at most two (minima of a quartic); ascending.
+struct SlowPoints {
+  std::array<double, 2> t{};
+  int count = 0;
+};
+
 // Length of a cubic with what is needed to invert it. Immutable; 33 knots of s over uniform t.
 class ArcLengthMap {
  public:
@@ -54,6 +60,7 @@ class ArcLengthMap {
 
   CoefficientsD c_{};
   std::array<double, kIntervals + 1> table_{};
+  SlowPoints slow_;
   std::uint32_t rough_ = 0;  // bit i: interval i needs the adaptive rule (near a cusp)
 };
 

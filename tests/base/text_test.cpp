@@ -1,0 +1,88 @@
+#include "base/text.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <bit>
+#include <cmath>
+
+namespace coaster::base {
+namespace {
+
+std::vector<Token> tokens_of(std::string_view line) {
+  std::vector<Token> tokens;
+  TextError error;
+  EXPECT_TRUE(tokenise(line, tokens, error)) << line << ": " << error.message;
+  return tokens;
+}
+
+TEST(text, words_come_with_their_columns) {
+  const auto tokens = tokens_of("  move @k4\tto 1.5 -2 # a comment");
+  ASSERT_EQ(tokens.size(), 5u);
+  EXPECT_EQ(tokens[0], (Token{"move", 3, false}));
+  EXPECT_EQ(tokens[1], (Token{"@k4", 8, false}));
+  EXPECT_EQ(tokens[4].text, "-2");
+  EXPECT_TRUE(tokens_of("").empty());
+  EXPECT_TRUE(tokens_of("# all comment").empty());
+}
+
+TEST(text, quotes_keep_blanks_hashes_and_escapes) {
+  const auto tokens = tokens_of(R"(name "a # \"b\" \\ \n" end)");
+  ASSERT_EQ(tokens.size(), 3u);
+  EXPECT_EQ(tokens[1].text, "a # \"b\" \\ \n");
+  EXPECT_TRUE(tokens[1].quoted);
+}
+
+TEST(text, broken_lines_say_where) {
+  std::vector<Token> tokens;
+  TextError error;
+  EXPECT_FALSE(tokenise("load \"tracks", tokens, error));
+  EXPECT_EQ(error.column, 6);
+  EXPECT_FALSE(tokenise("load \"a\"b", tokens, error));
+  EXPECT_FALSE(tokenise("a\"b\"", tokens, error));
+  EXPECT_FALSE(tokenise("\"\\q\"", tokens, error));
+  EXPECT_FALSE(tokenise(std::string_view("a\0b", 3), tokens, error));
+}
+
+RC_GTEST_PROP(text, a_quoted_text_reads_back, (const std::string& text)) {
+  std::string clean;
+  for (char c : text)
+    if (c != '\0') clean += c;
+  std::vector<Token> tokens;
+  TextError error;
+  RC_ASSERT(tokenise(base::quoted(clean), tokens, error));
+  RC_ASSERT(tokens.size() == 1u);
+  RC_ASSERT(tokens[0].text == clean);
+}
+
+RC_GTEST_PROP(text, every_finite_float_reads_back_to_the_same_bits, (std::uint32_t bits)) {
+  const float value = std::bit_cast<float>(bits);
+  RC_PRE(std::isfinite(value));
+  RC_ASSERT(std::bit_cast<std::uint32_t>(parse_float(to_text(value)).value()) == bits);
+}
+
+RC_GTEST_PROP(text, every_finite_double_reads_back_to_the_same_bits, (std::uint64_t bits)) {
+  const double value = std::bit_cast<double>(bits);
+  RC_PRE(std::isfinite(value));
+  RC_ASSERT(std::bit_cast<std::uint64_t>(parse_double(to_text(value)).value()) == bits);
+}
+
+TEST(text, what_is_no_finite_number_is_refused) {
+  for (const char* text : {"", "nan", "inf", "-inf", "1e999", "+1", " 1", "1 ", "0x10", "1,5", "--1", "1.5.2"})
+    EXPECT_FALSE(parse_double(text)) << text;
+  EXPECT_FALSE(parse_float("1e39"));
+  EXPECT_TRUE(parse_double("1e39"));
+  EXPECT_FALSE(parse_int("1.5"));
+  EXPECT_EQ(parse_int("-12"), -12);
+}
+
+TEST(text, the_nearest_word_is_suggested_and_far_ones_are_not) {
+  const std::vector<std::string> words{"evaluator", "resolution", "move", "remove"};
+  EXPECT_EQ(nearest("evalutor", words), "evaluator");
+  EXPECT_EQ(nearest("mvoe", words), "move");
+  EXPECT_EQ(nearest("xylophone", words), std::nullopt);
+  EXPECT_EQ(suggestion("resolutoin", words), " did you mean \"resolution\"?");
+}
+
+}  // namespace
+}  // namespace coaster::base

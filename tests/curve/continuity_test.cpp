@@ -1,0 +1,55 @@
+#include "curve/continuity.h"
+
+#include <gtest/gtest.h>
+
+#include "curve/random_cubics.h"
+
+namespace coaster::curve {
+namespace {
+
+const Cubic kBefore{{1, 2, 3}, {4, 3, 3}, {7, 5, 2}, {11, 6, 2}};  // B'(1) = 3 (4, 1, 0)
+
+TEST(continuity, the_two_halves_of_a_split_are_c2_in_their_own_scale_and_g2) {
+  for (const Cubic& c : random_cubics(50, 41)) {
+    const SplitCubic s = split(c, 0.5);
+    const Joint j = joint(s.left, s.right);
+    EXPECT_EQ(j.geometric, Geometric::g2);
+    EXPECT_NEAR(j.speed_ratio, 1, 1e-4);
+  }
+}
+
+TEST(continuity, an_uneven_split_is_g2_but_not_c1) {
+  // Paper erratum: the split scales the parametric speed.
+  const SplitCubic s = split(kBefore, 0.25);
+  const Joint j = joint(s.left, s.right);
+  EXPECT_EQ(j.geometric, Geometric::g2);
+  EXPECT_EQ(j.parametric, Parametric::c0);
+  EXPECT_NEAR(j.speed_ratio, 3, 1e-4);
+}
+
+TEST(continuity, classes_are_told_apart) {
+  const Cubic gap{{11.5f, 6, 2}, {15, 7, 2}, {18, 9, 3}, {20, 9, 3}};
+  EXPECT_EQ(joint(kBefore, gap).geometric, Geometric::broken);
+  EXPECT_NEAR(joint(kBefore, gap).gap, 0.5, 1e-6);
+  const Cubic corner{{11, 6, 2}, {11, 9, 2}, {14, 9, 3}, {20, 9, 3}};
+  EXPECT_EQ(joint(kBefore, corner).geometric, Geometric::g0);
+  const Cubic g1{{11, 6, 2}, {13, 6.5f, 2}, {14, 9, 3}, {20, 9, 3}};
+  EXPECT_EQ(joint(kBefore, g1).geometric, Geometric::g1);
+  EXPECT_EQ(joint(kBefore, g1).parametric, Parametric::c0);
+  const Cubic c1{{11, 6, 2}, {15, 7, 2}, {14, 9, 3}, {20, 9, 3}};
+  EXPECT_EQ(joint(kBefore, c1).geometric, Geometric::g1);
+  EXPECT_EQ(joint(kBefore, c1).parametric, Parametric::c1);
+  // Equal second derivatives: c2 = b1 + 2 (b3 - b2) ... from C''(0) = B''(1).
+  const glm::vec3 p2 = kBefore.p1 + 4.0f * (kBefore.p3 - kBefore.p2);
+  const Cubic c2{{11, 6, 2}, {15, 7, 2}, p2, {30, 9, 3}};
+  EXPECT_EQ(joint(kBefore, c2).parametric, Parametric::c2);
+  EXPECT_EQ(joint(kBefore, c2).geometric, Geometric::g2);
+}
+
+TEST(continuity, names_are_those_of_the_field) {
+  EXPECT_EQ(name(Geometric::g1), "G1");
+  EXPECT_EQ(name(Parametric::c2), "C2");
+}
+
+}  // namespace
+}  // namespace coaster::curve

@@ -1,0 +1,48 @@
+// Cubics for the tests: off the origin, skew, with coordinates that no float holds exactly.
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "curve/cubic.h"
+
+namespace coaster::curve {
+
+// Track-like: about `size` metres long, within `reach` metres of the origin in each coordinate, handles about a third of the chord.
+inline std::vector<Cubic> random_cubics(int count, unsigned seed, float reach = 200, float size = 20) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> place(-reach, reach), bend(-0.35f, 0.35f), stretch(0.4f, 1.6f);
+  const auto direction = [&] { return glm::normalize(glm::vec3(1.1f + bend(random), bend(random), bend(random))); };
+  std::vector<Cubic> all;
+  for (int i = 0; i < count; ++i) {
+    const glm::vec3 p(place(random), place(random), place(random));
+    const float length = size * stretch(random);
+    const glm::vec3 q = p + length * direction(), a = length / 3 * stretch(random) * direction(), b = length / 3 * stretch(random) * direction();
+    all.push_back({p, p + a, q - b, q});
+  }
+  return all;
+}
+
+// Shapes at which formulas break. None may give NaN or take unbounded work.
+inline std::vector<Cubic> degenerate_cubics() {
+  const glm::vec3 a(13.3f, -4.7f, 21.9f), x(7.1f, 0, 0), y(0, 5.3f, 0);
+  return {
+      {a, a, a, a},                                         // four equal points
+      {a, a, a + y, a + x},                                 // handle on its anchor
+      {a, a + x, a + x, a + x},                             // handle on the far anchor
+      {a, a + x + y, a + y, a + x},                         // crossed handles
+      {a, a + x + 2.0f * y, a + 2.0f * y - x, a + x},       // loop
+      {a, a + x + y, a + y, a + x},                         // near a cusp
+      {{0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}},         // exact interior cusp at t = 1/2
+      {a, a + y, a + 2.0f * y, a + 3.0f * y},               // vertical, straight, even speed
+      {a, a + 0.1f * x, a + 2.9f * x, a + 3.0f * x},        // straight, uneven speed
+      {a, a + 2.0f * x, a - x, a + x},                      // straight, backwards and forwards
+      {a, a + x, a - x, a},                                 // closed, opposed ends
+      {a, a + x + y, a + x - y, a + 2.0f * x},              // inflection
+      {a, a + 1e-9f * x, a + 2e-9f * x, a + 3e-9f * x},     // a few nanometres: rounds to a point
+      {{1e-10f, 0, 0}, {3e-10f, 1e-10f, 0}, {6e-10f, 0, 0}, {1e-9f, 0, 0}},  // a nanometre
+      {{1e5f, 1e5f, -1e5f}, {100010.0f, 1e5f, -1e5f}, {100020.0f, 100005.0f, -1e5f}, {100030.0f, 100005.0f, -99990.0f}},
+  };
+}
+
+}  // namespace coaster::curve

@@ -1,0 +1,30 @@
+#include "platform/events.h"
+
+#include <gtest/gtest.h>
+
+namespace coaster::platform {
+namespace {
+
+TEST(events, chords_read_in_any_case_and_print_in_one) {
+  EXPECT_EQ(parse_chord("ctrl+shift+z"), (Chord{Key::z, {true, true, false}}));
+  EXPECT_EQ(parse_chord("F"), (Chord{Key::f, {}}));
+  EXPECT_EQ(parse_chord("Esc"), parse_chord("Escape"));
+  EXPECT_EQ(to_text(*parse_chord("CTRL+z")), "Ctrl+Z");
+  EXPECT_EQ(to_text(*parse_chord("f12")), "F12");
+}
+
+TEST(events, every_named_key_reads_back) {
+  for (const char* text : {"A", "Z", "0", "9", "Space", "Escape", "Enter", "Tab", "Backspace", "Delete", "Left", "Right", "Up", "Down",
+                           "PageUp", "PageDown", "Home", "End", "F1", "F12", ".", ",", "-", "=", "[", "Ctrl+Shift+Alt+Delete"}) {
+    const auto chord = parse_chord(text);
+    ASSERT_TRUE(chord) << text;
+    EXPECT_EQ(to_text(*chord), text);
+  }
+}
+
+TEST(events, unknown_keys_are_refused) {
+  for (const char* text : {"", "Hyper+Z", "Ctrl+", "Ctrl", "Nope", "F13", "AB"}) EXPECT_FALSE(parse_chord(text)) << text;
+}
+
+}  // namespace
+}  // namespace coaster::platform
