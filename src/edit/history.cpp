@@ -6,10 +6,10 @@
 namespace coaster::edit {
 namespace {
 
-void push_undo(History& history, HistoryStep step) {
+void push_undo(History& history, HistoryStep step, std::size_t limit) {
   history.undo_bytes += estimated_bytes(step.document);
   history.undo.push_back(std::move(step));
-  while (history.undo.size() > 1 && history.undo_bytes > kMaxHistoryBytes) {
+  while (history.undo.size() > 1 && history.undo_bytes > limit) {
     history.undo_bytes -= estimated_bytes(history.undo.front().document);
     history.undo.pop_front();
   }
@@ -32,9 +32,9 @@ std::size_t estimated_bytes(const world::Document& document) {
   return bytes;
 }
 
-void record(History& history, std::string label, world::Document before) {
+void record(History& history, std::string label, world::Document before, std::size_t limit) {
   history.redo.clear();
-  push_undo(history, {std::move(label), std::move(before)});
+  push_undo(history, {std::move(label), std::move(before)}, limit);
 }
 
 bool undo(History& history, world::Document& document) {
@@ -52,7 +52,7 @@ bool redo(History& history, world::Document& document) {
   HistoryStep step = std::move(history.redo.back());
   history.redo.pop_back();
   std::swap(step.document, document);
-  push_undo(history, std::move(step));
+  push_undo(history, std::move(step), kMaxHistoryBytes);
   return true;
 }
 

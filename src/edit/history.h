@@ -7,8 +7,8 @@
 
 namespace coaster::edit {
 
-// Puts a step on the undo stack and empties the redo stack; drops the oldest steps beyond kMaxHistoryBytes, but never this one.
-void record(History& history, std::string label, world::Document before);
+// Puts a step on the undo stack and empties the redo stack; drops the oldest steps beyond `limit` bytes, but never this one.
+void record(History& history, std::string label, world::Document before, std::size_t limit = kMaxHistoryBytes);
 // Exchange `document` with the newest step; false when there is none.
 bool undo(History& history, world::Document& document);
 bool redo(History& history, world::Document& document);

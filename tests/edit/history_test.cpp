@@ -93,15 +93,16 @@ TEST_F(HistoryOfEdits, undo_does_not_touch_settings) {
 }
 
 TEST(history, the_oldest_steps_are_dropped_beyond_the_limit_but_never_the_newest) {
+  constexpr std::size_t kLimit = 1u << 20;
   History history;
   world::Document large;
-  large.name.assign(kMaxHistoryBytes / 4, 'x');
-  for (int i = 0; i < 10; ++i) record(history, std::to_string(i), large);
+  large.name.assign(kLimit / 4, 'x');
+  for (int i = 0; i < 10; ++i) record(history, std::to_string(i), large, kLimit);
   EXPECT_EQ(history.undo.size(), 3u);
   EXPECT_EQ(history.undo.back().label, "9");
-  EXPECT_LE(history.undo_bytes, kMaxHistoryBytes);
-  large.name.assign(kMaxHistoryBytes * 2, 'x');
-  record(history, "huge", large);
+  EXPECT_LE(history.undo_bytes, kLimit);
+  large.name.assign(kLimit * 2, 'x');
+  record(history, "huge", large, kLimit);
   ASSERT_EQ(history.undo.size(), 1u);
   EXPECT_EQ(history.undo.back().label, "huge");
   ASSERT_TRUE(undo(history, large));

@@ -148,7 +148,8 @@ RC_GTEST_PROP(topology, any_sequence_keeps_every_invariant, ()) {
   Document d = test::random_document(*rc::gen::arbitrary<std::uint32_t>());
   const auto steps = *rc::gen::container<std::vector<std::pair<int, int>>>(
       rc::gen::pair(rc::gen::inRange(0, 6), rc::gen::inRange(0, 1000)));
-  for (const auto& [what, where] : steps) {
+  for (const auto& step : steps) {
+    const int what = step.first, where = step.second;
     const auto pick = [&](const std::vector<Entity>& v) {
       return v[static_cast<std::size_t>(where) % v.size()];
     };
