@@ -1,0 +1,150 @@
+// Matrices, rays and projections of the orbit camera and of the rider's eye; how far off to stand to see a box. Not the damping
+// (the panels do that) and nothing that draws.
+#include "view/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "curve/cubic.h"
+
+namespace coaster::view {
+namespace {
+
+constexpr float kNearPlane = 0.2f;       // m
+constexpr float kFarPlane = 20'000.0f;   // m, at least; more when standing further off
+constexpr float kLowestEye = 0.3f;       // m over the ground
+constexpr float kRiderEye = 1.1f;        // m over the rails
+constexpr float kMargin = 1.1f;          // framed things keep a tenth of the picture free
+constexpr float kNearest = 2.0f;         // m, the nearest that framing goes
+constexpr float kFurthest = 1e5f;        // m, for intersections
+
+Viewport with_area(Viewport v) {
+  if (!(v.width >= 1)) v.width = 1;
+  if (!(v.height >= 1)) v.height = 1;
+  return v;
+}
+
+// From the target towards the eye. Yaw 0 looks along -Z, so the eye is on +Z.
+glm::vec3 towards_eye(float yaw_deg, float pitch_deg) {
+  const float yaw = glm::radians(yaw_deg), pitch = glm::radians(std::clamp(pitch_deg, -89.0f, 89.0f));
+  return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
+}
+
+View look(glm::vec3 eye, glm::vec3 forward, glm::vec3 up, float far_off, Viewport viewport) {
+  View out;
+  out.viewport = with_area(viewport);
+  out.eye = eye;
+  out.view = glm::lookAtRH(eye, eye + forward, up);
+  // The near plane moves out with the scale of what is looked at, so that depth stays precise over a large track.
+  const float near_plane = std::max(kNearPlane, far_off * 2e-3f), far_plane = std::max(kFarPlane, far_off * 4.0f);
+  out.projection = glm::perspectiveRH_NO(glm::radians(kFieldOfViewDeg), out.viewport.width / out.viewport.height, near_plane, far_plane);
+  return out;
+}
+
+}  // namespace
+
+View orbit_view(const world::Camera& camera, Viewport viewport) {
+  const float distance = std::max(camera.distance, 0.1f);
+  const glm::vec3 back = towards_eye(camera.yaw_deg, camera.pitch_deg);
+  glm::vec3 eye = camera.target + back * distance;
+  eye.y = std::max(eye.y, kLowestEye);
+  glm::vec3 forward = camera.target - eye;
+  if (!(glm::dot(forward, forward) > 1e-8f)) forward = -back;
+  forward = glm::normalize(forward);
+  // From a raised eye the target can be straight below: then what the yaw calls ahead is up in the picture.
+  const float yaw = glm::radians(camera.yaw_deg);
+  const glm::vec3 up = std::abs(forward.y) > 0.99999f ? glm::vec3(-std::sin(yaw), 0, -std::cos(yaw)) : glm::vec3(0, 1, 0);
+  return look(eye, forward, up, distance, viewport);
+}
+
+View ride_view(const sim::Pose& pose, Viewport viewport) {
+  const glm::vec3 up(pose.frame.up), eye = glm::vec3(pose.position) + kRiderEye * up;
+  return look(eye, glm::vec3(pose.frame.forward), up, 0.0f, viewport);
+}
+
+std::optional<glm::vec3> project(const View& view, glm::vec3 world) {
+  const glm::vec4 clip = view.projection * (view.view * glm::vec4(world, 1));
+  if (!(clip.w > 1e-4f)) return std::nullopt;
+  const glm::vec3 ndc = glm::vec3(clip) / clip.w;
+  const Viewport& v = view.viewport;
+  return glm::vec3(v.x + (ndc.x + 1) * 0.5f * v.width, v.y + (1 - ndc.y) * 0.5f * v.height, ndc.z);
+}
+
+Ray ray_through(const View& view, glm::vec2 pixel) {
+  const Viewport& v = view.viewport;
+  const float x = ((pixel.x - v.x) / v.width * 2 - 1) / view.projection[0][0];
+  const float y = (1 - (pixel.y - v.y) / v.height * 2) / view.projection[1][1];
+  // The view matrix is a rotation and a shift: its transpose turns back.
+  return {view.eye, glm::normalize(glm::transpose(glm::mat3(view.view)) * glm::vec3(x, y, -1))};
+}
+
+std::optional<glm::vec3> meet_plane(const Ray& ray, glm::vec3 point, glm::vec3 normal) {
+  const float towards = glm::dot(ray.direction, normal);
+  if (!(std::abs(towards) > 1e-6f * glm::length(normal))) return std::nullopt;
+  const float distance = glm::dot(point - ray.origin, normal) / towards;
+  if (!(distance >= 0) || distance > kFurthest) return std::nullopt;
+  return ray.origin + distance * ray.direction;
+}
+
+std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point) {
+  // Nearest points of the ray o + a d and the line p + b Y: the component of o - p + a d off Y is perpendicular to d.
+  const glm::dvec3 d(ray.direction), w = glm::dvec3(ray.origin) - glm::dvec3(point);
+  const double flat = 1.0 - d.y * d.y;
+  if (!(flat > 1e-8)) return std::nullopt;
+  const double along = -(w.x * d.x + w.z * d.z) / flat;
+  if (!(along >= 0) || along > kFurthest) return std::nullopt;
+  return static_cast<float>(ray.origin.y + along * d.y);
+}
+
+world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport) {
+  viewport = with_area(viewport);
+  world::Camera out = from;
+  out.target = 0.5f * (low + high);
+  const glm::vec3 back = towards_eye(from.yaw_deg, from.pitch_deg);
+  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back)), up = glm::cross(back, right);
+  const float tan_y = std::tan(glm::radians(kFieldOfViewDeg) * 0.5f) / kMargin, tan_x = tan_y * viewport.width / viewport.height;
+  // Each corner fits when its sideways offset is within the cone at its depth; the furthest such distance serves all eight.
+  float distance = kNearest;
+  for (int i = 0; i < 8; ++i) {
+    const glm::vec3 corner = glm::vec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z) - out.target;
+    const float towards = glm::dot(corner, back);
+    distance = std::max({distance, towards + std::abs(glm::dot(corner, right)) / tan_x, towards + std::abs(glm::dot(corner, up)) / tan_y});
+  }
+  out.distance = distance;
+  return out;
+}
+
+world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport) {
+  if (document.track.knots.empty()) return frame_box(from, {-20, 0, -20}, {20, 10, 20}, viewport);
+  glm::vec3 low = world::knot(document, document.track.knots.front()).position, high = low;
+  for (const world::Entity e : document.track.knots) {
+    const glm::vec3 p = world::knot(document, e).position;
+    low = glm::min(low, p), high = glm::max(high, p);
+  }
+  // Sampled, as the box of the control points can be several times that of the curve.
+  for (const world::Entity e : document.track.segments) {
+    const curve::Cubic cubic = world::cubic_of(document, e);
+    for (int i = 1; i < 8; ++i) {
+      const glm::vec3 p(curve::point(cubic, i / 8.0));
+      low = glm::min(low, p), high = glm::max(high, p);
+    }
+  }
+  // Track has a body, and a lone knot should not fill the picture.
+  return frame_box(from, low - glm::vec3(1), high + glm::vec3(1), viewport);
+}
+
+world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity, Viewport viewport) {
+  if (const world::Knot* const knot = document.entities.find<world::Knot>(entity)) {
+    const glm::vec3 p = knot->position, in = world::in_handle(*knot), out = world::out_handle(*knot);
+    return frame_box(from, glm::min(glm::min(in, out), p) - glm::vec3(1), glm::max(glm::max(in, out), p) + glm::vec3(1), viewport);
+  }
+  if (const world::Cart* const cart = document.entities.find<world::Cart>(entity)) entity = cart->segment;
+  if (!document.entities.find<world::Segment>(entity)) return frame_all(from, document, viewport);
+  const curve::Box box = curve::control_box(world::cubic_of(document, entity));
+  return frame_box(from, box.low - glm::vec3(1), box.high + glm::vec3(1), viewport);
+}
+
+}  // namespace coaster::view

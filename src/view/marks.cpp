@@ -1,0 +1,57 @@
+#include "view/marks.h"
+
+#include <algorithm>
+
+namespace coaster::view {
+namespace {
+
+bool is_handle(PickKind kind) { return kind == PickKind::handle_in || kind == PickKind::handle_out; }
+
+}  // namespace
+
+Projector::Projector(const View& view)
+    : matrix_(glm::dmat4(view.projection) * glm::dmat4(view.view)), viewport_(view.viewport) {}
+
+glm::dvec2 Projector::to_pixels(glm::dvec2 ndc) const {
+  return {viewport_.x + (ndc.x + 1) * 0.5 * viewport_.width, viewport_.y + (1 - ndc.y) * 0.5 * viewport_.height};
+}
+
+std::optional<glm::dvec2> Projector::operator()(glm::dvec3 world) const {
+  const glm::dvec4 clip = matrix_ * glm::dvec4(world, 1);
+  if (!(clip.w > 1e-4) || !(std::abs(clip.z) <= clip.w)) return std::nullopt;
+  return to_pixels(glm::dvec2(clip) / clip.w);
+}
+
+std::vector<world::Entity> knots_with_handles(const world::Document& document, const world::Settings& settings) {
+  if (document.entities.find<world::Knot>(settings.selected)) return {settings.selected};
+  if (const world::Segment* const s = document.entities.find<world::Segment>(settings.selected)) return {s->from, s->to};
+  return {};
+}
+
+std::vector<PlacedMark> marks_on_screen(const world::Document& document, const world::Settings& settings, const View& view) {
+  const Projector projector(view);
+  std::vector<PlacedMark> marks;
+  const auto add = [&](PickKind kind, world::Entity knot, glm::vec3 position, std::size_t order) {
+    const auto pixel = projector(position);
+    if (!pixel) return;
+    const glm::dvec3 away = glm::dvec3(position) - glm::dvec3(view.eye);
+    marks.push_back({kind, knot, position, *pixel, glm::dot(away, away), order});
+  };
+  const std::vector<world::Entity>& knots = document.track.knots;
+  for (std::size_t i = 0; i < knots.size(); ++i) add(PickKind::knot, knots[i], world::knot(document, knots[i]).position, i);
+  for (const world::Entity e : knots_with_handles(document, settings)) {
+    const world::Knot& knot = world::knot(document, e);
+    const std::size_t order = 2 * world::index_of(knots, e).value_or(0);
+    add(PickKind::handle_in, e, world::in_handle(knot), order);
+    add(PickKind::handle_out, e, world::out_handle(knot), order + 1);
+  }
+  return marks;
+}
+
+bool covers(const PlacedMark& a, const PlacedMark& b) {
+  if (is_handle(a.kind) != is_handle(b.kind)) return is_handle(a.kind);
+  if (a.distance != b.distance) return a.distance < b.distance;
+  return a.order < b.order;
+}
+
+}  // namespace coaster::view

@@ -1,0 +1,77 @@
+// The laboratory's marks and thin lines of one frame.
+#include "view/overlay.h"
+
+#include <algorithm>
+
+#include "view/marks.h"
+
+namespace coaster::view {
+namespace {
+
+constexpr std::uint32_t kKnotColour = 0xffffffff, kSelectedColour = 0xff8a1fff, kHandleColour = 0xf2b84bff, kHandleHovered = 0xffdc96ff;
+constexpr std::uint32_t kPolygonColour = 0xf2b84bff, kPlaceColour = 0xff8a1fff, kHoveredPlaceColour = 0xffffffff;
+constexpr float kHoveredGrowth = 1.35f;
+constexpr float kPlaceRadius = 4.5f;   // px
+constexpr float kLineWidth = 1.5f;     // px
+
+// Segments whose control polygon shows: the selected one, or those at the selected knot.
+std::vector<world::Entity> shown_segments(const world::Document& document, world::Entity selected) {
+  if (document.entities.find<world::Segment>(selected)) return {selected};
+  std::vector<world::Entity> out;
+  if (!document.entities.find<world::Knot>(selected)) return out;
+  const world::Neighbours at = world::neighbours(document, selected);
+  if (at.before.valid()) out.push_back(at.before);
+  if (at.after.valid()) out.push_back(at.after);
+  return out;
+}
+
+void add_line(glm::vec3 from, glm::vec3 to, float scale, Overlay& overlay) {
+  overlay.lines.push_back({from, to, kLineWidth * scale, kPolygonColour});
+}
+
+// Control polygons, and every shown handle on its knot; no line twice.
+void add_polygons(const world::Document& document, const world::Settings& settings, Overlay& overlay) {
+  const float scale = settings.ui_scale;
+  const std::vector<world::Entity> knots = knots_with_handles(document, settings);
+  const auto has_handles = [&](world::Entity e) { return std::find(knots.begin(), knots.end(), e) != knots.end(); };
+  for (const world::Entity e : shown_segments(document, settings.selected)) {
+    const world::Segment& segment = world::segment(document, e);
+    const curve::Cubic c = world::cubic_of(document, e);
+    if (!has_handles(segment.from)) add_line(c.p0, c.p1, scale, overlay);
+    add_line(c.p1, c.p2, scale, overlay);
+    if (!has_handles(segment.to)) add_line(c.p2, c.p3, scale, overlay);
+  }
+  for (const world::Entity e : knots) {
+    const world::Knot& knot = world::knot(document, e);
+    add_line(world::in_handle(knot), knot.position, scale, overlay);
+    add_line(knot.position, world::out_handle(knot), scale, overlay);
+  }
+}
+
+Mark mark_of(const PlacedMark& placed, const world::Settings& settings, const Pick& hovered) {
+  const bool under_cursor = hovered == Pick{placed.kind, placed.knot};
+  const float growth = (under_cursor ? kHoveredGrowth : 1.0f) * settings.ui_scale;
+  if (placed.kind != PickKind::knot)
+    return {placed.position, kHandleHalf * growth, under_cursor ? kHandleHovered : kHandleColour, MarkShape::square};
+  return {placed.position, kKnotRadius * growth, placed.knot == settings.selected ? kSelectedColour : kKnotColour, MarkShape::disc};
+}
+
+}  // namespace
+
+Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,
+                      const Pick& hovered) {
+  Overlay overlay;
+  const float scale = settings.ui_scale;
+  add_polygons(document, settings, overlay);
+  // Places on the curve cannot be picked as marks, so they lie under all that can.
+  if (const sim::SegmentShape* const shape = derived.segments.find(settings.selected))
+    overlay.marks.push_back({glm::vec3(curve::point(shape->key.cubic, settings.selected_t)), kPlaceRadius * scale, kPlaceColour, MarkShape::disc});
+  if (hovered.kind == PickKind::curve)
+    overlay.marks.push_back({hovered.position, kPlaceRadius * scale, kHoveredPlaceColour, MarkShape::disc});
+  std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
+  std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
+  for (const PlacedMark& placed : marks) overlay.marks.push_back(mark_of(placed, settings, hovered));
+  return overlay;
+}
+
+}  // namespace coaster::view

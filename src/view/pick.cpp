@@ -1,0 +1,194 @@
+// Picking: marks by their shapes on screen, carts by a ray against their box, the curve by distance on screen.
+#include "view/pick.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "view/marks.h"
+
+namespace coaster::view {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+constexpr int kIntervals = 16;       // of the coarse polyline
+constexpr int kRefinements = 32;     // golden section: 2/16 of the parameter shrinks to 3e-8
+
+bool inside(const PlacedMark& mark, dvec2 pixel, double scale) {
+  const dvec2 off = pixel - mark.pixel;
+  if (mark.kind != PickKind::knot) return std::max(std::abs(off.x), std::abs(off.y)) <= kHandleHalf * scale;
+  return glm::dot(off, off) <= kKnotRadius * scale * kKnotRadius * scale;
+}
+
+std::optional<Pick> pick_mark(const world::Document& document, const world::Settings& settings, const View& view, dvec2 pixel) {
+  const std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
+  const PlacedMark* best = nullptr;
+  for (const PlacedMark& mark : marks)
+    if (inside(mark, pixel, settings.ui_scale) && (!best || covers(mark, *best))) best = &mark;
+  if (!best) return std::nullopt;
+  return Pick{best->kind, best->knot, 0, best->position};
+}
+
+// Distance along the ray to a cart's box (look in sim/track_mesh.h), kNowhere when it misses or starts inside.
+double distance_to_cart(const Ray& ray, const sim::Pose& pose) {
+  constexpr std::array<double, 3> kLow{-1.1, 0.0, -0.65}, kHigh{1.1, 1.1, 0.65};
+  const std::array<dvec3, 3> axes{pose.frame.forward, pose.frame.up, pose.frame.left()};
+  const dvec3 origin = dvec3(ray.origin) - pose.position, direction(ray.direction);
+  double enter = -kNowhere, leave = kNowhere;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double o = glm::dot(origin, axes[i]), d = glm::dot(direction, axes[i]);
+    if (std::abs(d) < 1e-12) {
+      if (o < kLow[i] || o > kHigh[i]) return kNowhere;
+      continue;
+    }
+    const double a = (kLow[i] - o) / d, b = (kHigh[i] - o) / d;
+    enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
+  }
+  // The rider's own eye is at the upper face of the box: that near, it is inside.
+  constexpr double kInside = 0.05;
+  return enter <= leave && enter > kInside ? enter : kNowhere;
+}
+
+std::optional<Pick> pick_cart(const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings, const View& view,
+                              glm::vec2 pixel) {
+  if (motion.carts.size() == 0) return std::nullopt;
+  const Ray ray = ray_through(view, pixel);
+  double nearest = kNowhere;
+  Pick best;
+  for (std::size_t i = 0; i < motion.carts.size(); ++i) {
+    const world::CartMotion& cart = motion.carts.items()[i];
+    if (!derived.segments.contains(cart.segment)) continue;
+    const double distance = distance_to_cart(ray, sim::pose(derived, cart, settings.frames));
+    if (!(distance < nearest)) continue;
+    nearest = distance;
+    best = {PickKind::cart, motion.carts.entities()[i], 0, ray.origin + static_cast<float>(distance) * ray.direction};
+  }
+  if (best.kind == PickKind::none) return std::nullopt;
+  return best;
+}
+
+// One curve as seen from a pixel.
+struct Seen {
+  const curve::CoefficientsD& c;
+  const Projector& projector;
+  dvec2 pixel;
+
+  // Square of the distance on screen, px^2; kNowhere where the curve is not in front of the eye.
+  double operator()(double t) const {
+    const auto at = projector(c.c0 + t * (c.c1 + t * (c.c2 + t * c.c3)));
+    if (!at) return kNowhere;
+    return glm::dot(*at - pixel, *at - pixel);
+  }
+};
+
+// False when the pixel is further than `reach` from all of the curve for certain: a projected curve lies within the box of its
+// projected control points, as long as all of them are in front of the eye.
+bool may_be_near(const curve::Cubic& cubic, const Projector& projector, dvec2 pixel, double reach) {
+  dvec2 low(kNowhere), high(-kNowhere);
+  int behind = 0;
+  for (const glm::vec3 p : {cubic.p0, cubic.p1, cubic.p2, cubic.p3}) {
+    const glm::dvec4 clip = projector.matrix() * glm::dvec4(p, 1);
+    if (!(clip.w > 1e-4)) {
+      ++behind;
+      continue;
+    }
+    const dvec2 at = projector.to_pixels(dvec2(clip) / clip.w);
+    low = glm::min(low, at), high = glm::max(high, at);
+  }
+  if (behind > 0) return behind < 4;
+  return pixel.x >= low.x - reach && pixel.x <= high.x + reach && pixel.y >= low.y - reach && pixel.y <= high.y + reach;
+}
+
+struct Found {
+  double t = 0, square = kNowhere;
+};
+
+Found refine(const Seen& seen, double low, double high) {
+  constexpr double kGolden = 0.6180339887498949;
+  double a = high - kGolden * (high - low), b = low + kGolden * (high - low), at_a = seen(a), at_b = seen(b);
+  for (int i = 0; i < kRefinements; ++i) {
+    if (at_a <= at_b) {
+      high = b, b = a, at_b = at_a;
+      a = high - kGolden * (high - low), at_a = seen(a);
+    } else {
+      low = a, a = b, at_a = at_b;
+      b = low + kGolden * (high - low), at_b = seen(b);
+    }
+  }
+  Found best{a, at_a};
+  for (const double t : {low, b, high})
+    if (const double square = seen(t); square < best.square) best = {t, square};
+  return best;
+}
+
+// Every minimum of the coarse polyline is refined: which one is the least is seen only then. The intervals at the border of what is
+// visible are tried as well.
+Found nearest_on(const Seen& seen) {
+  std::array<double, kIntervals + 1> square;
+  for (int i = 0; i <= kIntervals; ++i) square[i] = seen(static_cast<double>(i) / kIntervals);
+  Found best;
+  for (int i = 0; i <= kIntervals; ++i) {
+    const double before = i > 0 ? square[i - 1] : kNowhere, after = i < kIntervals ? square[i + 1] : kNowhere;
+    const bool border = square[i] == kNowhere && (before < kNowhere || after < kNowhere);
+    if (!border && !(square[i] < kNowhere && square[i] <= before && square[i] <= after)) continue;
+    const Found found = refine(seen, std::max(0, i - 1) / static_cast<double>(kIntervals), std::min(kIntervals, i + 1) / static_cast<double>(kIntervals));
+    if (found.square < best.square) best = found;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach) {
+  const Projector projector(view);
+  double least = static_cast<double>(reach) * reach;
+  std::optional<Pick> best;
+  for (const world::Entity e : derived.order) {
+    const sim::SegmentShape& shape = derived.shape(e);
+    if (!may_be_near(shape.key.cubic, projector, pixel, std::sqrt(least))) continue;
+    const curve::CoefficientsD c = curve::coefficients_d(shape.key.cubic);
+    const Found found = nearest_on({c, projector, pixel});
+    // An equal distance (at a joint) stays with the earlier segment.
+    if (!(best ? found.square < least : found.square <= least)) continue;
+    least = found.square;
+    best = Pick{PickKind::curve, e, found.t, glm::vec3(curve::point(shape.key.cubic, found.t))};
+  }
+  return best;
+}
+
+Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings,
+          const View& view, glm::vec2 pixel) {
+  if (!view.viewport.contains(pixel)) return {};
+  if (const auto mark = pick_mark(document, settings, view, pixel)) return *mark;
+  if (const auto cart = pick_cart(derived, motion, settings, view, pixel)) return *cart;
+  return pick_curve(derived, view, pixel, kCurveReach * settings.ui_scale).value_or(Pick{});
+}
+
+std::optional<glm::vec3> position_of(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
+                                     PickKind kind, world::Entity entity, double t) {
+  const world::Knot* const knot = document.entities.find<world::Knot>(entity);
+  switch (kind) {
+    case PickKind::none: return std::nullopt;
+    case PickKind::knot: return knot ? std::optional(knot->position) : std::nullopt;
+    case PickKind::handle_in: return knot ? std::optional(world::in_handle(*knot)) : std::nullopt;
+    case PickKind::handle_out: return knot ? std::optional(world::out_handle(*knot)) : std::nullopt;
+    case PickKind::cart: {
+      const world::CartMotion* const cart = motion.carts.find(entity);
+      if (!cart || !derived.segments.contains(cart->segment)) return std::nullopt;
+      constexpr double kMiddle = 0.55;  // m over the rails
+      const sim::Pose pose = sim::pose(derived, *cart, world::FrameMethod::knots);
+      return glm::vec3(pose.position + kMiddle * pose.frame.up);
+    }
+    case PickKind::curve: {
+      const sim::SegmentShape* const shape = derived.segments.find(entity);
+      return shape ? std::optional(glm::vec3(curve::point(shape->key.cubic, t))) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace coaster::view
