@@ -1,0 +1,182 @@
+// Queries about the track: its knots, joints and segments, and how the curve was evaluated.
+#include <array>
+
+#include "base/hash.h"
+#include "base/portable_math.h"
+#include "curve/continuity.h"
+#include "query/rows.h"
+#include "world/topology.h"
+
+namespace coaster::query {
+namespace {
+
+using Answer = base::Result<Value>;
+using View = std::string_view;
+
+// --- the whole track --------------------------------------------------------------------------------------------------
+Answer knots(const Context& c, View) { return number(c.session.document.track.knots.size()); }
+Answer segments(const Context& c, View) { return number(c.session.document.track.segments.size()); }
+Answer closed(const Context& c, View) { return yes_no(c.session.document.track.closed); }
+Answer length(const Context& c, View) { return number(c.session.derived.measured_length); }
+Answer exact_length(const Context& c, View) { return number(c.session.derived.length); }
+Answer name(const Context& c, View) { return text(c.session.document.name); }
+Answer start_speed(const Context& c, View) { return number(c.session.document.start_speed); }
+Answer datum(const Context& c, View) { return number(c.session.document.datum); }
+
+Answer longest(const Context& c, View) {
+  const sim::Derived& derived = c.session.derived;
+  world::Entity found;
+  double most = -1;
+  for (const world::Entity e : derived.order)
+    if (const double one = derived.shape(e).arc.length(); one > most) most = one, found = e;
+  return text(found.valid() ? world::label_of(c.session.document, found) : "none");
+}
+
+Answer hash(const Context& c, View argument) {
+  if (argument == "document") return text(base::hex16(world::hash(c.session.document)));
+  if (argument == "motion") return text(base::hex16(world::hash(c.session.document, c.session.motion)));
+  return base::Status{base::Code::usage, "expected document or motion, found " + base::quoted(argument)};
+}
+
+// --- knots ------------------------------------------------------------------------------------------------------------
+template <class Function>
+Answer of_knot(const Context& context, View argument, Function function) {
+  const auto entity = entity_of(context, argument, world::Kind::knot);
+  if (!entity) return entity.status();
+  return function(world::knot(context.session.document, *entity));
+}
+Answer position(const Context& c, View argument) {
+  return of_knot(c, argument, [](const world::Knot& k) -> Value { return glm::dvec3(k.position); });
+}
+Answer tangent(const Context& c, View argument) {
+  return of_knot(c, argument, [](const world::Knot& k) -> Value { return glm::dvec3(k.tangent); });
+}
+Answer up(const Context& c, View argument) {
+  return of_knot(c, argument, [](const world::Knot& k) -> Value { return glm::dvec3(k.up); });
+}
+Answer roll(const Context& c, View argument) {
+  return of_knot(c, argument, [](const world::Knot& k) { return number(world::roll_deg(k)); });
+}
+Answer in_length(const Context& c, View argument) {
+  return of_knot(c, argument, [](const world::Knot& k) { return number(k.in_length); });
+}
+Answer out_length(const Context& c, View argument) {
+  return of_knot(c, argument, [](const world::Knot& k) { return number(k.out_length); });
+}
+Answer joint(const Context& c, View argument) {
+  return of_knot(c, argument, [](const world::Knot& k) {
+    switch (k.joint) {
+      case world::JointKind::smooth: return text("smooth");
+      case world::JointKind::aligned: return text("aligned");
+      case world::JointKind::automatic: return text("automatic");
+    }
+    return text("");
+  });
+}
+
+// How the segments at a knot join; an end of an open track joins nothing.
+template <class Function>
+Answer of_joint(const Context& context, View argument, Value at_an_end, Function function) {
+  const auto entity = entity_of(context, argument, world::Kind::knot);
+  if (!entity) return entity.status();
+  const world::Document& document = context.session.document;
+  const world::Neighbours at = world::neighbours(document, *entity);
+  if (!at.before.valid() || !at.after.valid()) return at_an_end;
+  return function(curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after)));
+}
+template <class Continuity>
+Value ranked(Continuity found) {
+  return Ranked{static_cast<int>(found) - 1, std::string(curve::name(found))};
+}
+Answer geometric(const Context& c, View argument) {
+  return of_joint(c, argument, ranked(curve::Geometric::broken), [](const curve::Joint& j) { return ranked(j.geometric); });
+}
+Answer parametric(const Context& c, View argument) {
+  return of_joint(c, argument, ranked(curve::Parametric::broken), [](const curve::Joint& j) { return ranked(j.parametric); });
+}
+Answer gap(const Context& c, View argument) {
+  return of_joint(c, argument, 0.0, [](const curve::Joint& j) { return number(j.gap); });
+}
+Answer speed_ratio(const Context& c, View argument) {
+  return of_joint(c, argument, 1.0, [](const curve::Joint& j) { return number(j.speed_ratio); });
+}
+Answer curvature_jump(const Context& c, View argument) {
+  return of_joint(c, argument, 0.0, [](const curve::Joint& j) { return number(j.curvature_jump); });
+}
+
+// --- segments ---------------------------------------------------------------------------------------------------------
+Answer turns(const Context& c, View argument) {
+  const auto entity = entity_of(c, argument, world::Kind::segment);
+  if (!entity) return entity.status();
+  return number(world::segment(c.session.document, *entity).turns);
+}
+Answer segment_length(const Context& c, View argument) {
+  const auto entity = entity_of(c, argument, world::Kind::segment);
+  if (!entity) return entity.status();
+  return number(c.session.derived.shape(*entity).measured_length);
+}
+Answer twist(const Context& c, View argument) {
+  const auto entity = entity_of(c, argument, world::Kind::segment);
+  if (!entity) return entity.status();
+  return number(base::degrees(c.session.derived.shape(*entity).twist));
+}
+
+// --- evaluation -------------------------------------------------------------------------------------------------------
+Answer evaluator(const Context& c, View) { return text(curve::evaluator(c.session.settings.evaluator).name); }
+Answer arc_length(const Context& c, View) { return text(curve::arc_length_method(c.session.settings.arc_length).name); }
+Answer resolution(const Context& c, View) { return number(c.session.settings.steps); }
+Answer vertices(const Context& c, View) { return number(c.session.derived.vertices); }
+Answer vertex_budget(const Context& c, View) { return number(c.session.settings.vertex_budget); }
+Answer deviation(const Context& c, View) { return number(c.session.derived.deviation); }
+Answer uploads(const Context& c, View) { return number(c.stats.uploads); }
+Answer rebuilds(const Context& c, View) { return number(c.stats.rebuilds); }
+Answer recolours(const Context& c, View) { return number(c.stats.recolours); }
+Answer evaluation_time(const Context& c, View) { return number(c.stats.evaluation_ms); }
+Answer ns_per_point(const Context& c, View) {
+  return number(c.stats.evaluated_vertices > 0 ? c.stats.evaluation_ms * 1e6 / static_cast<double>(c.stats.evaluated_vertices) : 0.0);
+}
+
+constexpr std::array kRows{
+    Query{"knots", "", "", "Knots of the track.", knots},
+    Query{"segments", "", "", "Segments of the track.", segments},
+    Query{"closed", "", "", "on when the track is closed.", closed},
+    Query{"length", "", "m", "Length of the track by the chosen arc-length method.", length},
+    Query{"exact_length", "", "m", "Length of the track by adaptive Gauss-Legendre.", exact_length},
+    Query{"name", "", "", "The track's name.", name},
+    Query{"start_speed", "", "m/s", "Speed at which carts start.", start_speed},
+    Query{"datum", "", "m", "Height at which potential energy is zero.", datum},
+    Query{"longest", "", "", "The longest segment; none without a segment.", longest},
+    Query{"hash", "document|motion", "", "Hash of the document or of the motion, 16 hexadecimal digits.", hash},
+    Query{"position", "@knot", "m", "A knot's place.", position},
+    Query{"tangent", "@knot", "", "A knot's direction of travel, a unit vector.", tangent},
+    Query{"up", "@knot", "", "Where heads point at a knot, a unit vector.", up},
+    Query{"roll", "@knot", "deg", "A knot's roll from the horizon, positive to the rider's right.", roll},
+    Query{"in_length", "@knot", "m", "Length of a knot's incoming handle.", in_length},
+    Query{"out_length", "@knot", "m", "Length of a knot's outgoing handle.", out_length},
+    Query{"joint", "@knot", "", "A knot's kind of joint: smooth, aligned or automatic.", joint},
+    Query{"geometric", "@knot", "", "Geometric continuity: G0 < G1 < G2; none at the end of an open track.", geometric},
+    Query{"parametric", "@knot", "", "Parametric continuity: C0 < C1 < C2; none at the end of an open track.", parametric},
+    Query{"gap", "@knot", "m", "Distance between the ends of the segments at a knot.", gap},
+    Query{"speed_ratio", "@knot", "", "|C'(0)| / |B'(1)| of the segments at a knot.", speed_ratio},
+    Query{"curvature_jump", "@knot", "1/m", "Size of the difference of the curvature vectors at a knot.", curvature_jump},
+    Query{"turns", "@segment", "", "Whole turns of roll within a segment.", turns},
+    Query{"segment_length", "@segment", "m", "A segment's length by the chosen arc-length method.", segment_length},
+    Query{"twist", "@segment", "deg", "Roll that is spread over a segment, against its rotation-minimising frame.", twist},
+    Query{"evaluator", "", "", "How polylines are evaluated.", evaluator},
+    Query{"resolution", "", "", "Steps of a segment's polyline.", resolution},
+    Query{"arc_length", "", "", "How the displayed length is measured.", arc_length},
+    Query{"vertices", "", "", "Vertices of all polylines.", vertices},
+    Query{"vertex_budget", "", "", "Vertices that all polylines together may have.", vertex_budget},
+    Query{"deviation", "", "m", "Largest distance of a vertex from the exact point at the same parameter.", deviation},
+    Query{"uploads", "", "", "Segments whose vertex buffers were uploaded in the last frame.", uploads},
+    Query{"rebuilds", "", "", "Segments evaluated for the last frame.", rebuilds},
+    Query{"recolours", "", "", "Segments whose ride colours were uploaded in the last frame.", recolours},
+    Query{"evaluation_time", "", "ms", "Time in evaluators when anything was evaluated last.", evaluation_time},
+    Query{"ns_per_point", "", "ns", "The same for each vertex.", ns_per_point},
+};
+
+}  // namespace
+
+std::span<const Query> document_rows() { return kRows; }
+
+}  // namespace coaster::query

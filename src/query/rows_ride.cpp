@@ -1,0 +1,97 @@
+// Queries about the ride: of the selected cart, else of the first by name; 0 and "none" without a cart.
+#include <array>
+
+#include "query/rows.h"
+
+namespace coaster::query {
+namespace {
+
+using Answer = base::Result<Value>;
+
+const world::CartMotion* cart_of(const edit::Session& session) {
+  if (const world::CartMotion* const selected = session.motion.carts.find(session.settings.selected)) return selected;
+  const world::CartMotion* first = nullptr;
+  world::Name least;
+  for (std::size_t i = 0; i < session.motion.carts.size(); ++i) {
+    const world::Name name = world::name_of(session.document, session.motion.carts.entities()[i]);
+    if (first && !(name < least)) continue;
+    first = &session.motion.carts.items()[i];
+    least = name;
+  }
+  return first;
+}
+
+template <class Function>
+Answer of_cart(const Context& context, Function function) {
+  const world::CartMotion* const cart = cart_of(context.session);
+  return number(cart && context.session.derived.segments.contains(cart->segment) ? function(*cart) : 0.0);
+}
+
+std::string_view state_text(world::RideState state) {
+  switch (state) {
+    case world::RideState::stopped: return "stopped";
+    case world::RideState::running: return "running";
+    case world::RideState::paused: return "paused";
+    case world::RideState::ended: return "ended";
+  }
+  return "";
+}
+
+Answer state(const Context& c, std::string_view) { return text(cart_of(c.session) ? state_text(c.session.motion.state) : "none"); }
+Answer speed(const Context& c, std::string_view) {
+  return of_cart(c, [](const world::CartMotion& cart) { return cart.speed; });
+}
+Answer height(const Context& c, std::string_view) {
+  return of_cart(c, [&](const world::CartMotion& cart) { return sim::rail_point(c.session.derived.shape(cart.segment), cart.s).height; });
+}
+Answer distance(const Context& c, std::string_view) {
+  return of_cart(c, [](const world::CartMotion& cart) { return cart.track_distance; });
+}
+Answer travelled(const Context& c, std::string_view) {
+  return of_cart(c, [](const world::CartMotion& cart) { return cart.travelled; });
+}
+Answer lap(const Context& c, std::string_view) {
+  return of_cart(c, [](const world::CartMotion& cart) { return static_cast<double>(cart.laps); });
+}
+Answer energy(const Context& c, std::string_view) {
+  return of_cart(c, [&](const world::CartMotion& cart) { return sim::energy(c.session.document, c.session.derived, cart); });
+}
+Answer energy_drift(const Context& c, std::string_view) {
+  return of_cart(c, [&](const world::CartMotion& cart) { return sim::energy_drift(c.session.document, c.session.derived, cart); });
+}
+Answer g_up(const Context& c, std::string_view) {
+  return of_cart(c, [&](const world::CartMotion& cart) { return sim::felt(c.session.derived, cart).up; });
+}
+Answer g_side(const Context& c, std::string_view) {
+  return of_cart(c, [&](const world::CartMotion& cart) { return sim::felt(c.session.derived, cart).left; });
+}
+Answer g_forward(const Context& c, std::string_view) {
+  return of_cart(c, [&](const world::CartMotion& cart) { return sim::felt(c.session.derived, cart).forward; });
+}
+Answer segment(const Context& c, std::string_view) {
+  const world::CartMotion* const cart = cart_of(c.session);
+  return text(cart ? world::label_of(c.session.document, cart->segment) : "none");
+}
+Answer carts(const Context& c, std::string_view) { return number(c.session.document.entities.pool<world::Cart>().size()); }
+
+constexpr std::array kRows{
+    Query{"carts", "", "", "Carts on the track.", carts},
+    Query{"ride.state", "", "", "stopped, running, paused or ended; none without a cart.", state},
+    Query{"ride.speed", "", "m/s", "Speed along the track, negative backwards.", speed},
+    Query{"ride.height", "", "m", "Height (y) of the rails under the cart.", height},
+    Query{"ride.distance", "", "m", "Place of the cart along the track, from its start.", distance},
+    Query{"ride.travelled", "", "m", "Way since the start, backwards counting negative.", travelled},
+    Query{"ride.lap", "", "", "Whole rounds since the start, backwards counting negative.", lap},
+    Query{"ride.segment", "", "", "The segment that the cart is on.", segment},
+    Query{"ride.energy", "", "J/kg", "v^2/2 + g (y - datum).", energy},
+    Query{"ride.energy_drift", "", "", "|energy - energy at the start| / largest kinetic energy.", energy_drift},
+    Query{"ride.g_up", "", "g", "Felt acceleration towards the rider's head; at rest on the flat 1.", g_up},
+    Query{"ride.g_side", "", "g", "Felt acceleration to the rider's left.", g_side},
+    Query{"ride.g_forward", "", "g", "Felt acceleration forwards.", g_forward},
+};
+
+}  // namespace
+
+std::span<const Query> ride_rows() { return kRows; }
+
+}  // namespace coaster::query

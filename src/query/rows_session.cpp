@@ -1,0 +1,94 @@
+// Queries about the session: settings, selection, history, the camera, what the last frame cost.
+#include <array>
+
+#include "query/rows.h"
+
+namespace coaster::query {
+namespace {
+
+using Answer = base::Result<Value>;
+using View = std::string_view;
+
+Answer frames_by(const Context& c, View) {
+  switch (c.session.settings.frames) {
+    case world::FrameMethod::knots: return text("knots");
+    case world::FrameMethod::frenet: return text("frenet");
+  }
+  return text("");
+}
+Answer integrator(const Context& c, View) { return text(sim::integrators()[static_cast<std::size_t>(c.session.settings.integrator)].name); }
+
+Answer selected(const Context& c, View) {
+  const world::Entity e = c.session.settings.selected;
+  return text(c.session.document.entities.find<world::Name>(e) ? world::label_of(c.session.document, e) : "none");
+}
+Answer selected_t(const Context& c, View) { return number(c.session.settings.selected_t); }
+Answer undo_depth(const Context& c, View) { return number(c.session.history.undo.size()); }
+Answer redo_depth(const Context& c, View) { return number(c.session.history.redo.size()); }
+Answer dirty(const Context& c, View) { return yes_no(edit::dirty(c.session)); }
+Answer toast(const Context& c, View) { return text(c.toast); }
+Answer title(const Context& c, View) { return text(c.title); }
+Answer append_mode(const Context& c, View) { return yes_no(c.session.settings.append_mode); }
+Answer panels(const Context& c, View) { return yes_no(c.session.settings.show_panels); }
+Answer polyline(const Context& c, View) { return yes_no(c.session.settings.show_polyline); }
+Answer scale(const Context& c, View) { return number(c.session.settings.ui_scale); }
+
+Answer camera_mode(const Context& c, View) {
+  switch (c.session.settings.camera_mode) {
+    case world::CameraMode::orbit: return text("orbit");
+    case world::CameraMode::ride: return text("ride");
+  }
+  return text("");
+}
+Answer camera_target(const Context& c, View) { return Value(glm::dvec3(c.session.settings.camera.target)); }
+Answer camera_distance(const Context& c, View) { return number(c.session.settings.camera.distance); }
+Answer camera_yaw(const Context& c, View) { return number(c.session.settings.camera.yaw_deg); }
+Answer camera_pitch(const Context& c, View) { return number(c.session.settings.camera.pitch_deg); }
+
+Answer frame(const Context& c, View) { return number(c.stats.frame); }
+Answer tick(const Context& c, View) { return number(c.session.tick); }
+Answer fps(const Context& c, View) { return number(c.stats.fps); }
+Answer cpu_ms(const Context& c, View) { return number(c.stats.cpu_ms); }
+Answer gl_ms(const Context& c, View) { return number(c.stats.gl_ms); }
+Answer entities(const Context& c, View) { return number(c.session.document.entities.size()); }
+Answer draw_calls(const Context& c, View) { return number(c.stats.draw_calls); }
+Answer samples(const Context& c, View) { return number(c.stats.samples); }
+Answer width(const Context& c, View) { return number(c.stats.width); }
+Answer height(const Context& c, View) { return number(c.stats.height); }
+
+constexpr std::array kRows{
+    Query{"frames_by", "", "", "How carts are oriented: knots or frenet.", frames_by},
+    Query{"integrator", "", "", "How carts move.", integrator},
+    Query{"selected", "", "", "What is selected, such as k4; none when nothing is.", selected},
+    Query{"selected_t", "", "", "The picked place on the selected segment, a parameter from 0 to 1.", selected_t},
+    Query{"undo_depth", "", "", "Steps that can be undone.", undo_depth},
+    Query{"redo_depth", "", "", "Steps that can be redone.", redo_depth},
+    Query{"dirty", "", "", "on when the track differs from its file.", dirty},
+    Query{"toast", "", "", "Text of the newest notice, empty when none shows.", toast},
+    Query{"title", "", "", "The window's title.", title},
+    Query{"append_mode", "", "", "on when clicks on the ground append knots.", append_mode},
+    Query{"panels", "", "", "on when the panels show.", panels},
+    Query{"polyline", "", "", "on when the evaluated polyline shows.", polyline},
+    Query{"scale", "", "", "Scale of the panels.", scale},
+    Query{"camera_mode", "", "", "orbit or ride.", camera_mode},
+    Query{"camera_target", "", "m", "What the camera looks at.", camera_target},
+    Query{"camera_distance", "", "m", "From the camera to its target.", camera_distance},
+    Query{"camera_yaw", "", "deg", "The camera's turn about the vertical; 0 looks along -Z.", camera_yaw},
+    Query{"camera_pitch", "", "deg", "The camera's angle over the horizon.", camera_pitch},
+    Query{"frame", "", "", "Frames drawn since the start.", frame},
+    Query{"tick", "", "", "Ticks of 1/120 s since the start.", tick},
+    Query{"fps", "", "1/s", "Frames a second; 0 when not measured.", fps},
+    Query{"cpu_ms", "", "ms", "Processor time of the last frame, outside OpenGL and waiting.", cpu_ms},
+    Query{"gl_ms", "", "ms", "Time of the last frame inside OpenGL.", gl_ms},
+    Query{"entities", "", "", "Knots, segments and carts in the registry.", entities},
+    Query{"draw_calls", "", "", "Calls that drew the scene in the last frame.", draw_calls},
+    Query{"samples", "", "", "Samples a pixel (multisampling).", samples},
+    Query{"width", "", "px", "Width of the picture.", width},
+    Query{"height", "", "px", "Height of the picture.", height},
+};
+
+}  // namespace
+
+std::span<const Query> session_rows() { return kRows; }
+
+}  // namespace coaster::query
