@@ -1,0 +1,24 @@
+// A vertex or index buffer on the GPU that grows without losing what it holds.
+#pragma once
+
+#include "gfx/objects.h"
+
+namespace coaster::gfx {
+
+class GrowingBuffer {
+ public:
+  explicit GrowingBuffer(const Gl& gl) : gl_(&gl), object_(make_buffer(gl)) {}
+  // At least `bytes` of room. True when the GL name changed, so that vertex arrays have to be set up again: the old bytes were copied on
+  // the GPU into a buffer of at least twice the size.
+  bool reserve(std::size_t bytes);
+  // Inside the reserved room.
+  void write(std::size_t offset, const void* data, std::size_t bytes);
+  GLuint id() const { return object_.id(); }
+
+ private:
+  const Gl* gl_;
+  Object object_;
+  std::size_t capacity_ = 0;
+};
+
+}  // namespace coaster::gfx

@@ -1,0 +1,162 @@
+// Keeps the slots of the track's buffers equal to what is derived.
+#include "gfx/track_cache.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace coaster::gfx {
+namespace {
+
+static_assert(sizeof(PolylineVertex) == 24 && sizeof(sim::MeshVertex) == 28, "vertices are uploaded as they lie in memory");
+
+// A mesh has more or fewer rings and ties after each edit: room to spare keeps its place while a knot is dragged.
+std::uint32_t with_room(std::size_t count) { return static_cast<std::uint32_t>(count + count / 4 + 3); }
+bool fits(Range range, std::size_t count) { return count <= range.size && range.size <= 2 * with_room(count); }
+
+}  // namespace
+
+TrackCache::TrackCache(const Gl& gl)
+    : gl_(&gl), lines_(gl), vertices_(gl), indices_(gl), line_array_(make_vertex_array(gl)), mesh_array_(make_vertex_array(gl)) {}
+
+template <class Work>
+void TrackCache::timed(const Work& work) {
+  const bool measured = clock_ != nullptr && *clock_;
+  const double begin = measured ? (*clock_)() : 0;
+  work();
+  if (measured) cpu_seconds_ += (*clock_)() - begin;
+}
+
+TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Clock& clock) {
+  Synced synced;
+  clock_ = &clock;
+  cpu_seconds_ = 0;
+  ++stamp_;
+  timed([&] {
+    for (const world::Entity segment : derived.order) slot_of(segment).seen = stamp_;
+  });
+  if (live_ > derived.order.size()) release_unseen();
+  for (const world::Entity segment : derived.order) {
+    const sim::SegmentShape& shape = derived.shape(segment);
+    Slot& slot = slots_[segment.index];
+    const bool line = slot.polyline_build != shape.polyline_build, mesh = slot.shape_build != shape.shape_build;
+    if (!line && !mesh) continue;
+    if (line) write_polyline(shape, slot);
+    if (mesh) write_mesh(shape, slot);
+    ++synced.uploads;
+  }
+  synced.cpu_seconds = cpu_seconds_;
+  clock_ = nullptr;
+  return synced;
+}
+
+// The slot of a segment, empty when the segment is new; the slot of an older generation is released.
+TrackCache::Slot& TrackCache::slot_of(world::Entity segment) {
+  if (segment.index >= slots_.size()) slots_.resize(segment.index + 1);
+  Slot& slot = slots_[segment.index];
+  if (slot.segment != segment) {
+    if (slot.segment.valid()) release(slot);
+    slot.segment = segment;
+    ++live_;
+  }
+  return slot;
+}
+
+void TrackCache::release(Slot& slot) {
+  fill_breaks(slot.line);
+  fill_degenerate(slot.indices);
+  line_ranges_.give_back(slot.line);
+  vertex_ranges_.give_back(slot.vertices);
+  index_ranges_.give_back(slot.indices);
+  slot = Slot{};
+  --live_;
+}
+
+void TrackCache::release_unseen() {
+  for (Slot& slot : slots_)
+    if (slot.segment.valid() && slot.seen != stamp_) release(slot);
+}
+
+void TrackCache::write_polyline(const sim::SegmentShape& shape, Slot& slot) {
+  const auto count = static_cast<std::uint32_t>(shape.points.size() + 1);  // and the break
+  if (slot.line.size != count) {
+    fill_breaks(slot.line);
+    line_ranges_.give_back(slot.line);
+    slot.line = line_ranges_.take(count);
+  }
+  timed([&] {
+    staged_line_.resize(count);
+    for (std::size_t i = 0; i + 1 < count; ++i) staged_line_[i] = {shape.points[i], shape.tangents[i]};
+    staged_line_.back() = {shape.points.back(), {kBreak, 0, 0}};
+  });
+  write_lines(slot.line);
+  slot.polyline_build = shape.polyline_build;
+}
+
+void TrackCache::write_mesh(const sim::SegmentShape& shape, Slot& slot) {
+  timed([&] { sim::sweep_track(shape, staged_mesh_); });
+  if (!fits(slot.vertices, staged_mesh_.vertices.size())) {
+    vertex_ranges_.give_back(slot.vertices);
+    slot.vertices = vertex_ranges_.take(with_room(staged_mesh_.vertices.size()));
+  }
+  if (!fits(slot.indices, staged_mesh_.indices.size())) {
+    fill_degenerate(slot.indices);
+    index_ranges_.give_back(slot.indices);
+    // Whole triangles, so that every slot and every gap starts with a triangle.
+    slot.indices = index_ranges_.take(with_room(staged_mesh_.indices.size()) / 3 * 3);
+  }
+  timed([&] {
+    for (std::uint32_t& index : staged_mesh_.indices) index += slot.vertices.first;
+    staged_mesh_.indices.resize(slot.indices.size, slot.vertices.first);
+  });
+  if (vertices_.reserve(std::size_t(vertex_ranges_.used()) * sizeof(sim::MeshVertex))) link_mesh();
+  vertices_.write(std::size_t(slot.vertices.first) * sizeof(sim::MeshVertex), staged_mesh_.vertices.data(),
+                  staged_mesh_.vertices.size() * sizeof(sim::MeshVertex));
+  write_indices(slot.indices);
+  slot.shape_build = shape.shape_build;
+}
+
+void TrackCache::fill_breaks(Range range) {
+  if (range.size == 0) return;
+  staged_line_.assign(range.size, {{0, 0, 0}, {kBreak, 0, 0}});
+  write_lines(range);
+}
+
+void TrackCache::fill_degenerate(Range range) {
+  if (range.size == 0) return;
+  std::vector<std::uint32_t> kept(range.size, 0);
+  kept.swap(staged_mesh_.indices);
+  write_indices(range);
+  kept.swap(staged_mesh_.indices);
+}
+
+void TrackCache::write_lines(Range range) {
+  if (lines_.reserve(std::size_t(line_ranges_.used()) * sizeof(PolylineVertex))) link_lines();
+  lines_.write(std::size_t(range.first) * sizeof(PolylineVertex), staged_line_.data(), range.size * sizeof(PolylineVertex));
+}
+
+void TrackCache::write_indices(Range range) {
+  if (indices_.reserve(std::size_t(index_ranges_.used()) * sizeof(std::uint32_t))) link_mesh();
+  indices_.write(std::size_t(range.first) * sizeof(std::uint32_t), staged_mesh_.indices.data(), range.size * sizeof(std::uint32_t));
+}
+
+void TrackCache::link_lines() {
+  gl_->BindVertexArray(line_array_.id());
+  gl_->BindBuffer(GL_ARRAY_BUFFER, lines_.id());
+  constexpr std::size_t kStride = sizeof(PolylineVertex);
+  for (std::size_t attribute = 0; attribute < 4; ++attribute)
+    float_attribute(*gl_, GLuint(attribute), 3, kStride, attribute * kStride / 2, 1);
+  gl_->BindVertexArray(0);
+}
+
+void TrackCache::link_mesh() {
+  gl_->BindVertexArray(mesh_array_.id());
+  gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+  gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+  constexpr std::size_t kStride = sizeof(sim::MeshVertex);
+  float_attribute(*gl_, 0, 3, kStride, offsetof(sim::MeshVertex, position));
+  float_attribute(*gl_, 1, 3, kStride, offsetof(sim::MeshVertex, normal));
+  float_attribute(*gl_, 2, 1, kStride, offsetof(sim::MeshVertex, part));
+  gl_->BindVertexArray(0);
+}
+
+}  // namespace coaster::gfx

@@ -1,0 +1,78 @@
+// The track on the GPU, like the display lists of old: each segment has a slot in one buffer of polyline vertices and in one mesh, and a
+// slot is written again only when the segment's build numbers differ from those it was written from. No dirty flags.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gfx/growing_buffer.h"
+#include "gfx/ranges.h"
+#include "sim/derived.h"
+#include "sim/track_mesh.h"
+
+namespace coaster::gfx {
+
+// 24 bytes. The vertex after a polyline's last one has kBreak in tangent.x: lines from or to it are not drawn, nor are gaps, which
+// are full of such vertices.
+struct PolylineVertex {
+  glm::vec3 position;
+  glm::vec3 tangent;  // B'(t)
+};
+inline constexpr float kBreak = 3e38f;
+
+class TrackCache {
+ public:
+  explicit TrackCache(const Gl& gl);
+
+  struct Synced {
+    int uploads = 0;        // segments with anything written
+    double cpu_seconds = 0;  // on preparing it, outside GL; 0 without a clock
+  };
+  // Cost for an unchanged track: two comparisons for each segment, no allocation, no GL call.
+  Synced sync(const sim::Derived& derived, const sim::Clock& clock);
+
+  // Binds the array of the mesh: locations 0 position, 1 normal, 2 part. Indices are 32-bit and absolute; gaps are degenerate triangles.
+  void bind_mesh() const { gl_->BindVertexArray(mesh_array_.id()); }
+  GLsizei index_count() const { return GLsizei(index_ranges_.used()); }
+  // Binds the array whose instance i is the line from vertex i to vertex i+1: locations 0 and 1 position and tangent of the one,
+  // 2 and 3 of the other.
+  void bind_lines() const { gl_->BindVertexArray(line_array_.id()); }
+  GLsizei line_count() const { return line_ranges_.used() > 0 ? GLsizei(line_ranges_.used() - 1) : 0; }
+
+ private:
+  struct Slot {
+    world::Entity segment;
+    std::uint64_t shape_build = 0, polyline_build = 0;  // 0: never written
+    std::uint64_t seen = 0;
+    Range line, vertices, indices;
+  };
+  Slot& slot_of(world::Entity segment);
+  void release(Slot& slot);
+  void release_unseen();
+  void write_polyline(const sim::SegmentShape& shape, Slot& slot);
+  void write_mesh(const sim::SegmentShape& shape, Slot& slot);
+  void fill_breaks(Range range);
+  void fill_degenerate(Range range);
+  void write_lines(Range range);
+  void write_indices(Range range);
+  void link_lines();
+  void link_mesh();
+  template <class Work>
+  void timed(const Work& work);
+
+  const Gl* gl_;
+  GrowingBuffer lines_, vertices_, indices_;
+  Object line_array_, mesh_array_;
+  Ranges line_ranges_, vertex_ranges_, index_ranges_;
+  std::vector<Slot> slots_;  // by the entity's index
+  std::size_t live_ = 0;     // slots with a segment
+  std::uint64_t stamp_ = 0;  // of the sync in progress
+  const sim::Clock* clock_ = nullptr;
+  double cpu_seconds_ = 0;
+  // What is being prepared; kept for their capacity.
+  std::vector<PolylineVertex> staged_line_;
+  sim::Mesh staged_mesh_;
+};
+
+}  // namespace coaster::gfx
