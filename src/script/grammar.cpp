@@ -40,7 +40,7 @@ class Parser {
   std::vector<std::filesystem::path> including_;  // the files being read, outermost first
   std::vector<Open> open_;
   Block* block_ = nullptr;
-  bool header_seen_ = false;
+  bool header_seen_ = false, header_required_ = true;  // an included file may have the header
 
   friend ParsedScript coaster::script::parse_script(std::string_view, const std::string&, const std::filesystem::path&, base::Files&);
 };
@@ -119,7 +119,7 @@ void Parser::line(int source, int number, const std::string& text) {
     header_seen_ = true;
     return header(source, number, tokens);
   }
-  if (!header_seen_) {
+  if (!header_seen_ && header_required_) {
     header_seen_ = true;
     error(source, number, tokens[0].column, "expected \"coaster-script 1\" before the first statement");
   }
@@ -141,7 +141,7 @@ void Parser::file(std::string_view text, const std::string& name, const std::fil
   }
   out_.script.sources.push_back(std::move(made));
   block_ = &block;
-  header_seen_ = !header_required;
+  header_required_ = header_required;
   const std::size_t count = out_.script.sources.back().lines.size();
   for (std::size_t i = 0; i < count; ++i)
     line(source, static_cast<int>(i) + 1, std::string(out_.script.sources[static_cast<std::size_t>(source)].lines[i]));

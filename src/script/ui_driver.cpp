@@ -43,28 +43,38 @@ Failure UiDriver::click_widget(const WidgetState& widget) {
   return press_and_release({});
 }
 
-// Headers whose path the wanted path goes through, then the closed headers of its panel.
+Failure UiDriver::open_one(WidgetState widget) {
+  const std::string path = widget.path;
+  if (Failure sight = bring_into_sight(path, widget); !sight) return sight;
+  if (Failure refused = refusal(widget); !refused) return refused;
+  if (Failure clicked = click_widget(widget); !clicked) return clicked;
+  return failure(stage_.settle_panels());
+}
+
+// Opens what the path goes through: headers, combos, menus; then the closed headers of its panel.
 Failure UiDriver::open_way_to(std::string_view path) {
   const auto missing = [&] { return find_widgets(stage_.host().widgets(), path).empty(); };
-  if (!missing()) return {};
+  for (std::size_t slash = path.find('/'); slash != std::string_view::npos && missing(); slash = path.find('/', slash + 1)) {
+    widgets_ = stage_.host().widgets();
+    const auto found = find_widget(widgets_, path.substr(0, slash));
+    if (!found) continue;
+    const WidgetState parent = widgets_[*found];
+    const bool opens = is_closed_header(parent) || parent.kind == "combo" || (parent.kind == "menu" && !is_on(parent));
+    if (!opens) continue;
+    if (Failure opened = open_one(parent); !opened) return opened;
+  }
   const std::string panel(panel_of(path));
-  for (const bool on_path_alone : {true, false}) {
-    std::vector<std::string> tried;
-    for (bool again = true; again && missing();) {
-      again = false;
-      for (const WidgetState& widget : stage_.host().widgets()) {
-        const bool on_path = path.starts_with(widget.path + "/");
-        const bool in_panel = panel_of(widget.path) == panel || panel == path;
-        if (!is_closed_header(widget) || !(on_path || (!on_path_alone && in_panel))) continue;
-        if (std::find(tried.begin(), tried.end(), widget.path) != tried.end()) continue;
-        tried.push_back(widget.path);
-        WidgetState header = widget;
-        if (Failure sight = bring_into_sight(header.path, header); !sight) continue;
-        if (Failure clicked = click_widget(header); !clicked) return clicked;
-        if (const base::Status settled = stage_.settle_panels(); !settled) return failure(settled);
-        again = true;
-        break;
-      }
+  std::vector<std::string> tried;
+  for (bool again = true; again && missing();) {
+    again = false;
+    widgets_ = stage_.host().widgets();
+    for (const WidgetState& widget : widgets_) {
+      if (!is_closed_header(widget) || panel_of(widget.path) != panel) continue;
+      if (std::find(tried.begin(), tried.end(), widget.path) != tried.end()) continue;
+      tried.push_back(widget.path);
+      if (Failure opened = open_one(widget); !opened) return opened;
+      again = true;
+      break;
     }
   }
   return {};
@@ -206,24 +216,12 @@ Failure UiDriver::open(std::string_view path, bool open) {
   return press_and_release({});
 }
 
-// "Edit/Undo": opens the menu Edit, clicks Undo in it.
+// "Edit/Undo": the menu Edit opens as what the path goes through.
 Failure UiDriver::menu(std::string_view path) {
-  if (const base::Status settled = stage_.settle_panels(); !settled) return failure(settled);
-  for (std::size_t slash = path.find('/'); slash != std::string_view::npos; slash = path.find('/', slash + 1)) {
-    if (!find_widgets(stage_.host().widgets(), path).empty()) break;  // open already
-    const std::string_view part = path.substr(0, slash);
-    widgets_ = stage_.host().widgets();
-    std::vector<WidgetState> menus;
-    for (const WidgetState& widget : widgets_)
-      if (widget.kind == "menu") menus.push_back(widget);
-    const auto found = find_widget(menus, part);
-    if (!found && (part == "Menu" || part == "Menus")) continue;  // the bar itself
-    if (!found) return failure(found.status());
-    if (Failure refused = refusal(menus[*found]); !refused) return refused;
-    if (Failure clicked = click_widget(menus[*found]); !clicked) return clicked;
-    if (const base::Status settled = stage_.settle_panels(); !settled) return failure(settled);
-  }
-  return click(path);
+  const std::string in_bar = path.starts_with("Menu/") ? std::string(path) : "Menu/" + std::string(path);
+  if (Failure clicked = click(in_bar); !clicked) return clicked;
+  if (widget_.kind == "menu" || widget_.kind == "item") return {};
+  return wrong(base::quoted(widget_.path) + " is a " + widget_.kind + ", no item of a menu");
 }
 
 Failure UiDriver::scroll(std::string_view path, double notches) {

@@ -38,6 +38,7 @@ class UiDriver {
   // The widget after opening headers on its path, as last drawn.
   Failure find(std::string_view path, WidgetState& widget);
   Failure open_way_to(std::string_view path);
+  Failure open_one(WidgetState widget);
   Failure click_widget(const WidgetState& widget);
   Failure bring_into_sight(std::string_view path, WidgetState& widget);
   // Refuses what is not in sight, covered or disabled.

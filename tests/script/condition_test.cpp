@@ -1,0 +1,79 @@
+// What holds: operators, tolerances, words for ranks and switches.
+#include "script/condition.h"
+
+#include <gtest/gtest.h>
+
+namespace coaster::script {
+namespace {
+
+// The condition "QUERY rest" held against a value; -1: refused.
+int holds_for(const std::string& rest, const query::Value& value) {
+  std::vector<base::Token> tokens;
+  base::TextError error;
+  EXPECT_TRUE(base::tokenise("length " + rest, tokens, error));
+  Words words(tokens, error);
+  Condition condition;
+  EXPECT_TRUE(parse_condition(words, condition)) << rest << ": " << error.message;
+  const base::Result<bool> result = holds(condition, value);
+  return result ? *result : -1;
+}
+
+TEST(condition, numbers_compare_with_and_without_tolerance) {
+  EXPECT_EQ(holds_for("== 3", 3.0), 1);
+  EXPECT_EQ(holds_for("== 3", 3.0001), 0);
+  EXPECT_EQ(holds_for("== 3 +-0.001", 3.0001), 1);
+  EXPECT_EQ(holds_for("== 3 +- 0.00005", 3.0001), 0);
+  EXPECT_EQ(holds_for("== -3.7 +- 0.1", -3.65), 1);
+  EXPECT_EQ(holds_for("!= 3 +-0.001", 3.0001), 0);
+  EXPECT_EQ(holds_for("!= 3", 3.0001), 1);
+  EXPECT_EQ(holds_for("< 1e-4", 9e-5), 1);
+  EXPECT_EQ(holds_for("< 3", 3.0), 0);
+  EXPECT_EQ(holds_for("<= 3", 3.0), 1);
+  EXPECT_EQ(holds_for("<= 3 +-0.1", 3.05), 1);
+  EXPECT_EQ(holds_for("> 2.5", 2.6), 1);
+  EXPECT_EQ(holds_for(">= 2.5", 2.4), 0);
+  EXPECT_EQ(holds_for("== 0.1", static_cast<double>(0.1f)), 1) << "a value kept in single precision equals its text";
+  EXPECT_EQ(holds_for("== 16777217", 16777216.0), 0) << "whole numbers are exact";
+  EXPECT_EQ(holds_for("== nonsense", 1.0), -1);
+  EXPECT_EQ(holds_for("== on", 1.0), 1);
+}
+
+TEST(condition, texts_compare_and_contain) {
+  EXPECT_EQ(holds_for("== \"Red Comet\"", std::string("Red Comet")), 1);
+  EXPECT_EQ(holds_for("== Red Comet", std::string("Red Comet")), 1);
+  EXPECT_EQ(holds_for("!= Red", std::string("Red Comet")), 1);
+  EXPECT_EQ(holds_for("~ \"LIMIT\"", std::string("move: the limit is 100000 m")), 1);
+  EXPECT_EQ(holds_for("~ \"limits\"", std::string("move: the limit is 100000 m")), 0);
+  EXPECT_EQ(holds_for("== @k4", std::string("k4")), 1);
+  EXPECT_EQ(holds_for("== k4", std::string("@k4")), 1);
+  EXPECT_EQ(holds_for("== true", std::string("on")), 1);
+  EXPECT_EQ(holds_for("== off", std::string("on")), 0);
+  EXPECT_EQ(holds_for("== 5a1c09e27733d0b1", std::string("5a1c09e27733d0b1")), 1);
+  EXPECT_EQ(holds_for("== 1234567890123456", std::string("1234567890123457")), 0) << "hashes are texts, never numbers";
+  EXPECT_EQ(holds_for("< b", std::string("a")), -1);
+}
+
+TEST(condition, continuity_compares_by_rank) {
+  const query::Value g1 = query::Ranked{1, "G1"};
+  EXPECT_EQ(holds_for(">= G1", g1), 1);
+  EXPECT_EQ(holds_for("< G2", g1), 1);
+  EXPECT_EQ(holds_for("== G0", g1), 0);
+  EXPECT_EQ(holds_for("== g1", g1), 1);
+  EXPECT_EQ(holds_for("!= G2", g1), 1);
+  EXPECT_EQ(holds_for(">= C1", g1), -1) << "C1 is a rank of another scale";
+  EXPECT_EQ(holds_for("== on", query::Value(query::Ranked{1, "on"})), 1);
+  EXPECT_EQ(holds_for("== false", query::Value(query::Ranked{0, "off"})), 1);
+}
+
+TEST(condition, vectors_compare_by_component) {
+  const query::Value v = glm::dvec3(1.25, -3.1f, 7);
+  EXPECT_EQ(holds_for("== 1.25 -3.1 7", v), 1);
+  EXPECT_EQ(holds_for("== 1.25 -3.2 7", v), 0);
+  EXPECT_EQ(holds_for("== 1.3 -3.2 7 +- 0.11", v), 1);
+  EXPECT_EQ(holds_for("!= 1.25 -3.2 7", v), 1);
+  EXPECT_EQ(holds_for("< 1 2 3", v), -1);
+  EXPECT_EQ(holds_for("== 1 2", v), -1);
+}
+
+}  // namespace
+}  // namespace coaster::script

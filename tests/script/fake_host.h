@@ -1,0 +1,97 @@
+// A program without GL: a real session, frames that only count, widgets as the test sets them.
+#pragma once
+
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "edit/session.h"
+#include "script/grammar.h"
+#include "script/runner.h"
+
+namespace coaster::script {
+
+struct FakeHost {
+  edit::Session session = edit::make_session({});
+  base::Files files;
+  query::FrameStats stats;
+  std::vector<WidgetState> widgets;
+  std::vector<std::pair<platform::Events, int>> frames;  // what each frame was given
+  std::vector<edit::Command> at_release;                 // applied in frames where the left button goes up over them
+  std::vector<std::string> printed;
+  std::map<std::string, std::string> snapped;
+  std::uint64_t commands = 0;
+  int changes = 0;  // commands since the last frame; a frame tells them as uploads
+  std::string toast;
+  Environment environment;
+
+  Host host() {
+    Host h;
+    h.set_environment = [this](const Environment& e) { return environment = e, base::Status{}; };
+    h.apply = [this](const edit::Command& command) { return apply(command); };
+    h.frame = [this](const platform::Events& events, int ticks) { return frame(events, ticks); };
+    h.advance = [this](int ticks) { edit::advance(session, ticks); };
+    h.context = [this]() -> const query::Context {
+      toast = session.notices.empty() ? "" : session.notices.back().text;
+      return {session, stats, toast, "title"};
+    };
+    h.widgets = [this] { return widgets; };
+    h.pixel_of = [this](const AimPoint& aim) -> base::Result<glm::vec2> {
+      const auto position = position_of(aim);
+      if (!position) return position.status();
+      return glm::vec2(100 + 10 * position->x, 100 - 10 * position->y);
+    };
+    h.position_of = [this](const AimPoint& aim) { return position_of(aim); };
+    h.screenshot = [this](const std::filesystem::path& path) { return files.write_atomic(path, "picture"); };
+    h.snap = [this](const std::string& name, const std::filesystem::path& golden, const std::filesystem::path&, bool) {
+      snapped[name] = golden.string();
+      return base::Status{};
+    };
+    h.commands = [this] { return commands; };
+    h.print = [this](std::string_view line) { printed.emplace_back(line); };
+    h.files = &files;
+    return h;
+  }
+
+  base::Status apply(const edit::Command& command) {
+    const base::Status status = edit::apply(session, files, command);
+    ++commands;
+    if (status) ++changes;
+    return status;
+  }
+
+  base::Status frame(const platform::Events& events, int ticks) {
+    frames.emplace_back(events, ticks);
+    for (const platform::Event& event : events) {
+      const auto* const button = std::get_if<platform::MouseButton>(&event);
+      if (!button || button->down) continue;
+      for (const edit::Command& command : at_release) (void)apply(command);
+    }
+    edit::advance(session, ticks);
+    ++stats.frame;
+    stats.uploads = changes;
+    changes = 0;
+    return {};
+  }
+
+  base::Result<glm::vec3> position_of(const AimPoint& aim) const {
+    if (aim.kind == AimPoint::Kind::ground || aim.kind == AimPoint::Kind::world) return aim.position;
+    const world::Entity e = world::find(session.document, aim.name);
+    if (!e.valid()) return base::Status{base::Code::refused, "there is no such entity"};
+    return world::knot(session.document, e).position;
+  }
+};
+
+inline std::filesystem::path test_folder() { return std::filesystem::path(testing::TempDir()) / "coaster_script_test"; }
+
+// Parses and runs the lines below the header.
+inline base::Status run_lines(FakeHost& fake, const std::string& lines, bool update = false) {
+  base::Files files;
+  const ParsedScript parsed = parse_script("coaster-script 1\n" + lines, "test.coaster", test_folder(), files);
+  if (!parsed.errors.empty()) return {base::Code::usage, parsed.errors.front()};
+  Host host = fake.host();
+  return run_script(parsed.script, host, {test_folder() / "out", update, {}});
+}
+
+}  // namespace coaster::script

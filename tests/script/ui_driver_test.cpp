@@ -1,0 +1,93 @@
+// Widgets by label path: which one is meant, what is refused, and that a click takes a frame each for move, press and release.
+#include "script/ui_driver.h"
+
+#include <gtest/gtest.h>
+
+#include "script/fake_host.h"
+
+namespace coaster::script {
+namespace {
+
+WidgetState widget(const std::string& path, const std::string& kind = "button", const std::string& value = "") {
+  WidgetState w;
+  w.path = path, w.kind = kind, w.value = value;
+  w.x = 11, w.y = 23, w.width = 40, w.height = 10;
+  return w;
+}
+
+TEST(widgets, a_path_is_found_whole_by_its_end_in_any_case_or_by_its_parts) {
+  const std::vector<WidgetState> all{widget("Track/Insert point"), widget("Track/Delete"), widget("Inspector/Position/x", "number"),
+                                     widget("Inspector/Delete"), widget("Ride/Start"), widget("Track/Start", "label")};
+  EXPECT_EQ(*find_widget(all, "Track/Insert point"), 0u);
+  EXPECT_EQ(*find_widget(all, "Insert point"), 0u);
+  EXPECT_EQ(*find_widget(all, "track/insert POINT"), 0u);
+  EXPECT_EQ(*find_widget(all, "Position/x"), 2u);
+  EXPECT_EQ(*find_widget(all, "Inspector/x"), 2u);
+  EXPECT_EQ(*find_widget(all, "Start"), 4u) << "labels stand back";
+  EXPECT_EQ(find_widget(all, "Delete").status().message, "\"Delete\" is the path of several widgets: \"Track/Delete\" (button), \"Inspector/Delete\" (button)");
+  EXPECT_EQ(find_widget(all, "Track/Insert pont").status().message, "no widget \"Track/Insert pont\" did you mean \"Track/Insert point\"?");
+  EXPECT_FALSE(find_widget(all, "oint").ok());
+}
+
+TEST(ui_driver, a_click_moves_presses_and_releases_in_three_frames_and_its_command_is_in_the_last) {
+  FakeHost fake;
+  fake.widgets = {widget("Track/Add point")};
+  fake.at_release = {edit::AppendKnot{{1.5f, 2.25f, 3.125f}}};
+  ASSERT_TRUE(run_lines(fake, "frames 1\nui.click \"Track/Add point\"\nexpect uploads == 1\n").ok());
+  ASSERT_GE(fake.frames.size(), 4u);
+  const std::size_t n = fake.frames.size();
+  const auto& move = std::get<platform::MouseMove>(fake.frames[n - 3].first.at(0));
+  EXPECT_FLOAT_EQ(move.x, 31);
+  EXPECT_FLOAT_EQ(move.y, 28);
+  EXPECT_TRUE(std::get<platform::MouseButton>(fake.frames[n - 2].first.at(0)).down);
+  EXPECT_FALSE(std::get<platform::MouseButton>(fake.frames[n - 1].first.at(0)).down);
+}
+
+TEST(ui_driver, disabled_covered_hidden_missing_and_ambiguous_widgets_are_refused_with_the_reason) {
+  FakeHost fake;
+  fake.widgets = {widget("A/off"), widget("A/under"), widget("A/gone"), widget("A/twin"), widget("A/twin")};
+  fake.widgets[0].enabled = false;
+  fake.widgets[1].covered = true;
+  fake.widgets[2].visible = false;
+  EXPECT_NE(run_lines(fake, "ui.click \"A/off\"\n").message.find("test.coaster:2:10: error: \"A/off\" is disabled"), std::string::npos);
+  EXPECT_NE(run_lines(fake, "ui.click \"A/under\"\n").message.find("covered"), std::string::npos);
+  EXPECT_NE(run_lines(fake, "ui.click \"A/gone\"\n").message.find("out of sight"), std::string::npos);
+  EXPECT_EQ(run_lines(fake, "ui.click \"A/of\"\n").code, base::Code::usage);
+  EXPECT_EQ(run_lines(fake, "ui.click \"A/twin\"\n").code, base::Code::usage);
+  EXPECT_TRUE(run_lines(fake, "expect not enabled \"A/off\"\nexpect enabled \"A/under\"\nexpect not visible \"A/gone\"\nexpect not visible \"A/never\"\n").ok());
+  EXPECT_EQ(run_lines(fake, "expect visible \"A/never\"\n").code, base::Code::expectation);
+  EXPECT_EQ(run_lines(fake, "expect enabled \"A/off\"\n").code, base::Code::expectation);
+}
+
+TEST(ui_driver, check_clicks_only_a_box_that_shows_the_other) {
+  FakeHost fake;
+  fake.widgets = {widget("A/box", "checkbox", "on")};
+  const auto presses = [&] {
+    int count = 0;
+    for (const auto& [events, ticks] : fake.frames)
+      for (const platform::Event& event : events)
+        if (const auto* const button = std::get_if<platform::MouseButton>(&event)) count += button->down;
+    return count;
+  };
+  ASSERT_TRUE(run_lines(fake, "ui.check \"A/box\" on\n").ok());
+  EXPECT_EQ(presses(), 0);
+  ASSERT_TRUE(run_lines(fake, "ui.check \"A/box\" off\n").ok());
+  EXPECT_EQ(presses(), 1);
+}
+
+TEST(ui_driver, typing_opens_the_field_selects_all_types_and_enters) {
+  FakeHost fake;
+  fake.widgets = {widget("Inspector/Position/x", "number", "3.00")};
+  ASSERT_TRUE(run_lines(fake, "ui.type \"Inspector/Position/x\" \"-7.5\"\n").ok());
+  std::string seen;
+  for (const auto& [events, ticks] : fake.frames)
+    for (const platform::Event& event : events) {
+      if (const auto* const b = std::get_if<platform::MouseButton>(&event); b && b->down) seen += b->modifiers.ctrl ? "ctrl+press " : "press ";
+      if (const auto* const k = std::get_if<platform::KeyPress>(&event); k && k->down) seen += platform::to_text({k->key, k->modifiers}) + " ";
+      if (const auto* const t = std::get_if<platform::TextInput>(&event)) seen += t->utf8 + " ";
+    }
+  EXPECT_EQ(seen, "ctrl+press Ctrl+A -7.5 Enter ");
+}
+
+}  // namespace
+}  // namespace coaster::script
