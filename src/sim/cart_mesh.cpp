@@ -59,7 +59,7 @@ void add_block(vec3 low, vec3 high, float lean, Part part, Mesh& mesh) {
 
 // A wheel about an axis along Z.
 void add_wheel(vec2 centre, float radius, float z_low, float z_high, Mesh& mesh) {
-  constexpr std::uint32_t kSides = 14;
+  constexpr std::uint32_t kSides = 16;
   std::array<vec3, kSides> rim_low, rim_high;
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (std::uint32_t k = 0; k < kSides; ++k) {

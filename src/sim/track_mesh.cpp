@@ -103,7 +103,7 @@ void add_tube(std::span<const Station> stations, dvec2 offset, double radius, Pa
 void add_arm(const Station& at, double side, Mesh& mesh) {
   const dvec3 left = at.frame.left();
   const dvec3 rail = at.position + 0.5 * kGauge * side * left, spine = at.position - kSpineDrop * at.frame.up;
-  const dvec3 along = glm::normalize(spine - rail), across = glm::cross(at.frame.forward, along);
+  const dvec3 along = glm::normalize(spine - rail), across = glm::cross(along, at.frame.forward);
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (const dvec3 end : {rail, spine})
     for (const dvec2 corner : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)}) {
