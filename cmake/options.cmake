@@ -7,7 +7,8 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 # The same numbers from every compiler and optimisation level: no fused multiply-add that the source does not ask for.
 add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  add_compile_options(-Wno-maybe-uninitialized)  # wrong about moved variants (gcc bug 105562)
+  # Wrong about moved variants (gcc bug 105562) and about std::string + (gcc bug 105651).
+  add_compile_options(-Wno-maybe-uninitialized -Wno-restrict)
 endif()
 add_compile_definitions(GLM_FORCE_XYZW_ONLY)
 

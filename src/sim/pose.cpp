@@ -8,14 +8,9 @@ namespace {
 
 using glm::dvec3;
 
-// A point of the heartline at `offset` metres of rail from a place; straight on beyond the ends of an open track.
-dvec3 heartline_point(const Derived& derived, double distance, double heartline) {
-  const double clamped = derived.closed ? distance : std::fmin(std::fmax(distance, 0.0), derived.length);
-  const TrackPlace place = place_at(derived, clamped);
-  const SegmentShape& shape = derived.shape(derived.order[place.index]);
-  const curve::Frame frame = frame_at(shape, place.s);
-  const dvec3 rail = curve::point(shape.key.cubic, shape.arc.parameter(place.s));
-  return rail + heartline * frame.up + (distance - clamped) * (derived.closed ? dvec3(0) : frame.forward);
+// The point of the heartline over arc length s of a segment.
+dvec3 heartline_point(const SegmentShape& shape, double s, double heartline) {
+  return curve::point(shape.key.cubic, shape.arc.parameter(s)) + heartline * frame_at(shape, s).up;
 }
 
 }  // namespace
@@ -35,14 +30,16 @@ Pose pose(const Derived& derived, const world::CartMotion& cart, world::FrameMet
 }
 
 Felt felt(const Derived& derived, const world::CartMotion& cart, double heartline) {
-  // a = s'' h'(s) + s'^2 h''(s) along the heartline h, by central differences over +-kStep of rail.
-  constexpr double kStep = 0.02;
+  // a = s'' h'(s) + s'^2 h''(s) along the heartline h, by central differences over +-step of rail. The stencil stays within the
+  // segment: the roll rate may jump at a joint, which the heartline answers with a corner, and a difference over it with noise.
   const SegmentShape& shape = derived.shape(cart.segment);
+  const double length = shape.arc.length(), step = std::fmin(0.02, 0.25 * length);
   const curve::Frame frame = frame_at(shape, cart.s);
-  const double distance = cart.track_distance;
-  const dvec3 before = heartline_point(derived, distance - kStep, heartline), here = heartline_point(derived, distance, heartline),
-              after = heartline_point(derived, distance + kStep, heartline);
-  const dvec3 first = (after - before) / (2.0 * kStep), second = (after - 2.0 * here + before) / (kStep * kStep);
+  if (!(step > 0)) return {frame.up.y, frame.left().y, frame.forward.y};  // no length: at rest, whatever the speed
+  const double s = std::fmin(std::fmax(cart.s, step), length - step);
+  const dvec3 before = heartline_point(shape, s - step, heartline), here = heartline_point(shape, s, heartline),
+              after = heartline_point(shape, s + step, heartline);
+  const dvec3 first = (after - before) / (2.0 * step), second = (after - 2.0 * here + before) / (step * step);
   const double acceleration = -world::kGravity * frame.forward.y;
   const dvec3 a = acceleration * first + cart.speed * cart.speed * second + dvec3(0, world::kGravity, 0);
   return {glm::dot(a, frame.up) / world::kGravity, glm::dot(a, frame.left()) / world::kGravity,
