@@ -1,0 +1,67 @@
+# The command line: what each exit code means, and what goes to stdout and stderr.
+. "$(dirname "$0")/lib.sh"
+script() { printf 'coaster-script 1\n%b' "$2" >"$OUT/$1.coaster"; }
+
+expect_code 0 --version
+expect_text stdout "coaster "
+expect_code 0 --help
+expect_text stdout "--headless"
+expect_code 0 --help-script
+expect_text stdout "ride.energy_drift"
+expect_text stdout "split @segment at NUMBER"
+expect_code 2 --no-such-option
+expect_empty stdout
+expect_code 2 --size 12
+expect_code 2 --frames -3
+expect_code 2 a.json b.json
+expect_code 2 --validate
+
+expect_code 0 --validate "$SOURCE/tracks/loop.json"
+expect_text stdout "ok"
+expect_code 3 --validate "$SOURCE/tests/tracks/truncated.json"
+expect_text stderr "truncated.json:"
+expect_code 3 --validate "$OUT/no-such-file.json"
+script good 'frames 1\nexpect knots == 99\n'
+expect_code 0 --validate "$OUT/good.coaster"
+script bad 'fraems 1\nexpect knotz == 1\n'
+expect_code 2 --validate "$OUT/bad.coaster"
+expect_text stderr "bad.coaster:2:1: error:"
+expect_text stderr 'did you mean "frames"'
+expect_text stderr "bad.coaster:3:8: error:"
+
+expect_code 2 --headless --script "$OUT/bad.coaster" --out "$OUT/run"
+expect_code 2 --headless --script "$OUT/no-such-script.coaster" --out "$OUT/run"
+expect_code 1 --headless --script "$OUT/good.coaster" --out "$OUT/run"
+expect_text stderr "good.coaster:3:8: error: expected knots == 99, found 0"
+for file in frame.png widgets.txt state.json; do [ -s "$OUT/run/$file" ] || fail "no $file after a failure"; done
+script gone 'load "gone.json"\n'
+expect_code 3 --headless --script "$OUT/gone.coaster" --out "$OUT/run"
+script late 'wait tick == 100000 max 10 ticks\n'
+expect_code 6 --headless --script "$OUT/late.coaster" --out "$OUT/run"
+script outside 'save "outside.json"\n'
+expect_code 2 --headless --script "$OUT/outside.coaster" --out "$OUT/run"
+[ ! -e "$OUT/outside.json" ] && [ ! -e outside.json ] || fail "a script wrote outside of its folder"
+script snap 'snap "none"\n'
+expect_code 1 --headless --script "$OUT/snap.coaster" --out "$OUT/run"
+expect_text stderr "--update-goldens"
+expect_code 0 --headless --script "$OUT/snap.coaster" --out "$OUT/run" --update-goldens
+expect_code 0 --headless --script "$OUT/snap.coaster" --out "$OUT/run"
+script changed 'env size 600x300\nsnap "none"\n'
+expect_code 1 --headless --script "$OUT/changed.coaster" --out "$OUT/run"
+script hash 'load "'"$SOURCE"'/tracks/loop.json"\nlog hash document\n'
+expect_code 0 --headless --script "$OUT/hash.coaster" --out "$OUT/run"
+grep -qE '^[0-9a-f]{16}$' "$OUT/stdout" || fail "log hash document printed $(cat "$OUT/stdout")"
+
+: >"$OUT/file"
+expect_code 5 --headless --script "$OUT/hash.coaster" --out "$OUT/file/below"
+expect_code 5 --headless "$SOURCE/tracks/loop.json" --out "$OUT/file/below"
+expect_code 3 --headless "$SOURCE/tests/tracks/truncated.json" --out "$OUT/ride"
+expect_code 0 --headless "$SOURCE/tests/tracks/two_knots.json" --size 320x180 --out "$OUT/ride" --json
+[ -s "$OUT/ride/ride.png" ] || fail "no picture of the ride"
+expect_text stdout '"top_speed_m_s"'
+expect_code 0 --headless "$SOURCE/tests/tracks/two_knots.json" --size 320x180 --out "$OUT/ride" --frames 3
+expect_text stdout "Two knots"
+env -u DISPLAY -u WAYLAND_DISPLAY "$COASTER" "$SOURCE/tracks/loop.json" >"$OUT/stdout" 2>"$OUT/stderr"
+[ $? = 4 ] || fail "no display: expected exit code 4"
+expect_text stderr "--headless"
+finish
