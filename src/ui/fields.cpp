@@ -70,7 +70,7 @@ std::optional<double> parse(Ui& ui, std::string_view label, double largest) {
 // The press that opens a field for typing: Ctrl+click or a double click; for drags a plain click too, told at its release.
 bool wants_typing(ImGuiID id, ImVec2 low, ImVec2 high, bool plain_click) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
+  const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && ImGui::IsMouseHoveringRect(low, high);
   if (over && io.MouseClicked[0] && (io.KeyCtrl || io.MouseDoubleClicked[0])) return true;
   constexpr float kStill = 3;  // px
   return plain_click && over && io.MouseReleased[0] && ImGui::GetActiveID() == id &&

@@ -197,9 +197,9 @@ Output Host::build(const platform::Events& events, const State& state, int width
   p.list.clear();
   Ui ui{state, out, p.list, p.entry, p.gesture, p.rest, p.toasts, p.file, p.gl.renderer, scale, {}};
   p.lay_out(ui, events, width, height);
-  p.list.finish();
   p.count_rest();
   ImGui::Render();
+  p.list.finish();  // now the order of the windows and which of them were used is settled
   out.view = p.view;
   out.hovered = p.hovered;
   return out;

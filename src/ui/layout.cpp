@@ -15,7 +15,8 @@ float fitted_scale(int width, int height, float ui_scale, float content_scale) {
 Layout make_layout(int width, int height, float scale, float bar, bool show_panels) {
   constexpr float kLeft = 300, kRight = 320, kLargestPart = 0.59f;
   const float w = static_cast<float>(width), h = static_cast<float>(height);
-  if (!show_panels) return {.scene = {0, 0, w, h}};
+  constexpr view::Viewport kNothing{0, 0, 0, 0};
+  if (!show_panels) return {kNothing, kNothing, kNothing, kNothing, {0, 0, w, h}};
   const float both = std::min((kLeft + kRight) * scale, w * kLargestPart);
   const float left = std::floor(both * kLeft / (kLeft + kRight)), right = std::floor(both * kRight / (kLeft + kRight));
   const float top = std::min(bar, h), bottom = std::max(top, h - bar);

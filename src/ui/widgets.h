@@ -21,7 +21,7 @@ class WidgetList {
   void clear();
   // A widget over [low, high) of the window being built; whether it can be seen follows from the window's clip rectangle.
   void add(std::string path, std::string_view kind, glm::vec2 low, glm::vec2 high, bool enabled, std::string value);
-  // When the frame is laid out: finds the covered ones.
+  // After ImGui::Render(): finds the covered ones.
   void finish();
   const std::vector<Widget>& widgets() const { return widgets_; }
 

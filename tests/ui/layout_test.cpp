@@ -1,0 +1,42 @@
+#include "ui/layout.h"
+
+#include <gtest/gtest.h>
+
+namespace coaster::ui {
+namespace {
+
+bool apart(const view::Viewport& a, const view::Viewport& b) {
+  return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+}
+
+TEST(layout, regions_tile_the_window_and_the_viewport_keeps_two_fifths) {
+  for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}, {640, 360}, {801, 601}, {3840, 2160}, {333, 222}}) {
+    for (const float scale : {0.8f, 1.0f, 1.7f, 3.0f}) {
+      const Layout l = make_layout(width, height, scale, 23 * scale, true);
+      const view::Viewport all[] = {l.menu, l.left, l.right, l.status, l.scene};
+      float area = 0;
+      for (const view::Viewport& one : all) area += one.width * one.height;
+      EXPECT_NEAR(area, static_cast<float>(width) * static_cast<float>(height), 1) << width << "x" << height << " at " << scale;
+      for (std::size_t i = 0; i < 5; ++i)
+        for (std::size_t k = 0; k < i; ++k) EXPECT_TRUE(apart(all[i], all[k])) << i << " and " << k << " at " << width;
+      EXPECT_GE(l.scene.width, 0.4f * static_cast<float>(width));
+    }
+  }
+}
+
+TEST(layout, hidden_panels_leave_the_whole_window) {
+  const Layout l = make_layout(641, 359, 1.3f, 30, false);
+  EXPECT_EQ(l.scene.width, 641);
+  EXPECT_EQ(l.scene.height, 359);
+  EXPECT_EQ(l.left.width * l.left.height + l.right.width * l.right.height + l.menu.height + l.status.height, 0);
+}
+
+TEST(layout, small_windows_shrink_text_by_a_fifth_at_most) {
+  EXPECT_FLOAT_EQ(fitted_scale(1280, 720, 1, 1), 1);
+  EXPECT_FLOAT_EQ(fitted_scale(640, 360, 1, 1), 0.8f);
+  EXPECT_FLOAT_EQ(fitted_scale(64, 36, 1, 1), 0.8f);
+  EXPECT_FLOAT_EQ(fitted_scale(2560, 1440, 1.5f, 2), 3);  // a dense screen is no small window
+}
+
+}  // namespace
+}  // namespace coaster::ui

@@ -1,0 +1,153 @@
+// A UI on an off-screen surface with a session behind it, worked as a hand would: events in, commands out and applied, frame by frame.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/files.h"
+#include "edit/session.h"
+#include "platform/surface.h"
+#include "ui/host.h"
+
+namespace coaster::ui {
+
+// An open track of three knots, off-origin and skew, with a cart.
+inline void build_track(edit::Session& session, base::Files& files) {
+  const glm::vec3 places[] = {{-17.3f, 4.1f, 6.7f}, {3.9f, 9.6f, -2.3f}, {21.1f, 5.3f, 8.9f}};
+  for (const glm::vec3 place : places) EXPECT_TRUE(edit::apply(session, files, edit::AppendKnot{place}).ok());
+  EXPECT_TRUE(edit::apply(session, files, edit::AddCart{{{world::Kind::segment, 1}}, 0.25}).ok());
+  EXPECT_TRUE(edit::apply(session, files, edit::Select{}).ok());
+}
+
+class Stage : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto surface = platform::make_offscreen({.size = {width_, height_}});
+    ASSERT_TRUE(surface.ok()) << surface.status().message;
+    surface_ = std::move(*surface);
+    auto gl = gfx::load_gl([&](const char* name) { return surface_->gl_proc(name); });
+    ASSERT_TRUE(gl.ok()) << gl.status().message;
+    gl_ = *gl;
+    restart();
+    build_track(session_, files_);
+  }
+  void TearDown() override { host_.reset(); }
+
+  void restart() {
+    host_.reset();
+    auto host = Host::make(gl_, 1);
+    ASSERT_TRUE(host.ok()) << host.status().message;
+    host_ = std::move(*host);
+  }
+  void resize(int width, int height) {
+    width_ = width;
+    height_ = height;
+    frames(2);
+  }
+
+  // One frame of 1/60 s; its commands are applied and kept in commands_.
+  Output frame(platform::Events events = {}) {
+    events.emplace_back(platform::Tick{1.0 / 60});
+    seconds_ += 1.0 / 60;
+    Output out = host_->build(events, {session_, stats_, seconds_, scripted_}, width_, height_);
+    for (const edit::Command& command : out.commands) {
+      (void)edit::apply(session_, files_, command);
+      commands_.push_back(command);
+    }
+    last_ = out;
+    return out;
+  }
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) frame();
+  }
+
+  const Widget* find(const std::string& path) const {
+    for (const Widget& widget : host_->widgets())
+      if (widget.path == path) return &widget;
+    return nullptr;
+  }
+  static glm::vec2 middle(const Widget& w) { return {w.x + w.width / 2, w.y + w.height / 2}; }
+
+  // Turns the wheel over the widget's column until it is in sight; false when it cannot be brought there.
+  bool reach(const std::string& path) {
+    frames(2);
+    for (int i = 0; i < 80; ++i) {
+      const Widget* widget = find(path);
+      if (widget == nullptr) return false;
+      if (widget->visible) return true;
+      const float y = static_cast<float>(height_) * 0.5f, x = middle(*widget).x;
+      frame({platform::MouseMove{x, y}, platform::Wheel{0, widget->y > y ? -1.0f : 1.0f}});
+      frame();
+    }
+    return false;
+  }
+  void hover(glm::vec2 pixel) { frame({platform::MouseMove{pixel.x, pixel.y}}); }
+  void press(platform::Modifiers m = {}, platform::Button b = platform::Button::left) { frame({platform::MouseButton{b, true, m}}); }
+  void release(platform::Modifiers m = {}, platform::Button b = platform::Button::left) { frame({platform::MouseButton{b, false, m}}); }
+  void click_at(glm::vec2 pixel, platform::Modifiers m = {}) {
+    hover(pixel);
+    press(m);
+    release(m);
+    frame();
+  }
+  void click(const std::string& path, platform::Modifiers m = {}) {
+    ASSERT_TRUE(reach(path)) << path;
+    click_at(middle(*find(path)), m);
+  }
+  void key(platform::Key k, platform::Modifiers m = {}) {
+    frame({platform::KeyPress{k, true, false, m}});
+    frame({platform::KeyPress{k, false, false, {}}});
+  }
+  void type(const std::string& path, const std::string& text, bool enter = true) {
+    const Widget* widget = find(path);
+    click(path, {.ctrl = widget != nullptr && widget->kind != "text"});
+    key(platform::Key::a, {.ctrl = true});
+    frame({platform::TextInput{text}});
+    if (enter) key(platform::Key::enter);
+  }
+
+  // Where a knot is on the screen, in the view of the last frame.
+  glm::vec2 pixel_of(std::uint32_t knot) const {
+    const auto at = view::project(host_->view(), world::knot(session_.document, entity(world::Kind::knot, knot)).position);
+    EXPECT_TRUE(at.has_value());
+    return at ? glm::vec2(*at) : glm::vec2(0);
+  }
+  world::Entity entity(world::Kind kind, std::uint32_t number) const { return world::find(session_.document, {kind, number}); }
+  const world::Knot& knot(std::uint32_t number) const { return world::knot(session_.document, entity(world::Kind::knot, number)); }
+  void select(world::Kind kind, std::uint32_t number) {
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{kind, number}}}).ok());
+    frames(2);
+  }
+  // A pixel of the viewport with nothing but ground under it.
+  glm::vec2 empty_ground() const {
+    const view::Viewport& v = host_->view().viewport;
+    return {std::floor(v.x + v.width * 0.5f) + 3, std::floor(v.y + v.height * 0.93f)};
+  }
+
+  template <class C>
+  std::vector<C> all() const {
+    std::vector<C> found;
+    for (const edit::Command& command : commands_)
+      if (const C* c = std::get_if<C>(&command)) found.push_back(*c);
+    return found;
+  }
+
+  int width_ = 1280, height_ = 720;
+  bool scripted_ = false;
+  double seconds_ = 0;
+  std::unique_ptr<platform::Surface> surface_;
+  gfx::Gl gl_;
+  std::unique_ptr<Host> host_;
+  base::Files files_;
+  edit::Session session_ = edit::make_session({});
+  query::FrameStats stats_;
+  std::vector<edit::Command> commands_;
+  Output last_;
+};
+
+}  // namespace coaster::ui
