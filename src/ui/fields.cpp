@@ -191,7 +191,22 @@ std::optional<int> slider(Ui& ui, std::string_view label, int value, int low, in
 
 std::optional<std::string> text(Ui& ui, std::string_view label, const std::string& value, std::string_view tooltip) {
   begin_row(ui, label);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float pad = ImGui::GetStyle().FramePadding.x, room = ImGui::CalcItemWidth() - 2 * pad;
+  // A text too long for its field shows its end (a path's file name) until it is typed in.
+  const bool ends_only = ui.entry.id != ImGui::GetID(hidden(label).c_str()) && text_size(value).x > room;
+  if (ends_only) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
   const Typing typing = typed(ui, hidden(label).c_str(), value, false);
+  if (ends_only) {
+    ImGui::PopStyleColor();
+    std::size_t from = 0;
+    while (from < value.size() && text_size("\u2026" + value.substr(from)).x > room) {
+      do ++from;
+      while (from < value.size() && (static_cast<unsigned char>(value[from]) & 0xC0) == 0x80);  // within a UTF-8 character
+    }
+    const std::string shown = "\u2026" + value.substr(from);
+    ImGui::GetWindowDrawList()->AddText({at.x + pad, at.y + ImGui::GetStyle().FramePadding.y}, packed(kDark.text), shown.c_str());
+  }
   note_item(ui, label, "text", tooltip, true, typing == Typing::open ? ui.entry.text.data() : value);
   if (typing != Typing::complete) return std::nullopt;
   return std::string(ui.entry.text.data());
