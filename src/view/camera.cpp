@@ -37,7 +37,9 @@ View look(glm::vec3 eye, glm::vec3 forward, glm::vec3 up, float far_off, Viewpor
   View out;
   out.viewport = with_area(viewport);
   out.eye = eye;
-  out.view = glm::lookAtRH(eye, eye + forward, up);
+  // From the direction itself: eye + forward would lose it to rounding when the eye is kilometres off.
+  const glm::dvec3 f = glm::normalize(glm::dvec3(forward)), r = glm::normalize(glm::cross(f, glm::dvec3(up))), u = glm::cross(r, f), e(eye);
+  out.view = glm::mat4(glm::dmat4(r.x, u.x, -f.x, 0, r.y, u.y, -f.y, 0, r.z, u.z, -f.z, 0, -glm::dot(r, e), -glm::dot(u, e), glm::dot(f, e), 1));
   // The near plane moves out with the scale of what is looked at, so that depth stays precise over a large track.
   const float near_plane = std::max(kNearPlane, far_off * 2e-3f), far_plane = std::max(kFarPlane, far_off * 4.0f);
   out.projection = glm::perspectiveRH_NO(glm::radians(kFieldOfViewDeg), out.viewport.width / out.viewport.height, near_plane, far_plane);
@@ -51,9 +53,9 @@ View orbit_view(const world::Camera& camera, Viewport viewport) {
   const glm::vec3 back = towards_eye(camera.yaw_deg, camera.pitch_deg);
   glm::vec3 eye = camera.target + back * distance;
   eye.y = std::max(eye.y, kLowestEye);
-  glm::vec3 forward = camera.target - eye;
-  if (!(glm::dot(forward, forward) > 1e-8f)) forward = -back;
-  forward = glm::normalize(forward);
+  // The difference to a far target is exact enough only where the ground has moved the eye.
+  glm::vec3 forward = -back;
+  if (eye.y == kLowestEye && glm::distance(camera.target, eye) > 1e-4f) forward = glm::normalize(camera.target - eye);
   // From a raised eye the target can be straight below: then what the yaw calls ahead is up in the picture.
   const float yaw = glm::radians(camera.yaw_deg);
   const glm::vec3 up = std::abs(forward.y) > 0.99999f ? glm::vec3(-std::sin(yaw), 0, -std::cos(yaw)) : glm::vec3(0, 1, 0);
