@@ -21,6 +21,7 @@ struct Scene {
   const view::Overlay& overlay;
   std::span<const sim::Pose> carts;
   bool show_polyline = true;
+  sim::Clock clock = {};  // to measure cpu_ms with; empty: not measured
 };
 
 // Of the last draw.

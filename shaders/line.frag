@@ -1,0 +1,7 @@
+// A thin antialiased line; colours go to the screen as they are.
+in float across;
+flat in float width;
+flat in vec4 tint;
+out vec4 colour;
+
+void main() { colour = vec4(tint.rgb, tint.a * coverage(across, width)); }

@@ -1,0 +1,25 @@
+// Lines of constant pixel width as quads, after common.glsl in both stages of line programs.
+const float kFeather = 0.75;  // px, beyond half the width: where the coverage falls to nothing
+
+// A corner of the quad for the line from a to b (clip space): corner.x 0 at a, 1 at b; corner.y -1 or 1 across. The result has w = 1, so
+// what is interpolated is linear on the screen. `across`: px from the middle. A line behind the eye has no area.
+vec4 expand(vec4 a, vec4 b, vec2 corner, float width_px, vec2 viewport, out float across) {
+  const float kNear = 0.01;
+  across = 0.0;
+  if (a.w < kNear && b.w < kNear) return vec4(2.0, 2.0, 2.0, 1.0);
+  if (a.w < kNear) a = mix(a, b, (kNear - a.w) / (b.w - a.w));
+  if (b.w < kNear) b = mix(b, a, (kNear - b.w) / (a.w - b.w));
+  vec3 from = a.xyz / a.w, to = b.xyz / b.w;
+  vec2 along = (to.xy - from.xy) * viewport;
+  float size = length(along);
+  along = size > 1e-4 ? along / size : vec2(1.0, 0.0);
+  float reach = 0.5 * width_px + kFeather;
+  across = corner.y * reach;
+  vec3 place = corner.x < 0.5 ? from : to;
+  place.xy += vec2(-along.y, along.x) * across * 2.0 / viewport;
+  return vec4(place, 1.0);
+}
+
+float coverage(float across, float width_px) {
+  return clamp((0.5 * width_px + kFeather - abs(across)) / (2.0 * kFeather), 0.0, 1.0) * min(width_px, 1.0);
+}

@@ -1,0 +1,30 @@
+// Track and carts, or with SHADOW what they throw on the ground plane.
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in float part;
+#ifdef CARTS
+layout(location = 3) in vec4 model_x;
+layout(location = 4) in vec4 model_y;
+layout(location = 5) in vec4 model_z;
+layout(location = 6) in vec4 model_origin;
+#endif
+uniform mat4 view_projection;
+out vec3 world;    // before projection on the ground
+out vec3 facing;   // towards the outside
+flat out float material;
+
+void main() {
+  world = position;
+  facing = normal;
+#ifdef CARTS
+  mat4 model = mat4(model_x, model_y, model_z, model_origin);
+  world = (model * vec4(position, 1.0)).xyz;
+  facing = mat3(model) * normal;
+#endif
+  material = part;
+  vec3 drawn = world;
+#ifdef SHADOW
+  drawn -= kSun * (world.y / kSun.y);
+#endif
+  gl_Position = view_projection * vec4(drawn, 1.0);
+}

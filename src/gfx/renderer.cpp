@@ -1,0 +1,256 @@
+// The passes of a picture, from far to near: backdrop, shadows, track, carts, polyline, overlay. What the passes draw is kept by
+// TrackCache and Instances, how they look is in shaders/.
+#include "gfx/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "gfx/instances.h"
+#include "gfx/scene_programs.h"
+#include "gfx/track_cache.h"
+
+namespace coaster::gfx {
+namespace {
+
+constexpr glm::vec3 kBackground{27 / 255.0f, 31 / 255.0f, 39 / 255.0f};  // #1B1F27, around the viewport
+constexpr float kPolylineWidth = 1.75f;                                  // px
+constexpr glm::vec4 kPolylineColour{1, 1, 1, 0.9f};
+
+// Pixels with their origin at the bottom left, inside the picture.
+struct Rectangle {
+  int x, y, width, height;
+};
+Rectangle pixels_of(const view::Viewport& v, int width, int height) {
+  const auto pixel = [](float place, int limit) { return std::clamp(int(std::lround(place)), 0, limit); };
+  const int left = pixel(v.x, width), right = pixel(v.x + v.width, width);
+  const int top = pixel(v.y, height), bottom = pixel(v.y + v.height, height);
+  return {left, height - bottom, right - left, bottom - top};
+}
+
+void enable(const Gl& gl, GLenum what, bool on) { (on ? gl.Enable : gl.Disable)(what); }
+
+void blend(const Gl& gl, bool on) {
+  enable(gl, GL_BLEND, on);
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+  const Gl& gl;
+  ScenePrograms programs;
+  TrackCache track;
+  Instances instances;
+  Object empty_array;  // for the backdrop, which has no attributes
+  int samples = 0;     // asked for and within the driver's limits
+  // `scene` exists when multisampled; `resolved` is drawn to directly otherwise.
+  std::optional<Target> scene, resolved;
+
+  Parts(const Gl& table, ScenePrograms compiled)
+      : gl(table), programs(std::move(compiled)), track(table), instances(table), empty_array(make_vertex_array(table)) {}
+
+  void fit_targets(int width, int height);
+  void begin(const view::Viewport& viewport, int width, int height);
+  void draw_backdrop(const view::View& view, DrawStats& stats);
+  void draw_meshes(const Program& track_program, const Program& cart_program, const Scene& scene, DrawStats& stats);
+  void draw_shadows(const Scene& scene, DrawStats& stats);
+  void draw_solids(const Scene& scene, DrawStats& stats);
+  void draw_polyline(const Scene& scene, DrawStats& stats);
+  void draw_overlay(const Scene& scene, DrawStats& stats);
+  void finish(int width, int height);
+};
+
+// Makes the framebuffers anew when size or samples changed. A driver that refuses multisampling of this size gets none.
+void Renderer::Parts::fit_targets(int width, int height) {
+  const int have = scene ? scene->samples : 0;
+  if (resolved && resolved->width == width && resolved->height == height && have == samples) return;
+  scene.reset();
+  resolved.reset();
+  auto plain = make_target(gl, width, height, 0);
+  COASTER_CHECK(plain.ok(), "the driver has framebuffers of the size of its screens");
+  resolved = std::move(*plain);
+  if (samples == 0) return;
+  if (auto target = make_target(gl, width, height, samples))
+    scene = std::move(*target);
+  else
+    samples = 0;
+}
+
+void Renderer::Parts::begin(const view::Viewport& viewport, int width, int height) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, scene ? scene->framebuffer.id() : resolved->framebuffer.id());
+  gl.Viewport(0, 0, width, height);
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.DepthMask(GL_TRUE);
+  gl.ClearColor(kBackground.x, kBackground.y, kBackground.z, 1);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  const Rectangle r = pixels_of(viewport, width, height);
+  gl.Viewport(r.x, r.y, r.width, r.height);
+  gl.Scissor(r.x, r.y, r.width, r.height);
+  gl.Enable(GL_SCISSOR_TEST);
+}
+
+void Renderer::Parts::draw_backdrop(const view::View& view, DrawStats& stats) {
+  // Rows of the view matrix are the camera's axes in the world; the projection is symmetric.
+  const glm::mat3 axes = glm::transpose(glm::mat3(view.view));
+  programs.backdrop.use();
+  programs.backdrop.set("forward", -axes[2]);
+  programs.backdrop.set("right", axes[0] / view.projection[0][0]);
+  programs.backdrop.set("up", axes[1] / view.projection[1][1]);
+  programs.backdrop.set("eye", view.eye);
+  blend(gl, false);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.BindVertexArray(empty_array.id());
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  ++stats.draw_calls;
+}
+
+void Renderer::Parts::draw_meshes(const Program& track_program, const Program& cart_program, const Scene& picture, DrawStats& stats) {
+  const glm::mat4 view_projection = picture.view.projection * picture.view.view;
+  if (track.index_count() > 0) {
+    track_program.use();
+    track_program.set("view_projection", view_projection);
+    track_program.set("eye", picture.view.eye);
+    track.bind_mesh();
+    gl.DrawElements(GL_TRIANGLES, track.index_count(), GL_UNSIGNED_INT, nullptr);
+    ++stats.draw_calls;
+  }
+  if (const GLsizei carts = instances.bind_carts(); carts > 0) {
+    cart_program.use();
+    cart_program.set("view_projection", view_projection);
+    cart_program.set("eye", picture.view.eye);
+    gl.DrawElementsInstanced(GL_TRIANGLES, instances.cart_indices(), GL_UNSIGNED_INT, nullptr, carts);
+    ++stats.draw_calls;
+  }
+}
+
+// On the ground plane, which is all backdrop so far: no depth is needed, and the stencil darkens each sample once. Faces
+// towards the sun keep their winding when seen from above, so half of the triangles suffice.
+void Renderer::Parts::draw_shadows(const Scene& picture, DrawStats& stats) {
+  if (picture.view.eye.y <= 0) return;
+  blend(gl, true);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.Enable(GL_CULL_FACE);
+  gl.CullFace(GL_BACK);
+  gl.Enable(GL_STENCIL_TEST);
+  gl.StencilFunc(GL_EQUAL, 0, 0xff);
+  gl.StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+  draw_meshes(programs.track_shadow, programs.cart_shadow, picture, stats);
+  gl.Disable(GL_STENCIL_TEST);
+  gl.Disable(GL_CULL_FACE);
+}
+
+void Renderer::Parts::draw_solids(const Scene& picture, DrawStats& stats) {
+  blend(gl, false);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LESS);
+  gl.Enable(GL_CULL_FACE);
+  gl.CullFace(GL_BACK);
+  draw_meshes(programs.track, programs.carts, picture, stats);
+  gl.Disable(GL_CULL_FACE);
+}
+
+void Renderer::Parts::draw_polyline(const Scene& picture, DrawStats& stats) {
+  if (!picture.show_polyline || track.line_count() == 0) return;
+  blend(gl, true);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LEQUAL);
+  gl.DepthMask(GL_FALSE);
+  programs.polyline.use();
+  programs.polyline.set("view_projection", picture.view.projection * picture.view.view);
+  programs.polyline.set("eye", picture.view.eye);
+  programs.polyline.set("viewport", glm::vec2(picture.view.viewport.width, picture.view.viewport.height));
+  programs.polyline.set("width_px", kPolylineWidth);
+  programs.polyline.set("paint", kPolylineColour);
+  track.bind_lines();
+  gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, track.line_count());
+  gl.DepthMask(GL_TRUE);
+  ++stats.draw_calls;
+}
+
+void Renderer::Parts::draw_overlay(const Scene& picture, DrawStats& stats) {
+  blend(gl, true);
+  gl.Disable(GL_DEPTH_TEST);
+  const auto pass = [&](const Program& program, GLsizei count) {
+    if (count == 0) return;
+    program.use();
+    program.set("view_projection", picture.view.projection * picture.view.view);
+    program.set("viewport", glm::vec2(picture.view.viewport.width, picture.view.viewport.height));
+    gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+    ++stats.draw_calls;
+  };
+  pass(programs.line, instances.bind_lines());
+  pass(programs.mark, instances.bind_marks());
+}
+
+void Renderer::Parts::finish(int width, int height) {
+  blend(gl, false);
+  gl.Disable(GL_SCISSOR_TEST);  // it would cut the copy
+  gl.BindVertexArray(0);
+  gl.UseProgram(0);
+  if (scene) {
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, scene->framebuffer.id());
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved->framebuffer.id());
+    gl.BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  gl.BindFramebuffer(GL_FRAMEBUFFER, resolved->framebuffer.id());
+  gl.Viewport(0, 0, width, height);
+}
+
+base::Result<std::unique_ptr<Renderer>> Renderer::make(const Gl& gl, int samples) {
+  auto programs = make_scene_programs(gl);
+  if (!programs) return programs.status();
+  std::unique_ptr<Renderer> renderer(new Renderer(std::make_unique<Parts>(gl, std::move(*programs))));
+  renderer->set_samples(samples);
+  return renderer;
+}
+
+Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Renderer::~Renderer() = default;
+
+void Renderer::set_samples(int samples) {
+  const int clamped = std::clamp(samples, 0, parts_->gl.max_samples);
+  parts_->samples = clamped > 1 ? clamped : 0;
+}
+
+DrawStats Renderer::draw(const Scene& scene, int width, int height) {
+  COASTER_CHECK(width >= 1 && height >= 1, "a picture has pixels");
+  Parts& parts = *parts_;
+  DrawStats stats;
+  const TrackCache::Synced synced = parts.track.sync(scene.derived, scene.clock);
+  stats.uploads = synced.uploads;
+  stats.cpu_ms = 1000 * synced.cpu_seconds;
+  parts.instances.upload(scene.overlay, scene.carts);
+  parts.fit_targets(width, height);
+  stats.samples = parts.samples;
+  parts.begin(scene.view.viewport, width, height);
+  parts.draw_backdrop(scene.view, stats);
+  parts.draw_shadows(scene, stats);
+  parts.draw_solids(scene, stats);
+  parts.draw_polyline(scene, stats);
+  parts.draw_overlay(scene, stats);
+  parts.finish(width, height);
+  return stats;
+}
+
+unsigned Renderer::framebuffer() const { return parts_->resolved ? parts_->resolved->framebuffer.id() : 0; }
+
+Image Renderer::read_pixels() const {
+  COASTER_CHECK(parts_->resolved, "pixels are read after a draw");
+  const Gl& gl = parts_->gl;
+  const int width = parts_->resolved->width, height = parts_->resolved->height;
+  const std::size_t row = 4 * std::size_t(width);
+  std::vector<std::uint8_t> upside_down(row * std::size_t(height));
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, parts_->resolved->framebuffer.id());
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
+  Image image{width, height, std::vector<std::uint8_t>(upside_down.size())};
+  for (int y = 0; y < height; ++y)
+    std::memcpy(&image.rgba[std::size_t(y) * row], &upside_down[std::size_t(height - 1 - y) * row], row);
+  return image;
+}
+
+}  // namespace coaster::gfx

@@ -1,0 +1,58 @@
+// Compiles the scene's programs.
+#include "gfx/scene_programs.h"
+
+#include <cstddef>
+
+#define COASTER_SHADERS(X)                                                                                            \
+  X(common_glsl) X(line_glsl) X(backdrop_vert) X(backdrop_frag) X(mesh_vert) X(mesh_frag) X(shadow_frag) X(polyline_vert) \
+  X(line_vert) X(line_frag) X(mark_vert) X(mark_frag)
+
+namespace coaster::embedded {
+#define X(symbol)                        \
+  extern const unsigned char symbol[];   \
+  extern const std::size_t symbol##_size;
+COASTER_SHADERS(X)
+#undef X
+}  // namespace coaster::embedded
+
+namespace coaster::gfx {
+namespace {
+
+#define X(symbol) \
+  std::string_view symbol() { return {reinterpret_cast<const char*>(embedded::symbol), embedded::symbol##_size}; }
+COASTER_SHADERS(X)
+#undef X
+
+struct Row {
+  const char* name;
+  Program ScenePrograms::* program;
+  const char* defines;
+  bool line;
+  std::string_view vertex, fragment;
+};
+
+}  // namespace
+
+base::Result<ScenePrograms> make_scene_programs(const Gl& gl) {
+  const Row rows[] = {
+      {"backdrop", &ScenePrograms::backdrop, "", false, backdrop_vert(), backdrop_frag()},
+      {"mesh", &ScenePrograms::track, "", false, mesh_vert(), mesh_frag()},
+      {"mesh (carts)", &ScenePrograms::carts, "#define CARTS\n", false, mesh_vert(), mesh_frag()},
+      {"shadow", &ScenePrograms::track_shadow, "#define SHADOW\n", false, mesh_vert(), shadow_frag()},
+      {"shadow (carts)", &ScenePrograms::cart_shadow, "#define SHADOW\n#define CARTS\n", false, mesh_vert(), shadow_frag()},
+      {"polyline", &ScenePrograms::polyline, "", true, polyline_vert(), line_frag()},
+      {"line", &ScenePrograms::line, "", true, line_vert(), line_frag()},
+      {"mark", &ScenePrograms::mark, "", false, mark_vert(), mark_frag()},
+  };
+  ScenePrograms programs;
+  for (const Row& row : rows) {
+    std::string common = row.defines + std::string(common_glsl());
+    if (row.line) common += line_glsl();
+    auto program = make_program(gl, row.name, common, row.vertex, row.fragment);
+    if (!program) return program.status();
+    programs.*row.program = std::move(*program);
+  }
+  return programs;
+}
+
+}  // namespace coaster::gfx

@@ -1,0 +1,15 @@
+// The programs of a scene's passes, from the sources in shaders/ that the build embeds.
+#pragma once
+
+#include "gfx/objects.h"
+
+namespace coaster::gfx {
+
+struct ScenePrograms {
+  Program backdrop, track, carts, track_shadow, cart_shadow, polyline, line, mark;
+};
+
+// Code::graphics with the compiler's log when one does not compile.
+base::Result<ScenePrograms> make_scene_programs(const Gl& gl);
+
+}  // namespace coaster::gfx
