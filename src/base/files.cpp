@@ -36,6 +36,30 @@ Code code_of_open(int error) {
   return error == ENOENT || error == ENOTDIR || error == ELOOP || error == ENAMETOOLONG ? Code::bad_file : Code::io;
 }
 
+// Replaces a symbolic link by what it points to, which need not exist: std::filesystem::canonical would refuse that.
+Status follow_links(std::filesystem::path& path) {
+  const std::filesystem::path asked = path;
+  std::error_code error;
+  for (int depth = 0; std::filesystem::is_symlink(path, error); ++depth) {
+    if (depth == 40) return failure(Code::io, asked, "the symbolic link cannot be followed", ELOOP);
+    const std::filesystem::path next = std::filesystem::read_symlink(path, error);
+    if (error) return failure(Code::io, asked, "the symbolic link cannot be followed", error.value());
+    path = path.parent_path() / next;  // an absolute `next` replaces the whole
+  }
+  return {};
+}
+
+// A new file beside `target` with the mode that the process gives new files; `name` is its path. -1 and errno on failure.
+int open_temporary(const std::filesystem::path& target, std::string& name) {
+  for (int i = 0; i < 1000; ++i) {
+    const std::string file = "." + target.filename().string() + "." + std::to_string(::getpid()) + "." + std::to_string(i);
+    name = (target.parent_path() / file).string();
+    const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (fd >= 0 || errno != EEXIST) return fd;
+  }
+  return -1;
+}
+
 }  // namespace
 
 void Files::inject(IoOperation operation, int nth) { countdown_[static_cast<std::size_t>(operation)] = nth; }
@@ -74,19 +98,18 @@ Result<std::string> Files::read(const std::filesystem::path& path, std::size_t l
 }
 
 Status Files::write_atomic(const std::filesystem::path& path, std::string_view bytes) {
-  std::error_code ignored;
   std::filesystem::path target = path;
-  if (std::filesystem::is_symlink(path, ignored)) {
-    target = std::filesystem::weakly_canonical(path, ignored);
-    if (ignored) return {Code::io, path.string() + ": the symbolic link cannot be followed: " + ignored.message()};
-  }
+  if (const Status followed = follow_links(target); !followed.ok()) return followed;
   struct stat old {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
   if (exists && !S_ISREG(old.st_mode)) return {Code::io, path.string() + ": is not a regular file, so it cannot be written"};
 
   const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-  std::string temporary = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
-  Descriptor file(fails(IoOperation::open) ? -1 : ::mkostemp(temporary.data(), O_CLOEXEC));
+  // Opened before anything changes, so that all that can fail behind the rename is the folder's own fsync.
+  Descriptor directory(fails(IoOperation::open) ? -1 : ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!directory.valid()) return failure(Code::io, path, "open of the folder", errno);
+  std::string temporary;
+  Descriptor file(fails(IoOperation::open) ? -1 : open_temporary(target, temporary));
   if (!file.valid()) return failure(Code::io, path, "open", errno);
   // From here on every error removes the temporary file and leaves the old one as it was.
   const auto give_up = [&](std::string_view what) {
@@ -95,13 +118,7 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
     return status;
   };
 
-  mode_t mode = old.st_mode & 07777;
-  if (!exists) {
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    mode = 0666 & ~mask;
-  }
-  if (::fchmod(file.get(), mode) != 0) return give_up("chmod");
+  if (exists && ::fchmod(file.get(), old.st_mode & 07777) != 0) return give_up("chmod");
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t wrote = fails(IoOperation::write) ? -1 : ::write(file.get(), bytes.data() + done, bytes.size() - done);
     if (wrote < 0 && errno == EINTR) continue;
@@ -113,9 +130,7 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
   if (fails(IoOperation::rename) || ::rename(temporary.c_str(), target.c_str()) != 0) return give_up("rename");
 
   // The new file is in place; without this a power cut could still bring the old one back.
-  Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!directory.valid() || fails(IoOperation::fsync) || ::fsync(directory.get()) != 0)
-    return failure(Code::io, path, "fsync of the folder", errno);
+  if (fails(IoOperation::fsync) || ::fsync(directory.get()) != 0) return failure(Code::io, path, "fsync of the folder", errno);
   return {};
 }
 

@@ -29,7 +29,8 @@ class Files {
   Result<std::string> read(const std::filesystem::path& path, std::size_t limit = kMaxFileBytes);
 
   // Writes a temporary file beside the target, fsync, rename over it, fsync of the folder. A symbolic link is followed,
-  // an existing file keeps its mode. On any error the old file is as it was and the temporary file is gone.
+  // an existing file keeps its mode. On an error the temporary file is gone and the old file is as it was; but when the last
+  // step fails (fsync of the folder, the second fsync), the whole new file is in place and may not outlive a power cut.
   // Code::io with "PATH: operation: reason".
   Status write_atomic(const std::filesystem::path& path, std::string_view bytes);
 

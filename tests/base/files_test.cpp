@@ -58,6 +58,10 @@ TEST_F(files, each_failing_operation_leaves_the_old_file_and_nothing_else) {
     EXPECT_EQ(content(folder / "a"), "old");
     EXPECT_EQ(entries(), 1u);
   }
+  io.inject(IoOperation::open, 2);  // the first opens the folder, the second the temporary file
+  EXPECT_EQ(io.write_atomic(folder / "a", "new").code, Code::io);
+  EXPECT_EQ(content(folder / "a"), "old");
+  EXPECT_EQ(entries(), 1u);
   EXPECT_TRUE(io.write_atomic(folder / "a", "new").ok()) << "a fault strikes once";
   EXPECT_EQ(content(folder / "a"), "new");
 }
@@ -66,6 +70,7 @@ TEST_F(files, a_failing_fsync_of_the_folder_is_reported_with_one_whole_file_in_p
   io.inject(IoOperation::fsync, 2);
   EXPECT_EQ(io.write_atomic(folder / "a", "new").code, Code::io);
   EXPECT_EQ(content(folder / "a"), "new");
+  EXPECT_EQ(entries(), 1u);
 }
 
 TEST_F(files, faults_in_reading_are_io_errors) {
@@ -85,6 +90,22 @@ TEST_F(files, a_symbolic_link_is_followed_and_the_mode_is_kept) {
   EXPECT_TRUE(fs::is_symlink(folder / "link"));
   EXPECT_EQ(content(folder / "target"), "new");
   EXPECT_EQ(fs::status(folder / "target").permissions(), fs::perms(0640));
+}
+
+TEST_F(files, a_link_to_what_is_not_there_yet_makes_its_target) {
+  fs::create_directory(folder / "deep");
+  fs::create_symlink("deep/new", folder / "link");
+  ASSERT_TRUE(io.write_atomic(folder / "link", "x").ok());
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(content(folder / "deep" / "new"), "x");
+  fs::create_symlink("round", folder / "round");
+  EXPECT_EQ(io.write_atomic(folder / "round", "x").code, Code::io);
+}
+
+TEST_F(files, a_new_file_has_the_mode_that_other_programs_give) {
+  ASSERT_TRUE(io.write_atomic(folder / "a", "x").ok());
+  std::ofstream(folder / "b") << "x";
+  EXPECT_EQ(fs::status(folder / "a").permissions(), fs::status(folder / "b").permissions());
 }
 
 TEST_F(files, a_folder_that_is_missing_is_an_error) {

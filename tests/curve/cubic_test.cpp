@@ -79,7 +79,7 @@ TEST(cubic, the_nearest_point_beats_a_dense_search) {
   auto cubics = random_cubics(60, 6);
   for (const Cubic& c : degenerate_cubics()) cubics.push_back(c);
   for (const Cubic& c : cubics) {
-    const glm::dvec3 target = point(c, 0.37) + glm::dvec3(off(random), off(random), off(random));
+    const glm::dvec3 target = point(c, 0.37) + glm::dvec3{off(random), off(random), off(random)};
     const NearestPoint found = nearest_point(c, target);
     double best = 1e300;
     for (int i = 0; i <= 4000; ++i) best = std::min(best, glm::length(point(c, i / 4000.0) - target));

@@ -8,16 +8,19 @@
 
 namespace coaster::curve {
 
+// Braces, not parentheses, around the draws: they fix their order, so every compiler gets the same cubics.
 // Track-like: about `size` metres long, within `reach` metres of the origin in each coordinate, handles about a third of the chord.
 inline std::vector<Cubic> random_cubics(int count, unsigned seed, float reach = 200, float size = 20) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> place(-reach, reach), bend(-0.35f, 0.35f), stretch(0.4f, 1.6f);
-  const auto direction = [&] { return glm::normalize(glm::vec3(1.1f + bend(random), bend(random), bend(random))); };
+  const auto direction = [&] { return glm::normalize(glm::vec3{1.1f + bend(random), bend(random), bend(random)}); };
   std::vector<Cubic> all;
   for (int i = 0; i < count; ++i) {
-    const glm::vec3 p(place(random), place(random), place(random));
+    const glm::vec3 p{place(random), place(random), place(random)};
     const float length = size * stretch(random);
-    const glm::vec3 q = p + length * direction(), a = length / 3 * stretch(random) * direction(), b = length / 3 * stretch(random) * direction();
+    const glm::vec3 q = p + length * direction();
+    const float first = length / 3 * stretch(random), second = length / 3 * stretch(random);
+    const glm::vec3 a = first * direction(), b = second * direction();
     all.push_back({p, p + a, q - b, q});
   }
   return all;
