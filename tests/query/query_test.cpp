@@ -1,0 +1,224 @@
+#include "query/query.h"
+
+#include <set>
+
+#include "base/hash.h"
+#include "edit/session_fixture.h"
+
+namespace coaster::query {
+namespace {
+
+class QueryTest : public test::SessionTest {
+ protected:
+  base::Result<Value> ask(std::string_view name, std::string_view argument = {}) const {
+    const Query* const query = find_query(name);
+    EXPECT_TRUE(query) << name;
+    if (!query) return base::Status{base::Code::usage, "no query"};
+    return query->evaluate({session, stats, toast, title}, argument);
+  }
+  double number(std::string_view name, std::string_view argument = {}) const {
+    const auto value = ask(name, argument);
+    EXPECT_TRUE(value) << name << ": " << value.status().message;
+    return value ? std::get<double>(*value) : NAN;
+  }
+  std::string words(std::string_view name, std::string_view argument = {}) const {
+    const auto value = ask(name, argument);
+    EXPECT_TRUE(value) << name << ": " << value.status().message;
+    return value ? to_text(*value) : "";
+  }
+  int rank(std::string_view name, std::string_view argument = {}) const { return std::get<Ranked>(*ask(name, argument)).rank; }
+
+  FrameStats stats;
+  std::string toast, title;
+};
+
+std::string_view sample_argument(const Query& query) {
+  if (query.argument == "@knot") return "@k2";
+  if (query.argument == "@segment") return "@s3";
+  if (query.argument == "document|motion") return "motion";
+  EXPECT_EQ(query.argument, "");
+  return "";
+}
+
+TEST_F(QueryTest, every_row_has_a_value_on_a_track_and_on_an_empty_one) {
+  for (const Query& query : queries()) {
+    const auto value = query.evaluate({session, stats, toast, title}, sample_argument(query));
+    ASSERT_TRUE(value) << query.name << ": " << value.status().message;
+    if (const double* real = std::get_if<double>(&*value)) {
+      EXPECT_TRUE(std::isfinite(*real)) << query.name;
+    }
+    EXPECT_FALSE(query.text.empty()) << query.name;
+  }
+  good("new");
+  for (const Query& query : queries())
+    EXPECT_EQ(query.evaluate({session, stats, toast, title}, sample_argument(query)).ok(), !query.argument.starts_with('@')) << query.name;
+}
+
+TEST_F(QueryTest, names_are_unique_and_found) {
+  std::set<std::string_view> names;
+  for (const Query& query : queries()) {
+    EXPECT_TRUE(names.insert(query.name).second) << query.name;
+    EXPECT_EQ(find_query(query.name), &query);
+  }
+  EXPECT_EQ(find_query("knotz"), nullptr);
+  EXPECT_EQ(find_query(""), nullptr);
+}
+
+TEST_F(QueryTest, the_names_that_scripts_rely_on_are_there) {
+  for (const char* name : {"knots", "segments", "closed", "length", "exact_length", "evaluator", "resolution", "frames_by", "name", "position",
+                           "geometric", "parametric", "gap", "hash", "vertices", "uploads", "rebuilds", "deviation", "ride.state", "ride.speed",
+                           "ride.height", "ride.distance", "ride.lap", "ride.energy", "ride.energy_drift", "ride.g_up", "ride.g_side",
+                           "ride.g_forward", "frame", "tick", "selected", "undo_depth", "toast", "title"})
+    EXPECT_TRUE(find_query(name)) << name;
+}
+
+TEST_F(QueryTest, the_document_reads_as_it_is) {
+  EXPECT_EQ(number("knots"), 5);
+  EXPECT_EQ(number("segments"), 4);
+  EXPECT_EQ(words("closed"), "off");
+  EXPECT_EQ(rank("closed"), 0);
+  good("closed on");
+  EXPECT_EQ(rank("closed"), 1);
+  EXPECT_EQ(words("closed"), "on");
+  EXPECT_EQ(words("name"), "Skew \"sample\"");
+  EXPECT_EQ(number("start_speed"), 3.3);
+  EXPECT_EQ(number("datum"), -1.7);
+  EXPECT_EQ(words("joint", "@k1"), "smooth");
+  EXPECT_EQ(words("joint", "@k4"), "automatic");
+  EXPECT_EQ(number("turns", "@s3"), -1);
+  EXPECT_NEAR(number("roll", "@k2"), 23.7, 1e-4);
+  EXPECT_FLOAT_EQ(static_cast<float>(number("in_length", "@k2")), 6.3f);
+  EXPECT_FLOAT_EQ(static_cast<float>(number("out_length", "k2")), 9.7f);
+  const auto position = std::get<glm::dvec3>(*ask("position", "@k3"));
+  EXPECT_EQ(position, glm::dvec3(149.9f, 7.7f, -11.3f));
+  EXPECT_EQ(words("vertices"), "325");
+  EXPECT_EQ(number("carts"), 2);
+}
+
+TEST_F(QueryTest, lengths_are_by_the_chosen_method_and_exact) {
+  double exact = 0;
+  for (const world::Entity e : session.document.track.segments) exact += curve::arc_length(world::cubic_of(session.document, e));
+  EXPECT_NEAR(number("length"), exact, 1e-9);
+  good("resolution 2");
+  good("arc_length " + std::string(curve::arc_length_methods()[2].name));
+  double chords = 0, third = 0;
+  for (const world::Entity e : session.document.track.segments) {
+    const curve::Cubic c = world::cubic_of(session.document, e);
+    const double sum = glm::distance(curve::point(c, 0), curve::point(c, 0.5)) + glm::distance(curve::point(c, 0.5), curve::point(c, 1));
+    chords += sum;
+    if (e == session.document.track.segments[2]) third = sum;
+  }
+  EXPECT_NEAR(number("length"), chords, 1e-3);
+  EXPECT_NEAR(number("segment_length", "@s3"), third, 1e-3);
+  EXPECT_NEAR(number("exact_length"), exact, 1e-9);
+  EXPECT_EQ(words("arc_length"), curve::arc_length_methods()[2].name);
+}
+
+TEST_F(QueryTest, continuity_compares_by_rank) {
+  EXPECT_EQ(words("geometric", "@k1"), "none");  // an end of an open track
+  EXPECT_LT(rank("geometric", "@k1"), 0);
+  EXPECT_GE(rank("geometric", "@k2"), 1);
+  EXPECT_EQ(words("parametric", "@k2"), "C0");  // 6.3 m and 9.7 m
+  EXPECT_EQ(rank("parametric", "@k2"), 0);
+  EXPECT_EQ(number("gap", "@k2"), 0);
+  EXPECT_NEAR(number("speed_ratio", "@k2"), 9.7 / 6.3, 1e-5);
+  good("lengths @k2 in 8 out 8");
+  EXPECT_EQ(rank("parametric", "@k2"), 1);
+  EXPECT_EQ(words("parametric", "@k2"), "C1");
+}
+
+TEST_F(QueryTest, wrong_arguments_are_refused_with_a_suggestion) {
+  const auto refused = [&](std::string_view name, std::string_view argument, std::string_view part) {
+    const auto value = ask(name, argument);
+    ASSERT_FALSE(value) << name;
+    EXPECT_EQ(value.status().code, base::Code::usage);
+    EXPECT_NE(value.status().message.find(part), std::string::npos) << value.status().message;
+  };
+  refused("position", "@k9", "no knot @k9");
+  refused("position", "@k9", "did you mean");
+  refused("position", "@s1", "no knot @s1");
+  refused("position", "", "no knot");
+  refused("turns", "@k1", "no segment @k1");
+  refused("hash", "documents", "document or motion");
+}
+
+TEST_F(QueryTest, hashes_are_those_of_the_world) {
+  EXPECT_EQ(words("hash", "document"), base::hex16(world::hash(session.document)));
+  EXPECT_EQ(words("hash", "motion"), base::hex16(world::hash(session.document, session.motion)));
+  const std::string before = words("hash", "motion");
+  good("ride.start");
+  edit::advance(session, 10);
+  EXPECT_NE(words("hash", "motion"), before);
+  EXPECT_EQ(words("hash", "document").size(), 16u);
+}
+
+TEST_F(QueryTest, the_ride_is_that_of_the_selected_cart_or_the_first) {
+  EXPECT_EQ(words("ride.state"), "stopped");
+  EXPECT_EQ(number("ride.speed"), 3.3);
+  EXPECT_EQ(words("ride.segment"), "s2");
+  good("select @c2");
+  EXPECT_EQ(words("ride.segment"), "s4");
+  const double height = number("ride.height");
+  EXPECT_NEAR(number("ride.energy"), 0.5 * 3.3 * 3.3 + 9.81 * (height + 1.7), 1e-9);
+  EXPECT_NEAR(number("ride.distance"), session.derived.starts[3] + 0.91 * number("segment_length", "@s4"), 1e-9);
+  good("remove @c1");
+  good("select none");
+  EXPECT_EQ(words("ride.segment"), "s4");
+  good("ride.start");
+  EXPECT_EQ(words("ride.state"), "running");
+  good("remove @c2");
+  EXPECT_EQ(words("ride.state"), "none");
+  EXPECT_EQ(number("ride.speed"), 0);
+  EXPECT_EQ(number("ride.g_up"), 0);
+}
+
+TEST_F(QueryTest, the_session_reads_as_it_is) {
+  EXPECT_EQ(words("selected"), "none");
+  EXPECT_EQ(words("dirty"), "off");
+  EXPECT_EQ(number("undo_depth"), 0);
+  good("select @s2 at 0.37");
+  good("move @k4 to 1.5 2.25 3");
+  EXPECT_EQ(words("selected"), "s2");
+  EXPECT_EQ(number("selected_t"), 0.37);
+  EXPECT_EQ(number("undo_depth"), 1);
+  EXPECT_EQ(words("dirty"), "on");
+  EXPECT_EQ(words("position", "@k4"), "1.5 2.25 3");
+  good("undo");
+  EXPECT_EQ(number("undo_depth"), 0);
+  EXPECT_EQ(number("redo_depth"), 1);
+  good("camera target 1 2 3 yaw 17 pitch 23 distance 31");
+  EXPECT_EQ(number("camera_yaw"), 17);
+  EXPECT_EQ(number("camera_pitch"), 23);
+  EXPECT_EQ(number("camera_distance"), 31);
+  good("panels off");
+  EXPECT_EQ(words("panels"), "off");
+  good("append_mode on");
+  EXPECT_EQ(words("append_mode"), "on");
+  for (const char* line : {"evaluator bernstein", "frames_by frenet", "integrator verlet"}) {
+    good(line);
+    const std::string_view text(line);
+    const std::size_t blank = text.find(' ');
+    EXPECT_EQ(words(text.substr(0, blank)), text.substr(blank + 1));
+  }
+}
+
+TEST_F(QueryTest, frame_numbers_are_those_of_the_frame_loop) {
+  stats.frame = 42, stats.uploads = 2, stats.rebuilds = 3, stats.recolours = 4, stats.draw_calls = 17, stats.samples = 8;
+  stats.evaluation_ms = 0.5, stats.evaluated_vertices = 1000, stats.fps = 59.9, stats.cpu_ms = 1.7;
+  toast = "At the limit", title = "Skew - coaster";
+  EXPECT_EQ(number("frame"), 42);
+  EXPECT_EQ(number("uploads"), 2);
+  EXPECT_EQ(number("rebuilds"), 3);
+  EXPECT_EQ(number("recolours"), 4);
+  EXPECT_EQ(number("draw_calls"), 17);
+  EXPECT_EQ(number("samples"), 8);
+  EXPECT_DOUBLE_EQ(number("ns_per_point"), 500);
+  EXPECT_EQ(number("evaluation_time"), 0.5);
+  EXPECT_EQ(number("fps"), 59.9);
+  EXPECT_EQ(number("cpu_ms"), 1.7);
+  EXPECT_EQ(words("toast"), toast);
+  EXPECT_EQ(words("title"), title);
+}
+
+}  // namespace
+}  // namespace coaster::query
