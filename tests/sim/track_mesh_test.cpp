@@ -78,8 +78,10 @@ TEST(track_mesh, rails_run_a_gauge_apart_on_the_rails_plane) {
   const Derived derived = test::derived_of(d);
   const Mesh mesh = swept(derived.shape(derived.order[0]));
   const glm::dvec3 left(0.6, 0, -0.8), start(1.7, 4.3, 2.1);
+  double widest = 0, lowest = 0;
   for (const MeshVertex& v : mesh.vertices) {
     const double x = glm::dot(glm::dvec3(v.position) - start, left), y = v.position.y - 4.3;
+    if (v.part == static_cast<float>(Part::tie)) widest = std::max(widest, std::abs(x)), lowest = std::min(lowest, y);
     if (v.part == static_cast<float>(Part::rail)) {
       EXPECT_NEAR(std::hypot(std::abs(x) - kGauge / 2, y), kRailRadius, 1e-5);
     }
@@ -87,6 +89,9 @@ TEST(track_mesh, rails_run_a_gauge_apart_on_the_rails_plane) {
       EXPECT_NEAR(std::hypot(x, y + kSpineDrop), kSpineRadius, 1e-5);
     }
   }
+  // Ties end inside the rails and inside the spine.
+  EXPECT_NEAR(widest, kGauge / 2, kRailRadius);
+  EXPECT_NEAR(lowest, -kSpineDrop, kSpineRadius);
 }
 
 TEST(track_mesh, end_rings_of_neighbours_coincide) {

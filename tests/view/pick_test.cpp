@@ -71,6 +71,18 @@ TEST(pick, the_curve_is_nearest_on_screen_as_by_brute_force) {
   EXPECT_GT(found_some, 15);
 }
 
+TEST(pick, a_segment_that_passes_the_eye_is_picked_where_it_is_ahead) {
+  // The eye is at z = 10, 2 m over a segment from z = 30 (behind) to z = -30.
+  const Scene scene(test::straight_document({1, 5, 30}, {1, 5, -30}), {{1, 7, 0}, 0, 0, 10});
+  for (const float z : {5.0f, -3.0f, -21.0f}) {
+    const auto found = pick_curve(scene.derived, scene.view, glm::vec2(*project(scene.view, {1, 5, z})), 8);
+    ASSERT_TRUE(found) << z;
+    EXPECT_NEAR(found->position.z, z, 0.05) << z;
+  }
+  // Above the horizon a line through the eye's plane has a mirror image that is not there.
+  EXPECT_FALSE(pick_curve(scene.derived, scene.view, {57 + 320, 31 + 60}, 8));
+}
+
 TEST(pick, beyond_its_reach_the_curve_is_not_picked) {
   const Scene scene(test::straight_document({-20, 5, 1}, {20, 5, 1}), {{0, 5, 1}, 0, 0, 60});
   const glm::vec2 middle = glm::vec2(*project(scene.view, {3.7f, 5, 1}));
