@@ -1,0 +1,193 @@
+// A sight of a track, and its picture whose colours are ids: drawn from the rules of view/pick.h alone, with marks sorted by the depth
+// buffer, as an oracle for pick(). The curve is not in it.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+#include "gfx/objects.h"
+#include "sim/tracks.h"
+#include "view/pick.h"
+
+namespace coaster::test {
+
+using view::PickKind;
+
+inline constexpr int kIdWidth = 160, kIdHeight = 120;
+
+// Red: the slot of the entity and one; green: the kind. 0: nothing that has an id.
+using Id = std::array<std::uint8_t, 2>;
+inline constexpr Id kNothing{0, 0};
+inline Id id_of(PickKind kind, world::Entity entity) {
+  if (kind == PickKind::none || kind == PickKind::curve) return kNothing;  // the curve is not in the pictures
+  return {static_cast<std::uint8_t>(entity.index + 1), static_cast<std::uint8_t>(kind)};
+}
+
+// A hilly ring with three carts close together, so that they cover each other, and one view of it.
+struct Sight {
+  world::Document document;
+  sim::Derived derived;
+  world::Motion motion;
+  world::Settings settings;
+  view::View view;
+  std::vector<sim::Pose> carts() const {
+    std::vector<sim::Pose> poses;
+    for (const world::CartMotion& cart : motion.carts.items()) poses.push_back(sim::pose(derived, cart, settings.frames));
+    return poses;
+  }
+  view::Pick at(glm::vec2 pixel) const { return view::pick(document, derived, motion, settings, view, pixel); }
+};
+
+inline Sight make_sight() {
+  Sight sight;
+  sight.document = ring_document(9, 17.3);
+  for (const double fraction : {0.21, 0.43, 0.67}) world::add_cart(sight.document, sight.document.track.segments[2], fraction);
+  sim::derive(sight.document, sight.settings, {}, sight.derived);
+  sim::reset(sight.document, sight.derived, sight.motion);
+  return sight;
+}
+
+inline double uniform(std::mt19937& bits, double low, double high) { return low + (high - low) * (bits() / 4294967296.0); }
+
+inline void look_around(std::mt19937& bits, Sight& sight) {
+  const std::vector<world::Entity>& knots = sight.document.track.knots;
+  const std::vector<world::Entity>& segments = sight.document.track.segments;
+  const std::array<world::Entity, 3> choices{world::kNone, knots[bits() % knots.size()], segments[bits() % segments.size()]};
+  sight.settings.selected = choices[bits() % choices.size()];
+  sight.settings.ui_scale = bits() % 2 ? 1.0f : 1.5f;
+  sight.settings.frames = bits() % 2 ? world::FrameMethod::knots : world::FrameMethod::frenet;
+  world::Camera camera;
+  camera.target = bits() % 2 ? world::knot(sight.document, knots[bits() % knots.size()]).position
+                             : glm::vec3(sight.carts()[bits() % sight.motion.carts.size()].position);
+  camera.yaw_deg = static_cast<float>(uniform(bits, -180, 180));
+  camera.pitch_deg = static_cast<float>(uniform(bits, -30, 88));
+  camera.distance = static_cast<float>(std::exp(uniform(bits, std::log(4.0), std::log(150.0))));
+  sight.view = view::orbit_view(camera, {13, 7, kIdWidth, kIdHeight});
+}
+
+// The box of a cart: 2.2 x 1.3 x 1.1 m, standing on the rails' plane.
+inline glm::vec3 corner_of(const sim::Pose& pose, int i) {
+  const double x = i & 1 ? 1.1 : -1.1, y = i & 2 ? 1.1 : 0.0, left = i & 4 ? 0.65 : -0.65;
+  return glm::vec3(pose.position + x * pose.frame.forward + y * pose.frame.up + left * pose.frame.left());
+}
+// Nearer than this the near plane and the rider's own cart play a part, which is not this test's.
+inline bool near_a_cart(const Sight& sight) {
+  for (const sim::Pose& pose : sight.carts())
+    if (glm::distance(pose.position, glm::dvec3(sight.view.eye)) < 2.5) return true;
+  return false;
+}
+
+inline constexpr const char* kIdVertexShader = R"(
+layout(location = 0) in vec4 place;   // clip space
+layout(location = 1) in vec3 middle;  // px from the bottom left, and half the size; of size 0: all of the triangle
+layout(location = 2) in vec3 paint;   // id, and 1 for squares
+flat out vec3 mark;
+flat out vec3 id;
+void main() {
+  mark = middle;
+  id = paint;
+  gl_Position = place;
+}
+)";
+inline constexpr const char* kIdFragmentShader = R"(
+flat in vec3 mark;
+flat in vec3 id;
+out vec4 colour;
+void main() {
+  vec2 away = abs(gl_FragCoord.xy - mark.xy);
+  float distance = id.z > 0.5 ? max(away.x, away.y) : length(away);
+  if (mark.z > 0.0 && distance > mark.z) discard;
+  colour = vec4(id.xy / 255.0, 0.0, 1.0);
+}
+)";
+
+// Draws ids of carts, then knots over them, then handles over all; within a kind the depth buffer decides.
+class IdPicture {
+ public:
+  explicit IdPicture(const gfx::Gl& gl)
+      : gl_(gl), program_(std::move(*gfx::make_program(gl, "ids", "", kIdVertexShader, kIdFragmentShader))),
+        target_(std::move(*gfx::make_target(gl, kIdWidth, kIdHeight, 0))), array_(gfx::make_vertex_array(gl)), buffer_(gfx::make_buffer(gl)) {}
+
+  void draw(const Sight& sight) {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer.id());
+    gl_.Viewport(0, 0, kIdWidth, kIdHeight);
+    gl_.ClearColor(0, 0, 0, 0);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthFunc(GL_LESS);
+    std::vector<Corner> corners;
+    for (std::size_t i = 0; i < sight.motion.carts.size(); ++i)
+      add_box(sight, sight.carts()[i], id_of(PickKind::cart, sight.motion.carts.entities()[i]), corners);
+    flush(corners);
+    for (const world::Entity e : sight.document.track.knots)
+      add_mark(sight, world::knot(sight.document, e).position, view::kKnotRadius, false, id_of(PickKind::knot, e), corners);
+    flush(corners);
+    std::vector<world::Entity> shown;
+    if (sight.document.entities.find<world::Knot>(sight.settings.selected)) shown = {sight.settings.selected};
+    if (const auto* segment = sight.document.entities.find<world::Segment>(sight.settings.selected)) shown = {segment->from, segment->to};
+    for (const world::Entity e : shown) {
+      const world::Knot& knot = world::knot(sight.document, e);
+      add_mark(sight, knot.position - knot.in_length * knot.tangent, view::kHandleHalf, true, id_of(PickKind::handle_in, e), corners);
+      add_mark(sight, knot.position + knot.out_length * knot.tangent, view::kHandleHalf, true, id_of(PickKind::handle_out, e), corners);
+    }
+    flush(corners);
+    gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl_.ReadPixels(0, 0, kIdWidth, kIdHeight, GL_RGBA, GL_UNSIGNED_BYTE, pixels_.data());
+  }
+  // `column` and `row` from the top left.
+  Id at(int column, int row) const {
+    const std::size_t i = 4 * (std::size_t(kIdHeight - 1 - row) * kIdWidth + std::size_t(column));
+    return {pixels_[i], pixels_[i + 1]};
+  }
+
+ private:
+  struct Corner {
+    glm::vec4 place;
+    glm::vec3 middle, paint;
+  };
+  static void add_box(const Sight& sight, const sim::Pose& pose, Id id, std::vector<Corner>& corners) {
+    constexpr std::array<std::array<int, 4>, 6> kFaces{
+        {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
+    for (const auto& face : kFaces)
+      for (const int i : {0, 1, 2, 0, 2, 3}) {
+        const glm::vec4 place = sight.view.projection * sight.view.view * glm::vec4(corner_of(pose, face[std::size_t(i)]), 1);
+        corners.push_back({place, glm::vec3(0), glm::vec3(id[0], id[1], 0)});
+      }
+  }
+  static void add_mark(const Sight& sight, glm::vec3 position, float size, bool square, Id id, std::vector<Corner>& corners) {
+    const glm::dvec4 clip = glm::dmat4(sight.view.projection) * glm::dmat4(sight.view.view) * glm::dvec4(position, 1);
+    if (clip.w <= 0 || std::abs(clip.z) > clip.w) return;
+    const glm::dvec2 half(0.5 * kIdWidth, 0.5 * kIdHeight), middle = (glm::dvec2(clip) / clip.w + 1.0) * half;
+    const float radius = size * sight.settings.ui_scale;
+    // Depth by the distance from the eye, which is not the depth along the line of sight: 0.25 mm fine up to 2 km.
+    const double depth = glm::distance(glm::dvec3(position), glm::dvec3(sight.view.eye)) / 1000 - 1;
+    for (const int i : {0, 1, 2, 2, 1, 3}) {
+      const glm::dvec2 corner = middle + (radius + 2.0) * glm::dvec2(i & 1 ? 1 : -1, i & 2 ? 1 : -1);
+      corners.push_back({glm::vec4(glm::vec2(corner / half - 1.0), depth, 1), glm::vec3(glm::vec2(middle), radius),
+                         glm::vec3(id[0], id[1], square ? 1 : 0)});
+    }
+  }
+  void flush(std::vector<Corner>& corners) {
+    gl_.Clear(GL_DEPTH_BUFFER_BIT);
+    gl_.BindVertexArray(array_.id());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_.id());
+    gl_.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(corners.size() * sizeof(Corner)), corners.data(), GL_STREAM_DRAW);
+    gfx::float_attribute(gl_, 0, 4, sizeof(Corner), offsetof(Corner, place));
+    gfx::float_attribute(gl_, 1, 3, sizeof(Corner), offsetof(Corner, middle));
+    gfx::float_attribute(gl_, 2, 3, sizeof(Corner), offsetof(Corner, paint));
+    program_.use();
+    gl_.DrawArrays(GL_TRIANGLES, 0, GLsizei(corners.size()));
+    corners.clear();
+  }
+
+  const gfx::Gl& gl_;
+  gfx::Program program_;
+  gfx::Target target_;
+  gfx::Object array_, buffer_;
+  std::vector<std::uint8_t> pixels_ = std::vector<std::uint8_t>(4 * kIdWidth * kIdHeight);
+};
+
+}  // namespace coaster::test
