@@ -8,7 +8,7 @@ load "$SOURCE/tracks/gentle.json"
 ride.start
 frames 20
 select @k2
-aim.drag @k2 by 0.5 1.25 -0.25
+aim.drag @k2 by 1 12 -1
 ticks 77
 ui.click "Track/Add curve"
 evaluator horner
@@ -18,7 +18,7 @@ select @s2 at 0.3
 ui.click "Track/Insert point"
 gesture
 move @k3 to 1.5 9.25 -7.75
-roll @k3 12.5
+roll @k3 to 12.5
 end
 ticks 240
 log hash document
