@@ -54,10 +54,14 @@ class WindowSurface final : public Surface {
       of(w).pending_.push_back(Wheel{static_cast<float>(dx), static_cast<float>(dy)});
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int, int action, int mods) {
-      const Key key = key_of(code);
+      // X11 leaves a modifier's own bit out of its press and in its release, so these are counted in by hand; an unknown
+      // key's event tells of the modifiers alone.
       Modifiers held = modifiers_of(mods);
-      // X11 reports a modifier's own press without its bit, and its release with it: modifiers are no keys of ours.
-      if (key != Key::unknown) of(w).pending_.push_back(KeyPress{key, action != GLFW_RELEASE, action == GLFW_REPEAT, held});
+      const bool down = action != GLFW_RELEASE;
+      if (code == GLFW_KEY_LEFT_SHIFT || code == GLFW_KEY_RIGHT_SHIFT) held.shift = down;
+      if (code == GLFW_KEY_LEFT_CONTROL || code == GLFW_KEY_RIGHT_CONTROL) held.ctrl = down;
+      if (code == GLFW_KEY_LEFT_ALT || code == GLFW_KEY_RIGHT_ALT) held.alt = down;
+      of(w).pending_.push_back(KeyPress{key_of(code), down, action == GLFW_REPEAT, held});
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned codepoint) { of(w).pending_.push_back(TextInput{utf8_of(codepoint)}); });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
