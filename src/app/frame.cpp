@@ -28,10 +28,10 @@ std::vector<sim::Pose> cart_poses(const edit::Session& session) {
 ui::Output build_panels(Program& program, const platform::Events& events, platform::Size size) {
   const ui::State state{program.session, program.stats, program.seconds, program.stats.hide_times};
   ui::Output output = program.ui->build(events, state, size.width, size.height);
+  program.toast = program.ui->toast();
   for (const edit::Command& command : output.commands) (void)apply(program, command);  // what is refused shows as a notice
   program.hovered = output.hovered;
   program.quit = program.quit || output.quit;
-  program.toast = program.ui->toast();
   return output;
 }
 
