@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
 #include <vector>
 
 #include "platform/surface.h"
@@ -81,15 +82,33 @@ class OffscreenSurface final : public Surface {
   std::string clipboard_;
 };
 
+OSMesaContext create_core(const OsMesa& mesa, int major, int minor) {
+  const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION, major, OSMESA_CONTEXT_MINOR_VERSION, minor, 0};
+  return mesa.create(attributes, nullptr);
+}
+
+// The version that a driver has which refused 3.3, for the message alone.
+std::string version_at_hand(const OsMesa& mesa) {
+  const OSMesaContext context = create_core(mesa, 3, 1);
+  if (!context) return "none with a core profile";
+  std::string version = "an unknown version";
+  unsigned char buffer[4 * 4 * 4];
+  const auto get_string = reinterpret_cast<decltype(&glGetString)>(mesa.proc("glGetString"));
+  if (get_string && mesa.make_current(context, buffer, GL_UNSIGNED_BYTE, 4, 4) == GL_TRUE)
+    if (const GLubyte* text = get_string(GL_VERSION)) version = reinterpret_cast<const char*>(text);
+  mesa.make_current(nullptr, nullptr, 0, 0, 0);
+  mesa.destroy(context);
+  return version;
+}
+
 }  // namespace
 
 base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options) {
   auto mesa = load_library();
   if (!mesa) return mesa.status();
-  const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                            OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
-  OSMesaContext context = mesa->create(attributes, nullptr);
-  if (!context) return base::Status{base::Code::graphics, "OSMesa gave no OpenGL 3.3 core context"};
+  OSMesaContext context = create_core(*mesa, 3, 3);
+  if (!context) return base::Status{base::Code::graphics, "OpenGL 3.3 is needed, OSMesa has " + version_at_hand(*mesa)};
   auto surface = std::make_unique<OffscreenSurface>(*mesa, context, options.size);
   if (!surface->bind()) return base::Status{base::Code::graphics, "OSMesa could not make its context current"};
   return std::unique_ptr<Surface>(std::move(surface));

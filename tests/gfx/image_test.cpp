@@ -1,0 +1,103 @@
+#include "gfx/image.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace coaster::gfx {
+namespace {
+
+// Noise in 32..223, so that every channel can move both ways.
+Image noise(int width, int height) {
+  std::mt19937 bits(71);
+  Image image{width, height, std::vector<std::uint8_t>(4 * std::size_t(width) * std::size_t(height))};
+  for (std::uint8_t& byte : image.rgba) byte = static_cast<std::uint8_t>(32 + bits() % 192);
+  return image;
+}
+std::uint8_t& channel(Image& image, int x, int y, int c) {
+  return image.rgba[4 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x)) + std::size_t(c)];
+}
+void shift(Image& image, int x, int y, int by, int c = 1) {
+  channel(image, x, y, c) = static_cast<std::uint8_t>(channel(image, x, y, c) + by);
+}
+
+TEST(image, png_keeps_every_byte) {
+  for (const auto& [width, height] : {std::pair{1, 1}, {3, 7}, {161, 97}}) {
+    const Image image = noise(width, height);
+    const auto back = decode_png(encode_png(image), "picture");
+    ASSERT_TRUE(back.ok()) << back.status().message;
+    EXPECT_EQ(back->width, width);
+    EXPECT_EQ(back->height, height);
+    EXPECT_EQ(back->rgba, image.rgba);
+  }
+}
+
+TEST(image, broken_png_is_refused_by_name) {
+  const std::string png = encode_png(noise(61, 43));
+  const std::string broken[] = {"", "not a picture", png.substr(0, png.size() / 2), png.substr(0, 20), png.substr(1)};
+  for (const std::string& bytes : broken) {
+    const auto image = decode_png(bytes, "golden/loop.png");
+    ASSERT_FALSE(image.ok()) << bytes.size() << " bytes";
+    EXPECT_EQ(image.status().code, base::Code::bad_file);
+    EXPECT_NE(image.status().message.find("golden/loop.png"), std::string::npos) << image.status().message;
+  }
+}
+
+TEST(image, sixteen_levels_are_the_same_and_seventeen_are_not) {
+  const Image golden = noise(200, 100);
+  for (int c = 0; c < 4; ++c)
+    for (const int sign : {-1, 1}) {
+      Image picture = golden;
+      shift(picture, 17, 31, 16 * sign, c);
+      EXPECT_EQ(compare(picture, golden).pixels, 0);
+      shift(picture, 17, 31, sign, c);
+      EXPECT_EQ(compare(picture, golden).pixels, 1);
+    }
+}
+
+TEST(image, one_in_two_thousand_may_differ_and_no_more) {
+  const Image golden = noise(200, 100);  // 0.05 % are 10 pixels
+  Image picture = golden;
+  for (int i = 0; i < 10; ++i) shift(picture, 19 * i, 9 * i, 25);
+  EXPECT_EQ(compare(picture, golden).pixels, 10);
+  EXPECT_TRUE(compare(picture, golden).acceptable);
+  shift(picture, 199, 99, -25);
+  EXPECT_FALSE(compare(picture, golden).acceptable);
+}
+
+TEST(image, nine_in_a_block_are_a_defect_and_eight_are_not) {
+  const Image golden = noise(403, 301);  // 0.05 % are 60 pixels
+  Image picture = golden;
+  for (int i = 0; i < 8; ++i) shift(picture, 40 + i, 80 + (3 * i) % 8, 30);
+  EXPECT_EQ(compare(picture, golden).worst_block, 8);
+  EXPECT_TRUE(compare(picture, golden).acceptable);
+  shift(picture, 40, 87, 30);
+  EXPECT_EQ(compare(picture, golden).worst_block, 9);
+  EXPECT_FALSE(compare(picture, golden).acceptable);
+}
+
+TEST(image, a_defect_of_ten_by_ten_is_found_anywhere) {
+  const Image golden = noise(1280, 720);  // 0.05 % are 460 pixels: the count alone would let it pass
+  for (const auto& [left, top] : {std::pair{0, 0}, {3, 5}, {641, 363}, {1270, 710}, {7, 707}}) {
+    Image picture = golden;
+    for (int y = top; y < top + 10; ++y)
+      for (int x = left; x < left + 10; ++x) shift(picture, x, y, 32);
+    Difference difference = compare(picture, golden);
+    EXPECT_EQ(difference.pixels, 100);
+    EXPECT_FALSE(difference.acceptable) << "at " << left << ", " << top;
+    EXPECT_EQ(channel(difference.picture, left, top, 0), 255) << "differing pixels are red";
+    EXPECT_EQ(channel(difference.picture, left, top, 1), 0);
+  }
+}
+
+TEST(image, pictures_of_different_sizes_are_different) {
+  const Difference difference = compare(noise(30, 20), noise(20, 30));
+  EXPECT_FALSE(difference.same_size);
+  EXPECT_FALSE(difference.acceptable);
+}
+
+}  // namespace
+}  // namespace coaster::gfx
