@@ -19,7 +19,8 @@ float grid(vec2 place, vec2 footprint, float spacing, float width) {
 
 vec3 sky(vec3 sight) {
   float height = clamp(sight.y, 0.0, 1.0);
-  vec3 light = mix(linear_of(kHorizonColour), linear_of(kZenithColour), pow(height, 0.55));
+  float climb = 1.0 - exp(-3.0 * height * height / (height + 0.05));  // flat at the horizon, where it meets the fog without an edge
+  vec3 light = mix(linear_of(kHorizonColour), linear_of(kZenithColour), climb);
   float glow = max(dot(sight, normalize(vec3(kSun.x, 0.12, kSun.z))), 0.0);
   return light + vec3(0.07, 0.045, 0.01) * pow(glow, 6.0) * (1.0 - height);
 }

@@ -4,17 +4,17 @@ const vec3 kSun = vec3(0.4216, 0.7792, 0.4638);  // unit, towards the sun: warm 
 const vec3 kSunLight = vec3(1.06, 0.97, 0.82);
 const vec3 kSkyLight = vec3(0.40, 0.47, 0.58);    // from above
 const vec3 kGroundLight = vec3(0.20, 0.22, 0.17);  // bounced from below
-const vec3 kHorizonColour = vec3(0.847, 0.886, 0.949);
+const vec3 kHorizonColour = vec3(0.847, 0.902, 0.949);
 const vec3 kZenithColour = vec3(0.424, 0.612, 0.796);
 
 vec3 linear_of(vec3 colour) { return pow(colour, vec3(2.2)); }
 // The shoulder keeps highlights below white.
 vec3 encode(vec3 light) {
-  vec3 soft = mix(light, 1.0 - 0.35 * exp(-(light - 0.65) / 0.35), step(0.65, light));
+  vec3 soft = mix(light, 1.0 - 0.22 * exp(-(light - 0.78) / 0.22), step(0.78, light));
   return pow(max(soft, vec3(0.0)), vec3(1.0 / 2.2));
 }
 // How much of the air's colour covers what is `metres` away. An eye high up sees a large track whole: the air clears with height.
 float fog(float metres, float eye_height) {
-  float depth = metres / (420.0 + 5.0 * max(eye_height, 0.0));
+  float depth = metres / (480.0 + 5.0 * max(eye_height, 0.0));
   return 1.0 - exp(-depth * sqrt(depth));
 }

@@ -8,5 +8,5 @@ out vec4 colour;
 void main() {
   if (world.y < 0.0) discard;
   vec3 place = world - kSun * (world.y / kSun.y);
-  colour = vec4(0.16, 0.25, 0.27, 0.46 * (1.0 - fog(distance(eye, place), eye.y)));
+  colour = vec4(0.14, 0.23, 0.24, 0.58 * (1.0 - fog(distance(eye, place), eye.y)));
 }
