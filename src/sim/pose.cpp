@@ -34,9 +34,9 @@ Felt felt(const Derived& derived, const world::CartMotion& cart, double heartlin
   // segment: the roll rate may jump at a joint, which the heartline answers with a corner, and a difference over it with noise.
   const SegmentShape& shape = derived.shape(cart.segment);
   const double length = shape.arc.length(), step = std::fmin(0.02, 0.25 * length);
-  const curve::Frame frame = frame_at(shape, cart.s);
-  if (!(step > 0)) return {frame.up.y, frame.left().y, frame.forward.y};  // no length: at rest, whatever the speed
   const double s = std::fmin(std::fmax(cart.s, step), length - step);
+  const curve::Frame frame = frame_at(shape, s);
+  if (!(step > 0)) return {frame.up.y, frame.left().y, frame.forward.y};  // no length: at rest, whatever the speed
   const dvec3 before = heartline_point(shape, s - step, heartline), here = heartline_point(shape, s, heartline),
               after = heartline_point(shape, s + step, heartline);
   const dvec3 first = (after - before) / (2.0 * step), second = (after - 2.0 * here + before) / (step * step);

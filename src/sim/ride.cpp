@@ -88,6 +88,9 @@ bool advance_cart(const Step& step, std::size_t index, double dt, world::CartMot
   }
   cart.speed = state.speed;
   settle_on(step.derived, index, state.s, cart);
+  // One that lies still at an open end has come to it, be it in this tick or before.
+  const bool at_start = index == 0 && cart.s <= 0.0, at_end = index + 1 == step.derived.order.size() && cart.s >= cart.segment_length;
+  if (!step.derived.closed && cart.speed == 0.0 && (at_start || at_end)) on_track = false;
   cart.peak_kinetic = std::max(cart.peak_kinetic, 0.5 * cart.speed * cart.speed);
   return on_track;
 }

@@ -44,11 +44,9 @@ TEST(felt, a_circular_loop_has_the_closed_form) {
   EXPECT_NEAR(turn, 4.64, 0.005);
   for (const double a : {0.05, 1.3, M_PI / 2, 2.9, 4.4}) {
     const Felt f = felt(derived, at_distance(derived, a * radius, speed));
-    // 64 cubics: their curvature strays from 1/R by 1e-4 of it. Within 2 cm of a joint (a quarter of the circle is one) the
-    // differences are taken up to 2 cm further on, where the seat has turned by 0.02/R: 4.64 g of that is 0.0124 g forwards.
-    const double tolerance = a == M_PI / 2 ? 0.0130 : 5e-3;
+    // 64 cubics: their curvature strays from 1/R by 1e-4 of it.
     EXPECT_NEAR(f.up, turn + std::cos(a), 5e-3) << a;
-    EXPECT_NEAR(f.forward, std::sin(a) * (1 - inside / radius), tolerance) << a;
+    EXPECT_NEAR(f.forward, std::sin(a) * (1 - inside / radius), 5e-3) << a;
     EXPECT_NEAR(f.left, 0, 2e-3) << a;
   }
 }

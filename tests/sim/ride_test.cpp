@@ -144,6 +144,19 @@ TEST(ride, carts_stop_at_open_ends_and_the_ride_is_ended) {
   }
 }
 
+TEST(ride, the_ride_goes_on_until_the_last_cart_stands_at_an_end) {
+  world::Document d = with_cart(test::straight_document({1.1f, 2.3f, 2.7f}, {31.1f, 2.3f, 7.7f}, 3), 0, 0.1);
+  world::add_cart(d, d.track.segments[2], 0.8);
+  Ride ride(d, 7.3);
+  ride.start();
+  ride.step(120);
+  EXPECT_EQ(ride.motion.state, world::RideState::running);
+  EXPECT_EQ(ride.cart(1).speed, 0);
+  EXPECT_GT(ride.cart(0).speed, 0);
+  ride.step(120 * 10);
+  EXPECT_EQ(ride.motion.state, world::RideState::ended);
+}
+
 TEST(ride, a_tick_may_cross_many_joints) {
   Ride ride(with_cart(test::straight_document({1.1f, 2.3f, 2.7f}, {11.1f, 2.3f, 2.7f}, 200), 3, 0.5), 100);
   const double from = ride.cart().track_distance;
