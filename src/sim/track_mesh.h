@@ -25,9 +25,9 @@ struct Mesh {
 };
 
 inline constexpr double kGauge = 1.2;       // m between the rails' axes
-inline constexpr double kRailRadius = 0.09;  // m
-inline constexpr double kSpineRadius = 0.19;  // m
-inline constexpr double kSpineDrop = 0.55;   // m below the rails' plane
+inline constexpr double kRailRadius = 0.12;  // m
+inline constexpr double kSpineRadius = 0.28;  // m
+inline constexpr double kSpineDrop = 0.62;   // m below the rails' plane
 inline constexpr double kTieSpacing = 1.5;   // m between ties, about: a whole number fits a segment
 inline constexpr int kTubeSides = 8;
 inline constexpr int kMaxRings = 400;        // of a segment

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -101,41 +103,50 @@ std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point) {
   return static_cast<float>(ray.origin.y + along * d.y);
 }
 
-world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport) {
+world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3> points, Viewport viewport) {
   viewport = with_area(viewport);
   world::Camera out = from;
-  out.target = 0.5f * (low + high);
   const glm::vec3 back = towards_eye(from.yaw_deg, from.pitch_deg);
   const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back)), up = glm::cross(back, right);
   const float tan_y = std::tan(glm::radians(kFieldOfViewDeg) * 0.5f) / kMargin, tan_x = tan_y * viewport.width / viewport.height;
-  // Each corner fits when its sideways offset is within the cone at its depth; the furthest such distance serves all eight.
-  float distance = kNearest;
-  for (int i = 0; i < 8; ++i) {
-    const glm::vec3 corner = glm::vec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z) - out.target;
-    const float towards = glm::dot(corner, back);
-    distance = std::max({distance, towards + std::abs(glm::dot(corner, right)) / tan_x, towards + std::abs(glm::dot(corner, up)) / tan_y});
+  // A point at x across and b towards the eye is in sight of an eye at x0, d when |x - x0| <= (d - b) tan. The largest x + b tan and
+  // -x + b tan of all points give the nearest eye that sees them all, and where it stands; the same for y.
+  constexpr float kLowest = std::numeric_limits<float>::lowest();
+  float right_most = kLowest, left_most = kLowest, top = kLowest, bottom = kLowest, nearest = kLowest, furthest = kLowest;
+  for (const glm::vec3 p : points) {
+    const float x = glm::dot(p, right), y = glm::dot(p, up), b = glm::dot(p, back);
+    right_most = std::max(right_most, x + b * tan_x), left_most = std::max(left_most, -x + b * tan_x);
+    top = std::max(top, y + b * tan_y), bottom = std::max(bottom, -y + b * tan_y);
+    nearest = std::max(nearest, b), furthest = std::max(furthest, -b);
   }
-  out.distance = distance;
+  const float eye = std::max((right_most + left_most) / (2 * tan_x), (top + bottom) / (2 * tan_y));
+  const float middle = 0.5f * (nearest - furthest);
+  out.target = 0.5f * (right_most - left_most) * right + 0.5f * (top - bottom) * up + middle * back;
+  out.distance = std::max(kNearest, eye - middle);
   return out;
+}
+
+world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport) {
+  std::array<glm::vec3, 8> corners;
+  for (int i = 0; i < 8; ++i)
+    corners[static_cast<std::size_t>(i)] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
+  return frame_points(from, corners, viewport);
 }
 
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport) {
   if (document.track.knots.empty()) return frame_box(from, {-20, 0, -20}, {20, 10, 20}, viewport);
-  glm::vec3 low = world::knot(document, document.track.knots.front()).position, high = low;
-  for (const world::Entity e : document.track.knots) {
-    const glm::vec3 p = world::knot(document, e).position;
-    low = glm::min(low, p), high = glm::max(high, p);
-  }
-  // Sampled, as the box of the control points can be several times that of the curve.
+  // Track has a body, and a lone knot should not fill the picture.
+  std::vector<glm::vec3> points;
+  const auto add = [&](glm::vec3 p) {
+    for (const glm::vec3 by : {glm::vec3(1, 1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1)}) points.push_back(p + by);
+  };
+  for (const world::Entity e : document.track.knots) add(world::knot(document, e).position);
+  // Sampled, as the control points can reach far beyond the curve.
   for (const world::Entity e : document.track.segments) {
     const curve::Cubic cubic = world::cubic_of(document, e);
-    for (int i = 1; i < 8; ++i) {
-      const glm::vec3 p(curve::point(cubic, i / 8.0));
-      low = glm::min(low, p), high = glm::max(high, p);
-    }
+    for (int i = 1; i < 8; ++i) add(glm::vec3(curve::point(cubic, i / 8.0)));
   }
-  // Track has a body, and a lone knot should not fill the picture.
-  return frame_box(from, low - glm::vec3(1), high + glm::vec3(1), viewport);
+  return frame_points(from, points, viewport);
 }
 
 world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity, Viewport viewport) {

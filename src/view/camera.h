@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <glm/glm.hpp>
 
@@ -44,7 +45,9 @@ std::optional<glm::vec3> meet_plane(const Ray& ray, glm::vec3 point, glm::vec3 n
 // Height (y) on the vertical line through `point` that is nearest to the ray.
 std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point);
 
-// A camera with the same yaw and pitch that shows the box with some margin at the viewport's aspect.
+// The nearest camera with the same yaw and pitch that shows all points (at least one) with some margin at the viewport's aspect.
+world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3> points, Viewport viewport);
+// The same for a box.
 world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport);
 // The same for the whole track (an empty one: 40 m about the origin) or for one entity.
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport);

@@ -19,8 +19,8 @@ struct Pick {
 };
 
 // Sizes on screen at UI scale 1 (they grow with it), in pixels: what the marks are drawn with, and picked with.
-inline constexpr float kKnotRadius = 6.5f;
-inline constexpr float kHandleHalf = 5.0f;    // half the side of the handle's square
+inline constexpr float kKnotRadius = 5.0f;
+inline constexpr float kHandleHalf = 4.0f;    // half the side of the handle's square
 inline constexpr float kCurveReach = 8.0f;    // px from the curve
 
 // Marks are on top of everything and never hidden. Handles beat knots, knots beat carts, carts beat the curve; within a kind the

@@ -15,7 +15,7 @@ namespace coaster::world {
 // keeps it out of the ground). Vertical field of view 45 degrees.
 struct Camera {
   glm::vec3 target{0, 5, 0};
-  float yaw_deg = 35, pitch_deg = 25, distance = 80;
+  float yaw_deg = 35, pitch_deg = 18, distance = 80;
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
