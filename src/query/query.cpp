@@ -2,6 +2,7 @@
 #include "query/query.h"
 
 #include <algorithm>
+#include <array>
 
 #include "query/rows.h"
 
@@ -30,6 +31,27 @@ const Query* find_query(std::string_view name) {
   const std::span<const Query> all = queries();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Query& query) { return query.name == name; });
   return found == all.end() ? nullptr : &*found;
+}
+
+std::optional<int> rank_of(std::string_view query_name, std::string_view word) {
+  std::string lower(word);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const auto place = [&](std::span<const std::string_view> words) -> std::optional<int> {
+    const auto found = std::find(words.begin(), words.end(), lower);
+    if (found == words.end()) return std::nullopt;
+    return static_cast<int>(found - words.begin());
+  };
+  const auto continuity = [&](const std::array<std::string_view, 4>& words) {
+    auto rank = place(words);
+    if (rank) --*rank;
+    return rank;
+  };
+  if (query_name == "geometric") return continuity({"none", "g0", "g1", "g2"});
+  if (query_name == "parametric") return continuity({"none", "c0", "c1", "c2"});
+  if (place(std::array<std::string_view, 4>{"on", "true", "yes", "1"})) return 1;
+  if (place(std::array<std::string_view, 4>{"off", "false", "no", "0"})) return 0;
+  return std::nullopt;
 }
 
 base::Result<world::Entity> entity_of(const Context& context, std::string_view argument, world::Kind kind) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,7 +37,7 @@ struct Context {
   std::string_view title;
 };
 
-// Ordered values such as continuity compare by rank: G0 < G1 < G2.
+// Ordered values such as continuity compare by rank: none < G0 < G1 < G2, off < on.
 struct Ranked {
   int rank;
   std::string text;
@@ -55,5 +56,10 @@ struct Query {
 
 std::span<const Query> queries();
 const Query* find_query(std::string_view name);
+
+// The rank that a word stands for when it is compared with the Ranked value of a query, in upper or lower case: none, G0, G1, G2
+// (-1..2) for geometric, none, C0, C1, C2 for parametric; for every other query on, true, yes, 1 (1) and off, false, no, 0 (0).
+// Nothing for other words. Whether the query's values are ranked at all is not looked at.
+std::optional<int> rank_of(std::string_view query_name, std::string_view word);
 
 }  // namespace coaster::query

@@ -35,9 +35,9 @@ RailState energy_method(const RailContext& context, RailState x, double dt) {
 }
 
 constexpr std::array<Integrator, 3> kTable{{
-    {"rk4", "Runge-Kutta 4", "s'' = -g T_y(s), four slopes a tick", rk4},
-    {"verlet", "Velocity Verlet", "s += v dt + a dt^2/2, v += (a_old + a_new) dt/2", verlet},
-    {"energy", "Energy (the paper's)", "v = sqrt(2 (E - g h)), s += v dt; freezes at v = 0", energy_method},
+    {"rk4", "Runge-Kutta 4", "s'' = -g T_y(s), four slopes, twice a tick", rk4, 2},
+    {"verlet", "Velocity Verlet", "s += v dt + a dt^2/2, v += (a_old + a_new) dt/2", verlet, 1},
+    {"energy", "Energy (the paper's)", "v = sqrt(2 (E - g h)), s += v dt; freezes at v = 0", energy_method, 1},
 }};
 
 }  // namespace

@@ -160,8 +160,12 @@ void step(const world::Document& document, const Derived& derived, int integrato
     bool any = false;
     for (std::size_t i = 0; i < motion.carts.items().size(); ++i) {
       world::CartMotion& cart = motion.carts.items()[i];
-      any |= advance_cart(context, at[i], world::kTick, cart);
-      if (derived.order[at[i]] != cart.segment) at[i] = index_of_segment(derived, cart.segment);
+      bool on_track = true;
+      for (int part = 0; part < context.row.substeps && on_track; ++part) {
+        on_track = advance_cart(context, at[i], world::kTick / context.row.substeps, cart);
+        if (derived.order[at[i]] != cart.segment) at[i] = index_of_segment(derived, cart.segment);
+      }
+      any |= on_track;
     }
     if (!any) motion.state = world::RideState::ended;
   }

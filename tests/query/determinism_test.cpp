@@ -44,9 +44,9 @@ struct Expected {
   Hashes after_ride, after_edits;
 };
 const Expected kExpected[] = {
-    {"loop", {"17ae37df46cad6dc", "350b549cc9814390"}, {"7b233bb53ad16fb6", "ec620f5981987f3b"}},
-    {"helix", {"c523140afd1a5e1d", "b6628f8d1f436f0b"}, {"3c33e0fe33cf74f7", "e056e3514637c4ae"}},
-    {"gentle", {"b3cbc2705571c26e", "fedab12deeb18db4"}, {"4b13f4c624523849", "ff98026c36e4d52b"}},
+    {"loop", {"17ae37df46cad6dc", "85adffe29a7c32da"}, {"7b233bb53ad16fb6", "69ac6b8b474bdc99"}},
+    {"helix", {"c523140afd1a5e1d", "039d14ebaf505874"}, {"3c33e0fe33cf74f7", "125e62091ddf121a"}},
+    {"gentle", {"b3cbc2705571c26e", "54881bdfa7060744"}, {"4b13f4c624523849", "86a6b2a7cf6d235b"}},
 };
 
 // A ride of 20 s, with edits under the moving cart half way.

@@ -127,6 +127,23 @@ TEST_F(QueryTest, continuity_compares_by_rank) {
   EXPECT_EQ(words("parametric", "@k2"), "C1");
 }
 
+TEST_F(QueryTest, words_have_the_ranks_of_the_values_they_name) {
+  for (const char* name : {"geometric", "parametric"})
+    for (const char* knot : {"@k1", "@k2", "@k3"}) EXPECT_EQ(rank_of(name, words(name, knot)), rank(name, knot)) << name << knot;
+  for (const char* name : {"closed", "dirty", "panels", "polyline"}) EXPECT_EQ(rank_of(name, words(name)), rank(name)) << name;
+  const auto ranks = [](std::string_view name, std::vector<std::string_view> ascending) {
+    for (std::size_t i = 0; i + 1 < ascending.size(); ++i) EXPECT_LT(rank_of(name, ascending[i]), rank_of(name, ascending[i + 1])) << ascending[i];
+  };
+  ranks("geometric", {"none", "G0", "g1", "G2"});
+  ranks("parametric", {"None", "C0", "C1", "c2"});
+  for (const char* yes : {"on", "TRUE", "yes", "1"}) EXPECT_EQ(rank_of("closed", yes), 1) << yes;
+  for (const char* no : {"off", "false", "No", "0"}) EXPECT_EQ(rank_of("closed", no), 0) << no;
+  EXPECT_EQ(rank_of("geometric", "C1"), std::nullopt);
+  EXPECT_EQ(rank_of("parametric", "on"), std::nullopt);
+  EXPECT_EQ(rank_of("closed", "maybe"), std::nullopt);
+  EXPECT_EQ(rank_of("closed", ""), std::nullopt);
+}
+
 TEST_F(QueryTest, wrong_arguments_are_refused_with_a_suggestion) {
   const auto refused = [&](std::string_view name, std::string_view argument, std::string_view part) {
     const auto value = ask(name, argument);

@@ -58,6 +58,29 @@ TEST(ride, ten_laps_of_a_closed_track_keep_the_energy) {
   EXPECT_NEAR(energy(ride.document, ride.derived, ride.cart()), before, 1e-6 * peak);
 }
 
+// Handles that differ on the two sides of a joint: the tangent is common, the curvature jumps by up to a factor of three.
+TEST(ride, ten_laps_of_a_kinked_vertical_loop_keep_the_energy) {
+  for (const int count : {4, 7, 12}) {
+    world::Document d = test::circle_document(7.0, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}, count);
+    for (std::size_t i = 0; i < d.track.knots.size(); ++i) {
+      world::Knot& knot = d.entities.get<world::Knot>(d.track.knots[i]);
+      knot.joint = world::JointKind::aligned;
+      knot.in_length *= i % 2 ? 1.3f : 0.7f;
+      knot.out_length *= i % 3 ? 0.6f : 1.2f;
+    }
+    Ride ride(with_cart(d, 0, 0.1), 20);
+    const double before = ride.energy_by_hand(ride.cart());
+    ride.start();
+    double worst = 0;
+    for (int tick = 0; tick < 120 * 120 && ride.cart().laps < 10; ++tick) {
+      ride.step(1);
+      if (tick % 17 == 0) worst = std::max(worst, std::abs(ride.energy_by_hand(ride.cart()) - before));
+    }
+    EXPECT_EQ(ride.cart().laps, 10);
+    EXPECT_LT(worst / ride.cart().peak_kinetic, 1e-6) << count;
+  }
+}
+
 TEST(ride, every_integrator_but_the_papers_keeps_energy_in_both_directions) {
   for (const char* row : {"rk4", "verlet"})
     for (const double speed : {13.1, -13.1}) {
