@@ -153,9 +153,15 @@ void Renderer::Parts::draw_solids(const Scene& picture, DrawStats& stats) {
   gl.Disable(GL_CULL_FACE);
 }
 
+// Lines meet and cross: their coverage is gathered in the alpha channel by maximum and painted in one go. So the picture depends
+// neither on where in the buffer the segments lie nor on how many lines cover a pixel.
 void Renderer::Parts::draw_polyline(const Scene& picture, DrawStats& stats) {
   if (!picture.show_polyline || track.line_count() == 0) return;
-  blend(gl, true);
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  gl.ClearColor(0, 0, 0, 0);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  gl.Enable(GL_BLEND);
+  gl.BlendEquation(GL_MAX);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LEQUAL);
   gl.DepthMask(GL_FALSE);
@@ -168,7 +174,15 @@ void Renderer::Parts::draw_polyline(const Scene& picture, DrawStats& stats) {
   track.bind_lines();
   gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, track.line_count());
   gl.DepthMask(GL_TRUE);
-  ++stats.draw_calls;
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ZERO);  // leaves the picture opaque
+  programs.coverage.use();
+  programs.coverage.set("paint", glm::vec4(glm::vec3(kPolylineColour), 1));
+  gl.BindVertexArray(empty_array.id());
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  stats.draw_calls += 2;
 }
 
 void Renderer::Parts::draw_overlay(const Scene& picture, DrawStats& stats) {

@@ -5,7 +5,7 @@
 
 #define COASTER_SHADERS(X)                                                                                            \
   X(common_glsl) X(line_glsl) X(backdrop_vert) X(backdrop_frag) X(mesh_vert) X(mesh_frag) X(shadow_frag) X(polyline_vert) \
-  X(line_vert) X(line_frag) X(mark_vert) X(mark_frag)
+  X(coverage_frag) X(line_vert) X(line_frag) X(mark_vert) X(mark_frag)
 
 namespace coaster::embedded {
 #define X(symbol)                        \
@@ -41,6 +41,7 @@ base::Result<ScenePrograms> make_scene_programs(const Gl& gl) {
       {"shadow", &ScenePrograms::track_shadow, "#define SHADOW\n", false, mesh_vert(), shadow_frag()},
       {"shadow (carts)", &ScenePrograms::cart_shadow, "#define SHADOW\n#define CARTS\n", false, mesh_vert(), shadow_frag()},
       {"polyline", &ScenePrograms::polyline, "", true, polyline_vert(), line_frag()},
+      {"coverage", &ScenePrograms::coverage, "", false, backdrop_vert(), coverage_frag()},
       {"line", &ScenePrograms::line, "", true, line_vert(), line_frag()},
       {"mark", &ScenePrograms::mark, "", false, mark_vert(), mark_frag()},
   };

@@ -1,0 +1,166 @@
+// Pictures of a small track: what is in them, and that they depend on the scene alone, not on how the renderer came to it.
+#include "gfx/renderer.h"
+
+#include <random>
+
+#include "gfx/studio.h"
+
+namespace coaster::gfx {
+namespace {
+
+using test::colour_at;
+using test::count;
+using test::Track;
+using Pictures = test::Studio;
+
+// Rails and spine: much more red than green. Nothing else in a scene is.
+bool red(glm::ivec3 c) { return c.x > c.y + 40 && c.x > c.z + 40; }
+bool blue(glm::ivec3 c) { return c.z > c.x + 40 && c.z > c.y + 25 && c.x < 110; }
+bool green(glm::ivec3 c) { return c.y > c.x && c.y > c.z; }
+
+Track ring() { return Track(test::ring_document(9, 17.3f)); }
+
+TEST_F(Pictures, show_track_sky_and_ground) {
+  width_ = 320, height_ = 180, show_polyline_ = false;
+  const Image image = picture(ring());
+  EXPECT_GT(count(image, red), 150);
+  EXPECT_GT(count(image, green), 320 * 180 / 3);
+  EXPECT_EQ(count(image, [](glm::ivec3 c) { return c == glm::ivec3(255) || c == glm::ivec3(0); }), 0) << "no pure black or white";
+}
+
+TEST_F(Pictures, the_shadow_is_on_the_ground_and_darkens_once) {
+  width_ = 320, height_ = 180, show_polyline_ = false;
+  Track track = ring();
+  const Image with = picture(track);
+  const view::View view = look(track);
+  const sim::Derived nothing;
+  const view::Overlay overlay;
+  renderer_->draw(Scene{nothing, view, overlay, {}}, width_, height_);
+  const Image without = renderer_->read_pixels();
+  int darker = 0, darkest = 255;
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) {
+      const glm::ivec3 a = colour_at(with, x, y), b = colour_at(without, x, y);
+      if (a == b || !green(a)) continue;
+      ++darker;
+      darkest = std::min(darkest, a.y);
+    }
+  EXPECT_GT(darker, 80);
+  // One layer of the shadow's alpha 0.58 takes the ground's green 174 to about 107; a second one would take it to 79.
+  EXPECT_GT(darkest, 93);
+}
+
+TEST_F(Pictures, a_cart_is_blue_and_where_its_pose_is) {
+  width_ = 320, height_ = 180, show_polyline_ = false;
+  Track track = ring();
+  world::add_cart(track.document, track.document.track.segments[2], 0.43);
+  track.derive();
+  world::Motion motion;
+  sim::reset(track.document, track.derived, motion);
+  EXPECT_EQ(count(picture(track), blue), 0);
+  carts_ = {sim::pose(track.derived, motion.carts.items()[0], world::FrameMethod::knots)};
+  const Image image = picture(track);
+  const auto middle = view::project(look(track), glm::vec3(carts_[0].position + 0.55 * carts_[0].frame.up));
+  ASSERT_TRUE(middle);
+  int near = 0;
+  for (int y = -5; y <= 5; ++y)
+    for (int x = -5; x <= 5; ++x) near += blue(colour_at(image, int(middle->x) + x, int(middle->y) + y));
+  EXPECT_GT(near, 4);
+  EXPECT_EQ(near, count(image, blue)) << "blue elsewhere";
+}
+
+TEST_F(Pictures, a_lines_width_is_in_pixels_and_its_ends_are_where_they_project) {
+  view::Overlay overlay;
+  Track track = ring();
+  const glm::vec3 from = track.derived.shape(track.derived.order[0]).key.cubic.p0, to = track.derived.shape(track.derived.order[4]).key.cubic.p0;
+  overlay.lines.push_back({from, to, 5.0f, 0xff00ffff});
+  const Image image = picture(track, overlay);
+  const auto a = view::project(look(track), from), b = view::project(look(track), to);
+  ASSERT_TRUE(a && b);
+  const double length = glm::distance(glm::vec2(*a), glm::vec2(*b));
+  const int painted = count(image, [](glm::ivec3 c) { return c.x > 170 && c.z > 170 && c.y < 110; });
+  EXPECT_NEAR(painted, 5 * length, 5 + length);  // the feather is within half a pixel of each side
+}
+
+TEST_F(Pictures, marks_are_drawn_in_the_lists_order_over_everything) {
+  Track track = ring();
+  const glm::vec3 place = track.derived.shape(track.derived.order[3]).key.cubic.p0;
+  view::Overlay overlay;
+  overlay.marks = {{place, 8, 0xff0000ff, view::MarkShape::disc}, {place, 5, 0x0000ffff, view::MarkShape::square}};
+  const auto pixel = view::project(look(track), place);
+  ASSERT_TRUE(pixel);
+  const auto middle = [&](const Image& image) { return colour_at(image, int(pixel->x), int(pixel->y)); };
+  EXPECT_EQ(middle(picture(track, overlay)), glm::ivec3(0, 0, 255));
+  std::swap(overlay.marks[0], overlay.marks[1]);
+  EXPECT_EQ(middle(picture(track, overlay)), glm::ivec3(255, 0, 0));
+}
+
+TEST_F(Pictures, only_the_viewport_is_drawn_into) {
+  viewport_ = {40, 20, 80, 50};
+  const Image image = picture(ring());
+  const glm::ivec3 background(27, 31, 39);
+  for (const auto& [x, y] : {std::pair{39, 30}, {120, 30}, {60, 19}, {60, 70}, {0, 0}, {159, 89}}) EXPECT_EQ(colour_at(image, x, y), background) << x << "," << y;
+  for (const auto& [x, y] : {std::pair{40, 20}, {119, 20}, {40, 69}, {119, 69}}) EXPECT_NE(colour_at(image, x, y), background) << x << "," << y;
+}
+
+TEST_F(Pictures, a_resized_picture_is_that_of_a_fresh_renderer) {
+  const Track track = ring();
+  for (const auto& [width, height] : {std::pair{160, 90}, {33, 71}, {1, 1}, {200, 40}, {160, 90}}) {
+    width_ = width, height_ = height;
+    const Image image = picture(track);
+    EXPECT_EQ(image.width, width);
+    EXPECT_EQ(image.height, height);
+    EXPECT_EQ(image.rgba, picture(*fresh(), track).rgba) << width << "x" << height;
+  }
+}
+
+TEST_F(Pictures, samples_are_clamped_and_can_be_switched) {
+  const Track track = ring();
+  const Image plain = picture(track);
+  renderer_->set_samples(10'000);
+  EXPECT_LE(draw(track).samples, gl_.max_samples);
+  renderer_->set_samples(4);
+  const DrawStats stats = draw(track);
+  if (gl_.max_samples >= 4) {
+    EXPECT_EQ(stats.samples, 4);
+    EXPECT_NE(renderer_->read_pixels().rgba, plain.rgba);
+  }
+  EXPECT_EQ(stats.uploads, 0);
+  renderer_->set_samples(1);
+  EXPECT_EQ(picture(track).rgba, plain.rgba);
+}
+
+// A random edit: a knot moved, added behind, or taken away.
+void edit(std::mt19937& bits, Track& track) {
+  const std::vector<world::Entity>& knots = track.document.track.knots;
+  const std::size_t at = bits() % knots.size();
+  const auto shift = [&] { return static_cast<float>(bits() % 1000) / 250.0f - 2.0f; };
+  switch (bits() % 4) {
+    case 0: world::remove_knot(track.document, knots[knots.size() > 5 ? at : 0]); break;
+    case 1: {
+      const world::Entity segment = track.document.track.segments[bits() % track.document.track.segments.size()];
+      world::split_segment(track.document, segment, 0.37, glm::vec3(sim::frame_of(track.document, segment, 0.37).up));
+      break;
+    }
+    case 2: track.settings.steps = 3 + static_cast<int>(bits() % 60); break;
+    default: track.document.entities.get<world::Knot>(knots[at]).position += glm::vec3(shift(), shift(), shift());
+  }
+  if (track.document.track.knots.size() < 4) track.document = test::ring_document(9, 17.3f);
+  track.derive();
+}
+
+TEST_F(Pictures, after_any_edits_are_those_of_a_fresh_renderer) {
+  std::mt19937 bits(20260);
+  Track track = ring();
+  for (int i = 0; i < 40; ++i) {
+    edit(bits, track);
+    const Image incremental = picture(track);
+    if (i % 4 != 3) continue;
+    const Image expected = picture(*fresh(), track);
+    const Difference difference = compare(incremental, expected);
+    ASSERT_TRUE(incremental.rgba == expected.rgba) << "after edit " << i << ": " << difference.pixels << " pixels differ by much";
+  }
+}
+
+}  // namespace
+}  // namespace coaster::gfx

@@ -1,0 +1,82 @@
+// What is uploaded when: nothing for a still frame, two segments for a moved knot, whatever the size of the track.
+#include "gfx/track_cache.h"
+
+#include "gfx/studio.h"
+
+namespace coaster::gfx {
+namespace {
+
+using test::Track;
+using Cache = test::Studio;
+
+constexpr int kLarge = 5000;
+
+class SizedCache : public test::Studio, public testing::WithParamInterface<int> {};
+INSTANTIATE_TEST_SUITE_P(segments, SizedCache, testing::Values(8, kLarge));
+
+TEST_P(SizedCache, a_still_frame_uploads_nothing_and_a_moved_interior_knot_two_segments) {
+  const int segments = GetParam();
+  Track track(test::ring_document(segments, 2.0f * static_cast<float>(segments)), 4);
+  TrackCache cache(gl_);
+  EXPECT_EQ(cache.sync(track.derived, {}).uploads, segments);
+  EXPECT_EQ(cache.sync(track.derived, {}).uploads, 0);
+  GLsizei lines = 0, indices = 0;
+  for (int step = 0; step < 40; ++step) {
+    const float way = step % 4 < 2 ? 1.0f : -1.0f;  // forth and back: after one round every shape has been seen
+    track.move(static_cast<std::size_t>(segments) / 2, way * glm::vec3(0.37f, 0.21f, -0.13f));
+    EXPECT_EQ(cache.sync(track.derived, {}).uploads, 2) << step;
+    EXPECT_EQ(cache.sync(track.derived, {}).uploads, 0) << step;
+    if (step == 3) lines = cache.line_count(), indices = cache.index_count();
+  }
+  EXPECT_EQ(cache.line_count(), lines);
+  EXPECT_EQ(cache.index_count(), indices) << "a drag must not eat room";
+}
+
+TEST_F(Cache, another_evaluator_uploads_everything_once) {
+  Track track(test::ring_document(9, 17.3f));
+  EXPECT_EQ(draw(track).uploads, 9);
+  for (std::size_t row = curve::evaluators().size(); row-- > 0;) {
+    const auto id = static_cast<curve::EvaluatorId>(row);
+    const int expected = id == track.settings.evaluator ? 0 : 9;
+    track.settings.evaluator = id;
+    track.derive();
+    EXPECT_EQ(draw(track).uploads, expected) << row;
+    EXPECT_EQ(draw(track).uploads, 0) << row;
+  }
+}
+
+TEST_F(Cache, the_resolution_sets_how_many_lines_there_are) {
+  Track track(test::ring_document(9, 17.3f), 24);
+  TrackCache cache(gl_);
+  cache.sync(track.derived, {});
+  EXPECT_EQ(cache.line_count(), 9 * 26 - 1);  // 25 vertices and a break each
+  for (const int steps : {96, 3, 24}) {
+    track.settings.steps = steps;
+    track.derive();
+    EXPECT_EQ(cache.sync(track.derived, {}).uploads, 9);
+  }
+  EXPECT_LE(cache.line_count(), 9 * 98 - 1) << "room is used again";
+}
+
+TEST_F(Cache, an_emptied_track_has_nothing_to_draw) {
+  Track track(test::ring_document(9, 17.3f));
+  TrackCache cache(gl_);
+  cache.sync(track.derived, {});
+  track.document = world::Document{};
+  track.derive();
+  EXPECT_EQ(cache.sync(track.derived, {}).uploads, 0);
+  EXPECT_EQ(cache.line_count(), 0);
+  EXPECT_EQ(cache.index_count(), 0);
+}
+
+TEST_F(Cache, preparing_is_measured_by_the_clock_that_is_passed) {
+  Track track(test::ring_document(9, 17.3f));
+  TrackCache cache(gl_);
+  double now = 0;
+  const sim::Clock clock = [&] { return now += 0.25; };
+  EXPECT_GT(cache.sync(track.derived, clock).cpu_seconds, 9 * 0.25 - 1e-9);
+  EXPECT_EQ(cache.sync(track.derived, {}).cpu_seconds, 0);
+}
+
+}  // namespace
+}  // namespace coaster::gfx
