@@ -9,11 +9,11 @@
 namespace coaster::app {
 namespace {
 
-// Time and what only the program itself acts on.
-void take_events(Program& program, const platform::Events& events) {
+// Time. A request to close is for the panels, which ask back while there are unsaved changes; a window without size cannot ask.
+void take_events(Program& program, const platform::Events& events, platform::Size size) {
   for (const platform::Event& event : events) {
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) program.seconds += tick->dt;
-    if (std::holds_alternative<platform::CloseRequest>(event)) program.quit = true;
+    if (std::holds_alternative<platform::CloseRequest>(event) && size.width < 1 && !edit::dirty(program.session)) program.quit = true;
   }
 }
 
@@ -82,8 +82,8 @@ int take_ticks(Program& program, const platform::Events& events) {
 
 void run_frame(Program& program, const platform::Events& events, int ticks) {
   const double began = program.surface->clock();
-  take_events(program, events);
   const platform::Size size = program.surface->size();
+  take_events(program, events, size);
   if (size.width < 1 || size.height < 1) {
     advance(program, ticks);
     return;

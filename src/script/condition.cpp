@@ -119,14 +119,7 @@ base::Result<bool> holds_text(const Condition& c, const std::string& found) {
 base::Result<bool> holds_ranked(const Condition& c, const query::Ranked& found) {
   const std::string wanted = joined(c.values);
   if (*c.op == Op::contains) return lower(found.text).find(lower(wanted)) != std::string::npos;
-  std::optional<double> rank;
-  if (lower(wanted) == lower(found.text)) {
-    rank = found.rank;
-  } else if (wanted.size() == 2 && !found.text.empty() && lower(wanted)[0] == lower(found.text)[0] && wanted[1] >= '0' && wanted[1] <= '9') {
-    rank = wanted[1] - '0';
-  } else {
-    rank = number_of(wanted);
-  }
+  const std::optional<int> rank = query::rank_of(c.query, wanted);
   if (!rank) return mismatch("expected a value such as " + found.text + ", found " + base::quoted(wanted));
   return ordered(*c.op, found.rank, *rank, 0, true);
 }

@@ -7,10 +7,10 @@ namespace coaster::script {
 namespace {
 
 // The condition "QUERY rest" held against a value; -1: refused.
-int holds_for(const std::string& rest, const query::Value& value) {
+int holds_for(const std::string& rest, const query::Value& value, const std::string& query = "length") {
   std::vector<base::Token> tokens;
   base::TextError error;
-  EXPECT_TRUE(base::tokenise("length " + rest, tokens, error));
+  EXPECT_TRUE(base::tokenise(query + " " + rest, tokens, error));
   Words words(tokens, error);
   Condition condition;
   EXPECT_TRUE(parse_condition(words, condition)) << rest << ": " << error.message;
@@ -55,12 +55,14 @@ TEST(condition, texts_compare_and_contain) {
 
 TEST(condition, continuity_compares_by_rank) {
   const query::Value g1 = query::Ranked{1, "G1"};
-  EXPECT_EQ(holds_for(">= G1", g1), 1);
-  EXPECT_EQ(holds_for("< G2", g1), 1);
-  EXPECT_EQ(holds_for("== G0", g1), 0);
-  EXPECT_EQ(holds_for("== g1", g1), 1);
-  EXPECT_EQ(holds_for("!= G2", g1), 1);
-  EXPECT_EQ(holds_for(">= C1", g1), -1) << "C1 is a rank of another scale";
+  EXPECT_EQ(holds_for(">= G1", g1, "geometric @k1"), 1);
+  EXPECT_EQ(holds_for("< G2", g1, "geometric @k1"), 1);
+  EXPECT_EQ(holds_for("== G0", g1, "geometric @k1"), 0);
+  EXPECT_EQ(holds_for("== g1", g1, "geometric @k1"), 1);
+  EXPECT_EQ(holds_for("!= G2", g1, "geometric @k1"), 1);
+  EXPECT_EQ(holds_for(">= G1", query::Ranked{-1, "none"}, "geometric @k1"), 0) << "an open end joins nothing";
+  EXPECT_EQ(holds_for("== none", g1, "geometric @k1"), 0);
+  EXPECT_EQ(holds_for(">= C1", g1, "geometric @k1"), -1) << "C1 is a rank of another scale";
   EXPECT_EQ(holds_for("== on", query::Value(query::Ranked{1, "on"})), 1);
   EXPECT_EQ(holds_for("== false", query::Value(query::Ranked{0, "off"})), 1);
 }
