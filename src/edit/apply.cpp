@@ -133,12 +133,13 @@ Status steps(Session& session, const CancelGesture&) {
   return cancel(session);
 }
 
-// Another document: nothing of the old one stays, but settings do.
+// Another document: nothing of the old one stays, but settings do (other than what was under way).
 void start_over(Session& session, world::Document document, std::filesystem::path path) {
   session.document = std::move(document);
   session.history = {};
   session.motion = {};
   session.settings.selected = world::kNone;
+  session.settings.append_mode = false;
   session.path = std::move(path);
   session.saved_hash = world::hash(session.document);
   fit_budget(session);

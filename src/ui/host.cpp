@@ -43,14 +43,15 @@ view::View make_view(const edit::Session& session, const view::Viewport& scene) 
 
 // What an empty viewport tells a newcomer.
 void draw_hint(const edit::Session& session, const view::Viewport& scene) {
-  if (!session.document.track.knots.empty()) return;
-  constexpr const char* kHint = "Click on the ground to place the first knot";
-  const ImVec2 size = ImGui::CalcTextSize(kHint);
-  const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f), std::floor(scene.y + scene.height * 0.62f));
+  const bool empty = session.document.track.knots.empty();
+  if (!empty && !(session.settings.append_mode && !session.document.track.closed)) return;
+  const char* const hint = empty ? "Click on the ground to place the first knot" : "Click on the ground to append knots; A or Escape ends it";
+  const ImVec2 size = ImGui::CalcTextSize(hint);
+  const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f), std::floor(scene.y + scene.height * (empty ? 0.62f : 0.93f)));
   const ImVec2 pad(size.y * 0.9f, size.y * 0.5f);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y}, packed(kDark.background, 0.78f), size.y);
-  list.AddText(at, packed(kDark.text), kHint);
+  list.AddText(at, packed(kDark.text), hint);
 }
 
 }  // namespace

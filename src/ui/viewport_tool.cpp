@@ -172,9 +172,13 @@ void ViewportTool::release(Ui& ui, const view::View& view) {
 
 void ViewportTool::click_ground(Ui& ui, const view::View& view) {
   const edit::Session& session = ui.session();
-  if (session.settings.append_mode || session.document.track.knots.empty()) {
+  const world::Track& track = session.document.track;
+  if ((session.settings.append_mode && !track.closed) || track.knots.empty()) {
     const auto at = view::meet_plane(view::ray_through(view, drag_.start), glm::vec3(0), {0, 1, 0});
-    if (at) ui.emit(edit::AppendKnot{*at});
+    if (!at) return;
+    ui.emit(edit::AppendKnot{*at});
+    // Who starts a track goes on with it.
+    if (!session.settings.append_mode) ui.emit(edit::SetAppendMode{true});
   } else if (session.settings.selected.valid()) {
     ui.emit(edit::Select{});
   }
