@@ -103,6 +103,20 @@ TEST_F(Pictures, only_the_viewport_is_drawn_into) {
   for (const auto& [x, y] : {std::pair{40, 20}, {119, 20}, {40, 69}, {119, 69}}) EXPECT_NE(colour_at(image, x, y), background) << x << "," << y;
 }
 
+TEST_F(Pictures, a_viewport_without_area_or_outside_draws_nothing) {
+  const Track track = ring();
+  view::View view = look(track);
+  const view::Overlay overlay = view::build_overlay(track.document, track.derived, track.settings, view, {});
+  ASSERT_FALSE(overlay.marks.empty());
+  for (const view::Viewport viewport : {view::Viewport{40, 40, 0, 0}, {40, 40, 50, 0}, {500, 40, 30, 30}, {-90, -90, 40, 40}}) {
+    view.viewport = viewport;
+    renderer_->draw(Scene{track.derived, view, overlay, {}}, width_, height_);
+    const Image image = renderer_->read_pixels();
+    EXPECT_EQ(count(image, [](glm::ivec3 c) { return c != glm::ivec3(27, 31, 39); }), 0) << viewport.x << " " << viewport.width;
+    EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+  }
+}
+
 TEST_F(Pictures, a_resized_picture_is_that_of_a_fresh_renderer) {
   const Track track = ring();
   for (const auto& [width, height] : {std::pair{160, 90}, {33, 71}, {1, 1}, {200, 40}, {160, 90}}) {
