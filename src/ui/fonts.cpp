@@ -28,15 +28,8 @@ void make_figures_tabular(ImFont& font) {
   }
 }
 
-}  // namespace
-
-void load_fonts(float scale) {
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  atlas.Clear();
-  atlas.Flags |= ImFontAtlasFlags_NoMouseCursors;
-  const float pixels = std::round(kFontPixels * scale);
+ImFont* add_font(ImFontAtlas& atlas, float pixels) {
   const std::span<const unsigned char> inter = inter_font();
-  ImFont* font = nullptr;
   if (!inter.empty()) {
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
@@ -45,15 +38,26 @@ void load_fonts(float scale) {
     config.PixelSnapH = false;
     config.RasterizerMultiply = 1.1f;  // light text on dark looks thin otherwise
     // The atlas only reads data it does not own.
-    font = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(inter.data()), static_cast<int>(inter.size()), pixels, &config, kRanges);
+    ImFont* font = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(inter.data()), static_cast<int>(inter.size()), pixels, &config, kRanges);
+    if (font != nullptr) return font;
   }
-  if (font == nullptr) {
-    ImFontConfig config;
-    config.SizePixels = std::max(13.0f, pixels);
-    font = atlas.AddFontDefault(&config);
-  }
-  atlas.Build();
-  make_figures_tabular(*font);
+  ImFontConfig config;
+  config.SizePixels = std::max(13.0f, pixels);
+  return atlas.AddFontDefault(&config);
 }
+
+}  // namespace
+
+void load_fonts(float scale) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
+  atlas.Flags |= ImFontAtlasFlags_NoMouseCursors;
+  add_font(atlas, std::round(kFontPixels * scale));
+  add_font(atlas, std::max(13.0f, std::round(kSmallFontPixels * scale)));
+  atlas.Build();
+  for (ImFont* font : atlas.Fonts) make_figures_tabular(*font);
+}
+
+ImFont* small_font() { return ImGui::GetIO().Fonts->Fonts[1]; }
 
 }  // namespace coaster::ui
