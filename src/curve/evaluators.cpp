@@ -100,7 +100,7 @@ double forward_differences_bound(double extent, double size, int steps) {
   return kU * (extent * (n + 1.0) + size * (3.0 * n + 6.0) + size * (3.0 * n + 12.0) + 140.0 * size);
 }
 
-constexpr std::array<Evaluator, 4> kTable{{
+constexpr std::array<Evaluator, 7> kTable{{
     {"bernstein", "Cubic (Bernstein)", "(1-t)^3 p0 + 3t(1-t)^2 p1 + 3t^2(1-t) p2 + t^3 p3",
      "3 vector additions, 4 vector and 12 scalar multiplications", bernstein, bernstein_bound},
     {"de_casteljau", "de Casteljau", "b_i <- (1-t) b_i + t b_(i+1), three rounds", "6 linear interpolations", de_casteljau,
@@ -109,6 +109,12 @@ constexpr std::array<Evaluator, 4> kTable{{
      horner_bound},
     {"forward_differences", "Forward differences", "f += d1, d1 += d2, d2 += d3", "3 vector additions", forward_differences,
      forward_differences_bound},
+    {"gpu_vertex", "Vertex shader", "Horner at t = gl_VertexID / n, coefficients a segment", "3 vector additions, 3 vector multiplications",
+     horner, horner_bound, Stage::vertex_shader},
+    {"gpu_geometry", "Geometry shader", "Horner at t = i / n for a point that becomes a strip", "3 vector additions, 3 vector multiplications",
+     horner, horner_bound, Stage::geometry_shader},
+    {"gpu_tessellation", "Tessellation shader", "Horner at gl_TessCoord.x of a patch of four control points",
+     "3 vector additions, 3 vector multiplications", horner, horner_bound, Stage::tessellation_shader},
 }};
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The table of polyline evaluators: the methods of Barrett 2012, section 3, each in its textbook form. Panels, scripts,
-// tests and benchmarks iterate the table; to add a method, write its function and one row in evaluators.cpp.
+// The table of polyline evaluators: the methods of Barrett 2012, section 3, each in its textbook form, and what came after it.
+// Panels, scripts, tests and benchmarks iterate the table; to add a method, write its function and one row in evaluators.cpp.
 #pragma once
 
 #include <optional>
@@ -22,6 +22,10 @@ enum class EvaluatorId : int {};
 using PolylineFunction = void (*)(const PreparedCubic& curve, std::span<glm::vec3> points,
                                   std::span<glm::vec3> tangents);
 
+// Where a row's points are computed for the display: on the processor, or on the GPU from the control points alone. A GPU row's
+// `polyline` is the processor's twin of the shader's arithmetic, so tests, deviations and picking need no GL.
+enum class Stage { processor, vertex_shader, geometry_shader, tessellation_shader };
+
 struct Evaluator {
   std::string_view name;     // in scripts and files: "bernstein"
   std::string_view label;    // in the panel: "Cubic (Bernstein)"
@@ -31,6 +35,7 @@ struct Evaluator {
   // Largest |vertex - exact| for `steps` steps of a cubic whose control points are at most `extent` from the origin and
   // whose control polygon is `size` long; derived in evaluators.cpp.
   double (*error_bound)(double extent, double size, int steps);
+  Stage stage = Stage::processor;
 };
 
 std::span<const Evaluator> evaluators();
