@@ -1,6 +1,7 @@
 // Fills script::Host with the frame, the session and the viewport.
 #include "app/script_host.h"
 
+#include <cmath>
 #include <cstdio>
 #include <unistd.h>
 
@@ -70,6 +71,24 @@ base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim)
   return *position;
 }
 
+// A cart's middle, or, where a mark lies over it, the nearest pixel around it that is still the cart: a person would click there too.
+glm::vec2 uncovered(const Program& program, const AimPoint& aim, glm::vec2 middle) {
+  const edit::Session& session = program.session;
+  const view::Pick wanted{view::PickKind::cart, world::find(session.document, aim.name)};
+  const auto is_cart = [&](glm::vec2 at) {
+    return view::pick(session.document, session.derived, session.motion, session.settings, program.ui->view(), at) == wanted;
+  };
+  constexpr int kReach = 40, kStep = 2, kDirections = 16;  // px
+  if (is_cart(middle)) return middle;
+  for (int radius = kStep; radius <= kReach; radius += kStep)
+    for (int i = 0; i < kDirections; ++i) {
+      const float angle = 6.2831853f * static_cast<float>(i) / kDirections;
+      const glm::vec2 at = middle + static_cast<float>(radius) * glm::vec2(std::sin(angle), -std::cos(angle));
+      if (is_cart(at)) return at;
+    }
+  return middle;
+}
+
 // Handles show for what is selected alone.
 base::Result<glm::vec2> pixel_of(const Program& program, const AimPoint& aim) {
   const auto position = position_of(program, aim);
@@ -78,7 +97,8 @@ base::Result<glm::vec2> pixel_of(const Program& program, const AimPoint& aim) {
   const auto pixel = view::project(view, *position);
   if (!pixel || !view.viewport.contains({pixel->x, pixel->y}))
     return base::Status{base::Code::expectation, "the target is not on the screen (camera all shows the whole track)"};
-  return glm::vec2(pixel->x, pixel->y);
+  const glm::vec2 at(pixel->x, pixel->y);
+  return aim.kind == AimPoint::Kind::cart ? uncovered(program, aim, at) : at;
 }
 
 // A line that renews itself, on terminals alone.

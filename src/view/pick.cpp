@@ -33,6 +33,11 @@ std::optional<Pick> pick_mark(const world::Document& document, const world::Sett
   return Pick{best->kind, best->knot, 0, best->position};
 }
 
+glm::vec3 cart_middle(const sim::Pose& pose) {
+  constexpr double kMiddle = 0.55;  // m over the rails
+  return glm::vec3(pose.position + kMiddle * pose.frame.up);
+}
+
 // Distance along the ray to a cart's box (look in sim/track_mesh.h), kNowhere when it misses or starts inside.
 double distance_to_cart(const Ray& ray, const sim::Pose& pose) {
   constexpr std::array<double, 3> kLow{-1.1, 0.0, -0.65}, kHigh{1.1, 1.1, 0.65};
@@ -68,6 +73,26 @@ std::optional<Pick> pick_cart(const sim::Derived& derived, const world::Motion& 
     best = {PickKind::cart, motion.carts.entities()[i], 0, ray.origin + static_cast<float>(distance) * ray.direction};
   }
   if (best.kind == PickKind::none) return std::nullopt;
+  return best;
+}
+
+// A cart far away is smaller than the knot that it stands on: around its middle a few pixels are its own, too.
+std::optional<Pick> pick_distant_cart(const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings, const View& view,
+                                      glm::vec2 pixel) {
+  constexpr float kNotTheRiders = 3;  // m from the eye
+  float nearest = kCartReach * settings.ui_scale;
+  std::optional<Pick> best;
+  for (std::size_t i = 0; i < motion.carts.size(); ++i) {
+    const world::CartMotion& cart = motion.carts.items()[i];
+    if (!derived.segments.contains(cart.segment)) continue;
+    const glm::vec3 middle = cart_middle(sim::pose(derived, cart, settings.frames));
+    const auto seen = project(view, middle);
+    if (!seen || glm::distance(view.eye, middle) < kNotTheRiders) continue;
+    const float distance = glm::distance(glm::vec2(seen->x, seen->y), pixel);
+    if (!(distance < nearest)) continue;
+    nearest = distance;
+    best = Pick{PickKind::cart, motion.carts.entities()[i], 0, middle};
+  }
   return best;
 }
 
@@ -165,6 +190,7 @@ Pick pick(const world::Document& document, const sim::Derived& derived, const wo
   if (!view.viewport.contains(pixel)) return {};
   if (const auto mark = pick_mark(document, settings, view, pixel)) return *mark;
   if (const auto cart = pick_cart(derived, motion, settings, view, pixel)) return *cart;
+  if (const auto cart = pick_distant_cart(derived, motion, settings, view, pixel)) return *cart;
   return pick_curve(derived, view, pixel, kCurveReach * settings.ui_scale).value_or(Pick{});
 }
 
@@ -179,9 +205,7 @@ std::optional<glm::vec3> position_of(const world::Document& document, const sim:
     case PickKind::cart: {
       const world::CartMotion* const cart = motion.carts.find(entity);
       if (!cart || !derived.segments.contains(cart->segment)) return std::nullopt;
-      constexpr double kMiddle = 0.55;  // m over the rails
-      const sim::Pose pose = sim::pose(derived, *cart, world::FrameMethod::knots);
-      return glm::vec3(pose.position + kMiddle * pose.frame.up);
+      return cart_middle(sim::pose(derived, *cart, world::FrameMethod::knots));
     }
     case PickKind::curve: {
       const sim::SegmentShape* const shape = derived.segments.find(entity);

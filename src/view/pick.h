@@ -22,10 +22,11 @@ struct Pick {
 inline constexpr float kKnotRadius = 5.0f;
 inline constexpr float kHandleHalf = 4.0f;    // half the side of the handle's square
 inline constexpr float kCurveReach = 8.0f;    // px from the curve
+inline constexpr float kCartReach = 9.0f;     // px from a cart's middle: more than a knot's radius, so that a cart on a knot can be picked beside it
 
 // Marks are on top of everything and never hidden. Handles beat knots, knots beat carts, carts beat the curve; within a kind the
-// mark nearest to the eye wins (ties: the earlier in the track). Carts are picked by their box, oriented as drawn; not
-// the one that the eye sits in.
+// mark nearest to the eye wins (ties: the earlier in the track). Carts are picked by their box, oriented as drawn, and
+// near their middle however small they look; not the one that the eye sits in.
 // Only handles of `selected` (a knot, or the knots of a selected segment) exist on screen and can be picked.
 Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings,
           const View& view, glm::vec2 pixel);
