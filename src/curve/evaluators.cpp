@@ -5,6 +5,8 @@
 
 #include "base/check.h"
 #include "curve/evaluators_detail.h"
+#include "curve/evaluators_vector.h"
+#include "curve/kernels.h"
 
 namespace coaster::curve {
 namespace {
@@ -60,6 +62,20 @@ void horner(const PreparedCubic& curve, Points points, Points tangents) {
   pin_ends(curve.cubic, points);
 }
 
+void estrin(const PreparedCubic& curve, Points points, Points tangents) {
+  const Coefficients& c = curve.monomial;
+  const int n = steps_of(points, tangents);
+  for (int i = 0; i <= n; ++i) points[i] = detail::estrin(c.c0, c.c1, c.c2, c.c3, static_cast<float>(i) / static_cast<float>(n));
+  if (!tangents.empty()) {
+    const glm::vec3 d1 = 2.0f * c.c2, d2 = 3.0f * c.c3;
+    for (int i = 0; i <= n; ++i) {
+      const float t = static_cast<float>(i) / static_cast<float>(n);
+      tangents[i] = (c.c1 + t * d1) + (t * t) * d2;
+    }
+  }
+  pin_ends(curve.cubic, points);
+}
+
 void forward_differences(const PreparedCubic& curve, Points points, Points tangents) {
   const Coefficients& c = curve.monomial;
   const int n = steps_of(points, tangents);
@@ -91,6 +107,9 @@ double casteljau_bound(double extent, double size, int) { return kU * (11.0 * ex
 // A difference of control points itself rounds at its own size.
 double horner_bound(double extent, double size, int) { return kU * (extent + 120.0 * size); }
 
+// Estrin: c0 + t c1 rounds below M + 3 S and the last addition at M; the rest as Horner's, with t^2 off by 2 u.
+double estrin_bound(double extent, double size, int) { return kU * (2.0 * extent + 130.0 * size); }
+
 // Forward differences: step k rounds `value` by u M and `first` by u |first| with |first| <= 6 S/n: after n steps n u M from the value's own
 // sums, and from the errors of first (e1 a step), second (e2) and third (e3, at the start alone): sum_k k e1 + k^2/2 e2 + k^3/6 e3
 // with e1 <= 6 u S/n, e2 <= 24 u S/n^2 (rounding of each addition), and relative errors of about 10 u in the starting
@@ -100,7 +119,11 @@ double forward_differences_bound(double extent, double size, int steps) {
   return kU * (extent * (n + 1.0) + size * (3.0 * n + 6.0) + size * (3.0 * n + 12.0) + 140.0 * size);
 }
 
-constexpr std::array<Evaluator, 7> kTable{{
+// The vector rows keep their bounds for any number of steps, as each vertex or each run of 64 starts anew.
+double horner8_bound(double extent, double size, int) { return vector_horner_error_bound(extent, size); }
+double forward_differences8_bound(double extent, double size, int) { return vector_differences_error_bound(extent, size); }
+
+constexpr std::array<Evaluator, 10> kTable{{
     {"bernstein", "Cubic (Bernstein)", "(1-t)^3 p0 + 3t(1-t)^2 p1 + 3t^2(1-t) p2 + t^3 p3",
      "3 vector additions, 4 vector and 12 scalar multiplications", bernstein, bernstein_bound},
     {"de_casteljau", "de Casteljau", "b_i <- (1-t) b_i + t b_(i+1), three rounds", "6 linear interpolations", de_casteljau,
@@ -109,6 +132,12 @@ constexpr std::array<Evaluator, 7> kTable{{
      horner_bound},
     {"forward_differences", "Forward differences", "f += d1, d1 += d2, d2 += d3", "3 vector additions", forward_differences,
      forward_differences_bound},
+    {"estrin", "Estrin", "(c0 + t c1) + t^2 (c2 + t c3), coefficients stored", "3 vector additions, 3 vector and 1 scalar multiplications", estrin,
+     estrin_bound},
+    {"horner8", "Horner, 8 at once", "Horner's rule for eight parameters in one vector", "3 vector additions, 3 vector multiplications, by eights",
+     detail::horner8, horner8_bound},
+    {"forward_differences8", "Forward differences, 8 lanes", "each lane steps by 8/n, started anew every 64 points",
+     "3 vector additions, by eights", detail::forward_differences8, forward_differences8_bound},
     {"gpu_vertex", "Vertex shader", "Horner at t = gl_VertexID / n, coefficients a segment", "3 vector additions, 3 vector multiplications",
      horner, horner_bound, Stage::vertex_shader},
     {"gpu_geometry", "Geometry shader", "Horner at t = i / n for a point that becomes a strip", "3 vector additions, 3 vector multiplications",

@@ -42,6 +42,12 @@ V horner(V c0, V c1, V c2, V c3, float t) {
   return c0 + t * (c1 + t * (c2 + t * c3));
 }
 
+// Estrin's scheme: two halves that do not wait for each other, for one multiplication more (t^2).
+template <class V>
+V estrin(V c0, V c1, V c2, V c3, float t) {
+  return (c0 + t * c1) + (t * t) * (c2 + t * c3);
+}
+
 // Barrett 2012, section 3.4, for f = c0 + c1 t + c2 t^2 + c3 t^3 and step e.
 // Paper erratum: "B(0) + i dB" holds for a straight line only; a cubic needs all three differences.
 template <class V>

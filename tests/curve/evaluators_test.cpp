@@ -125,6 +125,21 @@ TEST(evaluators, horner_uses_the_stored_coefficients_alone) {
   EXPECT_EQ(before, after);
 }
 
+double worst_of(const char* name, int steps, const std::vector<Cubic>& cubics) {
+  std::vector<glm::vec3> points;
+  double worst = 0;
+  for (const Cubic& c : cubics) worst = std::max(worst, worst_error(evaluator(*find_evaluator(name)), c, steps, points));
+  return worst;
+}
+
+TEST(evaluators, eight_lanes_started_anew_stay_within_four_times_horners_error_at_4096_steps) {
+  const auto cubics = random_cubics(100, 25);
+  const double horner = worst_of("horner", 4096, cubics);
+  EXPECT_LE(worst_of("horner8", 4096, cubics), 1.5 * horner);
+  EXPECT_LE(worst_of("forward_differences8", 4096, cubics), 4 * horner);
+  EXPECT_GT(worst_of("forward_differences", 4096, cubics), 10 * horner);  // what the starts are for
+}
+
 // Counts vector operations.
 struct Counting {
   double x = 0;
@@ -144,6 +159,13 @@ TEST(evaluators, forward_differences_take_three_additions_a_point_and_two_a_tang
   detail::step(g);
   EXPECT_EQ(Counting::additions, 2);
   EXPECT_EQ(Counting::multiplications, 0);
+}
+
+TEST(evaluators, estrin_takes_a_multiplication_more_than_horner) {
+  Counting::additions = Counting::multiplications = 0;
+  detail::estrin<Counting>({1}, {2}, {3}, {4}, 0.3f);
+  EXPECT_EQ(Counting::additions, 3);
+  EXPECT_EQ(Counting::multiplications, 3);  // of vectors; t * t is the fourth
 }
 
 TEST(evaluators, horner_takes_three_additions_and_three_multiplications_a_point) {

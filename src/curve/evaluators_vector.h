@@ -1,0 +1,13 @@
+// The rows of the evaluator table that go through the vector kernels (kernels.h), on the best processor path.
+#pragma once
+
+#include <span>
+
+#include "curve/cubic.h"
+
+namespace coaster::curve::detail {
+
+void horner8(const PreparedCubic& curve, std::span<glm::vec3> points, std::span<glm::vec3> tangents);
+void forward_differences8(const PreparedCubic& curve, std::span<glm::vec3> points, std::span<glm::vec3> tangents);
+
+}  // namespace coaster::curve::detail

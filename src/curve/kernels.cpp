@@ -1,0 +1,110 @@
+// Picks the kernels for the processor and hands them plain memory; does by double arithmetic what they leave over.
+#include "curve/kernels.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/check.h"
+#include "curve/kernels_jobs.h"
+
+namespace coaster::curve {
+namespace {
+
+static_assert(sizeof(PreparedCubic) == 24 * sizeof(float), "the kernels read a prepared cubic as 24 floats");
+static_assert(sizeof(TrackVertex) == 6 * sizeof(float), "the kernels write a vertex as 6 floats");
+
+constexpr std::array<Processor, 2> kProcessors{Processor::baseline, Processor::avx2};
+
+Processor find_best() {
+#ifdef COASTER_AVX2_KERNELS
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return Processor::avx2;
+#endif
+  return Processor::baseline;
+}
+
+const detail::Kernels& kernels(Processor on) {
+#ifdef COASTER_AVX2_KERNELS
+  if (on == Processor::avx2) return detail::avx2_kernels();
+#endif
+  return detail::baseline_kernels();
+}
+
+const float* floats(std::span<const PreparedCubic> curves) { return reinterpret_cast<const float*>(curves.data()); }
+
+// Larger than the last cache of most processors: what is written would push everything else out and be gone itself.
+constexpr std::size_t kPastTheCaches = std::size_t{32} << 20;
+
+bool may_stream(std::span<const glm::vec3> out, int points) {
+  return out.size_bytes() > kPastTheCaches && points % 8 == 0 && reinterpret_cast<std::uintptr_t>(out.data()) % 32 == 0;
+}
+
+}  // namespace
+
+Processor best_processor() {
+  static const Processor best = find_best();
+  return best;
+}
+
+std::span<const Processor> available_processors() {
+  return std::span(kProcessors).first(best_processor() == Processor::avx2 ? 2 : 1);
+}
+
+// As Horner's bound in evaluators.cpp (M + 120 S for coefficients and five operations below 13 S), and what scaling by powers of 1/n adds: at
+// most 6 u of coefficients below 13 S. A fused multiplication and addition rounds once less.
+double vector_horner_error_bound(double extent, double size) { return (extent + 200.0 * size) / (1 << 24); }
+
+// A run of 64 vertices, with S the polygon's length and h = 8/n (at most 8 steps of at most 1/8, as a run covers at most the curve):
+// first <= 6 S h, second <= 24 S h^2, third <= 24 S h^3. Rounded once a step each, and values below 7 S as well, that sums to below
+// 8 * 7 S + 8 * 6 S h + 28 * 24 S h^2 <= 73 S for h = 1/8; relative errors of 12 u in the starts of all three (scaling, shift, tables of
+// exact numbers) grow to at most 12 (3 + 6 + 4) S = 156 S, and Horner's start has its 200 S. The run's first point and the sum with it
+// round at M once each.
+double vector_differences_error_bound(double extent, double size) { return (2.0 * extent + 430.0 * size) / (1 << 24); }
+
+// The same with the first point inside the value: each of seven additions rounds at M as well.
+double track_error_bound(double extent, double size) { return (9.0 * extent + 430.0 * size) / (1 << 24); }
+
+void vector_polyline(VectorMethod method, const PreparedCubic& curve, std::span<glm::vec3> points, Processor on) {
+  COASTER_CHECK(points.size() >= 2, "a polyline has at least one step");
+  const int n = static_cast<int>(points.size()) - 1;
+  const detail::Job job{floats({&curve, 1}), 1, n, n + 1, &points[0].x};
+  const detail::Kernels& k = kernels(on);
+  (method == VectorMethod::horner ? k.positions_by_horner : k.positions_by_differences)(job);
+}
+
+std::size_t track_vertices(std::size_t curves, int steps, TrackLayout layout) {
+  if (curves == 0) return 0;
+  const auto n = static_cast<std::size_t>(steps);
+  return layout == TrackLayout::polylines ? curves * (n + 1) : curves * n + 1;
+}
+
+void track_points(std::span<const PreparedCubic> curves, int steps, TrackLayout layout, std::span<glm::vec3> out, Processor on) {
+  COASTER_CHECK(steps >= 1 && out.size() == track_vertices(curves.size(), steps, layout), "as many vertices as the layout has");
+  if (curves.empty()) return;
+  const int points = layout == TrackLayout::polylines ? steps + 1 : steps;
+  const detail::Job job{floats(curves), curves.size(), steps, points, &out[0].x};
+  const detail::Kernels& k = kernels(on);
+  (may_stream(out, points) ? k.track_positions_streamed : k.track_positions)(job);
+  if (layout == TrackLayout::chain) out.back() = curves.back().cubic.p3;
+}
+
+void track_vertices_with_tangents(std::span<const PreparedCubic> curves, int steps, std::span<TrackVertex> out, Processor on) {
+  COASTER_CHECK(steps >= 1 && out.size() == track_vertices(curves.size(), steps, TrackLayout::polylines), "n + 1 vertices a curve");
+  if (curves.empty()) return;
+  kernels(on).track_vertices({floats(curves), curves.size(), steps, steps + 1, &out[0].position.x});
+}
+
+void track_vertices_with_unit_tangents(std::span<const PreparedCubic> curves, int steps, std::span<TrackVertex> out, Processor on) {
+  COASTER_CHECK(steps >= 1 && out.size() == track_vertices(curves.size(), steps, TrackLayout::polylines), "n + 1 vertices a curve");
+  if (curves.empty()) return;
+  std::vector<unsigned char> slow(curves.size());
+  kernels(on).track_unit_vertices({floats(curves), curves.size(), steps, steps + 1, &out[0].position.x, slow.data()});
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const auto vertices = out.subspan(i * (static_cast<std::size_t>(steps) + 1), static_cast<std::size_t>(steps) + 1);
+    const Cubic& c = curves[i].cubic;
+    if (slow[i])
+      for (int j = 0; j <= steps; ++j) vertices[static_cast<std::size_t>(j)].tangent = glm::vec3(unit_tangent(c, static_cast<double>(j) / steps));
+  }
+}
+
+}  // namespace coaster::curve

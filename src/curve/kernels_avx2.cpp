@@ -1,0 +1,16 @@
+// The kernels for AVX2 and FMA: compiled with those flags (cmake/kernels.cmake), called only where the processor has them.
+#ifdef COASTER_AVX2_KERNELS
+
+#include "curve/kernels_body.h"
+
+namespace coaster::curve::detail {
+
+const Kernels& avx2_kernels() {
+  static constexpr Kernels kernels{positions_by_horner,      positions_by_differences, track_positions,
+                                    track_positions_streamed, track_vertices,           track_unit_vertices};
+  return kernels;
+}
+
+}  // namespace coaster::curve::detail
+
+#endif

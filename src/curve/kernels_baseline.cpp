@@ -1,0 +1,12 @@
+// The kernels for the processor that the whole program is compiled for (SSE2 on x86-64).
+#include "curve/kernels_body.h"
+
+namespace coaster::curve::detail {
+
+const Kernels& baseline_kernels() {
+  static constexpr Kernels kernels{positions_by_horner,      positions_by_differences, track_positions,
+                                    track_positions_streamed, track_vertices,           track_unit_vertices};
+  return kernels;
+}
+
+}  // namespace coaster::curve::detail

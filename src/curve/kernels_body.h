@@ -1,0 +1,394 @@
+// The vector kernels' bodies, compiled once a processor (kernels_avx2.cpp, kernels_baseline.cpp) and included by nothing else. All is
+// in an anonymous namespace and no library header is used, so that no code for one processor can stand in for another's.
+//
+// A vertex is W floats (3: position; 6: position and tangent), each its own cubic in u = 0, 1, .. n, t = u/n, with coefficients scaled by
+// powers of 1/n. 24 floats are three vectors of eight, which hold 8 positions or 4 vertices of 6 floats; coefficients stand in
+// them in the order of the vertices' floats, so that what is stored is packed without a shuffle.
+#pragma once
+
+#include <cstddef>
+
+#include "curve/kernels_jobs.h"
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace {
+
+using coaster::curve::detail::Job;
+
+typedef float V4 __attribute__((vector_size(16)));
+
+#ifdef __AVX2__
+typedef float V8 __attribute__((vector_size(32)));
+typedef float LooseV8 __attribute__((vector_size(32), aligned(4), may_alias));
+inline V8 all(float x) { return V8{x, x, x, x, x, x, x, x}; }
+inline V8 load(const float* p) { return *reinterpret_cast<const LooseV8*>(p); }
+inline void store(float* p, V8 v) { *reinterpret_cast<LooseV8*>(p) = v; }
+inline void stream(float* p, V8 v) { _mm256_stream_ps(p, v); }
+inline V8 reciprocal_root(V8 x) { return _mm256_rsqrt_ps(x); }
+inline V8 at_least(V8 x, V8 low) { return _mm256_max_ps(x, low); }
+inline V8 at_most(V8 x, V8 high) { return _mm256_min_ps(x, high); }
+inline V8 join(V4 low, V4 high) { return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7); }
+#else
+// Two halves by hand: compilers keep a 32-byte vector that the processor lacks in memory.
+struct V8 {
+  V4 low, high;
+  friend V8 operator+(V8 a, V8 b) { return {a.low + b.low, a.high + b.high}; }
+  friend V8 operator*(V8 a, V8 b) { return {a.low * b.low, a.high * b.high}; }
+  friend V8 operator-(V8 a, V8 b) { return {a.low - b.low, a.high - b.high}; }
+};
+typedef float LooseV4 __attribute__((vector_size(16), aligned(4), may_alias));
+inline V8 all(float x) { return {V4{x, x, x, x}, V4{x, x, x, x}}; }
+inline V8 load(const float* p) { return {*reinterpret_cast<const LooseV4*>(p), *reinterpret_cast<const LooseV4*>(p + 4)}; }
+inline void store(float* p, V8 v) {
+  *reinterpret_cast<LooseV4*>(p) = v.low;
+  *reinterpret_cast<LooseV4*>(p + 4) = v.high;
+}
+inline V8 join(V4 low, V4 high) { return {low, high}; }
+#if defined(__SSE2__)
+inline void stream(float* p, V8 v) {
+  _mm_stream_ps(p, v.low);
+  _mm_stream_ps(p + 4, v.high);
+}
+inline V8 reciprocal_root(V8 x) { return {_mm_rsqrt_ps(x.low), _mm_rsqrt_ps(x.high)}; }
+inline V8 at_least(V8 x, V8 low) { return {_mm_max_ps(x.low, low.low), _mm_max_ps(x.high, low.high)}; }
+inline V8 at_most(V8 x, V8 high) { return {_mm_min_ps(x.low, high.low), _mm_min_ps(x.high, high.high)}; }
+#else
+inline void stream(float* p, V8 v) { store(p, v); }
+inline V8 reciprocal_root(V8 x) {
+  for (int i = 0; i < 4; ++i) {
+    x.low[i] = 1.0f / __builtin_sqrtf(x.low[i]);
+    x.high[i] = 1.0f / __builtin_sqrtf(x.high[i]);
+  }
+  return x;
+}
+inline V8 at_least(V8 x, V8 low) { return {x.low > low.low ? x.low : low.low, x.high > low.high ? x.high : low.high}; }
+inline V8 at_most(V8 x, V8 high) { return {x.low < high.low ? x.low : high.low, x.high < high.high ? x.high : high.high}; }
+#endif
+#endif
+
+inline V4 load4(const float* p) {
+  typedef float Loose __attribute__((vector_size(16), aligned(4), may_alias));
+  return *reinterpret_cast<const Loose*>(p);
+}
+
+// The coefficients of one cubic, lanes x y z (the fourth is anything).
+struct Rows {
+  V4 c[4];
+};
+// Coefficients start at float 12 of a PreparedCubic; c3 is loaded one float early, so that nothing past the end is read.
+inline Rows rows_of(const float* cubic, float e) {
+  const V4 c3 = load4(cubic + 20);
+  return {{load4(cubic + 12), load4(cubic + 15) * e, load4(cubic + 18) * (e * e), __builtin_shufflevector(c3, c3, 1, 2, 3, 3) * (e * e * e)}};
+}
+// The same cubic with its parameter counted from w on.
+inline Rows shifted(const Rows& r, float w) {
+  const V4 a = r.c[2] + r.c[3] * w, b = a + r.c[3] * w, d = r.c[1] + a * w;
+  return {{r.c[0] + d * w, d + b * w, b + r.c[3] * w, r.c[3]}};
+}
+
+// c[k][i]: coefficient i in the lanes of vector k of a group.
+struct Pattern {
+  V8 c[3][4];
+};
+inline Pattern pattern(const Rows& rows) {
+  Pattern p;
+  for (int i = 0; i < 4; ++i) {
+    const V4 v = rows.c[i];
+#ifdef __AVX2__
+    const V8 w = join(v, v);
+    p.c[0][i] = _mm256_permutevar_ps(w, _mm256_setr_epi32(0, 1, 2, 0, 1, 2, 0, 1));
+    p.c[1][i] = _mm256_permutevar_ps(w, _mm256_setr_epi32(2, 0, 1, 2, 0, 1, 2, 0));
+    p.c[2][i] = _mm256_permutevar_ps(w, _mm256_setr_epi32(1, 2, 0, 1, 2, 0, 1, 2));
+#else
+    const V4 xyzx = __builtin_shufflevector(v, v, 0, 1, 2, 0), yzxy = __builtin_shufflevector(v, v, 1, 2, 0, 1);
+    const V4 zxyz = __builtin_shufflevector(v, v, 2, 0, 1, 2);
+    p.c[0][i] = join(xyzx, yzxy);
+    p.c[1][i] = join(zxyz, xyzx);
+    p.c[2][i] = join(yzxy, zxyz);
+#endif
+  }
+  return p;
+}
+// Positions and tangents in turn; `scale` is what turns the derivative by the rows' parameter into B'(t).
+inline Pattern pattern(const Rows& rows, float scale) {
+  const Rows d{{rows.c[1] * scale, rows.c[2] * (2 * scale), rows.c[3] * (3 * scale), V4{}}};
+  Pattern p;
+  for (int i = 0; i < 4; ++i) {
+    const V4 a = rows.c[i], b = d.c[i];
+#ifdef __AVX2__
+    const V8 w = join(a, b);
+    p.c[0][i] = __builtin_shufflevector(w, w, 0, 1, 2, 4, 5, 6, 0, 1);
+    p.c[1][i] = __builtin_shufflevector(w, w, 2, 4, 5, 6, 0, 1, 2, 4);
+    p.c[2][i] = __builtin_shufflevector(w, w, 5, 6, 0, 1, 2, 4, 5, 6);
+#else
+    const V4 pt0 = __builtin_shufflevector(a, b, 0, 1, 2, 4), pt1 = __builtin_shufflevector(b, a, 1, 2, 4, 5);
+    const V4 pt2 = __builtin_shufflevector(a, b, 2, 4, 5, 6);
+    p.c[0][i] = join(pt0, pt1);
+    p.c[1][i] = join(pt2, pt0);
+    p.c[2][i] = join(pt1, pt2);
+#endif
+  }
+  return p;
+}
+
+// The vertex number of each float of a group.
+template <int W>
+inline V8 vertex_numbers(int k) {
+  static const float three[24] = {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6, 7, 7, 7};
+  static const float six[24] = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3};
+  return load((W == 3 ? three : six) + 8 * k);
+}
+
+inline V8 horner(const V8* c, V8 w) { return c[0] + w * (c[1] + w * (c[2] + w * c[3])); }
+
+// Differences of a cubic in w, one group long, for the step 1: value, first, second, third. The polynomials in w are constants.
+template <int W>
+struct Starts {
+  alignas(32) float w[24], first2[24], first3[24], second3[24];
+  constexpr Starts() : w(), first2(), first3(), second3() {
+    for (int i = 0; i < 24; ++i) {
+      const float x = static_cast<float>(i / W) * (W / 24.0f);
+      w[i] = x;
+      first2[i] = 2 * x + 1;
+      first3[i] = 3 * x * x + 3 * x + 1;
+      second3[i] = 6 * x + 6;
+    }
+  }
+};
+template <int W>
+inline constexpr Starts<W> kStarts{};
+
+struct State {
+  V8 value, first, second, third;
+};
+template <int W>
+inline State start(const V8* c, int k) {
+  const Starts<W>& s = kStarts<W>;
+  return {horner(c, load(s.w + 8 * k)), c[1] + load(s.first2 + 8 * k) * c[2] + load(s.first3 + 8 * k) * c[3],
+          c[2] + c[2] + load(s.second3 + 8 * k) * c[3], all(6) * c[3]};
+}
+inline void advance(State& s) {
+  s.value = s.value + s.first;
+  s.first = s.first + s.second;
+  s.second = s.second + s.third;
+}
+
+template <bool S>
+inline void put(float* p, V8 v) {
+  if constexpr (S) stream(p, v);
+  else store(p, v);
+}
+
+// Groups by Horner's rule, from vertex `first` on.
+template <int W, bool S>
+inline void horner_groups(const Pattern& p, int first, int groups, float* out) {
+  constexpr float h = 24 / W;
+  V8 u[3];
+  for (int k = 0; k < 3; ++k) u[k] = vertex_numbers<W>(k) + all(static_cast<float>(first));
+  for (int g = 0; g < groups; ++g, out += 24)
+    for (int k = 0; k < 3; ++k) {
+      put<S>(out + 8 * k, horner(p.c[k], u[k]));
+      u[k] = u[k] + all(h);
+    }
+}
+
+// `groups` groups by differences, each lane stepping a whole group. Careful: values are counted from the run's first point, which is added to
+// each when it is stored, so that it rounds at the coordinates' size once; an addition more.
+template <int W, bool S, bool Careful>
+inline void difference_run(Pattern p, int groups, float* out) {
+  const V8 base0 = p.c[0][0], base1 = p.c[1][0], base2 = p.c[2][0];
+  if constexpr (Careful)
+    for (int k = 0; k < 3; ++k) p.c[k][0] = all(0);
+  State a = start<W>(p.c[0], 0), b = start<W>(p.c[1], 1), c = start<W>(p.c[2], 2);
+#pragma GCC unroll 8
+  for (int g = 0; g < groups; ++g) {
+    put<S>(out + 24 * g, Careful ? a.value + base0 : a.value);
+    advance(a);
+    put<S>(out + 24 * g + 8, Careful ? b.value + base1 : b.value);
+    advance(b);
+    put<S>(out + 24 * g + 16, Careful ? c.value + base2 : c.value);
+    advance(c);
+  }
+}
+
+template <int W>
+inline Pattern pattern_of(const Rows& rows, float scale) {
+  if constexpr (W == 3) return pattern(rows);
+  else return pattern(rows, scale);
+}
+
+// All groups, started anew every kRun from the cubic shifted there, so that every run is alike. Whole runs have a fixed length.
+template <int W, bool S, bool Careful>
+inline void difference_groups(const Rows& rows, float scale, int groups, float* out) {
+  constexpr int run = coaster::curve::detail::kRun;
+  if (groups >= run) difference_run<W, S, Careful>(pattern_of<W>(rows, scale), run, out);
+  int from = groups >= run ? run : 0;
+  for (; from + run <= groups; from += run)
+    difference_run<W, S, Careful>(pattern_of<W>(shifted(rows, static_cast<float>(from)), scale), run, out + 24 * from);
+  if (from < groups) difference_run<W, S, Careful>(pattern_of<W>(shifted(rows, static_cast<float>(from)), scale), groups - from, out + 24 * from);
+}
+
+// What is left when the vertices are no whole number of groups, by Horner's rule counted in vertices.
+template <int W>
+inline void last_vertices(const Pattern& p, int points, float* out) {
+  constexpr int a_group = 24 / W;
+  if (points >= a_group) {  // the last group once more, so that it ends where the curve ends
+    horner_groups<W, false>(p, points - a_group, 1, out + static_cast<std::ptrdiff_t>(points - a_group) * W);
+  } else {
+    float few[24];
+    horner_groups<W, false>(p, 0, 1, few);
+    for (int i = 0; i < points * W; ++i) out[i] = few[i];
+  }
+}
+
+// The last vertex of a curve of steps + 1 vertices: exactly p3, and B'(1) = 3 (p3 - p2).
+template <int W>
+inline void end_vertex(const float* cubic, float* vertex) {
+  for (int a = 0; a < 3; ++a) vertex[a] = cubic[9 + a];
+  if constexpr (W == 6)
+    for (int a = 0; a < 3; ++a) vertex[3 + a] = 3 * (cubic[9 + a] - cubic[6 + a]);
+}
+
+template <int W, bool Differences, bool S, bool Careful>
+void run(const Job& job) {
+  constexpr int a_group = 24 / W;
+  const float n = static_cast<float>(job.steps), inv = 1.0f / n;
+  const float* cubic = job.cubics;
+  float* out = job.out;
+  const int inner = job.points < job.steps ? job.points : job.steps, groups = inner / a_group;
+  const bool rest = groups * a_group != inner;
+  for (std::size_t i = 0; i < job.count; ++i, cubic += 24, out += static_cast<std::ptrdiff_t>(job.points) * W) {
+    if constexpr (Differences) difference_groups<W, S, Careful>(rows_of(cubic, a_group * inv), n / a_group, groups, out);
+    if (!Differences || rest) {
+      const Pattern p = pattern_of<W>(rows_of(cubic, inv), n);
+      if constexpr (!Differences) horner_groups<W, S>(p, 0, groups, out);
+      if (rest) last_vertices<W>(p, inner, out);
+    }
+    if (job.points > inner) end_vertex<W>(cubic, out + static_cast<std::ptrdiff_t>(inner) * W);
+  }
+}
+
+// What turns three vectors of positions and tangents into positions and unit tangents: 1 for a position's lanes, for a tangent's its r.
+struct Scales {
+  V8 of[3];
+};
+#ifdef __AVX2__
+template <int Lanes>
+inline V8 spread(V8 r, int a, int b, int c, int d, int e, int f, int g, int h) {
+  return _mm256_blend_ps(all(1), _mm256_permutevar8x32_ps(r, _mm256_setr_epi32(a, b, c, d, e, f, g, h)), Lanes);
+}
+inline Scales scales(V8 r, bool upper) {
+  if (upper) return {{spread<0x38>(r, 0, 0, 0, 4, 4, 4, 0, 0), spread<0x8e>(r, 0, 5, 5, 5, 0, 0, 0, 6), spread<0xe3>(r, 6, 6, 0, 0, 0, 7, 7, 7)}};
+  return {{spread<0x38>(r, 0, 0, 0, 0, 0, 0, 0, 0), spread<0x8e>(r, 0, 1, 1, 1, 0, 0, 0, 2), spread<0xe3>(r, 2, 2, 0, 0, 0, 3, 3, 3)}};
+}
+#else
+inline Scales scales(V8 both, bool upper) {
+  const V4 r = upper ? both.high : both.low, one = {1, 1, 1, 1};
+  return {{{__builtin_shufflevector(one, r, 0, 0, 0, 4), __builtin_shufflevector(one, r, 4, 4, 0, 0)},
+           {__builtin_shufflevector(one, r, 0, 5, 5, 5), __builtin_shufflevector(one, r, 0, 0, 0, 6)},
+           {__builtin_shufflevector(one, r, 6, 6, 0, 0), __builtin_shufflevector(one, r, 0, 7, 7, 7)}}};
+}
+#endif
+
+// 1 / sqrt(q): the processor's estimate (relative error below 1.5 * 2^-12) and one step of Newton, which squares it: below 3e-7.
+inline V8 inverse_root(V8 q) {
+  const V8 r = reciprocal_root(q);
+  return r * (all(1.5f) - all(0.5f) * q * r * r);
+}
+
+// The derivative by w as splats, for the squared speeds of eight vertices at once.
+struct Speeds {
+  V8 d[3][3];  // [axis][coefficient]
+};
+inline Speeds speeds(const Rows& r) {
+  Speeds s;
+  for (int a = 0; a < 3; ++a) {
+    s.d[a][0] = all(r.c[1][a]);
+    s.d[a][1] = all(2 * r.c[2][a]);
+    s.d[a][2] = all(3 * r.c[3][a]);
+  }
+  return s;
+}
+inline V8 squared_speed(const Speeds& s, V8 w) {
+  const V8 x = s.d[0][0] + w * (s.d[0][1] + w * s.d[0][2]), y = s.d[1][0] + w * (s.d[1][1] + w * s.d[1][2]);
+  const V8 z = s.d[2][0] + w * (s.d[2][1] + w * s.d[2][2]);
+  return x * x + y * y + z * z;
+}
+
+inline void put_unit(State& a, State& b, State& c, const Scales& by, float* out) {
+  store(out, a.value * by.of[0]);
+  advance(a);
+  store(out + 8, b.value * by.of[1]);
+  advance(b);
+  store(out + 16, c.value * by.of[2]);
+  advance(c);
+}
+
+// `pairs` pairs of groups, eight vertices each, from w = 0; rows counted in groups of four vertices. Gives the least squared speed.
+inline V8 unit_run(const Rows& rows, int pairs, float* out, V8 least) {
+  const Pattern p = pattern(rows, 1);
+  const Speeds d = speeds(rows);
+  State a = start<6>(p.c[0], 0), b = start<6>(p.c[1], 1), c = start<6>(p.c[2], 2);
+  static const float kQuarters[8] = {0, 0.25f, 0.5f, 0.75f, 1, 1.25f, 1.5f, 1.75f};
+  V8 w = load(kQuarters);
+#pragma GCC unroll 4
+  for (int i = 0; i < pairs; ++i, out += 48) {
+    const V8 q = squared_speed(d, w);
+    least = at_most(q, least);
+    const V8 r = inverse_root(at_least(q, all(1e-30f)));
+    put_unit(a, b, c, scales(r, false), out);
+    put_unit(a, b, c, scales(r, true), out + 24);
+    w = w + all(2);
+  }
+  return least;
+}
+
+inline float squared(V4 v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
+inline float lowest(V8 v) {
+  float x[8], low;
+  store(x, v);
+  low = x[0];
+  for (int i = 1; i < 8; ++i) low = x[i] < low ? x[i] : low;
+  return low;
+}
+
+// Vertices whose tangents lose their direction to rounding are left for the caller: their curve is marked in `slow`.
+void track_unit_vertices(const Job& job) {
+  constexpr int run = coaster::curve::detail::kRun / 2;
+  const float e = 4 / static_cast<float>(job.steps);
+  const float* cubic = job.cubics;
+  float* out = job.out;
+  const int pairs = job.steps / 8, rest = job.steps - pairs * 8;
+  for (std::size_t i = 0; i < job.count; ++i, cubic += 24, out += static_cast<std::ptrdiff_t>(job.points) * 6) {
+    const Rows rows = rows_of(cubic, e);
+    V8 least = all(1e30f);
+    for (int from = 0; from < pairs; from += run) {
+      const Rows here = from == 0 ? rows : shifted(rows, 2.0f * static_cast<float>(from));
+      if (from + run <= pairs) least = unit_run(here, run, out + 48 * from, least);
+      else least = unit_run(here, pairs - from, out + 48 * from, least);
+    }
+    if (rest != 0) {
+      float few[48];
+      least = unit_run(shifted(rows, 2.0f * static_cast<float>(pairs)), 1, few, least);
+      for (int k = 0; k < rest * 6; ++k) out[48 * pairs + k] = few[k];
+    }
+    float* end = out + static_cast<std::ptrdiff_t>(job.steps) * 6;
+    end_vertex<6>(cubic, end);
+    const float q = end[3] * end[3] + end[4] * end[4] + end[5] * end[5], r = 1 / __builtin_sqrtf(q > 1e-30f ? q : 1e-30f);
+    for (int k = 3; k < 6; ++k) end[k] *= r;
+    const float size = squared(rows.c[1]) + 4 * squared(rows.c[2]) + 9 * squared(rows.c[3]), end_speed = q * e * e;
+    const float low = lowest(least), lower = end_speed < low ? end_speed : low;
+    job.slow[i] = !(lower > size * coaster::curve::detail::kSlow * coaster::curve::detail::kSlow);
+  }
+}
+
+void positions_by_horner(const Job& job) { run<3, false, false, false>(job); }
+void positions_by_differences(const Job& job) { run<3, true, false, true>(job); }
+void track_positions(const Job& job) { run<3, true, false, false>(job); }
+void track_positions_streamed(const Job& job) { run<3, true, true, false>(job); }
+void track_vertices(const Job& job) { run<6, true, false, false>(job); }
+
+}  // namespace
