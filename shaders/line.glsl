@@ -23,3 +23,15 @@ vec4 expand(vec4 a, vec4 b, vec2 corner, float width_px, vec2 viewport, out floa
 float coverage(float across, float width_px) {
   return clamp((0.5 * width_px + kFeather - abs(across)) / (2.0 * kFeather), 0.0, 1.0) * min(width_px, 1.0);
 }
+
+// A corner of the line from `from` to `to` (world) of the laboratory's polyline.
+vec4 polyline_corner(mat4 view_projection, vec3 eye, vec2 viewport, float widest_px, vec3 from, vec3 to, vec2 corner, out float across,
+                     out float width) {
+  // Half a percent nearer to the eye, on the same pixel: over the rails and ties that it touches.
+  vec4 a = view_projection * vec4(mix(eye, from, 0.995), 1.0), b = view_projection * vec4(mix(eye, to, 0.995), 1.0);
+  // Far off it thins out, so that it does not cover the track that it describes: never wider than kWidest metres.
+  const float kWidest = 0.2;
+  float px_per_metre = 0.5 * viewport.y * length(vec3(view_projection[0][1], view_projection[1][1], view_projection[2][1])) / max(b.w, 0.01);
+  width = clamp(kWidest * px_per_metre, 0.6, widest_px);
+  return expand(a, b, corner, width, viewport, across);
+}

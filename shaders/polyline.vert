@@ -20,11 +20,5 @@ void main() {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
-  // Half a percent nearer to the eye, on the same pixel: over the rails and ties that it touches.
-  vec4 a = view_projection * vec4(mix(eye, from, 0.995), 1.0), b = view_projection * vec4(mix(eye, to, 0.995), 1.0);
-  // Far off it thins out, so that it does not cover the track that it describes: never wider than kWidest metres.
-  const float kWidest = 0.2;
-  float px_per_metre = 0.5 * viewport.y * length(vec3(view_projection[0][1], view_projection[1][1], view_projection[2][1])) / max(b.w, 0.01);
-  width = clamp(kWidest * px_per_metre, 0.6, width_px);
-  gl_Position = expand(a, b, vec2(gl_VertexID & 1, (gl_VertexID & 2) - 1), width, viewport, across);
+  gl_Position = polyline_corner(view_projection, eye, viewport, width_px, from, to, vec2(gl_VertexID & 1, (gl_VertexID & 2) - 1), across, width);
 }

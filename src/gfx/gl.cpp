@@ -22,11 +22,14 @@ base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc) {
   if (gl.name == nullptr && missing == nullptr) missing = "gl" #name;
   COASTER_GL_FUNCTIONS(X)
 #undef X
+#define X(type, name) gl.name = reinterpret_cast<PFNGL##type##PROC>(proc("gl" #name));
+  COASTER_GL_OPTIONAL_FUNCTIONS(X)
+#undef X
   if (gl.GetString == nullptr || gl.GetIntegerv == nullptr)
     return base::Status{base::Code::graphics, "OpenGL: no current context"};
   gl.GetIntegerv(GL_MAJOR_VERSION, &gl.major);
   gl.GetIntegerv(GL_MINOR_VERSION, &gl.minor);
-  if (gl.major < kNeededMajor || (gl.major == kNeededMajor && gl.minor < kNeededMinor))
+  if (!gl.at_least(kNeededMajor, kNeededMinor))
     return base::Status{base::Code::graphics, "OpenGL " + std::to_string(kNeededMajor) + "." + std::to_string(kNeededMinor) +
                                                   " is needed, the driver has " + text_of(gl, GL_VERSION)};
   if (missing != nullptr)

@@ -20,7 +20,7 @@
   X(CULLFACE, CullFace) X(DELETEBUFFERS, DeleteBuffers) X(DELETEFRAMEBUFFERS, DeleteFramebuffers)        \
   X(DELETEPROGRAM, DeleteProgram) X(DELETERENDERBUFFERS, DeleteRenderbuffers) X(DELETESHADER, DeleteShader) \
   X(DELETETEXTURES, DeleteTextures) X(DELETEVERTEXARRAYS, DeleteVertexArrays) X(DEPTHFUNC, DepthFunc)    \
-  X(DEPTHMASK, DepthMask) X(DISABLE, Disable) X(DRAWARRAYS, DrawArrays)                                  \
+  X(DEPTHMASK, DepthMask) X(DISABLE, Disable) X(DISABLEVERTEXATTRIBARRAY, DisableVertexAttribArray) X(DRAWARRAYS, DrawArrays)                                  \
   X(DRAWARRAYSINSTANCED, DrawArraysInstanced) X(DRAWBUFFER, DrawBuffer) X(DRAWBUFFERS, DrawBuffers)      \
   X(DRAWELEMENTS, DrawElements) X(DRAWELEMENTSBASEVERTEX, DrawElementsBaseVertex)                        \
   X(DRAWELEMENTSINSTANCED, DrawElementsInstanced) X(ENABLE, Enable)                                      \
@@ -40,18 +40,30 @@
   X(UNIFORMMATRIX4FV, UniformMatrix4fv) X(USEPROGRAM, UseProgram)                                        \
   X(VERTEXATTRIBDIVISOR, VertexAttribDivisor) X(VERTEXATTRIBPOINTER, VertexAttribPointer) X(VIEWPORT, Viewport)
 
+// What the program can do without: measuring on the GPU, and the stages beyond the base path. Null where the driver has them not; a
+// pointer alone does not say that it has them, the version does.
+#define COASTER_GL_OPTIONAL_FUNCTIONS(X)                                                                 \
+  X(BEGINQUERY, BeginQuery) X(BEGINTRANSFORMFEEDBACK, BeginTransformFeedback) X(DELETEQUERIES, DeleteQueries) \
+  X(ENDQUERY, EndQuery) X(ENDTRANSFORMFEEDBACK, EndTransformFeedback) X(GENQUERIES, GenQueries)          \
+  X(GETBUFFERSUBDATA, GetBufferSubData) X(GETQUERYOBJECTUI64V, GetQueryObjectui64v)                      \
+  X(GETQUERYOBJECTUIV, GetQueryObjectuiv) X(PATCHPARAMETERI, PatchParameteri)                            \
+  X(TRANSFORMFEEDBACKVARYINGS, TransformFeedbackVaryings)
+
 namespace coaster::gfx {
 
 struct Gl {
 #define X(type, name) PFNGL##type##PROC name = nullptr;
   COASTER_GL_FUNCTIONS(X)
+  COASTER_GL_OPTIONAL_FUNCTIONS(X)
 #undef X
   int major = 0, minor = 0;
   int max_samples = 0;
   std::string renderer;  // GL_RENDERER, for the statistics panel
+
+  bool at_least(int wanted_major, int wanted_minor) const { return major > wanted_major || (major == wanted_major && minor >= wanted_minor); }
 };
 
-// Looks every function up in the current context. Code::graphics when the version is below 3.3 (the message has both versions).
+// Looks every function up in the current context; optional ones may stay null. Code::graphics when the version is below 3.3 (the message has both versions).
 base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc);
 
 }  // namespace coaster::gfx

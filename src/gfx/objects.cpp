@@ -6,7 +6,7 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr std::string_view kHeader = "#version 330 core\n";
+constexpr std::string_view kHeader = "#version 330 core\n", kTessellationHeader = "#version 400 core\n";
 
 std::string log_of(const Gl& gl, GLuint id, bool program) {
   GLint length = 0;
@@ -16,17 +16,27 @@ std::string log_of(const Gl& gl, GLuint id, bool program) {
   return text.data();
 }
 
-base::Result<Object> compile(const Gl& gl, GLenum kind, std::string_view name, std::string_view common, std::string_view source) {
+const char* extension_of(GLenum kind) {
+  switch (kind) {
+    case GL_VERTEX_SHADER: return ".vert: ";
+    case GL_TESS_CONTROL_SHADER: return ".tesc: ";
+    case GL_TESS_EVALUATION_SHADER: return ".tese: ";
+    case GL_GEOMETRY_SHADER: return ".geom: ";
+    default: return ".frag: ";
+  }
+}
+
+base::Result<Object> compile(const Gl& gl, GLenum kind, std::string_view name, std::string_view header, std::string_view common,
+                             std::string_view source) {
   Object shader(gl, gl.CreateShader(kind), [](const Gl& g, GLuint id) { g.DeleteShader(id); });
-  const char* parts[] = {kHeader.data(), common.data(), "\n#line 1\n", source.data()};
-  const GLint sizes[] = {GLint(kHeader.size()), GLint(common.size()), 9, GLint(source.size())};
+  const char* parts[] = {header.data(), common.data(), "\n#line 1\n", source.data()};
+  const GLint sizes[] = {GLint(header.size()), GLint(common.size()), 9, GLint(source.size())};
   gl.ShaderSource(shader.id(), 4, parts, sizes);
   gl.CompileShader(shader.id());
   GLint ok = GL_FALSE;
   gl.GetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);
   if (ok != GL_TRUE)
-    return base::Status{base::Code::graphics, "shader " + std::string(name) + (kind == GL_VERTEX_SHADER ? ".vert: " : ".frag: ") +
-                                                  log_of(gl, shader.id(), false)};
+    return base::Status{base::Code::graphics, "shader " + std::string(name) + extension_of(kind) + log_of(gl, shader.id(), false)};
   return shader;
 }
 
@@ -73,6 +83,7 @@ base::Result<Target> make_target(const Gl& gl, int width, int height, int sample
   return target;
 }
 
+void Program::set(const char* name, int value) const { gl->Uniform1i(gl->GetUniformLocation(object.id(), name), value); }
 void Program::set(const char* name, float value) const { gl->Uniform1f(gl->GetUniformLocation(object.id(), name), value); }
 void Program::set(const char* name, glm::vec2 value) const { gl->Uniform2f(gl->GetUniformLocation(object.id(), name), value.x, value.y); }
 void Program::set(const char* name, glm::vec3 value) const { gl->Uniform3fv(gl->GetUniformLocation(object.id(), name), 1, &value[0]); }
@@ -81,22 +92,36 @@ void Program::set(const char* name, const glm::mat4& value) const {
   gl->UniformMatrix4fv(gl->GetUniformLocation(object.id(), name), 1, GL_FALSE, &value[0][0]);
 }
 
-base::Result<Program> make_program(const Gl& gl, std::string_view name, std::string_view common, std::string_view vertex,
-                                   std::string_view fragment) {
-  auto vertex_shader = compile(gl, GL_VERTEX_SHADER, name, common, vertex);
-  if (!vertex_shader) return vertex_shader.status();
-  auto fragment_shader = compile(gl, GL_FRAGMENT_SHADER, name, common, fragment);
-  if (!fragment_shader) return fragment_shader.status();
+base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources) {
+  const std::pair<GLenum, std::string_view> stages[] = {{GL_VERTEX_SHADER, sources.vertex},
+                                                        {GL_TESS_CONTROL_SHADER, sources.tessellation_control},
+                                                        {GL_TESS_EVALUATION_SHADER, sources.tessellation_evaluation},
+                                                        {GL_GEOMETRY_SHADER, sources.geometry},
+                                                        {GL_FRAGMENT_SHADER, sources.fragment}};
+  const std::string_view header = sources.tessellation_evaluation.empty() ? kHeader : kTessellationHeader;
   Program program{Object(gl, gl.CreateProgram(), [](const Gl& g, GLuint id) { g.DeleteProgram(id); }), &gl};
   const GLuint id = program.object.id();
-  gl.AttachShader(id, vertex_shader->id());
-  gl.AttachShader(id, fragment_shader->id());
+  std::vector<Object> shaders;
+  for (const auto& [kind, source] : stages) {
+    if (source.empty()) continue;
+    auto shader = compile(gl, kind, sources.name, header, sources.common, source);
+    if (!shader) return shader.status();
+    gl.AttachShader(id, shader->id());
+    shaders.push_back(std::move(*shader));
+  }
+  if (!sources.captured.empty())
+    gl.TransformFeedbackVaryings(id, GLsizei(sources.captured.size()), sources.captured.data(), GL_INTERLEAVED_ATTRIBS);
   gl.LinkProgram(id);
   GLint ok = GL_FALSE;
   gl.GetProgramiv(id, GL_LINK_STATUS, &ok);
   if (ok != GL_TRUE)
-    return base::Status{base::Code::graphics, "shader " + std::string(name) + " does not link: " + log_of(gl, id, true)};
+    return base::Status{base::Code::graphics, "shader " + std::string(sources.name) + " does not link: " + log_of(gl, id, true)};
   return program;
+}
+
+base::Result<Program> make_program(const Gl& gl, std::string_view name, std::string_view common, std::string_view vertex,
+                                   std::string_view fragment) {
+  return make_program(gl, {name, common, vertex, {}, {}, {}, fragment, {}});
 }
 
 void float_attribute(const Gl& gl, GLuint location, int components, std::size_t stride, std::size_t offset, GLuint divisor) {

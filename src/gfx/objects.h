@@ -3,6 +3,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -56,6 +57,7 @@ struct Program {
   Object object;
   const Gl* gl = nullptr;
   void use() const { gl->UseProgram(object.id()); }
+  void set(const char* name, int value) const;
   void set(const char* name, float value) const;
   void set(const char* name, glm::vec2 value) const;
   void set(const char* name, glm::vec3 value) const;
@@ -63,8 +65,15 @@ struct Program {
   void set(const char* name, const glm::mat4& value) const;
 };
 
-// Compiles and links. A version line is put before both stages, then `common` (functions both use). Code::graphics with the compiler's
-// log, line numbers counted in each part, and `name` on failure.
+// A program's stages; empty ones are left out. `captured` are the outputs that transform feedback writes, interleaved.
+struct ProgramSources {
+  std::string_view name, common, vertex, tessellation_control, tessellation_evaluation, geometry, fragment;
+  std::span<const char* const> captured;
+};
+
+// Compiles and links. A version line is put before each stage (4.00 with tessellation, else 3.30), then `common` (functions they share).
+// Code::graphics with the compiler's log, line numbers counted in each part, and `name` on failure.
+base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources);
 base::Result<Program> make_program(const Gl& gl, std::string_view name, std::string_view common, std::string_view vertex,
                                    std::string_view fragment);
 

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <optional>
 
+#include "gfx/curve_deviation.h"
+#include "gfx/gpu_timer.h"
 #include "gfx/instances.h"
 #include "gfx/scene_programs.h"
 #include "gfx/track_cache.h"
@@ -44,13 +46,17 @@ struct Renderer::Parts {
   ScenePrograms programs;
   TrackCache track;
   Instances instances;
+  CurveStages stages;
+  CurveDeviation deviation;
+  GpuTimer polyline_timer;
   Object empty_array;  // for the backdrop, which has no attributes
   int samples = 0;     // asked for and within the driver's limits
   // `scene` exists when multisampled; `resolved` is drawn to directly otherwise.
   std::optional<Target> scene, resolved;
 
   Parts(const Gl& table, ScenePrograms compiled)
-      : gl(table), programs(std::move(compiled)), track(table), instances(table), empty_array(make_vertex_array(table)) {}
+      : gl(table), programs(std::move(compiled)), track(table), instances(table), stages(table), deviation(table), polyline_timer(table),
+        empty_array(make_vertex_array(table)) {}
 
   void fit_targets(int width, int height);
   void begin(const view::Viewport& viewport, int width, int height);
@@ -58,6 +64,7 @@ struct Renderer::Parts {
   void draw_meshes(const Program& track_program, const Program& cart_program, const Scene& scene, DrawStats& stats);
   void draw_shadows(const Scene& scene, DrawStats& stats);
   void draw_solids(const Scene& scene, DrawStats& stats);
+  void draw_lines(const Scene& scene, curve::Stage stage);
   void draw_polyline(const Scene& scene, DrawStats& stats);
   void draw_overlay(const Scene& scene, DrawStats& stats);
   void finish(int width, int height);
@@ -153,10 +160,22 @@ void Renderer::Parts::draw_solids(const Scene& picture, DrawStats& stats) {
   gl.Disable(GL_CULL_FACE);
 }
 
+// The polyline's quads: from cached vertices, or from control points by the stage that evaluates them.
+void Renderer::Parts::draw_lines(const Scene& picture, curve::Stage stage) {
+  const view::View& view = picture.view;
+  const PolylinePen pen{view.projection * view.view, view.eye, {view.viewport.width, view.viewport.height}, kPolylineWidth, kPolylineColour};
+  if (stage != curve::Stage::processor)
+    return stages.draw(stage, {track.control_buffer(), 0, int(track.placed().size()), picture.derived.steps}, pen);
+  programs.polyline.use();
+  pen.set(programs.polyline);
+  track.bind_lines();
+  gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, track.line_count());
+}
+
 // Lines meet and cross: their coverage is gathered in the alpha channel by maximum and painted in one go. So the picture depends
 // neither on where in the buffer the segments lie nor on how many lines cover a pixel.
 void Renderer::Parts::draw_polyline(const Scene& picture, DrawStats& stats) {
-  if (!picture.show_polyline || track.line_count() == 0) return;
+  if (!picture.show_polyline || picture.derived.order.empty()) return;
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
   gl.ClearColor(0, 0, 0, 0);
   gl.Clear(GL_COLOR_BUFFER_BIT);
@@ -165,14 +184,10 @@ void Renderer::Parts::draw_polyline(const Scene& picture, DrawStats& stats) {
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LEQUAL);
   gl.DepthMask(GL_FALSE);
-  programs.polyline.use();
-  programs.polyline.set("view_projection", picture.view.projection * picture.view.view);
-  programs.polyline.set("eye", picture.view.eye);
-  programs.polyline.set("viewport", glm::vec2(picture.view.viewport.width, picture.view.viewport.height));
-  programs.polyline.set("width_px", kPolylineWidth);
-  programs.polyline.set("paint", kPolylineColour);
-  track.bind_lines();
-  gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, track.line_count());
+  polyline_timer.begin();
+  draw_lines(picture, stats.drawn_by);
+  polyline_timer.end();
+  stats.gpu_ms = polyline_timer.ms();
   gl.DepthMask(GL_TRUE);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.Disable(GL_DEPTH_TEST);
@@ -225,6 +240,8 @@ base::Result<std::unique_ptr<Renderer>> Renderer::make(const Gl& gl, int samples
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Renderer::~Renderer() = default;
 
+std::string Renderer::refusal(curve::Stage stage) const { return parts_->stages.refusal(stage); }
+
 void Renderer::set_samples(int samples) {
   const int clamped = std::clamp(samples, 0, parts_->gl.max_samples);
   parts_->samples = clamped > 1 ? clamped : 0;
@@ -237,6 +254,15 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   const TrackCache::Synced synced = parts.track.sync(scene.derived, scene.clock);
   stats.uploads = synced.uploads;
   stats.cpu_ms = 1000 * synced.cpu_seconds;
+  stats.upload_bytes = synced.bytes;
+  stats.polyline_upload_bytes = synced.polyline_bytes;
+  stats.polyline_bytes = parts.track.held_polyline_bytes();
+  stats.drawn_by = parts.stages.usable(scene.derived.stage);
+  if (stats.drawn_by != curve::Stage::processor) {
+    const CurveDeviation::Result measured = parts.deviation.update(parts.stages, stats.drawn_by, parts.track, scene.derived);
+    stats.deviation = measured.metres;
+    stats.deviation_pending = measured.pending;
+  }
   parts.instances.upload(scene.overlay, scene.carts);
   parts.fit_targets(width, height);
   stats.samples = parts.samples;

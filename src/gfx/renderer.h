@@ -30,6 +30,13 @@ struct DrawStats {
   int draw_calls = 0;
   int samples = 0;
   double cpu_ms = 0;   // spent by the cache on preparing what is uploaded, outside GL
+  double gpu_ms = 0;   // the GPU's work on the polyline in the newest frame that is known (a few frames ago); 0: not measured
+  std::int64_t upload_bytes = 0;           // written to the track's buffers
+  std::int64_t polyline_upload_bytes = 0;  // of these, to polylines: vertices, or control points for the GPU's evaluators
+  std::int64_t polyline_bytes = 0;         // held for all polylines
+  curve::Stage drawn_by{};                 // what evaluated the polyline: derived.stage, or the vertex shader in its place
+  double deviation = 0;         // m, of vertices that the GPU computed, see CurveDeviation; 0 where the processor evaluates
+  int deviation_pending = 0;    // segments whose deviation is still to be measured, in the next frames
 };
 
 // 8-bit RGBA, rows from the top.
@@ -45,6 +52,10 @@ class Renderer {
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
+
+  // Why a stage cannot evaluate polylines on this driver; empty when it can. draw() then lets the vertex shader do it: the same picture.
+  std::string refusal(curve::Stage stage) const;
+  bool supports(curve::Stage stage) const { return refusal(stage).empty(); }
 
   // 0 or 1: no multisampling; clamped to what the driver has.
   void set_samples(int samples);

@@ -8,6 +8,7 @@ namespace coaster::gfx {
 namespace {
 
 static_assert(sizeof(PolylineVertex) == 24 && sizeof(sim::MeshVertex) == 28, "vertices are uploaded as they lie in memory");
+static_assert(sizeof(curve::Cubic) == kControlBytes, "control points, too");
 
 // A mesh has more or fewer rings and ties after each edit: room to spare keeps its place while a knot is dragged.
 std::uint32_t with_room(std::size_t count) { return static_cast<std::uint32_t>(count + count / 4 + 3); }
@@ -16,37 +17,48 @@ bool fits(Range range, std::size_t count) { return count <= range.size && range.
 }  // namespace
 
 TrackCache::TrackCache(const Gl& gl)
-    : gl_(&gl), lines_(gl), vertices_(gl), indices_(gl), line_array_(make_vertex_array(gl)), mesh_array_(make_vertex_array(gl)) {}
+    : gl_(&gl), lines_(gl), controls_(gl), vertices_(gl), indices_(gl), line_array_(make_vertex_array(gl)), mesh_array_(make_vertex_array(gl)) {}
 
 template <class Work>
 void TrackCache::timed(const Work& work) {
   const bool measured = clock_ != nullptr && *clock_;
   const double begin = measured ? (*clock_)() : 0;
   work();
-  if (measured) cpu_seconds_ += (*clock_)() - begin;
+  if (measured) synced_.cpu_seconds += (*clock_)() - begin;
 }
 
 TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Clock& clock) {
-  Synced synced;
+  const bool on_processor = derived.stage == curve::Stage::processor;
+  synced_ = {};
   clock_ = &clock;
-  cpu_seconds_ = 0;
   ++stamp_;
   timed([&] {
     for (const world::Entity segment : derived.order) slot_of(segment).seen = stamp_;
   });
   if (live_ > derived.order.size()) release_unseen();
+  if (on_processor)
+    drop_controls();
+  else
+    drop_lines();
+  held_polyline_bytes_ = 0;
   for (const world::Entity segment : derived.order) {
-    const sim::SegmentShape& shape = derived.shape(segment);
     Slot& slot = slots_[segment.index];
-    const bool line = slot.polyline_build != shape.polyline_build, mesh = slot.shape_build != shape.shape_build;
-    if (!line && !mesh) continue;
-    if (line) write_polyline(shape, slot);
-    if (mesh) write_mesh(shape, slot);
-    ++synced.uploads;
+    if (write_segment(derived.shape(segment), on_processor, slot)) ++synced_.uploads;
+    held_polyline_bytes_ += std::int64_t(slot.line.size * sizeof(PolylineVertex) + slot.control.size * kControlBytes);
   }
-  synced.cpu_seconds = cpu_seconds_;
   clock_ = nullptr;
-  return synced;
+  return synced_;
+}
+
+// True when anything of the segment was written.
+bool TrackCache::write_segment(const sim::SegmentShape& shape, bool on_processor, Slot& slot) {
+  const bool line = on_processor && slot.polyline_build != shape.polyline_build;
+  const bool mesh = slot.shape_build != shape.shape_build;
+  const bool control = !on_processor && (mesh || slot.control.size == 0);
+  if (line) write_polyline(shape, slot);
+  if (control) write_control(shape, slot);
+  if (mesh) write_mesh(shape, slot);
+  return line || control || mesh;
 }
 
 // The slot of a segment, empty when the segment is new; the slot of an older generation is released.
@@ -64,7 +76,10 @@ TrackCache::Slot& TrackCache::slot_of(world::Entity segment) {
 void TrackCache::release(Slot& slot) {
   fill_breaks(slot.line);
   fill_degenerate(slot.indices);
+  empty_control(slot.control);
   line_ranges_.give_back(slot.line);
+  control_ranges_.give_back(slot.control);
+  placed_.resize(control_ranges_.used());
   vertex_ranges_.give_back(slot.vertices);
   index_ranges_.give_back(slot.indices);
   slot = Slot{};
@@ -92,6 +107,43 @@ void TrackCache::write_polyline(const sim::SegmentShape& shape, Slot& slot) {
   slot.polyline_build = shape.polyline_build;
 }
 
+void TrackCache::write_control(const sim::SegmentShape& shape, Slot& slot) {
+  if (slot.control.size == 0) slot.control = control_ranges_.take(1);
+  placed_.resize(control_ranges_.used());
+  placed_[slot.control.first] = {slot.segment, shape.shape_build};
+  controls_.reserve(std::size_t(control_ranges_.used()) * kControlBytes);
+  write(controls_, slot.control.first * kControlBytes, &shape.key.cubic, kControlBytes, true);
+}
+
+void TrackCache::empty_control(Range range) {
+  if (range.size == 0) return;
+  const curve::Cubic none{{kBreak, 0, 0}};
+  placed_[range.first] = {};
+  write(controls_, range.first * kControlBytes, &none, kControlBytes, true);
+}
+
+// The room itself is given back, not only its use: the other kind of slots takes over.
+void TrackCache::drop_lines() {
+  if (line_ranges_.used() == 0) return;
+  for (Slot& slot : slots_) slot.line = {}, slot.polyline_build = 0;
+  line_ranges_ = {};
+  lines_ = GrowingBuffer(*gl_);
+}
+
+void TrackCache::drop_controls() {
+  if (control_ranges_.used() == 0) return;
+  for (Slot& slot : slots_) slot.control = {};
+  control_ranges_ = {};
+  controls_ = GrowingBuffer(*gl_);
+  placed_.clear();
+}
+
+void TrackCache::write(GrowingBuffer& buffer, std::size_t offset, const void* data, std::size_t bytes, bool polyline) {
+  buffer.write(offset, data, bytes);
+  synced_.bytes += std::int64_t(bytes);
+  if (polyline) synced_.polyline_bytes += std::int64_t(bytes);
+}
+
 void TrackCache::write_mesh(const sim::SegmentShape& shape, Slot& slot) {
   timed([&] { sim::sweep_track(shape, staged_mesh_); });
   if (!fits(slot.vertices, staged_mesh_.vertices.size())) {
@@ -109,8 +161,8 @@ void TrackCache::write_mesh(const sim::SegmentShape& shape, Slot& slot) {
     staged_mesh_.indices.resize(slot.indices.size, slot.vertices.first);
   });
   if (vertices_.reserve(std::size_t(vertex_ranges_.used()) * sizeof(sim::MeshVertex))) link_mesh();
-  vertices_.write(std::size_t(slot.vertices.first) * sizeof(sim::MeshVertex), staged_mesh_.vertices.data(),
-                  staged_mesh_.vertices.size() * sizeof(sim::MeshVertex));
+  write(vertices_, std::size_t(slot.vertices.first) * sizeof(sim::MeshVertex), staged_mesh_.vertices.data(),
+        staged_mesh_.vertices.size() * sizeof(sim::MeshVertex), false);
   write_indices(slot.indices);
   slot.shape_build = shape.shape_build;
 }
@@ -131,12 +183,12 @@ void TrackCache::fill_degenerate(Range range) {
 
 void TrackCache::write_lines(Range range) {
   if (lines_.reserve(std::size_t(line_ranges_.used()) * sizeof(PolylineVertex))) link_lines();
-  lines_.write(std::size_t(range.first) * sizeof(PolylineVertex), staged_line_.data(), range.size * sizeof(PolylineVertex));
+  write(lines_, std::size_t(range.first) * sizeof(PolylineVertex), staged_line_.data(), range.size * sizeof(PolylineVertex), true);
 }
 
 void TrackCache::write_indices(Range range) {
   if (indices_.reserve(std::size_t(index_ranges_.used()) * sizeof(std::uint32_t))) link_mesh();
-  indices_.write(std::size_t(range.first) * sizeof(std::uint32_t), staged_mesh_.indices.data(), range.size * sizeof(std::uint32_t));
+  write(indices_, std::size_t(range.first) * sizeof(std::uint32_t), staged_mesh_.indices.data(), range.size * sizeof(std::uint32_t), false);
 }
 
 void TrackCache::link_lines() {

@@ -1,5 +1,6 @@
 // The track on the GPU, like the display lists of old: each segment has a slot in one buffer of polyline vertices and in one mesh, and a
-// slot is written again only when the segment's build numbers differ from those it was written from. No dirty flags.
+// slot is written again only when the segment's build numbers differ from those it was written from. No dirty flags. While polylines are
+// evaluated on the GPU there are no polyline vertices, and the slots hold the four control points instead.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,8 @@ struct PolylineVertex {
   glm::vec3 tangent;  // B'(t)
 };
 inline constexpr float kBreak = 3e38f;
+// What a slot of control points takes; an empty one has kBreak in p0.x.
+inline constexpr std::size_t kControlBytes = 48;
 
 class TrackCache {
  public:
@@ -27,6 +30,8 @@ class TrackCache {
 
   struct Synced {
     int uploads = 0;        // segments with anything written
+    std::int64_t bytes = 0;           // written to the track's buffers
+    std::int64_t polyline_bytes = 0;  // of these, to polyline vertices or control points
     double cpu_seconds = 0;  // on preparing it, outside GL; 0 without a clock
   };
   // Cost for an unchanged track: two comparisons for each segment, no allocation, no GL call.
@@ -39,18 +44,34 @@ class TrackCache {
   // 2 and 3 of the other.
   void bind_lines() const { gl_->BindVertexArray(line_array_.id()); }
   GLsizei line_count() const { return line_ranges_.used() > 0 ? GLsizei(line_ranges_.used() - 1) : 0; }
+  // The buffer of control points, 48 bytes a slot. Slot k has the segment placed()[k], no valid one when it is empty.
+  struct Placed {
+    world::Entity segment;
+    std::uint64_t shape_build = 0;
+    friend bool operator==(const Placed&, const Placed&) = default;
+  };
+  GLuint control_buffer() const { return controls_.id(); }
+  std::span<const Placed> placed() const { return placed_; }
+  // Bytes held for all segments' polylines: control points, or 24 for each vertex and each segment's break.
+  std::int64_t held_polyline_bytes() const { return held_polyline_bytes_; }
 
  private:
   struct Slot {
     world::Entity segment;
     std::uint64_t shape_build = 0, polyline_build = 0;  // 0: never written
     std::uint64_t seen = 0;
-    Range line, vertices, indices;
+    Range line, control, vertices, indices;
   };
   Slot& slot_of(world::Entity segment);
   void release(Slot& slot);
   void release_unseen();
+  bool write_segment(const sim::SegmentShape& shape, bool on_processor, Slot& slot);
   void write_polyline(const sim::SegmentShape& shape, Slot& slot);
+  void write_control(const sim::SegmentShape& shape, Slot& slot);
+  void empty_control(Range range);
+  void drop_lines();
+  void drop_controls();
+  void write(GrowingBuffer& buffer, std::size_t offset, const void* data, std::size_t bytes, bool polyline);
   void write_mesh(const sim::SegmentShape& shape, Slot& slot);
   void fill_breaks(Range range);
   void fill_degenerate(Range range);
@@ -62,14 +83,16 @@ class TrackCache {
   void timed(const Work& work);
 
   const Gl* gl_;
-  GrowingBuffer lines_, vertices_, indices_;
+  GrowingBuffer lines_, controls_, vertices_, indices_;
   Object line_array_, mesh_array_;
-  Ranges line_ranges_, vertex_ranges_, index_ranges_;
+  Ranges line_ranges_, control_ranges_, vertex_ranges_, index_ranges_;
   std::vector<Slot> slots_;  // by the entity's index
   std::size_t live_ = 0;     // slots with a segment
   std::uint64_t stamp_ = 0;  // of the sync in progress
   const sim::Clock* clock_ = nullptr;
-  double cpu_seconds_ = 0;
+  Synced synced_;            // of the sync in progress
+  std::int64_t held_polyline_bytes_ = 0;
+  std::vector<Placed> placed_;  // by slot of control points
   // What is being prepared; kept for their capacity.
   std::vector<PolylineVertex> staged_line_;
   sim::Mesh staged_mesh_;

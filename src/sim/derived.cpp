@@ -59,6 +59,27 @@ ShapeKey key_of(const world::Document& document, const world::Segment& segment) 
   return {{from.position, world::out_handle(from), world::in_handle(to), to.position}, from.up, to.up, segment.turns};
 }
 
+void evaluate_polyline(const curve::Evaluator& row, const PolylineKey& key, const Clock& clock, SegmentShape& shape, Derived& derived) {
+  shape.points.resize(static_cast<std::size_t>(key.steps) + 1);
+  shape.tangents.resize(shape.points.size());
+  const double before = clock ? clock() : 0.0;
+  row.polyline(shape.curve, shape.points, shape.tangents);
+  if (clock) derived.evaluation_seconds += clock() - before;
+  shape.polyline_key = key;
+  shape.polyline_build = ++derived.last_build;
+  shape.deviation = deviation_of(shape);
+  derived.evaluated_vertices += key.steps + 1;
+}
+
+// Gives the memory back, too: the GPU's evaluators need the control points alone.
+void drop_polyline(SegmentShape& shape) {
+  if (shape.polyline_key.steps == 0) return;
+  shape.points = std::vector<glm::vec3>();
+  shape.tangents = std::vector<glm::vec3>();
+  shape.polyline_key = {};
+  shape.deviation = 0;
+}
+
 // Erases what belongs to segments that are gone.
 void drop_vanished(const world::Document& document, Derived& derived) {
   std::vector<world::Entity> vanished;
@@ -83,9 +104,13 @@ void derive(const world::Document& document, const world::Settings& settings, co
   derived.measured_length = 0;
   derived.starts.resize(derived.order.size() + 1);
   derived.starts[0] = 0;
+  derived.twists.resize(derived.starts.size());
+  derived.twists[0] = 0;
   const curve::Evaluator& row = curve::evaluator(settings.evaluator);
   const curve::ArcLengthMethod& method = curve::arc_length_method(settings.arc_length);
   const PolylineKey polyline{settings.evaluator, settings.steps};
+  derived.stage = row.stage;
+  derived.steps = settings.steps;
 
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const world::Entity entity = derived.order[i];
@@ -102,21 +127,15 @@ void derive(const world::Document& document, const world::Settings& settings, co
       shape->measured_by = settings.arc_length;
       shape->measured_steps = settings.steps;
     }
-    if (new_shape || !(shape->polyline_key == polyline)) {
-      shape->points.resize(static_cast<std::size_t>(settings.steps) + 1);
-      shape->tangents.resize(shape->points.size());
-      const double before = clock ? clock() : 0.0;
-      row.polyline(shape->curve, shape->points, shape->tangents);
-      if (clock) derived.evaluation_seconds += clock() - before;
-      shape->polyline_key = polyline;
-      shape->polyline_build = ++derived.last_build;
-      shape->deviation = deviation_of(*shape);
-      derived.evaluated_vertices += settings.steps + 1;
-      ++derived.rebuilds;
-    }
+    const bool on_processor = row.stage == curve::Stage::processor;
+    const bool stale = new_shape || (on_processor && !(shape->polyline_key == polyline));
+    if (!on_processor) drop_polyline(*shape);
+    if (on_processor && stale) evaluate_polyline(row, polyline, clock, *shape, derived);
+    if (stale) ++derived.rebuilds;
     derived.starts[i + 1] = derived.starts[i] + shape->arc.length();
+    derived.twists[i + 1] = derived.twists[i] + shape->twist;
     derived.measured_length += shape->measured_length;
-    derived.vertices += static_cast<std::int64_t>(shape->points.size());
+    derived.vertices += settings.steps + 1;
     derived.deviation = std::max(derived.deviation, shape->deviation);
   }
   derived.length = derived.starts.back();

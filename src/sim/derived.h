@@ -40,8 +40,8 @@ struct SegmentShape {
   double twist = 0;                 // radians spread linearly in arc length (frames include it)
   std::uint64_t shape_build = 0;
 
-  PolylineKey polyline_key;
-  std::vector<glm::vec3> points, tangents;  // steps+1 vertices; tangents are B'(t), not normalised
+  PolylineKey polyline_key;                 // steps 0: there is no polyline
+  std::vector<glm::vec3> points, tangents;  // steps+1 vertices, or none when the evaluator runs on the GPU; tangents are B'(t), not normalised
   double deviation = 0;             // m, largest |vertex - exact point at the same t|, long double oracle
   std::uint64_t polyline_build = 0;
 };
@@ -51,11 +51,14 @@ struct Derived {
   world::Pool<SegmentShape> segments;    // by the document's segment entities
   std::vector<world::Entity> order;      // as document.track.segments
   std::vector<double> starts;            // m, distance along the track where segment i starts; size order.size()+1, back() = length
+  std::vector<double> twists;            // rad, what the knots' frames turned against rotation-minimising ones before segment i; as starts
   bool closed = false;
   double length = 0;                     // m, adaptive Gauss-Legendre
   double measured_length = 0;            // m, by the chosen arc-length method
-  std::int64_t vertices = 0;             // of all polylines
-  double deviation = 0;                  // m, the largest of all segments
+  curve::Stage stage{};                  // where polylines are evaluated: beyond the processor, segments hold none and drawing makes them
+  int steps = 0;                         // of a segment's polyline
+  std::int64_t vertices = 0;             // of all polylines, wherever they are evaluated
+  double deviation = 0;                  // m, the largest of all segments; 0 where the processor evaluates nothing
   // Of the last derive():
   int rebuilds = 0;                      // segments whose shape or polyline was evaluated
   double evaluation_seconds = 0;         // spent in the evaluator's polyline function alone

@@ -1,0 +1,11 @@
+// A cubic from its control points, after line.glsl: what the evaluators on the GPU share, and the row Horner on the processor has.
+const float kBreak = 1e38;  // beyond it a control point's x says that the slot is empty
+
+// Vertex i of a polyline of `steps` steps; both ends are exactly the control points, so joints never gap.
+vec3 cubic_point(vec3 p0, vec3 p1, vec3 p2, vec3 p3, int i, int steps) {
+  if (i >= steps) return p3;
+  float t = float(i) / float(steps);
+  vec3 d0 = p1 - p0, d1 = p2 - p1, d2 = p3 - p2;
+  vec3 c1 = 3.0 * d0, c2 = 3.0 * (d1 - d0), c3 = (d2 - d1) - (d1 - d0);
+  return p0 + t * (c1 + t * (c2 + t * c3));
+}

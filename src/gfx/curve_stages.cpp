@@ -1,0 +1,152 @@
+// Programs and draw calls of the evaluators on the GPU. A segment of many steps is taken in pieces, as the stages' limits want.
+#include "gfx/curve_stages.h"
+
+#include <cstddef>
+
+#include "base/check.h"
+#include "gfx/track_cache.h"
+
+#define COASTER_SHADERS(X)                                                                                                     \
+  X(common_glsl) X(line_glsl) X(curve_glsl) X(gpu_vertex_vert) X(gpu_geometry_vert) X(gpu_geometry_geom) X(gpu_tessellation_vert) \
+  X(gpu_tessellation_tesc) X(gpu_tessellation_tese) X(gpu_tessellation_geom) X(line_frag) X(coverage_frag)
+
+namespace coaster::embedded {
+#define X(symbol)                      \
+  extern const unsigned char symbol[]; \
+  extern const std::size_t symbol##_size;
+COASTER_SHADERS(X)
+#undef X
+}  // namespace coaster::embedded
+
+namespace coaster::gfx {
+namespace {
+
+using curve::Stage;
+
+#define X(symbol) \
+  std::string_view symbol() { return {reinterpret_cast<const char*>(embedded::symbol), embedded::symbol##_size}; }
+COASTER_SHADERS(X)
+#undef X
+
+// Lines a point of the geometry shader makes (kLines there) and a patch of the tessellator (kLevel there).
+constexpr int kGeometryLines = 16, kTessellationLines = 64;
+
+int pieces(int steps, int lines) { return (steps + lines - 1) / lines; }
+
+ProgramSources sources_of(Stage stage, bool measuring) {
+  ProgramSources sources;
+  switch (stage) {
+    case Stage::geometry_shader:
+      sources.name = "gpu_geometry", sources.vertex = gpu_geometry_vert(), sources.geometry = gpu_geometry_geom();
+      break;
+    case Stage::tessellation_shader:
+      sources.name = "gpu_tessellation", sources.vertex = gpu_tessellation_vert();
+      sources.tessellation_control = gpu_tessellation_tesc(), sources.tessellation_evaluation = gpu_tessellation_tese();
+      if (!measuring) sources.geometry = gpu_tessellation_geom();
+      break;
+    default: sources.name = "gpu_vertex", sources.vertex = gpu_vertex_vert();
+  }
+  sources.fragment = measuring ? coverage_frag() : line_frag();
+  return sources;
+}
+
+}  // namespace
+
+void PolylinePen::set(const Program& program) const {
+  program.set("view_projection", view_projection);
+  program.set("eye", eye);
+  program.set("viewport", viewport);
+  program.set("width_px", width_px);
+  program.set("paint", paint);
+}
+
+std::string CurveStages::refusal(Stage stage) const {
+  if (stage == Stage::tessellation_shader && (!gl_->at_least(4, 0) || gl_->PatchParameteri == nullptr))
+    return "tessellation shaders need OpenGL 4.0, the driver has " + std::to_string(gl_->major) + "." + std::to_string(gl_->minor);
+  return failures_[static_cast<std::size_t>(stage)];
+}
+
+Stage CurveStages::usable(Stage wanted) {
+  if (wanted == Stage::processor || program(wanted, false) != nullptr) return wanted;
+  return Stage::vertex_shader;
+}
+
+// Null when the driver lacks the stage or its compiler refuses the program; both are told by refusal().
+const Program* CurveStages::program(Stage stage, bool measuring) {
+  const auto row = static_cast<std::size_t>(stage);
+  std::optional<Program>& known = programs_[row][measuring ? 1 : 0];
+  if (known) return &*known;
+  if (!refusal(stage).empty()) return nullptr;
+  static constexpr const char* kCaptured[] = {"place", "number", "slot"};
+  const std::string common = (measuring ? "#define MEASURE\n" : "") + std::string(common_glsl()) + std::string(line_glsl()) + std::string(curve_glsl());
+  ProgramSources sources = sources_of(stage, measuring);
+  sources.common = common;
+  if (measuring) sources.captured = kCaptured;
+  auto made = make_program(*gl_, sources);
+  if (!made) {
+    failures_[row] = made.status().message;
+    return nullptr;
+  }
+  known = std::move(*made);
+  return &*known;
+}
+
+void CurveStages::run(Stage stage, const CurveSlots& slots, const Program& program, bool measuring) {
+  const int steps = slots.steps;
+  const std::size_t offset = std::size_t(slots.first) * kControlBytes;
+  program.set("steps", steps);
+  gl_->BindVertexArray(array_.id());
+  gl_->BindBuffer(GL_ARRAY_BUFFER, slots.buffer);
+  if (stage == Stage::tessellation_shader) {
+    float_attribute(*gl_, 0, 3, sizeof(glm::vec3), offset);
+    for (GLuint i = 1; i < 4; ++i) gl_->DisableVertexAttribArray(i);
+    gl_->PatchParameteri(GL_PATCH_VERTICES, 4);
+    gl_->DrawArraysInstanced(GL_PATCHES, 0, 4 * slots.count, pieces(steps, kTessellationLines));
+    return;
+  }
+  for (GLuint i = 0; i < 4; ++i) float_attribute(*gl_, i, 3, kControlBytes, offset + i * sizeof(glm::vec3), 1);
+  if (stage == Stage::geometry_shader)
+    gl_->DrawArraysInstanced(GL_POINTS, 0, pieces(steps, kGeometryLines), slots.count);
+  else if (measuring)
+    gl_->DrawArraysInstanced(GL_POINTS, 0, steps + 1, slots.count);
+  else
+    gl_->DrawArraysInstanced(GL_TRIANGLES, 0, 6 * steps, slots.count);
+}
+
+void CurveStages::draw(Stage stage, const CurveSlots& slots, const PolylinePen& pen) {
+  const Program* const drawing = program(stage, false);
+  if (drawing == nullptr) return;
+  drawing->use();
+  pen.set(*drawing);
+  run(stage, slots, *drawing, false);
+}
+
+std::size_t CurveStages::captured_count(Stage stage, const CurveSlots& slots) {
+  int doubled = 1;
+  if (stage == Stage::geometry_shader) doubled = pieces(slots.steps, kGeometryLines);
+  if (stage == Stage::tessellation_shader) doubled = pieces(slots.steps, kTessellationLines);
+  return std::size_t(slots.count) * std::size_t(slots.steps + doubled);
+}
+
+bool CurveStages::capture(Stage stage, const CurveSlots& slots) {
+  const Gl& gl = *gl_;
+  if (!gl.TransformFeedbackVaryings || !gl.BeginTransformFeedback || !gl.EndTransformFeedback || !gl.GenQueries || !gl.GetQueryObjectuiv)
+    return false;
+  const Program* const measuring = program(stage, true);
+  if (measuring == nullptr) return false;
+  GLuint query = 0, written = 0;
+  gl.GenQueries(1, &query);
+  measuring->use();
+  gl.Enable(GL_RASTERIZER_DISCARD);
+  gl.BeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query);
+  gl.BeginTransformFeedback(GL_POINTS);
+  run(stage, slots, *measuring, true);
+  gl.EndTransformFeedback();
+  gl.EndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+  gl.Disable(GL_RASTERIZER_DISCARD);
+  gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &written);
+  gl.DeleteQueries(1, &query);
+  return written == captured_count(stage, slots);
+}
+
+}  // namespace coaster::gfx

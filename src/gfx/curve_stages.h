@@ -1,0 +1,67 @@
+// The laboratory's polyline drawn from control points alone, by the shader stage that evaluates it. Programs are compiled when first used.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include <glm/glm.hpp>
+
+#include "curve/evaluators.h"
+#include "gfx/objects.h"
+
+namespace coaster::gfx {
+
+// What the polyline's programs need besides the curve.
+struct PolylinePen {
+  glm::mat4 view_projection{1};
+  glm::vec3 eye{0};
+  glm::vec2 viewport{1};  // px
+  float width_px = 1;
+  glm::vec4 paint{1};
+  void set(const Program& program) const;
+};
+
+// Slots [first, first + count) of a buffer of control points (48 bytes each), to be evaluated in `steps` steps.
+struct CurveSlots {
+  GLuint buffer = 0;
+  int first = 0, count = 0, steps = 1;
+};
+
+class CurveStages {
+ public:
+  explicit CurveStages(const Gl& gl) : gl_(&gl), array_(make_vertex_array(gl)) {}
+
+  // Why a stage cannot be used here; empty when it can. The base path needs nothing beyond WebGL 2: the vertex stage always works, the
+  // tessellation stage from OpenGL 4.0 on. What a compiler complained of is told after the first use.
+  std::string refusal(curve::Stage stage) const;
+  // The stage itself, or the vertex stage in its place, which draws the same picture.
+  curve::Stage usable(curve::Stage wanted);
+
+  // Draws the lines of all slots with the pen; empty slots have no area. `stage` is a usable one of the GPU.
+  void draw(curve::Stage stage, const CurveSlots& slots, const PolylinePen& pen);
+
+  // One vertex of a polyline as a stage computed it, as transform feedback writes it.
+  struct Captured {
+    glm::vec3 place;
+    float number;  // i of t = i / steps
+    float slot;    // counted from CurveSlots::first
+  };
+  // How many records capture() writes: steps + 1 a slot, and for stages that take a segment in pieces the joints between these twice.
+  static std::size_t captured_count(curve::Stage stage, const CurveSlots& slots);
+  // Runs the stage alone, without a picture, into the buffer bound at binding 0 for transform feedback. False when the driver cannot, or
+  // wrote another number of records. The slots must not be empty ones.
+  bool capture(curve::Stage stage, const CurveSlots& slots);
+
+ private:
+  static constexpr std::size_t kStages = 4;
+  const Program* program(curve::Stage stage, bool measuring);
+  void run(curve::Stage stage, const CurveSlots& slots, const Program& program, bool measuring);
+
+  const Gl* gl_;
+  Object array_;
+  std::array<std::array<std::optional<Program>, 2>, kStages> programs_;  // by stage; [1] captures
+  std::array<std::string, kStages> failures_;
+};
+
+}  // namespace coaster::gfx

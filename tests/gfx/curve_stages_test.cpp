@@ -1,0 +1,234 @@
+// Polylines from control points alone: the same picture as from cached vertices, whatever the stage, and no more uploaded than needed.
+#include "gfx/curve_stages.h"
+
+#include <array>
+
+#include "gfx/studio.h"
+
+namespace coaster::gfx {
+namespace {
+
+using curve::Stage;
+using test::Track;
+
+curve::EvaluatorId row_of(Stage stage) {
+  for (std::size_t i = 0; i < curve::evaluators().size(); ++i)
+    if (curve::evaluators()[i].stage == stage) return static_cast<curve::EvaluatorId>(i);
+  ADD_FAILURE() << "no row for a stage";
+  return {};
+}
+
+class Stages : public test::Studio, public testing::WithParamInterface<Stage> {
+ protected:
+  void SetUp() override {
+    test::Studio::SetUp();
+    if (!renderer_->supports(GetParam())) GTEST_SKIP() << renderer_->refusal(GetParam());
+  }
+  void on(Track& track, Stage stage) const {
+    track.settings.evaluator = stage == Stage::processor ? *curve::find_evaluator("horner") : row_of(stage);
+    track.derive();
+  }
+  Image seen(Track& track, Stage stage, const world::Camera& camera) {
+    on(track, stage);
+    const view::Viewport viewport{0, 0, static_cast<float>(width_), static_cast<float>(height_)};
+    const view::View view = view::orbit_view(camera, viewport);
+    const view::Overlay overlay;
+    const DrawStats stats = renderer_->draw(Scene{track.derived, view, overlay, {}}, width_, height_);
+    EXPECT_EQ(stats.drawn_by, stage);
+    EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    return renderer_->read_pixels();
+  }
+  void compare_views(Track& track, const char* what) {
+    const view::Viewport viewport{0, 0, static_cast<float>(width_), static_cast<float>(height_)};
+    world::Camera all = view::frame_all({}, track.document, viewport), close = all, inside = all;
+    close.distance *= 0.3f, close.yaw_deg += 77, close.pitch_deg = 61;
+    inside.distance = 1.3f, inside.yaw_deg -= 41, inside.target = world::knot(track.document, track.document.track.knots[1]).position;
+    for (const world::Camera& camera : {all, close, inside}) {
+      const Image cached = seen(track, Stage::processor, camera), shaded = seen(track, GetParam(), camera);
+      long differing = 0;
+      for (std::size_t i = 0; i < cached.rgba.size(); i += 4) {
+        int most = 0;
+        for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int(cached.rgba[i + c]) - int(shaded.rgba[i + c])));
+        differing += most > 16;
+      }
+      EXPECT_LE(differing, long(width_) * height_ / 2000) << what << ", " << track.settings.steps << " steps, " << camera.distance << " m";
+    }
+  }
+};
+INSTANTIATE_TEST_SUITE_P(all, Stages, testing::Values(Stage::vertex_shader, Stage::geometry_shader, Stage::tessellation_shader));
+
+TEST_P(Stages, draw_the_picture_of_the_cached_vertices) {
+  width_ = 320, height_ = 180;
+  for (const int steps : {1, 2, 7, 64, 65, 256}) {
+    Track closed(test::ring_document(7, 17.3f), steps);
+    compare_views(closed, "closed");
+  }
+  Track open(test::straight_document({1.3f, 5.1f, 2.7f}, {31.7f, 9.3f, -8.1f}, 3), 17);
+  compare_views(open, "open");
+  Track fine(test::ring_document(3, 7.1f), curve::kMaxSteps);
+  compare_views(fine, "finest");
+}
+
+TEST_P(Stages, the_pictures_lines_are_there) {
+  width_ = 320, height_ = 180;
+  Track track(test::ring_document(7, 17.3f), 4);
+  on(track, GetParam());
+  const Image with = picture(track);
+  show_polyline_ = false;
+  const Image without = picture(track);
+  long differing = 0;
+  for (std::size_t i = 0; i < with.rgba.size(); ++i) differing += std::abs(int(with.rgba[i]) - int(without.rgba[i])) > 16;
+  EXPECT_GT(differing, 1000) << "the comparison with cached vertices would prove nothing";
+}
+
+TEST_P(Stages, upload_48_bytes_a_segment_once_and_nothing_for_another_resolution) {
+  Track track(test::ring_document(9, 17.3f), 64);
+  const DrawStats cached = draw(track);
+  EXPECT_EQ(cached.polyline_bytes, 9 * 24 * 66);
+  EXPECT_EQ(cached.polyline_upload_bytes, 9 * 24 * 66);
+  on(track, GetParam());
+  EXPECT_EQ(track.derived.rebuilds, 0);
+  const DrawStats first = draw(track);
+  EXPECT_EQ(first.uploads, 9);
+  EXPECT_EQ(first.upload_bytes, 9 * 48);
+  EXPECT_EQ(first.polyline_bytes, 9 * 48);
+  for (const int steps : {1, 4096, 63}) {
+    track.settings.steps = steps;
+    track.derive();
+    EXPECT_EQ(track.derived.rebuilds, 0);
+    EXPECT_EQ(track.derived.vertices, 9 * (steps + 1));
+    const DrawStats stats = draw(track);
+    EXPECT_EQ(stats.uploads, 0) << steps;
+    EXPECT_EQ(stats.upload_bytes, 0) << steps;
+  }
+  track.move(4, {0.37f, 0.21f, -0.13f});
+  EXPECT_EQ(track.derived.rebuilds, 2);
+  const DrawStats moved = draw(track);
+  EXPECT_EQ(moved.uploads, 2);
+  EXPECT_EQ(moved.polyline_upload_bytes, 2 * 48);
+  EXPECT_GT(moved.upload_bytes, moved.polyline_upload_bytes) << "the rails are swept anew";
+  EXPECT_EQ(draw(track).uploads, 0);
+  on(track, row_of(Stage::vertex_shader) == track.settings.evaluator ? Stage::geometry_shader : Stage::vertex_shader);
+  EXPECT_EQ(draw(track).uploads, 0) << "another stage needs the same control points";
+  on(track, Stage::processor);
+  EXPECT_EQ(draw(track).uploads, 9);
+  on(track, GetParam());
+  EXPECT_EQ(draw(track).upload_bytes, 9 * 48);
+}
+
+TEST_P(Stages, use_slots_again_and_draw_nothing_in_empty_ones) {
+  Track track(test::ring_document(9, 17.3f), 12);
+  on(track, GetParam());
+  draw(track);
+  for (int round = 0; round < 6; ++round) {
+    world::remove_knot(track.document, track.document.track.knots[static_cast<std::size_t>(2 + round % 3)]);
+    track.derive();
+    EXPECT_EQ(draw(track).polyline_bytes, 8 * 48);
+    EXPECT_TRUE(picture(track).rgba == picture(*fresh(), track).rgba) << "removed in round " << round;
+    const world::Entity segment = track.document.track.segments[static_cast<std::size_t>(5 - round % 4)];
+    world::split_segment(track.document, segment, 0.37, glm::vec3(sim::frame_of(track.document, segment, 0.37).up));
+    track.derive();
+    const DrawStats stats = draw(track);
+    EXPECT_EQ(stats.polyline_bytes, 9 * 48);
+    EXPECT_LE(stats.uploads, 3);
+    EXPECT_TRUE(picture(track).rgba == picture(*fresh(), track).rgba) << "split in round " << round;
+  }
+}
+
+TEST_P(Stages, measure_the_deviation_of_what_the_gpu_computes) {
+  for (const int steps : {1, 7, 64, 333}) {
+    Track track(test::ring_document(9, 170.3f), steps);
+    track.move(2, {1000.1f, 3.3f, -777.7f});
+    on(track, GetParam());
+    const DrawStats stats = draw(track);
+    EXPECT_EQ(stats.deviation_pending, 0);
+    const curve::Evaluator& row = curve::evaluator(track.settings.evaluator);
+    // Contracted or not, each operation rounds by at most half a unit in the last place of the twin's operands; division and
+    // the reciprocal of the resolution are allowed 2.5.
+    EXPECT_LE(stats.deviation, 3 * row.error_bound(2000, 4000, steps));
+    EXPECT_EQ(draw(track).deviation, stats.deviation) << "a still frame keeps it";
+    Track twin(test::ring_document(9, 170.3f), steps);
+    twin.move(2, {1000.1f, 3.3f, -777.7f});
+    on(twin, Stage::processor);
+    if (steps > 1) {
+      EXPECT_GT(stats.deviation, 0) << "float rounds; nothing measured would be 0";
+      EXPECT_LT(stats.deviation, 4 * twin.derived.deviation);
+    } else {
+      EXPECT_EQ(stats.deviation, 0) << "both ends are the control points";
+    }
+  }
+}
+
+TEST_P(Stages, measure_no_more_than_the_budget_in_a_frame) {
+  constexpr int kSegments = 5000, kSteps = 20;
+  Track track(test::ring_document(kSegments, 9000), kSteps);
+  on(track, GetParam());
+  DrawStats stats = draw(track);
+  EXPECT_EQ(stats.uploads, kSegments);
+  EXPECT_EQ(stats.polyline_bytes, kSegments * 48);
+  int frames = 1;
+  for (int left = stats.deviation_pending; left > 0; left = stats.deviation_pending, ++frames) {
+    EXPECT_GT(left, kSegments - frames * 32'768 / kSteps);
+    stats = draw(track);
+    EXPECT_EQ(stats.uploads, 0);
+    ASSERT_LT(stats.deviation_pending, left);
+  }
+  EXPECT_EQ(frames, 4);  // of 1,560 segments each
+  track.move(kSegments / 2, {0.3f, 0.7f, -0.2f});
+  stats = draw(track);
+  EXPECT_EQ(stats.uploads, 2);
+  EXPECT_EQ(stats.deviation_pending, 0);
+}
+
+TEST_P(Stages, an_empty_track_draws_and_measures_nothing) {
+  Track track(test::ring_document(9, 17.3f));
+  on(track, GetParam());
+  draw(track);
+  track.document = world::Document{};
+  track.derive();
+  const DrawStats stats = draw(track);
+  EXPECT_EQ(stats.polyline_bytes, 0);
+  EXPECT_EQ(stats.deviation, 0);
+  EXPECT_EQ(stats.deviation_pending, 0);
+  EXPECT_TRUE(picture(track).rgba == picture(*fresh(), track).rgba);
+}
+
+using Driver = test::Studio;
+
+TEST_F(Driver, without_tessellation_the_vertex_shader_draws_and_the_reason_is_told) {
+  gl_.PatchParameteri = nullptr;
+  renderer_ = fresh();
+  EXPECT_TRUE(renderer_->supports(Stage::vertex_shader));
+  EXPECT_TRUE(renderer_->supports(Stage::geometry_shader));
+  EXPECT_NE(renderer_->refusal(Stage::tessellation_shader).find("need OpenGL 4.0"), std::string::npos);
+  Track track(test::ring_document(9, 17.3f));
+  track.settings.evaluator = row_of(Stage::vertex_shader);
+  track.derive();
+  const Image by_vertices = picture(track);
+  track.settings.evaluator = row_of(Stage::tessellation_shader);
+  track.derive();
+  EXPECT_EQ(draw(track).drawn_by, Stage::vertex_shader);
+  EXPECT_TRUE(picture(track).rgba == by_vertices.rgba);
+}
+
+TEST_F(Driver, without_feedback_or_timers_nothing_is_measured) {
+  gl_.BeginTransformFeedback = nullptr;
+  gl_.GenQueries = nullptr;
+  renderer_ = fresh();
+  Track track(test::ring_document(9, 17.3f));
+  track.settings.evaluator = row_of(Stage::vertex_shader);
+  track.derive();
+  const DrawStats stats = draw(track);
+  EXPECT_EQ(stats.deviation_pending, 9);
+  EXPECT_EQ(stats.gpu_ms, 0);
+}
+
+TEST_F(Driver, times_the_polyline_some_frames_later) {
+  Track track(test::ring_document(9, 17.3f));
+  DrawStats stats = draw(track);
+  for (int frame = 0; frame < 100 && stats.gpu_ms == 0; ++frame) stats = draw(track);
+  EXPECT_GT(stats.gpu_ms, 0);
+}
+
+}  // namespace
+}  // namespace coaster::gfx
