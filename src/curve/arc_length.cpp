@@ -1,9 +1,11 @@
+// The default arc length, whose bits the ride depends on, and its inversion. The table of methods is in arc_length_methods.cpp.
 #include "curve/arc_length.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/check.h"
+#include "curve/arc_length_detail.h"
 
 namespace coaster::curve {
 namespace {
@@ -42,15 +44,24 @@ double gauss(const CoefficientsD& c, double a, double b, const Node (&nodes)[N])
   return half * sum;
 }
 
+// What 16 nodes may err by where 8 differ from them by `difference`: its square over the C below, and no more than itself.
+double agreement_error(double fine, double difference) {
+  return fine > 0.0 ? std::min(difference, 1e4 * difference * difference / fine) : difference;
+}
+
 // Both rules converge geometrically with the same base r: errors C r^16 and C r^32, so where they agree to 1e-10 the 16-node rule is
 // right to about 1e-20 / C. C may be as small as 1e-4 near a bend, hence the wide margin to the 1e-12 that is promised.
 // `floor` is an absolute error too small to matter: it ends the subdivision towards a cusp.
-double adaptive(const CoefficientsD& c, double a, double b, double floor, int depth) {
+double adaptive(const CoefficientsD& c, double a, double b, double floor, int depth, LengthEstimate& tally) {
   const double fine = gauss(c, a, b, kGauss16);
-  const double error = std::abs(fine - gauss(c, a, b, kGauss8));
-  if (error <= std::max(1e-10 * fine, floor) || depth >= kMaxDepth) return fine;
+  const double difference = std::abs(fine - gauss(c, a, b, kGauss8));
+  tally.evaluations += 24;
+  if (difference <= std::max(1e-10 * fine, floor) || depth >= kMaxDepth) {
+    tally.error_bound += agreement_error(fine, difference);
+    return fine;
+  }
   const double middle = 0.5 * (a + b);
-  return adaptive(c, a, middle, floor, depth + 1) + adaptive(c, middle, b, floor, depth + 1);
+  return adaptive(c, a, middle, floor, depth + 1, tally) + adaptive(c, middle, b, floor, depth + 1, tally);
 }
 
 // The length of the control polygon, from the coefficients: bounds the arc length from above.
@@ -88,14 +99,15 @@ SlowPoints slow_points(const CoefficientsD& c) {
 }
 
 double split_at_slow_points(const CoefficientsD& c, const SlowPoints& slow, double a, double b, double floor) {
+  LengthEstimate tally{0.0, 0.0, 0};
   double sum = 0, from = a;
   for (int i = 0; i < slow.count; ++i) {
     const double t = slow.t[static_cast<std::size_t>(i)];
     if (!(t > from && t < b)) continue;
-    sum += adaptive(c, from, t, floor, 0);
+    sum += adaptive(c, from, t, floor, 0, tally);
     from = t;
   }
-  return sum + adaptive(c, from, b, floor, 0);
+  return sum + adaptive(c, from, b, floor, 0, tally);
 }
 
 // A curve that slows down to less than a quarter of its fastest may have a cusp between any samples.
@@ -109,86 +121,67 @@ bool slows_down(const CoefficientsD& c, double a, double b) {
   return slowest < 0.25 * fastest;
 }
 
-double adaptive_length(const CoefficientsD& c, double a, double b) {
-  const double floor = 1e-13 * polygon_length(c);
-  return split_at_slow_points(c, slows_down(c, a, b) ? slow_points(c) : SlowPoints{}, a, b, floor);
+// A curve whose hodograph cannot be shown to stay away from 0 (kSteady) and that does slow down, by samples or at a slow point.
+constexpr double kSteady = 0.25;
+bool nearly_stops(const CoefficientsD& c, double a, double b) {
+  if (detail::steadiness(detail::hodograph(c, a, b)) >= kSteady) return false;
+  if (slows_down(c, a, b)) return true;
+  const SlowPoints slow = slow_points(c);
+  const double usual = std::max(speed(c, a), speed(c, b));
+  return std::any_of(slow.t.begin(), slow.t.begin() + slow.count,
+                     [&](double t) { return t > a && t < b && speed(c, t) < kSteady * usual; });
 }
 
-// --- the rows -------------------------------------------------------------------------------------------------------
-
-double gauss_legendre(const Cubic& cubic, int) { return arc_length(cubic); }
-
-double gravesen(const Cubic& c, int) {
-  // Paper erratum: half the polygon "multiplied by" the chord is square metres; the estimate is their mean, and errs by at
-  // most half their difference.
-  const double chord = glm::length(dvec3(c.p3) - dvec3(c.p0));
-  const double polygon = glm::length(dvec3(c.p1) - dvec3(c.p0)) + glm::length(dvec3(c.p2) - dvec3(c.p1)) + glm::length(dvec3(c.p3) - dvec3(c.p2));
-  return 0.5 * (chord + polygon);
-}
-
-double chord_sum(const Cubic& cubic, int steps) {
-  double sum = 0;
-  dvec3 last(cubic.p0);
-  for (int i = 1; i <= steps; ++i) {
-    const dvec3 next = point(cubic, static_cast<double>(i) / steps);
-    sum += glm::length(next - last);
-    last = next;
+// Near a stop the two rules may agree by chance, or miss a kink together: only steady pieces are believed, and what is left about the
+// stop when it is shorter than `floor` is measured by Gravesen's mean.
+void measure_stopping(const CoefficientsD& c, double a, double b, double floor, int depth, LengthEstimate& total) {
+  const detail::Hodograph h = detail::hodograph(c, a, b);
+  if (detail::steadiness(h) >= kSteady || depth >= kMaxDepth) {
+    const double fine = gauss(c, a, b, kGauss16), difference = std::abs(fine - gauss(c, a, b, kGauss8));
+    total.evaluations += 24;
+    if (difference <= std::max(1e-10 * fine, floor) || depth >= kMaxDepth) {
+      total.length += fine;
+      total.error_bound += agreement_error(fine, difference);
+      return;
+    }
+  } else if (const double polygon = detail::polygon_length(h); !(polygon > floor)) {
+    total.length += 0.5 * (polygon + detail::chord_length(h));
+    total.error_bound += 0.5 * polygon;
+    total.evaluations += 4;
+    return;
   }
-  return sum;
+  const double middle = 0.5 * (a + b);
+  measure_stopping(c, a, middle, floor, depth + 1, total);
+  measure_stopping(c, middle, b, floor, depth + 1, total);
 }
 
-double simpson(const Cubic& cubic, int steps) {
-  const CoefficientsD c = coefficients_d(cubic);
-  const int n = steps + steps % 2;  // Simpson's rule takes pairs of intervals
-  double sum = speed(c, 0) + speed(c, 1);
-  for (int i = 1; i < n; ++i) sum += (i % 2 == 1 ? 4.0 : 2.0) * speed(c, static_cast<double>(i) / n);
-  return sum / (3.0 * n);
+LengthEstimate default_length(const CoefficientsD& c, double a, double b) {
+  const double floor = 1e-13 * polygon_length(c);
+  LengthEstimate total{0.0, 0.0, 0};
+  if (nearly_stops(c, a, b))
+    measure_stopping(c, a, b, floor, 0, total);
+  else
+    total.length = adaptive(c, a, b, floor, 0, total);
+  total.error_bound += 1e-15 * total.length;  // rounding
+  return total;
 }
-
-double trapezium(const Cubic& cubic, int steps) {
-  const CoefficientsD c = coefficients_d(cubic);
-  double sum = 0.5 * (speed(c, 0) + speed(c, 1));
-  for (int i = 1; i < steps; ++i) sum += speed(c, static_cast<double>(i) / steps);
-  return sum / steps;
-}
-
-double riemann(const Cubic& cubic, int steps) {
-  const CoefficientsD c = coefficients_d(cubic);
-  double sum = 0;
-  for (int i = 0; i < steps; ++i) sum += speed(c, static_cast<double>(i) / steps);
-  return sum / steps;
-}
-
-constexpr std::array<ArcLengthMethod, 6> kTable{{
-    {"gauss_legendre", "Gauss-Legendre, adaptive", "sum of w_i |B'(t_i)|, 16 nodes, halved until 8 nodes agree", gauss_legendre},
-    {"gravesen", "Gravesen's mean", "(chord + control polygon) / 2", gravesen},
-    {"chord_sum", "Chords of the polyline", "sum of |B(t_(i+1)) - B(t_i)|", chord_sum},
-    {"simpson", "Simpson", "h/3 (f_0 + 4 f_1 + 2 f_2 + ... + f_n), f = |B'|", simpson},
-    {"trapezium", "Trapezium", "h (f_0/2 + f_1 + ... + f_n/2), f = |B'|", trapezium},
-    {"riemann", "Riemann (left)", "h (f_0 + f_1 + ... + f_(n-1)), f = |B'|", riemann},
-}};
 
 }  // namespace
 
-std::span<const ArcLengthMethod> arc_length_methods() { return kTable; }
-
-const ArcLengthMethod& arc_length_method(ArcLengthId id) {
-  const auto row = static_cast<std::size_t>(id);
-  COASTER_CHECK(row < kTable.size(), "the id is a row of the arc-length table");
-  return kTable[row];
+LengthEstimate measure_arc_length(const Cubic& cubic, double t0, double t1, double relative_tolerance) {
+  COASTER_CHECK(t0 <= t1, "the length between parameters in ascending order");
+  const CoefficientsD c = coefficients_d(cubic);
+  if (!(relative_tolerance > kFinestTolerance)) return default_length(c, t0, t1);
+  return detail::adaptive_gauss_legendre(detail::hodograph(c, t0, t1), std::min(relative_tolerance, 0.1));
 }
 
-std::optional<ArcLengthId> find_arc_length_method(std::string_view name) {
-  for (std::size_t i = 0; i < kTable.size(); ++i)
-    if (kTable[i].name == name) return static_cast<ArcLengthId>(i);
-  return std::nullopt;
+double arc_length(const Cubic& cubic, double t0, double t1, double relative_tolerance) {
+  return measure_arc_length(cubic, t0, t1, relative_tolerance).length;
 }
-
-double arc_length(const Cubic& cubic, double t0, double t1) { return adaptive_length(coefficients_d(cubic), t0, t1); }
 
 ArcLengthMap::ArcLengthMap(const Cubic& cubic) : c_(coefficients_d(cubic)) {
   const double floor = 1e-13 * polygon_length(c_) / kIntervals;
-  if (slows_down(c_, 0.0, 1.0)) slow_ = slow_points(c_);
+  if (nearly_stops(c_, 0.0, 1.0)) slow_ = slow_points(c_);
   for (int i = 0; i < slow_.count; ++i)
     rough_ |= 1u << std::min(static_cast<int>(slow_.t[static_cast<std::size_t>(i)] * kIntervals), kIntervals - 1);
   table_[0] = 0;

@@ -1,7 +1,10 @@
 #include "curve/cubic.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "curve/bernstein.h"
 
 namespace coaster::curve {
 namespace {
@@ -50,13 +53,10 @@ glm::dvec3 second_derivative(const Cubic& cubic, double t) {
 glm::dvec3 third_derivative(const Cubic& cubic) { return 6.0 * coefficients_d(cubic).c3; }
 
 glm::dvec3 point_long_double(const Cubic& cubic, double t) {
-  const long double u = t, v = 1.0L - u;
   dvec3 out;
   for (int axis = 0; axis < 3; ++axis) {
-    const long double p0 = cubic.p0[axis], p1 = cubic.p1[axis], p2 = cubic.p2[axis], p3 = cubic.p3[axis];
-    const long double a = v * p0 + u * p1, b = v * p1 + u * p2, c = v * p2 + u * p3;
-    const long double d = v * a + u * b, e = v * b + u * c;
-    out[axis] = static_cast<double>(v * d + u * e);
+    std::array<long double, 4> p{cubic.p0[axis], cubic.p1[axis], cubic.p2[axis], cubic.p3[axis]};
+    out[axis] = static_cast<double>(de_casteljau_in_place<long double, long double>(p, t));
   }
   return out;
 }

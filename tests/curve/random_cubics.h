@@ -1,6 +1,7 @@
 // Cubics for the tests: off the origin, skew, with coordinates that no float holds exactly.
 #pragma once
 
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -46,6 +47,39 @@ inline std::vector<Cubic> degenerate_cubics() {
       {{1e-10f, 0, 0}, {3e-10f, 1e-10f, 0}, {6e-10f, 0, 0}, {1e-9f, 0, 0}},  // a nanometre
       {{1e5f, 1e5f, -1e5f}, {100010.0f, 1e5f, -1e5f}, {100020.0f, 100005.0f, -1e5f}, {100030.0f, 100005.0f, -99990.0f}},
   };
+}
+
+// A family of cubics that shares what makes it hard.
+struct CubicSet {
+  const char* name;
+  std::vector<Cubic> cubics;
+};
+
+// `count` of each: track-like; all four points anywhere; nearly straight, with uneven speed and turning back; loops with handles
+// longer than the chord; a cusp (B' = 0 at some t in (0,1), up to the rounding of float); and nearly a cusp.
+inline std::vector<CubicSet> cubic_sets(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> place(-90, 90), near(-20, 20), share(-0.4f, 1.4f), unit(0, 1);
+  const auto offset = [&] { return glm::vec3{near(random), near(random), near(random)}; };
+  std::vector<CubicSet> sets{{"track", random_cubics(count, seed + 1)}, {"random", {}}, {"near_straight", {}}, {"looping", {}}, {"cusped", {}}, {"near_cusp", {}}};
+  for (int i = 0; i < count; ++i) {
+    const glm::vec3 p{place(random), place(random), place(random)}, d = offset(), e = offset(), f = offset();
+    sets[1].cubics.push_back({p, p + d, p + e, p + f});
+
+    const float waver = std::pow(10.0f, -6.0f * unit(random)) * 0.1f, a = share(random), b = share(random);
+    sets[2].cubics.push_back({p, p + a * d + waver * e, p + b * d + waver * f, p + d});
+
+    const float first = 1.2f + unit(random), second = 1.2f + unit(random);
+    sets[3].cubics.push_back({p, p + first * d + 0.3f * e, p + first * 0.4f * d + 0.3f * e + second * f, p + 0.5f * f});
+
+    // B'(t) = 0 where s^2 (p1-p0) + 2 s t (p2-p1) + t^2 (p3-p2) = 0, with s = 1 - t: solved for p2 - p1.
+    const float t = 0.1f + 0.8f * unit(random), s = 1 - t;
+    const glm::vec3 g = -(s * s * d + t * t * e) / (2 * s * t);
+    sets[4].cubics.push_back({p, p + d, p + d + g, p + d + g + e});
+    const glm::vec3 gap = std::pow(10.0f, -1.0f - 4.0f * unit(random)) * f;
+    sets[5].cubics.push_back({p, p + d, p + d + g + gap, p + d + g + gap + e});
+  }
+  return sets;
 }
 
 }  // namespace coaster::curve

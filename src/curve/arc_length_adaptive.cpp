@@ -1,0 +1,165 @@
+// The arc-length methods that subdivide until a relative tolerance is met: Gauss-Legendre with an embedded estimate, Simpson, Gravesen.
+// The default rule, whose bits the ride depends on, is in arc_length.cpp.
+#include "curve/arc_length_detail.h"
+#include "curve/quadrature.h"
+
+namespace coaster::curve::detail {
+namespace {
+
+template <int kHalf>
+EmbeddedRule<kHalf> make_embedded() {
+  constexpr int kNodes = 2 * kHalf;
+  const RuleLongDouble full = gauss_legendre_rule_long_double(kNodes);
+  EmbeddedRule<kHalf> rule{};
+  for (std::size_t i = 0; i < kHalf; ++i) {
+    // a_k = (2k+1)/2 sum w P_k(x) f(x), and the integral over the piece is half of that over [-1,1].
+    const long double x = full.nodes[kHalf + i], w = full.weights[kHalf + i] / 2;
+    rule.x[i] = static_cast<double>(x);
+    rule.weight[i] = static_cast<double>(w);
+    rule.even[i] = static_cast<double>((2 * kNodes - 3) * w * legendre(kNodes - 2, x));
+    rule.odd[i] = static_cast<double>((2 * kNodes - 1) * w * legendre(kNodes - 1, x));
+  }
+  return rule;
+}
+
+constexpr int kMaxDepth = 30;
+
+// --- Gauss-Legendre -------------------------------------------------------------------------------------------------
+
+template <int kHalf>
+struct GaussLegendre {
+  double tolerance, steadiness, floor;
+  const EmbeddedRule<kHalf>& rule = embedded_rule<kHalf>();
+  LengthEstimate total{};
+
+  void add(const Hodograph& h, int depth) {
+    if (detail::steadiness(h) >= steadiness) {
+      const Sampled s = sample(speed_quartic(h), rule);
+      const double error = estimated_error(s);
+      total.evaluations += 2 * kHalf;
+      if (error <= std::max(tolerance * s.length, floor) || depth >= kMaxDepth) return accept(s.length, error);
+    } else {
+      // Unsteady pieces are halved unseen, until what is left about a cusp is too short to matter.
+      const double polygon = polygon_length(h);
+      total.evaluations += 3;
+      if (!(polygon > floor) || depth >= kMaxDepth) {
+        const double chord = chord_length(h);
+        return accept(0.5 * (chord + polygon), 0.5 * (polygon - chord));
+      }
+    }
+    const Halves half = halves(h);
+    add(half.left, depth + 1);
+    add(half.right, depth + 1);
+  }
+
+  void accept(double length, double error) {
+    total.length += length;
+    total.error_bound += error;
+  }
+};
+
+template <int kHalf>
+LengthEstimate gauss_legendre(const Hodograph& h, double tolerance, double steady) {
+  GaussLegendre<kHalf> rule{tolerance, steady, 0.0};
+  rule.total.error_bound = 0;
+  // Most pieces of a track pass as they are, and need no floor.
+  if (detail::steadiness(h) >= steady) {
+    const Sampled s = sample(speed_quartic(h), rule.rule);
+    const double error = estimated_error(s);
+    if (error <= tolerance * s.length) return {s.length, error + 1e-15 * s.length, 2 * kHalf};
+    rule.total.evaluations = 2 * kHalf;
+  }
+  rule.floor = tolerance * polygon_length(h) / 64.0;
+  const Halves half = halves(h);
+  rule.add(half.left, 1);
+  rule.add(half.right, 1);
+  rule.total.error_bound += 1e-15 * rule.total.length;  // rounding
+  return rule.total;
+}
+
+// --- Simpson --------------------------------------------------------------------------------------------------------
+
+struct Simpson {
+  SpeedQuartic q;
+  LengthEstimate total{};
+
+  double speed(double u) {
+    ++total.evaluations;
+    return speed_at(q, u);
+  }
+
+  // [a,b] in u, with |v| at a, the middle and b; `allowed` halves with the interval. Lyness 1969 (doi 10.1145/321526.321537).
+  void add(double a, double b, double fa, double fm, double fb, double whole, double allowed, int depth) {
+    const double m = 0.5 * (a + b), fl = speed(0.5 * (a + m)), fr = speed(0.5 * (m + b)), w = (b - a) / 24.0;
+    const double left = w * (fa + 4.0 * fl + fm), right = w * (fm + 4.0 * fr + fb), excess = (left + right - whole) / 15.0;
+    if (depth >= kMaxDepth || (depth >= 2 && std::abs(excess) <= allowed)) {
+      total.length += left + right + excess;
+      total.error_bound += std::abs(excess);
+      return;
+    }
+    add(a, m, fa, fl, fm, left, 0.5 * allowed, depth + 1);
+    add(m, b, fm, fr, fb, right, 0.5 * allowed, depth + 1);
+  }
+};
+
+// --- Gravesen -------------------------------------------------------------------------------------------------------
+
+struct Gravesen {
+  LengthEstimate total{};
+  // 2^14 pieces: about a millisecond. Finer tolerances are not met, and the bound says so.
+  static constexpr int kDepth = 14;
+
+  // Gravesen 1997, doi 10.1016/0925-7721(95)00054-2: chord <= length <= polygon, so their mean errs by at most half the difference.
+  void add(const Hodograph& h, double allowed, int depth) {
+    const double chord = chord_length(h), polygon = polygon_length(h), bound = 0.5 * (polygon - chord);
+    total.evaluations += 4;
+    if (!(bound > allowed) || depth >= kDepth) {
+      total.length += 0.5 * (chord + polygon);
+      total.error_bound += std::max(0.0, bound);
+      return;
+    }
+    const Halves half = halves(h);
+    add(half.left, 0.5 * allowed, depth + 1);
+    add(half.right, 0.5 * allowed, depth + 1);
+  }
+};
+
+}  // namespace
+
+template <int kHalf>
+const EmbeddedRule<kHalf>& embedded_rule() {
+  static const EmbeddedRule<kHalf> rule = make_embedded<kHalf>();
+  return rule;
+}
+template const EmbeddedRule<4>& embedded_rule<4>();
+template const EmbeddedRule<6>& embedded_rule<6>();
+template const EmbeddedRule<8>& embedded_rule<8>();
+template const EmbeddedRule<12>& embedded_rule<12>();
+
+LengthEstimate adaptive_gauss_legendre(const Hodograph& h, double tolerance) {
+  const Precision p = precision_for(tolerance);
+  switch (p.half_nodes) {
+    case 4: return gauss_legendre<4>(h, tolerance, p.steadiness);
+    case 6: return gauss_legendre<6>(h, tolerance, p.steadiness);
+    case 8: return gauss_legendre<8>(h, tolerance, p.steadiness);
+    default: return gauss_legendre<12>(h, tolerance, p.steadiness);
+  }
+}
+
+LengthEstimate adaptive_simpson(const Hodograph& h, double tolerance) {
+  Simpson simpson{speed_quartic(h)};
+  simpson.total.error_bound = 0;
+  const double a = simpson.speed(-1), m = simpson.speed(0), b = simpson.speed(1), whole = (a + 4.0 * m + b) / 6.0;
+  if (whole > 0.0) simpson.add(-1, 1, a, m, b, whole, tolerance * whole, 0);
+  return simpson.total;
+}
+
+LengthEstimate adaptive_gravesen(const Hodograph& h, double tolerance) {
+  Gravesen gravesen;
+  gravesen.total.error_bound = 0;
+  gravesen.add(h, tolerance * 0.5 * (chord_length(h) + polygon_length(h)), 0);
+  gravesen.total.error_bound += 1e-14 * gravesen.total.length;  // rounding of up to 2^14 sums
+  return gravesen.total;
+}
+
+}  // namespace coaster::curve::detail
