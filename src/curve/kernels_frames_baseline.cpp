@@ -1,0 +1,8 @@
+// Eight chains of frames with the processor's baseline.
+#include "curve/kernels_frames_body.h"
+
+namespace coaster::curve::detail {
+
+void transport_eight_baseline(const FrameJob& job) { transport_eight(job); }
+
+}  // namespace coaster::curve::detail
