@@ -39,7 +39,7 @@ gfx::DrawStats draw_scene(Program& program, const ui::Output& output, platform::
   const edit::Session& session = program.session;
   const view::Overlay overlay = view::build_overlay(session.document, session.derived, session.settings, output.view, output.hovered);
   const std::vector<sim::Pose> carts = cart_poses(session);
-  const gfx::Scene scene{session.derived, output.view, overlay, carts, session.settings.show_polyline};
+  const gfx::Scene scene{session.derived, output.view, overlay, carts, session.settings.layers.has(world::Layer::polyline)};
   return program.renderer->draw(scene, size.width, size.height);
 }
 
@@ -49,8 +49,19 @@ void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size si
   const sim::Derived& derived = program.session.derived;
   ++stats.frame;
   stats.uploads = drawn.uploads;
+  stats.upload_bytes = drawn.upload_bytes;
+  stats.polyline_upload_bytes = drawn.polyline_upload_bytes;
+  stats.polyline_bytes = drawn.polyline_bytes;
+  stats.drawn_by = drawn.drawn_by;
+  if (drawn.drawn_by != derived.stage) stats.stage_refusals[static_cast<std::size_t>(derived.stage)] = program.renderer->refusal(derived.stage);
+  stats.gpu_deviation = drawn.deviation;
+  stats.deviation_pending = drawn.deviation_pending;
+  stats.gpu_ms = drawn.gpu_ms;
   stats.rebuilds = program.rebuilds;
-  if (program.rebuilds > 0) {
+  if (derived.stage != curve::Stage::processor) {
+    stats.evaluation_ms = 0;
+    stats.evaluated_vertices = 0;
+  } else if (program.rebuilds > 0) {
     stats.evaluation_ms = derived.evaluation_seconds * 1e3;
     stats.evaluated_vertices = derived.evaluated_vertices;
   }
@@ -90,6 +101,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   }
   const ui::Output output = build_panels(program, events, size);
   advance(program, ticks);
+  edit::advance_measurement(program.session);
   const double built = program.surface->clock();
   const gfx::DrawStats drawn = draw_scene(program, output, size);
   program.ui->draw(size.width, size.height);

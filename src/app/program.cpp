@@ -36,9 +36,9 @@ namespace {
 
 // One command, applied and recorded.
 base::Status apply_one(Program& program, const edit::Command& command) {
-  if (const edit::Save* const save = std::get_if<edit::Save>(&command);
-      save && !program.writable.empty() && !script::lies_below(save->path, program.writable)) {
-    const base::Status refused{base::Code::refused, "save: scripts write only below $OUT, found " + base::quoted(save->path)};
+  if (const std::string* const path = edit::output_path(command);
+      path && !program.writable.empty() && !script::lies_below(*path, program.writable)) {
+    const base::Status refused{base::Code::refused, std::string(edit::info(command).name) + ": scripts write only below $OUT, found " + base::quoted(*path)};
     edit::notify(program.session, edit::NoticeKind::error, refused.message);
     return refused;
   }
@@ -61,7 +61,7 @@ base::Status apply(Program& program, const edit::Command& command) {
   const std::uint64_t notices = program.session.notice_serial;
   const base::Status applied = apply_one(program, command);
   if (program.session.notice_serial != notices) program.toast = program.session.notices.back().text;  // the panels show it a frame later
-  if (!applied || edit::info(command).effect != edit::Effect::session || std::holds_alternative<edit::Save>(command)) return applied;
+  if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command)) return applied;
   // Another track: looked at from where all of it is seen.
   const edit::Session& session = program.session;
   const world::Camera camera = view::frame_all(session.settings.camera, session.document, program.ui->view().viewport);

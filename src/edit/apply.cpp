@@ -163,6 +163,14 @@ Status files_command(Session& session, base::Files& files, const Save& command) 
   notify(session, NoticeKind::info, "saved " + command.path);
   return {};
 }
+Status files_command(Session& session, base::Files& files, const SaveMeasurements& command) {
+  if (command.path.empty()) return refused("expected a file to write to");
+  if (session.measurement.next == 0) return refused("nothing is measured yet");
+  const Status status = files.write_atomic(command.path, sim::to_csv(session.measurement, session.machine));
+  if (!status) return status;
+  notify(session, NoticeKind::info, "saved " + command.path);
+  return {};
+}
 Status files_command(Session& session, base::Files&, const NewTrack&) {
   start_over(session, {}, {});
   return {};
@@ -192,6 +200,7 @@ Status apply(Session& session, base::Files& files, const Command& command) {
     notify(session, NoticeKind::error, status.message);
   else
     for (const std::string& line : change.clamped) notify(session, NoticeKind::warning, name + ": " + line);
+  if (status && !change.note.empty()) notify(session, NoticeKind::info, name + ": " + change.note);
   return status;
 }
 

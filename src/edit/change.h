@@ -20,6 +20,7 @@ struct MotionFollowUp {
 
 struct Change {
   std::vector<std::string> clamped;     // one line for each number that was cut to its limit
+  std::string note;                     // what was done, where that is not plain to see; shown when all went well
   MotionFollowUp motion;
   std::optional<world::Entity> select;  // what becomes selected when all went well
   bool remeasure = false;               // a setting that derived data depend on has changed
@@ -76,6 +77,13 @@ base::Status perform(Session& session, Change& change, const SetAppendMode& comm
 base::Status perform(Session& session, Change& change, const SetScale& command);
 
 // Motion.
+base::Status perform(Session& session, Change& change, const ShowLayer& command);
+base::Status perform(Session& session, Change& change, const SetMagnification& command);
+base::Status perform(Session& session, Change& change, const SetCombScale& command);
+base::Status perform(Session& session, Change& change, const ShowLaboratory& command);
+base::Status perform(Session& session, Change& change, const OpenPage& command);
+base::Status perform(Session& session, Change& change, const Measure& command);
+base::Status perform(Session& session, Change& change, const StopMeasuring& command);
 base::Status perform(Session& session, Change& change, const RideStart& command);
 base::Status perform(Session& session, Change& change, const RidePause& command);
 base::Status perform(Session& session, Change& change, const RideStop& command);

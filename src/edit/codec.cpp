@@ -84,6 +84,17 @@ const CommandInfo& info(const Command& command) {
   return std::visit([](const auto& c) -> const CommandInfo& { return c.kInfo; }, command);
 }
 
+const std::string* output_path(const Command& command) {
+  if (const Save* const save = std::get_if<Save>(&command)) return &save->path;
+  if (const SaveMeasurements* const save = std::get_if<SaveMeasurements>(&command)) return &save->path;
+  return nullptr;
+}
+
+void set_output_path(Command& command, std::string path) {
+  if (Save* const save = std::get_if<Save>(&command)) save->path = std::move(path);
+  else if (SaveMeasurements* const table = std::get_if<SaveMeasurements>(&command)) table->path = std::move(path);
+}
+
 std::string print(const Command& command) {
   return std::visit(
       [](const auto& c) {

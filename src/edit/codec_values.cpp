@@ -9,8 +9,6 @@
 namespace coaster::edit {
 namespace {
 
-using Names = std::vector<std::string>;
-
 // In the order of the enumerators.
 Names joint_names() {
   return {"smooth", "aligned", "automatic"};
@@ -22,12 +20,6 @@ Names mode_names() {
   return {"orbit", "ride"};
 }
 
-template <class Rows>
-Names names_of(const Rows& rows) {
-  Names names;
-  for (const auto& row : rows) names.emplace_back(row.name);
-  return names;
-}
 Names evaluator_names() {
   return names_of(curve::evaluators());
 }
@@ -39,6 +31,19 @@ Names integrator_names() {
 }
 
 std::string joined(const Names& names) {
+
+template <class T, class Parse>
+bool read_number(WordReader& words, std::string_view what, Parse parse, T& value) {
+  const base::Token* const word = words.take(what);
+  if (!word) return false;
+  const auto number = parse(word->text);
+  if (!number) return words.reject(what);
+  value = static_cast<T>(*number);
+  return true;
+}
+
+}  // namespace
+
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : "|") + name;
   return text;
@@ -59,26 +64,6 @@ bool read_name(WordReader& words, const Names& names, int& row) {
     if (names[i] == word->text) return row = static_cast<int>(i), true;
   return words.reject(expected, base::suggestion(word->text, names));
 }
-
-template <class Enum>
-bool read_enum(WordReader& words, const Names& names, Enum& value) {
-  int row = 0;
-  if (!read_name(words, names, row)) return false;
-  value = static_cast<Enum>(row);
-  return true;
-}
-
-template <class T, class Parse>
-bool read_number(WordReader& words, std::string_view what, Parse parse, T& value) {
-  const base::Token* const word = words.take(what);
-  if (!word) return false;
-  const auto number = parse(word->text);
-  if (!number) return words.reject(what);
-  value = static_cast<T>(*number);
-  return true;
-}
-
-}  // namespace
 
 const base::Token* WordReader::take(std::string_view what) {
   if (const base::Token* const word = peek()) return ++next_, word;

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/text.h"
 #include "edit/commands.h"
@@ -33,6 +34,26 @@ class WordReader {
   std::size_t next_ = 0;
 };
 
+// The words of a table, in the order of its rows.
+using Names = std::vector<std::string>;
+template <class Rows>
+Names names_of(const Rows& rows) {
+  Names names;
+  for (const auto& row : rows) names.emplace_back(row.name);
+  return names;
+}
+std::string joined(const Names& names);  // "a|b|c"
+std::string row_name(const Names& names, int row);
+// The row that the next word names.
+bool read_name(WordReader& words, const Names& names, int& row);
+template <class Enum>
+bool read_enum(WordReader& words, const Names& names, Enum& value) {
+  int row = 0;
+  if (!read_name(words, names, row)) return false;
+  value = static_cast<Enum>(row);
+  return true;
+}
+
 // Each type of field: text that read_value() gives back exactly, reading, and the words for help. reading fails through `words`.
 std::string print_value(const Target& value);  // "@k3", "none"
 std::string print_value(const HandleTarget& value);
@@ -49,6 +70,8 @@ std::string print_value(world::CameraMode value);
 std::string print_value(curve::EvaluatorId value);
 std::string print_value(curve::ArcLengthId value);
 std::string print_value(IntegratorId value);
+std::string print_value(world::Layer value);
+std::string print_value(world::LabPage value);
 
 bool read_value(WordReader& words, Target& value);
 bool read_value(WordReader& words, HandleTarget& value);
@@ -65,6 +88,8 @@ bool read_value(WordReader& words, world::CameraMode& value);
 bool read_value(WordReader& words, curve::EvaluatorId& value);
 bool read_value(WordReader& words, curve::ArcLengthId& value);
 bool read_value(WordReader& words, IntegratorId& value);
+bool read_value(WordReader& words, world::Layer& value);
+bool read_value(WordReader& words, world::LabPage& value);
 
 std::string usage_of(const HandleTarget& value);
 std::string usage_of(glm::vec3 value);
@@ -80,5 +105,7 @@ std::string usage_of(world::CameraMode value);
 std::string usage_of(curve::EvaluatorId value);
 std::string usage_of(curve::ArcLengthId value);
 std::string usage_of(IntegratorId value);
+std::string usage_of(world::Layer value);
+std::string usage_of(world::LabPage value);
 
 }  // namespace coaster::edit

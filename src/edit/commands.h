@@ -1,5 +1,6 @@
 // The one vocabulary: everything that a person, a script or a recording can make the program do to document, motion and settings.
 // Plain structs with a name, a line of help and a list of fields; from these come printing, parsing, help and completion.
+// Those of the laboratory are in commands_lab.h.
 // Commands carry names and numbers, never screen coordinates.
 #pragma once
 
@@ -9,42 +10,11 @@
 
 #include <glm/glm.hpp>
 
+#include "edit/command_fields.h"
+#include "edit/commands_lab.h"
 #include "world/document.h"
-#include "world/settings.h"
 
 namespace coaster::edit {
-
-// An entity of any kind, written "@k3"; number 0 is "none".
-struct Target {
-  world::Name name;
-  friend bool operator==(const Target&, const Target&) = default;
-};
-enum class HandleEnd : std::uint8_t { in, out };
-// A knot's handle, written "@k3.in" or "@k3.out".
-struct HandleTarget {
-  world::Name knot;
-  HandleEnd end = HandleEnd::out;
-  friend bool operator==(const HandleTarget&, const HandleTarget&) = default;
-};
-
-// What a command changes: undo and recording depend on it.
-enum class Effect : std::uint8_t { document, settings, motion, history, session };
-
-struct CommandInfo {
-  std::string_view name;  // the first word of its line
-  std::string_view help;
-  Effect effect;
-};
-
-// fields(self, visit) calls visit(keyword, member) in the order of the text; an empty keyword is positional:
-// "move @k4 to 1 2 3" has the fields ("", knot) and ("to", position).
-#define COASTER_COMMAND(name, help, effect) \
-  static constexpr CommandInfo kInfo { name, help, effect }
-#define COASTER_FIELDS(...)                              \
-  template <class Self, class Visit>                     \
-  static void fields([[maybe_unused]] Self& self, [[maybe_unused]] Visit&& visit) { \
-    __VA_ARGS__;                                         \
-  }
 
 // --- document ---------------------------------------------------------------------------------------------------------
 struct MoveKnot {
@@ -196,7 +166,7 @@ struct SetPanels {
 };
 struct SetPolyline {
   bool to = true;
-  COASTER_COMMAND("polyline", "Show or hide the evaluated polyline over the track (on, off).", Effect::settings);
+  COASTER_COMMAND("polyline", "Show or hide the evaluated polyline over the track (on, off); the same as show polyline.", Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };
 struct SetAppendMode {
@@ -274,10 +244,17 @@ struct NewTrack {
 using Command = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve,
                              AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum,  //
                              SetEvaluator, SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera,
-                             SetCameraMode, Select, SetPanels, SetPolyline, SetAppendMode, SetScale,          //
+                             SetCameraMode, Select, SetPanels, SetPolyline, SetAppendMode, SetScale, ShowLayer, SetMagnification,
+                             SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,                 //
                              RideStart, RidePause, RideStop, RideStep, RideSeek,                              //
-                             Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save, NewTrack>;
+                             Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save,
+                             SaveMeasurements, NewTrack>;
 
 const CommandInfo& info(const Command& command);
 
 }  // namespace coaster::edit
+// The file that a command writes, or null: such commands change nothing, and scripts may write below $OUT alone.
+const std::string* output_path(const Command& command);
+// Another file for a command that writes one; nothing for others.
+void set_output_path(Command& command, std::string path);
+

@@ -1,6 +1,7 @@
 // Commands on how things are shown and measured. They touch neither document nor motion.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "edit/change.h"
 
@@ -12,6 +13,7 @@ using base::Status;
 constexpr std::int64_t kMinBudget = 1'000, kMaxBudget = 1'000'000'000;
 constexpr float kMaxPitch = 89, kMinDistance = 0.5f, kMaxDistance = 20'000;
 constexpr float kMinScale = 0.75f, kMaxScale = 3;
+constexpr double kMinMagnification = 1, kMaxMagnification = 1e7, kMinCombScale = 0.001, kMaxCombScale = 1e6;
 
 // Commands read from text name rows; others may come from anywhere.
 template <class Id, class Rows>
@@ -108,7 +110,7 @@ Status perform(Session& session, Change&, const SetPanels& command) {
   return {};
 }
 Status perform(Session& session, Change&, const SetPolyline& command) {
-  session.settings.show_polyline = command.to;
+  session.settings.layers.set(world::Layer::polyline, command.to);
   return {};
 }
 Status perform(Session& session, Change&, const SetAppendMode& command) {
@@ -119,6 +121,44 @@ Status perform(Session& session, Change&, const SetAppendMode& command) {
 Status perform(Session& session, Change& change, const SetScale& command) {
   if (!std::isfinite(command.to)) return refused("expected a finite scale");
   session.settings.ui_scale = change.clamp("scale", command.to, kMinScale, kMaxScale);
+Status perform(Session& session, Change&, const ShowLayer& command) {
+  const Status known = known_row(command.what, world::layers());
+  if (!known) return known;
+  session.settings.layers.set(command.what, command.to);
+  return {};
+}
+Status perform(Session& session, Change& change, const SetMagnification& command) {
+  if (!std::isfinite(command.to)) return refused("expected a finite magnification");
+  session.settings.magnification = change.clamp("magnification", command.to, kMinMagnification, kMaxMagnification);
+  return {};
+}
+Status perform(Session& session, Change& change, const SetCombScale& command) {
+  if (!std::isfinite(command.to)) return refused("expected a finite scale");
+  session.settings.comb_scale = change.clamp("comb scale", command.to, kMinCombScale, kMaxCombScale);
+  return {};
+}
+Status perform(Session& session, Change&, const ShowLaboratory& command) {
+  session.settings.show_laboratory = command.to;
+  return {};
+}
+Status perform(Session& session, Change&, const OpenPage& command) {
+  const Status known = known_row(command.to, world::lab_pages());
+  if (!known) return known;
+  session.settings.lab_page = command.to;
+  return {};
+}
+
+Status perform(Session& session, Change&, const Measure&) {
+  sim::Measurement started = sim::start_measurement(session.derived);
+  if (!started.running) return refused("there is no segment to measure on");
+  session.measurement = std::move(started);
+  return {};
+}
+Status perform(Session& session, Change&, const StopMeasuring&) {
+  session.measurement.running = false;
+  return {};
+}
+
   return {};
 }
 

@@ -22,6 +22,10 @@ bool dirty(const Session& session) {
   return world::hash(session.document) != session.saved_hash;
 }
 
+void advance_measurement(Session& session) {
+  sim::measure_next(session.measurement, session.clock);
+}
+
 void advance(Session& session, int ticks) {
   if (ticks <= 0) return;
   sim::step(session.document, session.derived, session.settings.integrator, ticks, session.motion);

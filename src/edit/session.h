@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "edit/commands.h"
 #include "sim/derived.h"
+#include "sim/measure.h"
 #include "sim/ride.h"
 
 namespace coaster::edit {
@@ -49,6 +50,8 @@ struct Session {
   std::uint64_t saved_hash = 0;    // document hash when last loaded, saved or made
   std::uint64_t tick = 0;          // ticks since the program's start
   sim::Clock clock;                // to measure evaluation with
+  std::string machine;             // a line about it, for files of measurements
+  sim::Measurement measurement;    // of the evaluators; advanced by advance_measurement()
 };
 
 void notify(Session& session, NoticeKind kind, std::string text);
@@ -60,6 +63,9 @@ bool dirty(const Session& session);  // the document differs from its file
 // notice is shown. A document command outside a gesture is one step of undo; a command that leaves the document equal adds none.
 // undo inside a gesture cancels it.
 base::Status apply(Session& session, base::Files& files, const Command& command);
+
+// Does a part of a measurement that is under way, some ms; nothing else does: a frame without one costs nothing.
+void advance_measurement(Session& session);
 
 // Advances the ride by whole ticks.
 void advance(Session& session, int ticks);

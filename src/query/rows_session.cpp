@@ -30,7 +30,7 @@ Answer toast(const Context& c, View) { return text(c.toast); }
 Answer title(const Context& c, View) { return text(c.title); }
 Answer append_mode(const Context& c, View) { return yes_no(c.session.settings.append_mode); }
 Answer panels(const Context& c, View) { return yes_no(c.session.settings.show_panels); }
-Answer polyline(const Context& c, View) { return yes_no(c.session.settings.show_polyline); }
+Answer polyline(const Context& c, View) { return yes_no(c.session.settings.layers.has(world::Layer::polyline)); }
 Answer scale(const Context& c, View) { return number(c.session.settings.ui_scale); }
 
 Answer camera_mode(const Context& c, View) {

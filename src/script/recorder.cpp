@@ -16,7 +16,13 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
   std::vector<edit::Command> commands{
       edit::SetEvaluator{s.evaluator}, edit::SetResolution{s.steps}, edit::SetVertexBudget{s.vertex_budget}, edit::SetArcLength{s.arc_length},
       edit::SetFrames{s.frames}, edit::SetIntegrator{{s.integrator}}, edit::SetCamera{s.camera}, edit::SetCameraMode{s.camera_mode},
-      edit::SetPanels{s.show_panels}, edit::SetPolyline{s.show_polyline}, edit::SetAppendMode{s.append_mode}, edit::SetScale{s.ui_scale}};
+      edit::SetPanels{s.show_panels}, edit::SetAppendMode{s.append_mode}, edit::SetScale{s.ui_scale},
+      edit::SetMagnification{s.magnification}, edit::SetCombScale{s.comb_scale}, edit::ShowLaboratory{s.show_laboratory}, edit::OpenPage{s.lab_page}};
+  for (std::size_t i = 0; i < world::layers().size(); ++i) {
+    const auto layer = static_cast<world::Layer>(i);
+    if (layer == world::Layer::polyline) commands.push_back(edit::SetPolyline{s.layers.has(layer)});
+    else commands.push_back(edit::ShowLayer{layer, s.layers.has(layer)});
+  }
   if (s.selected.valid() && session.document.entities.alive(s.selected))
     commands.push_back(edit::Select{{world::name_of(session.document, s.selected)}, s.selected_t});
   return commands;
@@ -62,7 +68,7 @@ base::Status Recorder::snapshot(base::Files& files, const edit::Session& session
 }
 
 base::Status Recorder::command(base::Files& files, const edit::Command& command, const edit::Session& after) {
-  if (std::holds_alternative<edit::Save>(command)) return {};
+  if (edit::output_path(command) != nullptr) return {};
   if (const base::Status written = write_ticks(); !written) return written;
   if (std::holds_alternative<edit::Load>(command)) return snapshot(files, after);
   return line(edit::print(command));

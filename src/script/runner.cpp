@@ -46,10 +46,10 @@ Failure Runner::perform(const RunCommand& run) {
     const base::Status loaded = stage_.apply(command);
     return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
   }
-  if (edit::Save* const save = std::get_if<edit::Save>(&command)) {
-    const auto path = find_output(save->path, options_.out);
+  if (const std::string* const written = edit::output_path(command)) {
+    const auto path = find_output(*written, options_.out);
     if (!path) return failure(path.status());
-    save->path = path->string();
+    edit::set_output_path(command, path->string());
   }
   return failure(stage_.apply(command));
 }

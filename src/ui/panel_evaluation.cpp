@@ -38,7 +38,7 @@ void evaluation_panel(Ui& ui) {
   methods(ui);
   resolution(ui);
   lengths(ui);
-  if (const auto on = checkbox(ui, "Show polyline", ui.session().settings.show_polyline, "Draw the evaluated polyline over the track."))
+  if (const auto on = checkbox(ui, "Show polyline", ui.session().settings.layers.has(world::Layer::polyline), "Draw the evaluated polyline over the track."))
     ui.emit(edit::SetPolyline{*on});
 
   const query::FrameStats& stats = ui.state.stats;

@@ -8,6 +8,7 @@
 #include "curve/arc_length.h"
 #include "curve/evaluators.h"
 #include "world/entity.h"
+#include "world/laboratory.h"
 
 namespace coaster::world {
 
@@ -34,7 +35,11 @@ struct Settings {
   Entity selected = kNone;                   // a knot, segment or cart
   double selected_t = 0.5;                   // the picked place on a selected segment, parameter in [0,1]
   bool show_panels = true;
-  bool show_polyline = true;                 // the laboratory's lines over the track
+  Layers layers;                             // the laboratory's pictures over the scene
+  double magnification = 10'000;             // of the rounding layer, 1..1e7
+  double comb_scale = 30;                    // m^2: metres of a tooth for a curvature of 1/m, 0.001..1e6
+  bool show_laboratory = false;              // the strip of pages below the viewport
+  LabPage lab_page = LabPage::construction;
   bool append_mode = false;                  // a click on the ground appends a knot
   float ui_scale = 1.0f;
   friend bool operator==(const Settings&, const Settings&) = default;

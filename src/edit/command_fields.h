@@ -1,0 +1,42 @@
+// What commands are made of: their targets, what they change, their name, help and list of fields.
+#pragma once
+
+#include <string_view>
+
+#include "world/entity.h"
+
+namespace coaster::edit {
+
+// An entity of any kind, written "@k3"; number 0 is "none".
+struct Target {
+  world::Name name;
+  friend bool operator==(const Target&, const Target&) = default;
+};
+enum class HandleEnd : std::uint8_t { in, out };
+// A knot's handle, written "@k3.in" or "@k3.out".
+struct HandleTarget {
+  world::Name knot;
+  HandleEnd end = HandleEnd::out;
+  friend bool operator==(const HandleTarget&, const HandleTarget&) = default;
+};
+
+// What a command changes: undo and recording depend on it.
+enum class Effect : std::uint8_t { document, settings, motion, history, session };
+
+struct CommandInfo {
+  std::string_view name;  // the first word of its line
+  std::string_view help;
+  Effect effect;
+};
+
+// fields(self, visit) calls visit(keyword, member) in the order of the text; an empty keyword is positional:
+// "move @k4 to 1 2 3" has the fields ("", knot) and ("to", position).
+#define COASTER_COMMAND(name, help, effect) \
+  static constexpr CommandInfo kInfo { name, help, effect }
+#define COASTER_FIELDS(...)                              \
+  template <class Self, class Visit>                     \
+  static void fields([[maybe_unused]] Self& self, [[maybe_unused]] Visit&& visit) { \
+    __VA_ARGS__;                                         \
+  }
+
+}  // namespace coaster::edit

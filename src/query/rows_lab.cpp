@@ -1,0 +1,112 @@
+// Queries about the laboratory: its layers and pages, the probe's construction, rounding, and the table of measurements.
+#include <array>
+
+#include "query/rows.h"
+#include "sim/rounding.h"
+#include "world/laboratory.h"
+
+namespace coaster::query {
+namespace {
+
+using Answer = base::Result<Value>;
+using View = std::string_view;
+
+// The row of a table that `word` names, or what is wrong with it.
+template <class Rows>
+base::Result<std::size_t> row_named(View word, std::string_view what, const Rows& rows) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].name == word) return i;
+    names.emplace_back(rows[i].name);
+  }
+  return base::Status{base::Code::usage, "no " + std::string(what) + " " + base::quoted(word) + base::suggestion(word, names)};
+}
+
+Answer shown(const Context& c, View word) {
+  const auto row = row_named(word, "layer", world::layers());
+  if (!row) return row.status();
+  return yes_no(c.session.settings.layers.has(static_cast<world::Layer>(*row)));
+}
+Answer magnification(const Context& c, View) { return number(c.session.settings.magnification); }
+Answer comb_scale(const Context& c, View) { return number(c.session.settings.comb_scale); }
+Answer laboratory(const Context& c, View) { return yes_no(c.session.settings.show_laboratory); }
+Answer page(const Context& c, View) { return text(world::lab_pages()[static_cast<std::size_t>(c.session.settings.lab_page)].name); }
+
+base::Result<const sim::SegmentShape*> selected_shape(const Context& c) {
+  const sim::SegmentShape* const shape = c.session.derived.segments.find(c.session.settings.selected);
+  if (shape == nullptr) return base::Status{base::Code::refused, "no segment is selected"};
+  return shape;
+}
+
+Answer construction_point(const Context& c, View) {
+  const auto shape = selected_shape(c);
+  if (!shape) return shape.status();
+  return Value(curve::point((*shape)->key.cubic, c.session.settings.selected_t));
+}
+
+base::Result<sim::Rounding> rounding_of_selected(const Context& c) {
+  const auto shape = selected_shape(c);
+  if (!shape) return shape.status();
+  return sim::rounding((*shape)->curve, curve::evaluator(c.session.settings.evaluator), c.session.settings.steps);
+}
+Answer rounding(const Context& c, View) {
+  const auto r = rounding_of_selected(c);
+  if (!r) return r.status();
+  return number(sim::largest(*r));
+}
+Answer seam(const Context& c, View) {
+  const auto r = rounding_of_selected(c);
+  if (!r) return r.status();
+  return number(sim::seam(*r));
+}
+
+Answer measuring(const Context& c, View) { return yes_no(c.session.measurement.running); }
+Answer measure_progress(const Context& c, View) { return number(sim::progress(c.session.measurement)); }
+Answer measure_rows(const Context& c, View) { return number(c.session.measurement.rows.size()); }
+
+// "horner/64": a row of the evaluators and one of the measured numbers of steps.
+base::Result<sim::MeasuredCell> cell_of(const Context& c, View word) {
+  const std::size_t slash = word.find('/');
+  const auto row = row_named(word.substr(0, slash), "evaluator", curve::evaluators());
+  if (!row) return row.status();
+  const auto steps = slash == View::npos ? std::nullopt : base::parse_int(word.substr(slash + 1));
+  const sim::MeasuredRow* const measured = sim::row_of(c.session.measurement, static_cast<curve::EvaluatorId>(*row));
+  for (std::size_t i = 0; i < sim::kMeasuredSteps.size(); ++i) {
+    if (!steps || *steps != sim::kMeasuredSteps[i]) continue;
+    if (measured == nullptr || measured->cells[i].rounds == 0) return base::Status{base::Code::refused, std::string(word) + " is not measured"};
+    return measured->cells[i];
+  }
+  return base::Status{base::Code::usage, "expected EVALUATOR/STEPS with 16, 64, 256, 1024 or 4096 steps, found " + base::quoted(word)};
+}
+Answer measure_error(const Context& c, View word) {
+  const auto cell = cell_of(c, word);
+  if (!cell) return cell.status();
+  return number(cell->worst_error);
+}
+Answer measure_time(const Context& c, View word) {
+  const auto cell = cell_of(c, word);
+  if (!cell) return cell.status();
+  return number(cell->ns_per_point);
+}
+
+constexpr std::array kRows{
+    Query{"shown", "LAYER", "", "on when a layer of the laboratory is drawn: polyline, frames, comb, circle, construction, rounding, flips.", shown},
+    Query{"magnification", "", "", "How many times the rounding layer magnifies.", magnification},
+    Query{"comb_scale", "", "m^2", "Length of the comb's teeth for a curvature of 1/m.", comb_scale},
+    Query{"laboratory", "", "", "on when the laboratory's pages show.", laboratory},
+    Query{"page", "", "", "The laboratory's page.", page},
+    Query{"construction_point", "", "m", "The point on the selected segment at the picked place.", construction_point},
+    Query{"rounding", "", "m", "Largest rounding error of the evaluator's vertices on the selected segment.", rounding},
+    Query{"seam", "", "m", "Rounding error of the last vertex before the selected segment's end, which is exact.", seam},
+    Query{"measuring", "", "", "on while evaluators are being measured.", measuring},
+    Query{"measure.progress", "", "", "Part of the measuring that is done, 0 to 1.", measure_progress},
+    Query{"measure.rows", "", "", "Evaluators in the table of measurements; 0 before the first measuring.", measure_rows},
+    Query{"measure.error", "EVALUATOR/STEPS", "m", "Measured: the worst error, such as of horner/64.", measure_error},
+    Query{"measure.time", "EVALUATOR/STEPS", "ns", "Measured: time a point, such as of horner/64.", measure_time},
+};
+
+}  // namespace
+
+std::span<const Query> lab_rows() { return kRows; }
+
+}  // namespace coaster::query

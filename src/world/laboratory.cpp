@@ -1,0 +1,34 @@
+// The tables of layers and pages.
+#include "world/laboratory.h"
+
+namespace coaster::world {
+namespace {
+
+constexpr LayerRow kLayers[] = {
+    {"polyline", "Polyline", "The evaluated polyline over the track, as the chosen method and resolution give it."},
+    {"frames", "Frames", "The chosen frame along the track: tangent (red), normal (green), binormal (blue)."},
+    {"comb", "Curvature comb", "Teeth of curvature times the comb's scale, away from the centre of curvature. A step in it is a joint that is not G2."},
+    {"circle", "Osculating circle", "The circle that fits the curve best at the probe: radius 1 / curvature."},
+    {"construction", "Construction", "De Casteljau's construction of the point at the probe: 3, 2 and 1 points between the control points."},
+    {"rounding", "Rounding", "The polyline's float rounding, magnified: each vertex moved by its error times the magnification."},
+    {"flips", "Frenet's failures", "Where the Frenet normal flips, or is undefined because there is no curvature."},
+};
+
+constexpr LabPageRow kPages[] = {
+    {"construction", "De Casteljau's construction of the point at the probe."},
+    {"weights", "The Bernstein weights of the control points."},
+    {"hodograph", "The derivative's curve."},
+    {"error", "Error of the chosen evaluator along the segment."},
+    {"lengths", "Arc length by every method, and how fast each converges."},
+    {"frames", "How carts are turned; curvature and torsion."},
+    {"joints", "Continuity at the joints."},
+    {"errata", "Claims of the paper beside what is right."},
+    {"measurements", "Time and error of every evaluator, measured on this machine."},
+};
+
+}  // namespace
+
+std::span<const LayerRow> layers() { return kLayers; }
+std::span<const LabPageRow> lab_pages() { return kPages; }
+
+}  // namespace coaster::world

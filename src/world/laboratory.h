@@ -1,0 +1,44 @@
+// What of the laboratory shows: the layers that are drawn over the scene, and the pages of its strip. Tables of names; how a layer is
+// drawn is the view's affair, what is on a page the panels'.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace coaster::world {
+
+// Rows of layers(), in its order.
+enum class Layer : std::uint8_t { polyline, frames, comb, circle, construction, rounding, flips };
+
+struct LayerRow {
+  std::string_view name;   // in scripts and recordings: "show comb on"
+  std::string_view label;  // in the panel
+  std::string_view help;   // a line for the tooltip
+};
+std::span<const LayerRow> layers();
+
+// A set of layers. The polyline alone shows at first.
+class Layers {
+ public:
+  bool has(Layer layer) const { return (bits_ >> static_cast<unsigned>(layer) & 1u) != 0; }
+  void set(Layer layer, bool on) {
+    const auto bit = static_cast<std::uint8_t>(1u << static_cast<unsigned>(layer));
+    bits_ = static_cast<std::uint8_t>(on ? bits_ | bit : bits_ & ~bit);
+  }
+  friend bool operator==(const Layers&, const Layers&) = default;
+
+ private:
+  std::uint8_t bits_ = 1;
+};
+
+// Pages of the laboratory's strip: rows of lab_pages(), in its order.
+enum class LabPage : std::uint8_t { construction, weights, hodograph, error, lengths, frames, joints, errata, measurements };
+
+struct LabPageRow {
+  std::string_view name;  // in scripts and recordings: "page weights"
+  std::string_view help;
+};
+std::span<const LabPageRow> lab_pages();
+
+}  // namespace coaster::world
