@@ -25,6 +25,8 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   auto renderer = gfx::Renderer::make(program->gl, samples);
   if (!renderer) return renderer.status();
   program->renderer = std::move(*renderer);
+  for (const curve::Stage stage : {curve::Stage::vertex_shader, curve::Stage::geometry_shader, curve::Stage::tessellation_shader})
+    program->stats.stage_refusals[static_cast<std::size_t>(stage)] = program->renderer->refusal(stage);
   auto panels = ui::Host::make(program->gl, screen->content_scale());
   if (!panels) return panels.status();
   program->ui = std::move(*panels);
@@ -45,6 +47,9 @@ base::Status apply_one(Program& program, const edit::Command& command) {
   const std::uint64_t builds = program.session.derived.last_build;
   const base::Status applied = edit::apply(program.session, program.files, command);
   if (program.session.derived.last_build != builds) program.rebuilds += program.session.derived.rebuilds;
+  if (applied && std::holds_alternative<edit::SetEvaluator>(command))
+    if (const std::string reason = program.renderer->refusal(program.session.derived.stage); !reason.empty())
+      edit::notify(program.session, edit::NoticeKind::warning, "drawn by the vertex shader instead: " + reason);
   ++program.commands;
   if (!applied || !program.recorder) return applied;
   const base::Status recorded = program.recorder->command(program.files, command, program.session);

@@ -1,6 +1,7 @@
 // The named values that panels, scripts and challenges read, each with a unit and a line of text. A row of the table adds one.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -18,10 +19,18 @@ struct FrameStats {
   std::uint64_t frame = 0;
   int uploads = 0;        // segments whose vertex buffers were uploaded in the last frame
   int rebuilds = 0;       // segments evaluated in the last frame
+  std::int64_t upload_bytes = 0;           // B written to the track's buffers in the last frame
+  std::int64_t polyline_upload_bytes = 0;  // B of these, to polylines: vertices, or control points for the GPU's evaluators
+  std::int64_t polyline_bytes = 0;         // B held for all polylines
+  curve::Stage drawn_by{};                 // what evaluated the polylines of the last frame
+  double gpu_deviation = 0;                // m, of vertices that the GPU computed
+  int deviation_pending = 0;               // segments whose deviation on the GPU is still to be measured
+  std::array<std::string, 4> stage_refusals;  // by curve::Stage: why the driver cannot evaluate there; empty where it can
   int recolours = 0;      // segments whose ride-coloured stream was uploaded (counted apart)
   double fps = 0;         // 0: not measured
   double cpu_ms = 0;      // of the last frame, outside GL and waiting
   double gl_ms = 0;
+  double gpu_ms = 0;      // of the GPU, on the polylines, in the newest frame that is known; 0: not measured
   double evaluation_ms = 0;  // in evaluators during the last frame that evaluated anything
   std::int64_t evaluated_vertices = 0;
   int draw_calls = 0;

@@ -127,7 +127,24 @@ Answer arc_length(const Context& c, View) { return text(curve::arc_length_method
 Answer resolution(const Context& c, View) { return number(c.session.settings.steps); }
 Answer vertices(const Context& c, View) { return number(c.session.derived.vertices); }
 Answer vertex_budget(const Context& c, View) { return number(c.session.settings.vertex_budget); }
-Answer deviation(const Context& c, View) { return number(c.session.derived.deviation); }
+// The processor's, or what was captured from the GPU.
+Answer deviation(const Context& c, View) {
+  return number(c.session.derived.stage == curve::Stage::processor ? c.session.derived.deviation : c.stats.gpu_deviation);
+}
+Answer deviation_pending(const Context& c, View) { return number(c.stats.deviation_pending); }
+Answer drawn_by(const Context& c, View) {
+  switch (c.stats.drawn_by) {
+    case curve::Stage::processor: return text("processor");
+    case curve::Stage::vertex_shader: return text("vertex_shader");
+    case curve::Stage::geometry_shader: return text("geometry_shader");
+    case curve::Stage::tessellation_shader: return text("tessellation_shader");
+  }
+  return text("");
+}
+Answer upload_bytes(const Context& c, View) { return number(c.stats.upload_bytes); }
+Answer polyline_upload_bytes(const Context& c, View) { return number(c.stats.polyline_upload_bytes); }
+Answer polyline_bytes(const Context& c, View) { return number(c.stats.polyline_bytes); }
+Answer gpu_ms(const Context& c, View) { return number(c.stats.gpu_ms); }
 Answer uploads(const Context& c, View) { return number(c.stats.uploads); }
 Answer rebuilds(const Context& c, View) { return number(c.stats.rebuilds); }
 Answer recolours(const Context& c, View) { return number(c.stats.recolours); }
@@ -168,6 +185,12 @@ constexpr std::array kRows{
     Query{"vertices", "", "", "Vertices of all polylines.", vertices},
     Query{"vertex_budget", "", "", "Vertices that all polylines together may have.", vertex_budget},
     Query{"deviation", "", "m", "Largest distance of a vertex from the exact point at the same parameter.", deviation},
+    Query{"deviation_pending", "", "", "Segments whose deviation on the GPU is still to be measured.", deviation_pending},
+    Query{"drawn_by", "", "", "What evaluated the polylines: processor, vertex_shader, geometry_shader or tessellation_shader.", drawn_by},
+    Query{"upload_bytes", "", "B", "Bytes written to the track's vertex buffers in the last frame.", upload_bytes},
+    Query{"polyline_upload_bytes", "", "B", "The same for polylines alone: vertices, or control points for evaluators on the GPU.", polyline_upload_bytes},
+    Query{"polyline_bytes", "", "B", "Bytes held on the GPU for all polylines.", polyline_bytes},
+    Query{"gpu_ms", "", "ms", "Time of the GPU on the polylines, a few frames ago; 0 when not measured.", gpu_ms},
     Query{"uploads", "", "", "Segments whose vertex buffers were uploaded in the last frame.", uploads},
     Query{"rebuilds", "", "", "Segments evaluated for the last frame.", rebuilds},
     Query{"recolours", "", "", "Segments whose ride colours were uploaded in the last frame.", recolours},
