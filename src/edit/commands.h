@@ -252,9 +252,9 @@ using Command = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, Set
 
 const CommandInfo& info(const Command& command);
 
-}  // namespace coaster::edit
 // The file that a command writes, or null: such commands change nothing, and scripts may write below $OUT alone.
 const std::string* output_path(const Command& command);
 // Another file for a command that writes one; nothing for others.
 void set_output_path(Command& command, std::string path);
 
+}  // namespace coaster::edit
