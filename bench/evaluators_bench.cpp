@@ -1,88 +1,155 @@
-// Time a point of every row of the evaluator table, beside a plain store of the same bytes. Each prints a checksum, so work cannot vanish.
-#include <benchmark/benchmark.h>
-
+// Time and error of a point of every row of the evaluator table, and of whole tracks by the vector kernels, beside a store of the same bytes.
+// ratio_to_store: time / time of the store (1 is the limit); ratio_to_forward_differences: how many times faster than the scalar loop.
+#include <algorithm>
+#include <cstdlib>
 #include <cstring>
-#include <random>
-#include <string>
-#include <vector>
+#include <memory>
 
-#include "curve/arc_length.h"
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+#include "bench_tracks.h"
 #include "curve/evaluators.h"
+#include "curve/kernels.h"
+#include "paired.h"
 
-namespace coaster {
+namespace coaster::bench {
 namespace {
 
-constexpr int kSegments = 1000, kSteps = 64;
+constexpr std::size_t kSegments = 1000, kManySegments = 100'000;
+constexpr int kSteps = 64;
 
-std::vector<curve::PreparedCubic> cubics() {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<float> place(-80, 80), bend(-6, 6);
-  std::vector<curve::PreparedCubic> all;
-  for (int i = 0; i < kSegments; ++i) {
-    const glm::vec3 p(place(random), place(random), place(random)), d(bend(random) + 10, bend(random), bend(random));
-    const glm::vec3 e(bend(random) + 10, bend(random), bend(random));
-    all.push_back(curve::prepare({p, p + d / 3.0f, p + d - e / 3.0f, p + d}));
+// Aligned as a mapped vertex buffer is.
+template <class T>
+class Buffer {
+ public:
+  explicit Buffer(std::size_t count)
+      : memory_(static_cast<T*>(std::aligned_alloc(64, (count * sizeof(T) + 63) / 64 * 64)), &std::free), items_(memory_.get(), count) {
+    std::memset(static_cast<void*>(memory_.get()), 1, items_.size_bytes());  // so that every page is there
   }
-  return all;
+  std::span<T> items() const { return items_; }
+
+ private:
+  std::unique_ptr<T, decltype(&std::free)> memory_;
+  std::span<T> items_;
+};
+
+void plain_store(void* to, std::size_t bytes) {
+  static int value = 1;
+  std::memset(to, value++ & 0x3f, bytes);
 }
 
-double checksum(const std::vector<glm::vec3>& points) {
-  double sum = 0;
-  for (const glm::vec3 p : points) sum += p.x + 2.0 * p.y + 3.0 * p.z;
-  return sum;
+void non_temporal_store(void* to, std::size_t bytes) {
+#if defined(__SSE2__)
+  static int value = 1;
+  const __m128i what = _mm_set1_epi32(value++);
+  auto* p = static_cast<__m128i*>(to);
+  for (std::size_t i = 0; i < bytes / 16; ++i) _mm_stream_si128(p + i, what);
+  _mm_sfence();
+#else
+  plain_store(to, bytes);
+#endif
 }
 
-void evaluator_points(benchmark::State& state, const curve::Evaluator& row, bool tangents) {
-  const auto all = cubics();
-  std::vector<glm::vec3> points((kSteps + 1) * kSegments), directions(tangents ? points.size() : 0);
-  for (auto _ : state) {
-    for (int i = 0; i < kSegments; ++i) {
-      const std::size_t first = static_cast<std::size_t>(i) * (kSteps + 1);
-      row.polyline(all[static_cast<std::size_t>(i)], std::span(points).subspan(first, kSteps + 1),
-                   tangents ? std::span(directions).subspan(first, kSteps + 1) : std::span<glm::vec3>());
-    }
-    benchmark::ClobberMemory();
-  }
-  state.counters["ns_per_point"] =
-      benchmark::Counter(static_cast<double>(points.size()) * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-  state.counters["checksum"] = checksum(points);
+// Every curve's polyline one after the other, n + 1 vertices each.
+void polylines(const curve::Evaluator& row, std::span<const curve::PreparedCubic> all, int steps, std::span<glm::vec3> points,
+               std::span<glm::vec3> tangents) {
+  const std::size_t n = static_cast<std::size_t>(steps) + 1;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    row.polyline(all[i], points.subspan(i * n, n), tangents.empty() ? tangents : tangents.subspan(i * n, n));
 }
 
-void store(benchmark::State& state) {
-  std::vector<glm::vec3> points((kSteps + 1) * kSegments);
-  int value = 1;
-  for (auto _ : state) {
-    std::memset(points.data(), value++ & 0x3f, points.size() * sizeof(glm::vec3));
-    benchmark::ClobberMemory();
+const curve::Evaluator& forward_differences() { return curve::evaluator(*curve::find_evaluator("forward_differences")); }
+
+double worst_error(const curve::Evaluator& row, std::span<const curve::PreparedCubic> all, int steps) {
+  std::vector<glm::vec3> points(static_cast<std::size_t>(steps) + 1);
+  double worst = 0;
+  for (const curve::PreparedCubic& c : all) {
+    row.polyline(c, points, {});
+    for (int i = 0; i <= steps; ++i)
+      worst = std::max(worst, glm::length(glm::dvec3(points[static_cast<std::size_t>(i)]) -
+                                          curve::point_long_double(c.cubic, static_cast<double>(i) / steps)));
   }
-  state.counters["ns_per_point"] =
-      benchmark::Counter(static_cast<double>(points.size()) * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-  state.counters["checksum"] = checksum(points);
+  return worst;
 }
 
-void arc_length_rows(benchmark::State& state, const curve::ArcLengthMethod& row) {
-  const auto all = cubics();
-  double sum = 0;
-  for (auto _ : state) {
-    sum = 0;
-    for (const curve::PreparedCubic& c : all) sum += row.length(c.cubic, kSteps);
-    benchmark::DoNotOptimize(sum);
-  }
-  state.counters["ns_per_segment"] =
-      benchmark::Counter(kSegments * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-  state.counters["checksum"] = sum;
+void evaluate(benchmark::State& state, const curve::Evaluator& row, bool with_tangents) {
+  const auto all = track_cubics(kSegments);
+  const Buffer<glm::vec3> points(kSegments * (kSteps + 1)), tangents(kSegments * (kSteps + 1));
+  const auto to = points.items(), along = with_tangents ? tangents.items() : std::span<glm::vec3>();
+  paired(state, "point", static_cast<double>(to.size()), [&] { polylines(row, all, kSteps, to, along); },
+         {{"ratio_to_store", [&] { plain_store(to.data(), to.size_bytes()), plain_store(along.data(), along.size_bytes()); }},
+          {"ratio_to_forward_differences", [&] { polylines(forward_differences(), all, kSteps, to, along); }, false}});
+  state.counters["checksum"] = checksum(to.data(), to.size());
+}
+
+// For the plot of time against error: as many vertices for every number of steps.
+void accuracy(benchmark::State& state, const curve::Evaluator& row) {
+  const int steps = static_cast<int>(state.range(0));
+  const auto all = track_cubics(std::max<std::size_t>(1, 65536 / static_cast<std::size_t>(steps)));
+  const Buffer<glm::vec3> points(all.size() * (static_cast<std::size_t>(steps) + 1));
+  paired(state, "point", static_cast<double>(points.items().size()), [&] { polylines(row, all, steps, points.items(), {}); },
+         {{"ratio_to_store", [&] { plain_store(points.items().data(), points.items().size_bytes()); }}});
+  state.counters["worst_error_m"] = worst_error(row, track_cubics(256), steps);
+  state.counters["checksum"] = checksum(points.items().data(), points.items().size());
+}
+
+void track_points(benchmark::State& state, curve::Processor on, std::size_t segments, bool past_caches) {
+  const auto all = track_cubics(segments);
+  const Buffer<glm::vec3> out(curve::track_vertices(segments, kSteps, curve::TrackLayout::chain));
+  const auto to = out.items();
+  const Work store = [&] { past_caches ? non_temporal_store(to.data(), to.size_bytes()) : plain_store(to.data(), to.size_bytes()); };
+  std::vector<Reference> references{{past_caches ? "ratio_to_non_temporal_store" : "ratio_to_store", store}};
+  const Buffer<glm::vec3> scalar(past_caches ? 1 : segments * (kSteps + 1));
+  if (!past_caches)
+    references.push_back({"ratio_to_forward_differences", [&] { polylines(forward_differences(), all, kSteps, scalar.items(), {}); }, false});
+  paired(state, "point", static_cast<double>(to.size()), [&] { curve::track_points(all, kSteps, curve::TrackLayout::chain, to, on); }, references);
+  state.counters["checksum"] = checksum(to.data(), to.size());
+}
+
+void track_vertices(benchmark::State& state, curve::Processor on, bool unit) {
+  const auto all = track_cubics(kSegments);
+  const Buffer<curve::TrackVertex> out(curve::track_vertices(kSegments, kSteps, curve::TrackLayout::polylines));
+  const auto to = out.items();
+  const Work work = [&] {
+    unit ? curve::track_vertices_with_unit_tangents(all, kSteps, to, on) : curve::track_vertices_with_tangents(all, kSteps, to, on);
+  };
+  paired(state, "point", static_cast<double>(to.size()), work, {{"ratio_to_store", [&] { plain_store(to.data(), to.size_bytes()); }}});
+  state.counters["checksum"] = checksum(&to[0].position, 2 * to.size());
+}
+
+void store(benchmark::State& state, std::size_t bytes, bool past_caches) {
+  const Buffer<char> to(bytes);
+  paired(state, "point", static_cast<double>(bytes) / 12,
+         [&] { past_caches ? non_temporal_store(to.items().data(), bytes) : plain_store(to.items().data(), bytes); }, {});
+}
+
+template <class Run, class... Rest>
+benchmark::internal::Benchmark* add(const std::string& name, Run run, Rest... rest) {
+  return benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { run(state, rest...); })->UseManualTime();
 }
 
 [[maybe_unused]] const bool registered = [] {
-  benchmark::RegisterBenchmark("evaluate/store", store);
+  add("store/positions", store, kSegments * kSteps * 12, false);
+  add("store/vertices", store, kSegments * kSteps * 24, false);
+  add("store/non_temporal", store, kManySegments * kSteps * 12, true);
   for (const curve::Evaluator& row : curve::evaluators()) {
-    benchmark::RegisterBenchmark(("evaluate/points/" + std::string(row.name)).c_str(), evaluator_points, row, false);
-    benchmark::RegisterBenchmark(("evaluate/points_and_tangents/" + std::string(row.name)).c_str(), evaluator_points, row, true);
+    if (row.stage != curve::Stage::processor) continue;  // their processor twin is Horner's row
+    const std::string name(row.name);
+    add("evaluate/points/" + name, evaluate, row, false);
+    add("evaluate/points_and_tangents/" + name, evaluate, row, true);
+    add("accuracy/" + name, accuracy, row)->Arg(16)->Arg(64)->Arg(256)->Arg(1024)->Arg(4096);
   }
-  for (const curve::ArcLengthMethod& row : curve::arc_length_methods())
-    benchmark::RegisterBenchmark(("arc_length/" + std::string(row.name)).c_str(), arc_length_rows, row);
+  for (const curve::Processor on : curve::available_processors()) {
+    const std::string path = on == curve::Processor::avx2 ? "avx2" : "baseline";
+    add("track/points/" + path, track_points, on, kSegments, false);
+    add("track/points_past_caches/" + path, track_points, on, kManySegments, true);
+    add("track/tangents/" + path, track_vertices, on, false);
+    add("track/unit_tangents/" + path, track_vertices, on, true);
+  }
   return true;
 }();
 
 }  // namespace
-}  // namespace coaster
+}  // namespace coaster::bench
