@@ -75,8 +75,6 @@ base::Status perform(Session& session, Change& change, const SetPanels& command)
 base::Status perform(Session& session, Change& change, const SetPolyline& command);
 base::Status perform(Session& session, Change& change, const SetAppendMode& command);
 base::Status perform(Session& session, Change& change, const SetScale& command);
-
-// Motion.
 base::Status perform(Session& session, Change& change, const ShowLayer& command);
 base::Status perform(Session& session, Change& change, const SetMagnification& command);
 base::Status perform(Session& session, Change& change, const SetCombScale& command);
@@ -84,6 +82,8 @@ base::Status perform(Session& session, Change& change, const ShowLaboratory& com
 base::Status perform(Session& session, Change& change, const OpenPage& command);
 base::Status perform(Session& session, Change& change, const Measure& command);
 base::Status perform(Session& session, Change& change, const StopMeasuring& command);
+
+// Motion.
 base::Status perform(Session& session, Change& change, const RideStart& command);
 base::Status perform(Session& session, Change& change, const RidePause& command);
 base::Status perform(Session& session, Change& change, const RideStop& command);

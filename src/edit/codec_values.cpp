@@ -13,9 +13,6 @@ namespace {
 Names joint_names() {
   return {"smooth", "aligned", "automatic"};
 }
-Names frame_names() {
-  return {"knots", "frenet"};
-}
 Names mode_names() {
   return {"orbit", "ride"};
 }
@@ -26,11 +23,12 @@ Names evaluator_names() {
 Names arc_length_names() {
   return names_of(curve::arc_length_methods());
 }
+Names frame_names() {
+  return {"knots", "frenet"};
+}
 Names integrator_names() {
   return names_of(sim::integrators());
 }
-
-std::string joined(const Names& names) {
 
 template <class T, class Parse>
 bool read_number(WordReader& words, std::string_view what, Parse parse, T& value) {
@@ -44,6 +42,7 @@ bool read_number(WordReader& words, std::string_view what, Parse parse, T& value
 
 }  // namespace
 
+std::string joined(const Names& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : "|") + name;
   return text;

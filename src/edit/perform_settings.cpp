@@ -12,8 +12,8 @@ using base::Status;
 
 constexpr std::int64_t kMinBudget = 1'000, kMaxBudget = 1'000'000'000;
 constexpr float kMaxPitch = 89, kMinDistance = 0.5f, kMaxDistance = 20'000;
-constexpr float kMinScale = 0.75f, kMaxScale = 3;
 constexpr double kMinMagnification = 1, kMaxMagnification = 1e7, kMinCombScale = 0.001, kMaxCombScale = 1e6;
+constexpr float kMinScale = 0.75f, kMaxScale = 3;
 
 // Commands read from text name rows; others may come from anywhere.
 template <class Id, class Rows>
@@ -118,9 +118,6 @@ Status perform(Session& session, Change&, const SetAppendMode& command) {
   return {};
 }
 
-Status perform(Session& session, Change& change, const SetScale& command) {
-  if (!std::isfinite(command.to)) return refused("expected a finite scale");
-  session.settings.ui_scale = change.clamp("scale", command.to, kMinScale, kMaxScale);
 Status perform(Session& session, Change&, const ShowLayer& command) {
   const Status known = known_row(command.what, world::layers());
   if (!known) return known;
@@ -159,6 +156,9 @@ Status perform(Session& session, Change&, const StopMeasuring&) {
   return {};
 }
 
+Status perform(Session& session, Change& change, const SetScale& command) {
+  if (!std::isfinite(command.to)) return refused("expected a finite scale");
+  session.settings.ui_scale = change.clamp("scale", command.to, kMinScale, kMaxScale);
   return {};
 }
 
