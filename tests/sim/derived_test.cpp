@@ -144,5 +144,47 @@ TEST(derived, the_clock_measures_evaluation_alone) {
   EXPECT_EQ(derived.evaluated_vertices, 8 * 65);
 }
 
+TEST(derived, evaluators_on_the_gpu_leave_no_polylines_and_cost_no_rebuild) {
+  world::Document d = test::ring_document(8, 17.3);
+  world::Settings settings;
+  settings.steps = 7;
+  Derived derived;
+  derive(d, settings, {}, derived);
+  const double length = derived.length, measured = derived.measured_length;
+  std::uint64_t last = derived.last_build;
+  for (std::size_t row = 0; row < curve::evaluators().size(); ++row) {
+    if (curve::evaluators()[row].stage == curve::Stage::processor) continue;
+    settings.evaluator = static_cast<curve::EvaluatorId>(row);
+    for (const int steps : {7, 4096, 1}) {
+      settings.steps = steps;
+      derive(d, settings, {}, derived);
+      EXPECT_EQ(derived.stage, curve::evaluators()[row].stage);
+      EXPECT_EQ(derived.steps, steps);
+      EXPECT_EQ(derived.vertices, 8 * (steps + 1));
+      EXPECT_EQ(derived.rebuilds, 0);
+      EXPECT_EQ(derived.evaluated_vertices, 0);
+      EXPECT_EQ(derived.last_build, last);
+      EXPECT_EQ(derived.deviation, 0);
+    }
+    for (const world::Entity e : derived.order) EXPECT_EQ(derived.shape(e).points.capacity() + derived.shape(e).tangents.capacity(), 0u);
+  }
+  EXPECT_EQ(derived.length, length);
+  EXPECT_EQ(derived.measured_length, measured);
+  d.entities.get<world::Knot>(d.track.knots[3]).position.y += 0.7f;
+  derive(d, settings, {}, derived);
+  EXPECT_EQ(derived.rebuilds, 2);
+  EXPECT_EQ(derived.evaluated_vertices, 0);
+  settings.evaluator = curve::EvaluatorId{0};
+  settings.steps = 7;
+  last = derived.last_build;
+  derive(d, settings, {}, derived);
+  EXPECT_EQ(derived.rebuilds, 8);
+  EXPECT_GT(derived.deviation, 0);
+  for (const world::Entity e : derived.order) {
+    EXPECT_EQ(derived.shape(e).points.size(), 8u);
+    EXPECT_GT(derived.shape(e).polyline_build, last);
+  }
+}
+
 }  // namespace
 }  // namespace coaster::sim
