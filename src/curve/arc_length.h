@@ -54,7 +54,7 @@ constexpr double kFinestTolerance = 1e-12;
 
 // Integral of |B'| over [t0,t1], t0 <= t1, in metres, by adaptive Gauss-Legendre in double, with a relative error below
 // `relative_tolerance` (1e-12 to 0.1; finer is taken as 1e-12) on every kind of cubic, cusps included. The default is what the ride
-// uses, the same bits on every machine: 8 and 16 nodes, 24 evaluations of B' where nothing is halved. Coarser tolerances take 8 to 16
+// uses, the same bits on every machine: 8 and 16 nodes, 24 evaluations of B' where nothing is halved. Coarser tolerances take 10 to 24
 // nodes and estimate the error from the same samples. At a stop of the curve (a cusp) the work is bounded: at most 30 halvings towards it.
 double arc_length(const Cubic& cubic, double t0 = 0.0, double t1 = 1.0, double relative_tolerance = kFinestTolerance);
 LengthEstimate measure_arc_length(const Cubic& cubic, double t0 = 0.0, double t1 = 1.0, double relative_tolerance = kFinestTolerance);

@@ -16,8 +16,11 @@ EmbeddedRule<kHalf> make_embedded() {
     const long double x = full.nodes[kHalf + i], w = full.weights[kHalf + i] / 2;
     rule.x[i] = static_cast<double>(x);
     rule.weight[i] = static_cast<double>(w);
-    rule.even[i] = static_cast<double>((2 * kNodes - 3) * w * legendre(kNodes - 2, x));
-    rule.odd[i] = static_cast<double>((2 * kNodes - 1) * w * legendre(kNodes - 1, x));
+    const auto coefficient = [&](int k) { return static_cast<double>((2 * k + 1) * w * legendre(k, x)); };
+    rule.odd[0][i] = coefficient(kNodes - 1);
+    rule.even[0][i] = coefficient(kNodes - 2);
+    rule.odd[1][i] = coefficient(kNodes - 3);
+    rule.even[1][i] = coefficient(kNodes - 4);
   }
   return rule;
 }
@@ -28,12 +31,12 @@ constexpr int kMaxDepth = 30;
 
 template <int kHalf>
 struct GaussLegendre {
-  double tolerance, steadiness, floor;
+  double tolerance, floor;
   const EmbeddedRule<kHalf>& rule = embedded_rule<kHalf>();
   LengthEstimate total{};
 
   void add(const Hodograph& h, int depth) {
-    if (detail::steadiness(h) >= steadiness) {
+    if (steadiness(h) >= kSteadyEnough) {
       const Sampled s = sample(speed_quartic(h), rule);
       const double error = estimated_error(s);
       total.evaluations += 2 * kHalf;
@@ -59,11 +62,11 @@ struct GaussLegendre {
 };
 
 template <int kHalf>
-LengthEstimate gauss_legendre(const Hodograph& h, double tolerance, double steady) {
-  GaussLegendre<kHalf> rule{tolerance, steady, 0.0};
+LengthEstimate gauss_legendre(const Hodograph& h, double tolerance) {
+  GaussLegendre<kHalf> rule{tolerance, 0.0};
   rule.total.error_bound = 0;
   // Most pieces of a track pass as they are, and need no floor.
-  if (detail::steadiness(h) >= steady) {
+  if (steadiness(h) >= kSteadyEnough) {
     const Sampled s = sample(speed_quartic(h), rule.rule);
     const double error = estimated_error(s);
     if (error <= tolerance * s.length) return {s.length, error + 1e-15 * s.length, 2 * kHalf};
@@ -131,18 +134,17 @@ const EmbeddedRule<kHalf>& embedded_rule() {
   static const EmbeddedRule<kHalf> rule = make_embedded<kHalf>();
   return rule;
 }
-template const EmbeddedRule<4>& embedded_rule<4>();
-template const EmbeddedRule<6>& embedded_rule<6>();
-template const EmbeddedRule<8>& embedded_rule<8>();
+template const EmbeddedRule<5>& embedded_rule<5>();
+template const EmbeddedRule<7>& embedded_rule<7>();
+template const EmbeddedRule<10>& embedded_rule<10>();
 template const EmbeddedRule<12>& embedded_rule<12>();
 
 LengthEstimate adaptive_gauss_legendre(const Hodograph& h, double tolerance) {
-  const Precision p = precision_for(tolerance);
-  switch (p.half_nodes) {
-    case 4: return gauss_legendre<4>(h, tolerance, p.steadiness);
-    case 6: return gauss_legendre<6>(h, tolerance, p.steadiness);
-    case 8: return gauss_legendre<8>(h, tolerance, p.steadiness);
-    default: return gauss_legendre<12>(h, tolerance, p.steadiness);
+  switch (half_nodes_for(tolerance)) {
+    case 5: return gauss_legendre<5>(h, tolerance);
+    case 7: return gauss_legendre<7>(h, tolerance);
+    case 10: return gauss_legendre<10>(h, tolerance);
+    default: return gauss_legendre<12>(h, tolerance);
   }
 }
 

@@ -51,48 +51,50 @@ COASTER_AVX2 inline LaneHodograph load(const Cubic* four) {
   return {scale(3.0, sub(p1, p0)), scale(3.0, sub(p2, p1)), scale(3.0, sub(p3, p2))};
 }
 
-// Bit i: lane i is at least that steady; as detail::steadiness.
-COASTER_AVX2 inline __m256d is_steady(const LaneHodograph& h, double steadiness) {
+// All bits of the lanes that are steady enough; as detail::steadiness.
+COASTER_AVX2 inline __m256d is_steady(const LaneHodograph& h) {
   const Lanes3 m = add(h.v0, add(h.v1, h.v2));
   const __m256d least = _mm256_min_pd(dot(h.v0, m), _mm256_min_pd(dot(h.v1, m), dot(h.v2, m)));
   const __m256d most = _mm256_max_pd(dot(h.v0, h.v0), _mm256_max_pd(dot(h.v1, h.v1), dot(h.v2, h.v2)));
   // least / sqrt(most m.m) >= s without the root: both sides squared, where least is positive.
-  const __m256d wanted = _mm256_mul_pd(splat(steadiness * steadiness), _mm256_mul_pd(most, dot(m, m)));
+  const __m256d wanted = _mm256_mul_pd(splat(detail::kSteadyEnough * detail::kSteadyEnough), _mm256_mul_pd(most, dot(m, m)));
   return _mm256_and_pd(_mm256_cmp_pd(least, _mm256_setzero_pd(), _CMP_GT_OQ), _mm256_cmp_pd(_mm256_mul_pd(least, least), wanted, _CMP_GE_OQ));
 }
 
 // Lengths of four cubics; the mask says which lanes meet the tolerance.
 template <int kHalf>
-COASTER_AVX2 int measure_four(const Cubic* four, const detail::EmbeddedRule<kHalf>& rule, double tolerance, double steadiness, double* lengths) {
+COASTER_AVX2 int measure_four(const Cubic* four, const detail::EmbeddedRule<kHalf>& rule, double tolerance, double* lengths) {
   const LaneHodograph h = load(four);
   const Lanes3 sum02 = add(h.v0, h.v2), w0 = scale(0.25, add(sum02, scale(2.0, h.v1))), w1 = scale(0.5, sub(h.v2, h.v0)),
                w2 = scale(0.25, sub(sum02, scale(2.0, h.v1)));
   const __m256d two = splat(2.0), e0 = dot(w0, w0), o1 = _mm256_mul_pd(two, dot(w0, w1)), e2 = _mm256_fmadd_pd(two, dot(w0, w2), dot(w1, w1)),
                 o3 = _mm256_mul_pd(two, dot(w1, w2)), e4 = dot(w2, w2), zero = _mm256_setzero_pd();
-  __m256d sum = zero, even = zero, odd = zero;
+  __m256d sum = zero, even0 = zero, even1 = zero, odd0 = zero, odd1 = zero;
   for (std::size_t i = 0; i < kHalf; ++i) {
     const __m256d u = splat(rule.x[i]), uu = splat(rule.x[i] * rule.x[i]);
     const __m256d e = _mm256_fmadd_pd(uu, _mm256_fmadd_pd(uu, e4, e2), e0), o = _mm256_mul_pd(u, _mm256_fmadd_pd(uu, o3, o1));
     const __m256d plus = _mm256_sqrt_pd(_mm256_max_pd(zero, _mm256_add_pd(e, o))), minus = _mm256_sqrt_pd(_mm256_max_pd(zero, _mm256_sub_pd(e, o)));
-    const __m256d both = _mm256_add_pd(plus, minus);
+    const __m256d both = _mm256_add_pd(plus, minus), change = _mm256_sub_pd(plus, minus);
     sum = _mm256_fmadd_pd(splat(rule.weight[i]), both, sum);
-    even = _mm256_fmadd_pd(splat(rule.even[i]), both, even);
-    odd = _mm256_fmadd_pd(splat(rule.odd[i]), _mm256_sub_pd(plus, minus), odd);
+    even0 = _mm256_fmadd_pd(splat(rule.even[0][i]), both, even0);
+    even1 = _mm256_fmadd_pd(splat(rule.even[1][i]), both, even1);
+    odd0 = _mm256_fmadd_pd(splat(rule.odd[0][i]), change, odd0);
+    odd1 = _mm256_fmadd_pd(splat(rule.odd[1][i]), change, odd1);
   }
   _mm256_storeu_pd(lengths, sum);
-  // detail::estimated_error <= tolerance * length: last <= tolerance * length, or 10 last^2 <= tolerance * length^2.
-  const __m256d last = _mm256_max_pd(absolute(even), absolute(odd)), allowed = _mm256_mul_pd(splat(tolerance), sum);
-  const __m256d linear = _mm256_cmp_pd(last, allowed, _CMP_LE_OQ),
-                square = _mm256_cmp_pd(_mm256_mul_pd(splat(10.0), _mm256_mul_pd(last, last)), _mm256_mul_pd(allowed, sum), _CMP_LE_OQ);
-  return _mm256_movemask_pd(_mm256_and_pd(is_steady(h, steadiness), _mm256_or_pd(linear, square)));
+  // detail::estimated_error <= tolerance * length, times the length.
+  const __m256d last = _mm256_max_pd(_mm256_max_pd(absolute(even0), absolute(even1)), _mm256_max_pd(absolute(odd0), absolute(odd1)));
+  const __m256d error = _mm256_mul_pd(splat(detail::kCoefficientFactor), _mm256_mul_pd(last, last)),
+                allowed = _mm256_mul_pd(splat(tolerance), _mm256_mul_pd(sum, sum));
+  return _mm256_movemask_pd(_mm256_and_pd(is_steady(h), _mm256_cmp_pd(error, allowed, _CMP_LE_OQ)));
 }
 
 template <int kHalf>
-COASTER_AVX2 void four_by_four(std::span<const Cubic> cubics, double tolerance, double steadiness, std::span<double> lengths) {
+COASTER_AVX2 void four_by_four(std::span<const Cubic> cubics, double tolerance, std::span<double> lengths) {
   const detail::EmbeddedRule<kHalf>& rule = detail::embedded_rule<kHalf>();
   std::size_t i = 0;
   for (; i + 4 <= cubics.size(); i += 4) {
-    const int met = measure_four<kHalf>(&cubics[i], rule, tolerance, steadiness, &lengths[i]);
+    const int met = measure_four<kHalf>(&cubics[i], rule, tolerance, &lengths[i]);
     for (std::size_t lane = 0; met != 15 && lane < 4; ++lane)
       if (!(met >> lane & 1)) lengths[i + lane] = arc_length(cubics[i + lane], 0.0, 1.0, tolerance);
   }
@@ -110,12 +112,11 @@ void arc_lengths(std::span<const Cubic> cubics, double relative_tolerance, std::
   const double tolerance = std::clamp(relative_tolerance, kFinestTolerance, 0.1);
 #if COASTER_HAS_AVX2_LANES
   if (has_avx2()) {
-    const detail::Precision p = detail::precision_for(tolerance);
-    switch (p.half_nodes) {
-      case 4: return four_by_four<4>(cubics, tolerance, p.steadiness, lengths);
-      case 6: return four_by_four<6>(cubics, tolerance, p.steadiness, lengths);
-      case 8: return four_by_four<8>(cubics, tolerance, p.steadiness, lengths);
-      default: return four_by_four<12>(cubics, tolerance, p.steadiness, lengths);
+    switch (detail::half_nodes_for(tolerance)) {
+      case 5: return four_by_four<5>(cubics, tolerance, lengths);
+      case 7: return four_by_four<7>(cubics, tolerance, lengths);
+      case 10: return four_by_four<10>(cubics, tolerance, lengths);
+      default: return four_by_four<12>(cubics, tolerance, lengths);
     }
   }
 #endif

@@ -82,4 +82,30 @@ inline std::vector<CubicSet> cubic_sets(int count, unsigned seed) {
   return sets;
 }
 
+// `count` random cubics of each degenerate kind, anywhere within 90 m of the origin unless the kind says otherwise.
+inline std::vector<CubicSet> degenerate_sets(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> place(-90, 90), near(-20, 20), share(0.02f, 0.98f), far(-1e5f, 1e5f);
+  const auto offset = [&] { return glm::vec3{near(random), near(random), near(random)}; };
+  std::vector<CubicSet> sets{{"point", {}},        {"handle_on_anchor", {}}, {"crossed", {}},      {"vertical", {}},     {"closed", {}},
+                             {"out_and_back", {}}, {"inflection", {}},       {"uneven_straight", {}}, {"nanometre", {}}, {"far", {}}};
+  for (int i = 0; i < count; ++i) {
+    const glm::vec3 p{place(random), place(random), place(random)}, d = offset(), e = offset(), f = offset();
+    const glm::vec3 up{0, near(random), 0};
+    const float a = share(random), b = share(random);
+    sets[0].cubics.push_back({p, p, p, p});
+    sets[1].cubics.push_back(i % 3 == 0 ? Cubic{p, p, p + d, p + e} : i % 3 == 1 ? Cubic{p, p + d, p + e, p + e} : Cubic{p, p, p + e, p + e});
+    sets[2].cubics.push_back({p, p + 1.7f * d + e, p + e - 0.6f * d, p + d});
+    sets[3].cubics.push_back({p, p + a * up, p + b * up, p + up});
+    sets[4].cubics.push_back({p, p + d, p + e, p});
+    sets[5].cubics.push_back({p, p + d, p - a * d, p + (b - 0.5f) * d});
+    sets[6].cubics.push_back({p, p + d + e, p + d - e, p + 2.0f * d});
+    sets[7].cubics.push_back({p, p + 0.1f * a * d, p + 0.9f * d, p + d});
+    sets[8].cubics.push_back({1e-10f * p, 1e-10f * (p + d), 1e-10f * (p + e), 1e-10f * (p + f)});
+    const glm::vec3 q{far(random), far(random), far(random)};
+    sets[9].cubics.push_back({q, q + d, q + e, q + f});
+  }
+  return sets;
+}
+
 }  // namespace coaster::curve
