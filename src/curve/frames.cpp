@@ -9,6 +9,14 @@ namespace {
 
 using glm::dvec3;
 
+// The curvature that rounding the control points to float may make of none: each is off by up to half an ulp of the largest coordinate.
+double rounding_curvature(const Cubic& c, double speed, double second) {
+  float largest = 0;
+  for (const glm::vec3& p : {c.p0, c.p1, c.p2, c.p3}) largest = std::fmax(largest, std::fmax(std::fabs(p.x), std::fmax(std::fabs(p.y), std::fabs(p.z))));
+  const double half_ulp = double{largest} * 0x1p-24;
+  return half_ulp * (12.0 * speed + 6.0 * second) / (speed * speed * speed);
+}
+
 // Unit, and exactly perpendicular to rounding; `up` must not be parallel to `forward`.
 Frame orthonormal(dvec3 forward, dvec3 up) { return {forward, perpendicular(forward, up)}; }
 
@@ -21,10 +29,45 @@ std::optional<FrenetFrame> frenet(const Cubic& cubic, double t) {
   const dvec3 binormal = glm::cross(d, dd);
   const double size = glm::length(binormal), k = size / (speed * speed * speed);
   // Paper erratum: where the curvature is 0 there is no normal; it flips across an inflection.
-  if (!(k > 1e-9)) return std::nullopt;
+  if (!(k > 1e-9) || !(k > rounding_curvature(cubic, speed, glm::length(dd)))) return std::nullopt;
   const dvec3 tangent = d / speed, b = binormal / size;
   const double torsion = glm::dot(binormal, third_derivative(cubic)) / (size * size);
   return FrenetFrame{tangent, glm::cross(b, tangent), b, k, torsion};
+}
+
+BinormalCurve binormal_curve(const Cubic& cubic) {
+  // With B' = a + t b + t^2 c and B'' = b + 2 t c the terms of t^2 and t^3 that have a factor twice cancel.
+  const CoefficientsD k = coefficients_d(cubic);
+  const dvec3 a = k.c1, b = 2.0 * k.c2, c = 3.0 * k.c3;
+  return {glm::cross(a, b), 2.0 * glm::cross(a, c), glm::cross(b, c)};
+}
+
+BinormalMinima binormal_minima(const BinormalCurve& curve) {
+  // The derivative of |b(t)|^2, halved: a cubic polynomial.
+  const double d0 = glm::dot(curve.b0, curve.b1), d1 = glm::dot(curve.b1, curve.b1) + 2.0 * glm::dot(curve.b0, curve.b2),
+               d2 = 3.0 * glm::dot(curve.b1, curve.b2), d3 = 2.0 * glm::dot(curve.b2, curve.b2);
+  const auto slope = [&](double t) { return d0 + t * (d1 + t * (d2 + t * d3)); };
+  constexpr int kIntervals = 32;
+  BinormalMinima found;
+  double last = slope(0.0);
+  for (int i = 1; i <= kIntervals && found.count < 2; ++i) {
+    const double next = slope(static_cast<double>(i) / kIntervals);
+    if (last < 0.0 && next >= 0.0) {
+      double low = (i - 1.0) / kIntervals, high = static_cast<double>(i) / kIntervals;
+      while (high - low > 1e-10) {
+        const double middle = 0.5 * (low + high);
+        (slope(middle) < 0.0 ? low : high) = middle;
+      }
+      if (high < 1.0) found.t[found.count++] = high;
+    }
+    last = next;
+  }
+  return found;
+}
+
+double binormal_turn(const BinormalCurve& curve, double t0, double t1) {
+  const dvec3 from = curve.at(t0), to = curve.at(t1);
+  return std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to));
 }
 
 Frame transport(const Frame& from, dvec3 x0, dvec3 x1, dvec3 t1) {

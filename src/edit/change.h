@@ -60,6 +60,8 @@ base::Status perform(Session& session, Change& change, const AddCart& command);
 base::Status perform(Session& session, Change& change, const SetName& command);
 base::Status perform(Session& session, Change& change, const SetStartSpeed& command);
 base::Status perform(Session& session, Change& change, const SetDatum& command);
+base::Status perform(Session& session, Change& change, const MakeG2& command);
+base::Status perform(Session& session, Change& change, const MakeAllG2& command);
 
 // Settings.
 base::Status perform(Session& session, Change& change, const SetEvaluator& command);

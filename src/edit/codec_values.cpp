@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "sim/frame_methods.h"
 #include "sim/ride.h"
 
 namespace coaster::edit {
@@ -24,7 +25,7 @@ Names arc_length_names() {
   return names_of(curve::arc_length_methods());
 }
 Names frame_names() {
-  return {"knots", "frenet"};
+  return names_of(sim::frame_methods());
 }
 Names integrator_names() {
   return names_of(sim::integrators());

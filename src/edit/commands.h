@@ -106,6 +106,17 @@ struct SetDatum {
   COASTER_FIELDS(visit("", self.to))
 };
 
+// The joints of a track made G2 by the least movement (edit/joint_repair.h).
+struct MakeG2 {
+  Target knot;
+  COASTER_COMMAND("make_g2", "Give a knot's two segments one curvature (G2) by moving the least; other joints keep their class.", Effect::document);
+  COASTER_FIELDS(visit("", self.knot))
+};
+struct MakeAllG2 {
+  COASTER_COMMAND("make_all_g2", "Make every joint G2 by moving little; says which could not be.", Effect::document);
+  COASTER_FIELDS()
+};
+
 // --- settings ---------------------------------------------------------------------------------------------------------
 struct SetEvaluator {
   curve::EvaluatorId to{};
@@ -129,7 +140,7 @@ struct SetArcLength {
 };
 struct SetFrames {
   world::FrameMethod to{};
-  COASTER_COMMAND("frames_by", "Orient carts by the knots' frames (knots) or by Frenet-Serret (frenet).", Effect::settings);
+  COASTER_COMMAND("frames_by", "Turn carts by the knots' banked frames (knots), rotation-minimising along the track (rmf), Frenet-Serret (frenet) or upright (world_up).", Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };
 // A row of sim::integrators(), by name in text.
@@ -242,7 +253,7 @@ struct NewTrack {
 };
 
 using Command = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve,
-                             AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum,  //
+                             AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2,  //
                              SetEvaluator, SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera,
                              SetCameraMode, Select, SetPanels, SetPolyline, SetAppendMode, SetScale, ShowLayer, SetMagnification,
                              SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,                 //

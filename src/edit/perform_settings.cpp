@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "edit/change.h"
+#include "sim/frame_methods.h"
 
 namespace coaster::edit {
 namespace {
@@ -61,6 +62,8 @@ Status perform(Session& session, Change& change, const SetArcLength& command) {
 }
 
 Status perform(Session& session, Change&, const SetFrames& command) {
+  const Status known = known_row(command.to, sim::frame_methods());
+  if (!known) return known;
   session.settings.frames = command.to;
   return {};
 }

@@ -8,6 +8,7 @@ namespace coaster::query {
 std::span<const Query> document_rows();
 std::span<const Query> ride_rows();
 std::span<const Query> session_rows();
+std::span<const Query> joint_rows();
 std::span<const Query> lab_rows();
 
 // The entity of that kind called `argument` ("@k3" or "k3"), or a Status that says what is wrong and what may be meant.

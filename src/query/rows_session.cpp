@@ -2,6 +2,7 @@
 #include <array>
 
 #include "query/rows.h"
+#include "sim/frame_methods.h"
 
 namespace coaster::query {
 namespace {
@@ -9,13 +10,7 @@ namespace {
 using Answer = base::Result<Value>;
 using View = std::string_view;
 
-Answer frames_by(const Context& c, View) {
-  switch (c.session.settings.frames) {
-    case world::FrameMethod::knots: return text("knots");
-    case world::FrameMethod::frenet: return text("frenet");
-  }
-  return text("");
-}
+Answer frames_by(const Context& c, View) { return text(sim::frame_methods()[static_cast<std::size_t>(c.session.settings.frames)].name); }
 Answer integrator(const Context& c, View) { return text(sim::integrators()[static_cast<std::size_t>(c.session.settings.integrator)].name); }
 
 Answer selected(const Context& c, View) {
@@ -57,7 +52,7 @@ Answer width(const Context& c, View) { return number(c.stats.width); }
 Answer height(const Context& c, View) { return number(c.stats.height); }
 
 constexpr std::array kRows{
-    Query{"frames_by", "", "", "How carts are oriented: knots or frenet.", frames_by},
+    Query{"frames_by", "", "", "How carts are turned: knots, rmf, frenet or world_up.", frames_by},
     Query{"integrator", "", "", "How carts move.", integrator},
     Query{"selected", "", "", "What is selected, such as k4; none when nothing is.", selected},
     Query{"selected_t", "", "", "The picked place on the selected segment, a parameter from 0 to 1.", selected_t},

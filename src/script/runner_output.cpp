@@ -31,7 +31,12 @@ std::vector<std::string> arguments_of(std::string_view argument, const world::Do
   const auto add = [&](const std::vector<world::Entity>& entities) {
     for (const world::Entity e : entities) names.push_back("@" + world::label_of(document, e));
   };
-  if (argument.find("document") != std::string_view::npos) return {"document", "motion"};
+  // "document|motion": each of the words.
+  while (!argument.empty() && !argument.starts_with('@')) {
+    const std::size_t bar = std::min(argument.find('|'), argument.size());
+    names.emplace_back(argument.substr(0, bar));
+    argument.remove_prefix(std::min(bar + 1, argument.size()));
+  }
   if (argument.find("@knot") != std::string_view::npos) add(document.track.knots);
   if (argument.find("@segment") != std::string_view::npos) add(document.track.segments);
   if (argument.find("@cart") != std::string_view::npos) add(document.entities.pool<world::Cart>().entities());

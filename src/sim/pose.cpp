@@ -1,6 +1,8 @@
 // Where carts are in space, how they are turned, and what their riders feel.
 #include <cmath>
 
+#include "base/check.h"
+#include "sim/frame_methods.h"
 #include "sim/ride.h"
 
 namespace coaster::sim {
@@ -18,15 +20,10 @@ dvec3 heartline_point(const SegmentShape& shape, double s, double heartline) {
 Pose pose(const Derived& derived, const world::CartMotion& cart, world::FrameMethod method) {
   const SegmentShape& shape = derived.shape(cart.segment);
   const double t = shape.arc.parameter(cart.s);
-  Pose out;
-  out.position = curve::point(shape.key.cubic, t);
-  out.frame = frame_at(shape, cart.s);
-  if (method == world::FrameMethod::frenet) {
-    const auto frenet = curve::frenet(shape.key.cubic, t);
-    out.frenet_defined = frenet.has_value();
-    if (frenet) out.frame = {frenet->tangent, frenet->normal};
-  }
-  return out;
+  const std::size_t index = index_of_segment(derived, cart.segment, cart.track_distance);
+  COASTER_CHECK(index < derived.order.size(), "a cart is on a segment of the track");
+  const TrackFrame at = track_frame(derived, method, index, cart.s);
+  return {curve::point(shape.key.cubic, t), at.frame, at.defined};
 }
 
 Felt felt(const Derived& derived, const world::CartMotion& cart, double heartline) {

@@ -62,12 +62,12 @@ void seek(const world::Document& document, const Derived& derived, world::Entity
 double energy(const world::Document& document, const Derived& derived, const world::CartMotion& cart);
 double energy_drift(const world::Document& document, const Derived& derived, const world::CartMotion& cart);
 
-// Where a cart is and how it is turned: by the knots' frames, or as in the paper by Frenet-Serret, `up` being the principal
-// normal; where that is undefined the knots' frame stands in and frenet_defined is false.
+// Where a cart is and how it is turned, by one of the methods of sim/frame_methods.h; where that is undefined another frame stands in
+// and `defined` is false.
 struct Pose {
   glm::dvec3 position{0};
   curve::Frame frame;
-  bool frenet_defined = true;
+  bool defined = true;
 };
 Pose pose(const Derived& derived, const world::CartMotion& cart, world::FrameMethod method);
 

@@ -1,8 +1,7 @@
 // Ride: running the carts, how they move, and what the riders feel.
 #include <imgui.h>
 
-#include <utility>
-
+#include "sim/frame_methods.h"
 #include "ui/panels.h"
 
 namespace coaster::ui {
@@ -42,14 +41,11 @@ void read_outs(Ui& ui) {
 
 void methods(Ui& ui) {
   const world::Settings& settings = ui.session().settings;
-  heading(ui, "Frame method", "What carts and ties are oriented by.");
-  constexpr std::pair<const char*, world::FrameMethod> kFrames[] = {{"Frenet-Serret", world::FrameMethod::frenet},
-                                                                    {"Rotation-minimising", world::FrameMethod::knots}};
-  constexpr const char* kTooltips[] = {
-      "Tangent, principal normal, binormal: T, N = T'/|T'|, B = T \u00D7 N. Undefined on straights, and flips across an inflection.",
-      "The knots' up carried by double reflection, turning about the tangent as little as can be; the twist to the next knot is spread over the segment."};
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (radio(ui, kFrames[i].first, settings.frames == kFrames[i].second, kTooltips[i])) ui.emit(edit::SetFrames{kFrames[i].second});
+  heading(ui, "Frame method", "What carts and the ride camera are turned by. The track stays banked by its knots.");
+  const auto rows = sim::frame_methods();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto method = static_cast<world::FrameMethod>(i);
+    if (radio(ui, std::string(rows[i].label), settings.frames == method, std::string(rows[i].formula))) ui.emit(edit::SetFrames{method});
   }
   std::vector<Choice> choices;
   for (const auto& row : sim::integrators()) choices.push_back({std::string(row.label), std::string(row.formula)});

@@ -20,7 +20,8 @@ struct Camera {
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-enum class FrameMethod : std::uint8_t { knots, frenet };  // how carts and ties are oriented
+// How carts and the ride camera are turned: a row of sim::frame_methods(), in its order.
+enum class FrameMethod : std::uint8_t { knots, rmf, frenet, world_up };
 enum class CameraMode : std::uint8_t { orbit, ride };
 
 struct Settings {

@@ -76,7 +76,7 @@ TEST(pose, frenet_points_up_to_the_centre_of_curvature) {
   const glm::dvec3 centre(3.3, 9.2, -2.9);
   for (const double distance : {1.3, 17.1, 30.7}) {
     const Pose p = pose(derived, at_distance(derived, distance, 5), world::FrameMethod::frenet);
-    EXPECT_TRUE(p.frenet_defined);
+    EXPECT_TRUE(p.defined);
     EXPECT_NEAR(glm::dot(p.frame.up, glm::normalize(centre - p.position)), 1, 1e-5);
   }
 }
@@ -88,9 +88,9 @@ TEST(pose, where_frenet_is_undefined_the_knots_frame_stands_in) {
   const Derived derived = test::derived_of(d);
   const world::CartMotion cart = at_distance(derived, 11.3, 5);
   const Pose frenet = pose(derived, cart, world::FrameMethod::frenet), knots = pose(derived, cart, world::FrameMethod::knots);
-  EXPECT_FALSE(frenet.frenet_defined);
+  EXPECT_FALSE(frenet.defined);
   EXPECT_EQ(frenet.frame.up, knots.frame.up);
-  EXPECT_TRUE(knots.frenet_defined);
+  EXPECT_TRUE(knots.defined);
 }
 
 }  // namespace

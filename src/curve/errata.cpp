@@ -1,0 +1,157 @@
+#include "curve/errata.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "curve/arc_length.h"
+#include "curve/frames.h"
+
+namespace coaster::curve {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+using Quad = std::array<dvec2, 4>;
+
+// The control points seen along the mean normal of the closed polygon p0 p1 p2 p3 (Newell's); nothing when they lie on one line.
+struct View {
+  bool flat = false;
+  dvec3 origin{0}, right{1, 0, 0}, up{0, 1, 0};
+  dvec2 operator()(dvec3 p) const { return {glm::dot(p - origin, right), glm::dot(p - origin, up)}; }
+};
+View view_of(const Cubic& c) {
+  const dvec3 p[] = {dvec3(c.p0), dvec3(c.p1), dvec3(c.p2), dvec3(c.p3)};
+  dvec3 normal(0);
+  double size = 0;
+  for (int i = 0; i < 4; ++i) normal += glm::cross(p[i] - p[0], p[(i + 1) % 4] - p[0]);
+  for (int i = 1; i < 4; ++i) size = std::max(size, glm::length(p[i] - p[0]));
+  // A polygon that crosses itself can have no mean normal: any normal of its plane will do.
+  for (int i = 1; i < 4 && !(glm::length(normal) > 1e-9 * size * size); ++i)
+    for (int k = i + 1; k < 4 && !(glm::length(normal) > 1e-9 * size * size); ++k) normal = glm::cross(p[i] - p[0], p[k] - p[0]);
+  View view;
+  view.origin = p[0];
+  if (!(glm::length(normal) > 1e-9 * size * size) || !(size > 0)) return view;
+  normal = glm::normalize(normal);
+  view.flat = true;
+  view.right = perpendicular(normal, {1, 0, 0});
+  view.up = glm::cross(normal, view.right);
+  return view;
+}
+
+double turn(dvec2 a, dvec2 b, dvec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+double distance_to_edge(dvec2 p, dvec2 a, dvec2 b) {
+  const dvec2 d = b - a;
+  const double squared = glm::dot(d, d);
+  const double t = squared > 0 ? std::clamp(glm::dot(p - a, d) / squared, 0.0, 1.0) : 0.0;
+  return glm::length(p - a - t * d);
+}
+
+// 0 inside the closed polygon (even-odd), else the distance to it.
+double outside(dvec2 p, const Quad& polygon, std::size_t corners) {
+  bool inside = false;
+  double nearest = 1e300;
+  for (std::size_t i = 0; i < corners; ++i) {
+    const dvec2 a = polygon[i], b = polygon[(i + 1) % corners];
+    nearest = std::min(nearest, distance_to_edge(p, a, b));
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside ? 0.0 : nearest;
+}
+
+// The hull of four points in order of turn, by Andrew's monotone chain; returns how many corners it has.
+std::size_t hull_of(Quad points, Quad& hull) {
+  std::sort(points.begin(), points.end(), [](dvec2 a, dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::array<dvec2, 9> chain{};
+  std::size_t n = 0;
+  for (int i = 0; i < 4; ++i) {
+    while (n >= 2 && turn(chain[n - 2], chain[n - 1], points[i]) <= 0) --n;
+    chain[n++] = points[i];
+  }
+  const std::size_t lower = n + 1;
+  for (int i = 2; i >= 0; --i) {
+    while (n >= lower && turn(chain[n - 2], chain[n - 1], points[i]) <= 0) --n;
+    chain[n++] = points[i];
+  }
+  n = std::min<std::size_t>(n > 1 ? n - 1 : n, 4);
+  std::copy_n(chain.begin(), n, hull.begin());
+  return n;
+}
+
+// By how much a rotation-minimising frame, carried from t0 to t1, turns about the tangent against one carried in twice as many steps: what
+// is left is the error of double reflection, for by its definition the frame does not turn.
+double minimising_turn(const Cubic& cubic, double t0, double t1) {
+  const auto carried = [&](int steps) {
+    Frame frame{unit_tangent(cubic, t0), perpendicular(unit_tangent(cubic, t0), {0, 1, 0})};
+    dvec3 last = point(cubic, t0);
+    for (int i = 1; i <= steps; ++i) {
+      const double t = t0 + (t1 - t0) * i / steps;
+      const dvec3 here = point(cubic, t);
+      frame = transport(frame, last, here, unit_tangent(cubic, t));
+      last = here;
+    }
+    return frame;
+  };
+  const Frame coarse = carried(4), fine = carried(8);
+  return std::abs(signed_angle(coarse.up, fine.up, fine.forward));
+}
+
+}  // namespace
+
+GravesenClaim gravesen_claim(const Cubic& c) {
+  const double chord = glm::length(dvec3(c.p3) - dvec3(c.p0));
+  const double polygon = glm::length(dvec3(c.p1) - dvec3(c.p0)) + glm::length(dvec3(c.p2) - dvec3(c.p1)) + glm::length(dvec3(c.p3) - dvec3(c.p2));
+  return {0.5 * polygon * chord, 0.5 * (polygon + chord), arc_length(c), 0.5 * (polygon - chord)};
+}
+
+LineClaim line_claim(const Cubic& cubic, int steps) {
+  constexpr int kMostSteps = 4096;
+  const int n = std::clamp(steps, 1, kMostSteps);
+  const dvec3 start = point(cubic, 0.0), difference = point(cubic, 1.0 / n) - start;
+  LineClaim worst{0, 0};
+  for (int i = 0; i <= n; ++i) {
+    const double t = static_cast<double>(i) / n, distance = glm::length(start + static_cast<double>(i) * difference - point(cubic, t));
+    if (distance > worst.distance) worst = {distance, t};
+  }
+  return worst;
+}
+
+FlipClaim flip_claim(const Cubic& cubic) {
+  constexpr double kHalfSpan = 1.0 / 64;
+  const BinormalCurve binormal = binormal_curve(cubic);
+  const BinormalMinima minima = binormal_minima(binormal);
+  FlipClaim worst{0.5, 0, 0, frenet(cubic, 0.5).has_value()};
+  // Where |B' x B''| is least nearby the normal turns fastest; without such a place, fastest at an end or in the middle.
+  std::array<double, 5> places{0.0, 0.5, 1.0, 0.5, 0.5};
+  for (int i = 0; i < minima.count; ++i) places[static_cast<std::size_t>(3 + i)] = minima.t[i];
+  for (const double t : places) {
+    const double from = std::max(0.0, t - kHalfSpan), to = std::min(1.0, t + kHalfSpan);
+    const auto before = frenet(cubic, from), after = frenet(cubic, to);
+    if (!before || !after) continue;
+    worst.defined = true;
+    const double angle = binormal_turn(binormal, from, to);
+    if (angle > worst.frenet_angle) worst.frenet_angle = angle, worst.t = t;
+  }
+  worst.minimising_angle = minimising_turn(cubic, std::max(0.0, worst.t - kHalfSpan), std::min(1.0, worst.t + kHalfSpan));
+  return worst;
+}
+
+PenClaim pen_claim(const Cubic& cubic) {
+  constexpr int kPlaces = 128;
+  const View view = view_of(cubic);
+  if (!view.flat) return {0, 0};
+  const Quad pen{view(dvec3(cubic.p0)), view(dvec3(cubic.p1)), view(dvec3(cubic.p2)), view(dvec3(cubic.p3))};
+  Quad hull{};
+  const std::size_t corners = hull_of(pen, hull);
+  PenClaim worst{0, 0};
+  for (int i = 0; i <= kPlaces; ++i) {
+    const dvec2 p = view(point(cubic, static_cast<double>(i) / kPlaces));
+    worst.outside = std::max(worst.outside, outside(p, pen, 4));
+    worst.outside_hull = std::max(worst.outside_hull, outside(p, hull, corners));
+  }
+  return worst;
+}
+
+}  // namespace coaster::curve

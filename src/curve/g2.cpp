@@ -1,0 +1,350 @@
+#include "curve/g2.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace coaster::curve {
+namespace {
+
+using glm::dvec3;
+
+// Unknowns: the joint's two handles q and r, the joint's place on their line p = q + l (r - q), and how long the far handles are. In these
+// every condition is a polynomial.
+constexpr int kUnknowns = 9, kMostConditions = 11;
+enum : int { kQ = 0, kR = 3, kL = 6, kA = 7, kB = 8 };
+using Vector = std::array<double, kUnknowns>;
+using Matrix = std::array<Vector, kUnknowns>;
+
+struct Point {
+  dvec3 q, r;
+  double l, a, b;
+  dvec3 p() const { return q + l * (r - q); }
+};
+
+Point moved(Point x, const Vector& d, double step) {
+  for (int i = 0; i < 3; ++i) x.q[i] += step * d[kQ + i], x.r[i] += step * d[kR + i];
+  x.l += step * d[kL];
+  x.a += step * d[kA];
+  x.b += step * d[kB];
+  return x;
+}
+
+struct Axes {
+  dvec3 first, second;
+};
+Axes axes_across(dvec3 direction) {
+  const dvec3 a = glm::abs(direction);
+  const dvec3 axis = a.x <= a.y && a.x <= a.z ? dvec3(1, 0, 0) : a.y <= a.z ? dvec3(0, 1, 0) : dvec3(0, 0, 1);
+  const dvec3 first = glm::normalize(glm::cross(direction, axis));
+  return {first, glm::normalize(glm::cross(direction, first))};
+}
+
+double dot(const Vector& a, const Vector& b) {
+  double sum = 0;
+  for (int i = 0; i < kUnknowns; ++i) sum += a[i] * b[i];
+  return sum;
+}
+double norm(const std::array<double, kMostConditions>& v) {
+  double sum = 0;
+  for (const double x : v) sum += x * x;
+  return std::sqrt(sum);
+}
+
+void put(Vector& row, int at, dvec3 v) {
+  for (int i = 0; i < 3; ++i) row[at + i] = v[i];
+}
+
+// Values c and rows of their derivatives, all in metres.
+struct Conditions {
+  int count = 0;
+  std::array<double, kMostConditions> c{};
+  std::array<Vector, kMostConditions> rows{};
+  Vector& add(double value) {
+    c[count] = value;
+    rows[count] = {};
+    return rows[count++];
+  }
+};
+
+class Repair {
+ public:
+  explicit Repair(const G2Problem& problem) : problem_(problem) {
+    // About the joint: what is far from the origin loses no digits.
+    const dvec3 origin = problem.position;
+    problem_.in_handle -= origin;
+    problem_.out_handle -= origin;
+    problem_.position = dvec3(0);
+    problem_.before.anchor -= origin;
+    problem_.after.anchor -= origin;
+    const dvec3 line = problem_.out_handle - problem_.in_handle;
+    scale_ = glm::length(line);
+    start_ = {problem_.in_handle, problem_.out_handle, glm::length(problem_.in_handle) / std::max(scale_, 1e-300), problem.before.length,
+              problem.after.length};
+    if (problem.equal_lengths) start_.l = 0.5;
+  }
+
+  G2Solution solve() const;
+
+ private:
+  double cost(const Point& x) const {
+    const dvec3 q = x.q - problem_.in_handle, r = x.r - problem_.out_handle, p = x.p();
+    const double a = x.a - problem_.before.length, b = x.b - problem_.after.length;
+    return 0.5 * (glm::dot(q, q) + glm::dot(r, r) + glm::dot(p, p) + a * a + b * b);
+  }
+  void slopes(const Point& x, Vector& gradient, Matrix& hessian) const;
+  Conditions conditions(const Point& x, const Axes& across) const;
+  void add_equal_curvature(const Point& x, const Axes& axes, Conditions& to) const;
+  void add_kept(const G2Side& side, const Point& x, int handle, int length, Conditions& to) const;
+  bool frozen(int unknown) const {
+    return (unknown == kL && problem_.equal_lengths) || (unknown == kA && problem_.before.length_fixed) ||
+           (unknown == kB && problem_.after.length_fixed);
+  }
+  static double size_of(const Conditions& now) {
+    double sum = 0;
+    for (int i = 0; i < now.count; ++i) sum += now.c[i] * now.c[i];
+    return std::sqrt(sum);
+  }
+  struct Step {
+    Vector d{};
+    std::array<double, kMostConditions> multipliers{};
+    bool finite = false;
+  };
+  Step step(const Conditions& now, const Vector& gradient, const Matrix& hessian) const;
+  void bend(const Point& x, const Axes& across, const std::array<double, kMostConditions>& multipliers, Matrix& hessian) const;
+  double longest(const Point& x, const Vector& d) const;
+
+  G2Problem problem_;
+  Point start_{};
+  double scale_ = 0;  // m, the handles' distance: makes the condition on curvature one in metres
+};
+
+void Repair::slopes(const Point& x, Vector& gradient, Matrix& hessian) const {
+  const dvec3 p = x.p(), line = x.r - x.q;
+  const double u = 1.0 - x.l;
+  gradient = {};
+  hessian = {};
+  put(gradient, kQ, x.q - problem_.in_handle + u * p);
+  put(gradient, kR, x.r - problem_.out_handle + x.l * p);
+  gradient[kL] = glm::dot(line, p);
+  gradient[kA] = x.a - problem_.before.length;
+  gradient[kB] = x.b - problem_.after.length;
+  // Gauss-Newton: J^T J of the movements, positive definite while the handles are apart.
+  for (int i = 0; i < 3; ++i) {
+    hessian[kQ + i][kQ + i] = 1.0 + u * u;
+    hessian[kR + i][kR + i] = 1.0 + x.l * x.l;
+    hessian[kQ + i][kR + i] = hessian[kR + i][kQ + i] = u * x.l;
+    hessian[kQ + i][kL] = hessian[kL][kQ + i] = u * line[i];
+    hessian[kR + i][kL] = hessian[kL][kR + i] = x.l * line[i];
+  }
+  hessian[kL][kL] = glm::dot(line, line);
+  hessian[kA][kA] = hessian[kB][kB] = 1.0;
+}
+
+void Repair::add_equal_curvature(const Point& x, const Axes& axes, Conditions& to) const {
+  const dvec3 line = x.r - x.q, p = x.p();
+  const dvec3 a = problem_.before.anchor + x.a * problem_.before.direction - p, b = problem_.after.anchor + x.b * problem_.after.direction - p;
+  const double u = 1.0 - x.l, skew = 1.0 - 2.0 * x.l;
+  // out^2 (a - p) - in^2 (b - p), over the square of the handles' distance, must be parallel to the line of the handles.
+  const dvec3 v = u * u * a - x.l * x.l * b;
+  const dvec3 dv_dl = -2.0 * u * a - 2.0 * x.l * b - skew * line;
+  const dvec3 across = glm::cross(line, v) / scale_;
+  for (const dvec3 e : {axes.first, axes.second}) {
+    const dvec3 by_v = glm::cross(e, line) / scale_, by_line = glm::cross(v, e) / scale_;
+    Vector& row = to.add(glm::dot(e, across));
+    put(row, kQ, -by_line - skew * u * by_v);
+    put(row, kR, by_line - skew * x.l * by_v);
+    row[kL] = glm::dot(by_v, dv_dl);
+    row[kA] = u * u * glm::dot(by_v, problem_.before.direction);
+    row[kB] = -x.l * x.l * glm::dot(by_v, problem_.after.direction);
+  }
+}
+
+void Repair::add_kept(const G2Side& side, const Point& x, int handle, int length, Conditions& to) const {
+  const dvec3 at = handle == kQ ? x.q : x.r, was = handle == kQ ? problem_.in_handle : problem_.out_handle;
+  const double size = handle == kQ ? x.a : x.b;
+  switch (side.keep) {
+    case G2Side::Keep::nothing: return;
+    case G2Side::Keep::handle:
+      for (int i = 0; i < 3; ++i) to.add(at[i] - was[i])[handle + i] = 1.0;
+      return;
+    case G2Side::Keep::curvature: {
+      // k = (2/3) (part of (handle - anchor) across the direction) / length^2
+      const Axes axes = axes_across(side.direction);
+      for (const dvec3 e : {axes.first, axes.second}) {
+        Vector& row = to.add(glm::dot(e, at - side.anchor) - 1.5 * size * size * glm::dot(e, side.curvature));
+        put(row, handle, e);
+        row[length] = -3.0 * size * glm::dot(e, side.curvature);
+      }
+    }
+  }
+}
+
+Conditions Repair::conditions(const Point& x, const Axes& across) const {
+  Conditions all;
+  add_equal_curvature(x, across, all);
+  add_kept(problem_.before, x, kQ, kA, all);
+  add_kept(problem_.after, x, kR, kB, all);
+  if (problem_.position_fixed) {
+    const dvec3 p = x.p(), line = x.r - x.q;
+    for (int i = 0; i < 3; ++i) {
+      Vector& row = all.add(p[i]);
+      row[kQ + i] = 1.0 - x.l;
+      row[kR + i] = x.l;
+      row[kL] = line[i];
+    }
+  }
+  return all;
+}
+
+// One quadratic programme: [H C^T; C -e] [d; m] = [-g; -c] by Gaussian elimination with row exchanges. The small e keeps the system
+// regular where conditions repeat each other; contradicting ones end as a violation that does not go away.
+Repair::Step Repair::step(const Conditions& now, const Vector& gradient, const Matrix& hessian) const {
+  constexpr int kMost = kUnknowns + kMostConditions;
+  std::array<std::array<double, kMost + 1>, kMost> m{};
+  const int n = kUnknowns + now.count;
+  for (int i = 0; i < kUnknowns; ++i) {
+    if (frozen(i)) {
+      m[i][i] = 1.0;
+      continue;
+    }
+    for (int j = 0; j < kUnknowns; ++j) m[i][j] = frozen(j) ? 0.0 : hessian[i][j];
+    m[i][n] = -gradient[i];
+    for (int k = 0; k < now.count; ++k) m[i][kUnknowns + k] = m[kUnknowns + k][i] = now.rows[k][i];
+  }
+  for (int k = 0; k < now.count; ++k) {
+    m[kUnknowns + k][kUnknowns + k] = -1e-13;
+    m[kUnknowns + k][n] = -now.c[k];
+  }
+  for (int column = 0; column < n; ++column) {
+    int pivot = column;
+    for (int row = column + 1; row < n; ++row)
+      if (std::abs(m[row][column]) > std::abs(m[pivot][column])) pivot = row;
+    std::swap(m[column], m[pivot]);
+    if (!(std::abs(m[column][column]) > 0.0)) return {};
+    for (int row = column + 1; row < n; ++row) {
+      const double factor = m[row][column] / m[column][column];
+      if (factor == 0.0) continue;
+      for (int k = column; k <= n; ++k) m[row][k] -= factor * m[column][k];
+    }
+  }
+  std::array<double, kMost> x{};
+  for (int row = n - 1; row >= 0; --row) {
+    double sum = m[row][n];
+    for (int k = row + 1; k < n; ++k) sum -= m[row][k] * x[k];
+    x[row] = sum / m[row][row];
+  }
+  Step out;
+  out.finite = true;
+  for (int i = 0; i < n; ++i) {
+    if (!std::isfinite(x[i])) return {};
+    (i < kUnknowns ? out.d[i] : out.multipliers[i - kUnknowns]) = x[i];
+  }
+  return out;
+}
+
+// Adds what Gauss-Newton leaves out: the bending of the movements and, times the multipliers, of the conditions. All are polynomials, so
+// central differences of the exact slopes are good to 1e-8.
+void Repair::bend(const Point& x, const Axes& across, const std::array<double, kMostConditions>& multipliers, Matrix& hessian) const {
+  for (int j = 0; j < kUnknowns; ++j) {
+    if (frozen(j)) continue;
+    const double h = 1e-4 * (j == kL ? 1.0 : scale_);
+    Vector unit{};
+    unit[j] = 1.0;
+    const Conditions more = conditions(moved(x, unit, h), across), less = conditions(moved(x, unit, -h), across);
+    for (int k = 0; k < more.count; ++k)
+      for (int i = 0; i < kUnknowns; ++i) hessian[i][j] += multipliers[k] * (more.rows[k][i] - less.rows[k][i]) / (2.0 * h);
+  }
+  // p = q + l (r - q) bends with l alone: d2p/dq dl = -1, d2p/dr dl = 1.
+  const dvec3 p = x.p();
+  for (int i = 0; i < 3; ++i) {
+    hessian[kQ + i][kL] -= p[i], hessian[kL][kQ + i] -= p[i];
+    hessian[kR + i][kL] += p[i], hessian[kL][kR + i] += p[i];
+  }
+}
+
+// The longest part of a step that keeps handles from turning over: lengths fall to a quarter at most, and so does the share of each side.
+double Repair::longest(const Point& x, const Vector& d) const {
+  double part = 1.0;
+  const auto keep = [&](double value, double change) {
+    if (change < 0.0 && value + part * change < 0.25 * value) part = -0.75 * value / change;
+  };
+  keep(x.l, d[kL]);
+  keep(1.0 - x.l, -d[kL]);
+  keep(x.a, d[kA]);
+  keep(x.b, d[kB]);
+  return part;
+}
+
+G2Solution Repair::solve() const {
+  constexpr int kMostIterations = 60, kMostHalvings = 24;
+  constexpr double kLeast = 1.0 / 16;  // of what a length was: less is no repair, and curvature, over its square, loses its digits
+  G2Solution out;
+  Point x = start_;
+  Vector gradient{};
+  Matrix hessian{};
+  double penalty = 1.0;
+  out.outcome = G2Outcome::no_convergence;
+  for (out.iterations = 1; out.iterations <= kMostIterations; ++out.iterations) {
+    const dvec3 line = x.r - x.q;
+    const Axes across = axes_across(line / glm::length(line));
+    const Conditions now = conditions(x, across);
+    slopes(x, gradient, hessian);
+    Step s = step(now, gradient, hessian);
+    if (!s.finite) break;
+    // Newton's step where it goes downhill along a valley that bends upwards; else Gauss-Newton's.
+    Matrix bent = hessian;
+    bend(x, across, s.multipliers, bent);
+    const Step newton = step(now, gradient, bent);
+    double curved = 0;
+    for (int i = 0; i < kUnknowns; ++i)
+      for (int j = 0; j < kUnknowns; ++j) curved += newton.d[i] * bent[i][j] * newton.d[j];
+    if (newton.finite && curved > 1e-3 * dot(newton.d, newton.d)) s = newton;
+    penalty = std::max(penalty, 2.0 * norm(s.multipliers));
+    const double descent = dot(gradient, s.d), before = size_of(now), length = std::sqrt(dot(s.d, s.d));
+    if (length < 1e-9 * scale_ && before < 1e-8 * scale_) {
+      out.outcome = G2Outcome::solved;
+      break;
+    }
+    // Movement and violation together must fall (an exact penalty); near the solution rounding hides that, and the step is tiny.
+    const double merit = cost(x) + penalty * before;
+    double part = longest(x, s.d);
+    for (int halving = 0; halving < kMostHalvings; ++halving, part *= 0.5) {
+      const Point next = moved(x, s.d, part);
+      if (cost(next) + penalty * size_of(conditions(next, across)) <= merit + 1e-4 * part * (descent - penalty * before) + 1e-13 * merit) break;
+    }
+    x = moved(x, s.d, part);
+    // A step that shrinks to nothing, or a joint that runs away: there is no solution near.
+    const bool collapsed = glm::length(x.r - x.q) < kLeast * scale_ || x.l < 0.25 * kLeast || x.l > 1.0 - 0.25 * kLeast ||
+                           x.a < kLeast * problem_.before.length || x.b < kLeast * problem_.after.length;
+    if (part < 1e-12 || collapsed || !(cost(x) < 1e4 * scale_ * scale_)) break;
+  }
+  out.in_handle = x.q;
+  out.position = x.p();
+  out.out_handle = x.r;
+  out.before_length = x.a;
+  out.after_length = x.b;
+  out.movement = std::sqrt(2.0 * cost(x));
+  return out;
+}
+
+bool usable(const G2Problem& p) {
+  const auto finite = [](dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+  for (const dvec3 v : {p.in_handle, p.position, p.out_handle, p.before.anchor, p.before.direction, p.before.curvature, p.after.anchor,
+                        p.after.direction, p.after.curvature})
+    if (!finite(v)) return false;
+  return glm::length(p.position - p.in_handle) > 0 && glm::length(p.out_handle - p.position) > 0 && p.before.length > 0 && p.after.length > 0;
+}
+
+}  // namespace
+
+G2Solution solve_g2(const G2Problem& problem) {
+  if (!usable(problem)) return {};
+  G2Solution solution = Repair(problem).solve();
+  solution.in_handle += problem.position;
+  solution.position += problem.position;
+  solution.out_handle += problem.position;
+  return solution;
+}
+
+}  // namespace coaster::curve

@@ -1,0 +1,173 @@
+// Queries about joints, frames and the paper's errata.
+#include <algorithm>
+#include <array>
+
+#include "base/portable_math.h"
+#include "curve/continuity.h"
+#include "query/rows.h"
+#include "sim/errata.h"
+#include "sim/frame_methods.h"
+#include "world/topology.h"
+
+namespace coaster::query {
+namespace {
+
+using Answer = base::Result<Value>;
+using View = std::string_view;
+
+// The first cart by name, at the speed it has now; 0 without a cart.
+double present_speed(const edit::Session& session) {
+  const world::CartMotion* first = nullptr;
+  world::Name least;
+  for (std::size_t i = 0; i < session.motion.carts.size(); ++i) {
+    const world::Name name = world::name_of(session.document, session.motion.carts.entities()[i]);
+    if (first && !(name < least)) continue;
+    first = &session.motion.carts.items()[i];
+    least = name;
+  }
+  return first ? first->speed : 0.0;
+}
+
+// --- joints -----------------------------------------------------------------------------------------------------------
+// An end of an open track joins nothing: the answer is then `at_an_end`.
+template <class Function>
+Answer of_joint(const Context& context, View argument, const Value& at_an_end, Function function) {
+  const auto entity = entity_of(context, argument, world::Kind::knot);
+  if (!entity) return entity.status();
+  const world::Document& document = context.session.document;
+  const world::Neighbours at = world::neighbours(document, *entity);
+  if (!at.before.valid() || !at.after.valid()) return at_an_end;
+  return function(curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after)));
+}
+Answer joint_angle(const Context& c, View argument) {
+  return of_joint(c, argument, 0.0, [](const curve::Joint& j) { return number(base::degrees(j.angle)); });
+}
+Answer curvature_before(const Context& c, View argument) {
+  return of_joint(c, argument, glm::dvec3(0), [](const curve::Joint& j) -> Value { return j.curvature_before; });
+}
+Answer curvature_after(const Context& c, View argument) {
+  return of_joint(c, argument, glm::dvec3(0), [](const curve::Joint& j) -> Value { return j.curvature_after; });
+}
+Answer second_jump(const Context& c, View argument) {
+  return of_joint(c, argument, 0.0, [](const curve::Joint& j) { return number(j.second_jump); });
+}
+Answer g_step(const Context& c, View argument) {
+  return of_joint(c, argument, 0.0, [&](const curve::Joint& j) { return number(sim::g_step(j.curvature_jump, present_speed(c.session))); });
+}
+
+// The largest jump of curvature of the track and the knot where it is.
+struct Roughest {
+  double jump = 0;
+  world::Entity knot;
+};
+Roughest roughest(const edit::Session& session) {
+  const sim::Derived& derived = session.derived;
+  const std::size_t count = derived.order.size();
+  Roughest found;
+  for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i) {
+    const curve::Cubic &before = derived.shape(derived.order[(i + count - 1) % count]).key.cubic, &after = derived.shape(derived.order[i]).key.cubic;
+    const double jump = glm::length(curve::curvature_vector(after, 0.0) - curve::curvature_vector(before, 1.0));
+    if (jump > found.jump) found = {jump, session.document.track.knots[i]};
+  }
+  return found;
+}
+Answer g_step_max(const Context& c, View) { return number(sim::g_step(roughest(c.session).jump, present_speed(c.session))); }
+Answer roughest_joint(const Context& c, View) {
+  const world::Entity knot = roughest(c.session).knot;
+  return text(knot.valid() ? world::label_of(c.session.document, knot) : "none");
+}
+Answer joints_g2(const Context& c, View) {
+  const sim::Derived& derived = c.session.derived;
+  const std::size_t count = derived.order.size();
+  int smooth = 0;
+  for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i)
+    smooth += curve::joint(derived.shape(derived.order[(i + count - 1) % count]).key.cubic, derived.shape(derived.order[i]).key.cubic).geometric ==
+              curve::Geometric::g2;
+  return number(smooth);
+}
+
+// --- the selected place ------------------------------------------------------------------------------------------------
+struct Place {
+  const sim::SegmentShape* shape;
+  double t;
+};
+// A segment's picked place; a knot's start of the segment behind it, at the track's end the end of the one before; a cart's present place.
+std::optional<Place> selected_place(const edit::Session& session) {
+  const world::Entity e = session.settings.selected;
+  const sim::Derived& derived = session.derived;
+  if (const sim::SegmentShape* const shape = derived.segments.find(e)) return Place{shape, session.settings.selected_t};
+  if (session.document.entities.find<world::Knot>(e)) {
+    const world::Neighbours at = world::neighbours(session.document, e);
+    if (const sim::SegmentShape* const shape = derived.segments.find(at.after)) return Place{shape, 0.0};
+    if (const sim::SegmentShape* const shape = derived.segments.find(at.before)) return Place{shape, 1.0};
+    return std::nullopt;
+  }
+  const world::CartMotion* const cart = session.motion.carts.find(e);
+  const sim::SegmentShape* const shape = cart ? derived.segments.find(cart->segment) : nullptr;
+  return shape ? std::optional(Place{shape, shape->arc.parameter(cart->s)}) : std::nullopt;
+}
+std::optional<curve::FrenetFrame> frenet_there(const edit::Session& session) {
+  const auto place = selected_place(session);
+  return place ? curve::frenet(place->shape->key.cubic, place->t) : std::nullopt;
+}
+Answer curvature(const Context& c, View) {
+  const auto place = selected_place(c.session);
+  return number(place ? curve::curvature(place->shape->key.cubic, place->t) : 0.0);
+}
+Answer torsion(const Context& c, View) {
+  const auto frame = frenet_there(c.session);
+  return number(frame ? frame->torsion : 0.0);
+}
+Answer frenet(const Context& c, View) { return yes_no(frenet_there(c.session).has_value()); }
+
+// --- frames along the track ---------------------------------------------------------------------------------------------
+Answer loop_twist(const Context& c, View) { return number(base::degrees(sim::loop_twist(c.session.derived))); }
+Answer frenet_flips(const Context& c, View) { return number(sim::frenet_breaks(c.session.derived).size()); }
+Answer cart_up(const Context& c, View) {
+  const auto& carts = c.session.motion.carts;
+  if (carts.size() == 0 || c.session.derived.order.empty()) return Value(glm::dvec3(0, 1, 0));
+  const world::CartMotion* cart = carts.find(c.session.settings.selected);
+  return Value(sim::pose(c.session.derived, cart ? *cart : carts.items()[0], c.session.settings.frames).frame.up);
+}
+
+// --- errata -----------------------------------------------------------------------------------------------------------
+// Of the selected segment, else of the first one.
+Answer of_erratum(const Context& c, View name, double sim::Erratum::*number_of) {
+  const sim::Derived& derived = c.session.derived;
+  std::vector<std::string> names(sim::kErrata.begin(), sim::kErrata.end());
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    return base::Status{base::Code::usage, "no erratum " + base::quoted(name) + base::suggestion(name, names)};
+  if (derived.order.empty()) return number(0);
+  const world::Entity selected = c.session.settings.selected, segment = derived.segments.find(selected) ? selected : derived.order.front();
+  const auto found = sim::erratum(derived, segment, present_speed(c.session), c.session.settings.steps, name);
+  return number((*found).*number_of);
+}
+Answer erratum(const Context& c, View name) { return of_erratum(c, name, &sim::Erratum::right); }
+Answer erratum_wrong(const Context& c, View name) { return of_erratum(c, name, &sim::Erratum::wrong); }
+
+constexpr View kErratumNames = "gravesen|line|frozen|g_step|frenet_flip|pen";
+
+constexpr std::array kRows{
+    Query{"joint_angle", "@knot", "deg", "Angle between the tangents of the segments at a knot.", joint_angle},
+    Query{"curvature_before", "@knot", "1/m", "Curvature vector at the end of the segment before a knot, towards the centre.", curvature_before},
+    Query{"curvature_after", "@knot", "1/m", "Curvature vector at the start of the segment after a knot, towards the centre.", curvature_after},
+    Query{"second_jump", "@knot", "m", "Size of C''(0) - B''(1) at a knot; 0 for C2.", second_jump},
+    Query{"g_step", "@knot", "g", "Jump of the force over a knot, v^2 |dK| / g, at the present speed of the first cart.", g_step},
+    Query{"g_step_max", "", "g", "The largest such jump of the track.", g_step_max},
+    Query{"roughest_joint", "", "", "The knot with the largest jump of curvature; none when there is no jump.", roughest_joint},
+    Query{"joints_g2", "", "", "Joints of the track that are G2.", joints_g2},
+    Query{"curvature", "", "1/m", "Curvature at the selected place: a segment's, a knot's, a cart's.", curvature},
+    Query{"torsion", "", "1/m", "Torsion at the selected place; 0 where Frenet-Serret is undefined.", torsion},
+    Query{"frenet", "", "", "on where the Frenet-Serret frame is defined at the selected place.", frenet},
+    Query{"frenet_flips", "", "", "Places of the track where the Frenet-Serret normal flips or is undefined.", frenet_flips},
+    Query{"loop_twist", "", "deg", "Twist that a rotation-minimising frame has left over after a closed track; it is spread. 0 on an open one.", loop_twist},
+    Query{"cart_up", "", "", "Up of the selected cart, else the first, by the chosen frame method; a unit vector.", cart_up},
+    Query{"erratum", kErratumNames, "", "What holds where the paper errs: gravesen (m), line (m), frozen (m), g_step (g), frenet_flip (deg), pen (m).", erratum},
+    Query{"erratum_wrong", kErratumNames, "", "What the paper's claim says there: gravesen is in m^2, the others in the same unit.", erratum_wrong},
+};
+
+}  // namespace
+
+std::span<const Query> joint_rows() { return kRows; }
+
+}  // namespace coaster::query
