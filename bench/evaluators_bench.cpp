@@ -108,15 +108,23 @@ void track_points(benchmark::State& state, curve::Processor on, std::size_t segm
   state.counters["checksum"] = checksum(to.data(), to.size());
 }
 
-void track_vertices(benchmark::State& state, curve::Processor on, bool unit) {
+void track_vertices(benchmark::State& state, curve::Processor on) {
   const auto all = track_cubics(kSegments);
   const Buffer<curve::TrackVertex> out(curve::track_vertices(kSegments, kSteps, curve::TrackLayout::polylines));
   const auto to = out.items();
-  const Work work = [&] {
-    unit ? curve::track_vertices_with_unit_tangents(all, kSteps, to, on) : curve::track_vertices_with_tangents(all, kSteps, to, on);
-  };
-  paired(state, "point", static_cast<double>(to.size()), work, {{"ratio_to_store", [&] { plain_store(to.data(), to.size_bytes()); }}});
+  paired(state, "point", static_cast<double>(to.size()), [&] { curve::track_vertices_with_tangents(all, kSteps, to, on); },
+         {{"ratio_to_store", [&] { plain_store(to.data(), to.size_bytes()); }}});
   state.counters["checksum"] = checksum(&to[0].position, 2 * to.size());
+}
+
+void track_unit_tangents(benchmark::State& state, curve::Processor on) {
+  const auto all = track_cubics(kSegments);
+  const Buffer<glm::vec3> points(curve::track_vertices(kSegments, kSteps, curve::TrackLayout::chain)), tangents(points.items().size());
+  const auto to = points.items(), along = tangents.items();
+  paired(state, "point", static_cast<double>(to.size()),
+         [&] { curve::track_points_and_unit_tangents(all, kSteps, curve::TrackLayout::chain, to, along, on); },
+         {{"ratio_to_store", [&] { plain_store(to.data(), to.size_bytes()), plain_store(along.data(), along.size_bytes()); }}});
+  state.counters["checksum"] = checksum(to.data(), to.size()) + checksum(along.data(), along.size());
 }
 
 void store(benchmark::State& state, std::size_t bytes, bool past_caches) {
@@ -145,8 +153,8 @@ benchmark::internal::Benchmark* add(const std::string& name, Run run, Rest... re
     const std::string path = on == curve::Processor::avx2 ? "avx2" : "baseline";
     add("track/points/" + path, track_points, on, kSegments, false);
     add("track/points_past_caches/" + path, track_points, on, kManySegments, true);
-    add("track/tangents/" + path, track_vertices, on, false);
-    add("track/unit_tangents/" + path, track_vertices, on, true);
+    add("track/points_and_tangents/" + path, track_vertices, on);
+    add("track/points_and_unit_tangents/" + path, track_unit_tangents, on);
   }
   return true;
 }();

@@ -94,17 +94,21 @@ void track_vertices_with_tangents(std::span<const PreparedCubic> curves, int ste
   kernels(on).track_vertices({floats(curves), curves.size(), steps, steps + 1, &out[0].position.x});
 }
 
-void track_vertices_with_unit_tangents(std::span<const PreparedCubic> curves, int steps, std::span<TrackVertex> out, Processor on) {
-  COASTER_CHECK(steps >= 1 && out.size() == track_vertices(curves.size(), steps, TrackLayout::polylines), "n + 1 vertices a curve");
+void track_points_and_unit_tangents(std::span<const PreparedCubic> curves, int steps, TrackLayout layout, std::span<glm::vec3> points,
+                                    std::span<glm::vec3> tangents, Processor on) {
+  COASTER_CHECK(tangents.size() == points.size(), "as many tangents as points");
+  track_points(curves, steps, layout, points, on);
   if (curves.empty()) return;
+  const int own = layout == TrackLayout::polylines ? steps + 1 : steps;
   std::vector<unsigned char> slow(curves.size());
-  kernels(on).track_unit_vertices({floats(curves), curves.size(), steps, steps + 1, &out[0].position.x, slow.data()});
+  kernels(on).track_unit_tangents({floats(curves), curves.size(), steps, own, &tangents[0].x, slow.data()});
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    const auto vertices = out.subspan(i * (static_cast<std::size_t>(steps) + 1), static_cast<std::size_t>(steps) + 1);
-    const Cubic& c = curves[i].cubic;
+    glm::vec3* const first = &tangents[i * static_cast<std::size_t>(own)];
     if (slow[i])
-      for (int j = 0; j <= steps; ++j) vertices[static_cast<std::size_t>(j)].tangent = glm::vec3(unit_tangent(c, static_cast<double>(j) / steps));
+      for (int j = 0; j < steps; ++j) first[j] = glm::vec3(unit_tangent(curves[i].cubic, static_cast<double>(j) / steps));
+    if (own > steps) first[steps] = glm::vec3(unit_tangent(curves[i].cubic, 1.0));
   }
+  if (layout == TrackLayout::chain) tangents.back() = glm::vec3(unit_tangent(curves.back().cubic, 1.0));
 }
 
 }  // namespace coaster::curve

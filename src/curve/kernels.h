@@ -50,10 +50,11 @@ struct TrackVertex {
 void track_vertices_with_tangents(std::span<const PreparedCubic> curves, int steps, std::span<TrackVertex> out,
                                   Processor on = best_processor());
 
-// Positions with unit tangents. A unit tangent is off by less than 24 u D / |B'| + 4e-7 (u = 2^-24, D the derivative's size |c1| + 2 |c2| +
-// 3 |c3|); curves that slow down below D/64 somewhere (cusps, handles on their anchors) are done by unit_tangent() in double, which
+// Positions as by track_points(), and beside them unit tangents, packed alike: 24 bytes a vertex in two arrays, each in the layout. A unit
+// tangent is off by less than 24 u D / |B'| + 4e-7 (u = 2^-24, D = |c1| + 2 |c2| + 3 |c3|) besides the rounding of the
+// coefficients; curves that slow down below D/64 somewhere (cusps, handles on their anchors) are done by unit_tangent() in double, which
 // also gives cusps their limit direction.
-void track_vertices_with_unit_tangents(std::span<const PreparedCubic> curves, int steps, std::span<TrackVertex> out,
-                                       Processor on = best_processor());
+void track_points_and_unit_tangents(std::span<const PreparedCubic> curves, int steps, TrackLayout layout, std::span<glm::vec3> points,
+                                    std::span<glm::vec3> tangents, Processor on = best_processor());
 
 }  // namespace coaster::curve

@@ -74,6 +74,11 @@ inline V4 load4(const float* p) {
   return *reinterpret_cast<const Loose*>(p);
 }
 
+inline void store4(float* p, V4 v) {
+  typedef float Loose __attribute__((vector_size(16), aligned(4), may_alias));
+  *reinterpret_cast<Loose*>(p) = v;
+}
+
 // The coefficients of one cubic, lanes x y z (the fourth is anything).
 struct Rows {
   V4 c[4];
@@ -120,9 +125,9 @@ inline Pattern pattern(const Rows& rows, float scale) {
     const V4 a = rows.c[i], b = d.c[i];
 #ifdef __AVX2__
     const V8 w = join(a, b);
-    p.c[0][i] = __builtin_shufflevector(w, w, 0, 1, 2, 4, 5, 6, 0, 1);
-    p.c[1][i] = __builtin_shufflevector(w, w, 2, 4, 5, 6, 0, 1, 2, 4);
-    p.c[2][i] = __builtin_shufflevector(w, w, 5, 6, 0, 1, 2, 4, 5, 6);
+    p.c[0][i] = _mm256_permutevar8x32_ps(w, _mm256_setr_epi32(0, 1, 2, 4, 5, 6, 0, 1));
+    p.c[1][i] = _mm256_permutevar8x32_ps(w, _mm256_setr_epi32(2, 4, 5, 6, 0, 1, 2, 4));
+    p.c[2][i] = _mm256_permutevar8x32_ps(w, _mm256_setr_epi32(5, 6, 0, 1, 2, 4, 5, 6));
 #else
     const V4 pt0 = __builtin_shufflevector(a, b, 0, 1, 2, 4), pt1 = __builtin_shufflevector(b, a, 1, 2, 4, 5);
     const V4 pt2 = __builtin_shufflevector(a, b, 2, 4, 5, 6);
@@ -271,117 +276,105 @@ void run(const Job& job) {
   }
 }
 
-// What turns three vectors of positions and tangents into positions and unit tangents: 1 for a position's lanes, for a tangent's its r.
-struct Scales {
+// 2 / sqrt(q): the processor's estimate (relative error below 1.5 * 2^-12) and one step of Newton, which squares it: below 3e-7.
+inline V8 twice_inverse_root(V8 q) {
+  const V8 r = reciprocal_root(q);
+  return r * (all(3) - (q * r) * r);
+}
+
+// One number for each of eight vertices, in the lanes of their three floats.
+struct Spread {
   V8 of[3];
 };
+inline Spread spread(V8 r) {
 #ifdef __AVX2__
-template <int Lanes>
-inline V8 spread(V8 r, int a, int b, int c, int d, int e, int f, int g, int h) {
-  return _mm256_blend_ps(all(1), _mm256_permutevar8x32_ps(r, _mm256_setr_epi32(a, b, c, d, e, f, g, h)), Lanes);
-}
-inline Scales scales(V8 r, bool upper) {
-  if (upper) return {{spread<0x38>(r, 0, 0, 0, 4, 4, 4, 0, 0), spread<0x8e>(r, 0, 5, 5, 5, 0, 0, 0, 6), spread<0xe3>(r, 6, 6, 0, 0, 0, 7, 7, 7)}};
-  return {{spread<0x38>(r, 0, 0, 0, 0, 0, 0, 0, 0), spread<0x8e>(r, 0, 1, 1, 1, 0, 0, 0, 2), spread<0xe3>(r, 2, 2, 0, 0, 0, 3, 3, 3)}};
-}
+  // By intrinsics, as gcc makes several shuffles of a general one that crosses halves.
+  return {{_mm256_permutevar8x32_ps(r, _mm256_setr_epi32(0, 0, 0, 1, 1, 1, 2, 2)),
+           _mm256_permutevar8x32_ps(r, _mm256_setr_epi32(2, 3, 3, 3, 4, 4, 4, 5)),
+           _mm256_permutevar8x32_ps(r, _mm256_setr_epi32(5, 5, 6, 6, 6, 7, 7, 7))}};
 #else
-inline Scales scales(V8 both, bool upper) {
-  const V4 r = upper ? both.high : both.low, one = {1, 1, 1, 1};
-  return {{{__builtin_shufflevector(one, r, 0, 0, 0, 4), __builtin_shufflevector(one, r, 4, 4, 0, 0)},
-           {__builtin_shufflevector(one, r, 0, 5, 5, 5), __builtin_shufflevector(one, r, 0, 0, 0, 6)},
-           {__builtin_shufflevector(one, r, 6, 6, 0, 0), __builtin_shufflevector(one, r, 0, 7, 7, 7)}}};
-}
+  const V4 a = r.low, b = r.high;
+  return {{{__builtin_shufflevector(a, a, 0, 0, 0, 1), __builtin_shufflevector(a, a, 1, 1, 2, 2)},
+           {__builtin_shufflevector(a, a, 2, 3, 3, 3), __builtin_shufflevector(b, b, 0, 0, 0, 1)},
+           {__builtin_shufflevector(b, b, 1, 1, 2, 2), __builtin_shufflevector(b, b, 2, 3, 3, 3)}}};
 #endif
-
-// 1 / sqrt(q): the processor's estimate (relative error below 1.5 * 2^-12) and one step of Newton, which squares it: below 3e-7.
-inline V8 inverse_root(V8 q) {
-  const V8 r = reciprocal_root(q);
-  return r * (all(1.5f) - all(0.5f) * q * r * r);
 }
 
-// The derivative by w as splats, for the squared speeds of eight vertices at once.
-struct Speeds {
-  V8 d[3][3];  // [axis][coefficient]
+// Differences of a parabola c0 + w (c1 + w c2) for the step 1.
+struct Parabola {
+  V8 value, first, second;
 };
-inline Speeds speeds(const Rows& r) {
-  Speeds s;
-  for (int a = 0; a < 3; ++a) {
-    s.d[a][0] = all(r.c[1][a]);
-    s.d[a][1] = all(2 * r.c[2][a]);
-    s.d[a][2] = all(3 * r.c[3][a]);
-  }
-  return s;
+inline Parabola start_parabola(V8 c0, V8 c1, V8 c2, V8 w) {
+  return {c0 + w * (c1 + w * c2), c1 + (w + w + all(1)) * c2, c2 + c2};
 }
-inline V8 squared_speed(const Speeds& s, V8 w) {
-  const V8 x = s.d[0][0] + w * (s.d[0][1] + w * s.d[0][2]), y = s.d[1][0] + w * (s.d[1][1] + w * s.d[1][2]);
-  const V8 z = s.d[2][0] + w * (s.d[2][1] + w * s.d[2][2]);
-  return x * x + y * y + z * z;
+inline void advance(Parabola& s) {
+  s.value = s.value + s.first;
+  s.first = s.first + s.second;
 }
 
-inline void put_unit(State& a, State& b, State& c, const Scales& by, float* out) {
-  store(out, a.value * by.of[0]);
-  advance(a);
-  store(out + 8, b.value * by.of[1]);
-  advance(b);
-  store(out + 16, c.value * by.of[2]);
-  advance(c);
-}
-
-// `pairs` pairs of groups, eight vertices each, from w = 0; rows counted in groups of four vertices. Gives the least squared speed.
-inline V8 unit_run(const Rows& rows, int pairs, float* out, V8 least) {
-  const Pattern p = pattern(rows, 1);
-  const Speeds d = speeds(rows);
-  State a = start<6>(p.c[0], 0), b = start<6>(p.c[1], 1), c = start<6>(p.c[2], 2);
-  static const float kQuarters[8] = {0, 0.25f, 0.5f, 0.75f, 1, 1.25f, 1.5f, 1.75f};
-  V8 w = load(kQuarters);
-#pragma GCC unroll 4
-  for (int i = 0; i < pairs; ++i, out += 48) {
-    const V8 q = squared_speed(d, w);
+// The derivative by w of `groups` groups of eight vertices, divided by its length; rows counted in groups. It is had twice, by vertices to
+// measure (x, y, z apart) and packed to store, as that costs less than to move lanes. Gives four times the least squared speed.
+inline V8 unit_run(const Rows& rows, int groups, float* out, V8 least) {
+  alignas(16) float c1[4], c2[4], c3[4];  // twice the derivative, so that the root below gives 1 / its length
+  store4(c1, rows.c[1] * 2);
+  store4(c2, rows.c[2] * 4);
+  store4(c3, rows.c[3] * 6);
+  static const float kEighths[8] = {0, 0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.875f};
+  const V8 w = load(kEighths);
+  Parabola x = start_parabola(all(c1[0]), all(c2[0]), all(c3[0]), w), y = start_parabola(all(c1[1]), all(c2[1]), all(c3[1]), w);
+  Parabola z = start_parabola(all(c1[2]), all(c2[2]), all(c3[2]), w);
+  const Pattern p = pattern(Rows{{rows.c[1], rows.c[2] * 2, rows.c[3] * 3, V4{}}});
+  const Starts<3>& s = kStarts<3>;
+  Parabola a = start_parabola(p.c[0][0], p.c[0][1], p.c[0][2], load(s.w)), b = start_parabola(p.c[1][0], p.c[1][1], p.c[1][2], load(s.w + 8));
+  Parabola c = start_parabola(p.c[2][0], p.c[2][1], p.c[2][2], load(s.w + 16));
+#pragma GCC unroll 2
+  for (int g = 0; g < groups; ++g, out += 24) {
+    const V8 q = x.value * x.value + y.value * y.value + z.value * z.value;
     least = at_most(q, least);
-    const V8 r = inverse_root(at_least(q, all(1e-30f)));
-    put_unit(a, b, c, scales(r, false), out);
-    put_unit(a, b, c, scales(r, true), out + 24);
-    w = w + all(2);
+    const Spread r = spread(twice_inverse_root(at_least(q, all(1e-30f))));
+    store(out, a.value * r.of[0]);
+    store(out + 8, b.value * r.of[1]);
+    store(out + 16, c.value * r.of[2]);
+    advance(x), advance(y), advance(z);
+    advance(a), advance(b), advance(c);
   }
   return least;
 }
 
-inline float squared(V4 v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
-inline float lowest(V8 v) {
-  float x[8], low;
-  store(x, v);
-  low = x[0];
-  for (int i = 1; i < 8; ++i) low = x[i] < low ? x[i] : low;
-  return low;
+// Whether some lane is below `low`, or not a number.
+inline bool any_below(V8 v, float low) {
+#ifdef __AVX2__
+  return _mm256_movemask_ps(_mm256_cmp_ps(v, all(low), _CMP_NGE_UQ)) != 0;
+#else
+  bool below = false;
+  for (int i = 0; i < 4; ++i) below |= !(v.low[i] >= low) || !(v.high[i] >= low);
+  return below;
+#endif
 }
 
-// Vertices whose tangents lose their direction to rounding are left for the caller: their curve is marked in `slow`.
-void track_unit_vertices(const Job& job) {
-  constexpr int run = coaster::curve::detail::kRun / 2;
-  const float e = 4 / static_cast<float>(job.steps);
+// Curves that lose their tangent's direction to rounding somewhere are marked in `slow`, for the caller to do exactly. The end of a
+// polyline is the caller's as well.
+void track_unit_tangents(const Job& job) {
+  constexpr int run = coaster::curve::detail::kRun;
+  const float e = 8 / static_cast<float>(job.steps);
   const float* cubic = job.cubics;
   float* out = job.out;
-  const int pairs = job.steps / 8, rest = job.steps - pairs * 8;
-  for (std::size_t i = 0; i < job.count; ++i, cubic += 24, out += static_cast<std::ptrdiff_t>(job.points) * 6) {
+  const int groups = job.steps / 8, rest = job.steps - groups * 8;
+  for (std::size_t i = 0; i < job.count; ++i, cubic += 24, out += static_cast<std::ptrdiff_t>(job.points) * 3) {
     const Rows rows = rows_of(cubic, e);
     V8 least = all(1e30f);
-    for (int from = 0; from < pairs; from += run) {
-      const Rows here = from == 0 ? rows : shifted(rows, 2.0f * static_cast<float>(from));
-      if (from + run <= pairs) least = unit_run(here, run, out + 48 * from, least);
-      else least = unit_run(here, pairs - from, out + 48 * from, least);
+    for (int from = 0; from < groups; from += run) {
+      const Rows here = from == 0 ? rows : shifted(rows, static_cast<float>(from));
+      least = unit_run(here, from + run <= groups ? run : groups - from, out + 24 * from, least);
     }
     if (rest != 0) {
-      float few[48];
-      least = unit_run(shifted(rows, 2.0f * static_cast<float>(pairs)), 1, few, least);
-      for (int k = 0; k < rest * 6; ++k) out[48 * pairs + k] = few[k];
+      float few[24];
+      least = unit_run(shifted(rows, static_cast<float>(groups)), 1, few, least);
+      for (int k = 0; k < rest * 3; ++k) out[24 * groups + k] = few[k];
     }
-    float* end = out + static_cast<std::ptrdiff_t>(job.steps) * 6;
-    end_vertex<6>(cubic, end);
-    const float q = end[3] * end[3] + end[4] * end[4] + end[5] * end[5], r = 1 / __builtin_sqrtf(q > 1e-30f ? q : 1e-30f);
-    for (int k = 3; k < 6; ++k) end[k] *= r;
-    const float size = squared(rows.c[1]) + 4 * squared(rows.c[2]) + 9 * squared(rows.c[3]), end_speed = q * e * e;
-    const float low = lowest(least), lower = end_speed < low ? end_speed : low;
-    job.slow[i] = !(lower > size * coaster::curve::detail::kSlow * coaster::curve::detail::kSlow);
+    const V4 size = rows.c[1] * rows.c[1] + rows.c[2] * rows.c[2] * 4 + rows.c[3] * rows.c[3] * 9;
+    constexpr float share = 4 * coaster::curve::detail::kSlow * coaster::curve::detail::kSlow;
+    job.slow[i] = any_below(least, (size[0] + size[1] + size[2]) * share + 1e-29f);
   }
 }
 

@@ -11,7 +11,7 @@ struct Job {
   int steps;   // n
   int points;  // vertices of each curve: n, or n + 1 of which the last is p3
   float* out;  // count * points vertices
-  unsigned char* slow = nullptr;  // of track_unit_vertices: 1 for each curve whose tangents lose their direction to rounding
+  unsigned char* slow = nullptr;  // of track_unit_tangents: 1 for each curve whose tangents lose their direction to rounding
 };
 
 // Groups between two starts of the differences: at most kRun - 1 roundings of a value pile up.
@@ -26,7 +26,7 @@ struct Kernels {
   void (*track_positions)(const Job&);           // the fast form
   void (*track_positions_streamed)(const Job&);  // `out` aligned to 32 bytes, points a multiple of 8
   void (*track_vertices)(const Job&);
-  void (*track_unit_vertices)(const Job&);
+  void (*track_unit_tangents)(const Job&);  // of the first n vertices of each curve; a polyline's last is left
 };
 
 const Kernels& baseline_kernels();

@@ -129,27 +129,26 @@ TEST(kernels, unit_tangents_have_length_one_and_the_exact_direction) {
   for (const Cubic& c : degenerate_cubics()) cubics.push_back(c);
   const auto all = prepared(cubics);
   for (const Processor on : available_processors())
-    for (const int n : kSteps) {
-      std::vector<TrackVertex> out(track_vertices(all.size(), n, TrackLayout::polylines));
-      track_vertices_with_unit_tangents(all, n, out, on);
-      for (std::size_t s = 0; s < all.size(); ++s)
-        for (int i = 0; i <= n; ++i) {
-          const TrackVertex& v = out[s * (static_cast<std::size_t>(n) + 1) + static_cast<std::size_t>(i)];
-          ASSERT_NEAR(glm::length(glm::dvec3(v.tangent)), 1.0, 2e-4) << n << " " << s << " " << i;
-          ASSERT_TRUE(std::isfinite(v.position.x + v.position.y + v.position.z));
-          if (s >= regular) continue;
-          const glm::dvec3 d = exact_derivative(cubics[s], i, n);
-          const Coefficients& c = all[s].monomial;
-          const double size = glm::length(c.c1) + 2 * glm::length(c.c2) + 3 * glm::length(c.c3), u = 1.0 / (1 << 24);
-          // 24 u D / |B'| of the arithmetic, and the coefficients' own rounding at the coordinates' size.
-          ASSERT_LE(glm::length(glm::dvec3(v.tangent) - glm::normalize(d)), u * (24 * size + 40 * extent_of(cubics[s])) / glm::length(d) + 4e-7)
-              << n << " " << s << " " << i;
-        }
-      for (std::size_t s = 0; s < all.size(); ++s) {
-        ASSERT_EQ(out[s * (static_cast<std::size_t>(n) + 1)].position, cubics[s].p0);
-        ASSERT_EQ(out[(s + 1) * (static_cast<std::size_t>(n) + 1) - 1].position, cubics[s].p3);
+    for (const int n : kSteps)
+      for (const TrackLayout layout : {TrackLayout::polylines, TrackLayout::chain}) {
+        const std::size_t count = track_vertices(all.size(), n, layout), own = layout == TrackLayout::chain ? n : n + 1;
+        std::vector<glm::vec3> points(count), tangents(count + 1, glm::vec3(-7)), alone(count);
+        track_points_and_unit_tangents(all, n, layout, points, std::span(tangents).first(count), on);
+        track_points(all, n, layout, alone, on);
+        EXPECT_EQ(points, alone);
+        EXPECT_EQ(tangents.back(), glm::vec3(-7)) << "written past the end";
+        for (std::size_t k = 0; k < count; ++k) ASSERT_NEAR(glm::length(glm::dvec3(tangents[k])), 1.0, 2e-4) << n << " " << k;
+        for (std::size_t s = 0; s < regular; ++s)
+          for (std::size_t i = 0; i < own; ++i) {
+            const glm::dvec3 d = exact_derivative(cubics[s], static_cast<int>(i), n);
+            const Coefficients& c = all[s].monomial;
+            const double size = glm::length(c.c1) + 2 * glm::length(c.c2) + 3 * glm::length(c.c3), u = 1.0 / (1 << 24);
+            // 24 u D / |B'| of the arithmetic, and the coefficients' own rounding at the coordinates' size.
+            ASSERT_LE(glm::length(glm::dvec3(tangents[s * own + i]) - glm::normalize(d)),
+                      u * (24 * size + 40 * extent_of(cubics[s])) / glm::length(d) + 4e-7)
+                << n << " " << s << " " << i;
+          }
       }
-    }
 }
 
 TEST(kernels, degenerate_curves_and_an_empty_track_are_finite) {
@@ -161,7 +160,7 @@ TEST(kernels, degenerate_curves_and_an_empty_track_are_finite) {
       for (const glm::vec3 p : out) ASSERT_TRUE(std::isfinite(p.x + p.y + p.z));
     }
     track_points({}, 64, TrackLayout::chain, {}, on);
-    track_vertices_with_unit_tangents({}, 64, {}, on);
+    track_points_and_unit_tangents({}, 64, TrackLayout::chain, {}, {}, on);
   }
 }
 
