@@ -37,7 +37,9 @@ ui::Output build_panels(Program& program, const platform::Events& events, platfo
 
 gfx::DrawStats draw_scene(Program& program, const ui::Output& output, platform::Size size) {
   const edit::Session& session = program.session;
-  const view::Overlay overlay = view::build_overlay(session.document, session.derived, session.settings, output.view, output.hovered);
+  std::span<const sim::FrenetBreak> breaks;
+  if (session.settings.layers.has(world::Layer::flips)) breaks = program.breaks.update(session.derived);
+  const view::Overlay overlay = view::build_overlay(session.document, session.derived, session.settings, output.view, output.hovered, breaks);
   const std::vector<sim::Pose> carts = cart_poses(session);
   const gfx::Scene scene{session.derived, output.view, overlay, carts, session.settings.layers.has(world::Layer::polyline)};
   return program.renderer->draw(scene, size.width, size.height);

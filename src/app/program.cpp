@@ -2,6 +2,7 @@
 #include "app/program.h"
 
 #include <cstdio>
+#include <fstream>
 #include <system_error>
 
 #include "base/hash.h"
@@ -10,6 +11,29 @@
 #include "view/camera.h"
 
 namespace coaster::app {
+
+namespace {
+
+#if defined(__clang__)
+constexpr const char* kCompiler = "clang " __clang_version__;
+#else
+constexpr const char* kCompiler = "gcc " __VERSION__;
+#endif
+
+// "Some processor, compiler 12.2.0": what times are worth nothing without.
+std::string machine_line() {
+  std::string model = "unknown processor";
+  std::ifstream info("/proc/cpuinfo");  // not a regular file with a size
+  for (std::string line; std::getline(info, line);) {
+    const std::size_t colon = line.find(": ");
+    if (!line.starts_with("model name") || colon == std::string::npos) continue;
+    model = line.substr(colon + 2);
+    break;
+  }
+  return model + "; compiled by " + kCompiler;
+}
+
+}  // namespace
 
 base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples) {
   auto program = std::make_unique<Program>();
@@ -31,6 +55,7 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   if (!panels) return panels.status();
   program->ui = std::move(*panels);
   program->session = edit::make_session([screen] { return screen->clock(); });
+  program->session.machine = machine_line();
   return program;
 }
 

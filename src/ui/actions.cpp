@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <variant>
 
 #include "ui/toasts.h"
@@ -89,6 +90,30 @@ void frame_selection(Act& act) {
   act.ui.emit(edit::SetCamera{view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene)});
 }
 void toggle_panels(Act& act) { act.ui.emit(edit::SetPanels{!panels_shown(act)}); }
+bool laboratory_shown(const Act& act) { return act.ui.session().settings.show_laboratory; }
+void toggle_laboratory(Act& act) { act.ui.emit(edit::ShowLaboratory{!laboratory_shown(act)}); }
+
+bool probing(const Act& act) { return any_selected(act) && selected(act)->kind == Kind::segment; }
+// Along the selected segment; from its end on to the neighbour, where there is one.
+void step_probe(Act& act, double by) {
+  const edit::Session& session = act.ui.session();
+  const world::Track& track = session.document.track;
+  const double from = session.settings.selected_t, end = by > 0 ? 1 : 0;
+  if (from != end) {
+    act.ui.emit(edit::Select{{*selected(act)}, std::clamp(from + by, 0.0, 1.0)});
+    return;
+  }
+  const auto found = std::find(track.segments.begin(), track.segments.end(), session.settings.selected);
+  if (found == track.segments.end()) return;
+  const auto count = static_cast<std::ptrdiff_t>(track.segments.size()), next = found - track.segments.begin() + (by > 0 ? 1 : -1);
+  if (!track.closed && (next < 0 || next >= count)) return;
+  const world::Entity segment = track.segments[static_cast<std::size_t>((next + count) % count)];
+  act.ui.emit(edit::Select{{world::name_of(session.document, segment)}, 1 - end});
+}
+constexpr double kProbeStep = 1.0 / 64;
+void probe_back(Act& act) { step_probe(act, -kProbeStep); }
+void probe_on(Act& act) { step_probe(act, kProbeStep); }
+
 void toggle_ride_camera(Act& act) { act.ui.emit(edit::SetCameraMode{riding(act) ? CameraMode::orbit : CameraMode::ride}); }
 
 void play_pause(Act& act) {
@@ -133,6 +158,9 @@ constexpr Action kActions[] = {
     {"Frame selection", "View", "Shift+F", shift(Key::f), kNoKey, false, true, "Show what is selected.", any_selected, nullptr, frame_selection},
     {"Panels", "View", "Tab", key(Key::tab), kNoKey, false, false, "Show or hide menu, panels and status bar.", always, panels_shown, toggle_panels},
     {"Ride camera", "View", "V", key(Key::v), kNoKey, false, false, "Look from the first cart, or from outside.", always, riding, toggle_ride_camera},
+    {"Laboratory", "View", "L", key(Key::l), kNoKey, false, true, "Open or fold the laboratory's pages.", always, laboratory_shown, toggle_laboratory},
+    {"Probe back", "View", "[", key(Key::left_bracket), kNoKey, true, false, "Move the picked place back along the track by 1/64 of a segment.", probing, nullptr, probe_back},
+    {"Probe on", "View", "]", key(Key::right_bracket), kNoKey, true, false, "Move the picked place on along the track by 1/64 of a segment.", probing, nullptr, probe_on},
 
     {"Play or pause", "Ride", "Space", key(Key::space), kNoKey, false, true, "Let the carts run, or hold them.", rideable, nullptr, play_pause},
     {"Single step", "Ride", ".", key(Key::period), kNoKey, true, true, "Hold the carts and advance one tick of 1/120 s.", rideable, nullptr, single_step},

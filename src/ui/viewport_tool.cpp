@@ -22,13 +22,6 @@ glm::vec3 item_position(const world::Document& document, const view::Pick& pick)
 
 glm::vec3 looking(const view::View& v) { return -glm::vec3(v.view[0][2], v.view[1][2], v.view[2][2]); }
 
-// The place on a segment under the cursor, which may stray some way from the curve while it is dragged.
-std::optional<view::Pick> place_under(const edit::Session& session, const view::View& view, glm::vec2 mouse, world::Entity segment) {
-  constexpr float kStray = 80;  // px
-  const auto pick = view::pick_curve(session.derived, view, mouse, kStray);
-  return pick && pick->entity == segment ? pick : std::nullopt;
-}
-
 }  // namespace
 
 view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
@@ -120,7 +113,7 @@ void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
     case What::item: move_item(ui, view, mouse); break;
     case What::place:
       if (by == glm::vec2(0)) break;
-      if (const auto place = place_under(session, view, mouse, drag_.pick.entity))
+      if (const auto place = view::pick_segment(session.derived, view, mouse, drag_.pick.entity))
         ui.emit(edit::Select{{world::name_of(session.document, place->entity)}, place->t});
       break;
     case What::cart:

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "view/marks.h"
+#include "view/overlay_lab.h"
 
 namespace coaster::view {
 namespace {
@@ -59,8 +60,9 @@ Mark mark_of(const PlacedMark& placed, const world::Settings& settings, const Pi
 }  // namespace
 
 Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,
-                      const Pick& hovered) {
+                      const Pick& hovered, std::span<const sim::FrenetBreak> breaks) {
   Overlay overlay;
+  add_laboratory(document, derived, settings, view, breaks, overlay);
   const float scale = settings.ui_scale;
   add_polygons(document, settings, overlay);
   // Places on the curve cannot be picked as marks, so they lie under all that can.

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "sim/frame_methods.h"
 #include "view/pick.h"
 
 namespace coaster::view {
@@ -34,8 +36,9 @@ struct Overlay {
 };
 
 // Knots, handles of the selection, the control polygon of the selected segment (or of the segments at the selected knot), the picked
-// place; what is under the cursor is larger and brighter.
+// place; what is under the cursor is larger and brighter. Under them the laboratory's layers that are on; `breaks` are the track's, needed
+// for Layer::flips alone.
 Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
-                      const View& view, const Pick& hovered);
+                      const View& view, const Pick& hovered, std::span<const sim::FrenetBreak> breaks = {});
 
 }  // namespace coaster::view

@@ -185,12 +185,36 @@ std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, gl
   return best;
 }
 
+std::optional<Pick> pick_segment(const sim::Derived& derived, const View& view, glm::vec2 pixel, world::Entity segment) {
+  const sim::SegmentShape* const shape = derived.segments.find(segment);
+  if (shape == nullptr) return std::nullopt;
+  const Projector projector(view);
+  const curve::CoefficientsD c = curve::coefficients_d(shape->key.cubic);
+  const Found found = nearest_on({c, projector, pixel});
+  if (!(found.square < kNowhere)) return std::nullopt;
+  return Pick{PickKind::curve, segment, found.t, glm::vec3(curve::point(shape->key.cubic, found.t))};
+}
+
+namespace {
+
+// The selected segment, when the pixel is on the mark of its picked place.
+std::optional<Pick> pick_place(const sim::Derived& derived, const world::Settings& settings, const View& view, glm::vec2 pixel) {
+  const sim::SegmentShape* const shape = derived.segments.find(settings.selected);
+  if (shape == nullptr) return std::nullopt;
+  const auto place = Projector(view)(curve::point(shape->key.cubic, settings.selected_t));
+  if (!place || glm::length(*place - dvec2(pixel)) > static_cast<double>(kCurveReach * settings.ui_scale)) return std::nullopt;
+  return pick_segment(derived, view, pixel, settings.selected);
+}
+
+}  // namespace
+
 Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings,
           const View& view, glm::vec2 pixel) {
   if (!view.viewport.contains(pixel)) return {};
   if (const auto mark = pick_mark(document, settings, view, pixel)) return *mark;
   if (const auto cart = pick_cart(derived, motion, settings, view, pixel)) return *cart;
   if (const auto cart = pick_distant_cart(derived, motion, settings, view, pixel)) return *cart;
+  if (const auto place = pick_place(derived, settings, view, pixel)) return *place;
   return pick_curve(derived, view, pixel, kCurveReach * settings.ui_scale).value_or(Pick{});
 }
 

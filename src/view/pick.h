@@ -26,7 +26,8 @@ inline constexpr float kCartReach = 9.0f;     // px from a cart's middle: more t
 
 // Marks are on top of everything and never hidden. Handles beat knots, knots beat carts, carts beat the curve; within a kind the
 // mark nearest to the eye wins (ties: the earlier in the track). Carts are picked by their box, oriented as drawn, and
-// near their middle however small they look; not the one that the eye sits in.
+// near their middle however small they look; not the one that the eye sits in. Where curves cross on screen the selected one wins near
+// its picked place.
 // Only handles of `selected` (a knot, or the knots of a selected segment) exist on screen and can be picked.
 Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings,
           const View& view, glm::vec2 pixel);
@@ -34,6 +35,10 @@ Pick pick(const world::Document& document, const sim::Derived& derived, const wo
 // The place on the curve nearest to a pixel on screen, if within `reach` px of it; t to about 1e-6 (golden section on the projected
 // distance). What is behind the eye or nearer than the near plane does not count. Cost: 60 ns a segment that is elsewhere.
 std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach);
+
+// The place on one segment that is nearest to a pixel on screen, however far from it; nothing when none of it is in front of the eye or the
+// segment is gone: what the probe follows while it is dragged.
+std::optional<Pick> pick_segment(const sim::Derived& derived, const View& view, glm::vec2 pixel, world::Entity segment);
 
 // Where a script's aim at a pick's name lands: the position of the mark, the place on the curve, the middle of the cart; nothing
 // when there is no such entity.

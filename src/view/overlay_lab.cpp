@@ -1,0 +1,106 @@
+// The pictures about one place or segment: construction, circle, rounding. Those along the track are in overlay_lab_track.cpp.
+#include "view/overlay_lab.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curve/bernstein.h"
+#include "sim/rounding.h"
+#include "view/overlay_lab_parts.h"
+
+namespace coaster::view {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+constexpr double kMaxOffset = 1e4;  // m, of a magnified error
+
+void line(glm::dvec3 from, glm::dvec3 to, float width_px, std::uint32_t rgba, Overlay& overlay) {
+  overlay.lines.push_back({glm::vec3(from), glm::vec3(to), width_px, rgba});
+}
+void disc(glm::dvec3 at, float radius_px, std::uint32_t rgba, Overlay& overlay) { overlay.marks.push_back({glm::vec3(at), radius_px, rgba, MarkShape::disc}); }
+
+// Segments whose rounding shows, at most as many as have kMaxRoundingVertices together.
+std::vector<world::Entity> rounded_segments(const world::Document& document, const sim::Derived& derived, const world::Settings& settings) {
+  const world::Entity selected = settings.selected;
+  if (document.entities.find<world::Segment>(selected)) return {selected};
+  std::vector<world::Entity> out;
+  if (document.entities.find<world::Knot>(selected)) {
+    const world::Neighbours at = world::neighbours(document, selected);
+    if (at.before.valid()) out.push_back(at.before);
+    if (at.after.valid() && at.after != at.before) out.push_back(at.after);
+    return out;
+  }
+  const auto most = static_cast<std::size_t>(kMaxRoundingVertices / (settings.steps + 1));
+  out.assign(derived.order.begin(), derived.order.begin() + static_cast<std::ptrdiff_t>(std::min(most, derived.order.size())));
+  return out;
+}
+
+void add_rounding(const sim::SegmentShape& shape, const world::Settings& settings, Overlay& overlay) {
+  constexpr std::size_t kWhiskers = 64;
+  const float scale = settings.ui_scale;
+  const sim::Rounding r = sim::rounding(shape.curve, curve::evaluator(settings.evaluator), settings.steps);
+  const std::size_t last = r.exact.size() - 1;
+  std::vector<glm::dvec3> moved(r.exact.size());
+  for (std::size_t i = 0; i <= last; ++i) {
+    glm::dvec3 offset = settings.magnification * r.error[i];
+    const double size = glm::length(offset);
+    if (size > kMaxOffset) offset *= kMaxOffset / size;
+    moved[i] = r.exact[i] + offset;
+  }
+  const std::size_t every = last / kWhiskers + 1;
+  for (std::size_t i = every; i < last; i += every) line(r.exact[i], moved[i], 1.0f * scale, faded(kRoundingColour, 0x60), overlay);
+  for (std::size_t i = 0; i + 1 < last; ++i) line(moved[i], moved[i + 1], 1.5f * scale, kRoundingColour, overlay);
+  line(moved[last - 1], moved[last], 3.0f * scale, kSeamColour, overlay);
+  if (last > 1) disc(moved[last - 1], 3.5f * scale, kSeamColour, overlay);
+}
+
+}  // namespace
+
+void add_construction(const sim::SegmentShape& shape, double t, const View& view, float scale, Overlay& overlay) {
+  const curve::Construction c = curve::construction(shape.key.cubic, t);
+  line(c.first[0], c.first[1], 1.75f * scale, kConstructionColour, overlay);
+  line(c.first[1], c.first[2], 1.75f * scale, kConstructionColour, overlay);
+  line(c.second[0], c.second[1], 2.25f * scale, kConstructionColour, overlay);
+  // The last two points span the tangent: B'(t) = 3 (second[1] - second[0]).
+  const double third = glm::length(c.second[1] - c.second[0]);
+  add_arrow(c.point, curve::unit_tangent(shape.key.cubic, t), third, view, 2.25f * scale, kTangentColour, overlay);
+  for (const glm::dvec3 at : c.first) disc(at, 3.5f * scale, kConstructionColour, overlay);
+  for (const glm::dvec3 at : c.second) disc(at, 4.25f * scale, kConstructionColour, overlay);
+  disc(c.point, 5.5f * scale, kTangentColour, overlay);
+}
+
+void add_circle(const sim::SegmentShape& shape, double t, float scale, Overlay& overlay) {
+  const std::optional<curve::FrenetFrame> frame = curve::frenet(shape.key.cubic, t);
+  if (!frame || !(frame->curvature * kMaxRadius > 1)) return;
+  const double radius = 1 / frame->curvature;
+  const glm::dvec3 touch = curve::point(shape.key.cubic, t), centre = touch + radius * frame->normal;
+  glm::dvec3 before = touch;
+  for (int i = 1; i <= kCircleSides; ++i) {
+    const double angle = kTwoPi * i / kCircleSides;
+    const glm::dvec3 at = i == kCircleSides ? touch : centre + radius * (std::sin(angle) * frame->tangent - std::cos(angle) * frame->normal);
+    line(before, at, 1.75f * scale, kCircleColour, overlay);
+    before = at;
+  }
+  line(centre, touch, 1.25f * scale, faded(kCircleColour, 0xa0), overlay);
+  disc(centre, 3.0f * scale, kCircleColour, overlay);
+}
+
+void add_rounding(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, Overlay& overlay) {
+  for (const world::Entity e : rounded_segments(document, derived, settings)) add_rounding(derived.shape(e), settings, overlay);
+}
+
+void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,
+                    std::span<const sim::FrenetBreak> breaks, Overlay& overlay) {
+  using world::Layer;
+  const auto on = [&](Layer layer) { return settings.layers.has(layer); };
+  if (on(Layer::comb)) add_comb(derived, settings, view, overlay);
+  if (on(Layer::frames)) add_frames(derived, settings, view, overlay);
+  if (on(Layer::flips)) add_breaks(derived, breaks, view, settings.ui_scale, overlay);
+  if (on(Layer::rounding)) add_rounding(document, derived, settings, overlay);
+  const sim::SegmentShape* const probed = derived.segments.find(settings.selected);
+  if (probed == nullptr) return;
+  if (on(Layer::circle)) add_circle(*probed, settings.selected_t, settings.ui_scale, overlay);
+  if (on(Layer::construction)) add_construction(*probed, settings.selected_t, view, settings.ui_scale, overlay);
+}
+
+}  // namespace coaster::view

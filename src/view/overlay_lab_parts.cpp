@@ -1,0 +1,53 @@
+#include "view/overlay_lab_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coaster::view {
+
+PixelScale::PixelScale(const View& view)
+    : eye_(view.eye),
+      forward_(-glm::dvec3(view.view[0][2], view.view[1][2], view.view[2][2])),
+      focal_px_(0.5 * static_cast<double>(view.viewport.height) * static_cast<double>(view.projection[1][1])) {}
+
+double PixelScale::operator()(glm::dvec3 at) const {
+  const double depth = glm::dot(at - eye_, forward_);
+  return depth > 0 ? focal_px_ / depth : 0;
+}
+
+void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px, std::uint32_t rgba, Overlay& overlay) {
+  constexpr double kBarb = 0.3, kHalfWidth = 0.14, kAlong = 0.05;  // of the length; sine of the least angle to the line of sight
+  const glm::dvec3 tip = from + length * direction;
+  overlay.lines.push_back({glm::vec3(from), glm::vec3(tip), width_px, rgba});
+  const glm::dvec3 side = glm::cross(direction, glm::dvec3(view.eye) - from);
+  const double across = glm::length(side);
+  if (!(across > kAlong * glm::length(glm::dvec3(view.eye) - from))) return;
+  const glm::dvec3 back = tip - kBarb * length * direction, out = side * (kHalfWidth * length / across);
+  overlay.lines.push_back({glm::vec3(tip), glm::vec3(back + out), width_px, rgba});
+  overlay.lines.push_back({glm::vec3(tip), glm::vec3(back - out), width_px, rgba});
+}
+
+std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& view) {
+  constexpr float kNearest = 1;  // m: nearer than this nothing gets more detail
+  // Rows of the view matrix are the camera's axes; a sphere is outside when it lies beyond a side plane of the pyramid.
+  const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  const glm::vec3 forward = -glm::vec3(view.view[0][2], view.view[1][2], view.view[2][2]);
+  const float fx = view.projection[0][0], fy = view.projection[1][1];
+  const float side_x = std::sqrt(1 + fx * fx), side_y = std::sqrt(1 + fy * fy);
+  const float focal_px = 0.5f * view.viewport.height * fy;
+  std::vector<SeenSegment> seen;
+  for (std::size_t i = 0; i < derived.order.size(); ++i) {
+    const sim::SegmentShape& shape = derived.shape(derived.order[i]);
+    const curve::Cubic& c = shape.key.cubic;
+    const glm::vec3 low = glm::min(glm::min(c.p0, c.p1), glm::min(c.p2, c.p3)), high = glm::max(glm::max(c.p0, c.p1), glm::max(c.p2, c.p3));
+    const float radius = 0.5f * glm::length(high - low);
+    const glm::vec3 off = 0.5f * (low + high) - view.eye;
+    const float depth = glm::dot(off, forward);
+    if (depth < -radius || std::abs(glm::dot(off, right)) * fx - depth > radius * side_x || std::abs(glm::dot(off, up)) * fy - depth > radius * side_y) continue;
+    const double px_per_metre = static_cast<double>(focal_px / std::max(depth - radius, kNearest));
+    seen.push_back({i, px_per_metre, px_per_metre * shape.arc.length()});
+  }
+  return seen;
+}
+
+}  // namespace coaster::view

@@ -1,0 +1,34 @@
+// What the laboratory's pictures share: lines and arrows of constant size on screen, and how much of the track is worth detail.
+#pragma once
+
+#include <vector>
+
+#include "view/overlay.h"
+
+namespace coaster::view {
+
+// Pixels that a metre across the line of sight has at a point; 0 behind the eye.
+class PixelScale {
+ public:
+  explicit PixelScale(const View& view);
+  double operator()(glm::dvec3 at) const;
+
+ private:
+  glm::dvec3 eye_, forward_;
+  double focal_px_;
+};
+
+inline std::uint32_t faded(std::uint32_t rgba, std::uint32_t alpha) { return (rgba & 0xffffff00u) | alpha; }
+
+// From `from` along the unit `direction`, `length` metres; the head, two barbs that face the eye, is left out where one looks along it.
+void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px, std::uint32_t rgba, Overlay& overlay);
+
+// A segment that may be seen: outside the picture none is listed.
+struct SeenSegment {
+  std::size_t index = 0;    // into derived.order
+  double px_per_metre = 0;  // at its nearest
+  double length_px = 0;
+};
+std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& view);
+
+}  // namespace coaster::view

@@ -1,0 +1,139 @@
+// The pictures along the whole track: frames, comb, Frenet's failures. Only what is in the picture is looked at, in steps that are some pixels
+// long, so that the work does not grow with the detail that nobody sees.
+#include <algorithm>
+#include <cmath>
+
+#include "view/overlay_lab.h"
+#include "view/overlay_lab_parts.h"
+
+namespace coaster::view {
+namespace {
+
+void line(glm::dvec3 from, glm::dvec3 to, float width_px, std::uint32_t rgba, Overlay& overlay) {
+  overlay.lines.push_back({glm::vec3(from), glm::vec3(to), width_px, rgba});
+}
+
+// How many multiples of `step` lie in [from, to).
+int multiples(double from, double to, double step) { return static_cast<int>(std::ceil(to / step) - std::ceil(from / step)); }
+
+// The power of two metres that is at least `px` pixels long on the segment.
+double step_of(const SeenSegment& seen, double px) { return std::exp2(std::ceil(std::log2(px / seen.px_per_metre))); }
+
+// The least distance in pixels, from `px` on by doubling, at which `count` of all segments is at most `most`.
+template <class Count>
+double fitting_distance(std::span<const SeenSegment> seen, double px, int most, Count count) {
+  for (int doubling = 0; doubling < 24; ++doubling, px *= 2) {
+    std::int64_t all = 0;
+    for (const SeenSegment& one : seen) all += count(one, px);
+    if (all <= most) break;
+  }
+  return px;
+}
+
+constexpr int kFewestTeeth = 8, kMostTeeth = 64;
+
+// Of a segment, both ends included. Those smaller than `px` on screen share teeth: one at the start of a segment on which a multiple of the
+// step lies.
+int teeth_of(const sim::Derived& derived, const SeenSegment& seen, double px) {
+  if (seen.length_px < px) return multiples(derived.starts[seen.index], derived.starts[seen.index + 1], step_of(seen, px)) > 0 ? 1 : 0;
+  return std::clamp(static_cast<int>(seen.length_px / px), kFewestTeeth, kMostTeeth) + 1;
+}
+
+// -kappa N times the scale: (B' x (B' x B'')) / |B'|^4, at most kMaxTooth long; nothing where B' vanishes.
+glm::dvec3 tooth_at(const curve::Cubic& cubic, double t, double scale) {
+  const glm::dvec3 d1 = curve::derivative(cubic, t), d2 = curve::second_derivative(cubic, t);
+  const double square = glm::dot(d1, d1);
+  if (!(square > 0)) return glm::dvec3(0);
+  const glm::dvec3 tooth = glm::cross(d1, glm::cross(d1, d2)) * (scale / (square * square));
+  const double length = glm::length(tooth);
+  if (length <= kMaxTooth) return tooth;
+  return std::isfinite(length) ? tooth * (kMaxTooth / length) : glm::dvec3(0);
+}
+
+}  // namespace
+
+void add_comb(const sim::Derived& derived, const world::Settings& settings, const View& view, Overlay& overlay) {
+  const float scale = settings.ui_scale;
+  const std::vector<SeenSegment> seen = seen_segments(derived, view);
+  const auto count = [&](const SeenSegment& one, double px) { return teeth_of(derived, one, px); };
+  const double px = fitting_distance(seen, 9.0 * static_cast<double>(scale), kMaxTeeth, count);
+  glm::dvec3 before(0);  // the last tip
+  bool goes_on = false;  // the envelope, over small segments
+  std::size_t next = 0;
+  for (const SeenSegment& one : seen) {
+    const curve::Cubic& cubic = derived.shape(derived.order[one.index]).key.cubic;
+    const int teeth = count(one, px);
+    goes_on = goes_on && one.index == next && teeth <= 1;
+    next = one.index + 1;
+    for (int i = 0; i < teeth; ++i) {
+      const double t = teeth > 1 ? static_cast<double>(i) / (teeth - 1) : 0;
+      const glm::dvec3 root = curve::point(cubic, t), tip = root + tooth_at(cubic, t, settings.comb_scale);
+      line(root, tip, 1.0f * scale, faded(kCombColour, 0xb0), overlay);
+      if (goes_on) line(before, tip, 1.75f * scale, kCombColour, overlay);
+      before = tip;
+      goes_on = true;
+    }
+    goes_on = goes_on && teeth <= 1;
+  }
+}
+
+void add_frames(const sim::Derived& derived, const world::Settings& settings, const View& view, Overlay& overlay) {
+  constexpr double kApartPx = 72, kArrowPx = 34;
+  const float scale = settings.ui_scale;
+  const double ui = static_cast<double>(scale);
+  const PixelScale pixels(view);
+  const std::vector<SeenSegment> seen = seen_segments(derived, view);
+  const auto count = [&](const SeenSegment& one, double px) {
+    return multiples(derived.starts[one.index], derived.starts[one.index + 1], step_of(one, px));
+  };
+  const double px = fitting_distance(seen, kApartPx * ui, kMaxFrames, count);
+  for (const SeenSegment& one : seen) {
+    const sim::SegmentShape& shape = derived.shape(derived.order[one.index]);
+    const double start = derived.starts[one.index], step = step_of(one, px), first = std::ceil(start / step);
+    for (int i = 0; i < count(one, px); ++i) {
+      const double s = (first + i) * step - start;
+      const glm::dvec3 at = curve::point(shape.key.cubic, shape.arc.parameter(s));
+      const double px_per_metre = pixels(at);
+      if (!(px_per_metre > 0)) continue;
+      const sim::TrackFrame f = sim::track_frame(derived, settings.frames, one.index, s);
+      const double length = kArrowPx * ui / px_per_metre;
+      const auto paint = [&](std::uint32_t rgba) { return f.defined ? rgba : faded(rgba, 0x50); };
+      add_arrow(at, f.frame.forward, length, view, 2.25f * scale, paint(kTangentColour), overlay);
+      add_arrow(at, f.frame.up, length, view, 2.25f * scale, paint(kNormalColour), overlay);
+      add_arrow(at, glm::cross(f.frame.forward, f.frame.up), length, view, 2.25f * scale, paint(kBinormalColour), overlay);
+    }
+  }
+}
+
+void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> breaks, const View& view, float scale, Overlay& overlay) {
+  constexpr int kPieces = 12;
+  constexpr double kCrossPx = 7, kNormalPx = 40, kBeside = 0.02;
+  const PixelScale pixels(view);
+  const glm::dvec3 right(view.view[0][0], view.view[1][0], view.view[2][0]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  int drawn = 0;
+  for (const sim::FrenetBreak& at : breaks) {
+    const sim::SegmentShape* const shape = derived.segments.find(at.segment);
+    if (shape == nullptr) continue;
+    const curve::Cubic& cubic = shape->key.cubic;
+    const glm::dvec3 place = curve::point(cubic, at.t);
+    const double px_per_metre = pixels(place);
+    if (at.kind == sim::FrenetBreak::Kind::flip && !(px_per_metre > 0)) continue;
+    if (++drawn > kMaxBreaks) return;
+    if (at.kind == sim::FrenetBreak::Kind::undefined) {
+      for (int i = 0; i < kPieces; ++i) {
+        const double from = at.t + (at.t_end - at.t) * i / kPieces, to = at.t + (at.t_end - at.t) * (i + 1) / kPieces;
+        line(curve::point(cubic, from), curve::point(cubic, to), 5.0f * scale, faded(kBreakColour, 0xc0), overlay);
+      }
+      continue;
+    }
+    const double size = kCrossPx * static_cast<double>(scale) / px_per_metre, length = kNormalPx * static_cast<double>(scale) / px_per_metre;
+    for (const double beside : {-kBeside, kBeside}) {
+      const double t = std::clamp(at.t + beside, 0.0, 1.0);
+      if (const auto frame = curve::frenet(cubic, t)) add_arrow(curve::point(cubic, t), frame->normal, length, view, 2.0f * scale, kNormalColour, overlay);
+    }
+    line(place - size * (right + up), place + size * (right + up), 3.0f * scale, kBreakColour, overlay);
+    line(place - size * (right - up), place + size * (right - up), 3.0f * scale, kBreakColour, overlay);
+  }
+}
+
+}  // namespace coaster::view
