@@ -76,20 +76,22 @@ std::optional<Pick> pick_cart(const sim::Derived& derived, const world::Motion& 
   return best;
 }
 
-// A cart far away is smaller than the knot that it stands on: around its middle a few pixels are its own, too.
+// A cart far away is smaller than the knot that it stands on: around its middle a few pixels are its own, too. The one nearest to the eye wins.
 std::optional<Pick> pick_distant_cart(const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings, const View& view,
                                       glm::vec2 pixel) {
-  constexpr float kNotTheRiders = 3;  // m from the eye
-  float nearest = kCartReach * settings.ui_scale;
+  constexpr double kNotTheRiders = 2.5;  // m from the eye
+  const float reach = kCartReach * settings.ui_scale;
+  double nearest = kNowhere;
   std::optional<Pick> best;
   for (std::size_t i = 0; i < motion.carts.size(); ++i) {
     const world::CartMotion& cart = motion.carts.items()[i];
     if (!derived.segments.contains(cart.segment)) continue;
-    const glm::vec3 middle = cart_middle(sim::pose(derived, cart, settings.frames));
+    const sim::Pose pose = sim::pose(derived, cart, settings.frames);
+    const glm::vec3 middle = cart_middle(pose);
     const auto seen = project(view, middle);
-    if (!seen || glm::distance(view.eye, middle) < kNotTheRiders) continue;
-    const float distance = glm::distance(glm::vec2(seen->x, seen->y), pixel);
-    if (!(distance < nearest)) continue;
+    if (!seen || std::abs(seen->z) > 1 || glm::distance(glm::dvec3(view.eye), pose.position) < kNotTheRiders) continue;
+    const double distance = glm::distance(glm::dvec3(view.eye), glm::dvec3(middle));
+    if (glm::distance(glm::vec2(seen->x, seen->y), pixel) > reach || !(distance < nearest)) continue;
     nearest = distance;
     best = Pick{PickKind::cart, motion.carts.entities()[i], 0, middle};
   }

@@ -106,7 +106,7 @@ void main() {
 }
 )";
 
-// Draws ids of carts, then knots over them, then handles over all; within a kind the depth buffer decides.
+// Draws ids of discs about the middles of carts, then carts over them, then knots over them, then handles over all; within a kind the depth buffer decides.
 class IdPicture {
  public:
   explicit IdPicture(const gfx::Gl& gl)
@@ -121,6 +121,11 @@ class IdPicture {
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthFunc(GL_LESS);
     std::vector<Corner> corners;
+    for (std::size_t i = 0; i < sight.motion.carts.size(); ++i) {
+      const sim::Pose pose = sight.carts()[i];
+      add_mark(sight, glm::vec3(pose.position + 0.55 * pose.frame.up), view::kCartReach, false, id_of(PickKind::cart, sight.motion.carts.entities()[i]), corners);
+    }
+    flush(corners);
     for (std::size_t i = 0; i < sight.motion.carts.size(); ++i)
       add_box(sight, sight.carts()[i], id_of(PickKind::cart, sight.motion.carts.entities()[i]), corners);
     flush(corners);
