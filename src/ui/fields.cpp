@@ -161,32 +161,46 @@ std::optional<Changed> numbers(Ui& ui, std::string_view group, std::span<const s
   return changed;
 }
 
-std::optional<int> slider(Ui& ui, std::string_view label, int value, int low, int high, bool logarithmic, std::string_view tooltip) {
+namespace {
+
+// A bar from low to high whose value is shown with `decimals`, and rounded to them while it is dragged.
+std::optional<double> slide(Ui& ui, std::string_view label, double value, double low, double high, bool logarithmic, int decimals, std::string_view tooltip) {
   begin_row(ui, label);
   const float width = ImGui::CalcItemWidth();
   ImGui::PushID(label.data(), label.data() + label.size());
   const ImVec2 from = ImGui::GetCursorScreenPos(), to(from.x + width, from.y + ImGui::GetFrameHeight());
   const bool begin = ui.entry.id != ImGui::GetID("##type") && wants_typing(0, from, to, false);
-  std::optional<int> result;
+  const std::string digits = fixed(value, decimals), format = "%." + std::to_string(decimals) + "f";
+  std::optional<double> result;
   if (begin) ImGui::ClearActiveID();
   ImGui::SetNextItemWidth(width);
   if (begin || ui.entry.id == ImGui::GetID("##type")) {
-    if (typed(ui, "##type", std::to_string(value), begin) == Typing::complete)
-      if (const auto number = parse(ui, label, 2e9)) result = static_cast<int>(*number);
+    if (typed(ui, "##type", digits, begin) == Typing::complete) result = parse(ui, label, 2e9);
   } else {
-    int wanted = value;
+    double wanted = value;
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));  // drawn below, beside the grab
-    if (ImGui::SliderInt("##slide", &wanted, low, high, "%d", flags) && wanted != value) result = wanted;
+    if (ImGui::SliderScalar("##slide", ImGuiDataType_Double, &wanted, &low, &high, format.c_str(), flags) && wanted != value) result = wanted;
     ImGui::PopStyleColor();
-    const double part = logarithmic && low > 0 ? std::log(double(value) / low) / std::log(double(high) / low) : double(value - low) / (high - low);
-    const std::string digits = std::to_string(value);
+    const double part = logarithmic && low > 0 ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
     const float pad = std::floor(8 * ui.scale), left = part > 0.5 ? from.x + pad : to.x - pad - text_size(digits).x;
     ImGui::GetWindowDrawList()->AddText({std::floor(left), std::floor((from.y + to.y - ImGui::GetTextLineHeight()) * 0.5f)}, packed(kDark.text), digits.c_str());
   }
   ImGui::PopID();
-  note(ui, label, "slider", tooltip, true, std::to_string(value), from, to);
+  note(ui, label, "slider", tooltip, true, digits, from, to);
   return result;
+}
+
+}  // namespace
+
+std::optional<int> slider(Ui& ui, std::string_view label, int value, int low, int high, bool logarithmic, std::string_view tooltip) {
+  const auto to = slide(ui, label, value, low, high, logarithmic, 0, tooltip);
+  const auto whole = to ? std::optional(static_cast<int>(std::lround(*to))) : std::nullopt;
+  return whole != value ? whole : std::nullopt;
+}
+
+std::optional<double> real_slider(Ui& ui, std::string_view label, double value, double low, double high, int decimals, std::string_view tooltip) {
+  return slide(ui, label, value, low, high, false, decimals, tooltip);
 }
 
 std::optional<std::string> text(Ui& ui, std::string_view label, const std::string& value, std::string_view tooltip) {

@@ -11,6 +11,7 @@
 #include "ui/actions.h"
 #include "ui/imgui_input.h"
 #include "ui/imgui_renderer.h"
+#include "ui/lab_cache.h"
 #include "ui/layout.h"
 #include "ui/panels.h"
 #include "ui/theme.h"
@@ -75,6 +76,7 @@ struct Host::Parts {
   Gesture gesture;
   Rest rest;
   Toasts toasts;
+  LabCache lab;
   std::string file;               // in the field Track/File
   std::filesystem::path file_of;  // the session's path it was taken from
   ViewportTool tool;
@@ -140,7 +142,8 @@ void Host::Parts::count_rest() {
 
 void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int height) {
   const edit::Session& session = ui.session();
-  const Layout layout = make_layout(width, height, ui.scale, ImGui::GetFrameHeight(), session.settings.show_panels);
+  const Layout layout = make_layout(width, height, ui.scale, ImGui::GetFrameHeight(), session.settings.show_panels,
+                                    session.settings.show_laboratory);
   view = make_view(session, layout.scene);
   if (std::exchange(frame_next, false)) ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
 
@@ -151,6 +154,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
     build_menu(act);
     build_column(ui, Column::left, layout.left);
     build_column(ui, Column::right, layout.right);
+    build_laboratory(ui, layout.strip);
     build_status_bar(ui, layout.status);
   }
   settle_gesture(ui);
@@ -196,7 +200,7 @@ Output Host::build(const platform::Events& events, const State& state, int width
   ImGui::NewFrame();
   Output out;
   p.list.clear();
-  Ui ui{state, out, p.list, p.entry, p.gesture, p.rest, p.toasts, p.file, p.gl.renderer, scale, {}};
+  Ui ui{state, out, p.list, p.entry, p.gesture, p.rest, p.toasts, p.lab, p.file, p.gl.renderer, scale, {}};
   p.lay_out(ui, events, width, height);
   p.count_rest();
   ImGui::Render();

@@ -1,16 +1,47 @@
 // Evaluation: the methods to compare, resolution, and the read-outs to compare them by.
+#include <imgui.h>
+
 #include "ui/panels.h"
+#include "ui/theme.h"
 
 namespace coaster::ui {
 namespace {
 
-void methods(Ui& ui) {
-  const auto rows = curve::evaluators();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto id = static_cast<curve::EvaluatorId>(i);
-    const std::string tooltip = std::string(rows[i].formula) + "\nCost a point: " + std::string(rows[i].cost);
-    if (radio(ui, rows[i].label, ui.session().settings.evaluator == id, tooltip)) ui.emit(edit::SetEvaluator{id});
+using curve::Stage;
+
+enum class Group { paper, fast, gpu };
+// The table begins with the methods of the paper; rows that are computed on the GPU say so.
+Group group_of(std::size_t row) {
+  constexpr std::size_t kOfThePaper = 4;
+  if (curve::evaluators()[row].stage != Stage::processor) return Group::gpu;
+  return row < kOfThePaper ? Group::paper : Group::fast;
+}
+
+void method(Ui& ui, std::size_t row) {
+  const curve::Evaluator& one = curve::evaluators()[row];
+  const auto id = static_cast<curve::EvaluatorId>(row);
+  const std::string& refusal = ui.state.stats.stage_refusals[static_cast<std::size_t>(one.stage)];
+  const std::string tooltip = std::string(one.formula) + "\nCost a point: " + std::string(one.cost) + (refusal.empty() ? "" : "\nNot here: " + refusal);
+  if (radio(ui, one.label, ui.session().settings.evaluator == id, tooltip, refusal.empty())) ui.emit(edit::SetEvaluator{id});
+}
+
+// The rows of a group in small letters, two in a line where they fit.
+void methods_of(Ui& ui, Group group, std::string_view title, std::string_view tooltip) {
+  ImGui::PushFont(small_font());
+  heading(ui, title, tooltip);
+  bool alone = false;  // the last one, in its line
+  for (std::size_t i = 0; i < curve::evaluators().size(); ++i) {
+    if (group_of(i) != group) continue;
+    alone = !(alone && beside_last(ui, curve::evaluators()[i].label));
+    method(ui, i);
   }
+  ImGui::PopFont();
+}
+
+void methods(Ui& ui) {
+  methods_of(ui, Group::paper, "The paper's four", "Barrett 2012, section 3, each in its textbook form.");
+  methods_of(ui, Group::fast, "Fast", "The same polynomial, arranged for today's processors.");
+  methods_of(ui, Group::gpu, "On the GPU", "From the control points alone: 48 bytes a segment go to the GPU, not its polyline.");
 }
 
 void resolution(Ui& ui) {
@@ -48,6 +79,10 @@ void evaluation_panel(Ui& ui) {
            "Time inside the chosen method in the last frame that evaluated anything. A still frame evaluates nothing.");
   read_out(ui, "Time per point", timed ? fixed(stats.evaluation_ms * 1e6 / static_cast<double>(stats.evaluated_vertices), 1) : "--", "ns",
            "The same, per vertex.");
+  read_out(ui, "Time on the GPU", !ui.state.scripted && stats.gpu_ms > 0 ? fixed(stats.gpu_ms, 3) : "--", "ms",
+           "Work of the graphics processor on the polylines, a few frames ago: where the method runs there, its evaluation too.");
+  read_query(ui, "Held on the GPU", "polyline_bytes", {},
+             "Bytes of all polylines on the graphics processor: 24 a vertex, or 48 a segment when they are evaluated there.", {.decimals = 0});
   read_query(ui, "Largest deviation", "deviation", {},
              "Largest distance of a vertex from the exact point at the same parameter (de Casteljau in long double): rounding error alone.",
              {.decimals = 6, .unit = "mm", .factor = 1e3});

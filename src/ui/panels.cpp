@@ -8,12 +8,21 @@
 namespace coaster::ui {
 
 std::span<const Panel> panels() {
-  static constexpr std::array kPanels{
+  static constexpr std::array kPanels{  // pages: in the order of world::lab_pages()
       Panel{"Track", Column::left, "The track as a whole: its name, file, size, and what can be added.", track_panel},
       Panel{"Inspector", Column::left, "What is selected: a knot, a segment with a place on it, or a cart.", inspector_panel},
       Panel{"Evaluation", Column::right, "How the curve is turned into a polyline, and how exact and fast that is.", evaluation_panel},
       Panel{"Ride", Column::right, "The carts: run them, and read what they do.", ride_panel},
       Panel{"Statistics", Column::right, "What the last frame cost.", statistics_panel},
+      Panel{"Construction", Column::bottom, "De Casteljau's construction of the point at the probe: by interpolation alone.", construction_page},
+      Panel{"Weights", Column::bottom, "Bernstein's basis: how much each control point weighs in the point of the curve.", weights_page},
+      Panel{"Hodograph", Column::bottom, "The derivative B'(t) as a curve of its own, and the speed of the parameter.", hodograph_page},
+      Panel{"Error", Column::bottom, "What rounding does to the chosen evaluator along the segment, in millimetres.", error_page},
+      Panel{"Lengths", Column::bottom, "Every arc-length method on the segment and on the track, and how fast each converges.", lengths_page},
+      Panel{"Frames", Column::bottom, "How carts are turned along the track; curvature, torsion, and where Frenet-Serret fails.", frames_page},
+      Panel{"Joints", Column::bottom, "How smoothly the segments join, what a rider feels of it, and buttons that mend it.", joints_page},
+      Panel{"Errata", Column::bottom, "What the paper of 2012 claims beside what holds, in numbers of the segment.", errata_page},
+      Panel{"Measurements", Column::bottom, "Time and error of every evaluator, measured on this machine.", measurements_page},
   };
   return kPanels;
 }

@@ -8,10 +8,10 @@
 
 namespace coaster::ui {
 
-enum class Column { left, right };
+enum class Column { left, right, bottom };  // bottom: pages of the laboratory, one at a time
 
 struct Panel {
-  std::string_view name;  // first part of its widgets' paths
+  std::string_view name;  // first part of its widgets' paths; that of all pages is "Laboratory"
   Column column;
   std::string_view help;
   void (*build)(Ui& ui);
@@ -24,8 +24,20 @@ void evaluation_panel(Ui& ui);
 void ride_panel(Ui& ui);
 void statistics_panel(Ui& ui);
 
+void construction_page(Ui& ui);
+void weights_page(Ui& ui);
+void hodograph_page(Ui& ui);
+void error_page(Ui& ui);
+void lengths_page(Ui& ui);
+void frames_page(Ui& ui);
+void joints_page(Ui& ui);
+void errata_page(Ui& ui);
+void measurements_page(Ui& ui);
+
 // The panels of one column, one under the other, in a window of their own over `area`; scrolls.
 void build_column(Ui& ui, Column column, const view::Viewport& area);
+// The laboratory: a bar with the names of its pages, and below it, while the strip is open, the chosen one.
+void build_laboratory(Ui& ui, const view::Viewport& area);
 void build_status_bar(Ui& ui, const view::Viewport& area);
 
 }  // namespace coaster::ui

@@ -75,7 +75,7 @@ PlotArea lay_out(const Ui& ui, const Plot& p, const Data& data, ImVec2 low, ImVe
   const float x_title = small_size(area, axis_title(p.x)).x;
   area.title_beside = x_title <= 4 * line;
   const float above = axis_title(p.y).empty() ? line * 0.5f : line + gap, below = line + gap + (area.title_beside ? 0 : line);
-  const float right = area.title_beside && x_title > 0 ? x_title + 2 * gap : line;
+  const float right = area.title_beside && x_title > 0 ? x_title + line + gap : line;
   area.low = {std::floor(low.x + 3 * line), std::floor(low.y + above)};
   area.high = {std::max(std::floor(high.x - right), area.low.x + 1), std::max(std::floor(high.y - below), area.low.y + 1)};
   if (p.square) make_square(area);
@@ -137,7 +137,7 @@ void draw_all(ImDrawList& list, const PlotArea& area, const Plot& p, ImVec2 oute
 
 }  // namespace
 
-std::optional<double> plot(Ui& ui, std::string_view label, const Plot& p, std::string_view tooltip) {
+std::optional<PlotDrag> plot(Ui& ui, std::string_view label, const Plot& p, std::string_view tooltip) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const float least = 4 * small_text_px(ui);
   const ImVec2 size(std::max(least, p.width > 0 ? p.width : room.x), std::max(least, p.height > 0 ? p.height : room.y));
@@ -147,13 +147,12 @@ std::optional<double> plot(Ui& ui, std::string_view label, const Plot& p, std::s
   const PlotArea area = lay_out(ui, p, data, low, high);
 
   ImGui::PushID(label.data(), label.data() + label.size());
-  ImGui::Dummy(size);
   ImGui::SetCursorScreenPos(area.low);
   ImGui::InvisibleButton("##area", {area.high.x - area.low.x, area.high.y - area.low.y});
   const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
-  ImGui::SetCursorScreenPos({low.x, high.y});
-  ImGui::Dummy({0, 0});
   ImGui::PopID();
+  ImGui::SetCursorScreenPos(low);
+  ImGui::Dummy(size);  // the plot as a whole is what the next item stands beside or below
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(low, high, true);
@@ -167,9 +166,11 @@ std::optional<double> plot(Ui& ui, std::string_view label, const Plot& p, std::s
   note(ui, label, "plot", any ? "" : tooltip, true, value, area.low, area.high);
   note(ui, std::string(label) + "/axes", "label", tooltip, true, axis_title(p.y), low,
        {high.x, area.low.y});
-  if (!held || !p.cursor || !any) return std::nullopt;
-  const double wanted = snapped(area, mouse.x);
-  return wanted == *p.cursor ? std::nullopt : std::optional(wanted);
+  if (!held || !any) return std::nullopt;
+  const double up = (area.high.y - mouse.y) / (area.high.y - area.low.y);
+  const PlotDrag wanted{p.cursor ? snapped(area, mouse.x) : value_at(area.x, (mouse.x - area.low.x) / (area.high.x - area.low.x)), value_at(area.y, up)};
+  const bool moves = p.cursor ? wanted.x != *p.cursor : p.drags_point;
+  return moves ? std::optional(wanted) : std::nullopt;
 }
 
 }  // namespace coaster::ui

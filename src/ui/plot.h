@@ -40,9 +40,9 @@ struct Spot {
 };
 
 struct PlotAxis {
-  std::string title, unit;          // drawn as "title (unit)"
+  std::string title = {}, unit = {};  // drawn as "title (unit)"
   AxisScale scale = AxisScale::linear;
-  std::optional<double> low, high;  // else from the data
+  std::optional<double> low = {}, high = {};  // else from the data
 };
 
 struct Plot {
@@ -50,16 +50,22 @@ struct Plot {
   std::span<const Series> series;
   std::span<const Level> levels = {};
   std::span<const Spot> spots = {};
-  std::optional<double> cursor;           // a vertical line here; dragging returns a new one
+  std::optional<double> cursor = {};      // a vertical line here; dragging returns a new one
   bool square = false;                    // one metre is as long on both axes: for shapes
+  bool drags_point = false;               // without a cursor: returns the place under the mouse while it holds the plot
   std::string_view empty = "no data";     // shown when nothing can be drawn
-  std::string value;                      // of the widget; "" for the cursor's x
+  std::string value = {};                 // of the widget; "" for the cursor's x
   float width = 0, height = 0;            // px; 0: what room is left
 };
 
+// Where the mouse holds a plot, in the units of its axes.
+struct PlotDrag {
+  double x = 0, y = 0;
+};
+
 // Draws at the layout's place and registers "Panel/label" of kind "plot" over the area of the data, so that a click in its middle is
-// a click at the middle of the x axis. Returns where the cursor is wanted while the mouse holds it: within the axis, a multiple of a
-// round step no longer than a pixel. A plot without a cursor returns nothing.
-std::optional<double> plot(Ui& ui, std::string_view label, const Plot& plot, std::string_view tooltip);
+// a click at the middle of the x axis. While the mouse holds it: where the cursor is wanted, x within the axis and a multiple of a
+// round step no longer than a pixel, when that is not where the cursor is; or with `drags_point` the place under the mouse.
+std::optional<PlotDrag> plot(Ui& ui, std::string_view label, const Plot& plot, std::string_view tooltip);
 
 }  // namespace coaster::ui

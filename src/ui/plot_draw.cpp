@@ -104,7 +104,7 @@ void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 
     row(v, v == 0 ? packed(kDark.dim, 0.7f) : major);
     const std::string text = tick_text(area.y, area.y_ticks, v, area.pretty);
     const ImVec2 size = small_size(area, text);
-    const float y = std::clamp(area.at(area.x.low, v).y - size.y * 0.5f, area.low.y - size.y * 0.5f, area.high.y - size.y * 0.6f);
+    const float y = std::clamp(area.at(area.x.low, v).y - size.y * 0.5f, area.low.y - size.y * 0.15f, area.high.y - size.y * 0.6f);
     small_text(list, area, {area.low.x - size.x - gap, y}, kDark.dim, text);
   }
   for (const double v : area.x_ticks.major) {
@@ -117,7 +117,7 @@ void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 
   const std::string title = axis_title(plot.x);
   const ImVec2 size = small_size(area, title);
   const float below = area.high.y + gap * 0.5f;
-  if (area.title_beside) small_text(list, area, {area.high.x + 2 * gap, below}, kDark.text, title);
+  if (area.title_beside) small_text(list, area, {area.high.x + line, below}, kDark.text, title);
   else small_text(list, area, {(area.low.x + area.high.x - size.x) * 0.5f, below + line}, kDark.text, title);
 }
 

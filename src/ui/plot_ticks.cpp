@@ -70,17 +70,21 @@ Ticks logarithmic_ticks(const AxisRange& axis, int most) {
   Ticks result;
   const auto within = [&](double value) { return value >= axis.low * (1 - 1e-9) && value <= axis.high * (1 + 1e-9); };
   const int first = static_cast<int>(std::floor(std::log10(axis.low) + 1e-9)), last = static_cast<int>(std::ceil(std::log10(axis.high) - 1e-9));
-  const int decades = last - first;
+  const auto labelled = [&](int e, int every) { return (e % every + every) % every == 0 && within(std::pow(10.0, e)); };
+  const auto count = [&](int every) {
+    int found = 0;
+    for (int e = first; e <= last; ++e) found += labelled(e, every) ? 1 : 0;
+    return found;
+  };
   int every = 1;
-  while (decades / every + 1 > most) ++every;
+  while (count(every) > most) ++every;
   const bool few = 3 * std::log10(axis.high / axis.low) + 1 <= most;  // room for 2 and 5 too
   for (int e = first; e <= last; ++e) {
     const double power = std::pow(10.0, e);
-    const bool labelled = (e % every + every) % every == 0;
     for (int factor = 1; factor <= 9; ++factor) {
       const double value = factor * power;
       if (!within(value)) continue;
-      const bool major = labelled && (factor == 1 || (few && (factor == 2 || factor == 5)));
+      const bool major = (e % every + every) % every == 0 && (factor == 1 || (few && (factor == 2 || factor == 5)));
       if (major) result.major.push_back(value);
       else if (every == 1 || factor == 1) result.minor.push_back(value);
     }

@@ -97,6 +97,15 @@ bool radio(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bo
   return pressed && enabled && !on;
 }
 
+bool beside_last(Ui& ui, std::string_view label) {
+  const float button = ImGui::GetTextLineHeight() + 2 * std::floor(2 * ui.scale), room = ImGui::GetContentRegionAvail().x;
+  const float start = ImGui::GetCursorPosX(), middle = std::floor(room * 0.46f);
+  const float last_end = ImGui::GetItemRectMax().x - ImGui::GetCursorScreenPos().x;
+  if (last_end > middle || middle + button + ImGui::GetStyle().ItemInnerSpacing.x + text_size(label).x > room) return false;
+  ImGui::SameLine(start + middle);
+  return true;
+}
+
 std::optional<bool> checkbox(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled) {
   bool wanted = on;
   ImGui::BeginDisabled(!enabled);
@@ -109,10 +118,11 @@ std::optional<bool> checkbox(Ui& ui, std::string_view label, bool on, std::strin
   return wanted;
 }
 
-std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice> choices, int current, std::string_view tooltip) {
+std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice> choices, int current, std::string_view tooltip,
+                         bool may_cut) {
   float widest = 0;
   for (const Choice& choice : choices) widest = std::max(widest, text_size(choice.label).x);
-  begin_row(ui, label, widest + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight());
+  begin_row(ui, label, may_cut ? 0 : widest + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight());
   const std::string preview = current >= 0 && current < static_cast<int>(choices.size()) ? choices[static_cast<std::size_t>(current)].label : "";
   // Once the list is open, ImGui's last item is the list's: the box has to be known before.
   const ImVec2 low = ImGui::GetCursorScreenPos();

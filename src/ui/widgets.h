@@ -49,6 +49,7 @@ struct Rest {
 };
 
 struct Toasts;
+struct LabCache;
 
 // What a panel works with during one build.
 struct Ui {
@@ -59,6 +60,7 @@ struct Ui {
   Gesture& gesture;
   Rest& rest;
   Toasts& toasts;
+  LabCache& lab;
   std::string& file;           // the path in Track/File
   std::string_view renderer;   // GL_RENDERER
   float scale = 1;
@@ -76,12 +78,15 @@ bool header(Ui& ui, std::string_view name, std::string_view tooltip);  // true w
 void heading(Ui& ui, std::string_view text, std::string_view tooltip);
 bool button(Ui& ui, std::string_view label, std::string_view tooltip, bool enabled = true, float width = 0);
 bool radio(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled = true);
+// Whether a radio button or checkbox with this label fits beside the last one, from the row's middle on; moves there when it does.
+bool beside_last(Ui& ui, std::string_view label);
 std::optional<bool> checkbox(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled = true);
 
 struct Choice {
   std::string label, tooltip;
 };
-std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice> choices, int current, std::string_view tooltip);
+std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice> choices, int current, std::string_view tooltip,
+                         bool may_cut = false);  // may_cut: beside its label even where the widest choice is cut
 
 struct Number {
   double value = 0;
@@ -102,6 +107,8 @@ std::optional<Changed> numbers(Ui& ui, std::string_view group, std::span<const s
                                std::string_view tooltip);
 // A whole number on a (logarithmic) bar; Ctrl+click or a double click types it.
 std::optional<int> slider(Ui& ui, std::string_view label, int value, int low, int high, bool logarithmic, std::string_view tooltip);
+// The same for a real number, shown with and rounded to `decimals`.
+std::optional<double> real_slider(Ui& ui, std::string_view label, double value, double low, double high, int decimals, std::string_view tooltip);
 // A line of text; returns it when Enter is pressed or the field is left changed.
 std::optional<std::string> text(Ui& ui, std::string_view label, const std::string& value, std::string_view tooltip);
 

@@ -1,0 +1,31 @@
+// Curves of space drawn in a plane: the axes to draw them by.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace coaster::ui {
+
+// A plane of the picture: right and up are perpendicular unit vectors.
+struct Sheet {
+  glm::dvec3 origin{0}, right{1, 0, 0}, up{0, 1, 0};
+  glm::dvec2 at(glm::dvec3 p) const { return {glm::dot(p - origin, right), glm::dot(p - origin, up)}; }
+};
+
+// The plane through `points` (at least one; the first is the origin) in which they spread most: right is the line of the two farthest, up
+// points to the one farthest from that line. Turned so that the last point is right of the first and up does not point downwards in the
+// world. Coplanar points keep their true distances. Points on one line or in one place give some plane that holds them.
+Sheet sheet_of(std::span<const glm::dvec3> points);
+
+// Points as the coordinates of a plot's series.
+struct Trace {
+  std::vector<double> x, y;
+  void add(glm::dvec2 p) {
+    x.push_back(p.x);
+    y.push_back(p.y);
+  }
+};
+
+}  // namespace coaster::ui
