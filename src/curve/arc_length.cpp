@@ -52,16 +52,12 @@ double agreement_error(double fine, double difference) {
 // Both rules converge geometrically with the same base r: errors C r^16 and C r^32, so where they agree to 1e-10 the 16-node rule is
 // right to about 1e-20 / C. C may be as small as 1e-4 near a bend, hence the wide margin to the 1e-12 that is promised.
 // `floor` is an absolute error too small to matter: it ends the subdivision towards a cusp.
-double adaptive(const CoefficientsD& c, double a, double b, double floor, int depth, LengthEstimate& tally) {
+double adaptive(const CoefficientsD& c, double a, double b, double floor, int depth) {
   const double fine = gauss(c, a, b, kGauss16);
   const double difference = std::abs(fine - gauss(c, a, b, kGauss8));
-  tally.evaluations += 24;
-  if (difference <= std::max(1e-10 * fine, floor) || depth >= kMaxDepth) {
-    tally.error_bound += agreement_error(fine, difference);
-    return fine;
-  }
+  if (difference <= std::max(1e-10 * fine, floor) || depth >= kMaxDepth) return fine;
   const double middle = 0.5 * (a + b);
-  return adaptive(c, a, middle, floor, depth + 1, tally) + adaptive(c, middle, b, floor, depth + 1, tally);
+  return adaptive(c, a, middle, floor, depth + 1) + adaptive(c, middle, b, floor, depth + 1);
 }
 
 // The length of the control polygon, from the coefficients: bounds the arc length from above.
@@ -99,15 +95,14 @@ SlowPoints slow_points(const CoefficientsD& c) {
 }
 
 double split_at_slow_points(const CoefficientsD& c, const SlowPoints& slow, double a, double b, double floor) {
-  LengthEstimate tally{0.0, 0.0, 0};
   double sum = 0, from = a;
   for (int i = 0; i < slow.count; ++i) {
     const double t = slow.t[static_cast<std::size_t>(i)];
     if (!(t > from && t < b)) continue;
-    sum += adaptive(c, from, t, floor, 0, tally);
+    sum += adaptive(c, from, t, floor, 0);
     from = t;
   }
-  return sum + adaptive(c, from, b, floor, 0, tally);
+  return sum + adaptive(c, from, b, floor, 0);
 }
 
 // A curve that slows down to less than a quarter of its fastest may have a cusp between any samples.
@@ -132,36 +127,29 @@ bool nearly_stops(const CoefficientsD& c, double a, double b) {
                      [&](double t) { return t > a && t < b && speed(c, t) < kSteady * usual; });
 }
 
-// Near a stop the two rules may agree by chance, or miss a kink together: only steady pieces are believed, and what is left about the
-// stop when it is shorter than `floor` is measured by Gravesen's mean.
-void measure_stopping(const CoefficientsD& c, double a, double b, double floor, int depth, LengthEstimate& total) {
+// Near a stop the two rules may agree by chance, or miss a kink together: only steady pieces are believed, the others are halved unseen,
+// and what is left about the stop when it is shorter than `floor` is measured by Gravesen's mean.
+double believed(const CoefficientsD& c, double a, double b, double floor, int depth, LengthEstimate& tally) {
   const detail::Hodograph h = detail::hodograph(c, a, b);
   if (detail::steadiness(h) >= kSteady || depth >= kMaxDepth) {
     const double fine = gauss(c, a, b, kGauss16), difference = std::abs(fine - gauss(c, a, b, kGauss8));
-    total.evaluations += 24;
+    tally.evaluations += 24;
     if (difference <= std::max(1e-10 * fine, floor) || depth >= kMaxDepth) {
-      total.length += fine;
-      total.error_bound += agreement_error(fine, difference);
-      return;
+      tally.error_bound += agreement_error(fine, difference);
+      return fine;
     }
   } else if (const double polygon = detail::polygon_length(h); !(polygon > floor)) {
-    total.length += 0.5 * (polygon + detail::chord_length(h));
-    total.error_bound += 0.5 * polygon;
-    total.evaluations += 4;
-    return;
+    tally.error_bound += 0.5 * polygon;
+    tally.evaluations += 4;
+    return 0.5 * (polygon + detail::chord_length(h));
   }
   const double middle = 0.5 * (a + b);
-  measure_stopping(c, a, middle, floor, depth + 1, total);
-  measure_stopping(c, middle, b, floor, depth + 1, total);
+  return believed(c, a, middle, floor, depth + 1, tally) + believed(c, middle, b, floor, depth + 1, tally);
 }
 
 LengthEstimate default_length(const CoefficientsD& c, double a, double b) {
-  const double floor = 1e-13 * polygon_length(c);
   LengthEstimate total{0.0, 0.0, 0};
-  if (nearly_stops(c, a, b))
-    measure_stopping(c, a, b, floor, 0, total);
-  else
-    total.length = adaptive(c, a, b, floor, 0, total);
+  total.length = believed(c, a, b, 1e-13 * polygon_length(c), 0, total);
   total.error_bound += 1e-15 * total.length;  // rounding
   return total;
 }

@@ -69,13 +69,14 @@ TEST(degenerate, every_length_is_finite_and_within_the_polygon_and_its_work_boun
 }
 
 TEST(degenerate, every_tolerance_is_kept_with_bounded_work) {
-  for (const CubicSet& set : degenerate_sets(2000, 93)) {
-    std::vector<double> batch(set.cubics.size());
+  for (const CubicSet& set : degenerate_sets(1000, 93)) {
+    std::vector<double> batch(set.cubics.size()), lengths;
+    for (const Cubic& c : set.cubics) lengths.push_back(static_cast<double>(reference_length(c)));
     for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12}) {
       arc_lengths(set.cubics, tolerance, batch);
       for (std::size_t i = 0; i < batch.size(); ++i) {
         const LengthEstimate one = measure_arc_length(set.cubics[i], 0, 1, tolerance);
-        const auto exact = static_cast<double>(reference_length(set.cubics[i]));
+        const double exact = lengths[i];
         ASSERT_LE(std::abs(one.length - exact), tolerance * exact) << set.name << i << " to " << tolerance;
         ASSERT_LE(std::abs(batch[i] - exact), tolerance * exact) << set.name << i << " at once to " << tolerance;
         ASSERT_LE(one.evaluations, 4000) << set.name;
