@@ -75,7 +75,7 @@ curve::G2Problem problem_of(const Document& document, const Joint& j, bool stric
   problem.position = p;
   problem.in_handle = p - t * double{knot.in_length};
   problem.out_handle = p + t * double{knot.out_length};
-  problem.equal_lengths = knot.joint == JointKind::smooth;
+  problem.equal_lengths = knot.joint == JointKind::smooth || class_at(document, j.at).parametric >= curve::Parametric::c1;
   problem.position_fixed = knot_at(document, j.before).joint == JointKind::automatic || knot_at(document, j.after).joint == JointKind::automatic;
   problem.before = side_of(document, j.before, true, strict, one_neighbour);
   problem.after = side_of(document, j.after, false, strict, one_neighbour);

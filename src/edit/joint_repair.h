@@ -10,7 +10,7 @@
 
 namespace coaster::edit {
 
-// What may move: the knot's place, direction and handle lengths (equal ones stay equal at a smooth joint; an automatic joint becomes
+// What may move: the knot's place, direction and handle lengths (a joint that is C1 stays C1; an automatic one becomes
 // aligned), and the two handles of its neighbours that face it, along their lines, where the neighbour is aligned and not C1. The knot
 // stays in its place beside an automatic neighbour, whose shape would follow.
 // What holds afterwards: the joint is G2 to the tolerance of curve/continuity.h; the neighbours' joints have at least the geometric and
