@@ -3,11 +3,11 @@
 #include "gfx/renderer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <optional>
 
 #include "gfx/curve_deviation.h"
+#include "gfx/draw_state.h"
 #include "gfx/gpu_timer.h"
 #include "gfx/instances.h"
 #include "gfx/scene_programs.h"
@@ -19,25 +19,6 @@ namespace {
 constexpr glm::vec3 kBackground{27 / 255.0f, 31 / 255.0f, 39 / 255.0f};  // #1B1F27, around the viewport
 constexpr float kPolylineWidth = 1.75f;                                  // px
 constexpr glm::vec4 kPolylineColour{1, 1, 1, 0.9f};
-
-// Pixels with their origin at the bottom left, inside the picture.
-struct Rectangle {
-  int x, y, width, height;
-};
-Rectangle pixels_of(const view::Viewport& v, int width, int height) {
-  const auto pixel = [](float place, int limit) { return std::clamp(int(std::lround(place)), 0, limit); };
-  const int left = pixel(v.x, width), right = pixel(v.x + v.width, width);
-  const int top = pixel(v.y, height), bottom = pixel(v.y + v.height, height);
-  return {left, height - bottom, right - left, bottom - top};
-}
-
-void enable(const Gl& gl, GLenum what, bool on) { (on ? gl.Enable : gl.Disable)(what); }
-
-void blend(const Gl& gl, bool on) {
-  enable(gl, GL_BLEND, on);
-  gl.BlendEquation(GL_FUNC_ADD);
-  gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-}
 
 }  // namespace
 
