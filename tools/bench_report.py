@@ -48,7 +48,7 @@ def main():
     print(machine_line(report, runs))
     width = max(len(name) for name in runs)
     print(f"{'benchmark':{width}} {'time':>12}  figures")
-    for name, of in runs.items():
+    for name, of in sorted(runs.items()):
         figures = "  ".join(f"{key} {median(of, key):.4g}" for key in of[0] if key.startswith(FIGURES))
         print(f"{name:{width}} {median(of, 'real_time'):9.4g} {of[0]['time_unit']:2}  {figures}")
 
