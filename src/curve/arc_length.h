@@ -44,7 +44,7 @@ struct ArcLengthMethod {
 
 // Rows: adaptive Gauss-Legendre (the default, row 0), Gravesen's mean (Paper erratum: the paper has a product), chord sum of the
 // polyline, Simpson, trapezium, Riemann, Gauss-Legendre of n nodes, Clenshaw-Curtis, Gravesen and Simpson with subdivision.
-// Every row is finite and not negative for every cubic, and does bounded work: at most 4 * 2^14 evaluations in Gravesen's
+// Every row is finite and not negative for every cubic, and does bounded work: at most 2^17 evaluations in Gravesen's
 // subdivision (1e-9 at best: its bound says what was reached), a few thousand in the others.
 std::span<const ArcLengthMethod> arc_length_methods();
 const ArcLengthMethod& arc_length_method(ArcLengthId id);
