@@ -15,12 +15,12 @@ struct ShowLayer {
   COASTER_FIELDS(visit("", self.what), visit("", self.to))
 };
 struct SetMagnification {
-  double to = 10'000;
+  double to = 100'000;
   COASTER_COMMAND("magnification", "Set how many times the rounding layer magnifies an evaluator's errors (1..1e7).", Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };
 struct SetCombScale {
-  double to = 30;
+  double to = 100;
   COASTER_COMMAND("comb_scale", "Set the length of the comb's teeth: metres for a curvature of 1/m (0.001..1e6).", Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };

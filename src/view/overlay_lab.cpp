@@ -49,21 +49,33 @@ void add_rounding(const sim::SegmentShape& shape, const world::Settings& setting
   }
   const std::size_t every = last / kWhiskers + 1;
   for (std::size_t i = every; i < last; i += every) line(r.exact[i], moved[i], 1.0f * scale, faded(kRoundingColour, 0x60), overlay);
-  for (std::size_t i = 0; i + 1 < last; ++i) line(moved[i], moved[i + 1], 1.5f * scale, kRoundingColour, overlay);
+  for (std::size_t i = 0; i + 1 < last; ++i) line(moved[i], moved[i + 1], 1.75f * scale, kRoundingColour, overlay);
   line(moved[last - 1], moved[last], 3.0f * scale, kSeamColour, overlay);
   if (last > 1) disc(moved[last - 1], 3.5f * scale, kSeamColour, overlay);
+}
+
+// A layer's lines over a dark rim each, so that they read on sky, ground and rails alike; those in thousands go without.
+void append_rimmed(const Overlay& layer, float scale, Overlay& overlay) {
+  constexpr std::size_t kFew = 2500;
+  constexpr std::uint32_t kRimColour = 0x1b1f2778;
+  constexpr float kThin = 1.5f, kRim = 2.0f;  // px at scale 1: rimmed from this width on, and wider by this
+  if (layer.lines.size() <= kFew)
+    for (const Line& one : layer.lines)
+      if (one.width_px >= kThin * scale && (one.rgba & 0xffu) == 0xffu) overlay.lines.push_back({one.from, one.to, one.width_px + kRim * scale, kRimColour});
+  overlay.lines.insert(overlay.lines.end(), layer.lines.begin(), layer.lines.end());
+  overlay.marks.insert(overlay.marks.end(), layer.marks.begin(), layer.marks.end());
 }
 
 }  // namespace
 
 void add_construction(const sim::SegmentShape& shape, double t, const View& view, float scale, Overlay& overlay) {
   const curve::Construction c = curve::construction(shape.key.cubic, t);
-  line(c.first[0], c.first[1], 1.75f * scale, kConstructionColour, overlay);
-  line(c.first[1], c.first[2], 1.75f * scale, kConstructionColour, overlay);
-  line(c.second[0], c.second[1], 2.25f * scale, kConstructionColour, overlay);
+  line(c.first[0], c.first[1], 2.25f * scale, kConstructionColour, overlay);
+  line(c.first[1], c.first[2], 2.25f * scale, kConstructionColour, overlay);
+  line(c.second[0], c.second[1], 2.75f * scale, kConstructionColour, overlay);
   // The last two points span the tangent: B'(t) = 3 (second[1] - second[0]).
   const double third = glm::length(c.second[1] - c.second[0]);
-  add_arrow(c.point, curve::unit_tangent(shape.key.cubic, t), third, view, 2.25f * scale, kTangentColour, overlay);
+  add_arrow(c.point, curve::unit_tangent(shape.key.cubic, t), third, view, 2.75f * scale, kTangentColour, overlay);
   for (const glm::dvec3 at : c.first) disc(at, 3.5f * scale, kConstructionColour, overlay);
   for (const glm::dvec3 at : c.second) disc(at, 4.25f * scale, kConstructionColour, overlay);
   disc(c.point, 5.5f * scale, kTangentColour, overlay);
@@ -78,7 +90,7 @@ void add_circle(const sim::SegmentShape& shape, double t, float scale, Overlay& 
   for (int i = 1; i <= kCircleSides; ++i) {
     const double angle = kTwoPi * i / kCircleSides;
     const glm::dvec3 at = i == kCircleSides ? touch : centre + radius * (std::sin(angle) * frame->tangent - std::cos(angle) * frame->normal);
-    line(before, at, 1.75f * scale, kCircleColour, overlay);
+    line(before, at, 2.25f * scale, kCircleColour, overlay);
     before = at;
   }
   line(centre, touch, 1.25f * scale, faded(kCircleColour, 0xa0), overlay);
@@ -92,15 +104,21 @@ void add_rounding(const world::Document& document, const sim::Derived& derived, 
 void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,
                     std::span<const sim::FrenetBreak> breaks, Overlay& overlay) {
   using world::Layer;
-  const auto on = [&](Layer layer) { return settings.layers.has(layer); };
-  if (on(Layer::comb)) add_comb(derived, settings, view, overlay);
-  if (on(Layer::frames)) add_frames(derived, settings, view, overlay);
-  if (on(Layer::flips)) add_breaks(derived, breaks, view, settings.ui_scale, overlay);
-  if (on(Layer::rounding)) add_rounding(document, derived, settings, overlay);
+  const float scale = settings.ui_scale;
   const sim::SegmentShape* const probed = derived.segments.find(settings.selected);
-  if (probed == nullptr) return;
-  if (on(Layer::circle)) add_circle(*probed, settings.selected_t, settings.ui_scale, overlay);
-  if (on(Layer::construction)) add_construction(*probed, settings.selected_t, view, settings.ui_scale, overlay);
+  const double t = settings.selected_t;
+  const auto layer = [&](Layer which, bool possible, auto add) {
+    if (!possible || !settings.layers.has(which)) return;
+    Overlay drawn;
+    add(drawn);
+    append_rimmed(drawn, scale, overlay);
+  };
+  layer(Layer::comb, true, [&](Overlay& o) { add_comb(derived, settings, view, o); });
+  layer(Layer::frames, true, [&](Overlay& o) { add_frames(derived, settings, view, o); });
+  layer(Layer::flips, true, [&](Overlay& o) { add_breaks(derived, breaks, view, scale, o); });
+  layer(Layer::rounding, true, [&](Overlay& o) { add_rounding(document, derived, settings, o); });
+  layer(Layer::circle, probed != nullptr, [&](Overlay& o) { add_circle(*probed, t, scale, o); });
+  layer(Layer::construction, probed != nullptr, [&](Overlay& o) { add_construction(*probed, t, view, scale, o); });
 }
 
 }  // namespace coaster::view

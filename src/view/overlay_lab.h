@@ -10,7 +10,7 @@
 namespace coaster::view {
 
 // 0xRRGGBBAA.
-inline constexpr std::uint32_t kConstructionColour = 0x7fd1b9ff, kCombColour = 0xb39ddbff, kCircleColour = 0x9fc6eaff;
+inline constexpr std::uint32_t kConstructionColour = 0x7fd1b9ff, kCombColour = 0xb39ddbff, kCircleColour = 0xf4e9a6ff;
 inline constexpr std::uint32_t kTangentColour = 0xe5534bff, kNormalColour = 0x4fb477ff, kBinormalColour = 0x4c9affff;
 inline constexpr std::uint32_t kRoundingColour = 0xff8ac4ff, kSeamColour = 0xe5534bff, kBreakColour = 0xf2b84bff;
 
@@ -45,7 +45,7 @@ void add_rounding(const world::Document& document, const sim::Derived& derived, 
 // A cross and the normals on both sides of a flip; a broad line where there is no curvature.
 void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> breaks, const View& view, float scale, Overlay& overlay);
 
-// The layers that are on, the wide-spread ones first. `breaks` is read with Layer::flips alone.
+// The layers that are on, the wide-spread ones first, over dark rims. `breaks` is read with Layer::flips alone.
 void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,
                     std::span<const sim::FrenetBreak> breaks, Overlay& overlay);
 

@@ -69,7 +69,7 @@ void add_comb(const sim::Derived& derived, const world::Settings& settings, cons
       const double t = teeth > 1 ? static_cast<double>(i) / (teeth - 1) : 0;
       const glm::dvec3 root = curve::point(cubic, t), tip = root + tooth_at(cubic, t, settings.comb_scale);
       line(root, tip, 1.0f * scale, faded(kCombColour, 0xb0), overlay);
-      if (goes_on) line(before, tip, 1.75f * scale, kCombColour, overlay);
+      if (goes_on) line(before, tip, 2.25f * scale, kCombColour, overlay);
       before = tip;
       goes_on = true;
     }
