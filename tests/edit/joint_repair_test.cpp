@@ -30,11 +30,12 @@ Document wavy_track(std::uint32_t seed, bool closed, int knots = 9) {
   Document d;
   for (int i = 0; i < knots; ++i) {
     const double a = 2 * M_PI * i / knots, radius = 17.3 * knots / (2 * M_PI);
-    const glm::vec3 place(213.7 + radius * std::cos(a) + uniform(-2, 2), 31.1 + 4 * std::sin(3 * a) + uniform(-2, 2), -91.9 - radius * std::sin(a) + uniform(-2, 2));
-    const glm::vec3 way(-std::sin(a) + uniform(-0.2, 0.2), uniform(-0.3, 0.3), -std::cos(a) + uniform(-0.2, 0.2));
+    // Braces: they fix the order of the draws, so every compiler gets the same track.
+    const glm::dvec3 place{213.7 + radius * std::cos(a) + uniform(-2, 2), 31.1 + 4 * std::sin(3 * a) + uniform(-2, 2), -91.9 - radius * std::sin(a) + uniform(-2, 2)};
+    const glm::dvec3 way{-std::sin(a) + uniform(-0.2, 0.2), uniform(-0.3, 0.3), -std::cos(a) + uniform(-0.2, 0.2)};
     const auto kind = static_cast<JointKind>(bits() % 3);
     const auto in = static_cast<float>(uniform(4, 8)), out = static_cast<float>(uniform(4, 8));
-    world::append_knot(d, test::skew_knot(place, way, kind == JointKind::smooth ? out : in, out, kind));
+    world::append_knot(d, test::skew_knot(glm::vec3(place), glm::vec3(way), kind == JointKind::smooth ? out : in, out, kind));
   }
   if (closed) world::set_closed(d, true);
   world::settle_joints(d);
