@@ -1,5 +1,5 @@
 // The kernels for the processor that the whole program is compiled for (SSE2 on x86-64).
-#include "curve/kernels_body.h"
+#include "curve/kernels_tangents.h"
 
 namespace coaster::curve::detail {
 

@@ -1,0 +1,72 @@
+// Eight floats side by side, as the vector kernels use them: one AVX register, or two halves of the baseline's. Included by
+// kernels_body.h alone, and in an anonymous namespace for its reason.
+#pragma once
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace {
+
+typedef float V4 __attribute__((vector_size(16)));
+
+#ifdef __AVX2__
+typedef float V8 __attribute__((vector_size(32)));
+typedef float LooseV8 __attribute__((vector_size(32), aligned(4), may_alias));
+inline V8 all(float x) { return V8{x, x, x, x, x, x, x, x}; }
+inline V8 load(const float* p) { return *reinterpret_cast<const LooseV8*>(p); }
+inline void store(float* p, V8 v) { *reinterpret_cast<LooseV8*>(p) = v; }
+inline void stream(float* p, V8 v) { _mm256_stream_ps(p, v); }
+inline V8 reciprocal_root(V8 x) { return _mm256_rsqrt_ps(x); }
+inline V8 at_least(V8 x, V8 low) { return _mm256_max_ps(x, low); }
+inline V8 at_most(V8 x, V8 high) { return _mm256_min_ps(x, high); }
+inline V8 join(V4 low, V4 high) { return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7); }
+#else
+// Two halves by hand: compilers keep a 32-byte vector that the processor lacks in memory.
+struct V8 {
+  V4 low, high;
+  friend V8 operator+(V8 a, V8 b) { return {a.low + b.low, a.high + b.high}; }
+  friend V8 operator*(V8 a, V8 b) { return {a.low * b.low, a.high * b.high}; }
+  friend V8 operator-(V8 a, V8 b) { return {a.low - b.low, a.high - b.high}; }
+};
+typedef float LooseV4 __attribute__((vector_size(16), aligned(4), may_alias));
+inline V8 all(float x) { return {V4{x, x, x, x}, V4{x, x, x, x}}; }
+inline V8 load(const float* p) { return {*reinterpret_cast<const LooseV4*>(p), *reinterpret_cast<const LooseV4*>(p + 4)}; }
+inline void store(float* p, V8 v) {
+  *reinterpret_cast<LooseV4*>(p) = v.low;
+  *reinterpret_cast<LooseV4*>(p + 4) = v.high;
+}
+inline V8 join(V4 low, V4 high) { return {low, high}; }
+#if defined(__SSE2__)
+inline void stream(float* p, V8 v) {
+  _mm_stream_ps(p, v.low);
+  _mm_stream_ps(p + 4, v.high);
+}
+inline V8 reciprocal_root(V8 x) { return {_mm_rsqrt_ps(x.low), _mm_rsqrt_ps(x.high)}; }
+inline V8 at_least(V8 x, V8 low) { return {_mm_max_ps(x.low, low.low), _mm_max_ps(x.high, low.high)}; }
+inline V8 at_most(V8 x, V8 high) { return {_mm_min_ps(x.low, high.low), _mm_min_ps(x.high, high.high)}; }
+#else
+inline void stream(float* p, V8 v) { store(p, v); }
+inline V8 reciprocal_root(V8 x) {
+  for (int i = 0; i < 4; ++i) {
+    x.low[i] = 1.0f / __builtin_sqrtf(x.low[i]);
+    x.high[i] = 1.0f / __builtin_sqrtf(x.high[i]);
+  }
+  return x;
+}
+inline V8 at_least(V8 x, V8 low) { return {x.low > low.low ? x.low : low.low, x.high > low.high ? x.high : low.high}; }
+inline V8 at_most(V8 x, V8 high) { return {x.low < high.low ? x.low : high.low, x.high < high.high ? x.high : high.high}; }
+#endif
+#endif
+
+inline V4 load4(const float* p) {
+  typedef float Loose __attribute__((vector_size(16), aligned(4), may_alias));
+  return *reinterpret_cast<const Loose*>(p);
+}
+
+inline void store4(float* p, V4 v) {
+  typedef float Loose __attribute__((vector_size(16), aligned(4), may_alias));
+  *reinterpret_cast<Loose*>(p) = v;
+}
+
+}  // namespace
