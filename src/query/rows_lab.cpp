@@ -40,7 +40,7 @@ base::Result<const sim::SegmentShape*> selected_shape(const Context& c) {
 
 Answer construction_point(const Context& c, View) {
   const auto shape = selected_shape(c);
-  if (!shape) return shape.status();
+  if (!shape) return Value(glm::dvec3(0));
   return Value(curve::point((*shape)->key.cubic, c.session.settings.selected_t));
 }
 
@@ -51,12 +51,12 @@ base::Result<sim::Rounding> rounding_of_selected(const Context& c) {
 }
 Answer rounding(const Context& c, View) {
   const auto r = rounding_of_selected(c);
-  if (!r) return r.status();
+  if (!r) return number(0);
   return number(sim::largest(*r));
 }
 Answer seam(const Context& c, View) {
   const auto r = rounding_of_selected(c);
-  if (!r) return r.status();
+  if (!r) return number(0);
   return number(sim::seam(*r));
 }
 
@@ -90,12 +90,12 @@ Answer measure_time(const Context& c, View word) {
 }
 
 constexpr std::array kRows{
-    Query{"shown", "LAYER", "", "on when a layer of the laboratory is drawn: polyline, frames, comb, circle, construction, rounding, flips.", shown},
+    Query{"shown", "polyline|frames|comb|circle|construction|rounding|flips", "", "on when a layer of the laboratory is drawn.", shown},
     Query{"magnification", "", "", "How many times the rounding layer magnifies.", magnification},
     Query{"comb_scale", "", "m^2", "Length of the comb's teeth for a curvature of 1/m.", comb_scale},
     Query{"laboratory", "", "", "on when the laboratory's pages show.", laboratory},
     Query{"page", "", "", "The laboratory's page.", page},
-    Query{"construction_point", "", "m", "The point on the selected segment at the picked place.", construction_point},
+    Query{"construction_point", "", "m", "The point on the selected segment at the picked place; 0 0 0 when none is selected.", construction_point},
     Query{"rounding", "", "m", "Largest rounding error of the evaluator's vertices on the selected segment.", rounding},
     Query{"seam", "", "m", "Rounding error of the last vertex before the selected segment's end, which is exact.", seam},
     Query{"measuring", "", "", "on while evaluators are being measured.", measuring},
