@@ -35,6 +35,7 @@ class QueryTest : public test::SessionTest {
 std::string_view sample_argument(const Query& query) {
   if (query.argument == "@knot") return "@k2";
   if (query.argument == "@segment") return "@s3";
+  if (query.argument == "EVALUATOR") return "horner";
   // "document|motion": one of the words.
   return query.argument.substr(query.argument.rfind('|') + 1);
 }
