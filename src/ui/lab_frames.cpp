@@ -52,7 +52,7 @@ void methods(Ui& ui) {
   for (const sim::FrameMethodRow& row : sim::frame_methods()) choices.push_back({std::string(row.label), std::string(row.formula)});
   const int current = static_cast<int>(ui.session().settings.frames);
   const std::string tooltip = std::string(sim::frame_methods()[static_cast<std::size_t>(current)].formula);
-  if (const auto to = combo(ui, "Frames", choices, current, "How carts and the ride camera are turned along the track. " + tooltip, true))
+  if (const auto to = combo(ui, "Turned by", choices, current, "How carts and the ride camera are turned along the track. " + tooltip))
     ui.emit(edit::SetFrames{static_cast<world::FrameMethod>(*to)});
 }
 
@@ -60,7 +60,7 @@ void side(Ui& ui, const Probe& probe) {
   const sim::Derived& derived = ui.session().derived;
   methods(ui);
   bool alone = false;
-  for (const world::Layer layer : {world::Layer::frames, world::Layer::comb, world::Layer::flips, world::Layer::circle}) {
+  for (const world::Layer layer : {world::Layer::frames, world::Layer::flips, world::Layer::comb, world::Layer::circle}) {
     alone = !(alone && beside_last(ui, world::layers()[static_cast<std::size_t>(layer)].label));
     layer_box(ui, layer);
   }
@@ -82,7 +82,7 @@ void frames_page(Ui& ui) {
   const auto probe = need_probe(ui);
   if (!probe) return;
   const BendStudy& study = ui.lab.bend.get(probe->shape->shape_build, [&] { return bend_study(*probe->shape, probe->segment); });
-  Page page(ui, 230);
+  Page page(ui, 240);
   side(ui, *probe);
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);
   const bool beside = room > 380 * ui.scale;

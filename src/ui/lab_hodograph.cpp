@@ -45,7 +45,7 @@ void shape_plot(Ui& ui, const Probe& probe, const Derivative& d, float width, fl
                            {"", d.probe.x, d.probe.y, kTangentColour, SeriesKind::line, 2.0f}};
   const Spot spots[] = {{0, 0, 0x9AA3B2, "0"}, {d.probe.x[1], d.probe.y[1], kPointColour, ""}};
   (void)plot(ui, "Hodograph plot",
-             {.x = {"B'", "m"}, .y = {"", "m"}, .series = series, .spots = spots, .square = true, .value = significant(probe.t, 6, false), .width = width, .height = height},
+             {.x = {"B'", "m"}, .y = {"B' seen in its plane", "m"}, .series = series, .spots = spots, .square = true, .value = significant(probe.t, 6, false), .width = width, .height = height},
              "The hodograph: B'(t) = 3 [(1-t)\u00B2 (p1-p0) + 2t(1-t) (p2-p1) + t\u00B2 (p3-p2)], drawn from the origin in the plane in which it spreads most. "
              "Where it passes through the origin the curve has a cusp.");
 }
@@ -53,7 +53,7 @@ void shape_plot(Ui& ui, const Probe& probe, const Derivative& d, float width, fl
 void size_plot(Ui& ui, const Probe& probe, const Derivative& d, float width, float height) {
   const Series series[] = {{"", d.t, d.size, kCurveColour, SeriesKind::line, 2.0f}};
   const Spot spots[] = {{probe.t, glm::length(curve::derivative(probe.shape->key.cubic, probe.t)), kPointColour, ""}};
-  const Level mean{"length of the segment", probe.shape->arc.length(), kConstructionColour};
+  const Level mean{"mean", probe.shape->arc.length(), kConstructionColour};
   const auto drag = plot(ui, "Speed plot",
                          {.x = {"t", "", AxisScale::linear, 0, 1}, .y = {"|B'(t)|", "m", AxisScale::linear, 0, {}}, .series = series, .levels = {&mean, 1}, .spots = spots,
                           .cursor = probe.t, .width = width, .height = height},

@@ -90,7 +90,7 @@ void side(Ui& ui, const JointList& list, double speed) {
   if (button(ui, "Make all G2", "The same for every joint of the track, in one step of undo.", !list.rows.empty(), width)) ui.emit(edit::MakeAllG2{});
   const auto smooth = std::count_if(list.rows.begin(), list.rows.end(), [](const JointRow& row) { return row.joint.geometric >= curve::Geometric::g2; });
   const double largest = list.rows.empty() ? 0 : list.rows[list.by_jump.front()].joint.curvature_jump;
-  read_out(ui, "Joints", std::to_string(list.rows.size()), "", "Places where two segments meet.");
+  read_out(ui, "All joints", std::to_string(list.rows.size()), "", "Places where two segments meet.");
   read_out(ui, "Of them G2", std::to_string(smooth), "", "Joints with one curvature on both sides.");
   read_out(ui, "Speed", fixed(speed, 2), "m/s", "Of the first cart, now: what the g-steps are computed with.");
   read_out(ui, "Largest g-step", fixed(sim::g_step(largest, speed), 2), "g", "The hardest knock of the track at this speed.");

@@ -17,7 +17,7 @@ namespace {
 using curve::ArcLengthMethod;
 using curve::LengthControl;
 
-constexpr TableColumn kMethod{"Method", "", 2.7f, "Rows of the table of arc-length methods; the colour is that of the plot. Click a row to choose the displayed length's method."};
+constexpr TableColumn kMethod{"Method", "", 3.3f, "Rows of the table of arc-length methods; the colour is that of the plot. Click a row to choose the displayed length's method."};
 constexpr TableColumn kOfSegment[] = {
     {"Length", "m", 1.3f, "Of the selected segment."},
     {"Error", "m", 1.2f, "Distance from the reference, 40-node Gauss-Legendre in long double."},
@@ -91,7 +91,7 @@ void lengths_page(Ui& ui) {
   const LengthStudy& study = kept_lengths(ui, *probe);
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetContentRegionAvail().y, gap = std::floor(14 * ui.scale);
   const bool both = room > 900 * ui.scale, beside = room > 500 * ui.scale;
-  const float table = beside ? std::floor(room * 0.62f) : room, picture = beside ? room - table - gap : room;
+  const float table = beside ? std::floor(room * 0.66f) : room, picture = beside ? room - table - gap : room;
   const float stacked = std::floor(150 * ui.scale);
   if (!both && !beside) choose_columns(ui);
   lengths_table(ui, study, both || !ui.lab.lengths_of_track, both || ui.lab.lengths_of_track, table, beside ? height : stacked);

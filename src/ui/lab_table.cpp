@@ -68,8 +68,10 @@ bool table_row(Ui& ui, std::string_view label, std::span<const Cell> cells, bool
       ImGui::PushStyleColor(ImGuiCol_Header, colour(kDark.accent, 0.35f));
       clicked = ImGui::Selectable(hidden(label).c_str(), selected, ImGuiSelectableFlags_SpanAllColumns);
       ImGui::PopStyleColor();
-      note_item(ui, label, "item", tooltip, true, std::move(value));
+      // The row is found by its first cell: that is inside the clip rectangle of the column.
+      const ImVec2 low = ImGui::GetItemRectMin();
       ImGui::SetCursorPos(at);
+      note(ui, label, "item", tooltip, true, std::move(value), low, {ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight()});
     }
     draw_cell(ui, cells[i]);
   }

@@ -77,14 +77,10 @@ float width_of(std::span<const Panel* const> all, float pad, ImFont* font) {
 }
 
 // A list of the pages, where their names do not fit side by side.
-void page_list(Ui& ui, std::span<const Panel* const> all, float room) {
+void page_list(Ui& ui, std::span<const Panel* const> all) {
   std::vector<Choice> choices;
   for (const Panel* page : all) choices.push_back({std::string(page->name), std::string(page->help)});
-  ImGui::BeginGroup();
-  ImGui::PushItemWidth(room);
-  const auto chosen = combo(ui, "Page", choices, chosen_page(ui), "Which page of the laboratory shows.");
-  ImGui::PopItemWidth();
-  ImGui::EndGroup();
+  const auto chosen = combo(ui, "Page", choices, chosen_page(ui), "Which page of the laboratory shows.", true);
   if (!chosen) return;
   choose(ui, *chosen);
   if (!is_open(ui)) show(ui, true);
@@ -112,7 +108,7 @@ void build_bar(Ui& ui, std::span<const Panel* const> all, float width, float bar
   }
   fold_button(ui, bar, false, large);
   ImGui::SameLine(0, 0);
-  page_list(ui, all, width - bar - std::floor(6 * ui.scale));
+  page_list(ui, all);
 }
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |

@@ -38,8 +38,8 @@ Layout make_layout(int width, int height, float scale, float bar, bool show_pane
   layout.status = {0, bottom, w, h - bottom};
   layout.left = {0, top, left, middle};
   layout.right = {w - right, top, right, middle};
-  layout.strip = {left, top + middle - strip, between, strip};
   layout.scene = {left, top, between, middle - strip};
+  layout.strip = {left, layout.scene.y + layout.scene.height, between, strip};
   return layout;
 }
 

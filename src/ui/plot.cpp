@@ -72,7 +72,7 @@ PlotArea lay_out(const Ui& ui, const Plot& p, const Data& data, ImVec2 low, ImVe
   area.x = range_of(p.x, data.x, p.square ? 0.08 : 0);
   area.y = range_of(p.y, data.y, p.square ? 0.08 : 0.06);
   const float line = area.text_px, gap = std::floor(4 * ui.scale);
-  const float x_title = small_size(area, axis_title(p.x)).x;
+  const float x_title = p.square ? 0 : small_size(area, axis_title(p.x)).x;  // one title speaks for both axes of a shape
   area.title_beside = x_title <= 4 * line;
   const float above = axis_title(p.y).empty() ? line * 0.5f : line + gap, below = line + gap + (area.title_beside ? 0 : line);
   const float right = area.title_beside && x_title > 0 ? x_title + line + gap : line;

@@ -114,6 +114,7 @@ void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 
     small_text(list, area, {std::max(outer_low.x, area.at(v, area.y.low).x - size.x * 0.5f), area.high.y + gap * 0.5f}, kDark.dim, text);
   }
   small_text(list, area, outer_low, kDark.text, axis_title(plot.y));
+  if (plot.square) return;
   const std::string title = axis_title(plot.x);
   const ImVec2 size = small_size(area, title);
   const float below = area.high.y + gap * 0.5f;

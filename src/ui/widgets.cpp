@@ -99,7 +99,7 @@ bool radio(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bo
 
 bool beside_last(Ui& ui, std::string_view label) {
   const float button = ImGui::GetTextLineHeight() + 2 * std::floor(2 * ui.scale), room = ImGui::GetContentRegionAvail().x;
-  const float start = ImGui::GetCursorPosX(), middle = std::floor(room * 0.46f);
+  const float start = ImGui::GetCursorPosX(), middle = std::floor(room * 0.5f);
   const float last_end = ImGui::GetItemRectMax().x - ImGui::GetCursorScreenPos().x;
   if (last_end > middle || middle + button + ImGui::GetStyle().ItemInnerSpacing.x + text_size(label).x > room) return false;
   ImGui::SameLine(start + middle);

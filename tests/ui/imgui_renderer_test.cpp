@@ -45,7 +45,7 @@ TEST_F(ImGuiRendererTest, panels_have_the_themes_colours_and_the_viewport_is_lef
 TEST_F(ImGuiRendererTest, text_is_drawn_bright_on_dark) {
   frames(3);
   const auto pixels = picture(0);
-  const Widget& w = *find("Evaluation/Horner");
+  const Widget& w = *find("Evaluation/Show polyline");
   int bright = 0;
   for (int y = static_cast<int>(w.y); y < static_cast<int>(w.y + w.height); ++y)
     for (int x = static_cast<int>(w.x + w.height + 4); x < static_cast<int>(w.x + w.width); ++x) bright += (at(pixels, x, y) & 0xff) > 0xb0;

@@ -6,7 +6,8 @@ namespace coaster::ui {
 namespace {
 
 bool apart(const view::Viewport& a, const view::Viewport& b) {
-  return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+  constexpr float kRounding = 1e-3f;  // px
+  return a.x + a.width <= b.x + kRounding || b.x + b.width <= a.x + kRounding || a.y + a.height <= b.y + kRounding || b.y + b.height <= a.y + kRounding;
 }
 
 TEST(layout, regions_tile_the_window_and_the_viewport_keeps_two_fifths) {
