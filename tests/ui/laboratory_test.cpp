@@ -132,6 +132,9 @@ TEST_F(LaboratoryTest, a_still_frame_measures_nothing_again) {
 }
 
 TEST_F(LaboratoryTest, a_row_of_the_joints_selects_its_knot_and_the_button_mends_it) {
+  const edit::Target second{{world::Kind::knot, 2}};
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetJoint{second, world::JointKind::aligned}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetLengths{second, 2.1f, 9.7f}).ok());  // unequal curvature
   open("Joints");
   click("Laboratory/Joint k2");
   ASSERT_EQ(all<edit::Select>().size(), 1u);
