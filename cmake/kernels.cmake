@@ -2,11 +2,11 @@
 # on x86-64 a second copy with AVX2 and FMA, chosen at run time. The rest of the program keeps the baseline's instructions.
 # Vertices are for the display alone, so their kernels may fuse multiplications with additions; those of frames must not.
 set(kernel_options -O3)
-set_source_files_properties(src/curve/kernels_baseline.cpp src/curve/kernels_frames_baseline.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}")
+set_source_files_properties(src/curve/kernels_baseline.cpp src/curve/kernels_frames_baseline.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$" AND NOT EMSCRIPTEN)
   set_source_files_properties(src/curve/kernels_avx2.cpp PROPERTIES
-    COMPILE_OPTIONS "${kernel_options};-mavx2;-mfma;-ffp-contract=fast" COMPILE_DEFINITIONS COASTER_AVX2_KERNELS)
+    COMPILE_OPTIONS "${kernel_options};-mavx2;-mfma;-ffp-contract=fast" COMPILE_DEFINITIONS COASTER_AVX2_KERNELS SKIP_PRECOMPILE_HEADERS ON)
   set_source_files_properties(src/curve/kernels_frames_avx2.cpp PROPERTIES
-    COMPILE_OPTIONS "${kernel_options};-mavx2" COMPILE_DEFINITIONS COASTER_AVX2_KERNELS)
+    COMPILE_OPTIONS "${kernel_options};-mavx2" COMPILE_DEFINITIONS COASTER_AVX2_KERNELS SKIP_PRECOMPILE_HEADERS ON)
   set_source_files_properties(src/curve/kernels.cpp src/curve/frames_batch.cpp PROPERTIES COMPILE_DEFINITIONS COASTER_AVX2_KERNELS)
 endif()

@@ -1,6 +1,24 @@
 # coaster_room(NAME [USES room ...] [LINK library ...])
 # One static library coaster_NAME from src/NAME/*.cpp. Rooms include each other's headers as "room/file.h"; which room may
 # include which is checked by tools/check_layers.
+# Headers of the standard library and GLM, parsed once for all rooms: a third of the time that a file takes to compile. Sources include what
+# they need all the same; the core's clang build is made without, and would miss it.
+option(COASTER_PRECOMPILE "Precompile the standard headers" ON)
+function(coaster_precompile target)
+  if(NOT COASTER_PRECOMPILE)
+    return()
+  endif()
+  if(NOT TARGET coaster_headers)
+    set(empty ${CMAKE_BINARY_DIR}/precompiled.cpp)
+    file(WRITE ${empty} "")
+    add_library(coaster_headers OBJECT ${empty})
+    target_link_libraries(coaster_headers PRIVATE glm::glm)
+    target_precompile_headers(coaster_headers PRIVATE <algorithm> <array> <cmath> <cstdint> <cstdio> <deque> <filesystem> <functional> <map>
+      <memory> <optional> <set> <span> <string> <string_view> <tuple> <utility> <variant> <vector> <glm/glm.hpp>)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM coaster_headers)
+endfunction()
+
 function(coaster_room name)
   cmake_parse_arguments(room "" "" "USES;LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
@@ -14,4 +32,5 @@ function(coaster_room name)
   target_include_directories(coaster_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/src)
   list(TRANSFORM room_USES PREPEND coaster_)
   target_link_libraries(coaster_${name} PUBLIC ${room_USES} ${room_LINK})
+  coaster_precompile(coaster_${name})
 endfunction()

@@ -180,6 +180,8 @@ Status files_command(Session& session, base::Files&, const NewTrack&) {
 
 Status apply(Session& session, base::Files& files, const Command& command) {
   Change change;
+  const Effect effect = info(command).effect;
+  if (effect != Effect::settings && effect != Effect::motion) session.document_hash.reset();
   Status status = std::visit(
       [&]<class C>(const C& c) -> Status {
         if constexpr (C::kInfo.effect == Effect::document)

@@ -19,7 +19,8 @@ void notify(Session& session, NoticeKind kind, std::string text) {
 }
 
 bool dirty(const Session& session) {
-  return world::hash(session.document) != session.saved_hash;
+  if (!session.document_hash) session.document_hash = world::hash(session.document);
+  return *session.document_hash != session.saved_hash;
 }
 
 void advance_measurement(Session& session) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,7 @@ struct Session {
   std::uint64_t notice_serial = 0;
   std::filesystem::path path;      // of the document; empty when it has none
   std::uint64_t saved_hash = 0;    // document hash when last loaded, saved or made
+  mutable std::optional<std::uint64_t> document_hash;  // a memo for dirty(), which every frame asks; apply() forgets it
   std::uint64_t tick = 0;          // ticks since the program's start
   sim::Clock clock;                // to measure evaluation with
   std::string machine;             // a line about it, for files of measurements

@@ -42,7 +42,7 @@ def start_display():
 
 
 def pixel_of(point, recording):
-    """Where the 1280x720 window shows a point, by the camera that the recording starts with and the viewport between the columns."""
+    """Where the 1280x720 window shows a point, by the camera that the recording starts with; the panels are hidden."""
     camera = re.search(r"^camera target (\S+) (\S+) (\S+) yaw (\S+) pitch (\S+) distance (\S+)", recording, re.M)
     *target, yaw, pitch, distance = map(float, camera.groups())
     yaw, pitch = math.radians(yaw), math.radians(pitch)
@@ -51,7 +51,7 @@ def pixel_of(point, recording):
     up = (back[1] * right[2] - back[2] * right[1], back[2] * right[0] - back[0] * right[2], back[0] * right[1] - back[1] * right[0])
     offset = [a - b for a, b in zip(point, target)]
     x, y, z = (sum(a * b for a, b in zip(offset, axis)) for axis in (right, up, back))
-    left, top, width, height = 300, 24, 660, 672
+    left, top, width, height = 0, 0, 1280, 720
     scale = height / 2 / math.tan(math.radians(22.5)) / (distance - z)
     return round(left + width / 2 + x * scale), round(top + height / 2 - y * scale)
 
@@ -84,6 +84,8 @@ def main():
         wait_for("the window", lambda: subprocess.run(["xdotool", "search", "--name", "coaster"], env=environment,
                                                       capture_output=True, text=True).stdout.strip())
         wait_for("the first frames", lambda: "ticks" in recorded() or (folder / "log.txt").stat().st_size > 0)
+        xdo("key", "Tab")
+        wait_for("the panels to be hidden", lambda: "panels off" in recorded())
         xdo("mousemove", *pixel_of((0, 10, 0), wait_for("the camera", lambda: re.search(r"^camera .*\n", recorded(), re.M) and recorded())))
         xdo("mousedown", 1)
         for _ in range(6):
