@@ -24,9 +24,9 @@ struct Keyword {
 template <class Fn>
 void for_each_kind(Fn fn) {
   [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (fn(std::variant_alternative_t<I, Command>{}), ...);
+    (fn(std::variant_alternative_t<I, AnyCommand>{}), ...);
   }
-  (std::make_index_sequence<std::variant_size_v<Command>>{});
+  (std::make_index_sequence<std::variant_size_v<AnyCommand>>{});
 }
 
 std::vector<std::string> command_names() {
@@ -79,6 +79,13 @@ bool read_field(WordReader& words, std::string_view name, T& value) {
 }
 
 }  // namespace
+
+Command::Command() = default;
+Command::Command(const Command& other) = default;
+Command::Command(Command&& other) noexcept = default;
+Command& Command::operator=(const Command& other) = default;
+Command& Command::operator=(Command&& other) noexcept = default;
+Command::~Command() = default;
 
 const CommandInfo& info(const Command& command) {
   return std::visit([](const auto& c) -> const CommandInfo& { return c.kInfo; }, command);

@@ -252,14 +252,26 @@ struct NewTrack {
   COASTER_FIELDS()
 };
 
-using Command = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve,
-                             AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2,  //
-                             SetEvaluator, SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera,
-                             SetCameraMode, Select, SetPanels, SetPolyline, SetAppendMode, SetScale, ShowLayer, SetMagnification,
-                             SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,                 //
-                             RideStart, RidePause, RideStop, RideStep, RideSeek,                              //
-                             Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save,
-                             SaveMeasurements, NewTrack>;
+using AnyCommand = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve,
+                                AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2,  //
+                                SetEvaluator, SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera,
+                                SetCameraMode, Select, SetPanels, SetPolyline, SetAppendMode, SetScale, ShowLayer, SetMagnification,
+                                SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,                 //
+                                RideStart, RidePause, RideStop, RideStep, RideSeek,                              //
+                                Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save,
+                                SaveMeasurements, NewTrack>;
+
+// One command. Copies and destructors of so many alternatives are compiled once, in codec.cpp, instead of in every file that holds one.
+struct Command : AnyCommand {
+  using AnyCommand::AnyCommand;
+  Command();
+  Command(const Command& other);
+  Command(Command&& other) noexcept;
+  Command& operator=(const Command& other);
+  Command& operator=(Command&& other) noexcept;
+  ~Command();
+};
+
 
 const CommandInfo& info(const Command& command);
 

@@ -17,7 +17,7 @@ namespace {
 // A command of the document kinds, mostly on names and places that make sense for a small track.
 Command document_command(test::RandomCommands& random) {
   for (;;) {
-    Command c = random.of_kind(random.below(std::variant_size_v<Command>));
+    Command c = random.of_kind(random.below(std::variant_size_v<AnyCommand>));
     if (info(c).effect == Effect::document) return c;
   }
 }
@@ -115,7 +115,7 @@ RC_GTEST_PROP(apply, any_session_keeps_every_invariant_and_repeats_to_the_bit, (
     RC_ASSERT(apply(session, files, SetDatum{1.5}).ok());
     test::RandomCommands random(seed);
     for (int i = 0; i < 60; ++i) {
-      const Command c = random.of_kind(random.below(std::variant_size_v<Command>));
+      const Command c = random.of_kind(random.below(std::variant_size_v<AnyCommand>));
       if (info(c).effect == Effect::session) continue;
       apply(session, files, c);
       advance(session, static_cast<int>(random.below(8)));

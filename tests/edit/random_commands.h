@@ -22,9 +22,9 @@ class RandomCommands {
   edit::Command of_kind(std::size_t kind) {
     edit::Command command;
     [&]<std::size_t... I>(std::index_sequence<I...>) {
-      ((I == kind ? void(command = filled(std::variant_alternative_t<I, edit::Command>{})) : void()), ...);
+      ((I == kind ? void(command = filled(std::variant_alternative_t<I, edit::AnyCommand>{})) : void()), ...);
     }
-    (std::make_index_sequence<std::variant_size_v<edit::Command>>{});
+    (std::make_index_sequence<std::variant_size_v<edit::AnyCommand>>{});
     return command;
   }
 
