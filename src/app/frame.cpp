@@ -20,7 +20,9 @@ void take_events(Program& program, const platform::Events& events, platform::Siz
 std::vector<sim::Pose> cart_poses(const edit::Session& session) {
   std::vector<sim::Pose> poses;
   if (session.derived.order.empty()) return poses;
-  for (const world::CartMotion& cart : session.motion.carts.items()) poses.push_back(sim::pose(session.derived, cart, session.settings.frames));
+  const auto& carts = session.motion.carts;
+  for (std::size_t i = 0; i < carts.size(); ++i)
+    for (const sim::Pose& car : sim::car_poses(session.document, session.derived, carts.entities()[i], carts.items()[i], session.settings.frames)) poses.push_back(car);
   return poses;
 }
 

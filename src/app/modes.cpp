@@ -117,6 +117,18 @@ base::Status ride(Program& program, RideSummary& summary) {
   return {};
 }
 
+// The report of the whole ride, without a picture: needs no graphics.
+int run_report(const Options& options) {
+  base::Files files;
+  edit::Session session = edit::make_session({});
+  const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);
+  if (const base::Status opened = edit::apply(session, files, edit::Load{track.string()}); !opened) return finish({base::Code::bad_file, opened.message});
+  const sim::Ghost* const ghost = session.ghosts.ride(session.document, session.derived, world::first_cart(session.document));
+  if (!ghost) return finish({base::Code::refused, "the track has no cart, so there is no ride to report"});
+  std::fputs(edit::ride_report(session, *ghost).c_str(), stdout);
+  return finish({});
+}
+
 int run_headless(const Options& options) {
   const platform::Size size = options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
   const std::filesystem::path out = options.out.empty() ? "out" : options.out;
@@ -167,6 +179,7 @@ int run_window(const Options& options) {
 
 int run_program(const Options& options) {
   if (options.validate) return validate(options);
+  if (options.report) return run_report(options);
   if (!options.script.empty()) return run_script(options);
   return options.headless ? run_headless(options) : run_window(options);
 }

@@ -14,7 +14,7 @@ struct Options {
   std::optional<std::int64_t> frames;
   int width = 0, height = 0;  // 0: the default of the mode
   std::uint64_t seed = 0;
-  bool update_goldens = false, validate = false, json = false, hash_log = false;
+  bool update_goldens = false, validate = false, json = false, hash_log = false, report = false;
 };
 
 struct ParsedOptions {

@@ -60,6 +60,13 @@ base::Status perform(Session& session, Change& change, const AddCart& command);
 base::Status perform(Session& session, Change& change, const SetName& command);
 base::Status perform(Session& session, Change& change, const SetStartSpeed& command);
 base::Status perform(Session& session, Change& change, const SetDatum& command);
+base::Status perform(Session& session, Change& change, const SetEquipment& command);
+base::Status perform(Session& session, Change& change, const RemoveEquipment& command);
+base::Status perform(Session& session, Change& change, const SetTrain& command);
+base::Status perform(Session& session, Change& change, const SetLosses& command);
+base::Status perform(Session& session, Change& change, const SetHeartline& command);
+base::Status perform(Session& session, Change& change, const SetRollbackFails& command);
+base::Status perform(Session& session, Change& change, const AutoBank& command);
 base::Status perform(Session& session, Change& change, const MakeG2& command);
 base::Status perform(Session& session, Change& change, const MakeAllG2& command);
 

@@ -39,6 +39,8 @@ template <class C>
 std::string target_usage() {
   if constexpr (requires(C c) { c.segment; })
     return "@segment";
+  else if constexpr (requires(C c) { c.cart; })
+    return "@cart";
   else if constexpr (std::is_same_v<C, RemoveKnot>)
     return "@knot|@cart";
   else if constexpr (requires(C c) { c.knot; })
@@ -67,7 +69,7 @@ template <class T>
 bool read_field(WordReader& words, std::string_view name, T& value) {
   const Keyword keyword(name);
   if (!keyword.word.empty()) {
-    if (keyword.optional && !words.peek()) return true;
+    if (keyword.optional && (!words.peek() || words.peek()->text != keyword.word)) return true;
     const base::Token* const word = words.take("\"" + keyword.word + "\"");
     if (!word) return false;
     if (word->text != keyword.word) {
@@ -94,12 +96,14 @@ const CommandInfo& info(const Command& command) {
 const std::string* output_path(const Command& command) {
   if (const Save* const save = std::get_if<Save>(&command)) return &save->path;
   if (const SaveMeasurements* const save = std::get_if<SaveMeasurements>(&command)) return &save->path;
+  if (const SaveReport* const save = std::get_if<SaveReport>(&command)) return &save->path;
   return nullptr;
 }
 
 void set_output_path(Command& command, std::string path) {
   if (Save* const save = std::get_if<Save>(&command)) save->path = std::move(path);
   else if (SaveMeasurements* const table = std::get_if<SaveMeasurements>(&command)) table->path = std::move(path);
+  else if (SaveReport* const report = std::get_if<SaveReport>(&command)) report->path = std::move(path);
 }
 
 std::string print(const Command& command) {

@@ -121,6 +121,9 @@ std::string print_value(world::JointKind value) {
 std::string print_value(world::FrameMethod value) {
   return row_name(frame_names(), static_cast<int>(value));
 }
+std::string print_value(world::EquipmentKind value) {
+  return std::string(world::kEquipmentNames[static_cast<std::size_t>(value)]);
+}
 std::string print_value(world::CameraMode value) {
   return row_name(mode_names(), static_cast<int>(value));
 }
@@ -202,6 +205,9 @@ bool read_value(WordReader& words, world::JointKind& value) {
 bool read_value(WordReader& words, world::FrameMethod& value) {
   return read_enum(words, frame_names(), value);
 }
+bool read_value(WordReader& words, world::EquipmentKind& value) {
+  return read_enum(words, Names(world::kEquipmentNames.begin(), world::kEquipmentNames.end()), value);
+}
 bool read_value(WordReader& words, world::CameraMode& value) {
   return read_enum(words, mode_names(), value);
 }
@@ -244,6 +250,9 @@ std::string usage_of(world::JointKind) {
 }
 std::string usage_of(world::FrameMethod) {
   return joined(frame_names());
+}
+std::string usage_of(world::EquipmentKind) {
+  return joined(Names(world::kEquipmentNames.begin(), world::kEquipmentNames.end()));
 }
 std::string usage_of(world::CameraMode) {
   return joined(mode_names());

@@ -1,6 +1,6 @@
 // The one vocabulary: everything that a person, a script or a recording can make the program do to document, motion and settings.
 // Plain structs with a name, a line of help and a list of fields; from these come printing, parsing, help and completion.
-// Those of the laboratory are in commands_lab.h.
+// Those of the laboratory are in commands_lab.h, those of the ride's operation in commands_operation.h.
 // Commands carry names and numbers, never screen coordinates.
 #pragma once
 
@@ -12,6 +12,7 @@
 
 #include "edit/command_fields.h"
 #include "edit/commands_lab.h"
+#include "edit/commands_operation.h"
 #include "world/document.h"
 
 namespace coaster::edit {
@@ -253,13 +254,14 @@ struct NewTrack {
 };
 
 using AnyCommand = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve,
-                                AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2,  //
+                                AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2,
+                                SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetHeartline, SetRollbackFails, AutoBank,  //
                                 SetEvaluator, SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera,
                                 SetCameraMode, Select, SetPanels, SetPolyline, SetAppendMode, SetScale, ShowLayer, SetMagnification,
                                 SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,                 //
                                 RideStart, RidePause, RideStop, RideStep, RideSeek,                              //
                                 Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save,
-                                SaveMeasurements, NewTrack>;
+                                SaveMeasurements, SaveReport, NewTrack>;
 
 // One command. Copies and destructors of so many alternatives are compiled once, in codec.cpp, instead of in every file that holds one.
 struct Command : AnyCommand {

@@ -20,20 +20,12 @@ Status rideable(const Session& session) {
   return {};
 }
 
-// The cart with the lowest number.
-world::Entity first_cart(const world::Document& document) {
-  const auto& carts = document.entities.pool<world::Cart>().entities();
-  return *std::min_element(carts.begin(), carts.end(), [&](world::Entity a, world::Entity b) {
-    return world::name_of(document, a) < world::name_of(document, b);
-  });
-}
-
 }  // namespace
 
 Status perform(Session& session, Change&, const RideStart&) {
   const Status status = rideable(session);
   if (!status) return status;
-  if (session.motion.state == RideState::ended) sim::reset(session.document, session.derived, session.motion);
+  if (session.motion.state == RideState::ended || session.motion.state == RideState::failed) sim::reset(session.document, session.derived, session.motion);
   session.motion.state = RideState::running;
   return {};
 }
@@ -41,8 +33,7 @@ Status perform(Session& session, Change&, const RideStart&) {
 Status perform(Session& session, Change&, const RidePause&) {
   const Status status = rideable(session);
   if (!status) return status;
-  if (session.motion.state == RideState::stopped || session.motion.state == RideState::ended)
-    return refused("the ride is not running");
+  if (session.motion.state != RideState::running && session.motion.state != RideState::paused) return refused("the ride is not running");
   session.motion.state = RideState::paused;
   return {};
 }
@@ -58,10 +49,11 @@ Status perform(Session& session, Change& change, const RideStep& command) {
   const Status status = rideable(session);
   if (!status) return status;
   if (session.motion.state == RideState::running) return refused("the ride is running: pause it first");
-  if (session.motion.state == RideState::ended) return refused("the ride has ended: stop or start it first");
+  if (session.motion.state == RideState::ended || session.motion.state == RideState::failed)
+    return refused("the ride has ended: stop or start it first");
   const int ticks = change.clamp("ticks", command.ticks, 1, kMaxStepTicks);
   session.motion.state = RideState::running;
-  sim::step(session.document, session.derived, session.settings.integrator, ticks, session.motion);
+  sim::step(session.document, session.derived, session.settings.integrator, ticks, session.ghosts, session.motion);
   if (session.motion.state == RideState::running) session.motion.state = RideState::paused;
   return {};
 }
@@ -73,8 +65,9 @@ Status perform(Session& session, Change& change, const RideSeek& command) {
   const double distance = session.derived.closed
                               ? command.to
                               : change.clamp("distance", command.to, 0.0, session.derived.length, "m");
-  sim::seek(session.document, session.derived, first_cart(session.document), distance, session.motion);
-  // Stopped means at the start, ended at the end: a cart put elsewhere is neither.
+  sim::seek(session.document, session.derived, world::first_cart(session.document), distance, session.motion);
+  // Stopped means at the start, ended and failed at some end: a cart put elsewhere is none of these.
+  session.motion.failure = {};
   if (session.motion.state != RideState::running) session.motion.state = RideState::paused;
   return {};
 }

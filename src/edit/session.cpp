@@ -1,7 +1,10 @@
 // The session's own small functions: notices, ticks, a fresh session. Changing it is apply.cpp's.
 #include "edit/session.h"
 
+#include <cstdio>
 #include <utility>
+
+#include "sim/ratings.h"
 
 namespace coaster::edit {
 
@@ -27,9 +30,28 @@ void advance_measurement(Session& session) {
   sim::measure_next(session.measurement, session.clock);
 }
 
+std::string ride_report(const Session& session, const sim::Ghost& ghost) {
+  const sim::Envelope& envelope = sim::default_envelope();
+  const sim::Ratings ratings = sim::rate(ghost, session.ghosts.tables(session.document, session.derived), envelope.cutoff);
+  return sim::report_text(ghost, ratings, sim::red_spans(ghost, envelope), session.document.name);
+}
+std::string ride_csv(const Session& session, const sim::Ghost& ghost) {
+  return sim::report_csv(ghost, session.ghosts.tables(session.document, session.derived));
+}
+
+std::string failure_text(const Session& session) {
+  const world::Failure& failure = session.motion.failure;
+  if (failure.kind == world::FailureKind::none) return {};
+  char place[64];
+  std::snprintf(place, sizeof place, " at %.1f m, %.1f m/s", failure.distance, failure.speed);
+  return world::label_of(session.document, failure.cart) + " " + std::string(sim::text(failure.kind)) + place;
+}
+
 void advance(Session& session, int ticks) {
   if (ticks <= 0) return;
-  sim::step(session.document, session.derived, session.settings.integrator, ticks, session.motion);
+  const world::FailureKind before = session.motion.failure.kind;
+  sim::step(session.document, session.derived, session.settings.integrator, ticks, session.ghosts, session.motion);
+  if (session.motion.failure.kind != before) notify(session, NoticeKind::warning, failure_text(session));
   session.tick += static_cast<std::uint64_t>(ticks);
 }
 

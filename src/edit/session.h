@@ -12,6 +12,7 @@
 #include "edit/commands.h"
 #include "sim/derived.h"
 #include "sim/measure.h"
+#include "sim/ghost.h"
 #include "sim/ride.h"
 
 namespace coaster::edit {
@@ -51,6 +52,7 @@ struct Session {
   std::uint64_t saved_hash = 0;    // document hash when last loaded, saved or made
   mutable std::optional<std::uint64_t> document_hash;  // a memo for dirty(), which every frame asks; apply() forgets it
   std::uint64_t tick = 0;          // ticks since the program's start
+  mutable sim::GhostMemo ghosts;   // whole rides of the carts, simulated when something asks: a memo of what document and derived say
   sim::Clock clock;                // to measure evaluation with
   std::string machine;             // a line about it, for files of measurements
   sim::Measurement measurement;    // of the evaluators; advanced by advance_measurement()
@@ -69,7 +71,14 @@ base::Status apply(Session& session, base::Files& files, const Command& command)
 // Does a part of a measurement that is under way, some ms; nothing else does: a frame without one costs nothing.
 void advance_measurement(Session& session);
 
-// Advances the ride by whole ticks.
+// The report of a ghost on the present track, to read, and as comma-separated values by time.
+std::string ride_report(const Session& session, const sim::Ghost& ghost);
+std::string ride_csv(const Session& session, const sim::Ghost& ghost);
+
+// "c1 rolled back at 123.4 m, -0.3 m/s"; empty while all is well.
+std::string failure_text(const Session& session);
+
+// Advances the ride by whole ticks. When it stops by itself, a notice says why.
 void advance(Session& session, int ticks);
 
 // A session on an empty document.

@@ -54,6 +54,8 @@ const Json* Fields::member(std::string_view name, std::string_view expected) {
   return nullptr;
 }
 
+bool Fields::has(std::string_view name) const { return object_ && object_->contains(std::string(name)); }
+
 bool Fields::text(std::string_view name, std::string& value) {
   const Json* const m = member(name, "a text");
   if (!m) return false;

@@ -19,12 +19,13 @@ struct Place {
   std::string text() const;
 };
 
-// Every getter fills `value` and returns true, or keeps "PLACE.MEMBER: expected ..., found ..." in `error` and returns false. All members
-// are required. Members never asked for are the unknown ones.
+// Every getter fills `value` and returns true, or keeps "PLACE.MEMBER: expected ..., found ..." in `error` and returns false. Members
+// are required: ask has() first for those that are not. Members never asked for are the unknown ones.
 class Fields {
  public:
   Fields(const Json& value, Place place, std::string& error);
 
+  bool has(std::string_view member) const;
   bool text(std::string_view member, std::string& value);
   bool flag(std::string_view member, bool& value);
   bool number(std::string_view member, double& value, double low, double high);

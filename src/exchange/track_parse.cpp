@@ -1,4 +1,5 @@
 // A track file's tree to a document. Checks everything that docs/track-format.md promises.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -121,6 +122,28 @@ bool read_knot(Parse& parse, const Json& value, std::size_t index) {
   return true;
 }
 
+// Optional members keep their defaults.
+bool optional_length(Fields& fields, std::string_view member, float& value, float low, float high) {
+  return !fields.has(member) || fields.length(member, value, low, high);
+}
+
+bool read_equipment(Fields& fields, Document& document, Entity segment) {
+  if (!fields.has("equipment")) return true;
+  std::string kind;
+  if (!fields.text("equipment", kind)) return false;
+  const auto found = std::find(world::kEquipmentNames.begin(), world::kEquipmentNames.end(), kind);
+  if (found == world::kEquipmentNames.end()) return fields.reject("equipment", R"("station", "lift", "launch", "brake" or "block")");
+  world::Equipment equipment;
+  equipment.kind = static_cast<world::EquipmentKind>(found - world::kEquipmentNames.begin());
+  if (!optional_length(fields, "speed", equipment.speed, 0, static_cast<float>(world::kMaxSpeed)) ||
+      !optional_length(fields, "acceleration", equipment.acceleration, world::kMinAcceleration, world::kMaxAcceleration) ||
+      !optional_length(fields, "hysteresis", equipment.hysteresis, 0, static_cast<float>(world::kMaxSpeed)) ||
+      !optional_length(fields, "seconds", equipment.seconds, 0, world::kMaxDwell))
+    return false;
+  document.entities.put(segment, equipment);
+  return true;
+}
+
 bool read_segment(Parse& parse, const Json& value, std::size_t index) {
   Fields fields(value, {"segments", index}, parse.error);
   const auto& knots = parse.document.track.knots;
@@ -138,6 +161,7 @@ bool read_segment(Parse& parse, const Json& value, std::size_t index) {
   std::int64_t turns = 0;
   if (!fields.whole("turns", turns, -world::kMaxTurns, world::kMaxTurns)) return false;
   segment.turns = static_cast<std::int32_t>(turns);
+  if (!read_equipment(fields, parse.document, e)) return false;
   parse.document.entities.put(e, segment);
   parse.document.track.segments.push_back(e);
   keep_unknown(parse, fields, e);
@@ -159,9 +183,21 @@ bool read_cart(Parse& parse, const Json& value, std::size_t index) {
   if (!fields.number("fraction", cart.fraction, 0.0, 1.0)) return false;
   if (cart.fraction == 1.0)
     return fields.fail("fraction", "expected a number below 1 (1 is the next segment's 0)");
+  std::int64_t cars = cart.cars;
+  if (fields.has("cars") && !fields.whole("cars", cars, 1, world::kMaxCars)) return false;
+  cart.cars = static_cast<std::int32_t>(cars);
+  if (!optional_length(fields, "spacing", cart.spacing, world::kMinSpacing, world::kMaxSpacing)) return false;
   parse.document.entities.put(e, cart);
   keep_unknown(parse, fields, e);
   return true;
+}
+
+// How the track is operated: plain tracks have none of these members.
+bool read_operation(Fields& fields, Document& document) {
+  return optional_length(fields, "rolling", document.resistance.rolling, 0, world::kMaxRolling) &&
+         optional_length(fields, "drag", document.resistance.drag, 0, world::kMaxDrag) &&
+         (!fields.has("heartline") || fields.number("heartline", document.heartline, -world::kMaxHeartline, world::kMaxHeartline)) &&
+         (!fields.has("rollback_fails") || fields.flag("rollback_fails", document.rollback_fails));
 }
 
 bool read_head(Parse& parse, Fields& fields) {
@@ -178,7 +214,8 @@ bool read_head(Parse& parse, Fields& fields) {
   return fields.text("name", document.name) && fields.flag("closed", document.track.closed) &&
          fields.number("start_speed", document.start_speed, -world::kMaxSpeed, world::kMaxSpeed) &&
          fields.number("datum", document.datum, -double{world::kMaxCoordinate},
-                       double{world::kMaxCoordinate});
+                       double{world::kMaxCoordinate}) &&
+         read_operation(fields, document);
 }
 
 bool read_lists(Parse& parse, Fields& fields) {

@@ -71,17 +71,47 @@ std::string knot_line(const Document& document, Entity e) {
          std::string(name_of_joint(k.joint)) + "\"" + extra_members(document, e);
 }
 
+// What a plain segment, cart or track does not have is not written.
+std::string equipment_members(const Document& document, Entity e) {
+  const auto* const found = document.entities.find<world::Equipment>(e);
+  if (!found) return {};
+  std::string text = ", \"equipment\": \"" + std::string(world::kEquipmentNames[static_cast<std::size_t>(found->kind)]) +
+                     "\", \"speed\": " + number(found->speed) + ", \"acceleration\": " + number(found->acceleration);
+  const world::Equipment plain;
+  if (found->hysteresis != plain.hysteresis) text += ", \"hysteresis\": " + number(found->hysteresis);
+  if (found->seconds != plain.seconds) text += ", \"seconds\": " + number(found->seconds);
+  return text;
+}
+
+std::string train_members(const world::Cart& cart) {
+  const world::Cart plain;
+  std::string text;
+  if (cart.cars != plain.cars) text += ", \"cars\": " + std::to_string(cart.cars);
+  if (cart.spacing != plain.spacing) text += ", \"spacing\": " + number(cart.spacing);
+  return text;
+}
+
+std::string operation_members(const Document& document) {
+  const Document plain;
+  std::string text;
+  if (document.resistance.rolling != plain.resistance.rolling) text += ",\n  \"rolling\": " + number(document.resistance.rolling);
+  if (document.resistance.drag != plain.resistance.drag) text += ",\n  \"drag\": " + number(document.resistance.drag);
+  if (document.heartline != plain.heartline) text += ",\n  \"heartline\": " + number(document.heartline);
+  if (document.rollback_fails != plain.rollback_fails) text += ",\n  \"rollback_fails\": false";
+  return text;
+}
+
 std::string segment_line(const Document& document, Entity e) {
   const world::Segment& s = world::segment(document, e);
   return "{\"id\": " + id(document, e) + ", \"from\": " + id(document, s.from) +
          ", \"to\": " + id(document, s.to) + ", \"turns\": " + std::to_string(s.turns) +
-         extra_members(document, e);
+         equipment_members(document, e) + extra_members(document, e);
 }
 
 std::string cart_line(const Document& document, Entity e) {
   const world::Cart& c = document.entities.get<world::Cart>(e);
   return "{\"id\": " + id(document, e) + ", \"segment\": " + id(document, c.segment) +
-         ", \"fraction\": " + number(c.fraction) + extra_members(document, e);
+         ", \"fraction\": " + number(c.fraction) + train_members(c) + extra_members(document, e);
 }
 
 // ,\n  "key": [ one line each ]
@@ -103,6 +133,7 @@ std::string print_track(const Document& document) {
   out += std::string(",\n  \"closed\": ") + (document.track.closed ? "true" : "false");
   out += ",\n  \"start_speed\": " + number(document.start_speed);
   out += ",\n  \"datum\": " + number(document.datum);
+  out += operation_members(document);
   print_list(out, "knots", document, document.track.knots, knot_line);
   print_list(out, "segments", document, document.track.segments, segment_line);
   std::vector<Entity> carts = document.entities.pool<world::Cart>().entities();

@@ -15,16 +15,9 @@ namespace {
 using Answer = base::Result<Value>;
 using View = std::string_view;
 
-// The first cart by name, at the speed it has now; 0 without a cart.
+// Of the first cart by name, m/s; 0 without one.
 double present_speed(const edit::Session& session) {
-  const world::CartMotion* first = nullptr;
-  world::Name least;
-  for (std::size_t i = 0; i < session.motion.carts.size(); ++i) {
-    const world::Name name = world::name_of(session.document, session.motion.carts.entities()[i]);
-    if (first && !(name < least)) continue;
-    first = &session.motion.carts.items()[i];
-    least = name;
-  }
+  const world::CartMotion* const first = session.motion.carts.find(world::first_cart(session.document));
   return first ? first->speed : 0.0;
 }
 

@@ -8,23 +8,23 @@ namespace {
 
 using Answer = base::Result<Value>;
 
-const world::CartMotion* cart_of(const edit::Session& session) {
-  if (const world::CartMotion* const selected = session.motion.carts.find(session.settings.selected)) return selected;
-  const world::CartMotion* first = nullptr;
-  world::Name least;
-  for (std::size_t i = 0; i < session.motion.carts.size(); ++i) {
-    const world::Name name = world::name_of(session.document, session.motion.carts.entities()[i]);
-    if (first && !(name < least)) continue;
-    first = &session.motion.carts.items()[i];
-    least = name;
-  }
-  return first;
+// A cart and its motion; null where there is none.
+struct Riding {
+  world::Entity entity;
+  const world::CartMotion* motion = nullptr;
+};
+Riding cart_of(const edit::Session& session) {
+  const auto& carts = session.motion.carts;
+  if (const world::CartMotion* const selected = carts.find(session.settings.selected)) return {session.settings.selected, selected};
+  const world::Entity first = world::first_cart(session.document);
+  return {first, carts.find(first)};
 }
 
 template <class Function>
 Answer of_cart(const Context& context, Function function) {
-  const world::CartMotion* const cart = cart_of(context.session);
-  return number(cart && context.session.derived.segments.contains(cart->segment) ? function(*cart) : 0.0);
+  const Riding riding = cart_of(context.session);
+  const bool there = riding.motion && context.session.derived.segments.contains(riding.motion->segment);
+  return number(there ? function(riding.entity, *riding.motion) : 0.0);
 }
 
 std::string_view state_text(world::RideState state) {
@@ -33,50 +33,51 @@ std::string_view state_text(world::RideState state) {
     case world::RideState::running: return "running";
     case world::RideState::paused: return "paused";
     case world::RideState::ended: return "ended";
+    case world::RideState::failed: return "failed";
   }
   return "";
 }
 
-Answer state(const Context& c, std::string_view) { return text(cart_of(c.session) ? state_text(c.session.motion.state) : "none"); }
+Answer state(const Context& c, std::string_view) { return text(cart_of(c.session).motion ? state_text(c.session.motion.state) : "none"); }
 Answer speed(const Context& c, std::string_view) {
-  return of_cart(c, [](const world::CartMotion& cart) { return cart.speed; });
+  return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return cart.speed; });
 }
 Answer height(const Context& c, std::string_view) {
-  return of_cart(c, [&](const world::CartMotion& cart) { return sim::rail_point(c.session.derived.shape(cart.segment), cart.s).height; });
+  return of_cart(c, [&](world::Entity, const world::CartMotion& cart) { return sim::rail_point(c.session.derived.shape(cart.segment), cart.s).height; });
 }
 Answer distance(const Context& c, std::string_view) {
-  return of_cart(c, [](const world::CartMotion& cart) { return cart.track_distance; });
+  return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return cart.track_distance; });
 }
 Answer travelled(const Context& c, std::string_view) {
-  return of_cart(c, [](const world::CartMotion& cart) { return cart.travelled; });
+  return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return cart.travelled; });
 }
 Answer lap(const Context& c, std::string_view) {
-  return of_cart(c, [](const world::CartMotion& cart) { return static_cast<double>(cart.laps); });
+  return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return static_cast<double>(cart.laps); });
 }
 Answer energy(const Context& c, std::string_view) {
-  return of_cart(c, [&](const world::CartMotion& cart) { return sim::energy(c.session.document, c.session.derived, cart); });
+  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) { return sim::energy(c.session.document, c.session.derived, e, cart); });
 }
 Answer energy_drift(const Context& c, std::string_view) {
-  return of_cart(c, [&](const world::CartMotion& cart) { return sim::energy_drift(c.session.document, c.session.derived, cart); });
+  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) { return sim::energy_drift(c.session.document, c.session.derived, e, cart); });
 }
 Answer g_up(const Context& c, std::string_view) {
-  return of_cart(c, [&](const world::CartMotion& cart) { return sim::felt(c.session.derived, cart).up; });
+  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) { return sim::felt(c.session.document, c.session.derived, e, cart).up; });
 }
 Answer g_side(const Context& c, std::string_view) {
-  return of_cart(c, [&](const world::CartMotion& cart) { return sim::felt(c.session.derived, cart).left; });
+  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) { return sim::felt(c.session.document, c.session.derived, e, cart).left; });
 }
 Answer g_forward(const Context& c, std::string_view) {
-  return of_cart(c, [&](const world::CartMotion& cart) { return sim::felt(c.session.derived, cart).forward; });
+  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) { return sim::felt(c.session.document, c.session.derived, e, cart).forward; });
 }
 Answer segment(const Context& c, std::string_view) {
-  const world::CartMotion* const cart = cart_of(c.session);
+  const world::CartMotion* const cart = cart_of(c.session).motion;
   return text(cart ? world::label_of(c.session.document, cart->segment) : "none");
 }
 Answer carts(const Context& c, std::string_view) { return number(c.session.document.entities.pool<world::Cart>().size()); }
 
 constexpr std::array kRows{
     Query{"carts", "", "", "Carts on the track.", carts},
-    Query{"ride.state", "", "", "stopped, running, paused or ended; none without a cart.", state},
+    Query{"ride.state", "", "", "stopped, running, paused, ended or failed; none without a cart.", state},
     Query{"ride.speed", "", "m/s", "Speed along the track, negative backwards.", speed},
     Query{"ride.height", "", "m", "Height (y) of the rails under the cart.", height},
     Query{"ride.distance", "", "m", "Place of the cart along the track, from its start.", distance},

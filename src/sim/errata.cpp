@@ -1,6 +1,7 @@
 #include "sim/errata.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/check.h"
@@ -22,23 +23,25 @@ double steepest_place(const SegmentShape& shape) {
   return best;
 }
 
-// Metres that a cart goes in kFrozenTicks from rest at `from`, by a row of the integrators; it stops at the segment's ends.
-double way_from_rest(const SegmentShape& shape, double from, const Integrator& row) {
-  const RailContext context{shape, 0.0, world::kGravity * rail_point(shape, from).height};
-  RailState state{from, 0.0};
+// Metres that a cart goes in kFrozenTicks from rest at `from` on segment `index`, by a row of the integrators; it stops at the segment's ends.
+double way_from_rest(const Derived& derived, std::size_t index, double from, const Integrator& row) {
+  const SegmentShape& shape = derived.shape(derived.order[index]);
+  const std::array<CarPlace, 1> car{CarPlace{index, from}};
+  const TrainContext context{derived, car, 0.0, world::kGravity * rail_point(shape, from).height, {}, 0.0, 0.0};
+  TrainState state;
   for (int tick = 0; tick < kFrozenTicks; ++tick) {
     state = row.advance(context, state, world::kTick);
-    if (state.s <= 0.0 || state.s >= shape.arc.length()) break;
+    if (from + state.x <= 0.0 || from + state.x >= shape.arc.length()) break;
   }
-  return std::abs(std::clamp(state.s, 0.0, shape.arc.length()) - from);
+  return std::abs(std::clamp(from + state.x, 0.0, shape.arc.length()) - from);
 }
 
-Erratum frozen(const SegmentShape& shape) {
+Erratum frozen(const Derived& derived, std::size_t index) {
   const auto rows = integrators();
-  const double from = steepest_place(shape);
+  const double from = steepest_place(derived.shape(derived.order[index]));
   return {"frozen", "The speed follows from the energy, then distance = speed x time.",
-          way_from_rest(shape, from, rows[static_cast<std::size_t>(*find_integrator("energy"))]), "m",
-          way_from_rest(shape, from, rows[static_cast<std::size_t>(*find_integrator("rk4"))]), "m",
+          way_from_rest(derived, index, from, rows[static_cast<std::size_t>(*find_integrator("energy"))]), "m",
+          way_from_rest(derived, index, from, rows[static_cast<std::size_t>(*find_integrator("rk4"))]), "m",
           "A cart put at rest on a slope never starts that way: v = 0 moves it nowhere. With s'' = -g T_y it rolls off; metres after half a second."};
 }
 
@@ -72,12 +75,13 @@ std::array<Erratum, kErrata.size()> errata(const Derived& derived, world::Entity
   const SegmentShape& shape = derived.shape(segment);
   const curve::Cubic& cubic = shape.key.cubic;
   const curve::GravesenClaim gravesen = curve::gravesen_claim(cubic);
-  const double jump = curvature_jump(derived, static_cast<std::size_t>(at - derived.order.begin()));
+  const auto index = static_cast<std::size_t>(at - derived.order.begin());
+  const double jump = curvature_jump(derived, index);
   return {{{"gravesen", "The arc length is half the control polygon multiplied by the chord.", gravesen.product, "m^2", gravesen.mean, "m",
             "It is their mean, (chord + polygon) / 2, which is off by (polygon - chord) / 2 at most. The product is an area."},
            {"line", "A vertex of the polyline is B(0) + i dB, with one difference dB.", 0.0, "m", curve::line_claim(cubic, steps).distance, "m",
             "That is a straight line in equal steps; a cubic needs three differences. So far is the line from the curve."},
-           frozen(shape),
+           frozen(derived, index),
            {"g_step", "C1 continuity makes the path smooth.", 0.0, "g", g_step(jump, speed), "g",
             "C1 leaves a jump of curvature, and with it one of the force: v^2 |dK| / g. Equal curvature vectors (G2) take it away."},
            flip(cubic),

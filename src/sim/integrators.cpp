@@ -1,4 +1,4 @@
-// The integrator table. All rows work along one segment, in arc length; ride.cpp splits ticks at joints.
+// The integrator table. Stepped rows work in arc length on a train between two joints; ride.cpp splits ticks there.
 #include <array>
 #include <cmath>
 
@@ -7,51 +7,61 @@
 namespace coaster::sim {
 namespace {
 
-double acceleration(const RailContext& context, double s) { return -world::kGravity * rail_point(context.shape, s).slope; }
-
-// Classical Runge-Kutta, order 4, for s' = v, v' = -g T_y(s).
-RailState rk4(const RailContext& context, RailState x, double dt) {
-  const double half = 0.5 * dt;
-  const double a1 = acceleration(context, x.s);
-  const double v2 = x.speed + half * a1, a2 = acceleration(context, x.s + half * x.speed);
-  const double v3 = x.speed + half * a2, a3 = acceleration(context, x.s + half * v2);
-  const double v4 = x.speed + dt * a3, a4 = acceleration(context, x.s + dt * v3);
-  return {x.s + dt / 6.0 * (x.speed + 2.0 * v2 + 2.0 * v3 + v4), x.speed + dt / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4)};
+// s' = v, v' = a(s) + b(v), W' = b v: gravity does not depend on the speed, losses and equipment on nothing else.
+struct Slopes {
+  double speed, acceleration, power;
+};
+Slopes slopes(const TrainContext& context, const TrainState& state) {
+  const double others = context.others(state.speed);
+  return {state.speed, context.gravity(state.x) + others, others * state.speed};
+}
+TrainState moved(const TrainState& state, const Slopes& k, double dt) {
+  return {state.x + dt * k.speed, state.speed + dt * k.acceleration, state.work + dt * k.power};
 }
 
-// Velocity Verlet: symplectic, so its energy error stays bounded.
-RailState verlet(const RailContext& context, RailState x, double dt) {
-  const double a = acceleration(context, x.s);
-  const double s = x.s + dt * x.speed + 0.5 * dt * dt * a;
-  return {s, x.speed + 0.5 * dt * (a + acceleration(context, s))};
+// Classical Runge-Kutta, order 4.
+TrainState rk4(const TrainContext& context, TrainState state, double dt) {
+  const Slopes k1 = slopes(context, state), k2 = slopes(context, moved(state, k1, 0.5 * dt));
+  const Slopes k3 = slopes(context, moved(state, k2, 0.5 * dt)), k4 = slopes(context, moved(state, k3, dt));
+  const auto mean = [](double a, double b, double c, double d) { return (a + 2.0 * b + 2.0 * c + d) / 6.0; };
+  return moved(state, {mean(k1.speed, k2.speed, k3.speed, k4.speed), mean(k1.acceleration, k2.acceleration, k3.acceleration, k4.acceleration),
+                       mean(k1.power, k2.power, k3.power, k4.power)}, dt);
+}
+
+// Velocity Verlet: symplectic without losses, so its energy error stays bounded.
+TrainState verlet(const TrainContext& context, TrainState state, double dt) {
+  const Slopes k = slopes(context, state);
+  const double x = state.x + dt * state.speed + 0.5 * dt * dt * k.acceleration;
+  const double others = context.others(state.speed + dt * k.acceleration);
+  const double speed = state.speed + 0.5 * dt * (k.acceleration + context.gravity(x) + others);
+  return {x, speed, state.work + 0.5 * dt * (k.power + others * speed)};
+}
+
+// Semi-implicit Euler: the speed first, then the place with the new speed.
+TrainState euler(const TrainContext& context, TrainState state, double dt) {
+  const Slopes k = slopes(context, state);
+  const double speed = state.speed + dt * k.acceleration;
+  return {state.x + dt * speed, speed, state.work + dt * k.power};
 }
 
 // Barrett 2012, section 4: the speed from the energy, then distance = speed x time. Paper erratum: where the speed is 0 it stays
 // there, so a cart at rest never starts and one that should roll back stops.
-RailState energy_method(const RailContext& context, RailState x, double dt) {
-  const double kinetic = context.reference_energy - world::kGravity * (rail_point(context.shape, x.s).height - context.datum);
-  const double speed = kinetic > 0 ? std::copysign(std::sqrt(2.0 * kinetic), x.speed) : 0.0;
-  return {x.s + speed * dt, speed};
+TrainState energy_method(const TrainContext& context, TrainState state, double dt) {
+  const double kinetic = context.reference_energy + state.work - world::kGravity * (context.height(state.x) - context.datum);
+  const double speed = kinetic > 0 ? std::copysign(std::sqrt(2.0 * kinetic), state.speed) : 0.0;
+  return {state.x + speed * dt, speed, state.work + context.others(speed) * speed * dt};
 }
 
-constexpr std::array<Integrator, 3> kTable{{
-    {"rk4", "Runge-Kutta 4", "s'' = -g T_y(s), four slopes, twice a tick", rk4, 2},
-    {"verlet", "Velocity Verlet", "s += v dt + a dt^2/2, v += (a_old + a_new) dt/2", verlet, 1},
-    {"energy", "Energy (the paper's)", "v = sqrt(2 (E - g h)), s += v dt; freezes at v = 0", energy_method, 1},
+constexpr std::array<Integrator, 6> kTable{{
+    {"rk4", "Runge-Kutta 4", "s'' = -g T_y(s), four slopes, twice a tick", IntegratorKind::stepped, rk4, 2},
+    {"verlet", "Velocity Verlet", "s += v dt + a dt^2/2, v += (a_old + a_new) dt/2", IntegratorKind::stepped, verlet, 1},
+    {"energy", "Energy (the paper's)", "v = sqrt(2 (E - g h)), s += v dt; freezes at v = 0", IntegratorKind::stepped, energy_method, 1},
+    {"euler", "Semi-implicit Euler", "v += a dt, s += v dt", IntegratorKind::stepped, euler, 1},
+    {"precomputed", "Precomputed timetable", "s(t) and v(t) of the whole ride from tables, looked up each tick", IntegratorKind::timetable, nullptr, 1},
+    {"vertices", "By polyline vertices", "from vertex to vertex, chord / speed apart; as smooth as the resolution", IntegratorKind::vertices, nullptr, 1},
 }};
 
 }  // namespace
-
-RailPoint rail_point(const SegmentShape& shape, double s) {
-  const double length = shape.arc.length();
-  const double t = shape.arc.parameter(s);
-  const double slope = curve::unit_tangent(shape.key.cubic, t).y;
-  const double height = curve::point(shape.key.cubic, t).y;
-  // Beyond its ends a segment goes on straight: an integrator's probe may look there before the tick is split.
-  if (s < 0) return {height + s * slope, slope};
-  if (s > length) return {height + (s - length) * slope, slope};
-  return {height, slope};
-}
 
 std::span<const Integrator> integrators() { return kTable; }
 

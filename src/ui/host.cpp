@@ -29,11 +29,9 @@ bool text_has_keyboard() {
 
 // The place of the first cart, by name.
 std::optional<sim::Pose> first_pose(const edit::Session& session) {
-  const auto& carts = session.motion.carts.entities();
-  if (carts.empty() || session.derived.order.empty()) return std::nullopt;
-  const auto by_name = [&](world::Entity a, world::Entity b) { return world::name_of(session.document, a) < world::name_of(session.document, b); };
-  const world::Entity first = *std::min_element(carts.begin(), carts.end(), by_name);
-  return sim::pose(session.derived, session.motion.carts.get(first), session.settings.frames);
+  const world::CartMotion* const cart = session.motion.carts.find(world::first_cart(session.document));
+  if (!cart || session.derived.order.empty()) return std::nullopt;
+  return sim::pose(session.derived, *cart, session.settings.frames);
 }
 
 view::View make_view(const edit::Session& session, const view::Viewport& scene) {

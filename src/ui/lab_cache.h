@@ -8,6 +8,7 @@
 
 #include "curve/arc_length_study.h"
 #include "curve/continuity.h"
+#include "sim/advice.h"
 #include "sim/errata.h"
 #include "sim/frame_methods.h"
 #include "sim/rounding.h"
@@ -58,6 +59,15 @@ struct TrackLengths {
   std::size_t next = 0;
 };
 
+// The whole ride of the first cart, one value for each of the ghost's forces.
+inline constexpr int kForceQuantities = 5;
+struct ForceStudy {
+  std::vector<double> way, time;  // m, s since the start
+  std::array<std::vector<double>, kForceQuantities> values, beyond;  // g, m/s, m; `beyond`: NaN but in red spans
+  sim::Ratings ratings;
+  std::vector<sim::RedSpan> red;
+};
+
 struct LabCache {
   int degree = 3;  // of the basis shown
   Kept<int, BasisStudy> basis;
@@ -77,6 +87,12 @@ struct LabCache {
   Kept<std::tuple<std::uint64_t, std::uint64_t, int, double>, std::array<sim::Erratum, sim::kErrata.size()>> errata;
   Kept<std::uint64_t, BendStudy> bend;  // by the segment's build
   sim::FrenetBreaks breaks;
+
+  Kept<std::uint64_t, ForceStudy> forces;  // by the ghost's serial
+  std::array<int, 2> force_plots{0, 3};    // quantities
+  bool forces_over_time = false;
+  int red_chosen = -1;
+  std::string advice;
 };
 
 // The Lengths page's study of the probe's segment, and of the track as far as it has come: a part is added in each frame.

@@ -130,8 +130,8 @@ void cart_inspector(Ui& ui, Entity entity, Name) {
   read_out(ui, "Travelled", fixed(motion->travelled, 2), "m", "Since the start, backwards counting negative.");
   read_out(ui, "Lap", std::to_string(motion->laps), "", "Whole rounds since the start.");
   if (session.derived.order.empty()) return;
-  read_out(ui, "Energy", fixed(sim::energy(session.document, session.derived, *motion), 3), "J/kg", "v\u00B2/2 + g (y - datum).");
-  read_out(ui, "g up", fixed(sim::felt(session.derived, *motion).up, 2), "g", "Felt acceleration towards the rider's head.");
+  read_out(ui, "Energy", fixed(sim::energy(session.document, session.derived, entity, *motion), 3), "J/kg", "v\u00B2/2 + g (y - datum).");
+  read_out(ui, "g up", fixed(sim::felt(session.document, session.derived, entity, *motion).up, 2), "g", "Felt acceleration towards the rider's head.");
 }
 
 }  // namespace

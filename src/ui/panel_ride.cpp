@@ -25,7 +25,8 @@ void controls(Ui& ui) {
 }
 
 void read_outs(Ui& ui) {
-  read_query(ui, "State", "ride.state", {}, "stopped at the start, running, paused, or ended at an open end.");
+  read_query(ui, "State", "ride.state", {}, "stopped at the start, running, paused, ended at an open end, or failed.");
+  if (ui.session().motion.failure.kind != world::FailureKind::none) read_query(ui, "Because it", "ride.fail", {}, "Why the ride stopped by itself.");
   read_query(ui, "Speed", "ride.speed", {}, "Speed of the first cart along the track.", {.decimals = 2});
   read_query(ui, "Height", "ride.height", {}, "Height of the first cart over the ground.", {.decimals = 2});
   read_query(ui, "Distance", "ride.distance", {}, "Place of the first cart, along the track from its start.", {.decimals = 2});

@@ -11,6 +11,7 @@ std::span<const Panel> panels() {
   static constexpr std::array kPanels{  // pages: in the order of world::lab_pages()
       Panel{"Track", Column::left, "The track as a whole: its name, file, size, and what can be added.", track_panel},
       Panel{"Inspector", Column::left, "What is selected: a knot, a segment with a place on it, or a cart.", inspector_panel},
+      Panel{"Operation", Column::left, "What makes the track a ride: equipment, the train, losses.", operation_panel},
       Panel{"Evaluation", Column::right, "How the curve is turned into a polyline, and how exact and fast that is.", evaluation_panel},
       Panel{"Ride", Column::right, "The carts: run them, and read what they do.", ride_panel},
       Panel{"Statistics", Column::right, "What the last frame cost.", statistics_panel},
@@ -23,6 +24,7 @@ std::span<const Panel> panels() {
       Panel{"Joints", Column::bottom, "How smoothly the segments join, what a rider feels of it, and buttons that mend it.", joints_page},
       Panel{"Errata", Column::bottom, "What the paper of 2012 claims beside what holds, in numbers of the segment.", errata_page},
       Panel{"Measurements", Column::bottom, "Time and error of every evaluator, measured on this machine.", measurements_page},
+      Panel{"Forces", Column::bottom, "The whole ride before it is ridden: speed, height and g, what may not last that long, and ratings.", forces_page},
   };
   return kPanels;
 }

@@ -22,6 +22,7 @@ void track_panel(Ui& ui);
 void inspector_panel(Ui& ui);
 void evaluation_panel(Ui& ui);
 void ride_panel(Ui& ui);
+void operation_panel(Ui& ui);
 void statistics_panel(Ui& ui);
 
 void construction_page(Ui& ui);
@@ -33,6 +34,7 @@ void frames_page(Ui& ui);
 void joints_page(Ui& ui);
 void errata_page(Ui& ui);
 void measurements_page(Ui& ui);
+void forces_page(Ui& ui);
 
 // The panels of one column, one under the other, in a window of their own over `area`; scrolls.
 void build_column(Ui& ui, Column column, const view::Viewport& area);

@@ -58,43 +58,48 @@ double distance_to_cart(const Ray& ray, const sim::Pose& pose) {
   return enter <= leave && enter > kInside ? enter : kNowhere;
 }
 
-std::optional<Pick> pick_cart(const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings, const View& view,
-                              glm::vec2 pixel) {
+// Calls visit(cart, pose) for every car of every train.
+template <class Visit>
+void for_each_car(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings, Visit visit) {
+  for (std::size_t i = 0; i < motion.carts.size(); ++i) {
+    const world::CartMotion& cart = motion.carts.items()[i];
+    if (!derived.segments.contains(cart.segment)) continue;
+    for (const sim::Pose& car : sim::car_poses(document, derived, motion.carts.entities()[i], cart, settings.frames)) visit(motion.carts.entities()[i], car);
+  }
+}
+
+std::optional<Pick> pick_cart(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings,
+                              const View& view, glm::vec2 pixel) {
   if (motion.carts.size() == 0) return std::nullopt;
   const Ray ray = ray_through(view, pixel);
   double nearest = kNowhere;
   Pick best;
-  for (std::size_t i = 0; i < motion.carts.size(); ++i) {
-    const world::CartMotion& cart = motion.carts.items()[i];
-    if (!derived.segments.contains(cart.segment)) continue;
-    const double distance = distance_to_cart(ray, sim::pose(derived, cart, settings.frames));
-    if (!(distance < nearest)) continue;
+  for_each_car(document, derived, motion, settings, [&](world::Entity cart, const sim::Pose& car) {
+    const double distance = distance_to_cart(ray, car);
+    if (!(distance < nearest)) return;
     nearest = distance;
-    best = {PickKind::cart, motion.carts.entities()[i], 0, ray.origin + static_cast<float>(distance) * ray.direction};
-  }
+    best = {PickKind::cart, cart, 0, ray.origin + static_cast<float>(distance) * ray.direction};
+  });
   if (best.kind == PickKind::none) return std::nullopt;
   return best;
 }
 
 // A cart far away is smaller than the knot that it stands on: around its middle a few pixels are its own, too. The one nearest to the eye wins.
-std::optional<Pick> pick_distant_cart(const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings, const View& view,
-                                      glm::vec2 pixel) {
+std::optional<Pick> pick_distant_cart(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings,
+                                      const View& view, glm::vec2 pixel) {
   constexpr double kNotTheRiders = 2.5;  // m from the eye
   const float reach = kCartReach * settings.ui_scale;
   double nearest = kNowhere;
   std::optional<Pick> best;
-  for (std::size_t i = 0; i < motion.carts.size(); ++i) {
-    const world::CartMotion& cart = motion.carts.items()[i];
-    if (!derived.segments.contains(cart.segment)) continue;
-    const sim::Pose pose = sim::pose(derived, cart, settings.frames);
-    const glm::vec3 middle = cart_middle(pose);
+  for_each_car(document, derived, motion, settings, [&](world::Entity cart, const sim::Pose& car) {
+    const glm::vec3 middle = cart_middle(car);
     const auto seen = project(view, middle);
-    if (!seen || std::abs(seen->z) > 1 || glm::distance(glm::dvec3(view.eye), pose.position) < kNotTheRiders) continue;
+    if (!seen || std::abs(seen->z) > 1 || glm::distance(glm::dvec3(view.eye), car.position) < kNotTheRiders) return;
     const double distance = glm::distance(glm::dvec3(view.eye), glm::dvec3(middle));
-    if (glm::distance(glm::vec2(seen->x, seen->y), pixel) > reach || !(distance < nearest)) continue;
+    if (glm::distance(glm::vec2(seen->x, seen->y), pixel) > reach || !(distance < nearest)) return;
     nearest = distance;
-    best = Pick{PickKind::cart, motion.carts.entities()[i], 0, middle};
-  }
+    best = Pick{PickKind::cart, cart, 0, middle};
+  });
   return best;
 }
 
@@ -214,8 +219,8 @@ Pick pick(const world::Document& document, const sim::Derived& derived, const wo
           const View& view, glm::vec2 pixel) {
   if (!view.viewport.contains(pixel)) return {};
   if (const auto mark = pick_mark(document, settings, view, pixel)) return *mark;
-  if (const auto cart = pick_cart(derived, motion, settings, view, pixel)) return *cart;
-  if (const auto cart = pick_distant_cart(derived, motion, settings, view, pixel)) return *cart;
+  if (const auto cart = pick_cart(document, derived, motion, settings, view, pixel)) return *cart;
+  if (const auto cart = pick_distant_cart(document, derived, motion, settings, view, pixel)) return *cart;
   if (const auto place = pick_place(derived, settings, view, pixel)) return *place;
   return pick_curve(derived, view, pixel, kCurveReach * settings.ui_scale).value_or(Pick{});
 }

@@ -1,8 +1,10 @@
 // What a document is made of: plain components. To add one, add the struct and name it in Document's registry.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include <glm/glm.hpp>
 
@@ -17,6 +19,13 @@ inline constexpr float kMaxHandle = 10'000.0f;       // m
 inline constexpr int kMaxTurns = 16;                 // whole turns of roll within a segment
 inline constexpr double kMaxSpeed = 150.0;           // m/s, of the start speed
 inline constexpr std::size_t kMaxKnots = 1'000'000;
+inline constexpr int kMaxCars = 32;                  // of a train
+inline constexpr float kMinSpacing = 1.0f, kMaxSpacing = 20.0f;  // m between the middles of neighbouring cars
+inline constexpr float kMaxAcceleration = 60.0f;     // m/s^2, of lifts, launches and brakes
+inline constexpr float kMaxRolling = 1.0f, kMaxDrag = 0.1f;  // of resistance; 1, 1/m
+inline constexpr double kMaxHeartline = 5.0;         // m over the rails
+inline constexpr float kMinAcceleration = 0.1f;      // m/s^2
+inline constexpr float kMaxDwell = 600.0f;           // s, of stations
 
 // smooth: equal handle lengths (C1). aligned: a common tangent line (G1). automatic: direction and lengths follow from
 // the neighbours (as Catmull-Rom: along the chord between them, a third of each side's chord).
@@ -40,11 +49,39 @@ struct Segment {
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
-// A cart as designed: where it starts.
+// A cart as designed: where its first car starts, and how many cars follow it. All cars weigh the same, so that the motion depends on their
+// places alone.
 struct Cart {
   Entity segment;
   double fraction = 0;  // of the segment's arc length, [0,1)
+  std::int32_t cars = 1;  // 1..kMaxCars
+  float spacing = 3.0f;   // m of rail between the middles of neighbouring cars
   friend bool operator==(const Cart&, const Cart&) = default;
+};
+
+// What the rails of a segment do to the trains on it. A segment without this component is plain track.
+// station: stops a train at its end, waits `seconds`, and sends it off at up to `speed`.
+// lift:    a chain that pulls up to `speed`, lets nothing roll back, and does not hold back what is faster.
+// launch:  pushes with `acceleration` until `speed` is reached.
+// brake:   slows with `acceleration`, from above speed + hysteresis until below speed - hysteresis.
+// block:   a brake that lets a train out once the section after it is free, and stops it at its end until then.
+enum class EquipmentKind : std::uint8_t { station, lift, launch, brake, block };
+struct Equipment {
+  EquipmentKind kind = EquipmentKind::lift;
+  float speed = 4;         // m/s, 0..kMaxSpeed
+  float acceleration = 3;  // m/s^2, above 0, at most kMaxAcceleration
+  float hysteresis = 0.5f;  // m/s, brakes alone
+  float seconds = 5;       // s, stations alone
+  friend bool operator==(const Equipment&, const Equipment&) = default;
+};
+
+inline constexpr std::array<std::string_view, 5> kEquipmentNames{"station", "lift", "launch", "brake", "block"};  // by EquipmentKind, in files and scripts
+
+// Resistance to motion: s'' = ... - sign(v) (rolling g + drag v^2).
+struct Resistance {
+  float rolling = 0;  // coefficient of rolling friction; steel coasters 0.02..0.03
+  float drag = 0;     // 1/m; about 2e-5
+  friend bool operator==(const Resistance&, const Resistance&) = default;
 };
 
 // Members of a file's object that this version does not know, kept for saving: the text of a JSON object.

@@ -1,9 +1,17 @@
 // Reading a document: names, control points, neighbours, length. Changes nothing (topology.cpp does).
 #include "world/document.h"
 
+#include <algorithm>
+
 #include "curve/arc_length.h"
 
 namespace coaster::world {
+
+Entity first_cart(const Document& document) {
+  const auto& carts = document.entities.pool<Cart>().entities();
+  const auto first = std::min_element(carts.begin(), carts.end(), [&](Entity a, Entity b) { return name_of(document, a) < name_of(document, b); });
+  return first == carts.end() ? kNone : *first;
+}
 
 Entity find(const Document& document, Name name) {
   const Pool<Name>& names = document.entities.pool<Name>();

@@ -22,11 +22,14 @@ struct Track {
 };
 
 struct Document {
-  Registry<Name, Knot, Segment, Cart, Extra> entities;
+  Registry<Name, Knot, Segment, Cart, Equipment, Extra> entities;  // equipment stands on segments
   Track track;
   std::string name = "Untitled";
   double start_speed = 1.0;  // m/s along the track, may be negative; |start_speed| <= kMaxSpeed
   double datum = 0.0;        // m, the height whose potential energy is 0
+  Resistance resistance;     // none by default: the frictionless circuit of the paper
+  double heartline = 1.1;    // m over the rails, where the riders' hearts are and what forces are told for
+  bool rollback_fails = true;  // a train that rolls back ends the ride; else it rolls on
   Extra extra;               // unknown top-level members of the file
   std::array<std::uint32_t, 3> last_number{};  // by Kind: the last name given
   friend bool operator==(const Document&, const Document&) = default;
@@ -37,6 +40,9 @@ Entity find(const Document& document, Name name);
 Name name_of(const Document& document, Entity entity);  // the entity must be alive
 // "k3" for a living entity, "-" for none.
 std::string label_of(const Document& document, Entity entity);
+
+// The cart with the lowest number, or kNone.
+Entity first_cart(const Document& document);
 
 const Knot& knot(const Document& document, Entity e);
 const Segment& segment(const Document& document, Entity e);

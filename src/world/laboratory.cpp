@@ -24,6 +24,7 @@ constexpr LabPageRow kPages[] = {
     {"joints", "Continuity at the joints."},
     {"errata", "Claims of the paper beside what is right."},
     {"measurements", "Time and error of every evaluator, measured on this machine."},
+    {"forces", "Speed, height and g of the whole ride, what may not last that long, and ratings."},
 };
 
 }  // namespace

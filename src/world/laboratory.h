@@ -33,7 +33,7 @@ class Layers {
 };
 
 // Pages of the laboratory's strip: rows of lab_pages(), in its order.
-enum class LabPage : std::uint8_t { construction, weights, hodograph, error, lengths, frames, joints, errata, measurements };
+enum class LabPage : std::uint8_t { construction, weights, hodograph, error, lengths, frames, joints, errata, measurements, forces };
 
 struct LabPageRow {
   std::string_view name;  // in scripts and recordings: "page weights"

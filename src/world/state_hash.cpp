@@ -33,12 +33,27 @@ void add_knot(base::Hasher& hasher, const Knot& k) {
   hasher.add(k.in_length), hasher.add(k.out_length), hasher.add(k.joint);
 }
 
+// What a plain track does not have adds nothing, so that its hash is that of the first version of the format.
+void add_equipment(base::Hasher& hasher, const Equipment* equipment) {
+  if (!equipment) return;
+  hasher.add(equipment->kind), hasher.add(equipment->speed), hasher.add(equipment->acceleration);
+  hasher.add(equipment->hysteresis), hasher.add(equipment->seconds);
+}
+
+void add_operation(base::Hasher& hasher, const Document& document) {
+  const Document plain;
+  if (!(document.resistance == plain.resistance)) hasher.add(document.resistance.rolling), hasher.add(document.resistance.drag);
+  if (document.heartline != plain.heartline) hasher.add(document.heartline);
+  if (document.rollback_fails != plain.rollback_fails) hasher.add(document.rollback_fails);
+}
+
 }  // namespace
 
 std::uint64_t hash(const Document& document) {
   base::Hasher hasher;
   hasher.add(std::string_view(document.name));
   hasher.add(document.start_speed), hasher.add(document.datum);
+  add_operation(hasher, document);
   hasher.add(document.track.closed);
   hasher.add(std::string_view(document.extra.json));
   hasher.add(document.track.knots.size());
@@ -51,6 +66,7 @@ std::uint64_t hash(const Document& document) {
   for (const Entity e : document.track.segments) {
     hasher.add(number_of(document, e));
     hasher.add(segment(document, e).turns);
+    add_equipment(hasher, document.entities.find<Equipment>(e));
     add_extra(hasher, document, e);
   }
   const auto& carts = document.entities.pool<Cart>();
@@ -59,6 +75,7 @@ std::uint64_t hash(const Document& document) {
     const Cart& cart = carts.get(e);
     hasher.add(number_of(document, e)), hasher.add(number_of(document, cart.segment)),
         hasher.add(cart.fraction);
+    if (cart.cars != 1 || cart.spacing != Cart{}.spacing) hasher.add(cart.cars), hasher.add(cart.spacing);
     add_extra(hasher, document, e);
   }
   return hasher.digest();
@@ -66,7 +83,7 @@ std::uint64_t hash(const Document& document) {
 
 std::uint64_t hash(const Document& document, const Motion& motion) {
   base::Hasher hasher;
-  hasher.add(motion.state);
+  hasher.add(motion.state), hasher.add(motion.failure.kind);
   hasher.add(motion.carts.size());
   for (const Entity e : by_number(document, motion.carts.entities())) {
     const CartMotion& cart = motion.carts.get(e);
@@ -74,7 +91,9 @@ std::uint64_t hash(const Document& document, const Motion& motion) {
     hasher.add(cart.s), hasher.add(cart.speed), hasher.add(cart.segment_length),
         hasher.add(cart.track_distance);
     hasher.add(cart.travelled), hasher.add(cart.laps);
-    hasher.add(cart.reference_energy), hasher.add(cart.peak_kinetic);
+    hasher.add(cart.reference_energy), hasher.add(cart.peak_kinetic), hasher.add(cart.work);
+    hasher.add(cart.furthest), hasher.add(cart.carry), hasher.add(cart.still), hasher.add(cart.dwell), hasher.add(cart.braking);
+    hasher.add(cart.timetable.valid), hasher.add(cart.timetable.front), hasher.add(cart.timetable.speed), hasher.add(cart.timetable.tick);
   }
   return hasher.digest();
 }

@@ -50,6 +50,7 @@ class RandomCommands {
     constexpr std::string_view kLetters = "ab \"\\#@'\n.";
     for (std::uint32_t i = below(8); i > 0; --i) v += kLetters[below(kLetters.size())];
   }
+  void fill(world::EquipmentKind& v) { v = static_cast<world::EquipmentKind>(below(5)); }
   void fill(world::JointKind& v) { v = static_cast<world::JointKind>(below(3)); }
   void fill(world::FrameMethod& v) { v = static_cast<world::FrameMethod>(below(4)); }
   void fill(world::CameraMode& v) { v = static_cast<world::CameraMode>(below(2)); }

@@ -37,6 +37,7 @@ constexpr std::string_view kOfMeasurements = "EVALUATOR/STEPS";
 std::string_view sample_argument(const Query& query) {
   if (query.argument == "@knot") return "@k2";
   if (query.argument == "@segment") return "@s3";
+  if (query.argument == "@cart") return "@c1";
   if (query.argument == kOfMeasurements) return "horner/64";
   // "document|motion": one of the words.
   return query.argument.substr(query.argument.rfind('|') + 1);

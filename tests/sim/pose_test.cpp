@@ -17,10 +17,13 @@ world::CartMotion at_distance(const Derived& derived, double distance, double sp
   return cart;
 }
 
+// Of a single car on a plain track.
+Felt felt_by(const Derived& derived, const world::CartMotion& cart) { return felt(world::Document{}, derived, world::kNone, cart); }
+
 TEST(felt, at_rest_on_the_flat_is_one_g_up) {
   const Derived derived = test::derived_of(test::straight_document({1.1f, 2.3f, 2.7f}, {31.1f, 2.3f, 7.7f}, 3));
   for (const double distance : {0.0, 7.3, derived.length}) {
-    const Felt f = felt(derived, at_distance(derived, distance, 0));
+    const Felt f = felt_by(derived, at_distance(derived, distance, 0));
     EXPECT_NEAR(f.up, 1, 1e-9);
     EXPECT_NEAR(f.left, 0, 1e-9);
     EXPECT_NEAR(f.forward, 0, 1e-9);
@@ -29,7 +32,7 @@ TEST(felt, at_rest_on_the_flat_is_one_g_up) {
 
 TEST(felt, rolling_freely_down_a_straight_slope_is_weightless_forwards) {
   const Derived derived = test::derived_of(test::straight_document({1.1f, 12.3f, 2.7f}, {25.1f, 2.3f, 2.7f}, 3));
-  const Felt f = felt(derived, at_distance(derived, 11.7, 6.1));
+  const Felt f = felt_by(derived, at_distance(derived, 11.7, 6.1));
   EXPECT_NEAR(f.forward, 0, 1e-6);
   EXPECT_NEAR(f.up, 24.0 / 26.0, 1e-6);
   EXPECT_NEAR(f.left, 0, 1e-9);
@@ -43,7 +46,7 @@ TEST(felt, a_circular_loop_has_the_closed_form) {
   const double turn = speed * speed * inside / (radius * radius) / 9.81;
   EXPECT_NEAR(turn, 4.64, 0.005);
   for (const double a : {0.05, 1.3, M_PI / 2, 2.9, 4.4}) {
-    const Felt f = felt(derived, at_distance(derived, a * radius, speed));
+    const Felt f = felt_by(derived, at_distance(derived, a * radius, speed));
     // 64 cubics: their curvature strays from 1/R by 1e-4 of it.
     EXPECT_NEAR(f.up, turn + std::cos(a), 5e-3) << a;
     EXPECT_NEAR(f.forward, std::sin(a) * (1 - inside / radius), 5e-3) << a;
@@ -54,10 +57,10 @@ TEST(felt, a_circular_loop_has_the_closed_form) {
 TEST(felt, a_flat_turn_to_the_left_pushes_to_the_left) {
   const double radius = 20, speed = 11.3;
   const Derived derived = test::derived_of(test::ring_document(64, radius, 0));
-  const Felt f = felt(derived, at_distance(derived, 31.7, speed));
+  const Felt f = felt_by(derived, at_distance(derived, 31.7, speed));
   EXPECT_NEAR(f.left, speed * speed / radius / 9.81, 3e-3);
   EXPECT_NEAR(f.up, 1, 1e-3);
-  EXPECT_NEAR(felt(derived, at_distance(derived, 31.7, -speed)).left, f.left, 1e-9);
+  EXPECT_NEAR(felt_by(derived, at_distance(derived, 31.7, -speed)).left, f.left, 1e-9);
 }
 
 TEST(pose, sits_on_the_curve_facing_along_it) {

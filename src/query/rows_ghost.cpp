@@ -1,0 +1,100 @@
+// Queries about the whole ride of the selected cart, else of the first by name: simulated over the present track when asked, 0 without a ride.
+#include <array>
+
+#include "query/rows.h"
+#include "sim/ratings.h"
+
+namespace coaster::query {
+namespace {
+
+using Answer = base::Result<Value>;
+using View = std::string_view;
+
+const sim::Ghost* ghost_of(const Context& c) {
+  const edit::Session& session = c.session;
+  const bool selected = session.document.entities.find<world::Cart>(session.settings.selected) != nullptr;
+  return session.ghosts.ride(session.document, session.derived, selected ? session.settings.selected : world::first_cart(session.document));
+}
+
+template <class Function>
+Answer of_ride(const Context& c, Function function) {
+  const sim::Ghost* const ghost = ghost_of(c);
+  if (!ghost) return number(0.0);
+  const edit::Session& session = c.session;
+  return number(function(sim::rate(*ghost, session.ghosts.tables(session.document, session.derived), sim::default_envelope().cutoff)));
+}
+
+Answer lap_time(const Context& c, View) {
+  const sim::Ghost* const ghost = ghost_of(c);
+  return number(ghost && ghost->lap ? ghost->lap_time : 0.0);
+}
+Answer g_up_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.up_most.value; }); }
+Answer g_up_min(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.up_least.value; }); }
+Answer g_side_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.side_most.value; }); }
+Answer g_forward_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.forward_most.value; }); }
+Answer g_back_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.back_most.value; }); }
+Answer speed_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.top_speed.value; }); }
+Answer excitement(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.excitement; }); }
+Answer intensity(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.intensity; }); }
+Answer nausea(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.nausea; }); }
+Answer airtime(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.airtime; }); }
+Answer drops(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.drops; }); }
+Answer inversions(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.inversions; }); }
+Answer envelope(const Context& c, View) {
+  const sim::Ghost* const ghost = ghost_of(c);
+  return number(ghost ? sim::red_spans(*ghost, sim::default_envelope()).size() : 0);
+}
+Answer fail(const Context& c, View) {
+  const world::FailureKind kind = c.session.motion.failure.kind;
+  return text(kind == world::FailureKind::none ? "none" : sim::text(kind));
+}
+Answer fail_distance(const Context& c, View) { return number(c.session.motion.failure.distance); }
+Answer ghost_end(const Context& c, View) {
+  const sim::Ghost* const ghost = ghost_of(c);
+  return text(!ghost || ghost->end == world::FailureKind::none ? "none" : sim::text(ghost->end));
+}
+Answer rolling(const Context& c, View) { return number(c.session.document.resistance.rolling); }
+Answer drag(const Context& c, View) { return number(c.session.document.resistance.drag); }
+Answer heartline(const Context& c, View) { return number(c.session.document.heartline); }
+Answer cars(const Context& c, View argument) {
+  const auto cart = entity_of(c, argument, world::Kind::cart);
+  if (!cart) return cart.status();
+  return number(c.session.document.entities.get<world::Cart>(*cart).cars);
+}
+Answer equipment(const Context& c, View argument) {
+  const auto segment = entity_of(c, argument, world::Kind::segment);
+  if (!segment) return segment.status();
+  const auto* const found = c.session.document.entities.find<world::Equipment>(*segment);
+  return text(found ? world::kEquipmentNames[static_cast<std::size_t>(found->kind)] : "none");
+}
+
+constexpr std::array kRows{
+    Query{"ride.lap_time", "", "s", "How long a lap takes by the ghost; 0 when it does not come round.", lap_time},
+    Query{"ride.g_up_max", "", "g", "Largest vertical g of the whole ride, low-passed, of all cars.", g_up_max},
+    Query{"ride.g_up_min", "", "g", "Smallest vertical g of the whole ride.", g_up_min},
+    Query{"ride.g_side_max", "", "g", "Largest lateral g of the whole ride, to either side.", g_side_max},
+    Query{"ride.g_forward_max", "", "g", "Largest g forwards of the whole ride.", g_forward_max},
+    Query{"ride.g_back_max", "", "g", "Largest g backwards of the whole ride.", g_back_max},
+    Query{"ride.speed_max", "", "m/s", "Largest speed of the whole ride.", speed_max},
+    Query{"ride.envelope", "", "", "Red spans: stretches where some g lasts longer than it may.", envelope},
+    Query{"ride.excitement", "", "", "Excitement after OpenRCT2's terms of g and drops.", excitement},
+    Query{"ride.intensity", "", "", "Intensity after OpenRCT2's terms of g and drops.", intensity},
+    Query{"ride.nausea", "", "", "Nausea after OpenRCT2's terms of g and drops.", nausea},
+    Query{"ride.airtime", "", "s", "Time of the whole ride with vertical g below 0.", airtime},
+    Query{"ride.drops", "", "", "Descents of 3 m or more in the whole ride.", drops},
+    Query{"ride.inversions", "", "", "Times that riders are turned upside down in the whole ride.", inversions},
+    Query{"ride.ghost_end", "", "", "How the ghost's ride ends before a lap: none, stalled, rolled back, ran off the open end.", ghost_end},
+    Query{"ride.fail", "", "", "Why the ride stopped by itself: none, stalled, rolled back, ran off the open end, collided.", fail},
+    Query{"ride.fail_distance", "", "m", "Where along the track it did.", fail_distance},
+    Query{"rolling", "", "", "Rolling friction, of the weight.", rolling},
+    Query{"drag", "", "1/m", "Drag.", drag},
+    Query{"heartline", "", "m", "Height over the rails where forces are told for.", heartline},
+    Query{"cars", "@cart", "", "Cars of a train.", cars},
+    Query{"equipment", "@segment", "", "What stands on a segment: station, lift, launch, brake, block or none.", equipment},
+};
+
+}  // namespace
+
+std::span<const Query> ghost_rows() { return kRows; }
+
+}  // namespace coaster::query

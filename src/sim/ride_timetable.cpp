@@ -1,0 +1,116 @@
+// The integrators that are not stepped: by a timetable of the whole ride, and by the vertices of the polyline (Barrett 2012, section 6).
+#include <algorithm>
+#include <cmath>
+
+#include "sim/ride_parts.h"
+
+namespace coaster::sim {
+namespace {
+
+void begin_timetable(const world::CartMotion& cart, world::TimetablePlace& table) {
+  table = {true, cart.track_distance, cart.speed, cart.dwell, cart.braking, 0};
+}
+
+GhostStart start_of(const RideInput& input, world::Entity entity, const world::TimetablePlace& table) {
+  const world::Cart& design = input.document.entities.get<world::Cart>(entity);
+  return {table.front, table.speed, cars_on(input.derived, design), design.spacing, {table.dwell, table.braking}};
+}
+
+// One tick. False when the timetable says that the ride is over.
+bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity entity, world::CartMotion& cart, world::FailureKind& failure) {
+  if (!cart.timetable.valid) begin_timetable(cart, cart.timetable);
+  const Ghost* ghost = &memo.from(input.document, input.derived, start_of(input, entity, cart.timetable));
+  const auto last = static_cast<std::int64_t>(ghost->samples.size()) - 1;
+  if (cart.timetable.tick >= last) {
+    if (ghost->end != world::FailureKind::none || last == 0) {
+      failure = ghost->end;
+      return false;
+    }
+    begin_timetable(cart, cart.timetable);
+    ghost = &memo.from(input.document, input.derived, start_of(input, entity, cart.timetable));
+    if (ghost->samples.size() < 2) return false;
+  }
+  const auto now = static_cast<std::size_t>(cart.timetable.tick), next = now + 1;
+  const GhostSample &before = ghost->samples[now], &after = ghost->samples[next];
+  const double from = ghost->start.front + before.travelled, to = ghost->start.front + after.travelled;
+  if (input.derived.closed) cart.laps += static_cast<std::int64_t>(std::floor(to / ghost->track_length) - std::floor(from / ghost->track_length));
+  cart.travelled += after.travelled - before.travelled;
+  cart.furthest = std::max(cart.furthest, cart.travelled);
+  cart.work += after.work - before.work;
+  cart.speed = after.speed;
+  cart.peak_kinetic = std::max(cart.peak_kinetic, 0.5 * cart.speed * cart.speed);
+  const TrackPlace place = place_at(input.derived, ghost->distance(next));
+  settle_on(input.derived, {place.index, place.s}, cart);
+  cart.timetable.tick = static_cast<std::int64_t>(next);
+  return true;
+}
+
+// Where the energy lets a cart be this fast at height y, m/s, in the direction it had.
+double speed_at(const RideInput& input, const world::CartMotion& cart, double y) {
+  const double kinetic = cart.reference_energy + cart.work - world::kGravity * (y - input.document.datum);
+  return kinetic > 0 ? std::sqrt(2.0 * kinetic) : 0.0;
+}
+
+}  // namespace
+
+void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world::Motion& motion) {
+  for (int tick = 0; tick < ticks && motion.state == world::RideState::running; ++tick) {
+    bool any = false;
+    for (std::size_t i = 0; i < motion.carts.size() && motion.state == world::RideState::running; ++i) {
+      world::CartMotion& cart = motion.carts.items()[i];
+      world::FailureKind failure = world::FailureKind::none;
+      const double arrival = cart.speed;
+      if (follow_timetable(input, memo, motion.carts.entities()[i], cart, failure)) {
+        any = true;
+        continue;
+      }
+      halt(cart);
+      if (failure == world::FailureKind::none) continue;
+      if (motion.failure.kind == world::FailureKind::none) motion.failure = {failure, motion.carts.entities()[i], cart.track_distance, arrival};
+      if (failure != world::FailureKind::off_end) motion.state = world::RideState::failed;
+    }
+    if (!any && motion.state == world::RideState::running) motion.state = world::RideState::ended;
+  }
+}
+
+bool advance_by_vertices(const RideInput& input, double dt, world::CartMotion& cart) {
+  const Derived& derived = input.derived;
+  constexpr int kMostVertices = 100'000;  // in one tick
+  double time = cart.carry + dt;
+  const bool forward = cart.speed >= 0;
+  std::size_t index = front_place(derived, cart).index;
+  for (int n = 0; n < kMostVertices; ++n) {
+    const SegmentShape& shape = derived.shape(derived.order[index]);
+    // A row on the GPU leaves no polyline here: as many steps of the exact curve.
+    const auto count = static_cast<int>(shape.points.empty() ? derived.steps + 1 : static_cast<int>(shape.points.size()));
+    const auto vertex = [&](int i) {
+      return shape.points.empty() ? curve::point(shape.key.cubic, static_cast<double>(i) / (count - 1)) : glm::dvec3(shape.points[static_cast<std::size_t>(i)]);
+    };
+    const double at = shape.arc.parameter(cart.s) * (count - 1);
+    constexpr double kOnVertex = 1e-6;  // of a step
+    const int from = std::clamp(static_cast<int>(std::lround(at)), 0, count - 1);
+    const int here = std::abs(at - from) < kOnVertex ? from : static_cast<int>(forward ? std::floor(at) : std::ceil(at));
+    const int to = here + (forward ? 1 : -1);
+    if (to < 0 || to >= count) {
+      const bool at_end = forward ? index + 1 == derived.order.size() : index == 0;
+      if (at_end && !derived.closed) return false;
+      if (at_end) cart.laps += forward ? 1 : -1;
+      index = forward ? (index + 1) % derived.order.size() : (index + derived.order.size() - 1) % derived.order.size();
+      settle_on(derived, {index, forward ? 0.0 : derived.shape(derived.order[index]).arc.length()}, cart);
+      continue;
+    }
+    const glm::dvec3 a = vertex(here), b = vertex(to);
+    const double speed = speed_at(input, cart, a.y), chord = glm::length(b - a);
+    cart.speed = forward ? speed : -speed;
+    if (!(speed > 0) || !(time >= chord / speed)) break;
+    time -= chord / speed;
+    const double s = shape.arc.distance(static_cast<double>(to) / (count - 1));
+    cart.travelled += s - cart.s;
+    settle_on(derived, {index, s}, cart);
+    cart.speed = (forward ? 1.0 : -1.0) * speed_at(input, cart, b.y);
+  }
+  cart.carry = cart.speed != 0 ? time : 0.0;
+  return true;
+}
+
+}  // namespace coaster::sim
