@@ -1,6 +1,9 @@
 // Track: name, size, what can be added or removed, start of the ride, file.
 #include <imgui.h>
 
+#include <algorithm>
+
+#include "sim/equipment.h"
 #include "ui/panels.h"
 
 namespace coaster::ui {
@@ -13,6 +16,31 @@ const world::Name* selected_name(const edit::Session& session) {
 }
 
 float half(const Ui&) { return (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) * 0.5f; }
+
+// Where a new cart touches no other at the start of the ride: the start or the middle of a segment, looked for from `first` on; the start of
+// `first` where there is no such place.
+edit::AddCart free_place(const edit::Session& session, world::Entity first) {
+  const sim::Derived& derived = session.derived;
+  const sim::Rails rails{derived.length, derived.closed};
+  constexpr double kRoom = 6;  // m
+  const auto is_free = [&](double distance) {
+    for (const world::Cart& other : session.document.entities.pool<world::Cart>().items()) {
+      const sim::GhostStart start = sim::start_of(session.document, derived, other);
+      if (sim::collide(rails, {distance, 1, kRoom}, {start.front, start.cars, start.spacing})) return false;
+    }
+    return true;
+  };
+  const std::size_t count = derived.order.size();
+  const auto found = std::find(derived.order.begin(), derived.order.end(), first);
+  const auto begin = static_cast<std::size_t>(found - derived.order.begin());
+  for (std::size_t i = 0; i < 2 * count; ++i) {
+    const std::size_t index = (begin + i / 2) % count;
+    const double fraction = i % 2 == 0 ? 0.0 : 0.5;
+    if (is_free(derived.starts[index] + fraction * (derived.starts[index + 1] - derived.starts[index])))
+      return {{world::name_of(session.document, derived.order[index])}, fraction};
+  }
+  return {{world::name_of(session.document, first)}, 0};
+}
 
 void size(Ui& ui) {
   read_query(ui, "Length", "length", {}, "Length of the track, by the arc-length method chosen under Evaluation.", {.decimals = 3});
@@ -43,9 +71,8 @@ void building(Ui& ui) {
   if (button(ui, "Delete", "Remove the selected knot or cart. Key Delete or X.", removable, width)) ui.emit(edit::RemoveKnot{{*selected}});
   ImGui::SameLine();
   const auto& segments = session.document.track.segments;
-  if (button(ui, "Add cart", "Add a cart at the start of the selected segment, or of the track.", !segments.empty(), width)) {
-    const world::Name segment = on_segment ? *selected : world::name_of(session.document, segments.front());
-    ui.emit(edit::AddCart{{segment}, 0});
+  if (button(ui, "Add cart", "Add a cart at the start of the selected segment, or of the track, or at the next place after it that is free.", !segments.empty(), width)) {
+    ui.emit(free_place(session, on_segment ? session.settings.selected : segments.front()));
   }
 }
 
