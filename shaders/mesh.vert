@@ -7,19 +7,36 @@ layout(location = 3) in vec4 model_x;
 layout(location = 4) in vec4 model_y;
 layout(location = 5) in vec4 model_z;
 layout(location = 6) in vec4 model_origin;
+#else
+layout(location = 7) in vec2 place;
 #endif
 uniform mat4 view_projection;
+#if !defined(CARTS) && !defined(SHADOW)
+uniform vec3 eye;
+uniform float least_width;  // radius of tubes in metres, for each metre from the eye; 0: as they are
+#endif
 out vec3 world;    // before projection on the ground
 out vec3 facing;   // towards the outside
 flat out float material;
+out float along;           // of the segment's length, 0..1
+flat out float segment;    // index
 
 void main() {
+  along = 0.0;
+  segment = 0.0;
   world = position;
   facing = normal;
 #ifdef CARTS
   mat4 model = mat4(model_x, model_y, model_z, model_origin);
   world = (model * vec4(position, 1.0)).xyz;
   facing = mat3(model) * normal;
+#else
+  along = place.x;
+  segment = place.y;
+#endif
+#if !defined(CARTS) && !defined(SHADOW)
+  // Colours that mean something can be seen from afar.
+  if (part < 1.5) world += normal * max(least_width * distance(world, eye) - (part < 0.5 ? 0.12 : 0.28), 0.0);
 #endif
   material = part;
   vec3 drawn = world;

@@ -39,11 +39,17 @@ ui::Output build_panels(Program& program, const platform::Events& events, platfo
 
 gfx::DrawStats draw_scene(Program& program, const ui::Output& output, platform::Size size) {
   const edit::Session& session = program.session;
-  std::span<const sim::FrenetBreak> breaks;
-  if (session.settings.layers.has(world::Layer::flips)) breaks = program.breaks.update(session.derived);
-  const view::Overlay overlay = view::build_overlay(session.document, session.derived, session.settings, output.view, output.hovered, breaks);
+  const world::Layers& layers = session.settings.layers;
+  const bool limits = layers.has(world::Layer::limits), by_ride = world::colourings()[static_cast<std::size_t>(session.settings.colouring)].of_ride;
+  const sim::Ghost* const ghost = limits || by_ride ? edit::chosen_ride(session) : nullptr;
+  view::Findings findings{.failure = session.motion.failure};
+  if (layers.has(world::Layer::flips)) findings.breaks = program.breaks.update(session.derived);
+  if (limits && ghost) findings.spans = program.red.update(*ghost, sim::default_envelope());
+  const sim::TrackValues& values = program.values.update(session.derived, session.settings, ghost);
+  program.stats.colour_low = values.low, program.stats.colour_high = values.high;
+  const view::Overlay overlay = view::build_overlay(session.document, session.derived, session.settings, output.view, output.hovered, findings);
   const std::vector<sim::Pose> carts = cart_poses(session);
-  const gfx::Scene scene{session.derived, output.view, overlay, carts, session.settings.layers.has(world::Layer::polyline)};
+  const gfx::Scene scene{session.derived, output.view, overlay, carts, layers.has(world::Layer::polyline), &values};
   return program.renderer->draw(scene, size.width, size.height);
 }
 
@@ -53,6 +59,7 @@ void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size si
   const sim::Derived& derived = program.session.derived;
   ++stats.frame;
   stats.uploads = drawn.uploads;
+  stats.recolours = drawn.recolours;
   stats.upload_bytes = drawn.upload_bytes;
   stats.polyline_upload_bytes = drawn.polyline_upload_bytes;
   stats.polyline_bytes = drawn.polyline_bytes;

@@ -31,6 +31,8 @@ struct Program {
   view::Pick hovered;              // of the last frame
   std::uint64_t commands = 0;      // applied since the start
   sim::FrenetBreaks breaks;        // of the track as last drawn with their layer on
+  sim::RedSpans red;                    // of the ride, the same
+  sim::TrackValueMemo values;      // what the track is coloured by
   int rebuilds = 0;                // segments evaluated since the last frame was drawn
   double seconds = 0;              // since the start, as the events have it
   double tick_debt = 0;            // s that passed and are not ticked yet

@@ -85,6 +85,7 @@ base::Status perform(Session& session, Change& change, const SetPolyline& comman
 base::Status perform(Session& session, Change& change, const SetAppendMode& command);
 base::Status perform(Session& session, Change& change, const SetScale& command);
 base::Status perform(Session& session, Change& change, const ShowLayer& command);
+base::Status perform(Session& session, Change& change, const SetColouring& command);
 base::Status perform(Session& session, Change& change, const SetMagnification& command);
 base::Status perform(Session& session, Change& change, const SetCombScale& command);
 base::Status perform(Session& session, Change& change, const ShowLaboratory& command);

@@ -1,4 +1,4 @@
-// Values of the laboratory's commands as text: layers and pages, by the names of their tables.
+// Values of the laboratory's commands as text: layers, colourings and pages, by the names of their tables.
 #include "edit/codec_values.h"
 
 namespace coaster::edit {
@@ -6,6 +6,9 @@ namespace {
 
 Names layer_names() {
   return names_of(world::layers());
+}
+Names colouring_names() {
+  return names_of(world::colourings());
 }
 Names page_names() {
   return names_of(world::lab_pages());
@@ -16,17 +19,26 @@ Names page_names() {
 std::string print_value(world::Layer value) {
   return row_name(layer_names(), static_cast<int>(value));
 }
+std::string print_value(world::Colouring value) {
+  return row_name(colouring_names(), static_cast<int>(value));
+}
 std::string print_value(world::LabPage value) {
   return row_name(page_names(), static_cast<int>(value));
 }
 bool read_value(WordReader& words, world::Layer& value) {
   return read_enum(words, layer_names(), value);
 }
+bool read_value(WordReader& words, world::Colouring& value) {
+  return read_enum(words, colouring_names(), value);
+}
 bool read_value(WordReader& words, world::LabPage& value) {
   return read_enum(words, page_names(), value);
 }
 std::string usage_of(world::Layer) {
   return joined(layer_names());
+}
+std::string usage_of(world::Colouring) {
+  return joined(colouring_names());
 }
 std::string usage_of(world::LabPage) {
   return joined(page_names());

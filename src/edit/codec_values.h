@@ -72,6 +72,7 @@ std::string print_value(curve::EvaluatorId value);
 std::string print_value(curve::ArcLengthId value);
 std::string print_value(IntegratorId value);
 std::string print_value(world::Layer value);
+std::string print_value(world::Colouring value);
 std::string print_value(world::LabPage value);
 
 bool read_value(WordReader& words, Target& value);
@@ -91,6 +92,7 @@ bool read_value(WordReader& words, curve::EvaluatorId& value);
 bool read_value(WordReader& words, curve::ArcLengthId& value);
 bool read_value(WordReader& words, IntegratorId& value);
 bool read_value(WordReader& words, world::Layer& value);
+bool read_value(WordReader& words, world::Colouring& value);
 bool read_value(WordReader& words, world::LabPage& value);
 
 std::string usage_of(const HandleTarget& value);
@@ -109,6 +111,7 @@ std::string usage_of(curve::EvaluatorId value);
 std::string usage_of(curve::ArcLengthId value);
 std::string usage_of(IntegratorId value);
 std::string usage_of(world::Layer value);
+std::string usage_of(world::Colouring value);
 std::string usage_of(world::LabPage value);
 
 }  // namespace coaster::edit

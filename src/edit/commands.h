@@ -257,7 +257,7 @@ using AnyCommand = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, 
                                 AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2,
                                 SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetHeartline, SetRollbackFails, AutoBank,  //
                                 SetEvaluator, SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera,
-                                SetCameraMode, Select, SetPanels, SetPolyline, SetAppendMode, SetScale, ShowLayer, SetMagnification,
+                                SetCameraMode, Select, SetPanels, SetPolyline, SetAppendMode, SetScale, ShowLayer, SetColouring, SetMagnification,
                                 SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,                 //
                                 RideStart, RidePause, RideStop, RideStep, RideSeek,                              //
                                 Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save,

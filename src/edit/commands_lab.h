@@ -14,6 +14,11 @@ struct ShowLayer {
   COASTER_COMMAND("show", "Show or hide one of the laboratory's pictures over the scene.", Effect::settings);
   COASTER_FIELDS(visit("", self.what), visit("", self.to))
 };
+struct SetColouring {
+  world::Colouring to{};
+  COASTER_COMMAND("colour", "Colour the track by a value of the ride, the curve or the evaluator.", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
 struct SetMagnification {
   double to = 100'000;
   COASTER_COMMAND("magnification", "Set how many times the rounding layer magnifies an evaluator's errors (1..1e7).", Effect::settings);

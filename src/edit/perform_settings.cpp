@@ -127,6 +127,12 @@ Status perform(Session& session, Change&, const ShowLayer& command) {
   session.settings.layers.set(command.what, command.to);
   return {};
 }
+Status perform(Session& session, Change&, const SetColouring& command) {
+  const Status known = known_row(command.to, world::colourings());
+  if (!known) return known;
+  session.settings.colouring = command.to;
+  return {};
+}
 Status perform(Session& session, Change& change, const SetMagnification& command) {
   if (!std::isfinite(command.to)) return refused("expected a finite magnification");
   session.settings.magnification = change.clamp("magnification", command.to, kMinMagnification, kMaxMagnification);

@@ -30,6 +30,11 @@ void advance_measurement(Session& session) {
   sim::measure_next(session.measurement, session.clock);
 }
 
+const sim::Ghost* chosen_ride(const Session& session) {
+  const bool selected = session.document.entities.find<world::Cart>(session.settings.selected) != nullptr;
+  return session.ghosts.ride(session.document, session.derived, selected ? session.settings.selected : world::first_cart(session.document));
+}
+
 std::string ride_report(const Session& session, const sim::Ghost& ghost) {
   const sim::Envelope& envelope = sim::default_envelope();
   const sim::Ratings ratings = sim::rate(ghost, session.ghosts.tables(session.document, session.derived), envelope.cutoff);

@@ -71,6 +71,9 @@ base::Status apply(Session& session, base::Files& files, const Command& command)
 // Does a part of a measurement that is under way, some ms; nothing else does: a frame without one costs nothing.
 void advance_measurement(Session& session);
 
+// The ghost of the selected cart's ride, else of the first cart's by name; null without a ride.
+const sim::Ghost* chosen_ride(const Session& session);
+
 // The report of a ghost on the present track, to read, and as comma-separated values by time.
 std::string ride_report(const Session& session, const sim::Ghost& ghost);
 std::string ride_csv(const Session& session, const sim::Ghost& ghost);

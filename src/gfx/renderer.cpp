@@ -12,6 +12,8 @@
 #include "gfx/instances.h"
 #include "gfx/scene_programs.h"
 #include "gfx/track_cache.h"
+#include "gfx/value_texture.h"
+#include "view/colour_map.h"
 
 namespace coaster::gfx {
 namespace {
@@ -28,6 +30,7 @@ struct Renderer::Parts {
   TrackCache track;
   Instances instances;
   CurveStages stages;
+  ValueTexture values;  // what the track is coloured by
   CurveDeviation deviation;
   GpuTimer polyline_timer;
   Object empty_array;  // for the backdrop, which has no attributes
@@ -36,7 +39,7 @@ struct Renderer::Parts {
   std::optional<Target> scene, resolved;
 
   Parts(const Gl& table, ScenePrograms compiled)
-      : gl(table), programs(std::move(compiled)), track(table), instances(table), stages(table), deviation(table), polyline_timer(table),
+      : gl(table), programs(std::move(compiled)), track(table), instances(table), stages(table), values(table), deviation(table), polyline_timer(table),
         empty_array(make_vertex_array(table)) {}
 
   void fit_targets(int width, int height);
@@ -44,6 +47,7 @@ struct Renderer::Parts {
   void draw_backdrop(const view::View& view, DrawStats& stats);
   void draw_meshes(const Program& track_program, const Program& cart_program, const Scene& scene, DrawStats& stats);
   void draw_shadows(const Scene& scene, DrawStats& stats);
+  void set_colouring(const Scene& scene);
   void draw_solids(const Scene& scene, DrawStats& stats);
   void draw_lines(const Scene& scene, curve::Stage stage);
   void draw_polyline(const Scene& scene, DrawStats& stats);
@@ -131,12 +135,28 @@ void Renderer::Parts::draw_shadows(const Scene& picture, DrawStats& stats) {
   gl.Disable(GL_CULL_FACE);
 }
 
+// The track by the scene's values; the program is in use afterwards.
+void Renderer::Parts::set_colouring(const Scene& picture) {
+  const bool coloured = picture.values != nullptr && !picture.values->values.empty();
+  programs.track.use();
+  programs.track.set("colouring", coloured ? 1 : 0);
+  programs.track.set("values", 0);
+  // 1.6 pixels: the projection scales a metre at a distance of one to as much of half the viewport's height.
+  programs.track.set("least_width", coloured ? 3.2f / (picture.view.projection[1][1] * picture.view.viewport.height) : 0.0f);
+  values.bind();  // a sampler reads something, asked or not
+  if (!coloured) return;
+  programs.track.set("value_range", glm::vec2(picture.values->low, picture.values->high));
+  programs.track.set("unknown", view::kUnknownColour);
+  for (std::size_t i = 0; i < view::kColourStops.size(); ++i) programs.track.set(("stops[" + std::to_string(i) + "]").c_str(), view::kColourStops[i]);
+}
+
 void Renderer::Parts::draw_solids(const Scene& picture, DrawStats& stats) {
   blend(gl, false);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LESS);
   gl.Enable(GL_CULL_FACE);
   gl.CullFace(GL_BACK);
+  set_colouring(picture);
   draw_meshes(programs.track, programs.carts, picture, stats);
   gl.Disable(GL_CULL_FACE);
 }
@@ -244,6 +264,7 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
     stats.deviation = measured.metres;
     stats.deviation_pending = measured.pending;
   }
+  if (scene.values) stats.recolours = parts.values.sync(scene.derived, *scene.values).recolours;
   parts.instances.upload(scene.overlay, scene.carts);
   parts.fit_targets(width, height);
   stats.samples = parts.samples;

@@ -9,6 +9,7 @@
 
 #include "gfx/gl.h"
 #include "sim/ride.h"
+#include "sim/track_values.h"
 #include "view/camera.h"
 #include "view/overlay.h"
 
@@ -21,12 +22,14 @@ struct Scene {
   const view::Overlay& overlay;
   std::span<const sim::Pose> carts;
   bool show_polyline = true;
+  const sim::TrackValues* values = nullptr;  // what the track is coloured by; null or plain: painted
   sim::Clock clock = {};  // to measure cpu_ms with; empty: not measured
 };
 
 // Of the last draw.
 struct DrawStats {
   int uploads = 0;     // segments whose slots were written
+  int recolours = 0;   // segments whose values were written, counted apart
   int draw_calls = 0;
   int samples = 0;
   double cpu_ms = 0;   // spent by the cache on preparing what is uploaded, outside GL

@@ -7,7 +7,7 @@
 namespace coaster::gfx {
 namespace {
 
-static_assert(sizeof(PolylineVertex) == 24 && sizeof(sim::MeshVertex) == 28, "vertices are uploaded as they lie in memory");
+static_assert(sizeof(PolylineVertex) == 24 && sizeof(sim::MeshVertex) == 36, "vertices are uploaded as they lie in memory");
 static_assert(sizeof(curve::Cubic) == kControlBytes, "control points, too");
 
 // A mesh has more or fewer rings and ties after each edit: room to spare keeps its place while a knot is dragged.
@@ -157,6 +157,7 @@ void TrackCache::write_mesh(const sim::SegmentShape& shape, Slot& slot) {
     slot.indices = index_ranges_.take(with_room(staged_mesh_.indices.size()) / 3 * 3);
   }
   timed([&] {
+    for (sim::MeshVertex& vertex : staged_mesh_.vertices) vertex.segment = static_cast<float>(slot.segment.index);
     for (std::uint32_t& index : staged_mesh_.indices) index += slot.vertices.first;
     staged_mesh_.indices.resize(slot.indices.size, slot.vertices.first);
   });
@@ -208,6 +209,7 @@ void TrackCache::link_mesh() {
   float_attribute(*gl_, 0, 3, kStride, offsetof(sim::MeshVertex, position));
   float_attribute(*gl_, 1, 3, kStride, offsetof(sim::MeshVertex, normal));
   float_attribute(*gl_, 2, 1, kStride, offsetof(sim::MeshVertex, part));
+  float_attribute(*gl_, 7, 2, kStride, offsetof(sim::MeshVertex, along));
   gl_->BindVertexArray(0);
 }
 

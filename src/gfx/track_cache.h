@@ -37,7 +37,7 @@ class TrackCache {
   // Cost for an unchanged track: two comparisons for each segment, no allocation, no GL call.
   Synced sync(const sim::Derived& derived, const sim::Clock& clock);
 
-  // Binds the array of the mesh: locations 0 position, 1 normal, 2 part. Indices are 32-bit and absolute; gaps are degenerate triangles.
+  // Binds the array of the mesh: locations 0 position, 1 normal, 2 part, 7 place (along the segment, its index). Indices are 32-bit and absolute; gaps are degenerate triangles.
   void bind_mesh() const { gl_->BindVertexArray(mesh_array_.id()); }
   GLsizei index_count() const { return GLsizei(index_ranges_.used()); }
   // Binds the array whose instance i is the line from vertex i to vertex i+1: locations 0 and 1 position and tangent of the one,

@@ -26,7 +26,8 @@ struct FrameStats {
   double gpu_deviation = 0;                // m, of vertices that the GPU computed
   int deviation_pending = 0;               // segments whose deviation on the GPU is still to be measured
   std::array<std::string, 4> stage_refusals;  // by curve::Stage: why the driver cannot evaluate there; empty where it can
-  int recolours = 0;      // segments whose ride-coloured stream was uploaded (counted apart)
+  int recolours = 0;      // segments whose values, which the track is coloured by, were uploaded (counted apart)
+  double colour_low = 0, colour_high = 1;  // ends of the colour legend, in the colouring's unit
   double fps = 0;         // 0: not measured
   double cpu_ms = 0;      // of the last frame, outside GL and waiting
   double gl_ms = 0;

@@ -193,7 +193,7 @@ constexpr std::array kRows{
     Query{"gpu_ms", "", "ms", "Time of the GPU on the polylines, a few frames ago; 0 when not measured.", gpu_ms},
     Query{"uploads", "", "", "Segments whose vertex buffers were uploaded in the last frame.", uploads},
     Query{"rebuilds", "", "", "Segments evaluated for the last frame.", rebuilds},
-    Query{"recolours", "", "", "Segments whose ride colours were uploaded in the last frame.", recolours},
+    Query{"recolours", "", "", "Segments whose colour values were uploaded in the last frame; counted apart from uploads.", recolours},
     Query{"evaluation_time", "", "ms", "Time in evaluators when anything was evaluated last.", evaluation_time},
     Query{"ns_per_point", "", "ns", "The same for each vertex.", ns_per_point},
 };

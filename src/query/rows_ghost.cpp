@@ -10,11 +10,7 @@ namespace {
 using Answer = base::Result<Value>;
 using View = std::string_view;
 
-const sim::Ghost* ghost_of(const Context& c) {
-  const edit::Session& session = c.session;
-  const bool selected = session.document.entities.find<world::Cart>(session.settings.selected) != nullptr;
-  return session.ghosts.ride(session.document, session.derived, selected ? session.settings.selected : world::first_cart(session.document));
-}
+const sim::Ghost* ghost_of(const Context& c) { return edit::chosen_ride(c.session); }
 
 template <class Function>
 Answer of_ride(const Context& c, Function function) {

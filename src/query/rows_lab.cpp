@@ -27,6 +27,9 @@ Answer shown(const Context& c, View word) {
   if (!row) return row.status();
   return yes_no(c.session.settings.layers.has(static_cast<world::Layer>(*row)));
 }
+Answer colour(const Context& c, View) { return text(world::colourings()[static_cast<std::size_t>(c.session.settings.colouring)].name); }
+Answer colour_low(const Context& c, View) { return number(c.stats.colour_low); }
+Answer colour_high(const Context& c, View) { return number(c.stats.colour_high); }
 Answer magnification(const Context& c, View) { return number(c.session.settings.magnification); }
 Answer comb_scale(const Context& c, View) { return number(c.session.settings.comb_scale); }
 Answer laboratory(const Context& c, View) { return yes_no(c.session.settings.show_laboratory); }
@@ -90,7 +93,10 @@ Answer measure_time(const Context& c, View word) {
 }
 
 constexpr std::array kRows{
-    Query{"shown", "polyline|frames|comb|circle|construction|rounding|flips", "", "on when a layer of the laboratory is drawn.", shown},
+    Query{"shown", "polyline|frames|comb|circle|construction|rounding|flips|limits", "", "on when a layer of the laboratory is drawn.", shown},
+    Query{"colour", "", "", "What the track is coloured by.", colour},
+    Query{"colour.low", "", "", "Lower end of the colours' legend, in their unit.", colour_low},
+    Query{"colour.high", "", "", "Upper end of the colours' legend.", colour_high},
     Query{"magnification", "", "", "How many times the rounding layer magnifies.", magnification},
     Query{"comb_scale", "", "m^2", "Length of the comb's teeth for a curvature of 1/m.", comb_scale},
     Query{"laboratory", "", "", "on when the laboratory's pages show.", laboratory},

@@ -17,7 +17,7 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
       edit::SetEvaluator{s.evaluator}, edit::SetResolution{s.steps}, edit::SetVertexBudget{s.vertex_budget}, edit::SetArcLength{s.arc_length},
       edit::SetFrames{s.frames}, edit::SetIntegrator{{s.integrator}}, edit::SetCamera{s.camera}, edit::SetCameraMode{s.camera_mode},
       edit::SetPanels{s.show_panels}, edit::SetAppendMode{s.append_mode}, edit::SetScale{s.ui_scale},
-      edit::SetMagnification{s.magnification}, edit::SetCombScale{s.comb_scale}, edit::ShowLaboratory{s.show_laboratory}, edit::OpenPage{s.lab_page}};
+      edit::SetColouring{s.colouring}, edit::SetMagnification{s.magnification}, edit::SetCombScale{s.comb_scale}, edit::ShowLaboratory{s.show_laboratory}, edit::OpenPage{s.lab_page}};
   for (std::size_t i = 0; i < world::layers().size(); ++i) {
     const auto layer = static_cast<world::Layer>(i);
     if (layer == world::Layer::polyline) commands.push_back(edit::SetPolyline{s.layers.has(layer)});

@@ -54,4 +54,20 @@ struct RedSpan {
 // level may: found for all levels at once in O(n).
 std::vector<RedSpan> red_spans(const Ghost& ghost, const Envelope& envelope);
 
+// The same, kept while the ride and the envelope are the same.
+class RedSpans {
+ public:
+  const std::vector<RedSpan>& update(const Ghost& ghost, const Envelope& envelope) {
+    if (serial_ != ghost.serial || !(envelope_ == envelope)) spans_ = red_spans(ghost, envelope);
+    serial_ = ghost.serial;
+    envelope_ = envelope;
+    return spans_;
+  }
+
+ private:
+  std::uint64_t serial_ = 0;
+  Envelope envelope_;
+  std::vector<RedSpan> spans_;
+};
+
 }  // namespace coaster::sim

@@ -22,6 +22,7 @@ constexpr double kShortestWithTie = 0.3;             // m
 struct Station {
   dvec3 position;
   curve::Frame frame;
+  float along = 0;  // arc length over the segment's
 };
 
 double angle_between(dvec3 a, dvec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
@@ -29,12 +30,12 @@ double angle_between(dvec3 a, dvec3 b) { return std::atan2(glm::length(glm::cros
 // Joint frames come from the knots alone, so both segments at a joint have the same.
 Station station_at(const SegmentShape& shape, double s) {
   const curve::Cubic& c = shape.key.cubic;
-  if (s <= 0) return {curve::point(c, 0.0), shape.frames.front()};
+  if (s <= 0) return {curve::point(c, 0.0), shape.frames.front(), 0};
   if (s >= shape.arc.length()) {
     const dvec3 forward = shape.frames.back().forward;
-    return {curve::point(c, 1.0), {forward, curve::perpendicular(forward, dvec3(shape.key.up_to))}};
+    return {curve::point(c, 1.0), {forward, curve::perpendicular(forward, dvec3(shape.key.up_to))}, 1};
   }
-  return {curve::point(c, shape.arc.parameter(s)), frame_at(shape, s)};
+  return {curve::point(c, shape.arc.parameter(s)), frame_at(shape, s), static_cast<float>(s / shape.arc.length())};
 }
 
 // Distances of the rings from the segment's start: as many as bend, twist and length ask for, and closer where they ask for more.
@@ -93,7 +94,7 @@ void add_tube(std::span<const Station> stations, dvec2 offset, double radius, Pa
     const dvec3 left = at.frame.left(), up = at.frame.up, centre = at.position + offset.x * left + offset.y * up;
     for (const dvec2 u : unit) {
       const dvec3 normal = u.x * left + u.y * up;
-      mesh.vertices.push_back({glm::vec3(centre + radius * normal), glm::vec3(normal), static_cast<float>(part)});
+      mesh.vertices.push_back({glm::vec3(centre + radius * normal), glm::vec3(normal), static_cast<float>(part), at.along});
     }
   }
   add_tube_indices(first, kTubeSides, static_cast<std::uint32_t>(stations.size()), mesh);
@@ -108,7 +109,7 @@ void add_arm(const Station& at, double side, Mesh& mesh) {
   for (const dvec3 end : {rail, spine})
     for (const dvec2 corner : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)}) {
       const dvec3 out = corner.x * at.frame.forward + corner.y * across;
-      mesh.vertices.push_back({glm::vec3(end + kArmHalf * out), glm::vec3(glm::normalize(out)), static_cast<float>(Part::tie)});
+      mesh.vertices.push_back({glm::vec3(end + kArmHalf * out), glm::vec3(glm::normalize(out)), static_cast<float>(Part::tie), at.along});
     }
   add_tube_indices(first, 4, 2, mesh);
 }

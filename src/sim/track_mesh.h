@@ -17,6 +17,8 @@ struct MeshVertex {
   glm::vec3 position;
   glm::vec3 normal;   // unit
   float part;         // static_cast<float>(Part): the shader picks the colour
+  float along = 0;    // place on the segment, arc length over length, 0..1
+  float segment = 0;  // the entity's index, filled in by who draws the track
 };
 
 struct Mesh {

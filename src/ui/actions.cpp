@@ -114,6 +114,12 @@ constexpr double kProbeStep = 1.0 / 64;
 void probe_back(Act& act) { step_probe(act, -kProbeStep); }
 void probe_on(Act& act) { step_probe(act, kProbeStep); }
 
+bool coloured(const Act& act) { return act.ui.session().settings.colouring != world::Colouring::plain; }
+void next_colouring(Act& act) {
+  const auto next = (static_cast<std::size_t>(act.ui.session().settings.colouring) + 1) % world::colourings().size();
+  act.ui.emit(edit::SetColouring{static_cast<world::Colouring>(next)});
+}
+
 void toggle_ride_camera(Act& act) { act.ui.emit(edit::SetCameraMode{riding(act) ? CameraMode::orbit : CameraMode::ride}); }
 
 void play_pause(Act& act) {
@@ -158,6 +164,8 @@ constexpr Action kActions[] = {
     {"Frame selection", "View", "Shift+F", shift(Key::f), kNoKey, false, true, "Show what is selected.", any_selected, nullptr, frame_selection},
     {"Panels", "View", "Tab", key(Key::tab), kNoKey, false, false, "Show or hide menu, panels and status bar.", always, panels_shown, toggle_panels},
     {"Ride camera", "View", "V", key(Key::v), kNoKey, false, false, "Look from the first cart, or from outside.", always, riding, toggle_ride_camera},
+    {"Next track colours", "View", "K", key(Key::k), kNoKey, false, false, "Colour the track by speed, height, each g, curvature, error, or not at all.", always, coloured,
+     next_colouring},
     {"Laboratory", "View", "L", key(Key::l), kNoKey, false, true, "Open or fold the laboratory's pages.", always, laboratory_shown, toggle_laboratory},
     {"Probe back", "View", "[", key(Key::left_bracket), kNoKey, true, false, "Move the picked place back along the track by 1/64 of a segment.", probing, nullptr, probe_back},
     {"Probe on", "View", "]", key(Key::right_bracket), kNoKey, true, false, "Move the picked place on along the track by 1/64 of a segment.", probing, nullptr, probe_on},

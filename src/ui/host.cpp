@@ -13,6 +13,7 @@
 #include "ui/imgui_renderer.h"
 #include "ui/lab_cache.h"
 #include "ui/layout.h"
+#include "ui/legend.h"
 #include "ui/panels.h"
 #include "ui/theme.h"
 #include "ui/toasts.h"
@@ -158,6 +159,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   settle_gesture(ui);
   hovered = tool.update(ui, view);
   draw_hint(session, layout.scene);
+  draw_legend(ui, layout.scene);
   toasts.draw(layout.scene, ui.scale, ui.state.seconds, ui.state.scripted);
   for (const edit::Command& command : ui.out.commands)
     frame_next = frame_next || std::holds_alternative<edit::Load>(command) || std::holds_alternative<edit::NewTrack>(command);

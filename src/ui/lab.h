@@ -67,6 +67,8 @@ class Page {
 
 // A value with the colour of its curve, in small figures.
 void colour_value(Ui& ui, std::uint32_t colour, std::string_view path, std::string_view shown, std::string_view value, std::string_view tooltip);
+// A list of what the track can be coloured by.
+void colouring_box(Ui& ui);
 // A checkbox for one of the layers over the scene, "Laboratory/View/label".
 void layer_box(Ui& ui, world::Layer layer);
 

@@ -106,6 +106,8 @@ void side(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study) {
   if (radio(ui, "Over way", !ui.lab.forces_over_time, "Plot over the way along the track.")) ui.lab.forces_over_time = false;
   ImGui::SameLine();
   if (radio(ui, "Over time", ui.lab.forces_over_time, "Plot over the time of the ride.")) ui.lab.forces_over_time = true;
+  colouring_box(ui);
+  layer_box(ui, world::Layer::limits);
   if (button(ui, "Auto-bank", "Roll every knot so that riders feel no lateral g there at the ghost's speed. One step of undo.")) ui.emit(edit::AutoBank{});
   const sim::Ratings& r = study.ratings;
   read_out(ui, ghost.lap ? "Lap time" : "Ride time", fixed(r.seconds, 2), "s", "Of the whole ride, by the ghost.");

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/equipment.h"
+#include "ui/lab.h"
 #include "ui/panels.h"
 
 namespace coaster::ui {
@@ -46,6 +47,7 @@ void size(Ui& ui) {
   read_query(ui, "Length", "length", {}, "Length of the track, by the arc-length method chosen under Evaluation.", {.decimals = 3});
   read_query(ui, "Segments", "segments", {}, "Cubic Bézier segments.", {.decimals = 0});
   read_query(ui, "Knots", "knots", {}, "Places the track goes through.", {.decimals = 0});
+  colouring_box(ui);
 }
 
 void building(Ui& ui) {

@@ -5,12 +5,15 @@
 
 #include "view/marks.h"
 #include "view/overlay_lab.h"
+#include "view/overlay_lab_parts.h"
 
 namespace coaster::view {
 namespace {
 
 constexpr std::uint32_t kKnotColour = 0xffffffff, kSelectedColour = 0xff8a1fff, kHandleColour = 0xf2b84bff, kHandleHovered = 0xffdc96ff;
 constexpr std::uint32_t kPolygonColour = 0xf2b84bff, kPlaceColour = 0xff8a1fff, kHoveredPlaceColour = 0xffffffff;
+constexpr std::uint32_t kFailureColour = 0xd7263dff;
+constexpr double kFailureHeight = 1.6;  // m over the rails: over the cart
 constexpr float kHoveredGrowth = 1.35f;
 constexpr float kPlaceRadius = 4.5f;   // px
 constexpr float kLineWidth = 1.5f;     // px
@@ -57,14 +60,34 @@ Mark mark_of(const PlacedMark& placed, const world::Settings& settings, const Pi
   return {placed.position, kKnotRadius * growth, placed.knot == settings.selected ? kSelectedColour : kKnotColour, MarkShape::disc};
 }
 
+// A red disc with a white cross on the rails.
+void add_failure(const sim::Derived& derived, const world::Failure& failure, const View& view, float scale, Overlay& overlay) {
+  if (failure.kind == world::FailureKind::none || derived.order.empty()) return;
+  const sim::TrackPlace place = sim::place_at(derived, failure.distance);
+  const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
+  const glm::dvec3 at = curve::point(shape.key.cubic, shape.arc.parameter(place.s)) + kFailureHeight * sim::frame_at(shape, place.s).up;
+  const double px_per_metre = PixelScale(view)(at);
+  if (!(px_per_metre > 0)) return;
+  overlay.marks.push_back({glm::vec3(at), 11 * scale, 0xffffffff, MarkShape::disc});
+  overlay.marks.push_back({glm::vec3(at), 9.5f * scale, kFailureColour, MarkShape::disc});
+  // A cross of small squares: marks are drawn over lines.
+  const glm::dvec3 right(view.view[0][0], view.view[1][0], view.view[2][0]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  for (int i = -3; i <= 3; ++i)
+    for (const double side : {-1.0, 1.0}) {
+      const glm::dvec3 off = (1.35 * i * static_cast<double>(scale) / px_per_metre) * (right + side * up);
+      overlay.marks.push_back({glm::vec3(at + off), 1.4f * scale, 0xffffffff, MarkShape::disc});
+    }
+}
+
 }  // namespace
 
 Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,
-                      const Pick& hovered, std::span<const sim::FrenetBreak> breaks) {
+                      const Pick& hovered, const Findings& findings) {
   Overlay overlay;
-  add_laboratory(document, derived, settings, view, breaks, overlay);
+  add_laboratory(document, derived, settings, view, findings, overlay);
   const float scale = settings.ui_scale;
   add_polygons(document, settings, overlay);
+  add_failure(derived, findings.failure, view, scale, overlay);
   // Places on the curve cannot be picked as marks, so they lie under all that can.
   if (const sim::SegmentShape* const shape = derived.segments.find(settings.selected))
     overlay.marks.push_back({glm::vec3(curve::point(shape->key.cubic, settings.selected_t)), kPlaceRadius * scale, kPlaceColour, MarkShape::disc});

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/envelope.h"
 #include "sim/frame_methods.h"
 #include "view/pick.h"
 
@@ -35,10 +36,16 @@ struct Overlay {
   friend bool operator==(const Overlay&, const Overlay&) = default;
 };
 
+// What was found out about the track and its ride, and is marked on it.
+struct Findings {
+  std::span<const sim::FrenetBreak> breaks;  // read for Layer::flips
+  std::span<const sim::RedSpan> spans;       // read for Layer::limits
+  world::Failure failure;                    // of the ride; kind none: none
+};
+
 // Knots, handles of the selection, the control polygon of the selected segment (or of the segments at the selected knot), the picked
-// place; what is under the cursor is larger and brighter. Under them the laboratory's layers that are on; `breaks` are the track's, needed
-// for Layer::flips alone.
+// place, where the ride has failed; what is under the cursor is larger and brighter. Under them the laboratory's layers that are on.
 Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
-                      const View& view, const Pick& hovered, std::span<const sim::FrenetBreak> breaks = {});
+                      const View& view, const Pick& hovered, const Findings& findings = {});
 
 }  // namespace coaster::view

@@ -102,7 +102,7 @@ void add_rounding(const world::Document& document, const sim::Derived& derived, 
 }
 
 void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,
-                    std::span<const sim::FrenetBreak> breaks, Overlay& overlay) {
+                    const Findings& findings, Overlay& overlay) {
   using world::Layer;
   const float scale = settings.ui_scale;
   const sim::SegmentShape* const probed = derived.segments.find(settings.selected);
@@ -115,7 +115,8 @@ void add_laboratory(const world::Document& document, const sim::Derived& derived
   };
   layer(Layer::comb, true, [&](Overlay& o) { add_comb(derived, settings, view, o); });
   layer(Layer::frames, true, [&](Overlay& o) { add_frames(derived, settings, view, o); });
-  layer(Layer::flips, true, [&](Overlay& o) { add_breaks(derived, breaks, view, scale, o); });
+  layer(Layer::flips, true, [&](Overlay& o) { add_breaks(derived, findings.breaks, view, scale, o); });
+  layer(Layer::limits, true, [&](Overlay& o) { add_spans(derived, findings.spans, scale, o); });
   layer(Layer::rounding, true, [&](Overlay& o) { add_rounding(document, derived, settings, o); });
   layer(Layer::circle, probed != nullptr, [&](Overlay& o) { add_circle(*probed, t, scale, o); });
   layer(Layer::construction, probed != nullptr, [&](Overlay& o) { add_construction(*probed, t, view, scale, o); });

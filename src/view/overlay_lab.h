@@ -12,12 +12,13 @@ namespace coaster::view {
 // 0xRRGGBBAA.
 inline constexpr std::uint32_t kConstructionColour = 0x7fd1b9ff, kCombColour = 0xb39ddbff, kCircleColour = 0xf4e9a6ff;
 inline constexpr std::uint32_t kTangentColour = 0xe5534bff, kNormalColour = 0x4fb477ff, kBinormalColour = 0x4c9affff;
-inline constexpr std::uint32_t kRoundingColour = 0xff8ac4ff, kSeamColour = 0xe5534bff, kBreakColour = 0xf2b84bff;
+inline constexpr std::uint32_t kRoundingColour = 0xff8ac4ff, kLimitColour = 0xff3b30ff, kSeamColour = 0xe5534bff, kBreakColour = 0xf2b84bff;
 
 inline constexpr int kMaxFrames = 200;             // three arrows each
 inline constexpr int kMaxTeeth = 3000;
 inline constexpr int kMaxRoundingVertices = 8200;  // two segments at the highest resolution
 inline constexpr int kMaxBreaks = 500;
+inline constexpr int kMaxSpanPieces = 4000;        // of all red spans
 inline constexpr int kCircleSides = 96;
 inline constexpr double kMaxRadius = 1e4;          // m; a flatter curve has no circle worth drawing
 inline constexpr double kMaxTooth = 1e3;           // m; at a cusp the curvature has no bound
@@ -45,8 +46,11 @@ void add_rounding(const world::Document& document, const sim::Derived& derived, 
 // A cross and the normals on both sides of a flip; a broad line where there is no curvature.
 void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> breaks, const View& view, float scale, Overlay& overlay);
 
-// The layers that are on, the wide-spread ones first, over dark rims. `breaks` is read with Layer::flips alone.
+// What of the ride lasts longer than it may: a broad line over the rails, each span about the car that feels it.
+void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans, float scale, Overlay& overlay);
+
+// The layers that are on, the wide-spread ones first, over dark rims. What they show is read of `findings` while they are on alone.
 void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,
-                    std::span<const sim::FrenetBreak> breaks, Overlay& overlay);
+                    const Findings& findings, Overlay& overlay);
 
 }  // namespace coaster::view

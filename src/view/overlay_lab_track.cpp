@@ -105,6 +105,30 @@ void add_frames(const sim::Derived& derived, const world::Settings& settings, co
   }
 }
 
+void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans, float scale, Overlay& overlay) {
+  constexpr double kPiece = 1.0;  // m
+  if (derived.order.empty()) return;
+  int left = kMaxSpanPieces;
+  const auto at = [&](double distance) {
+    const sim::TrackPlace place = sim::place_at(derived, distance);
+    const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
+    return curve::point(shape.key.cubic, shape.arc.parameter(place.s)) + 0.35 * sim::frame_at(shape, place.s).up;
+  };
+  for (const sim::RedSpan& span : spans) {
+    double length = span.to_distance - span.from_distance;
+    if (length < 0 && derived.closed) length += derived.length;  // over the closing joint
+    const int pieces = std::min(left, std::max(1, static_cast<int>(std::ceil(std::abs(length) / kPiece))));
+    left -= pieces;
+    glm::dvec3 before = at(span.from_distance);
+    for (int i = 1; i <= pieces; ++i) {
+      const glm::dvec3 next = at(span.from_distance + length * i / pieces);
+      line(before, next, 5.0f * scale, kLimitColour, overlay);
+      before = next;
+    }
+    if (left <= 0) return;
+  }
+}
+
 void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> breaks, const View& view, float scale, Overlay& overlay) {
   constexpr int kPieces = 12;
   constexpr double kCrossPx = 7, kNormalPx = 40, kBeside = 0.02;

@@ -1,4 +1,4 @@
-// The tables of layers and pages.
+// The tables of layers, colourings and pages.
 #include "world/laboratory.h"
 
 namespace coaster::world {
@@ -12,6 +12,18 @@ constexpr LayerRow kLayers[] = {
     {"construction", "Construction", "De Casteljau's construction of the point at the probe: 3, 2 and 1 points between the control points."},
     {"rounding", "Rounding", "The polyline's float rounding, magnified: each vertex moved by its error times the magnification."},
     {"flips", "Frenet's failures", "Where the Frenet normal flips, or is undefined because there is no curvature."},
+    {"limits", "Red spans", "Where some g of the ride lasts longer than it may (not a compliance check)."},
+};
+
+constexpr ColouringRow kColourings[] = {
+    {"plain", "Plain", "", "Painted steel."},
+    {"speed", "Speed", "m/s", "Speed of the ride as simulated over the present track.", true},
+    {"height", "Height", "m", "Height over the ground."},
+    {"vertical", "Vertical g", "g", "What presses riders into the seat; 1 at rest, below 0 they float.", true},
+    {"lateral", "Lateral g", "g", "What pushes riders to either side.", true},
+    {"longitudinal", "Longitudinal g", "g", "What pushes riders into the seat's back; below 0 into the bar.", true},
+    {"curvature", "Curvature", "1/m", "1 / radius of the osculating circle."},
+    {"error", "Evaluator error", "mm", "Distance of the chosen evaluator's vertices from the exact curve."},
 };
 
 constexpr LabPageRow kPages[] = {
@@ -30,6 +42,7 @@ constexpr LabPageRow kPages[] = {
 }  // namespace
 
 std::span<const LayerRow> layers() { return kLayers; }
+std::span<const ColouringRow> colourings() { return kColourings; }
 std::span<const LabPageRow> lab_pages() { return kPages; }
 
 }  // namespace coaster::world

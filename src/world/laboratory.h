@@ -1,5 +1,5 @@
-// What of the laboratory shows: the layers that are drawn over the scene, and the pages of its strip. Tables of names; how a layer is
-// drawn is the view's affair, what is on a page the panels'.
+// What of the laboratory shows: the layers that are drawn over the scene, what the track is coloured by, and the pages of its strip. Tables
+// of names; how a layer is drawn is the view's affair, what is on a page the panels'.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace coaster::world {
 
 // Rows of layers(), in its order.
-enum class Layer : std::uint8_t { polyline, frames, comb, circle, construction, rounding, flips };
+enum class Layer : std::uint8_t { polyline, frames, comb, circle, construction, rounding, flips, limits };
 
 struct LayerRow {
   std::string_view name;   // in scripts and recordings: "show comb on"
@@ -31,6 +31,18 @@ class Layers {
  private:
   std::uint8_t bits_ = 1;
 };
+
+// What the track is coloured by: rows of colourings(), in its order.
+enum class Colouring : std::uint8_t { plain, speed, height, vertical, lateral, longitudinal, curvature, error };
+
+struct ColouringRow {
+  std::string_view name;   // in scripts and recordings: "colour speed"
+  std::string_view label;  // in the panel and over the legend
+  std::string_view unit;
+  std::string_view help;
+  bool of_ride = false;    // the whole ride is simulated for it
+};
+std::span<const ColouringRow> colourings();
 
 // Pages of the laboratory's strip: rows of lab_pages(), in its order.
 enum class LabPage : std::uint8_t { construction, weights, hodograph, error, lengths, frames, joints, errata, measurements, forces };

@@ -37,6 +37,7 @@ struct Settings {
   double selected_t = 0.5;                   // the picked place on a selected segment, parameter in [0,1]
   bool show_panels = true;
   Layers layers;                             // the laboratory's pictures over the scene
+  Colouring colouring{};                     // of the track
   double magnification = 100'000;            // of the rounding layer, 1..1e7
   double comb_scale = 100;                   // m^2: metres of a tooth for a curvature of 1/m, 0.001..1e6
   bool show_laboratory = false;              // the strip of pages below the viewport

@@ -28,6 +28,38 @@ TEST_F(Pictures, show_track_sky_and_ground) {
   EXPECT_EQ(count(image, [](glm::ivec3 c) { return c == glm::ivec3(255) || c == glm::ivec3(0); }), 0) << "no pure black or white";
 }
 
+TEST_F(Pictures, values_colour_the_track_and_are_written_where_they_change) {
+  width_ = 320, height_ = 180, show_polyline_ = false;
+  const Track track = ring();
+  const auto yellow = [](glm::ivec3 c) { return c.x > 200 && c.y > 170 && c.z < 130; };
+  const auto navy = [](glm::ivec3 c) { return c.z > c.x + 30 && c.x < 70; };
+  sim::TrackValues values{world::Colouring::speed, std::vector<float>(9 * sim::kValuesPerSegment, 20.0f), 0, 20};
+  values_ = &values;
+  gfx::DrawStats stats = draw(track);
+  EXPECT_EQ(stats.recolours, 9);
+  EXPECT_EQ(stats.uploads, 9);
+  const Image fast = renderer_->read_pixels();
+  EXPECT_GT(count(fast, yellow), 150);
+  EXPECT_EQ(count(fast, red), 0);
+  std::fill_n(values.values.begin() + 4 * sim::kValuesPerSegment, sim::kValuesPerSegment, 0.0f);
+  stats = draw(track);
+  EXPECT_EQ(stats.recolours, 1);
+  EXPECT_EQ(stats.uploads, 0);
+  const Image slow = renderer_->read_pixels();
+  EXPECT_GT(count(slow, navy), count(fast, navy) + 10);
+  EXPECT_LT(count(slow, yellow), count(fast, yellow));
+  stats = draw(track);
+  EXPECT_EQ(stats.recolours, 0);
+  std::fill(values.values.begin(), values.values.end(), sim::kUnknownValue);
+  draw(track);
+  const Image unknown = renderer_->read_pixels();
+  EXPECT_EQ(count(unknown, yellow) + count(unknown, navy), count(picture(*fresh(), track), yellow) + count(picture(*fresh(), track), navy));
+  EXPECT_EQ(count(unknown, yellow), 0);
+  // Painted again, as if there had never been values.
+  values_ = nullptr;
+  EXPECT_EQ(picture(track).rgba, picture(*fresh(), track).rgba);
+}
+
 TEST_F(Pictures, the_shadow_is_on_the_ground_and_darkens_once) {
   width_ = 320, height_ = 180, show_polyline_ = false;
   Track track = ring();

@@ -180,6 +180,27 @@ TEST(overlay_lab, a_flip_has_a_cross_at_its_place) {
   EXPECT_EQ(crosses, 2);
 }
 
+TEST(overlay_lab, a_red_span_runs_over_the_rails_from_end_to_end) {
+  const Scene scene;
+  const double end = scene.derived.length;
+  sim::RedSpan span;
+  for (const auto& [from, to] : {std::pair{13.7, 41.2}, {end - 6.5, 9.25}}) {  // the second runs over the closing joint
+    span.from_distance = from, span.to_distance = to;
+    Overlay overlay;
+    add_spans(scene.derived, std::span(&span, 1), 1, overlay);
+    double drawn = 0;
+    for (std::size_t i = 0; i < overlay.lines.size(); ++i) {
+      drawn += length(overlay.lines[i]);
+      EXPECT_EQ(overlay.lines[i].rgba, kLimitColour);
+      EXPECT_EQ(overlay.lines[i].from, overlay.lines[i == 0 ? 0 : i - 1].*(i == 0 ? &Line::from : &Line::to));
+    }
+    EXPECT_NEAR(drawn, to > from ? to - from : to - from + end, 0.5);
+    const sim::TrackPlace place = sim::place_at(scene.derived, from);
+    const sim::SegmentShape& shape = scene.shape(place.index);
+    EXPECT_NEAR(glm::distance(glm::dvec3(overlay.lines.front().from), curve::point(shape.key.cubic, shape.arc.parameter(place.s))), 0.35, 1e-5);
+  }
+}
+
 TEST(overlay_lab, no_layer_outgrows_its_limit_on_a_long_track) {
   Scene scene(test::ring_document(1500, 900));
   for (const float distance : {3.0f, 60.0f, 2500.0f}) {

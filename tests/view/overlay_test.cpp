@@ -182,5 +182,21 @@ TEST(overlay, a_selection_that_is_gone_is_ignored) {
   EXPECT_EQ(scene.overlay().marks.size(), 5u);
 }
 
+TEST(overlay_failure, a_failed_ride_is_marked_where_it_failed_and_one_that_goes_on_is_not) {
+  const world::Document d = test::ring_document(7, 31.7);
+  const sim::Derived derived = test::derived_of(d);
+  const Viewport viewport{0, 0, 640, 360};
+  const View view = orbit_view(frame_all({}, d, viewport), viewport);
+  const Overlay without = build_overlay(d, derived, {}, view, {});
+  Findings findings;
+  findings.failure = {world::FailureKind::stall, {}, 0.3 * derived.length, 0};
+  const Overlay with = build_overlay(d, derived, {}, view, {}, findings);
+  ASSERT_GT(with.marks.size(), without.marks.size());
+  const sim::TrackPlace place = sim::place_at(derived, findings.failure.distance);
+  const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
+  const glm::dvec3 at = curve::point(shape.key.cubic, shape.arc.parameter(place.s));
+  EXPECT_LT(glm::distance(glm::dvec3(with.marks.front().position), at), 2.0);
+}
+
 }  // namespace
 }  // namespace coaster::view

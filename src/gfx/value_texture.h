@@ -1,0 +1,37 @@
+// The values that the track is coloured by, in a texture of their own: changing them touches no vertex. A segment's place in it is its
+// entity's index, which its mesh holds.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gfx/objects.h"
+#include "sim/track_values.h"
+
+namespace coaster::gfx {
+
+class ValueTexture {
+ public:
+  static constexpr int kSegmentsInRow = 32, kWidth = kSegmentsInRow * sim::kValuesPerSegment;
+  explicit ValueTexture(const Gl& gl) : gl_(&gl) {}
+
+  struct Synced {
+    int recolours = 0;       // segments whose values changed
+    std::int64_t bytes = 0;  // written
+  };
+  // Writes the rows in which anything changed. Cost for equal values: a comparison of 128 bytes for each segment. Plain values: nothing.
+  Synced sync(const sim::Derived& derived, const sim::TrackValues& values);
+  // To texture unit 0; a texture of one row when nothing was ever written.
+  void bind();
+
+ private:
+  void fit(int rows);
+
+  const Gl* gl_;
+  Object texture_;
+  int rows_ = 0;
+  std::vector<float> held_;
+  std::vector<bool> changed_;  // by row; kept for its capacity
+};
+
+}  // namespace coaster::gfx
