@@ -33,7 +33,7 @@ void draw_legend(Ui& ui, const view::Viewport& scene) {
   const float text = std::max(13.0f, std::round(kSmallFontPixels * scale));
   const float width = std::min(std::floor(240 * scale), scene.width - 2 * (margin + pad)), height = 2 * text + bar + std::floor(10 * scale);
   if (width < 120 * scale || scene.height < height + 2 * (margin + pad)) return;
-  const ImVec2 low(scene.x + margin + pad, scene.y + scene.height - margin - pad - height);
+  const ImVec2 low(scene.x + margin + pad, scene.y + margin + pad);  // notices and hints are at the bottom
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + height + pad}, ui::packed(kDark.background, 0.82f), std::floor(6 * scale));
   const std::string title = std::string(row.label) + " (" + std::string(row.unit) + ")";

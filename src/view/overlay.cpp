@@ -87,7 +87,6 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   add_laboratory(document, derived, settings, view, findings, overlay);
   const float scale = settings.ui_scale;
   add_polygons(document, settings, overlay);
-  add_failure(derived, findings.failure, view, scale, overlay);
   // Places on the curve cannot be picked as marks, so they lie under all that can.
   if (const sim::SegmentShape* const shape = derived.segments.find(settings.selected))
     overlay.marks.push_back({glm::vec3(curve::point(shape->key.cubic, settings.selected_t)), kPlaceRadius * scale, kPlaceColour, MarkShape::disc});
@@ -96,6 +95,7 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
   std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
   for (const PlacedMark& placed : marks) overlay.marks.push_back(mark_of(placed, settings, hovered));
+  add_failure(derived, findings.failure, view, scale, overlay);
   return overlay;
 }
 
