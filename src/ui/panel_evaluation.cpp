@@ -83,6 +83,9 @@ void evaluation_panel(Ui& ui) {
            "Work of the graphics processor on the polylines, a few frames ago: where the method runs there, its evaluation too.");
   read_query(ui, "Held on the GPU", "polyline_bytes", {},
              "Bytes of all polylines on the graphics processor: 24 a vertex, or 48 a segment when they are evaluated there.", {.decimals = 0});
+  const std::size_t segments = ui.session().derived.order.size();
+  read_out(ui, "A segment", segments == 0 ? "--" : fixed(static_cast<double>(stats.polyline_bytes) / static_cast<double>(segments), 0), "B",
+           "What a moved segment uploads of its polyline: its vertices, or its four control points where the method runs on the GPU.");
   read_query(ui, "Largest deviation", "deviation", {},
              "Largest distance of a vertex from the exact point at the same parameter (de Casteljau in long double): rounding error alone.",
              {.decimals = 6, .unit = "mm", .factor = 1e3});
