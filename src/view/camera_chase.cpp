@@ -12,12 +12,14 @@ using glm::dvec3;
 
 constexpr double kHeadingLag = 0.55, kElevationLag = 0.7, kAsideLag = 0.2;  // s
 constexpr double kLookOver = 0.9;         // m over the rails
-constexpr double kElevation = 0.30;       // rad over the horizon on the flat; less uphill, more downhill
-constexpr double kBySlope = 0.35, kLowest = 0.10, kHighest = 0.75;
+constexpr double kElevation = 0.30;       // rad over the horizon on the flat; less uphill, more downhill, to see it over a crest
+constexpr double kBySlope = 0.5, kLowest = 0.10, kHighest = 0.95;
 constexpr double kBeside = 0.26;          // rad to the train's left: its side shows, and the rails do not hide it
+constexpr double kBesideOver = 0.6;       // rad more while it is upside down: a loop is seen from its side
 constexpr double kPerTrain = 0.6;         // m further off for each metre of train
 constexpr double kOverGround = 1.2;       // m
 constexpr double kClear = 2.4;            // m from the track that the eye keeps where it can
+constexpr double kSightClear = 1.3;       // m from the track that the line of sight keeps at its first half
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double elevation_of(const Ridden& ridden) {
@@ -25,24 +27,33 @@ double elevation_of(const Ridden& ridden) {
   return std::clamp(kElevation - kBySlope * slope, kLowest, kHighest);
 }
 
+double beside_of(const Ridden& ridden) { return kBeside + kBesideOver * 0.5 * std::clamp(1 - ridden.middle.frame.up.y - 0.6, 0.0, 1.4); }
+
 dvec3 looked_at(const Ridden& ridden) { return ridden.middle.position + dvec3(0, kLookOver, 0); }
 
 dvec3 place(const CameraRig& rig, const Watched& w, const Ridden& ridden) {
   const dvec3 ahead = rig.heading.direction(), left = glm::cross(dvec3(0, 1, 0), ahead);
-  const double distance = w.settings.feel.chase_distance + kPerTrain * ridden.length, e = rig.elevation.value;
-  dvec3 eye = looked_at(ridden) + distance * (std::cos(e) * (std::sin(kBeside) * left - std::cos(kBeside) * ahead) + dvec3(0, std::sin(e), 0));
+  const double distance = w.settings.feel.chase_distance + kPerTrain * ridden.length, e = rig.elevation.value, b = rig.beside.value;
+  dvec3 eye = looked_at(ridden) + distance * (std::cos(e) * (std::sin(b) * left - std::cos(b) * ahead) + dvec3(0, std::sin(e), 0));
   eye.y = std::max(eye.y, kOverGround);
   return eye;
 }
 
-// By how much the eye would have to move to be off the track; a few steps away from what is nearest.
-dvec3 way_out(const Watched& w, const dvec3& from) {
+// `from` moved away from the track by as much as it lacks to `clear`.
+dvec3 step_aside(const Watched& w, const dvec3& from, double clear) {
+  const NearTrack near = nearest_track(w.derived, from, clear);
+  if (!(near.distance < clear)) return dvec3(0);
+  return (clear - near.distance) * (near.distance > 1e-3 ? (from - near.point) / near.distance : dvec3(0, 1, 0));
+}
+
+// By how much the eye would have to move to be off the track and to see the train past it; a few steps away from what is nearest.
+dvec3 way_out(const Watched& w, const dvec3& from, const dvec3& to) {
   dvec3 at = from;
   for (int i = 0; i < 3; ++i) {
-    const NearTrack near = nearest_track(w.derived, at, kClear);
-    if (!(near.distance < kClear)) break;
-    const dvec3 away = near.distance > 1e-3 ? (at - near.point) / near.distance : dvec3(0, 1, 0);
-    at += (kClear - near.distance) * away;
+    dvec3 step = step_aside(w, at, kClear);
+    for (const double part : {0.25, 0.5}) step += step_aside(w, glm::mix(at, to, part), kSightClear) / (1 - part);
+    if (step == dvec3(0)) break;
+    at += step;
     at.y = std::max(at.y, kOverGround);
   }
   return at - from;
@@ -77,14 +88,16 @@ NearTrack nearest_track(const sim::Derived& derived, dvec3 from, double reach) {
 
 void settle_chase(CameraRig& rig, const Watched& w, const Ridden& ridden) {
   rig.elevation.settle(elevation_of(ridden));
-  rig.aside.settle(way_out(w, place(rig, w, ridden)));
+  rig.beside.settle(beside_of(ridden));
+  rig.aside.settle(way_out(w, place(rig, w, ridden), looked_at(ridden)));
 }
 
 Eye chase(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
   rig.heading.follow(ridden.middle.frame, kHeadingLag, dt);
   rig.elevation.approach(elevation_of(ridden), kElevationLag, dt);
+  rig.beside.approach(beside_of(ridden), kElevationLag, dt);
   const dvec3 wanted = place(rig, w, ridden);
-  rig.aside.approach(way_out(w, wanted), kAsideLag, dt);
+  rig.aside.approach(way_out(w, wanted, looked_at(ridden)), kAsideLag, dt);
   Eye eye;
   eye.position = wanted + rig.aside.value;
   eye.position.y = std::max(eye.position.y, kOverGround);

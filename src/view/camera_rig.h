@@ -41,7 +41,7 @@ struct CameraRig {
   Heading heading;
   glm::dvec3 forward{1, 0, 0}, up{0, 1, 0};  // the rider's, unit
   double roll_lag = 0, roll_rate = 0;        // rad by which `up` is behind the track's, over whole turns too; rad/s of `up` about `forward`
-  Damped<double> widening, elevation;        // degrees; rad over the horizon
+  Damped<double> widening, elevation, beside;  // degrees; rad over the horizon; rad to the train's left
   Damped<glm::dvec3> bob, aside;             // m on the seat's axes; m out of the way of the track
 
   // From the eye before to the one now: what is left of the difference.

@@ -44,7 +44,7 @@ struct CameraFeel {
   float ride_view_deg = 70;   // the rider's vertical field of view, kMinFieldOfView..kMaxFieldOfView
   float widening_deg = 6;     // by which it has grown at 30 m/s, 0..20
   float roll_damping = 0.25f; // s by which the rider's roll is late in a steady roll; 0: the track's roll at once; 0..2
-  float chase_distance = 11;  // m from the chase camera to the middle of a lone car, kMinChase..kMaxChase
+  float chase_distance = 9;  // m from the chase camera to the middle of a lone car, kMinChase..kMaxChase
   bool head_bob = false;      // the rider's head gives way to g
   bool reduced_motion = false;  // no transitions, no head-bob, no widening, the rider's horizon level
   friend bool operator==(const CameraFeel&, const CameraFeel&) = default;
