@@ -38,10 +38,12 @@ Status perform(Session& session, Change& change, const SetFly& command) {
 }
 
 Status perform(Session& session, Change& change, const SetFieldOfView& command) {
-  return set(change, "field of view", command.to, world::kMinFieldOfView, world::kMaxFieldOfView, "degrees", session.settings.camera.field_of_view_deg);
+  float& degrees = session.settings.camera.field_of_view_deg;
+  return set(change, "field of view", command.to, world::kMinFieldOfView, world::kMaxFieldOfView, "degrees", degrees);
 }
 Status perform(Session& session, Change& change, const SetRideView& command) {
-  return set(change, "field of view", command.to, world::kMinFieldOfView, world::kMaxFieldOfView, "degrees", session.settings.feel.ride_view_deg);
+  float& degrees = session.settings.feel.ride_view_deg;
+  return set(change, "field of view", command.to, world::kMinFieldOfView, world::kMaxFieldOfView, "degrees", degrees);
 }
 Status perform(Session& session, Change& change, const SetWidening& command) {
   return set(change, "widening", command.to, 0, kMaxWidening, "degrees", session.settings.feel.widening_deg);
