@@ -47,9 +47,11 @@ dvec3 step_aside(const Watched& w, const dvec3& from, double clear) {
 }
 
 // By how much the eye would have to move to be off the track and to see the train past it; a few steps away from what is nearest.
-dvec3 way_out(const Watched& w, const dvec3& from, const dvec3& to) {
-  dvec3 at = from;
-  for (int i = 0; i < 3; ++i) {
+dvec3 way_out(const Watched& w, const dvec3& from, const dvec3& aside, const dvec3& to) {
+  // From halfway to where it has already stepped: the way out goes on to the same side.
+  dvec3 at = from + 0.5 * aside;
+  constexpr int kMostSteps = 12;  // out of a stack of coils, too
+  for (int i = 0; i < kMostSteps; ++i) {
     dvec3 step = step_aside(w, at, kClear);
     for (const double part : {0.25, 0.5}) step += step_aside(w, glm::mix(at, to, part), kSightClear) / (1 - part);
     if (step == dvec3(0)) break;
@@ -89,7 +91,7 @@ NearTrack nearest_track(const sim::Derived& derived, dvec3 from, double reach) {
 void settle_chase(CameraRig& rig, const Watched& w, const Ridden& ridden) {
   rig.elevation.settle(elevation_of(ridden));
   rig.beside.settle(beside_of(ridden));
-  rig.aside.settle(way_out(w, place(rig, w, ridden), looked_at(ridden)));
+  rig.aside.settle(way_out(w, place(rig, w, ridden), dvec3(0), looked_at(ridden)));
 }
 
 Eye chase(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
@@ -97,7 +99,7 @@ Eye chase(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
   rig.elevation.approach(elevation_of(ridden), kElevationLag, dt);
   rig.beside.approach(beside_of(ridden), kElevationLag, dt);
   const dvec3 wanted = place(rig, w, ridden);
-  rig.aside.approach(way_out(w, wanted, looked_at(ridden)), kAsideLag, dt);
+  rig.aside.approach(way_out(w, wanted, rig.aside.value, looked_at(ridden)), kAsideLag, dt);
   Eye eye;
   eye.position = wanted + rig.aside.value;
   eye.position.y = std::max(eye.position.y, kOverGround);
