@@ -28,7 +28,7 @@ std::vector<sim::Pose> cart_poses(const edit::Session& session) {
 
 // Panels and viewport tool see the state before this frame's commands, which are applied here.
 ui::Output build_panels(Program& program, const platform::Events& events, platform::Size size) {
-  const ui::State state{program.session, program.stats, program.seconds, program.stats.hide_times};
+  const ui::State state{program.session, program.stats, program.seconds, program.stats.hide_times, &program.rig};
   ui::Output output = program.ui->build(events, state, size.width, size.height);
   program.toast = program.ui->toast();
   for (const edit::Command& command : output.commands) (void)apply(program, command);  // what is refused shows as a notice
@@ -80,6 +80,10 @@ void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size si
   stats.draw_calls = drawn.draw_calls;
   stats.samples = drawn.samples;
   stats.width = size.width, stats.height = size.height;
+  const view::Eye& eye = program.rig.eye;
+  stats.camera_shown = program.rig.mode;
+  stats.eye = eye.position, stats.eye_forward = eye.forward, stats.eye_up = glm::normalize(eye.up - glm::dot(eye.up, eye.forward) * eye.forward);
+  stats.field_of_view_deg = eye.field_of_view_deg;
   stats.cpu_ms = (built - began) * 1e3 + drawn.cpu_ms;
   stats.gl_ms = (drew - built) * 1e3 - drawn.cpu_ms;
 }
@@ -110,8 +114,10 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
     advance(program, ticks);
     return;
   }
-  const ui::Output output = build_panels(program, events, size);
+  ui::Output output = build_panels(program, events, size);
   advance(program, ticks);
+  // From where the carts are now: an eye of the frame's start would lag behind them by as many ticks as this frame happens to have.
+  output.view = program.view = view::view_of(program.rig.eye, output.view.viewport);
   edit::advance_measurement(program.session);
   const double built = program.surface->clock();
   const gfx::DrawStats drawn = draw_scene(program, output, size);

@@ -35,6 +35,11 @@ std::string machine_line() {
 
 }  // namespace
 
+view::Watched watched(const Program& program) {
+  const edit::Session& session = program.session;
+  return {session.document, session.derived, session.motion, session.settings};
+}
+
 base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples) {
   auto program = std::make_unique<Program>();
   program->options = options;
@@ -56,6 +61,7 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   program->ui = std::move(*panels);
   program->session = edit::make_session([screen] { return screen->clock(); });
   program->session.machine = machine_line();
+  view::follow(program->rig, watched(*program), 0);
   return program;
 }
 
@@ -75,6 +81,7 @@ base::Status apply_one(Program& program, const edit::Command& command) {
   if (applied && std::holds_alternative<edit::SetEvaluator>(command))
     if (const std::string reason = program.renderer->refusal(program.session.derived.stage); !reason.empty())
       edit::notify(program.session, edit::NoticeKind::warning, "drawn by the vertex shader instead: " + reason);
+  view::follow(program.rig, watched(program), 0);
   ++program.commands;
   if (!applied || !program.recorder) return applied;
   const base::Status recorded = program.recorder->command(program.files, command, program.session);
@@ -94,17 +101,22 @@ base::Status apply(Program& program, const edit::Command& command) {
   if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command)) return applied;
   // Another track: looked at from where all of it is seen.
   const edit::Session& session = program.session;
-  const world::Camera camera = view::frame_all(session.settings.camera, session.document, program.ui->view().viewport);
+  const world::Camera camera = view::frame_all(session.settings.camera, session.document, program.view.viewport);
   (void)apply_one(program, edit::SetCamera{camera});
   return applied;
 }
 
 void advance(Program& program, int ticks) {
   if (program.recorder && !program.recorder->ticks(ticks)) program.recorder.reset();
-  if (!program.options.hash_log) return edit::advance(program.session, ticks);
-  const std::string document = base::hex16(world::hash(program.session.document));
+  const auto advance_by = [&](int some) {
+    edit::advance(program.session, some);
+    view::follow(program.rig, watched(program), some);
+  };
+  if (!program.options.hash_log && !view::steps(program.rig)) return advance_by(ticks);
+  const std::string document = program.options.hash_log ? base::hex16(world::hash(program.session.document)) : "";
   for (int i = 0; i < ticks; ++i) {
-    edit::advance(program.session, 1);
+    advance_by(1);
+    if (!program.options.hash_log) continue;
     const std::string motion = base::hex16(world::hash(program.session.document, program.session.motion));
     std::printf("tick %llu document %s motion %s\n", static_cast<unsigned long long>(program.session.tick), document.c_str(), motion.c_str());
   }

@@ -13,6 +13,7 @@
 #include "query/query.h"
 #include "script/recorder.h"
 #include "ui/host.h"
+#include "view/camera_rig.h"
 
 namespace coaster::app {
 
@@ -28,6 +29,8 @@ struct Program {
   std::unique_ptr<script::Recorder> recorder;   // null: nothing is recorded
   std::filesystem::path writable;               // scripts: the only folder that may be written to; empty: no limit
 
+  view::CameraRig rig;             // what pictures are taken with; follows every command and tick
+  view::View view;                 // that the last frame was drawn with
   view::Pick hovered;              // of the last frame
   std::uint64_t commands = 0;      // applied since the start
   sim::FrenetBreaks breaks;        // of the track as last drawn with their layer on
@@ -50,6 +53,9 @@ base::Status apply(Program& program, const edit::Command& command);
 
 // Advances the ride by whole ticks; prints the hashes of each when asked to.
 void advance(Program& program, int ticks);
+
+// What the camera looks at.
+view::Watched watched(const Program& program);
 
 query::Context context_of(const Program& program);
 

@@ -76,7 +76,7 @@ glm::vec2 uncovered(const Program& program, const AimPoint& aim, glm::vec2 middl
   const edit::Session& session = program.session;
   const view::Pick wanted{view::PickKind::cart, world::find(session.document, aim.name)};
   const auto is_cart = [&](glm::vec2 at) {
-    return view::pick(session.document, session.derived, session.motion, session.settings, program.ui->view(), at) == wanted;
+    return view::pick(session.document, session.derived, session.motion, session.settings, program.view, at) == wanted;
   };
   constexpr int kReach = 40, kStep = 2, kDirections = 16;  // px
   if (is_cart(middle)) return middle;
@@ -93,7 +93,7 @@ glm::vec2 uncovered(const Program& program, const AimPoint& aim, glm::vec2 middl
 base::Result<glm::vec2> pixel_of(const Program& program, const AimPoint& aim) {
   const auto position = position_of(program, aim);
   if (!position) return position.status();
-  const view::View& view = program.ui->view();
+  const view::View& view = program.view;
   const auto pixel = view::project(view, *position);
   if (!pixel || !view.viewport.contains({pixel->x, pixel->y}))
     return base::Status{base::Code::expectation, "the target is not on the screen (camera all shows the whole track)"};
@@ -125,7 +125,7 @@ script::Host make_script_host(Program& program) {
   };
   host.commands = [p] { return p->commands; };
   host.hovered = [p] { return p->hovered; };
-  host.viewport = [p] { return p->ui->view().viewport; };
+  host.viewport = [p] { return p->view.viewport; };
   host.progress = progress;
   host.print = [](std::string_view line) { std::printf("%.*s\n", static_cast<int>(line.size()), line.data()); };
   host.files = &program.files;

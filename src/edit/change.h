@@ -79,6 +79,14 @@ base::Status perform(Session& session, Change& change, const SetFrames& command)
 base::Status perform(Session& session, Change& change, const SetIntegrator& command);
 base::Status perform(Session& session, Change& change, const SetCamera& command);
 base::Status perform(Session& session, Change& change, const SetCameraMode& command);
+base::Status perform(Session& session, Change& change, const SetFly& command);
+base::Status perform(Session& session, Change& change, const SetFieldOfView& command);
+base::Status perform(Session& session, Change& change, const SetRideView& command);
+base::Status perform(Session& session, Change& change, const SetWidening& command);
+base::Status perform(Session& session, Change& change, const SetRollDamping& command);
+base::Status perform(Session& session, Change& change, const SetChaseDistance& command);
+base::Status perform(Session& session, Change& change, const SetHeadBob& command);
+base::Status perform(Session& session, Change& change, const SetReducedMotion& command);
 base::Status perform(Session& session, Change& change, const Select& command);
 base::Status perform(Session& session, Change& change, const SetPanels& command);
 base::Status perform(Session& session, Change& change, const SetPolyline& command);

@@ -15,7 +15,7 @@ Names joint_names() {
   return {"smooth", "aligned", "automatic"};
 }
 Names mode_names() {
-  return {"orbit", "ride"};
+  return Names(world::kCameraModeNames.begin(), world::kCameraModeNames.end());
 }
 
 Names evaluator_names() {

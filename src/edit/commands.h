@@ -1,6 +1,6 @@
 // The one vocabulary: everything that a person, a script or a recording can make the program do to document, motion and settings.
 // Plain structs with a name, a line of help and a list of fields; from these come printing, parsing, help and completion.
-// Those of the laboratory are in commands_lab.h, those of the ride's operation in commands_operation.h.
+// Those of the cameras are in commands_camera.h, those of the laboratory in commands_lab.h, those of the ride's operation in commands_operation.h.
 // Commands carry names and numbers, never screen coordinates.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include "edit/command_fields.h"
+#include "edit/commands_camera.h"
 #include "edit/commands_lab.h"
 #include "edit/commands_operation.h"
 #include "world/document.h"
@@ -160,11 +161,6 @@ struct SetCamera {
   COASTER_FIELDS(visit("target", self.to.target), visit("yaw", self.to.yaw_deg), visit("pitch", self.to.pitch_deg),
                  visit("distance", self.to.distance))
 };
-struct SetCameraMode {
-  world::CameraMode to{};
-  COASTER_COMMAND("camera_mode", "Look by orbit, or from the first cart (ride).", Effect::settings);
-  COASTER_FIELDS(visit("", self.to))
-};
 struct Select {
   Target what;
   double at = 0.5;
@@ -257,7 +253,8 @@ using AnyCommand = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, 
                                 AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2,
                                 SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetHeartline, SetRollbackFails, AutoBank,  //
                                 SetEvaluator, SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera,
-                                SetCameraMode, Select, SetPanels, SetPolyline, SetAppendMode, SetScale, ShowLayer, SetColouring, SetMagnification,
+                                SetCameraMode, SetFly, SetFieldOfView, SetRideView, SetWidening, SetRollDamping, SetChaseDistance,
+                                SetHeadBob, SetReducedMotion, Select, SetPanels, SetPolyline, SetAppendMode, SetScale, ShowLayer, SetColouring, SetMagnification,
                                 SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,                 //
                                 RideStart, RidePause, RideStop, RideStep, RideSeek,                              //
                                 Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save,

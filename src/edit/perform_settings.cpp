@@ -84,12 +84,8 @@ Status perform(Session& session, Change& change, const SetCamera& command) {
   camera.yaw_deg = std::remainder(camera.yaw_deg, 360.0f);
   camera.pitch_deg = change.clamp("pitch", camera.pitch_deg, -kMaxPitch, kMaxPitch, "degrees");
   camera.distance = change.clamp("distance", camera.distance, kMinDistance, kMaxDistance, "m");
+  camera.field_of_view_deg = session.settings.camera.field_of_view_deg;  // has a command of its own
   session.settings.camera = camera;
-  return {};
-}
-
-Status perform(Session& session, Change&, const SetCameraMode& command) {
-  session.settings.camera_mode = command.to;
   return {};
 }
 

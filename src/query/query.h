@@ -38,6 +38,9 @@ struct FrameStats {
   bool hide_times = false;   // scripted: times read "--"
   int samples = 0;           // of multisampling in use
   int width = 0, height = 0;
+  world::CameraMode camera_shown{};                       // orbit where there is no train to go with
+  glm::dvec3 eye{0}, eye_forward{0, 0, -1}, eye_up{0, 1, 0};  // of the last frame's picture: m, unit, unit
+  double field_of_view_deg = 0;
 };
 
 struct Context {

@@ -1,5 +1,6 @@
 // Queries about the session: settings, selection, history, the camera, what the last frame cost.
 #include <array>
+#include <cmath>
 
 #include "query/rows.h"
 #include "sim/frame_methods.h"
@@ -28,13 +29,23 @@ Answer panels(const Context& c, View) { return yes_no(c.session.settings.show_pa
 Answer polyline(const Context& c, View) { return yes_no(c.session.settings.layers.has(world::Layer::polyline)); }
 Answer scale(const Context& c, View) { return number(c.session.settings.ui_scale); }
 
-Answer camera_mode(const Context& c, View) {
-  switch (c.session.settings.camera_mode) {
-    case world::CameraMode::orbit: return text("orbit");
-    case world::CameraMode::ride: return text("ride");
-  }
-  return text("");
+Answer mode_name(world::CameraMode mode) { return text(world::kCameraModeNames[static_cast<std::size_t>(mode)]); }
+Answer camera_mode(const Context& c, View) { return mode_name(c.session.settings.camera_mode); }
+Answer camera_shown(const Context& c, View) { return mode_name(c.stats.camera_shown); }
+Answer camera_eye(const Context& c, View) { return Value(c.stats.eye); }
+Answer camera_height(const Context& c, View) { return number(c.stats.eye.y); }
+Answer camera_forward(const Context& c, View) { return Value(c.stats.eye_forward); }
+Answer camera_up(const Context& c, View) { return Value(c.stats.eye_up); }
+Answer camera_tilt(const Context& c, View) {
+  // Of the picture's horizontal, clockwise as the rider tilts to the right: its right-hand axis against the ground.
+  const double right = glm::cross(c.stats.eye_forward, c.stats.eye_up).y;
+  return number(glm::degrees(std::atan2(-right, c.stats.eye_up.y)));
 }
+Answer camera_field_of_view(const Context& c, View) { return number(c.stats.field_of_view_deg); }
+Answer roll_damping(const Context& c, View) { return number(c.session.settings.feel.roll_damping); }
+Answer chase_distance(const Context& c, View) { return number(c.session.settings.feel.chase_distance); }
+Answer head_bob(const Context& c, View) { return yes_no(c.session.settings.feel.head_bob); }
+Answer reduced_motion(const Context& c, View) { return yes_no(c.session.settings.feel.reduced_motion); }
 Answer camera_target(const Context& c, View) { return Value(glm::dvec3(c.session.settings.camera.target)); }
 Answer camera_distance(const Context& c, View) { return number(c.session.settings.camera.distance); }
 Answer camera_yaw(const Context& c, View) { return number(c.session.settings.camera.yaw_deg); }
@@ -65,7 +76,18 @@ constexpr std::array kRows{
     Query{"panels", "", "", "on when the panels show.", panels},
     Query{"polyline", "", "", "on when the evaluated polyline shows.", polyline},
     Query{"scale", "", "", "Scale of the panels.", scale},
-    Query{"camera_mode", "", "", "orbit or ride.", camera_mode},
+    Query{"camera_mode", "", "", "The chosen camera: orbit, ride, chase or fly.", camera_mode},
+    Query{"camera_shown", "", "", "The camera of the last frame: orbit where there is no cart to go with.", camera_shown},
+    Query{"camera_eye", "", "m", "Where the last frame was looked at from.", camera_eye},
+    Query{"camera_height", "", "m", "The same place's height over the ground.", camera_height},
+    Query{"camera_forward", "", "", "The direction of the last frame's view.", camera_forward},
+    Query{"camera_up", "", "", "What is up in the last frame.", camera_up},
+    Query{"camera_tilt", "", "deg", "By how much the last frame's view is rolled to the right.", camera_tilt},
+    Query{"camera_field_of_view", "", "deg", "Vertical field of view of the last frame.", camera_field_of_view},
+    Query{"roll_damping", "", "s", "How late the rider's roll follows the track's.", roll_damping},
+    Query{"chase_distance", "", "m", "How far the chase camera is from a lone car.", chase_distance},
+    Query{"head_bob", "", "", "on when the rider's head gives way to g.", head_bob},
+    Query{"reduced_motion", "", "", "on when cameras cut, keep level and do not bob.", reduced_motion},
     Query{"camera_target", "", "m", "What the camera looks at.", camera_target},
     Query{"camera_distance", "", "m", "From the camera to its target.", camera_distance},
     Query{"camera_yaw", "", "deg", "The camera's turn about the vertical; 0 looks along -Z.", camera_yaw},

@@ -26,6 +26,7 @@ constexpr std::array kSession{
     Row{"wait QUERY [ARGUMENT] OP VALUE [+-TOLERANCE] [max N ticks|frames|seconds]", "Advances until it is so; exit code 6 when it is not in time."},
     Row{"camera [target X Y Z] [yaw A] [pitch B] [distance D]", "Looks so; what is not named stays."},
     Row{"camera all|selection", "Frames the whole track or what is selected."},
+    Row{"camera orbit|ride|chase|fly", "The same as camera_mode."},
 };
 constexpr std::array kInput{
     Row{"ui.click|doubleclick|hover \"PATH\"", "On the one widget with this label path."},

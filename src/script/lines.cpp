@@ -142,12 +142,16 @@ bool parse_fault(Words& words, Action& action) {
 }
 
 bool parse_camera(Words& words, Action& action) {
-  static const std::vector<std::string> kNames{"target", "yaw", "pitch", "distance", "all", "fit", "selection"};
-  if (words.at_end()) return words.fail(words.end_column(), "expected target, yaw, pitch, distance, all or selection");
+  static const std::vector<std::string> kNames{"target", "yaw", "pitch", "distance", "all", "fit", "selection", "orbit", "ride", "chase", "fly"};
+  if (words.at_end()) return words.fail(words.end_column(), "expected target, yaw, pitch, distance, all, selection, orbit, ride, chase or fly");
   MoveCamera camera;
   while (!words.at_end()) {
-    const auto name = words.one_of("target, yaw, pitch, distance, all or selection", kNames);
+    const auto name = words.one_of("target, yaw, pitch, distance, all, selection, orbit, ride, chase or fly", kNames);
     if (!name) return false;
+    if (*name >= 7) {
+      action = RunCommand{edit::SetCameraMode{static_cast<world::CameraMode>(*name - 7)}};
+      return words.end();
+    }
     if (*name >= 4) {
       action = FitCamera{*name == 6};
       return words.end();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "ui/fly_keys.h"
 #include "ui/toasts.h"
 
 namespace coaster::ui {
@@ -41,7 +42,8 @@ bool insertable(const Act& act) {
 }
 bool appending(const Act& act) { return act.ui.session().settings.append_mode; }
 bool panels_shown(const Act& act) { return act.ui.session().settings.show_panels; }
-bool riding(const Act& act) { return act.ui.session().settings.camera_mode == CameraMode::ride; }
+template <CameraMode mode>
+bool looks(const Act& act) { return act.ui.session().settings.camera_mode == mode; }
 
 // Takes back what the mouse is dragging, in the viewport or in a number. False when it drags nothing that changes the document.
 bool cancel_drags(Act& act) {
@@ -81,13 +83,19 @@ void insert_point(Act& act) {
 void add_curve(Act& act) { act.ui.emit(edit::AddCurve{}); }
 void toggle_append(Act& act) { act.ui.emit(edit::SetAppendMode{!appending(act)}); }
 
+// What is framed is framed for the orbit camera.
+void orbit_again(Act& act) {
+  if (act.ui.session().settings.camera_mode != CameraMode::orbit) act.ui.emit(edit::SetCameraMode{CameraMode::orbit});
+}
 void frame_all(Act& act) {
   const edit::Session& session = act.ui.session();
   act.ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, act.scene)});
+  orbit_again(act);
 }
 void frame_selection(Act& act) {
   const edit::Session& session = act.ui.session();
   act.ui.emit(edit::SetCamera{view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene)});
+  orbit_again(act);
 }
 void toggle_panels(Act& act) { act.ui.emit(edit::SetPanels{!panels_shown(act)}); }
 bool laboratory_shown(const Act& act) { return act.ui.session().settings.show_laboratory; }
@@ -120,7 +128,16 @@ void next_colouring(Act& act) {
   act.ui.emit(edit::SetColouring{static_cast<world::Colouring>(next)});
 }
 
-void toggle_ride_camera(Act& act) { act.ui.emit(edit::SetCameraMode{riding(act) ? CameraMode::orbit : CameraMode::ride}); }
+template <CameraMode mode>
+void look(Act& act) { choose_camera(act.ui, mode); }
+void next_camera(Act& act) {
+  const auto next = (static_cast<std::size_t>(act.ui.session().settings.camera_mode) + 1) % world::kCameraModeNames.size();
+  choose_camera(act.ui, static_cast<CameraMode>(next));
+}
+bool motion_reduced(const Act& act) { return act.ui.session().settings.feel.reduced_motion; }
+void toggle_reduced_motion(Act& act) { act.ui.emit(edit::SetReducedMotion{!motion_reduced(act)}); }
+bool head_bobs(const Act& act) { return act.ui.session().settings.feel.head_bob; }
+void toggle_head_bob(Act& act) { act.ui.emit(edit::SetHeadBob{!head_bobs(act)}); }
 
 void play_pause(Act& act) {
   if (act.ui.session().motion.state == world::RideState::running)
@@ -163,9 +180,18 @@ constexpr Action kActions[] = {
     {"Frame all", "View", "F", key(Key::f), kNoKey, false, true, "Show the whole track.", always, nullptr, frame_all},
     {"Frame selection", "View", "Shift+F", shift(Key::f), kNoKey, false, true, "Show what is selected.", any_selected, nullptr, frame_selection},
     {"Panels", "View", "Tab", key(Key::tab), kNoKey, false, false, "Show or hide menu, panels and status bar.", always, panels_shown, toggle_panels},
-    {"Ride camera", "View", "V", key(Key::v), kNoKey, false, false, "Look from the first cart, or from outside.", always, riding, toggle_ride_camera},
     {"Next track colours", "View", "K", key(Key::k), kNoKey, false, false, "Colour the track by speed, height, each g, curvature, error, or not at all.", always, coloured,
      next_colouring},
+    {"Next camera", "View", "V", key(Key::v), kNoKey, false, true, "The next of the cameras: orbit, ride, chase, fly.", always, nullptr, next_camera},
+    {"Orbit camera", "View", "1", key(Key::d1), kNoKey, false, true, "Turn about a place with the mouse.", always, looks<CameraMode::orbit>, look<CameraMode::orbit>},
+    {"Ride camera", "View", "2", key(Key::d2), kNoKey, false, true, "Look from the first cart's seat.", rideable, looks<CameraMode::ride>, look<CameraMode::ride>},
+    {"Chase camera", "View", "3", key(Key::d3), kNoKey, false, true, "Follow the first cart's train from behind; the wheel sets how far.", rideable, looks<CameraMode::chase>,
+     look<CameraMode::chase>},
+    {"Fly camera", "View", "4", key(Key::d4), kNoKey, false, true, "Fly with W A S D, Q down, E up, Shift faster; drag to look around.", always, looks<CameraMode::fly>,
+     look<CameraMode::fly>},
+    {"Head-bob", "View", "", kNoKey, kNoKey, false, true, "Let the rider's head give way to g.", always, head_bobs, toggle_head_bob},
+    {"Reduced motion", "View", "", kNoKey, kNoKey, false, true, "Keep the rider's horizon level, cut between cameras, no bobbing, no widening.", always, motion_reduced,
+     toggle_reduced_motion},
     {"Laboratory", "View", "L", key(Key::l), kNoKey, false, true, "Open or fold the laboratory's pages.", always, laboratory_shown, toggle_laboratory},
     {"Probe back", "View", "[", key(Key::left_bracket), kNoKey, true, false, "Move the picked place back along the track by 1/64 of a segment.", probing, nullptr, probe_back},
     {"Probe on", "View", "]", key(Key::right_bracket), kNoKey, true, false, "Move the picked place on along the track by 1/64 of a segment.", probing, nullptr, probe_on},
@@ -186,6 +212,7 @@ void run_keys(Act& act, const platform::Events& events) {
   for (const platform::Event& event : events) {
     const auto* press = std::get_if<platform::KeyPress>(&event);
     if (press == nullptr || !press->down || press->key == Key::unknown) continue;
+    if (is_fly_key(*press) && act.ui.session().settings.camera_mode == CameraMode::fly) continue;
     const Chord chord{press->key, press->modifiers};
     for (const Action& action : actions()) {
       if (chord != action.chord && chord != action.other) continue;

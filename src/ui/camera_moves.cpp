@@ -15,7 +15,7 @@ world::Camera orbited(world::Camera camera, glm::vec2 pixels, float scale) {
 
 world::Camera panned(world::Camera camera, const view::View& view, glm::vec2 pixels) {
   // Metres that a pixel covers at the target: what is there stays under the cursor.
-  const float tangent = std::tan(glm::radians(view::kFieldOfViewDeg) * 0.5f);
+  const float tangent = 1 / view.projection[1][1];
   const float metres = 2 * camera.distance * tangent / std::max(1.0f, view.viewport.height);
   const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
   const glm::vec3 limit(world::kMaxCoordinate);

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "ui/actions.h"
+#include "ui/fly_keys.h"
 #include "ui/imgui_input.h"
 #include "ui/imgui_renderer.h"
 #include "ui/lab_cache.h"
@@ -28,17 +29,11 @@ bool text_has_keyboard() {
   return g.ActiveId != 0 && g.ActiveId == g.InputTextState.ID;
 }
 
-// The place of the first cart, by name.
-std::optional<sim::Pose> first_pose(const edit::Session& session) {
-  const world::CartMotion* const cart = session.motion.carts.find(world::first_cart(session.document));
-  if (!cart || session.derived.order.empty()) return std::nullopt;
-  return sim::pose(session.derived, *cart, session.settings.frames);
-}
-
-view::View make_view(const edit::Session& session, const view::Viewport& scene) {
-  if (session.settings.camera_mode == world::CameraMode::ride)
-    if (const auto pose = first_pose(session)) return view::ride_view(*pose, scene);
-  return view::orbit_view(session.settings.camera, scene);
+view::View make_view(const State& state, const view::Viewport& scene) {
+  if (state.rig) return view::view_of(state.rig->eye, scene);
+  view::CameraRig rig;
+  view::follow(rig, {state.session.document, state.session.derived, state.session.motion, state.session.settings}, 0);
+  return view::view_of(rig.eye, scene);
 }
 
 // What an empty viewport tells a newcomer.
@@ -79,6 +74,7 @@ struct Host::Parts {
   std::string file;               // in the field Track/File
   std::filesystem::path file_of;  // the session's path it was taken from
   ViewportTool tool;
+  FlyKeys fly_keys;
   view::View view;
   view::Pick hovered;
   bool frame_next = false;        // show the whole track once the one asked for is there
@@ -143,12 +139,13 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   const edit::Session& session = ui.session();
   const Layout layout = make_layout(width, height, ui.scale, ImGui::GetFrameHeight(), session.settings.show_panels,
                                     session.settings.show_laboratory);
-  view = make_view(session, layout.scene);
+  view = ui.out.view = make_view(ui.state, layout.scene);
   if (std::exchange(frame_next, false)) ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
 
   take_files(ui, events);
   Act act{ui, tool, layout.scene, hovered};
   if (!text_has_keyboard()) run_keys(act, events);
+  fly_keys.fly(ui, events, text_has_keyboard());
   if (session.settings.show_panels) {
     build_menu(act);
     build_column(ui, Column::left, layout.left);

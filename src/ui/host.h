@@ -11,6 +11,7 @@
 #include "gfx/gl.h"
 #include "platform/events.h"
 #include "query/query.h"
+#include "view/camera_rig.h"
 #include "view/overlay.h"
 
 namespace coaster::ui {
@@ -32,6 +33,7 @@ struct State {
   const query::FrameStats& stats;
   double seconds;               // since start, for fading notices and the cursor's blink
   bool scripted;                // times and fps read "--"
+  const view::CameraRig* rig = nullptr;  // what pictures are taken with; null: settled at the state
 };
 
 // What a frame of the UI decides.

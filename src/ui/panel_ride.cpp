@@ -52,9 +52,6 @@ void methods(Ui& ui) {
   for (const auto& row : sim::integrators()) choices.push_back({std::string(row.label), std::string(row.formula)});
   const auto chosen = combo(ui, "Integrator", choices, settings.integrator, "How speed and place advance from tick to tick (1/120 s).");
   if (chosen) ui.emit(edit::SetIntegrator{{*chosen}});
-  const bool riding = settings.camera_mode == world::CameraMode::ride;
-  if (const auto on = checkbox(ui, "Ride camera", riding, "Look from the first cart, 1.1 m over the rails. Key V."))
-    ui.emit(edit::SetCameraMode{*on ? world::CameraMode::ride : world::CameraMode::orbit});
 }
 
 }  // namespace

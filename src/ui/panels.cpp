@@ -14,6 +14,7 @@ std::span<const Panel> panels() {
       Panel{"Operation", Column::left, "What makes the track a ride: equipment, the train, losses.", operation_panel},
       Panel{"Evaluation", Column::right, "How the curve is turned into a polyline, and how exact and fast that is.", evaluation_panel},
       Panel{"Ride", Column::right, "The carts: run them, and read what they do.", ride_panel},
+      Panel{"Camera", Column::right, "Where the picture is taken from, and how the camera feels.", camera_panel},
       Panel{"Statistics", Column::right, "What the last frame cost.", statistics_panel},
       Panel{"Construction", Column::bottom, "De Casteljau's construction of the point at the probe: by interpolation alone.", construction_page},
       Panel{"Weights", Column::bottom, "Bernstein's basis: how much each control point weighs in the point of the curve.", weights_page},

@@ -22,6 +22,7 @@ void track_panel(Ui& ui);
 void inspector_panel(Ui& ui);
 void evaluation_panel(Ui& ui);
 void ride_panel(Ui& ui);
+void camera_panel(Ui& ui);
 void operation_panel(Ui& ui);
 void statistics_panel(Ui& ui);
 

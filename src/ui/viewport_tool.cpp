@@ -3,6 +3,11 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "ui/fly_keys.h"
+
 namespace coaster::ui {
 namespace {
 
@@ -18,6 +23,11 @@ glm::vec3 item_position(const world::Document& document, const view::Pick& pick)
   if (pick.kind == PickKind::handle_in) return world::in_handle(knot);
   if (pick.kind == PickKind::handle_out) return world::out_handle(knot);
   return knot.position;
+}
+
+world::CameraMode shown_camera(const Ui& ui) {
+  const edit::Session& s = ui.session();
+  return view::shown_mode({s.document, s.derived, s.motion, s.settings});
 }
 
 glm::vec3 looking(const view::View& v) { return -glm::vec3(v.view[0][2], v.view[1][2], v.view[2][2]); }
@@ -37,14 +47,26 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
   if (over && !dragging())
     under = view::pick(session.document, session.derived, session.motion, session.settings, view, mouse);
   if (over && !dragging()) press(ui, view, under);
-  if (over && io.MouseWheel != 0 && session.settings.camera_mode == world::CameraMode::orbit)
-    ui.emit(edit::SetCamera{zoomed(session.settings.camera, io.MouseWheel)});
+  if (over && io.MouseWheel != 0) turn_wheel(ui, io.MouseWheel);
   if (!dragging()) return under;
 
   const view::Pick held = drag_.pick;
   move(ui, view, mouse);
   if (!io.MouseDown[drag_.button]) release(ui, view);
   return held;
+}
+
+void ViewportTool::turn_wheel(Ui& ui, float notches) {
+  constexpr float kMetres = 2, kPerNotch = 1.12f;
+  const world::Settings& settings = ui.session().settings;
+  switch (shown_camera(ui)) {
+    case world::CameraMode::orbit: ui.emit(edit::SetCamera{zoomed(settings.camera, notches)}); break;
+    case world::CameraMode::fly: ui.emit(edit::SetFly{flown(fly_now(ui), {0, 0, kMetres * notches})}); break;
+    case world::CameraMode::chase:
+      ui.emit(edit::SetChaseDistance{std::clamp(settings.feel.chase_distance * std::pow(kPerNotch, -notches), world::kMinChase, world::kMaxChase)});
+      break;
+    case world::CameraMode::ride: break;
+  }
 }
 
 bool ViewportTool::cancel(Ui& ui) {
@@ -102,10 +124,12 @@ void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
   const edit::Session& session = ui.session();
   const world::Camera& camera = session.settings.camera;
   const glm::vec2 by = mouse - drag_.last;
-  const bool turns = by != glm::vec2(0) && session.settings.camera_mode == world::CameraMode::orbit;
+  const world::CameraMode mode = shown_camera(ui);
+  const bool turns = by != glm::vec2(0) && mode == world::CameraMode::orbit;
   switch (drag_.what) {
     case What::orbit:
       if (turns) ui.emit(edit::SetCamera{orbited(camera, by, ui.scale)});
+      if (by != glm::vec2(0) && mode == world::CameraMode::fly) ui.emit(edit::SetFly{looked(fly_now(ui), by, ui.scale)});
       break;
     case What::pan:
       if (turns) ui.emit(edit::SetCamera{panned(camera, view, by)});

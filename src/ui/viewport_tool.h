@@ -38,6 +38,7 @@ class ViewportTool {
   void move(Ui& ui, const view::View& view, glm::vec2 mouse);
   void move_item(Ui& ui, const view::View& view, glm::vec2 mouse);
   void release(Ui& ui, const view::View& view);
+  void turn_wheel(Ui& ui, float notches);
   void click_ground(Ui& ui, const view::View& view);
 
   Drag drag_;

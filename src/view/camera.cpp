@@ -1,5 +1,5 @@
-// Matrices, rays and projections of the orbit camera and of the rider's eye; how far off to stand to see a box. Not the damping
-// (the panels do that) and nothing that draws.
+// Matrices, rays and projections of eyes; how far off to stand to see a box. Not how an eye follows a train (camera_rig.cpp) and nothing
+// that draws.
 #include "view/camera.h"
 
 #include <algorithm>
@@ -18,8 +18,6 @@ namespace {
 
 constexpr float kNearPlane = 0.2f;       // m
 constexpr float kFarPlane = 20'000.0f;   // m, at least; more when standing further off
-constexpr float kLowestEye = 0.3f;       // m over the ground
-constexpr float kRiderEye = 1.1f;        // m over the rails
 constexpr float kMargin = 1.1f;          // framed things keep a tenth of the picture free
 constexpr float kNearest = 2.0f;         // m, the nearest that framing goes
 constexpr float kFurthest = 1e5f;        // m, for intersections
@@ -36,22 +34,23 @@ glm::vec3 towards_eye(float yaw_deg, float pitch_deg) {
   return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
 }
 
-View look(glm::vec3 eye, glm::vec3 forward, glm::vec3 up, float far_off, Viewport viewport) {
+}  // namespace
+
+View view_of(const Eye& eye, Viewport viewport) {
   View out;
   out.viewport = with_area(viewport);
-  out.eye = eye;
+  out.eye = glm::vec3(eye.position);
   // From the direction itself: eye + forward would lose it to rounding when the eye is kilometres off.
-  const glm::dvec3 f = glm::normalize(glm::dvec3(forward)), r = glm::normalize(glm::cross(f, glm::dvec3(up))), u = glm::cross(r, f), e(eye);
+  const glm::dvec3 f = glm::normalize(eye.forward), r = glm::normalize(glm::cross(f, eye.up)), u = glm::cross(r, f), e(out.eye);
   out.view = glm::mat4(glm::dmat4(r.x, u.x, -f.x, 0, r.y, u.y, -f.y, 0, r.z, u.z, -f.z, 0, -glm::dot(r, e), -glm::dot(u, e), glm::dot(f, e), 1));
   // The near plane moves out with the scale of what is looked at, so that depth stays precise over a large track.
-  const float near_plane = std::max(kNearPlane, far_off * 2e-3f), far_plane = std::max(kFarPlane, far_off * 4.0f);
-  out.projection = glm::perspectiveRH_NO(glm::radians(kFieldOfViewDeg), out.viewport.width / out.viewport.height, near_plane, far_plane);
+  const float far_off = static_cast<float>(eye.far_off), near_plane = std::max(kNearPlane, far_off * 2e-3f), far_plane = std::max(kFarPlane, far_off * 4.0f);
+  const float fov = glm::radians(std::clamp(static_cast<float>(eye.field_of_view_deg), world::kMinFieldOfView, world::kMaxFieldOfView));
+  out.projection = glm::perspectiveRH_NO(fov, out.viewport.width / out.viewport.height, near_plane, far_plane);
   return out;
 }
 
-}  // namespace
-
-View orbit_view(const world::Camera& camera, Viewport viewport) {
+Eye orbit_eye(const world::Camera& camera) {
   const float distance = std::max(camera.distance, 0.1f);
   const glm::vec3 back = towards_eye(camera.yaw_deg, camera.pitch_deg);
   glm::vec3 eye = camera.target + back * distance;
@@ -62,12 +61,31 @@ View orbit_view(const world::Camera& camera, Viewport viewport) {
   // From a raised eye the target can be straight below: then what the yaw calls ahead is up in the picture.
   const float yaw = glm::radians(camera.yaw_deg);
   const glm::vec3 up = std::abs(forward.y) > 0.99999f ? glm::vec3(-std::sin(yaw), 0, -std::cos(yaw)) : glm::vec3(0, 1, 0);
-  return look(eye, forward, up, distance, viewport);
+  return {eye, forward, up, camera.field_of_view_deg, distance};
 }
 
-View ride_view(const sim::Pose& pose, Viewport viewport) {
+Eye fly_eye(const world::FlyCamera& fly, float field_of_view_deg) {
+  const glm::vec3 forward = -towards_eye(fly.yaw_deg, -fly.pitch_deg), eye(fly.eye.x, std::max(fly.eye.y, world::kLowestFlight), fly.eye.z);
+  return {eye, forward, {0, 1, 0}, field_of_view_deg, 0};
+}
+
+Eye ride_eye(const sim::Pose& pose, float field_of_view_deg) {
   const glm::vec3 up(pose.frame.up), eye = glm::vec3(pose.position) + kRiderEye * up;
-  return look(eye, glm::vec3(pose.frame.forward), up, 0.0f, viewport);
+  return {eye, glm::vec3(pose.frame.forward), up, field_of_view_deg, 0};
+}
+
+View orbit_view(const world::Camera& camera, Viewport viewport) { return view_of(orbit_eye(camera), viewport); }
+View ride_view(const sim::Pose& pose, Viewport viewport) { return view_of(ride_eye(pose, world::Camera{}.field_of_view_deg), viewport); }
+
+world::FlyCamera fly_from(const View& view) {
+  const glm::vec3 forward = -glm::vec3(view.view[0][2], view.view[1][2], view.view[2][2]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  // Straight up or down, what is up in the picture tells the way.
+  const glm::vec3 ahead = std::abs(forward.y) < 0.9999f ? forward : -std::copysign(1.0f, forward.y) * up;
+  world::FlyCamera fly;
+  fly.eye = glm::vec3(view.eye.x, std::max(view.eye.y, world::kLowestFlight), view.eye.z);
+  fly.yaw_deg = glm::degrees(std::atan2(-ahead.x, -ahead.z));
+  fly.pitch_deg = std::clamp(glm::degrees(std::asin(std::clamp(forward.y, -1.0f, 1.0f))), -89.0f, 89.0f);
+  return fly;
 }
 
 std::optional<glm::vec3> project(const View& view, glm::vec3 world) {
@@ -110,7 +128,7 @@ world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3>
   world::Camera out = from;
   const glm::vec3 back = towards_eye(from.yaw_deg, from.pitch_deg);
   const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back)), up = glm::cross(back, right);
-  const float tan_y = std::tan(glm::radians(kFieldOfViewDeg) * 0.5f) / kMargin, tan_x = tan_y * viewport.width / viewport.height;
+  const float tan_y = std::tan(glm::radians(from.field_of_view_deg) * 0.5f) / kMargin, tan_x = tan_y * viewport.width / viewport.height;
   // A point at x across and b towards the eye is in sight of an eye at x0, d when |x - x0| <= (d - b) tan. The largest x + b tan and
   // -x + b tan of all points give the nearest eye that sees them all, and where it stands; the same for y.
   constexpr float kLowest = std::numeric_limits<float>::lowest();

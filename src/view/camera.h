@@ -29,12 +29,29 @@ struct Ray {
   glm::vec3 origin, direction;  // unit
 };
 
-inline constexpr float kFieldOfViewDeg = 45;
+// Where a picture is taken from, whatever its size.
+struct Eye {
+  glm::dvec3 position{0, 5, 80};                  // m, at least kLowestEye over the ground
+  glm::dvec3 forward{0, 0, -1}, up{0, 1, 0};      // unit; `up` need not be perpendicular to `forward`, only not along it
+  double field_of_view_deg = 45;                  // vertical
+  double far_off = 0;                             // m, of what is looked at: the near plane moves out with it
+};
+inline constexpr float kLowestEye = 0.3f;  // m over the ground plane y = 0
+inline constexpr float kRiderEye = 1.1f;   // m over the rails
 
-// The eye is kept at least 0.3 m over the ground plane y = 0. A viewport without area is taken as 1 x 1.
+// Both are kept over the ground.
+Eye orbit_eye(const world::Camera& camera);
+Eye fly_eye(const world::FlyCamera& fly, float field_of_view_deg);
+// From the seat of a cart, looking forward.
+Eye ride_eye(const sim::Pose& pose, float field_of_view_deg);
+// A viewport without area is taken as 1 x 1.
+View view_of(const Eye& eye, Viewport viewport);
+
 View orbit_view(const world::Camera& camera, Viewport viewport);
-// From the seat of a cart: the eye 1.1 m over the rails, looking forward.
 View ride_view(const sim::Pose& pose, Viewport viewport);
+
+// The free camera that looks as nearly as it can as this view does.
+world::FlyCamera fly_from(const View& view);
 
 // Window pixel of a world point, or nothing when it is behind the eye. z: depth as NDC in [-1,1].
 std::optional<glm::vec3> project(const View& view, glm::vec3 world);

@@ -1,7 +1,9 @@
 // Settings: how things are shown and measured. Changed by commands, so scripts and recordings have them; neither undone nor hashed.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 #include <glm/glm.hpp>
 
@@ -13,16 +15,40 @@
 namespace coaster::world {
 
 // Orbit camera: looks at `target` from `distance` metres; yaw about +Y (0 looks along -Z), pitch above the horizon (-89..89; the view
-// keeps it out of the ground). Vertical field of view 45 degrees.
+// keeps it out of the ground). Its vertical field of view is that of the chase and the free camera, too.
 struct Camera {
   glm::vec3 target{0, 5, 0};
   float yaw_deg = 35, pitch_deg = 18, distance = 80;
+  float field_of_view_deg = 45;  // kMinFieldOfView..kMaxFieldOfView
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 // How carts and the ride camera are turned: a row of sim::frame_methods(), in its order.
 enum class FrameMethod : std::uint8_t { knots, rmf, frenet, world_up };
-enum class CameraMode : std::uint8_t { orbit, ride };
+enum class CameraMode : std::uint8_t { orbit, ride, chase, fly };
+inline constexpr std::array<std::string_view, 4> kCameraModeNames{"orbit", "ride", "chase", "fly"};  // by CameraMode, in scripts
+inline constexpr float kMinFieldOfView = 30, kMaxFieldOfView = 110;  // degrees, vertical
+
+// The free camera: level, from `eye` (m), yaw as the orbit camera's, pitch of the view above the horizon (-89..89).
+struct FlyCamera {
+  glm::vec3 eye{0, 12, 60};  // at least kLowestFlight over the ground
+  float yaw_deg = 0, pitch_deg = -6;
+  friend bool operator==(const FlyCamera&, const FlyCamera&) = default;
+};
+inline constexpr float kLowestFlight = 0.5f;  // m
+
+inline constexpr float kMinChase = 5, kMaxChase = 60;  // m
+
+// How the cameras that go with a train feel.
+struct CameraFeel {
+  float ride_view_deg = 70;   // the rider's vertical field of view, kMinFieldOfView..kMaxFieldOfView
+  float widening_deg = 6;     // by which it has grown at 30 m/s, 0..20
+  float roll_damping = 0.25f; // s by which the rider's roll is late in a steady roll; 0: the track's roll at once; 0..2
+  float chase_distance = 9;  // m from the chase camera to the middle of a lone car, kMinChase..kMaxChase
+  bool head_bob = false;      // the rider's head gives way to g
+  bool reduced_motion = false;  // no transitions, no head-bob, no widening, the rider's horizon level
+  friend bool operator==(const CameraFeel&, const CameraFeel&) = default;
+};
 
 struct Settings {
   curve::EvaluatorId evaluator = curve::kDefaultEvaluator;
@@ -33,6 +59,8 @@ struct Settings {
   int integrator = 0;                        // row of sim::integrators()
   Camera camera;
   CameraMode camera_mode = CameraMode::orbit;
+  FlyCamera fly;
+  CameraFeel feel;
   Entity selected = kNone;                   // a knot, segment or cart
   double selected_t = 0.5;                   // the picked place on a selected segment, parameter in [0,1]
   bool show_panels = true;

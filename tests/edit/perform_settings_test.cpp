@@ -13,7 +13,9 @@ TEST_F(ChangingSettings, settings_touch_neither_document_nor_motion_nor_history)
   const std::uint64_t before = hash(), motion = world::hash(session.document, session.motion);
   for (const char* line :
        {"evaluator bernstein", "resolution 17", "arc_length simpson", "frames_by frenet", "polyline off",
-        "camera target 1 2 3 yaw 10 pitch 20 distance 30", "camera_mode ride", "select @k3", "panels off",
+        "camera target 1 2 3 yaw 10 pitch 20 distance 30", "camera_mode ride", "camera_mode chase", "camera_mode fly",
+        "camera.fly eye 1 2 3 yaw 4 pitch 5", "camera.field_of_view 60", "camera.ride_view 80", "camera.widening 3", "camera.roll_damping 0.5",
+        "camera.chase_distance 20", "camera.head_bob on", "camera.reduced_motion on", "select @k3", "panels off",
         "append_mode on", "scale 1.5", "vertex_budget 5000"})
     good(line);
   for (const sim::Integrator& row : sim::integrators()) good("integrator " + std::string(row.name));
@@ -31,6 +33,24 @@ TEST_F(ChangingSettings, the_resolution_is_clamped) {
   EXPECT_EQ(session.settings.steps, 1);
   clamped("vertex_budget 5", "limit of 1000");
   clamped("vertex_budget 99999999999", "limit of 1000000000");
+}
+
+TEST_F(ChangingSettings, how_the_cameras_feel_is_clamped) {
+  clamped("camera.field_of_view 20", "limit of 30 degrees");
+  clamped("camera.field_of_view 111", "limit of 110 degrees");
+  EXPECT_EQ(session.settings.camera.field_of_view_deg, 110);
+  good("camera target 1 2 3 yaw 0 pitch 0 distance 30");
+  EXPECT_EQ(session.settings.camera.field_of_view_deg, 110) << "a field of view has a command of its own";
+  clamped("camera.ride_view 5", "limit of 30 degrees");
+  clamped("camera.widening 21", "limit of 20 degrees");
+  clamped("camera.roll_damping -1", "limit of 0 s");
+  clamped("camera.chase_distance 1", "limit of 5 m");
+  clamped("camera.fly eye 1 -2 3 yaw 370 pitch 9", "limit of 0.5 m");
+  clamped("camera.fly eye 1 0.5 3 yaw 370 pitch 95", "limit of 89 degrees");
+  EXPECT_EQ(session.settings.fly, (world::FlyCamera{{1, 0.5f, 3}, 10, 89}));
+  refused(SetFly{{{0, kNan, 0}, 0, 0}}, "finite");
+  refused(SetRollDamping{kNan}, "finite");
+  refused(SetCameraMode{static_cast<world::CameraMode>(9)}, "no such camera");
 }
 
 TEST_F(ChangingSettings, the_camera_is_clamped_and_yaw_wraps) {

@@ -53,8 +53,8 @@ class RandomCommands {
   void fill(world::EquipmentKind& v) { v = static_cast<world::EquipmentKind>(below(5)); }
   void fill(world::JointKind& v) { v = static_cast<world::JointKind>(below(3)); }
   void fill(world::FrameMethod& v) { v = static_cast<world::FrameMethod>(below(4)); }
-  void fill(world::CameraMode& v) { v = static_cast<world::CameraMode>(below(2)); }
   void fill(world::Colouring& v) { v = static_cast<world::Colouring>(below(world::colourings().size())); }
+  void fill(world::CameraMode& v) { v = static_cast<world::CameraMode>(below(4)); }
   void fill(world::Layer& v) { v = static_cast<world::Layer>(below(world::layers().size())); }
   void fill(world::LabPage& v) { v = static_cast<world::LabPage>(below(world::lab_pages().size())); }
   void fill(curve::EvaluatorId& v) { v = static_cast<curve::EvaluatorId>(below(curve::evaluators().size())); }

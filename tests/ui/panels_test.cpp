@@ -33,7 +33,8 @@ TEST_F(PanelsTest, labels_that_scripts_use_are_there) {
                            "Inspector/Handles/in", "Inspector/Handles/out", "Inspector/Roll", "Inspector/Joint",
                            "Evaluation/Steps per segment", "Evaluation/Vertex budget", "Evaluation/Show polyline", "Evaluation/Arc length",
                            "Ride/Play", "Ride/Pause", "Ride/Step", "Ride/Reset", "Ride/Frenet-Serret", "Ride/Rotation-minimising",
-                           "Ride/Integrator", "Ride/Ride camera", "Menu/File", "Menu/Edit", "Menu/View", "Menu/Ride"})
+                           "Ride/Integrator", "Camera/Orbit", "Camera/Ride", "Camera/Chase", "Camera/Fly", "Camera/Field of view",
+                           "Camera/Roll damping", "Camera/Head-bob", "Camera/Reduced motion", "Menu/File", "Menu/Edit", "Menu/View", "Menu/Ride"})
     EXPECT_NE(find(path), nullptr) << path;
   for (const auto& row : curve::evaluators()) EXPECT_NE(find("Evaluation/" + std::string(row.label)), nullptr) << row.label;
   EXPECT_EQ(find("Inspector/Nothing selected"), nullptr);
