@@ -31,7 +31,9 @@ ui::Output build_panels(Program& program, const platform::Events& events, platfo
   const ui::State state{program.session, program.stats, program.seconds, program.stats.hide_times, &program.rig};
   ui::Output output = program.ui->build(events, state, size.width, size.height);
   program.toast = program.ui->toast();
+  program.by_hand = true;
   for (const edit::Command& command : output.commands) (void)apply(program, command);  // what is refused shows as a notice
+  program.by_hand = false;
   program.hovered = output.hovered;
   program.quit = program.quit || output.quit;
   return output;
@@ -42,7 +44,8 @@ gfx::DrawStats draw_scene(Program& program, const ui::Output& output, platform::
   const world::Layers& layers = session.settings.layers;
   const bool limits = layers.has(world::Layer::limits), by_ride = world::colourings()[static_cast<std::size_t>(session.settings.colouring)].of_ride;
   const sim::Ghost* const ghost = limits || by_ride ? edit::chosen_ride(session) : nullptr;
-  view::Findings findings{.failure = session.motion.failure};
+  const bool with_train = program.rig.mode == world::CameraMode::ride || program.rig.mode == world::CameraMode::chase;
+  view::Findings findings{.failure = session.motion.failure, .riding = with_train && session.motion.state == world::RideState::running};
   if (layers.has(world::Layer::flips)) findings.breaks = program.breaks.update(session.derived);
   if (limits && ghost) findings.spans = program.red.update(*ghost, sim::default_envelope());
   const sim::TrackValues& values = program.values.update(session.derived, session.settings, ghost);

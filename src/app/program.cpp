@@ -37,7 +37,7 @@ std::string machine_line() {
 
 view::Watched watched(const Program& program) {
   const edit::Session& session = program.session;
-  return {session.document, session.derived, session.motion, session.settings};
+  return {session.document, session.derived, session.motion, session.settings, program.by_hand};
 }
 
 base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples) {

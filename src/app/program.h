@@ -31,6 +31,7 @@ struct Program {
 
   view::CameraRig rig;             // what pictures are taken with; follows every command and tick
   view::View view;                 // that the last frame was drawn with
+  bool by_hand = false;            // commands come from panels, keys and mouse: a change of camera is eased; a script's is a cut
   view::Pick hovered;              // of the last frame
   std::uint64_t commands = 0;      // applied since the start
   sim::FrenetBreaks breaks;        // of the track as last drawn with their layer on

@@ -16,6 +16,7 @@ struct Watched {
   const sim::Derived& derived;
   const world::Motion& motion;
   const world::Settings& settings;
+  bool eased = true;  // a change of camera takes kTransitionTicks
 };
 
 // The chosen camera, or orbit while there is no cart on any track to go with.

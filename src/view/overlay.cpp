@@ -94,7 +94,8 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
     overlay.marks.push_back({hovered.position, kPlaceRadius * scale, kHoveredPlaceColour, MarkShape::disc});
   std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
   std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
-  for (const PlacedMark& placed : marks) overlay.marks.push_back(mark_of(placed, settings, hovered));
+  for (const PlacedMark& placed : marks)
+    if (!findings.riding || placed.knot == settings.selected || hovered == Pick{placed.kind, placed.knot}) overlay.marks.push_back(mark_of(placed, settings, hovered));
   add_failure(derived, findings.failure, view, scale, overlay);
   return overlay;
 }

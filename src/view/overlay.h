@@ -41,6 +41,7 @@ struct Findings {
   std::span<const sim::FrenetBreak> breaks;  // read for Layer::flips
   std::span<const sim::RedSpan> spans;       // read for Layer::limits
   world::Failure failure;                    // of the ride; kind none: none
+  bool riding = false;                       // the eye goes with a running train: knots that are neither chosen nor under the cursor would hide the ride
 };
 
 // Knots, handles of the selection, the control polygon of the selected segment (or of the segments at the selected knot), the picked

@@ -182,6 +182,19 @@ TEST(overlay, a_selection_that_is_gone_is_ignored) {
   EXPECT_EQ(scene.overlay().marks.size(), 5u);
 }
 
+TEST(overlay_riding, only_the_chosen_knot_is_marked_while_the_eye_rides) {
+  const world::Document d = test::ring_document(7, 31.7);
+  const sim::Derived derived = test::derived_of(d);
+  const Viewport viewport{0, 0, 640, 360};
+  const View view = orbit_view(frame_all({}, d, viewport), viewport);
+  Findings findings;
+  findings.riding = true;
+  EXPECT_TRUE(build_overlay(d, derived, {}, view, {}, findings).marks.empty());
+  world::Settings settings;
+  settings.selected = d.track.knots[3];
+  EXPECT_EQ(build_overlay(d, derived, settings, view, {}, findings).marks.size(), 3u);  // with its handles
+}
+
 TEST(overlay_failure, a_failed_ride_is_marked_where_it_failed_and_one_that_goes_on_is_not) {
   const world::Document d = test::ring_document(7, 31.7);
   const sim::Derived derived = test::derived_of(d);
