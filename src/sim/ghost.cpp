@@ -212,7 +212,7 @@ const RailTables& GhostMemo::tables(const world::Document& document, const Deriv
   return tables_;
 }
 
-const Ghost& GhostMemo::find(const world::Document& document, const Derived& derived, const GhostStart& start, const GhostLimits& limits) {
+GhostMemo::Entry& GhostMemo::find(const world::Document& document, const Derived& derived, const GhostStart& start, const GhostLimits& limits) {
   tables(document, derived);
   equipment_ = equipment_spans(document, derived);
   base::Hasher hasher;
@@ -228,24 +228,36 @@ const Ghost& GhostMemo::find(const world::Document& document, const Derived& der
   for (Entry& entry : entries_)
     if (entry.key == key) {
       entry.used = clock_;
-      return entry.ghost;
+      return entry;
     }
-  if (entries_.size() < kMostEntries) entries_.emplace_back();  // used 0: the oldest
+  if (entries_.size() < most_) entries_.emplace_back();  // used 0: the oldest
   Entry& entry = *std::min_element(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.used < b.used; });
   ++simulations_;
-  entry = {key, simulate(tables_, equipment_, document, start, limits), clock_};
+  entry = {key, simulate(tables_, equipment_, document, start, limits), clock_, false, {}};
   entry.ghost.serial = simulations_;
-  return entry.ghost;
+  return entry;
 }
 
 const Ghost* GhostMemo::ride(const world::Document& document, const Derived& derived, world::Entity cart) {
   const world::Cart* const design = document.entities.find<world::Cart>(cart);
   if (!design || derived.order.empty()) return nullptr;
-  return &find(document, derived, start_of(document, derived, *design), {});
+  return &find(document, derived, start_of(document, derived, *design), {}).ghost;
 }
 
 const Ghost& GhostMemo::from(const world::Document& document, const Derived& derived, const GhostStart& start) {
-  return find(document, derived, start, {});
+  return find(document, derived, start, {}).ghost;
 }
+
+const LapTable& GhostMemo::lap(const world::Document& document, const Derived& derived, const GhostStart& start) {
+  Entry& entry = find(document, derived, start, {});
+  if (!entry.has_lap) {
+    const bool repeats = document.resistance == world::Resistance{} && equipment_.empty();
+    entry.lap = repeats ? LapTable(entry.ghost) : LapTable();
+    entry.has_lap = true;
+  }
+  return entry.lap;
+}
+
+void GhostMemo::keep(std::size_t rides) { most_ = std::clamp(rides, most_, kMostEntries * 16); }
 
 }  // namespace coaster::sim

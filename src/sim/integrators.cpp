@@ -54,7 +54,7 @@ TrainState energy_method(const TrainContext& context, TrainState state, double d
 
 constexpr std::array<Integrator, 6> kTable{{
     {"rk4", "Runge-Kutta 4", "s'' = -g T_y(s), four slopes, twice a tick", IntegratorKind::stepped, rk4, 2},
-    {"verlet", "Velocity Verlet", "s += v dt + a dt^2/2, v += (a_old + a_new) dt/2", IntegratorKind::stepped, verlet, 1},
+    {"verlet", "Velocity Verlet", "s += v dt + a dt^2/2, v += (a_old + a_new) dt/2, four times a tick", IntegratorKind::stepped, verlet, 4},
     {"energy", "Energy (the paper's)", "v = sqrt(2 (E - g h)), s += v dt; freezes at v = 0", IntegratorKind::stepped, energy_method, 1},
     {"euler", "Semi-implicit Euler", "v += a dt, s += v dt", IntegratorKind::stepped, euler, 1},
     {"precomputed", "Precomputed timetable", "s(t) and v(t) of the whole ride from tables, looked up each tick", IntegratorKind::timetable, nullptr, 1},
