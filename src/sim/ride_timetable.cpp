@@ -53,13 +53,14 @@ void follow_laps(const RideInput& input, const LapTable& table, int ticks, world
   LapCart on = lap_cart(table, cart.timetable.phase);
   const double front = cart.timetable.front, length = table.length();
   const double rounds_before = std::floor((front + on.along) / length);
-  on.travelled = cart.travelled;
   for (int tick = 0; tick < ticks; ++tick) {
-    advance(table, {&on, 1});
-    cart.travelled = on.travelled, cart.speed = on.speed;
+    const double along = on.along, laps = on.laps;
+    advance(table, on);
+    cart.travelled += (on.laps - laps) * length + (on.along - along);
+    cart.speed = on.speed;
     note_extremes(cart);
   }
-  cart.laps += on.laps + static_cast<std::int64_t>(std::floor((front + on.along) / length) - rounds_before);
+  cart.laps += static_cast<std::int64_t>(on.laps + std::floor((front + on.along) / length) - rounds_before);
   cart.timetable.phase = on.phase, cart.timetable.tick += ticks;
   const TrackPlace place = place_at(input.derived, front + on.along);
   settle_on(input.derived, {place.index, place.s}, cart);
