@@ -61,9 +61,9 @@ struct GhostLimits {
 };
 
 // Runge-Kutta 4 over the train's mean height, one step a tick: on a frictionless 2 km circuit its energy stays within 1e-6 of the largest
-// kinetic energy, and a lap takes under 4 ms with 8 cars. The train is alone on the track. An empty track gives one sample.
+// kinetic energy, and a lap takes under 4 ms with 8 cars. The train is alone on the track. An empty track gives one sample. `memory` is used again for the result.
 Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document, const GhostStart& start,
-               const GhostLimits& limits = {});
+               const GhostLimits& limits = {}, Ghost memory = {});
 
 // How a designed train starts.
 GhostStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design);
