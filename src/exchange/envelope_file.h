@@ -14,7 +14,8 @@ namespace coaster::exchange {
 
 inline constexpr std::string_view kEnvelopeFormat = "coaster-envelope";
 inline constexpr int kEnvelopeVersion = 1;
-inline constexpr std::string_view kEnvelopeNote = "Limits of acceleration by duration, as third parties read ASTM F2291 and EN 13814. Not a compliance check.";
+inline constexpr std::string_view kEnvelopeNote =
+    "Limits of acceleration by duration, as third parties read ASTM F2291 and EN 13814. Not a compliance check.";
 inline constexpr std::size_t kMaxEnvelopePoints = 1000;  // of one curve
 inline constexpr double kMaxEnvelopeSeconds = 3600, kMaxEnvelopeG = 100;
 inline constexpr double kMinCutoff = 0.1, kMaxCutoff = 25;  // Hz; forces are told for 60 times a second

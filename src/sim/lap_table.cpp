@@ -36,7 +36,8 @@ struct Columns {
 constexpr std::size_t kBlock = 64;  // what is handed from loop to loop stays in the first cache
 
 // One tick on: in which tick of the lap trains are then, and what part of it has passed.
-inline void turn(double period, std::size_t count, double* __restrict phase, double* __restrict laps, std::int32_t* __restrict entry, double* __restrict part) {
+inline void turn(double period, std::size_t count, double* __restrict phase, double* __restrict laps, std::int32_t* __restrict entry,
+                 double* __restrict part) {
   for (std::size_t i = 0; i < count; ++i) {
     const double next = phase[i] + 1.0, rounds = static_cast<double>(next >= period), now = next - rounds * period;
     phase[i] = now;
@@ -50,7 +51,8 @@ struct Pair {
   double along, speed;
 };
 
-inline void place(std::size_t count, const Pair* __restrict before, const Pair* __restrict after, const double* __restrict part, double* __restrict along, double* __restrict speed) {
+inline void place(std::size_t count, const Pair* __restrict before, const Pair* __restrict after, const double* __restrict part,
+                  double* __restrict along, double* __restrict speed) {
   for (std::size_t i = 0; i < count; ++i) {
     const Pair a = before[i], b = after[i];
     between(a.along, a.speed, b.along, b.speed, part[i], along[i], speed[i]);

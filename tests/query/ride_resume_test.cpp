@@ -10,7 +10,7 @@
 namespace coaster {
 namespace {
 
-constexpr int kEvery = 100, kTicks = 1200;
+constexpr int kEvery = 100, kTicks = 800;
 
 world::Document loaded(const world::Document& document) {
   auto track = exchange::parse_track(exchange::print_track(document), "resumed");

@@ -55,8 +55,10 @@ world::Document parabola(double speed, double angle) {
   world::Document d;
   const glm::dvec3 from(3.3, 5.7, -2.9), along = glm::normalize(glm::dvec3(0.8, 0, 0.6));
   const double third = time / 3 * speed;
-  world::append_knot(d, test::skew_knot(glm::vec3(from), glm::vec3(vx * along + glm::dvec3(0, vy, 0)), static_cast<float>(third), static_cast<float>(third)));
-  world::append_knot(d, test::skew_knot(glm::vec3(from + time * vx * along), glm::vec3(vx * along - glm::dvec3(0, vy, 0)), static_cast<float>(third), static_cast<float>(third)));
+  const glm::dvec3 rise(0, vy, 0), to = from + time * vx * along;
+  const auto handle = static_cast<float>(third);
+  world::append_knot(d, test::skew_knot(glm::vec3(from), glm::vec3(vx * along + rise), handle, handle));
+  world::append_knot(d, test::skew_knot(glm::vec3(to), glm::vec3(vx * along - rise), handle, handle));
   return d;
 }
 

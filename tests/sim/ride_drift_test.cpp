@@ -1,4 +1,4 @@
-// Ten simulated minutes of the samples and of a kinked loop, frictionless: what would lose energy in a day shows here already. The day itself
+// Simulated minutes of the samples, frictionless: what would lose energy in a day shows here already. The day itself
 // takes minutes: tools/bench --drift.
 #include <gtest/gtest.h>
 
@@ -47,12 +47,12 @@ world::Document sample(const char* name) {
 
 TEST(ride_drift, the_samples_keep_their_energy_for_minutes) {
   for (const char* name : {"loop", "helix", "gentle"}) {
-    const Drift rk4 = drift_of(sample(name), "rk4", 2);
+    const Drift rk4 = drift_of(sample(name), "rk4", 1);
     EXPECT_TRUE(rk4.finite);
-    EXPECT_GE(rk4.laps, 2) << name;
+    EXPECT_GE(rk4.laps, 1) << name;
     // 1440 times as long may make 2e-6 of it.
-    EXPECT_LT(rk4.last, 2e-6 / 720) << name;
-    const Drift verlet = drift_of(sample(name), "verlet", 10);
+    EXPECT_LT(rk4.last, 2e-6 / 1440) << name;
+    const Drift verlet = drift_of(sample(name), "verlet", 6);
     EXPECT_TRUE(verlet.finite);
     EXPECT_LT(std::max(verlet.first, verlet.last), 5e-5) << name;
     EXPECT_GT(verlet.first, 1e-9) << name;  // of second order: it swings
