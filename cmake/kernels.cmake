@@ -3,6 +3,7 @@
 # Vertices are for the display alone, so their kernels may fuse multiplications with additions; those of frames must not.
 set(kernel_options $<IF:$<BOOL:${COASTER_SANITIZE}>,-O1,-O3>)  # sanitized, -O3 takes minutes to compile
 set_source_files_properties(src/curve/kernels_baseline.cpp src/curve/kernels_frames_baseline.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)
+set_source_files_properties(src/sim/lap_table.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)  # its loops run on several trains at once
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$" AND NOT EMSCRIPTEN)
   set_source_files_properties(src/curve/kernels_avx2.cpp PROPERTIES
     COMPILE_OPTIONS "${kernel_options};-mavx2;-mfma;-ffp-contract=fast" COMPILE_DEFINITIONS COASTER_AVX2_KERNELS SKIP_PRECOMPILE_HEADERS ON)

@@ -51,6 +51,11 @@ int validate(const Options& options) {
   return 0;
 }
 
+base::Status open_envelope(edit::Session& session, base::Files& files, const Options& options) {
+  if (options.envelope.empty()) return {};
+  return edit::apply(session, files, edit::LoadEnvelope{options.envelope});
+}
+
 // A first frame, so that the viewport is known, then the track.
 base::Status open_track(Program& program, const std::filesystem::path& path) {
   run_frame(program, {platform::Tick{0}}, 0);
@@ -83,6 +88,7 @@ int run_script(const Options& options) {
   (*program)->writable = run.out;
   if (!options.file.empty())
     if (const base::Status opened = open_track(**program, options.file); !opened) return finish(opened);
+  if (const base::Status limits = open_envelope((*program)->session, (*program)->files, options); !limits) return finish(limits);
   if (const base::Status started = start_recording(**program); !started) return finish(started);
   script::Host host = make_script_host(**program);
   return finish(script::run_script(*script, host, run));
@@ -123,6 +129,7 @@ int run_report(const Options& options) {
   edit::Session session = edit::make_session({});
   const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);
   if (const base::Status opened = edit::apply(session, files, edit::Load{track.string()}); !opened) return finish({base::Code::bad_file, opened.message});
+  if (const base::Status limits = open_envelope(session, files, options); !limits) return finish(limits);
   const sim::Ghost* const ghost = session.ghosts.ride(session.document, session.derived, world::first_cart(session.document));
   if (!ghost) return finish({base::Code::refused, "the track has no cart, so there is no ride to report"});
   std::fputs(edit::ride_report(session, *ghost).c_str(), stdout);
@@ -138,6 +145,7 @@ int run_headless(const Options& options) {
   if (!program) return finish(program.status());
   const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);
   if (const base::Status opened = open_track(**program, track); !opened) return finish(opened);
+  if (const base::Status limits = open_envelope((*program)->session, (*program)->files, options); !limits) return finish(limits);
   if (const base::Status started = start_recording(**program); !started) return finish(started);
   (*program)->stats.hide_times = true;
   RideSummary summary = begin_summary((*program)->session);
@@ -159,6 +167,7 @@ int run_window(const Options& options) {
   Program& p = **program;
   const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);
   if (const base::Status opened = open_track(p, track); !opened) return finish(opened);
+  if (const base::Status limits = open_envelope(p.session, p.files, options); !limits) return finish(limits);
   if (const base::Status started = start_recording(p); !started) return finish(started);
   double last = p.surface->clock();
   double smoothed = 0;

@@ -36,6 +36,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   cli.add_flag("--validate", o.validate, "Check FILE (a track or a script) or the script without running it");
   cli.add_flag("--json", o.json, "Print the ride's summary as JSON");
   cli.add_flag("--report", o.report, "Print the report of the whole ride of FILE: times, forces, ratings; no graphics needed");
+  cli.add_option("--envelope", o.envelope, "Limits of force by duration (.json); not a compliance check");
   cli.add_flag("--hash-log", o.hash_log, "Print the hashes of document and motion after each tick");
   cli.add_flag("--help-script", help_script, "Explain the script language and end");
   try {

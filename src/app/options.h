@@ -10,7 +10,7 @@ namespace coaster::app {
 struct Options {
   std::string file;
   bool headless = false;
-  std::string script, record, out;
+  std::string script, record, out, envelope;
   std::optional<std::int64_t> frames;
   int width = 0, height = 0;  // 0: the default of the mode
   std::uint64_t seed = 0;

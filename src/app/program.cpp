@@ -98,7 +98,7 @@ base::Status apply(Program& program, const edit::Command& command) {
   const std::uint64_t notices = program.session.notice_serial;
   const base::Status applied = apply_one(program, command);
   if (program.session.notice_serial != notices) program.toast = program.session.notices.back().text;  // the panels show it a frame later
-  if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command)) return applied;
+  if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) || std::holds_alternative<edit::LoadEnvelope>(command)) return applied;
   // Another track: looked at from where all of it is seen.
   const edit::Session& session = program.session;
   const world::Camera camera = view::frame_all(session.settings.camera, session.document, program.view.viewport);

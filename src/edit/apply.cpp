@@ -9,6 +9,7 @@
 #include "edit/codec.h"
 #include "edit/history.h"
 #include "edit/motion_follow.h"
+#include "exchange/envelope_file.h"
 #include "exchange/track_file.h"
 #include "world/topology.h"
 
@@ -178,6 +179,15 @@ Status files_command(Session& session, base::Files& files, const SaveReport& com
   const Status status = files.write_atomic(command.path, command.path.ends_with(".csv") ? ride_csv(session, *ghost) : ride_report(session, *ghost));
   if (!status) return status;
   notify(session, NoticeKind::info, "saved " + command.path);
+  return {};
+}
+Status files_command(Session& session, base::Files& files, const LoadEnvelope& command) {
+  base::Result<exchange::LoadedEnvelope> loaded = exchange::load_envelope(files, command.path);
+  if (!loaded) return loaded.status();
+  session.envelope = std::move(loaded->envelope), session.envelope_name = std::move(loaded->name);
+  ++session.envelope_serial;
+  for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
+  notify(session, NoticeKind::info, "forces are held against " + session.envelope_name + " (not a compliance check)");
   return {};
 }
 Status files_command(Session& session, base::Files&, const NewTrack&) {

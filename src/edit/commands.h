@@ -258,7 +258,7 @@ using AnyCommand = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, 
                                 SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,                 //
                                 RideStart, RidePause, RideStop, RideStep, RideSeek,                              //
                                 Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save,
-                                SaveMeasurements, SaveReport, NewTrack>;
+                                SaveMeasurements, SaveReport, LoadEnvelope, NewTrack>;
 
 // One command. Copies and destructors of so many alternatives are compiled once, in codec.cpp, instead of in every file that holds one.
 struct Command : AnyCommand {

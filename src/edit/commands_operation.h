@@ -49,6 +49,11 @@ struct SaveReport {
   COASTER_COMMAND("report", "Write the report of the first cart's whole ride to a file; one that ends in .csv gets the ride by time.", Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
+struct LoadEnvelope {
+  std::string path;
+  COASTER_COMMAND("envelope", "Hold forces against the limits by duration in a file (.json): data to edit, not a compliance check.", Effect::session);
+  COASTER_FIELDS(visit("", self.path))
+};
 struct AutoBank {
   COASTER_COMMAND("auto_bank", "Roll every knot so that the first cart's riders feel no lateral g there.", Effect::document);
   COASTER_FIELDS()

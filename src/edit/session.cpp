@@ -36,7 +36,7 @@ const sim::Ghost* chosen_ride(const Session& session) {
 }
 
 std::string ride_report(const Session& session, const sim::Ghost& ghost) {
-  const sim::Envelope& envelope = sim::default_envelope();
+  const sim::Envelope& envelope = session.envelope;
   const sim::Ratings ratings = sim::rate(ghost, session.ghosts.tables(session.document, session.derived), envelope.cutoff);
   return sim::report_text(ghost, ratings, sim::red_spans(ghost, envelope), session.document.name);
 }
@@ -55,7 +55,15 @@ std::string failure_text(const Session& session) {
 void advance(Session& session, int ticks) {
   if (ticks <= 0) return;
   const world::FailureKind before = session.motion.failure.kind;
+  const bool timed = session.clock && session.motion.state == world::RideState::running;
+  const double start = timed ? session.clock() : 0.0;
   sim::step(session.document, session.derived, session.settings.integrator, ticks, session.ghosts, session.motion);
+  if (timed) {
+    constexpr double kNewest = 0.1;
+    const double ns = (session.clock() - start) * 1e9 / ticks;
+    double& mean = session.ride_cost.ns_per_tick;
+    mean = mean > 0 ? mean + kNewest * (ns - mean) : ns;
+  }
   if (session.motion.failure.kind != before) notify(session, NoticeKind::warning, failure_text(session));
   session.tick += static_cast<std::uint64_t>(ticks);
 }

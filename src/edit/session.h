@@ -11,6 +11,7 @@
 #include "base/files.h"
 #include "edit/commands.h"
 #include "sim/derived.h"
+#include "sim/envelope.h"
 #include "sim/measure.h"
 #include "sim/ghost.h"
 #include "sim/ride.h"
@@ -40,6 +41,11 @@ struct Notice {
   std::uint64_t serial = 0;  // counts up; the panel fades old ones
 };
 
+// What the ticks of the live ride take on this machine; nobody's hash depends on it. 0 without a clock and before the first tick.
+struct RideCost {
+  double ns_per_tick = 0;  // all carts together, a mean that forgets: the newest call counts for a tenth
+};
+
 struct Session {
   world::Document document;
   world::Settings settings;
@@ -56,6 +62,10 @@ struct Session {
   sim::Clock clock;                // to measure evaluation with
   std::string machine;             // a line about it, for files of measurements
   sim::Measurement measurement;    // of the evaluators; advanced by advance_measurement()
+  sim::Envelope envelope = sim::default_envelope();  // what forces are held against; not a compliance check
+  std::string envelope_name = "default";
+  std::uint64_t envelope_serial = 0;  // grows with each envelope that is read
+  RideCost ride_cost;
 };
 
 void notify(Session& session, NoticeKind kind, std::string text);

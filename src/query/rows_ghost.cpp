@@ -17,7 +17,7 @@ Answer of_ride(const Context& c, Function function) {
   const sim::Ghost* const ghost = ghost_of(c);
   if (!ghost) return number(0.0);
   const edit::Session& session = c.session;
-  return number(function(sim::rate(*ghost, session.ghosts.tables(session.document, session.derived), sim::default_envelope().cutoff)));
+  return number(function(sim::rate(*ghost, session.ghosts.tables(session.document, session.derived), session.envelope.cutoff)));
 }
 
 Answer lap_time(const Context& c, View) {
@@ -38,8 +38,9 @@ Answer drops(const Context& c, View) { return of_ride(c, [](const sim::Ratings& 
 Answer inversions(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.inversions; }); }
 Answer envelope(const Context& c, View) {
   const sim::Ghost* const ghost = ghost_of(c);
-  return number(ghost ? sim::red_spans(*ghost, sim::default_envelope()).size() : 0);
+  return number(ghost ? sim::red_spans(*ghost, c.session.envelope).size() : 0);
 }
+Answer envelope_name(const Context& c, View) { return text(c.session.envelope_name); }
 Answer fail(const Context& c, View) {
   const world::FailureKind kind = c.session.motion.failure.kind;
   return text(kind == world::FailureKind::none ? "none" : sim::text(kind));
@@ -73,6 +74,7 @@ constexpr std::array kRows{
     Query{"ride.g_back_max", "", "g", "Largest g backwards of the whole ride.", g_back_max},
     Query{"ride.speed_max", "", "m/s", "Largest speed of the whole ride.", speed_max},
     Query{"ride.envelope", "", "", "Red spans: stretches where some g lasts longer than it may.", envelope},
+    Query{"envelope", "", "", "Name of the limits that forces are held against: data to edit, not a compliance check.", envelope_name},
     Query{"ride.excitement", "", "", "Excitement after OpenRCT2's terms of g and drops.", excitement},
     Query{"ride.intensity", "", "", "Intensity after OpenRCT2's terms of g and drops.", intensity},
     Query{"ride.nausea", "", "", "Nausea after OpenRCT2's terms of g and drops.", nausea},

@@ -69,6 +69,7 @@ Answer g_side(const Context& c, std::string_view) {
 Answer g_forward(const Context& c, std::string_view) {
   return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) { return sim::felt(c.session.document, c.session.derived, e, cart).forward; });
 }
+Answer cost(const Context& c, std::string_view) { return number(c.session.ride_cost.ns_per_tick); }
 Answer segment(const Context& c, std::string_view) {
   const world::CartMotion* const cart = cart_of(c.session).motion;
   return text(cart ? world::label_of(c.session.document, cart->segment) : "none");
@@ -85,6 +86,7 @@ constexpr std::array kRows{
     Query{"ride.lap", "", "", "Whole rounds since the start, backwards counting negative.", lap},
     Query{"ride.segment", "", "", "The segment that the cart is on.", segment},
     Query{"ride.energy", "", "J/kg", "v^2/2 + g (y - datum).", energy},
+    Query{"ride.cost", "", "ns", "What a tick of the live ride takes on this machine, all carts together; 0 before the first one.", cost},
     Query{"ride.energy_drift", "", "", "|energy - energy at the start| / largest kinetic energy.", energy_drift},
     Query{"ride.g_up", "", "g", "Felt acceleration towards the rider's head; at rest on the flat 1.", g_up},
     Query{"ride.g_side", "", "g", "Felt acceleration to the rider's left.", g_side},

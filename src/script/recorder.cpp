@@ -71,7 +71,8 @@ base::Status Recorder::snapshot(base::Files& files, const edit::Session& session
 }
 
 base::Status Recorder::command(base::Files& files, const edit::Command& command, const edit::Session& after) {
-  if (edit::output_path(command) != nullptr) return {};
+  // Neither document nor motion depends on what is written, nor on the limits that forces are held against.
+  if (edit::output_path(command) != nullptr || std::holds_alternative<edit::LoadEnvelope>(command)) return {};
   if (const base::Status written = write_ticks(); !written) return written;
   if (std::holds_alternative<edit::Load>(command)) return snapshot(files, after);
   return line(edit::print(command));

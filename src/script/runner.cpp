@@ -46,6 +46,11 @@ Failure Runner::perform(const RunCommand& run) {
     const base::Status loaded = stage_.apply(command);
     return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
   }
+  if (edit::LoadEnvelope* const limits = std::get_if<edit::LoadEnvelope>(&command)) {
+    limits->path = input(limits->path).string();
+    const base::Status loaded = stage_.apply(command);
+    return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
+  }
   if (const std::string* const written = edit::output_path(command)) {
     const auto path = find_output(*written, options_.out);
     if (!path) return failure(path.status());

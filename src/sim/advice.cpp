@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/topology.h"
+
 namespace coaster::sim {
 namespace {
 
@@ -21,21 +23,33 @@ double excess(const Ghost& ghost, const Envelope& envelope, const RedSpan& span)
 
 class Trials {
  public:
-  Trials(const world::Document& document, world::Entity cart) : document_(document), cart_(cart) { derive(document_, settings_, {}, derived_); }
+  Trials(const world::Document& document, world::Entity cart) : original_(document), document_(document), cart_(cart) { derive(document_, settings_, {}, derived_); }
   const Derived& derived() const { return derived_; }
-  world::Document& document() { return document_; }
+  // Of the document as it is.
   double excess_of(const Envelope& envelope, const RedSpan& span) {
+    document_ = original_;
+    return excess_now(envelope, span);
+  }
+  // With a knot moved as the editor moves it: automatic joints nearby follow.
+  double excess_with(world::Entity knot, glm::vec3 to, const Envelope& envelope, const RedSpan& span) {
+    document_ = original_;
+    document_.entities.get<world::Knot>(knot).position = to;
+    world::settle_joints(document_);
+    return excess_now(envelope, span);
+  }
+
+ private:
+  double excess_now(const Envelope& envelope, const RedSpan& span) {
     derive(document_, settings_, {}, derived_);
     const Ghost* const ghost = memo_.ride(document_, derived_, cart_);
     return ghost ? excess(*ghost, envelope, span) : 0.0;
   }
-
- private:
   static world::Settings coarse() {
     world::Settings settings;
     settings.steps = 1;  // no polylines are looked at
     return settings;
   }
+  const world::Document& original_;
   world::Document document_;
   world::Entity cart_;
   world::Settings settings_ = coarse();
@@ -57,17 +71,14 @@ std::optional<Advice> advise(const world::Document& document, world::Entity cart
   for (int n = first; n <= std::min(last, first + count - 1); ++n) {
     if (!document.track.closed && (n < 0 || n >= count)) continue;
     const world::Entity entity = document.track.knots[static_cast<std::size_t>(((n % count) + count) % count)];
-    world::Knot& knot = trials.document().entities.get<world::Knot>(entity);
-    const glm::vec3 at = knot.position;
+    const glm::vec3 at = world::knot(document, entity).position;
     for (int axis = 0; axis < 3; ++axis)
       for (const float sign : {1.0f, -1.0f}) {
         glm::vec3 direction(0);
         direction[axis] = sign;
-        knot.position = at + kAdviceStep * direction;
-        const double after = trials.excess_of(envelope, span);
+        const double after = trials.excess_with(entity, at + kAdviceStep * direction, envelope, span);
         if (after < before && (!best || after < best->after)) best = Advice{entity, direction, before, after};
       }
-    knot.position = at;
   }
   return best;
 }

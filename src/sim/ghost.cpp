@@ -3,60 +3,73 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/hash.h"
 #include "sim/ride_rules.h"
 #include "sim/train.h"
 
 namespace coaster::sim {
 namespace {
 
-// The train's mean height and slope over the place of its first car, on a uniform grid: a train is a point in this landscape.
+// The train's mean slope over the place of its first car, on a uniform grid: a train is a point in this landscape. Within a cell the slope is the
+// derivative of a cubic Hermite height, so that what the ride gains and loses by it adds up to the heights.
 class Landscape {
  public:
-  Landscape(const RailTables& tables, const GhostStart& start) : closed_(tables.closed()), length_(tables.length()) {
+  Landscape(const RailTables& tables, std::span<const SegmentTable* const> segments, const GhostStart& start)
+      : closed_(tables.closed()), length_(tables.length()) {
     const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(length_ / kTableStep)));
-    step_ = length_ / static_cast<double>(n);
-    height_.assign(n + 1, 0.0), slope_.assign(n + 1, 0.0);
-    for (int car = 0; car < start.cars; ++car) add_car(tables, car * start.spacing);
+    step_ = length_ / static_cast<double>(n), per_metre_ = 1.0 / step_;
+    std::vector<TableRail> sums(n + 1, TableRail{0, 0});
+    for (int car = 0; car < start.cars; ++car) add_car(tables, segments, car * start.spacing, sums);
     const double share = 1.0 / start.cars;
-    for (std::size_t i = 0; i <= n; ++i) height_[i] *= share, slope_[i] *= share * step_;
+    cells_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double m0 = share * sums[i].slope, m1 = share * sums[i + 1].slope, rise = share * (sums[i + 1].height - sums[i].height) * per_metre_;
+      cells_[i] = {m0, 2.0 * (3.0 * rise - 2.0 * m0 - m1), 3.0 * (m0 + m1 - 2.0 * rise)};
+    }
   }
 
-  double height(double at) const {
-    const Cell c = cell(at);
-    return c.y0 + c.u * (c.m0 + c.u * (c.b + c.u * c.a));
-  }
+  // On a closed track at most one round before or after it.
   double slope(double at) const {
-    const Cell c = cell(at);
-    return (c.m0 + c.u * (2.0 * c.b + c.u * 3.0 * c.a)) / step_;
+    if (closed_ && at >= length_) at -= length_;
+    if (closed_ && at < 0) at += length_;
+    const double place = at * per_metre_;
+    const std::size_t i = place > 0 ? std::min(static_cast<std::size_t>(place), cells_.size() - 1) : 0;
+    const double u = std::clamp(place - static_cast<double>(i), 0.0, 1.0);
+    return cells_[i].a + u * (cells_[i].b + u * cells_[i].c);
   }
 
  private:
   struct Cell {
-    double u, y0, m0, a, b;
+    double a, b, c;
   };
-  Cell cell(double at) const {
-    if (closed_) at -= length_ * std::floor(at / length_);
-    const std::size_t last = height_.size() - 2;
-    const double place = at / step_;
-    const std::size_t i = place > 0 ? std::min(static_cast<std::size_t>(place), last) : 0;
-    const double u = std::clamp(place - static_cast<double>(i), 0.0, 1.0);
-    const double y0 = height_[i], y1 = height_[i + 1], m0 = slope_[i], m1 = slope_[i + 1];
-    return {u, y0, m0, 2.0 * (y0 - y1) + m0 + m1, 3.0 * (y1 - y0) - 2.0 * m0 - m1};
-  }
-  void add_car(const RailTables& tables, double back) {
-    std::size_t hint = 0;
-    for (std::size_t i = 0; i < height_.size(); ++i) {
-      const double s = tables.locate(step_ * static_cast<double>(i) - back, hint);
-      const TableRail rail = rail_at(tables.segment(hint), s);
-      height_[i] += rail.height, slope_[i] += rail.slope;
+  // Walks the segments in their order, as the grid does.
+  void add_car(const RailTables& tables, std::span<const SegmentTable* const> segments, double back, std::vector<TableRail>& sums) const {
+    std::size_t index = segments.size();
+    const double first = tables.locate(-back, index);
+    double offset = first;  // the place in the segment is step * i + offset
+    double left = tables.start(index + 1) - tables.start(index);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      double s = step_ * static_cast<double>(i) + offset;
+      for (std::size_t joints = 0; s > left && (closed_ || index + 1 < segments.size()) && joints < segments.size(); ++joints) {
+        offset -= left;
+        index = index + 1 < segments.size() ? index + 1 : 0;
+        left = tables.start(index + 1) - tables.start(index);
+        s = step_ * static_cast<double>(i) + offset;
+      }
+      const TableRail rail = rail_at(*segments[index], s);
+      sums[i].height += rail.height, sums[i].slope += rail.slope;
     }
   }
 
   bool closed_;
-  double length_, step_ = 0;
-  std::vector<double> height_, slope_;  // the slope in m a step
+  double length_, step_ = 0, per_metre_ = 0;
+  std::vector<Cell> cells_;
 };
+
+std::vector<const SegmentTable*> segments_of(const RailTables& tables) {
+  std::vector<const SegmentTable*> segments;
+  for (std::size_t i = 0; i < tables.size(); ++i) segments.push_back(&tables.segment(i));
+  return segments;
+}
 
 struct Moving {
   double at, speed, work;  // m from the track's start (unwrapped), m/s, J/kg
@@ -65,14 +78,20 @@ struct Moving {
 class Simulation {
  public:
   Simulation(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document, const GhostStart& start)
-      : tables_(tables), equipment_(equipment), document_(document), start_(start), landscape_(tables, start),
-        rails_{tables.length(), tables.closed()}, control_(start.control), moving_{start.front, start.speed, 0} {}
+      : tables_(tables), equipment_(equipment), document_(document), start_(start), segments_(segments_of(tables)),
+        landscape_(tables, segments_, start),        rails_{tables.length(), tables.closed()}, control_(start.control), moving_{start.front, start.speed, 0} {
+    settle();
+  }
 
-  Ghost run(const GhostLimits& limits) {
-    Ghost ghost;
-    ghost.start = start_, ghost.track_length = rails_.length, ghost.closed = rails_.closed;
+  // `ghost` gives its memory.
+  Ghost run(const GhostLimits& limits, Ghost ghost) {
+    std::vector<GhostSample> samples = std::move(ghost.samples);
+    std::vector<Force> forces = std::move(ghost.forces);
+    samples.clear(), forces.clear();
+    ghost = Ghost{start_, rails_.length, rails_.closed, std::move(samples), std::move(forces)};
     const auto most = static_cast<std::size_t>(std::max(0.0, limits.seconds) * world::kTicksPerSecond);
-    ghost.samples.reserve(std::min<std::size_t>(most + 1, 20'000));
+    const std::size_t usual = std::min<std::size_t>(most + 1, 20'000);
+    ghost.samples.reserve(usual), ghost.forces.reserve(usual / kForceEvery * static_cast<std::size_t>(start_.cars));
     add_sample(ghost, acceleration(0));
     while (ghost.samples.size() <= most && ghost.end == world::FailureKind::none) {
       const double before = moving_.at - start_.front;
@@ -96,14 +115,19 @@ class Simulation {
   double others(double speed, double direction, double drive) const {
     return drive - direction * (world::kGravity * document_.resistance.rolling + document_.resistance.drag * speed * speed);
   }
-  double gravity(double at) const { return -world::kGravity * landscape_.slope(at); }
+  double gravity(double at) const { return -world::kGravity * landscape_.slope(at - round_); }
+  // After each move: the gravity there, which is asked for several times, and the start of the round that the train is in.
+  void settle() {
+    if (rails_.closed && !(moving_.at >= round_ && moving_.at < round_ + rails_.length)) round_ = rails_.length * std::floor(moving_.at / rails_.length);
+    gravity_here_ = gravity(moving_.at);
+  }
   double direction(double drive) const {
     if (moving_.speed != 0) return moving_.speed > 0 ? 1.0 : -1.0;
-    const double pull = gravity(moving_.at) + drive;
+    const double pull = gravity_here_ + drive;
     if (std::abs(pull) <= world::kGravity * document_.resistance.rolling) return 0.0;
     return pull > 0 ? 1.0 : -1.0;
   }
-  double acceleration(double drive) const { return gravity(moving_.at) + others(moving_.speed, direction(drive), drive); }
+  double acceleration(double drive) const { return gravity_here_ + others(moving_.speed, direction(drive), drive); }
 
   bool control(double& drive) {
     if (equipment_.empty()) return false;
@@ -120,14 +144,15 @@ class Simulation {
   void advance(double drive, Ghost& ghost) {
     const double sign = direction(drive), dt = world::kTick;
     if (moving_.speed == 0 && sign == 0 && document_.resistance.rolling > 0) return;  // at rest, and friction holds it
-    const auto slope = [&](const Moving& m) {
+    const auto with = [&](const Moving& m, double pull) {
       const double by_others = others(m.speed, sign, drive);
-      return Moving{m.speed, gravity(m.at) + by_others, by_others * m.speed};
+      return Moving{m.speed, pull + by_others, by_others * m.speed};
     };
+    const auto slope = [&](const Moving& m) { return with(m, gravity(m.at)); };
     const auto moved = [&](const Moving& k, double h) {
       return Moving{moving_.at + h * k.at, moving_.speed + h * k.speed, moving_.work + h * k.work};
     };
-    const Moving k1 = slope(moving_), k2 = slope(moved(k1, 0.5 * dt)), k3 = slope(moved(k2, 0.5 * dt)), k4 = slope(moved(k3, dt));
+    const Moving k1 = with(moving_, gravity_here_), k2 = slope(moved(k1, 0.5 * dt)), k3 = slope(moved(k2, 0.5 * dt)), k4 = slope(moved(k3, dt));
     const auto mean = [](double a, double b, double c, double d) { return (a + 2.0 * b + 2.0 * c + d) / 6.0; };
     Moving next = moved({mean(k1.at, k2.at, k3.at, k4.at), mean(k1.speed, k2.speed, k3.speed, k4.speed), mean(k1.work, k2.work, k3.work, k4.work)}, dt);
     const bool losses = !(document_.resistance == world::Resistance{});
@@ -136,9 +161,11 @@ class Simulation {
       next = {moving_.at + part * (next.at - moving_.at), 0.0, moving_.work + part * (next.work - moving_.work)};
     }
     moving_ = next;
-    if (rails_.closed || (next.at >= 0 && next.at <= rails_.length)) return;
-    moving_.at = std::clamp(next.at, 0.0, rails_.length);
-    ghost.end = world::FailureKind::off_end;
+    if (!rails_.closed && !(next.at >= 0 && next.at <= rails_.length)) {
+      moving_.at = std::clamp(next.at, 0.0, rails_.length);
+      ghost.end = world::FailureKind::off_end;
+    }
+    settle();
   }
 
   world::FailureKind failure(bool held, const Ghost& ghost) {
@@ -157,9 +184,10 @@ class Simulation {
     hints_.resize(static_cast<std::size_t>(start_.cars), 0);
     for (int car = 0; car < start_.cars; ++car) {
       std::size_t& hint = hints_[static_cast<std::size_t>(car)];
-      const double s = tables_.locate(moving_.at - car * start_.spacing, hint);
-      const FeltEntry f = felt_at(tables_.segment(hint), s);
-      const glm::vec3 g = a * f.along + v2 * f.bend + f.weight;
+      double at = moving_.at - round_ - car * start_.spacing;
+      if (rails_.closed && at < 0) at += rails_.length;
+      const double s = tables_.locate(at, hint);
+      const glm::vec3 g = felt_at(*segments_[hint], s, a, v2);
       ghost.forces.push_back({g.x, g.y, g.z});
     }
   }
@@ -168,10 +196,12 @@ class Simulation {
   std::span<const EquipmentSpan> equipment_;
   const world::Document& document_;
   GhostStart start_;
+  std::vector<const SegmentTable*> segments_;
   Landscape landscape_;
   Rails rails_;
   ControlState control_;
   Moving moving_;
+  double round_ = 0, gravity_here_ = 0;  // m, m/s^2
   double furthest_ = 0;
   int still_ = 0;
   std::vector<std::size_t> hints_;
@@ -186,7 +216,7 @@ double Ghost::distance(std::size_t sample) const {
 }
 
 Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document, const GhostStart& start,
-               const GhostLimits& limits) {
+               const GhostLimits& limits, Ghost memory) {
   if (tables.size() == 0 || !(tables.length() > 0)) {
     Ghost ghost;
     ghost.start = start;
@@ -194,7 +224,7 @@ Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipmen
     ghost.forces.resize(static_cast<std::size_t>(start.cars));
     return ghost;
   }
-  return Simulation(tables, equipment, document, start).run(limits);
+  return Simulation(tables, equipment, document, start).run(limits, std::move(memory));
 }
 
 GhostStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design) {
@@ -205,47 +235,6 @@ GhostStart start_of(const world::Document& document, const Derived& derived, con
   start.cars = cars_on(derived, design);
   start.spacing = design.spacing;
   return start;
-}
-
-const RailTables& GhostMemo::tables(const world::Document& document, const Derived& derived) {
-  tables_.update(derived, document.heartline);
-  return tables_;
-}
-
-const Ghost& GhostMemo::find(const world::Document& document, const Derived& derived, const GhostStart& start, const GhostLimits& limits) {
-  tables(document, derived);
-  equipment_ = equipment_spans(document, derived);
-  base::Hasher hasher;
-  hasher.add(tables_.serial()), hasher.add(limits.seconds), hasher.add(limits.stop_after_lap);
-  hasher.add(start.front), hasher.add(start.speed), hasher.add(start.cars), hasher.add(start.spacing), hasher.add(start.control.dwell), hasher.add(start.control.braking);
-  hasher.add(document.resistance.rolling), hasher.add(document.resistance.drag), hasher.add(document.rollback_fails);
-  for (const EquipmentSpan& span : equipment_) {
-    hasher.add(span.from), hasher.add(span.to), hasher.add(span.equipment.kind), hasher.add(span.equipment.speed);
-    hasher.add(span.equipment.acceleration), hasher.add(span.equipment.hysteresis), hasher.add(span.equipment.seconds);
-  }
-  const std::uint64_t key = hasher.digest();
-  ++clock_;
-  for (Entry& entry : entries_)
-    if (entry.key == key) {
-      entry.used = clock_;
-      return entry.ghost;
-    }
-  if (entries_.size() < kMostEntries) entries_.emplace_back();  // used 0: the oldest
-  Entry& entry = *std::min_element(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.used < b.used; });
-  ++simulations_;
-  entry = {key, simulate(tables_, equipment_, document, start, limits), clock_};
-  entry.ghost.serial = simulations_;
-  return entry.ghost;
-}
-
-const Ghost* GhostMemo::ride(const world::Document& document, const Derived& derived, world::Entity cart) {
-  const world::Cart* const design = document.entities.find<world::Cart>(cart);
-  if (!design || derived.order.empty()) return nullptr;
-  return &find(document, derived, start_of(document, derived, *design), {});
-}
-
-const Ghost& GhostMemo::from(const world::Document& document, const Derived& derived, const GhostStart& start) {
-  return find(document, derived, start, {});
 }
 
 }  // namespace coaster::sim

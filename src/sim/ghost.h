@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/equipment.h"
+#include "sim/lap_table.h"
 #include "sim/rail_tables.h"
 
 namespace coaster::sim {
@@ -60,9 +61,9 @@ struct GhostLimits {
 };
 
 // Runge-Kutta 4 over the train's mean height, one step a tick: on a frictionless 2 km circuit its energy stays within 1e-6 of the largest
-// kinetic energy, and a lap takes under 4 ms with 8 cars. The train is alone on the track. An empty track gives one sample.
+// kinetic energy, and a lap takes under 4 ms with 8 cars. The train is alone on the track. An empty track gives one sample. `memory` is used again for the result.
 Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document, const GhostStart& start,
-               const GhostLimits& limits = {});
+               const GhostLimits& limits = {}, Ghost memory = {});
 
 // How a designed train starts.
 GhostStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design);
@@ -75,6 +76,11 @@ class GhostMemo {
   const Ghost* ride(const world::Document& document, const Derived& derived, world::Entity cart);
   // A ride from anywhere: the timetable of a train in motion.
   const Ghost& from(const world::Document& document, const Derived& derived, const GhostStart& start);
+  // The same ride as a table of one lap, for as long as from()'s answer is good; not valid where laps do not repeat: with losses or equipment,
+  // and where none is completed.
+  const LapTable& lap(const world::Document& document, const Derived& derived, const GhostStart& start);
+  // Room for as many rides at least (up to kMostEntries * 16), so that that many trains do not push out each other's.
+  void keep(std::size_t rides);
   // The tables behind them, up to date.
   const RailTables& tables(const world::Document& document, const Derived& derived);
   // How often anything was simulated: what a test counts.
@@ -85,14 +91,17 @@ class GhostMemo {
     std::uint64_t key = 0;
     Ghost ghost;
     std::uint64_t used = 0;
+    bool has_lap = false;  // `lap` was made from the ghost
+    LapTable lap;
   };
-  const Ghost& find(const world::Document& document, const Derived& derived, const GhostStart& start, const GhostLimits& limits);
+  Entry& find(const world::Document& document, const Derived& derived, const GhostStart& start, const GhostLimits& limits);
 
   RailTables tables_;
   std::vector<EquipmentSpan> equipment_;
-  std::deque<Entry> entries_;  // at most kMostEntries, the one used longest ago goes
+  std::deque<Entry> entries_;  // at most most_, the one used longest ago goes
   std::uint64_t simulations_ = 0, clock_ = 0;
   static constexpr std::size_t kMostEntries = 16;
+  std::size_t most_ = kMostEntries;
 };
 
 }  // namespace coaster::sim

@@ -25,6 +25,7 @@ void fill(const SegmentShape& shape, double heartline, SegmentTable& table) {
   const int n = std::max(2, static_cast<int>(std::ceil(length / kTableStep)));
   const auto count = static_cast<std::size_t>(n) + 1;
   table.build = shape.shape_build, table.heartline = heartline, table.step = length / n;
+  table.per_metre = table.step > 0 ? 1.0 / table.step : 0.0;
   table.height.resize(count), table.slope.resize(count), table.felt.resize(count);
   std::vector<curve::Frame> frames(count);
   std::vector<dvec3> bends(count);
@@ -72,7 +73,7 @@ void RailTables::update(const Derived& derived, double heartline) {
   closed_ = derived.closed;
 }
 
-double RailTables::locate(double distance, std::size_t& hint) const {
+double RailTables::search(double distance, std::size_t& hint) const {
   const double total = length();
   if (closed_ && total > 0 && (distance < 0 || distance >= total)) {
     distance -= total * std::floor(distance / total);
@@ -89,30 +90,6 @@ double RailTables::locate(double distance, std::size_t& hint) const {
     }
   }
   return distance - starts_[hint];
-}
-
-TableRail rail_at(const SegmentTable& table, double s) {
-  const double h = table.step;
-  if (!(h > 0)) return {table.height.front(), table.slope.front()};
-  const std::size_t n = table.height.size() - 1;
-  if (s <= 0) return {table.height.front() + s * table.slope.front(), table.slope.front()};
-  const double at = s / h;
-  if (at >= static_cast<double>(n)) return {table.height.back() + (s - h * static_cast<double>(n)) * table.slope.back(), table.slope.back()};
-  const auto i = static_cast<std::size_t>(at);
-  const double u = at - static_cast<double>(i);
-  const double y0 = table.height[i], y1 = table.height[i + 1], m0 = h * table.slope[i], m1 = h * table.slope[i + 1];
-  const double a = 2.0 * (y0 - y1) + m0 + m1, b = 3.0 * (y1 - y0) - 2.0 * m0 - m1;
-  return {y0 + u * (m0 + u * (b + u * a)), (m0 + u * (2.0 * b + u * 3.0 * a)) / h};
-}
-
-FeltEntry felt_at(const SegmentTable& table, double s) {
-  const std::size_t n = table.felt.size() - 1;
-  if (!(table.step > 0)) return table.felt.front();
-  const double at = std::clamp(s / table.step, 0.0, static_cast<double>(n));
-  const std::size_t i = std::min(static_cast<std::size_t>(at), n - 1);
-  const auto u = static_cast<float>(at - static_cast<double>(i));
-  const FeltEntry &x = table.felt[i], &y = table.felt[i + 1];
-  return {x.along + u * (y.along - x.along), x.bend + u * (y.bend - x.bend), x.weight + u * (y.weight - x.weight)};
 }
 
 }  // namespace coaster::sim

@@ -73,7 +73,7 @@ void count_inversions(const Ghost& ghost, const RailTables& tables, Ratings& r) 
   bool inverted = false;
   for (std::size_t i = 0; i < ghost.samples.size(); i += kForceEvery) {
     const double s = tables.locate(at.distance(i, car), hint);
-    const float up = felt_at(tables.segment(hint), s).weight.z;
+    const float up = felt_at(tables.segment(hint), s, 0.0f, 0.0f).z;
     if (!inverted && up < kBelow) ++r.inversions, inverted = true;
     if (up > kAbove) inverted = false;
   }

@@ -22,6 +22,7 @@ struct Integrator {
   IntegratorKind kind;
   TrainState (*advance)(const TrainContext& context, TrainState state, double dt);  // null unless stepped
   int substeps;  // equal parts that a tick is advanced in
+  bool splits;   // at joints, where the force has a kink; else equal steps go over them, as a symplectic method needs to keep its energy bounded
 };
 
 // Rows: rk4 (default; over 10 laps of a closed track its energy drifts by less than 1e-6 of the largest kinetic energy, in loops of

@@ -76,11 +76,35 @@ bool stays_at_rest(const TrainContext& context, double speed) {
   return speed == 0 && context.resistance.rolling > 0 && direction_of(context, 0.0) == 0.0;
 }
 
+// Advances a train by `dt` in one step that goes over joints. False, and nothing is changed, where that will not do: at open ends, and where
+// losses bring it to rest.
+bool advance_across(const TickContext& tick, double dt, double drive, std::vector<CarPlace>& places, world::CartMotion& cart) {
+  const Derived& derived = tick.input.derived;
+  const world::Document& document = tick.input.document;
+  TrainContext context{derived, places, document.datum, cart.reference_energy, document.resistance, 0.0, drive, true};
+  context.direction = direction_of(context, cart.speed);
+  const bool losses = !(document.resistance == world::Resistance{});
+  if (losses && stays_at_rest(context, cart.speed)) return false;
+  const TrainState next = tick.row.advance(context, {0.0, cart.speed, cart.work}, dt);
+  if (losses && next.speed * context.direction < 0) return false;
+  const double from = derived.starts[places.front().index] + places.front().s, to = from + next.x;
+  if (!derived.closed && !(to > 0 && to < derived.length)) return false;
+  const CarPlace before = places.front();
+  for (CarPlace& car : places) car = behind(derived, car, -next.x);
+  // Further on and yet nearer to the track's start: round, unless the track is so short that one step is several laps.
+  const auto order = [](const CarPlace& a, const CarPlace& b) { return a.index != b.index ? a.index < b.index : a.s < b.s; };
+  if (next.x > 0 && order(places.front(), before)) ++cart.laps;
+  if (next.x < 0 && order(before, places.front())) --cart.laps;
+  cart.travelled += next.x, cart.speed = next.speed, cart.work = next.work;
+  return true;
+}
+
 // Advances a train by `dt` in parts that end at joints and where losses bring it to rest. False at an open end.
 bool advance_stepped(const TickContext& tick, double dt, double drive, std::vector<CarPlace>& places, world::CartMotion& cart) {
   const Derived& derived = tick.input.derived;
   const world::Document& document = tick.input.document;
   const bool losses = !(document.resistance == world::Resistance{});
+  if (!tick.row.splits && advance_across(tick, dt, drive, places, cart)) return true;
   const int most_parts = kMaxJointsPerTick * static_cast<int>(places.size());
   for (int part = 0; dt > 0 && part < most_parts; ++part) {
     TrainContext context{derived, places, document.datum, cart.reference_energy, document.resistance, 0.0, drive};

@@ -8,7 +8,12 @@ namespace coaster::sim {
 namespace {
 
 void begin_timetable(const world::CartMotion& cart, world::TimetablePlace& table) {
-  table = {true, cart.track_distance, cart.speed, cart.dwell, cart.braking, 0};
+  table = {true, cart.track_distance, cart.speed, cart.dwell, cart.braking, 0, 0};
+}
+
+void note_extremes(world::CartMotion& cart) {
+  cart.furthest = std::max(cart.furthest, cart.travelled);
+  cart.peak_kinetic = std::max(cart.peak_kinetic, 0.5 * cart.speed * cart.speed);
 }
 
 GhostStart start_of(const RideInput& input, world::Entity entity, const world::TimetablePlace& table) {
@@ -16,9 +21,8 @@ GhostStart start_of(const RideInput& input, world::Entity entity, const world::T
   return {table.front, table.speed, cars_on(input.derived, design), design.spacing, {table.dwell, table.braking}};
 }
 
-// One tick. False when the timetable says that the ride is over.
+// The next tick's entry. False when the timetable says that the ride is over.
 bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity entity, world::CartMotion& cart, world::FailureKind& failure) {
-  if (!cart.timetable.valid) begin_timetable(cart, cart.timetable);
   const Ghost* ghost = &memo.from(input.document, input.derived, start_of(input, entity, cart.timetable));
   const auto last = static_cast<std::int64_t>(ghost->samples.size()) - 1;
   if (cart.timetable.tick >= last) {
@@ -35,14 +39,31 @@ bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity ent
   const double from = ghost->start.front + before.travelled, to = ghost->start.front + after.travelled;
   if (input.derived.closed) cart.laps += static_cast<std::int64_t>(std::floor(to / ghost->track_length) - std::floor(from / ghost->track_length));
   cart.travelled += after.travelled - before.travelled;
-  cart.furthest = std::max(cart.furthest, cart.travelled);
   cart.work += after.work - before.work;
   cart.speed = after.speed;
-  cart.peak_kinetic = std::max(cart.peak_kinetic, 0.5 * cart.speed * cart.speed);
+  note_extremes(cart);
   const TrackPlace place = place_at(input.derived, ghost->distance(next));
   settle_on(input.derived, {place.index, place.s}, cart);
   cart.timetable.tick = static_cast<std::int64_t>(next);
   return true;
+}
+
+// All ticks of a train whose laps repeat: one lap's table, round and round.
+void follow_laps(const RideInput& input, const LapTable& table, int ticks, world::CartMotion& cart) {
+  LapCart on = lap_cart(table, cart.timetable.phase);
+  const double front = cart.timetable.front, length = table.length();
+  const double rounds_before = std::floor((front + on.along) / length);
+  for (int tick = 0; tick < ticks; ++tick) {
+    const double along = on.along, laps = on.laps;
+    advance(table, on);
+    cart.travelled += (on.laps - laps) * length + (on.along - along);
+    cart.speed = on.speed;
+    note_extremes(cart);
+  }
+  cart.laps += static_cast<std::int64_t>(on.laps + std::floor((front + on.along) / length) - rounds_before);
+  cart.timetable.phase = on.phase, cart.timetable.tick += ticks;
+  const TrackPlace place = place_at(input.derived, front + on.along);
+  settle_on(input.derived, {place.index, place.s}, cart);
 }
 
 // Where the energy lets a cart be this fast at height y, m/s, in the direction it had.
@@ -54,13 +75,22 @@ double speed_at(const RideInput& input, const world::CartMotion& cart, double y)
 }  // namespace
 
 void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world::Motion& motion) {
-  for (int tick = 0; tick < ticks && motion.state == world::RideState::running; ++tick) {
-    bool any = false;
-    for (std::size_t i = 0; i < motion.carts.size() && motion.state == world::RideState::running; ++i) {
+  memo.keep(motion.carts.size() + 4);
+  std::vector<std::size_t> rounds, others;  // trains whose laps repeat, and the rest
+  for (std::size_t i = 0; i < motion.carts.size(); ++i) {
+    world::CartMotion& cart = motion.carts.items()[i];
+    if (!cart.timetable.valid) begin_timetable(cart, cart.timetable);
+    const bool repeats = memo.lap(input.document, input.derived, start_of(input, motion.carts.entities()[i], cart.timetable)).valid();
+    (repeats ? rounds : others).push_back(i);
+  }
+  int done = 0;  // ticks, the one in which the ride failed included: that one is everybody's last
+  for (; done < ticks && motion.state == world::RideState::running && (done == 0 || !others.empty()); ++done) {
+    bool any = !rounds.empty();
+    for (const std::size_t i : others) {
       world::CartMotion& cart = motion.carts.items()[i];
       world::FailureKind failure = world::FailureKind::none;
       const double arrival = cart.speed;
-      if (follow_timetable(input, memo, motion.carts.entities()[i], cart, failure)) {
+      if (motion.state != world::RideState::running || follow_timetable(input, memo, motion.carts.entities()[i], cart, failure)) {
         any = true;
         continue;
       }
@@ -70,6 +100,11 @@ void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
       if (failure != world::FailureKind::off_end) motion.state = world::RideState::failed;
     }
     if (!any && motion.state == world::RideState::running) motion.state = world::RideState::ended;
+  }
+  if (others.empty()) done = ticks;
+  for (const std::size_t i : rounds) {
+    world::CartMotion& cart = motion.carts.items()[i];
+    follow_laps(input, memo.lap(input.document, input.derived, start_of(input, motion.carts.entities()[i], cart.timetable)), done, cart);
   }
 }
 

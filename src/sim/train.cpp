@@ -55,13 +55,19 @@ void place_cars(const Derived& derived, CarPlace front, int cars, double spacing
 
 double TrainContext::height(double x) const {
   double sum = 0;
-  for (const CarPlace& car : cars) sum += rail_point(derived.shape(derived.order[car.index]), car.s + x).height;
+  for (const CarPlace& car : cars) {
+    const CarPlace at = moved(car, x);
+    sum += rail_point(derived.shape(derived.order[at.index]), at.s).height;
+  }
   return sum / static_cast<double>(cars.size());
 }
 
 double TrainContext::gravity(double x) const {
   double sum = 0;
-  for (const CarPlace& car : cars) sum += rail_point(derived.shape(derived.order[car.index]), car.s + x).slope;
+  for (const CarPlace& car : cars) {
+    const CarPlace at = moved(car, x);
+    sum += rail_point(derived.shape(derived.order[at.index]), at.s).slope;
+  }
   return -world::kGravity * sum / static_cast<double>(cars.size());
 }
 

@@ -47,7 +47,9 @@ struct TrainContext {
   world::Resistance resistance;
   double direction = 0;            // sign of the motion that losses oppose: +1, -1, or 0 at rest
   double drive = 0;                // m/s^2 by equipment, the same during a tick
+  bool across = false;             // x may go over joints; else the rails go on straight there
 
+  CarPlace moved(const CarPlace& car, double x) const { return across ? behind(derived, car, -x) : CarPlace{car.index, car.s + x}; }
   double height(double x) const;   // m, the cars' mean
   double gravity(double x) const;  // m/s^2 along the rails: -g times the cars' mean slope
   // m/s^2 by losses and equipment.

@@ -88,7 +88,7 @@ struct LabCache {
   Kept<std::uint64_t, BendStudy> bend;  // by the segment's build
   sim::FrenetBreaks breaks;
 
-  Kept<std::uint64_t, ForceStudy> forces;  // by the ghost's serial
+  Kept<std::pair<std::uint64_t, std::uint64_t>, ForceStudy> forces;  // by the ghost's serial and the envelope's
   std::array<int, 2> force_plots{0, 3};    // quantities
   bool forces_over_time = false;
   int red_chosen = -1;

@@ -39,8 +39,8 @@ double value_at(const sim::Ghost& ghost, const sim::RailTables& tables, std::siz
 ForceStudy study_of(const edit::Session& session, const sim::Ghost& ghost) {
   const sim::RailTables& tables = session.ghosts.tables(session.document, session.derived);
   ForceStudy study;
-  study.ratings = sim::rate(ghost, tables, sim::default_envelope().cutoff);
-  study.red = sim::red_spans(ghost, sim::default_envelope());
+  study.ratings = sim::rate(ghost, tables, session.envelope.cutoff);
+  study.red = sim::red_spans(ghost, session.envelope);
   const std::size_t entries = ghost.forces.size() / static_cast<std::size_t>(ghost.start.cars);
   std::size_t hint = 0;
   for (std::size_t k = 0; k < entries; ++k) {
@@ -124,7 +124,7 @@ void side(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study) {
 constexpr TableColumn kColumns[] = {{"Where", "m", 1.2f, "Along the track. Click to put the train there."},
                                     {"Force", "", 1.6f, "Which way riders are pressed."},
                                     {"Is", "g", 0.8f, "Low-passed, where it is furthest beyond."},
-                                    {"May", "g", 0.8f, "What may last that long (not a compliance check)."}};
+                                    {"May", "g", 0.8f, "What may last that long by the envelope (its file: the command envelope). Not a compliance check."}};
 
 std::string advice_text(const edit::Session& session, const std::optional<sim::Advice>& advice) {
   if (!advice) return "No single move of a knot nearby helps.";
@@ -147,7 +147,7 @@ void red_table(Ui& ui, const ForceStudy& study, float height) {
   }
   if (ui.lab.red_chosen < static_cast<int>(study.red.size())) {
     if (button(ui, "What helps?", "Tries moves of the knots around the chosen stretch, each with a whole ride, and says which lowers it most.", ui.lab.red_chosen >= 0))
-      ui.lab.advice = advice_text(session, sim::advise(session.document, world::first_cart(session.document), sim::default_envelope(), study.red[static_cast<std::size_t>(ui.lab.red_chosen)]));
+      ui.lab.advice = advice_text(session, sim::advise(session.document, world::first_cart(session.document), session.envelope, study.red[static_cast<std::size_t>(ui.lab.red_chosen)]));
     if (!ui.lab.advice.empty()) small_note(ui, ui.lab.advice);
     height -= 2 * ImGui::GetFrameHeightWithSpacing();
   }
@@ -174,7 +174,7 @@ void forces_page(Ui& ui) {
     small_note(ui, "A ride needs a cart: add one in the Track panel.");
     return;
   }
-  const ForceStudy& study = ui.lab.forces.get(ghost->serial, [&] { return study_of(session, *ghost); });
+  const ForceStudy& study = ui.lab.forces.get({ghost->serial, session.envelope_serial}, [&] { return study_of(session, *ghost); });
   Page page(ui, 230);
   side(ui, *ghost, study);
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);

@@ -20,6 +20,7 @@ struct TimetablePlace {
   std::int32_t dwell = 0;
   bool braking = false;
   std::int64_t tick = 0;
+  double phase = 0;             // of a ride whose laps repeat: ticks into the present one
   friend bool operator==(const TimetablePlace&, const TimetablePlace&) = default;
 };
 

@@ -94,6 +94,7 @@ std::uint64_t hash(const Document& document, const Motion& motion) {
     hasher.add(cart.reference_energy), hasher.add(cart.peak_kinetic), hasher.add(cart.work);
     hasher.add(cart.furthest), hasher.add(cart.carry), hasher.add(cart.still), hasher.add(cart.dwell), hasher.add(cart.braking);
     hasher.add(cart.timetable.valid), hasher.add(cart.timetable.front), hasher.add(cart.timetable.speed), hasher.add(cart.timetable.tick);
+    if (cart.timetable.phase != 0) hasher.add(cart.timetable.phase);
   }
   return hasher.digest();
 }

@@ -186,7 +186,7 @@ TEST(ghost, the_timetable_is_the_ghost_tick_by_tick_and_goes_on_after_a_lap) {
   motion.state = world::RideState::running;
   const int row = find_integrator("precomputed").value();
   const Ghost ghost = setup.ghost();
-  for (std::size_t tick = 1; tick < ghost.samples.size(); ++tick) {
+  for (std::size_t tick = 1; tick + 1 < ghost.samples.size(); ++tick) {  // in the last tick the next lap begins
     step(setup.document, setup.derived, row, 1, setup.memo, motion);
     ASSERT_EQ(motion.carts.items()[0].speed, ghost.samples[tick].speed) << tick;
     ASSERT_NEAR(motion.carts.items()[0].travelled, ghost.samples[tick].travelled, 1e-9);

@@ -1,0 +1,133 @@
+// The ride: the ghost as it runs while a knot is dragged (2,000 m in 100 segments, 8 cars), and 10,000 carts on a precomputed table of one lap
+// beside a walk over the same bytes.
+#include <cmath>
+#include <random>
+
+#include "paired.h"
+#include "sim/ride.h"
+#include "world/topology.h"
+
+namespace coaster::bench {
+namespace {
+
+// A closed ring of `segments` segments and `length` metres (within 2 %), with six hills of 8 m up and down and a train that comes round.
+world::Document hilly_ring(int segments, double length, int cars) {
+  world::Document document;
+  const double turn = 6.283185307179586, radius = 0.985 * length / turn;
+  for (int i = 0; i < segments; ++i) {
+    const double a = turn * i / segments;
+    world::Knot knot;
+    knot.position = glm::vec3(radius * std::cos(a), 20 + 8 * std::sin(6 * a), radius * std::sin(a));
+    knot.in_length = knot.out_length = static_cast<float>(length / segments / 3);
+    world::set_tangent(knot, glm::vec3(-radius * std::sin(a), 48 * std::cos(6 * a), radius * std::cos(a)));
+    world::append_knot(document, knot);
+  }
+  world::set_closed(document, true);
+  const world::Entity cart = world::add_cart(document, document.track.segments[3], 0.3);
+  document.entities.get<world::Cart>(cart).cars = cars;
+  document.start_speed = 9;
+  return document;
+}
+
+struct Riding {
+  world::Document document;
+  world::Settings settings;
+  sim::Derived derived;
+  sim::GhostMemo memo;
+  explicit Riding(int cars) : document(hilly_ring(100, 2000, cars)) {
+    sim::derive(document, settings, {}, derived);
+  }
+  const sim::Ghost& ghost() { return *memo.ride(document, derived, world::first_cart(document)); }
+};
+
+double checksum(const sim::Ghost& ghost) {
+  double sum = ghost.lap_time;
+  for (const sim::GhostSample& sample : ghost.samples) sum += sample.speed;
+  for (const sim::Force& force : ghost.forces) sum += force.up;
+  return sum;
+}
+
+// As a drag does it: one knot up and down, what follows of it derived, the tables of its two segments filled, the whole lap simulated. Beside
+// it the same without the tables that last from ride to ride.
+void drag(benchmark::State& state) {
+  Riding riding(8);
+  const world::Entity knot = riding.document.track.knots[40];
+  const float y = world::knot(riding.document, knot).position.y;
+  int moves = 0;
+  const auto move = [&] {
+    riding.document.entities.get<world::Knot>(knot).position.y = y + 0.25f * static_cast<float>(++moves % 7);
+    sim::derive(riding.document, riding.settings, {}, riding.derived);
+  };
+  double sum = 0;
+  const Work lap = [&] {
+    move();
+    sum += riding.ghost().lap_time;
+  };
+  const Work fresh = [&] {
+    move();
+    riding.memo = {};
+    sum += riding.ghost().lap_time;
+  };
+  paired(state, "lap", 1, lap, {{"ratio_to_fresh_tables", fresh, true}});
+  const sim::Ghost& ghost = riding.ghost();
+  if (!ghost.lap) return state.SkipWithError("the train does not come round");
+  state.counters["ms_per_lap"] = state.counters["ns_per_lap"].value * 1e-6;
+  state.counters["length_m"] = riding.derived.length;
+  state.counters["lap_s"] = ghost.lap_time;
+  moves = 6;  // back to where the knot was, so that the sum does not depend on the iterations
+  lap();
+  benchmark::DoNotOptimize(sum);
+  state.counters["checksum"] = checksum(riding.ghost());
+}
+
+// How far a cart on the table is, after a minute, from one that Runge-Kutta takes along the exact curve, in mm: the largest on the way.
+double drift_mm(Riding& riding, const sim::LapTable& table) {
+  world::Motion motion;
+  sim::reset(riding.document, riding.derived, motion);
+  motion.state = world::RideState::running;
+  sim::LapCart cart = sim::lap_cart(table, 0);
+  double worst = 0;
+  for (int tick = 0; tick < 60 * world::kTicksPerSecond; ++tick) {
+    sim::advance(table, cart);
+    sim::step(riding.document, riding.derived, sim::kDefaultIntegrator, 1, riding.memo, motion);
+    worst = std::max(worst, std::abs(cart.laps * table.length() + cart.along - motion.carts.items()[0].travelled));
+  }
+  return worst * 1e3;
+}
+
+void carts(benchmark::State& state) {
+  constexpr std::size_t kCarts = 10'000;
+  Riding riding(1);
+  const world::Cart& design = riding.document.entities.get<world::Cart>(world::first_cart(riding.document));
+  const sim::LapTable& table = riding.memo.lap(riding.document, riding.derived, sim::start_of(riding.document, riding.derived, design));
+  if (!table.valid()) return state.SkipWithError("the cart does not come round");
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> phase(0, table.period());
+  sim::LapCarts all;
+  for (std::size_t i = 0; i < kCarts; ++i) all.add(sim::lap_cart(table, phase(random)));
+  const sim::LapCarts start = all;
+  constexpr int kTicks = 20;  // in one piece of work: the clock has its price
+  const Work work = [&] {
+    for (int tick = 0; tick < kTicks; ++tick) sim::advance(table, all);
+  };
+  // Reads and writes all that advance() reads and writes of the carts, and adds.
+  sim::LapCarts walked = all;
+  const Work walk = [&] {
+    for (int tick = 0; tick < kTicks; ++tick)
+      for (std::vector<double>* column : {&walked.phase, &walked.along, &walked.speed, &walked.laps})
+        for (double& value : *column) value += 0.125;
+  };
+  paired(state, "cart_tick", static_cast<double>(kCarts) * kTicks, work, {{"ratio_to_array_walk", walk, true}});
+  state.counters["drift_mm"] = drift_mm(riding, table);
+  all = start;
+  work();
+  double sum = 0;
+  for (std::size_t i = 0; i < kCarts; ++i) sum += all.along[i] + all.speed[i] + all.laps[i];
+  state.counters["checksum"] = sum;
+}
+
+BENCHMARK(drag)->Name("ride/ghost_while_dragging")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(carts)->Name("ride/carts_by_lap_table")->UseManualTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace coaster::bench
