@@ -12,8 +12,8 @@
 namespace coaster::edit {
 namespace {
 
-// "at?" is the keyword "at" of an optional field: it makes sense for segments alone and is printed for them
-// alone.
+// "at?" is the keyword "at" of a field that may be left out. Where a command takes entities of any kind it makes sense for segments alone and is
+// printed for them alone.
 struct Keyword {
   std::string word;
   bool optional = false;
@@ -48,6 +48,8 @@ struct Field {
 };
 using Fields = std::vector<Field>;
 
+constexpr std::string_view kAnyTarget = "@knot|@segment|@cart|none";
+
 template <class C>
 constexpr std::string_view target_usage() {
   if constexpr (requires(C c) { c.segment; })
@@ -59,7 +61,7 @@ constexpr std::string_view target_usage() {
   else if constexpr (requires(C c) { c.knot; })
     return "@knot";
   else
-    return "@knot|@segment|@cart|none";
+    return kAnyTarget;
 }
 
 // A kind of command: one row for each alternative of the variant, in its order.
@@ -150,13 +152,14 @@ void set_output_path(Command& command, std::string path) {
 std::string print(const Command& command) {
   Command copy = command;  // fields are read and written through the same list
   std::string text(info(copy).name);
+  const bool of_anything = kKinds[copy.index()].target == kAnyTarget;
   bool on_segment = false;
   for (const Field& field : fields_of(copy)) {
     if (field.is_target()) {
       const world::Name& name = static_cast<const Target*>(field.value)->name;
       on_segment = name.number != 0 && name.kind == world::Kind::segment;
     }
-    if (field.keyword.optional && !on_segment) continue;
+    if (field.keyword.optional && of_anything && !on_segment) continue;
     if (!field.keyword.word.empty()) text += " " + field.keyword.word;
     text += " " + field.type->print(field.value);
   }

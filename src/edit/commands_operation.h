@@ -25,9 +25,10 @@ struct RemoveEquipment {
 struct SetTrain {
   Target cart;
   int cars = 1;
-  float spacing = world::Cart{}.spacing;
-  COASTER_COMMAND("train", "Set how many cars a train has, and how far their middles are apart (m).", Effect::document);
-  COASTER_FIELDS(visit("", self.cart), visit("cars", self.cars), visit("spacing?", self.spacing))
+  float spacing = 0, length = 0, mass = 0;  // 0: as it is
+  COASTER_COMMAND("train", "Set how many cars a train has, how far their middles are apart (m), how long (m) and how heavy (kg) each is; what is 0 or left out stays.", Effect::document);
+  COASTER_FIELDS(visit("", self.cart), visit("cars", self.cars), visit("spacing?", self.spacing), visit("length?", self.length),
+                 visit("mass?", self.mass))
 };
 struct SetLosses {
   float rolling = 0, drag = 0;

@@ -43,10 +43,12 @@ Status perform(Session& session, Change&, const RemoveEquipment& command) {
 Status perform(Session& session, Change& change, const SetTrain& command) {
   const auto cart = require(session, command.cart, world::Kind::cart);
   if (!cart) return cart.status();
-  if (!std::isfinite(command.spacing)) return refused("expected a finite spacing");
+  if (!finite({command.spacing, command.length, command.mass})) return refused("expected finite numbers");
   world::Cart& design = session.document.entities.get<world::Cart>(*cart);
   design.cars = change.clamp("cars", command.cars, 1, world::kMaxCars);
-  design.spacing = change.clamp("spacing", command.spacing, world::kMinSpacing, world::kMaxSpacing, "m");
+  if (command.spacing != 0) design.spacing = change.clamp("spacing", command.spacing, world::kMinSpacing, world::kMaxSpacing, "m");
+  if (command.length != 0) design.length = change.clamp("length", command.length, world::kMinCarLength, world::kMaxCarLength, "m");
+  if (command.mass != 0) design.mass = change.clamp("mass", command.mass, world::kMinCarMass, world::kMaxCarMass, "kg");
   return {};
 }
 

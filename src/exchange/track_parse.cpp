@@ -187,6 +187,8 @@ bool read_cart(Parse& parse, const Json& value, std::size_t index) {
   if (fields.has("cars") && !fields.whole("cars", cars, 1, world::kMaxCars)) return false;
   cart.cars = static_cast<std::int32_t>(cars);
   if (!optional_length(fields, "spacing", cart.spacing, world::kMinSpacing, world::kMaxSpacing)) return false;
+  if (!optional_length(fields, "length", cart.length, world::kMinCarLength, world::kMaxCarLength)) return false;
+  if (!optional_length(fields, "mass", cart.mass, world::kMinCarMass, world::kMaxCarMass)) return false;
   parse.document.entities.put(e, cart);
   keep_unknown(parse, fields, e);
   return true;

@@ -88,6 +88,8 @@ std::string train_members(const world::Cart& cart) {
   std::string text;
   if (cart.cars != plain.cars) text += ", \"cars\": " + std::to_string(cart.cars);
   if (cart.spacing != plain.spacing) text += ", \"spacing\": " + number(cart.spacing);
+  if (cart.length != plain.length) text += ", \"length\": " + number(cart.length);
+  if (cart.mass != plain.mass) text += ", \"mass\": " + number(cart.mass);
   return text;
 }
 

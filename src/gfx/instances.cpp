@@ -20,7 +20,8 @@ void push_colour(std::vector<float>& out, std::uint32_t rgba) {
 // Columns of the model's matrix: forward +X, up +Y, right +Z.
 void push_pose(std::vector<float>& out, const sim::Pose& pose) {
   const glm::vec3 forward = pose.frame.forward, up = pose.frame.up;
-  const glm::vec3 columns[] = {forward, up, glm::cross(forward, up), glm::vec3(pose.position)};
+  const float stretch = static_cast<float>(pose.length) / world::kCarLength;  // of the model along the rails
+  const glm::vec3 columns[] = {stretch * forward, up, glm::cross(forward, up), glm::vec3(pose.position)};
   for (int i = 0; i < 4; ++i) {
     push(out, columns[i]);
     out.push_back(i == 3 ? 1.0f : 0.0f);

@@ -58,6 +58,16 @@ Answer cars(const Context& c, View argument) {
   if (!cart) return cart.status();
   return number(c.session.document.entities.get<world::Cart>(*cart).cars);
 }
+Answer car_length(const Context& c, View argument) {
+  const auto cart = entity_of(c, argument, world::Kind::cart);
+  if (!cart) return cart.status();
+  return number(c.session.document.entities.get<world::Cart>(*cart).length);
+}
+Answer car_mass(const Context& c, View argument) {
+  const auto cart = entity_of(c, argument, world::Kind::cart);
+  if (!cart) return cart.status();
+  return number(c.session.document.entities.get<world::Cart>(*cart).mass);
+}
 Answer equipment(const Context& c, View argument) {
   const auto segment = entity_of(c, argument, world::Kind::segment);
   if (!segment) return segment.status();
@@ -88,6 +98,8 @@ constexpr std::array kRows{
     Query{"drag", "", "1/m", "Drag.", drag},
     Query{"heartline", "", "m", "Height over the rails where forces are told for.", heartline},
     Query{"cars", "@cart", "", "Cars of a train.", cars},
+    Query{"car_length", "@cart", "m", "Length of a car's body.", car_length},
+    Query{"car_mass", "@cart", "kg", "Mass of a car with its riders.", car_mass},
     Query{"equipment", "@segment", "", "What stands on a segment: station, lift, launch, brake, block or none.", equipment},
 };
 

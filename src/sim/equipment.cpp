@@ -154,12 +154,12 @@ bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, cons
 }
 
 bool collide(const Rails& rails, const TrainPlace& a, const TrainPlace& b) {
-  const double clear = 0.5 * (a.spacing + b.spacing);
+  const double clear = 0.5 * (a.length + b.length);
   for (int i = 0; i < a.cars; ++i)
     for (int j = 0; j < b.cars; ++j) {
       double apart = std::abs(car_place(rails, a, i) - car_place(rails, b, j));
       if (rails.closed) apart = std::min(apart, rails.length - apart);
-      if (apart < 0.9 * clear) return true;
+      if (apart < clear) return true;
     }
   return false;
 }

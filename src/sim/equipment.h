@@ -24,6 +24,7 @@ struct TrainPlace {
   double front = 0;    // m from the track's start, of the first car
   int cars = 1;
   double spacing = 3;  // m
+  double length = world::kCarLength;  // m, of a car
 };
 
 // Parts of a train's control that last from tick to tick (members of world::CartMotion).
@@ -50,7 +51,7 @@ Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const T
 // Whether no other train is between the end of the station or block that `train` is on and the end of the next one; true when it is on none.
 bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, std::span<const TrainPlace> others);
 
-// Whether two trains overlap: any two of their cars' middles nearer than half the sum of their spacings.
+// Whether two trains overlap: any two of their cars' bodies.
 bool collide(const Rails& rails, const TrainPlace& a, const TrainPlace& b);
 
 }  // namespace coaster::sim

@@ -78,7 +78,7 @@ struct Moving {
 class Simulation {
  public:
   Simulation(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document, const GhostStart& start)
-      : tables_(tables), equipment_(equipment), document_(document), start_(start), segments_(segments_of(tables)),
+      : tables_(tables), equipment_(equipment), document_(document), resistance_(resistance_of(document, start.mass)), start_(start), segments_(segments_of(tables)),
         landscape_(tables, segments_, start),        rails_{tables.length(), tables.closed()}, control_(start.control), moving_{start.front, start.speed, 0} {
     settle();
   }
@@ -113,7 +113,7 @@ class Simulation {
 
  private:
   double others(double speed, double direction, double drive) const {
-    return drive - direction * (world::kGravity * document_.resistance.rolling + document_.resistance.drag * speed * speed);
+    return drive - direction * (world::kGravity * resistance_.rolling + resistance_.drag * speed * speed);
   }
   double gravity(double at) const { return -world::kGravity * landscape_.slope(at - round_); }
   // After each move: the gravity there, which is asked for several times, and the start of the round that the train is in.
@@ -124,7 +124,7 @@ class Simulation {
   double direction(double drive) const {
     if (moving_.speed != 0) return moving_.speed > 0 ? 1.0 : -1.0;
     const double pull = gravity_here_ + drive;
-    if (std::abs(pull) <= world::kGravity * document_.resistance.rolling) return 0.0;
+    if (std::abs(pull) <= world::kGravity * resistance_.rolling) return 0.0;
     return pull > 0 ? 1.0 : -1.0;
   }
   double acceleration(double drive) const { return gravity_here_ + others(moving_.speed, direction(drive), drive); }
@@ -132,7 +132,7 @@ class Simulation {
   bool control(double& drive) {
     if (equipment_.empty()) return false;
     const double free = acceleration(0);
-    const Drive now = drive_of(equipment_, rails_, {moving_.at, start_.cars, start_.spacing}, moving_.speed, free, true, world::kTick, control_);
+    const Drive now = drive_of(equipment_, rails_, {moving_.at, start_.cars, start_.spacing, start_.length}, moving_.speed, free, true, world::kTick, control_);
     drive = now.acceleration;
     if (now.held) {
       moving_.work -= 0.5 * moving_.speed * moving_.speed;
@@ -143,7 +143,7 @@ class Simulation {
 
   void advance(double drive, Ghost& ghost) {
     const double sign = direction(drive), dt = world::kTick;
-    if (moving_.speed == 0 && sign == 0 && document_.resistance.rolling > 0) return;  // at rest, and friction holds it
+    if (moving_.speed == 0 && sign == 0 && resistance_.rolling > 0) return;  // at rest, and friction holds it
     const auto with = [&](const Moving& m, double pull) {
       const double by_others = others(m.speed, sign, drive);
       return Moving{m.speed, pull + by_others, by_others * m.speed};
@@ -155,7 +155,7 @@ class Simulation {
     const Moving k1 = with(moving_, gravity_here_), k2 = slope(moved(k1, 0.5 * dt)), k3 = slope(moved(k2, 0.5 * dt)), k4 = slope(moved(k3, dt));
     const auto mean = [](double a, double b, double c, double d) { return (a + 2.0 * b + 2.0 * c + d) / 6.0; };
     Moving next = moved({mean(k1.at, k2.at, k3.at, k4.at), mean(k1.speed, k2.speed, k3.speed, k4.speed), mean(k1.work, k2.work, k3.work, k4.work)}, dt);
-    const bool losses = !(document_.resistance == world::Resistance{});
+    const bool losses = !(resistance_ == world::Resistance{});
     if (losses && sign != 0 && next.speed * sign < 0) {  // friction brings it to rest, not beyond
       const double part = moving_.speed / (moving_.speed - next.speed);
       next = {moving_.at + part * (next.at - moving_.at), 0.0, moving_.work + part * (next.work - moving_.work)};
@@ -195,6 +195,7 @@ class Simulation {
   const RailTables& tables_;
   std::span<const EquipmentSpan> equipment_;
   const world::Document& document_;
+  world::Resistance resistance_;
   GhostStart start_;
   std::vector<const SegmentTable*> segments_;
   Landscape landscape_;
@@ -233,7 +234,7 @@ GhostStart start_of(const world::Document& document, const Derived& derived, con
     if (derived.order[i] == design.segment) start.front = derived.starts[i] + design.fraction * derived.shape(design.segment).arc.length();
   start.speed = document.start_speed;
   start.cars = cars_on(derived, design);
-  start.spacing = design.spacing;
+  start.spacing = design.spacing, start.length = design.body(), start.mass = design.mass;
   return start;
 }
 

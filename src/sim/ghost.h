@@ -20,8 +20,10 @@ struct GhostStart {
   int cars = 1;
   double spacing = 3;  // m
   ControlState control;
+  double length = world::kCarLength;  // m, of a car
+  double mass = world::kCarMass;      // kg, of a car
   friend bool operator==(const GhostStart& a, const GhostStart& b) {
-    return a.front == b.front && a.speed == b.speed && a.cars == b.cars && a.spacing == b.spacing && a.control.dwell == b.control.dwell &&
+    return a.front == b.front && a.speed == b.speed && a.cars == b.cars && a.spacing == b.spacing && a.length == b.length && a.mass == b.mass && a.control.dwell == b.control.dwell &&
            a.control.braking == b.control.braking;
   }
 };

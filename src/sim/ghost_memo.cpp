@@ -16,7 +16,7 @@ GhostMemo::Entry& GhostMemo::find(const world::Document& document, const Derived
   equipment_ = equipment_spans(document, derived);
   base::Hasher hasher;
   hasher.add(tables_.serial()), hasher.add(limits.seconds), hasher.add(limits.stop_after_lap);
-  hasher.add(start.front), hasher.add(start.speed), hasher.add(start.cars), hasher.add(start.spacing);
+  hasher.add(start.front), hasher.add(start.speed), hasher.add(start.cars), hasher.add(start.spacing), hasher.add(start.mass);
   hasher.add(start.control.dwell), hasher.add(start.control.braking);
   hasher.add(document.resistance.rolling), hasher.add(document.resistance.drag), hasher.add(document.rollback_fails);
   for (const EquipmentSpan& span : equipment_) {

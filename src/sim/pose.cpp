@@ -23,8 +23,10 @@ std::vector<CarPlace> places_of(const world::Document& document, const Derived& 
 }
 
 // The train's acceleration along the rails, as its last tick had it.
-double acceleration_of(const world::Document& document, const Derived& derived, std::span<const CarPlace> places, const world::CartMotion& cart) {
-  TrainContext context{derived, places, document.datum, cart.reference_energy, document.resistance, 0.0, cart.drive};
+double acceleration_of(const world::Document& document, const Derived& derived, world::Entity entity, std::span<const CarPlace> places, const world::CartMotion& cart) {
+  const world::Cart* const design = document.entities.find<world::Cart>(entity);
+  const world::Resistance resistance = resistance_of(document, static_cast<double>(design ? design->mass : world::kCarMass));
+  TrainContext context{derived, places, document.datum, cart.reference_energy, resistance, 0.0, cart.drive};
   context.direction = cart.speed > 0 ? 1.0 : cart.speed < 0 ? -1.0 : 0.0;
   return context.gravity(0.0) + context.others(cart.speed);
 }
@@ -46,7 +48,11 @@ Pose pose(const Derived& derived, const world::CartMotion& cart, world::FrameMet
 std::vector<Pose> car_poses(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& motion,
                             world::FrameMethod method) {
   std::vector<Pose> poses;
-  for (const CarPlace& place : places_of(document, derived, entity, motion)) poses.push_back(pose(derived, place, method));
+  const world::Cart* const design = document.entities.find<world::Cart>(entity);
+  for (const CarPlace& place : places_of(document, derived, entity, motion)) {
+    poses.push_back(pose(derived, place, method));
+    if (design) poses.back().length = design->body();
+  }
   return poses;
 }
 
@@ -64,7 +70,7 @@ Felt felt(const world::Document& document, const Derived& derived, world::Entity
   const double d = document.heartline;
   const dvec3 before = heartline_point(shape, s - step, d), here = heartline_point(shape, s, d), after = heartline_point(shape, s + step, d);
   const dvec3 first = (after - before) / (2.0 * step), second = (after - 2.0 * here + before) / (step * step);
-  const double along = acceleration_of(document, derived, places, cart);
+  const double along = acceleration_of(document, derived, entity, places, cart);
   const dvec3 a = along * first + cart.speed * cart.speed * second + dvec3(0, world::kGravity, 0);
   return {glm::dot(a, frame.up) / world::kGravity, glm::dot(a, frame.left()) / world::kGravity,
           glm::dot(a, frame.forward) / world::kGravity};

@@ -62,6 +62,7 @@ struct Pose {
   glm::dvec3 position{0};
   curve::Frame frame;
   bool defined = true;
+  double length = world::kCarLength;  // m, of the car
 };
 Pose pose(const Derived& derived, const world::CartMotion& cart, world::FrameMethod method);
 // Of any place on the track, and of all cars of a train, first to last.

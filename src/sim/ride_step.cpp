@@ -21,6 +21,7 @@ constexpr double kOverhang = 1e-9;     // m
 struct TickContext {
   const RideInput& input;
   const Integrator& row;
+  world::Resistance resistance;  // of the train whose tick it is
 };
 
 // The time in (0, dt] at which `value` (of the state after that time) first reaches zero from below: bisection and secants in turn,
@@ -81,9 +82,9 @@ bool stays_at_rest(const TrainContext& context, double speed) {
 bool advance_across(const TickContext& tick, double dt, double drive, std::vector<CarPlace>& places, world::CartMotion& cart) {
   const Derived& derived = tick.input.derived;
   const world::Document& document = tick.input.document;
-  TrainContext context{derived, places, document.datum, cart.reference_energy, document.resistance, 0.0, drive, true};
+  TrainContext context{derived, places, document.datum, cart.reference_energy, tick.resistance, 0.0, drive, true};
   context.direction = direction_of(context, cart.speed);
-  const bool losses = !(document.resistance == world::Resistance{});
+  const bool losses = !(tick.resistance == world::Resistance{});
   if (losses && stays_at_rest(context, cart.speed)) return false;
   const TrainState next = tick.row.advance(context, {0.0, cart.speed, cart.work}, dt);
   if (losses && next.speed * context.direction < 0) return false;
@@ -103,11 +104,11 @@ bool advance_across(const TickContext& tick, double dt, double drive, std::vecto
 bool advance_stepped(const TickContext& tick, double dt, double drive, std::vector<CarPlace>& places, world::CartMotion& cart) {
   const Derived& derived = tick.input.derived;
   const world::Document& document = tick.input.document;
-  const bool losses = !(document.resistance == world::Resistance{});
+  const bool losses = !(tick.resistance == world::Resistance{});
   if (!tick.row.splits && advance_across(tick, dt, drive, places, cart)) return true;
   const int most_parts = kMaxJointsPerTick * static_cast<int>(places.size());
   for (int part = 0; dt > 0 && part < most_parts; ++part) {
-    TrainContext context{derived, places, document.datum, cart.reference_energy, document.resistance, 0.0, drive};
+    TrainContext context{derived, places, document.datum, cart.reference_energy, tick.resistance, 0.0, drive};
     context.direction = direction_of(context, cart.speed);
     if (losses && stays_at_rest(context, cart.speed)) return true;
     const TrainState state{0.0, cart.speed, cart.work};
@@ -142,7 +143,7 @@ Drive drive_for(const TickContext& tick, std::size_t train, std::span<const Trai
   std::vector<TrainPlace> others(trains.begin(), trains.end());
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(train));
   const Rails rails{input.derived.length, input.derived.closed};
-  TrainContext context{input.derived, places, input.document.datum, cart.reference_energy, input.document.resistance, 0.0, 0.0};
+  TrainContext context{input.derived, places, input.document.datum, cart.reference_energy, tick.resistance, 0.0, 0.0};
   context.direction = cart.speed > 0 ? 1.0 : cart.speed < 0 ? -1.0 : 0.0;
   const double free = context.gravity(0.0) + context.others(cart.speed);
   ControlState control{cart.dwell, cart.braking};
@@ -173,7 +174,8 @@ struct Train {
   world::Entity entity;
   world::CartMotion* motion;
   int cars;
-  double spacing;
+  double spacing, length;
+  world::Resistance resistance;
   std::vector<CarPlace> places;
 };
 
@@ -182,7 +184,7 @@ std::vector<Train> trains_of(const RideInput& input, world::Motion& motion) {
   for (std::size_t i = 0; i < motion.carts.size(); ++i) {
     const world::Entity entity = motion.carts.entities()[i];
     const world::Cart& design = input.document.entities.get<world::Cart>(entity);
-    Train train{entity, &motion.carts.items()[i], cars_on(input.derived, design), design.spacing, {}};
+    Train train{entity, &motion.carts.items()[i], cars_on(input.derived, design), design.spacing, design.body(), resistance_of(input.document, static_cast<double>(design.mass)), {}};
     place_cars(input.derived, front_place(input.derived, *train.motion), train.cars, train.spacing, train.places);
     trains.push_back(std::move(train));
   }
@@ -216,7 +218,6 @@ bool advance_train(const TickContext& tick, const Drive& drive, Train& train) {
 }  // namespace
 
 void step_trains(const RideInput& input, const Integrator& row, int ticks, world::Motion& motion) {
-  const TickContext tick{input, row};
   std::vector<Train> trains = trains_of(input, motion);
   const Rails rails{input.derived.length, input.derived.closed};
   std::vector<TrainPlace> places(trains.size());
@@ -225,10 +226,11 @@ void step_trains(const RideInput& input, const Integrator& row, int ticks, world
     if (kind != world::FailureKind::off_end) motion.state = world::RideState::failed;
   };
   for (int n = 0; n < ticks && motion.state == world::RideState::running; ++n) {
-    for (std::size_t i = 0; i < trains.size(); ++i) places[i] = {trains[i].motion->track_distance, trains[i].cars, trains[i].spacing};
+    for (std::size_t i = 0; i < trains.size(); ++i) places[i] = {trains[i].motion->track_distance, trains[i].cars, trains[i].spacing, trains[i].length};
     bool any = false;
     for (std::size_t i = 0; i < trains.size() && motion.state == world::RideState::running; ++i) {
       world::CartMotion& cart = *trains[i].motion;
+      const TickContext tick{input, row, trains[i].resistance};
       const Drive drive = drive_for(tick, i, places, trains[i].places, cart);
       cart.drive = drive.acceleration;
       const bool on_track = advance_train(tick, drive, trains[i]);

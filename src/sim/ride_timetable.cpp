@@ -18,7 +18,7 @@ void note_extremes(world::CartMotion& cart) {
 
 GhostStart start_of(const RideInput& input, world::Entity entity, const world::TimetablePlace& table) {
   const world::Cart& design = input.document.entities.get<world::Cart>(entity);
-  return {table.front, table.speed, cars_on(input.derived, design), design.spacing, {table.dwell, table.braking}};
+  return {table.front, table.speed, cars_on(input.derived, design), design.spacing, {table.dwell, table.braking}, static_cast<double>(design.body()), static_cast<double>(design.mass)};
 }
 
 // The next tick's entry. False when the timetable says that the ride is over.

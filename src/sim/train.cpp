@@ -27,6 +27,12 @@ int cars_on(const Derived& derived, const world::Cart& design) {
   return std::clamp(static_cast<int>(std::min(room, 1e6)), 1, static_cast<int>(design.cars));
 }
 
+world::Resistance resistance_of(const world::Document& document, double car_mass) {
+  world::Resistance felt = document.resistance;
+  if (car_mass != world::kCarMass) felt.drag = static_cast<float>(felt.drag * world::kCarMass / car_mass);
+  return felt;
+}
+
 CarPlace behind(const Derived& derived, CarPlace place, double back) {
   const std::size_t count = derived.order.size();
   place.s -= back;

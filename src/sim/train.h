@@ -30,6 +30,9 @@ int cars_on(const Derived& derived, const world::Cart& design);
 // The place `back` metres behind (negative: ahead of) another, over as many joints as lie between.
 CarPlace behind(const Derived& derived, CarPlace place, double back);
 
+// A document's losses as one train feels them: drag per kilogram goes with 1 / mass.
+world::Resistance resistance_of(const world::Document& document, double car_mass);
+
 // The cars of a train, first to last, from the place of its first car.
 void place_cars(const Derived& derived, CarPlace front, int cars, double spacing, std::vector<CarPlace>& places);
 

@@ -62,9 +62,13 @@ void train(Ui& ui) {
   if (!design) return;
   const world::Name name = world::name_of(session.document, cart);
   if (const auto to = number(ui, "Cars", {.value = static_cast<double>(design->cars), .decimals = 0, .step = 0.05, .low = 1, .high = world::kMaxCars, .largest = 1e9}, "Cars of the train; they share one energy."))
-    ui.emit(edit::SetTrain{{name}, static_cast<int>(*to), design->spacing});
+    ui.emit(edit::SetTrain{{name}, static_cast<int>(*to)});
   if (const auto to = number(ui, "Spacing", {.value = design->spacing, .unit = "m", .decimals = 2, .step = 0.02, .low = world::kMinSpacing, .high = world::kMaxSpacing}, "Between the middles of neighbouring cars."))
-    ui.emit(edit::SetTrain{{name}, design->cars, static_cast<float>(*to)});
+    ui.emit(edit::SetTrain{.cart = {name}, .cars = design->cars, .spacing = static_cast<float>(*to)});
+  if (const auto to = number(ui, "Car length", {.value = design->length, .unit = "m", .decimals = 2, .step = 0.02, .low = world::kMinCarLength, .high = world::kMaxCarLength}, "Of a car's body: trains collide where bodies touch. Longer than the spacing counts as the spacing."))
+    ui.emit(edit::SetTrain{.cart = {name}, .cars = design->cars, .length = static_cast<float>(*to)});
+  if (const auto to = number(ui, "Car mass", {.value = design->mass, .unit = "kg", .decimals = 0, .step = 0.5, .low = world::kMinCarMass, .high = world::kMaxCarMass, .largest = 1e6}, "With riders. Drag is told for 500 kg: heavier cars feel less of it."))
+    ui.emit(edit::SetTrain{.cart = {name}, .cars = design->cars, .mass = static_cast<float>(*to)});
 }
 
 void losses(Ui& ui) {

@@ -27,7 +27,7 @@ edit::AddCart free_place(const edit::Session& session, world::Entity first) {
   const auto is_free = [&](double distance) {
     for (const world::Cart& other : session.document.entities.pool<world::Cart>().items()) {
       const sim::GhostStart start = sim::start_of(session.document, derived, other);
-      if (sim::collide(rails, {distance, 1, kRoom}, {start.front, start.cars, start.spacing})) return false;
+      if (sim::collide(rails, {distance, 1, kRoom, kRoom}, {start.front, start.cars, start.spacing, start.length})) return false;
     }
     return true;
   };

@@ -49,13 +49,21 @@ struct Segment {
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
-// A cart as designed: where its first car starts, and how many cars follow it. All cars weigh the same, so that the motion depends on their
-// places alone.
+inline constexpr float kCarLength = 2.2f;  // m
+inline constexpr float kCarMass = 500.0f;  // kg: the car that drag is told for
+inline constexpr float kMinCarLength = 0.5f, kMaxCarLength = 20.0f, kMinCarMass = 1.0f, kMaxCarMass = 100'000.0f;
+
+// A cart as designed: where its first car starts, and how many cars follow it. All cars of a train weigh the same, so that without
+// losses the motion depends on their places alone; drag slows heavy cars less.
 struct Cart {
   Entity segment;
   double fraction = 0;  // of the segment's arc length, [0,1)
   std::int32_t cars = 1;  // 1..kMaxCars
   float spacing = 3.0f;   // m of rail between the middles of neighbouring cars
+  float length = kCarLength;  // m of a car's body
+  float mass = kCarMass;      // kg of a car with its riders
+  // What is drawn, and what collides: cars of one train do not overlap.
+  float body() const { return length < spacing ? length : spacing; }
   friend bool operator==(const Cart&, const Cart&) = default;
 };
 

@@ -76,6 +76,7 @@ std::uint64_t hash(const Document& document) {
     hasher.add(number_of(document, e)), hasher.add(number_of(document, cart.segment)),
         hasher.add(cart.fraction);
     if (cart.cars != 1 || cart.spacing != Cart{}.spacing) hasher.add(cart.cars), hasher.add(cart.spacing);
+    if (cart.length != Cart{}.length || cart.mass != Cart{}.mass) hasher.add(cart.length), hasher.add(cart.mass);
     add_extra(hasher, document, e);
   }
   return hasher.digest();

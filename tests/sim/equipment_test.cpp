@@ -181,5 +181,44 @@ TEST(equipment, a_train_that_rolls_back_ends_the_ride_unless_it_may) {
   EXPECT_EQ(rolls.motion.failure.kind, world::FailureKind::off_end);
 }
 
+TEST(train_mass, drag_slows_a_heavy_train_less_by_the_closed_form) {
+  // v' = -k v^2 with k = drag 500 / mass: v = v0 / (1 + k v0 t).
+  for (const float mass : {250.0f, 500.0f, 2000.0f}) {
+    world::Document d = runway(0, {});
+    d.resistance.drag = 0.01f;
+    d.start_speed = 20;
+    d.entities.get<world::Cart>(world::first_cart(d)).mass = mass;
+    Ride ride(d);
+    ride.step(240);
+    const double k = 0.01 * 500.0 / static_cast<double>(mass);
+    EXPECT_NEAR(ride.train().speed, 20 / (1 + k * 20 * 2), 1e-6) << mass;
+    EXPECT_LT(ride.drift(), 1e-9);
+    const Ghost& ghost = *ride.memo.ride(ride.document, ride.derived, world::first_cart(ride.document));
+    EXPECT_NEAR(ghost.samples.at(240).speed, ride.train().speed, 1e-6) << mass;
+  }
+}
+
+TEST(train_mass, without_losses_mass_changes_nothing) {
+  world::Document light = runway(12, {}), heavy = light;
+  for (world::Document* const d : {&light, &heavy}) d->start_speed = 20;
+  heavy.entities.get<world::Cart>(world::first_cart(heavy)).mass = 5000;
+  Ride a(light), b(heavy);
+  a.step(300), b.step(300);
+  EXPECT_EQ(a.train().track_distance, b.train().track_distance);
+  EXPECT_EQ(a.train().speed, b.train().speed);
+}
+
+TEST(train_length, trains_collide_where_the_bodies_of_their_cars_touch) {
+  const Rails rails{200, true};
+  const TrainPlace longer{100, 2, 5, 4.4}, shorter{100 + 3.6, 1, 3, 2.6};  // bodies end at 102.2 and begin at 102.3
+  EXPECT_FALSE(collide(rails, longer, shorter));
+  EXPECT_TRUE(collide(rails, longer, {100 + 3.4, 1, 3, 2.6}));
+  EXPECT_TRUE(collide(rails, {1, 1, 3, 2.2}, {199, 1, 3, 2.2}));  // over the closing joint
+  EXPECT_FALSE(collide({200, false}, {1, 1, 3, 2.2}, {199, 1, 3, 2.2}));
+  world::Cart crowded;
+  crowded.spacing = 1.5f;
+  EXPECT_EQ(crowded.body(), 1.5f);
+}
+
 }  // namespace
 }  // namespace coaster::sim
