@@ -27,8 +27,17 @@ void step_trains(const RideInput& input, const Integrator& row, int ticks, world
 // another one starts there.
 void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world::Motion& motion);
 
-// The paper's conclusion: from vertex to vertex of the polyline, each chord / speed after the last, the speed by the energy at the vertex. The
-// time that is left waits in cart.carry. Equipment and losses do not act. False at an open end.
-bool advance_by_vertices(const RideInput& input, double dt, world::CartMotion& cart);
+// What an integrator without a TrainContext has to know of a train.
+struct TrainLoad {
+  int cars = 1;
+  double spacing = 3;            // m
+  world::Resistance resistance;  // as this train feels it
+  double drive = 0;              // m/s^2 by equipment
+};
+
+// The paper's conclusion: from vertex to vertex of the polyline, each chord / speed after the last, the speed by the energy at the vertex: of the cars'
+// mean height, less what losses took and with what equipment gave on the way. At rest it stays, as the paper's does, unless equipment pushes. The
+// time that is left waits in cart.carry. False at an open end.
+bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double dt, world::CartMotion& cart);
 
 }  // namespace coaster::sim

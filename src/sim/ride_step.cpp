@@ -205,7 +205,7 @@ bool advance_train(const TickContext& tick, const Drive& drive, Train& train) {
   }
   bool on_track = true;
   if (tick.row.kind == IntegratorKind::vertices) {
-    on_track = advance_by_vertices(tick.input, world::kTick, cart);
+    on_track = advance_by_vertices(tick.input, {train.cars, train.spacing, train.resistance, drive.acceleration}, world::kTick, cart);
     place_cars(tick.input.derived, front_place(tick.input.derived, cart), train.cars, train.spacing, train.places);
   } else {
     for (int part = 0; part < tick.row.substeps && on_track; ++part)

@@ -1,6 +1,7 @@
 // The integrators that are not stepped: by a timetable of the whole ride, and by the vertices of the polyline (Barrett 2012, section 6).
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "sim/ride_parts.h"
 
@@ -66,9 +67,15 @@ void follow_laps(const RideInput& input, const LapTable& table, int ticks, world
   settle_on(input.derived, {place.index, place.s}, cart);
 }
 
-// Where the energy lets a cart be this fast at height y, m/s, in the direction it had.
-double speed_at(const RideInput& input, const world::CartMotion& cart, double y) {
-  const double kinetic = cart.reference_energy + cart.work - world::kGravity * (y - input.document.datum);
+// By the energy, with the first car at a place that is `height` m high (a vertex: not quite the curve), the others behind it on the curve.
+double speed_at(const RideInput& input, const TrainLoad& load, const world::CartMotion& cart, CarPlace front, double height) {
+  if (load.cars > 1) {
+    std::vector<CarPlace> places;
+    place_cars(input.derived, front, load.cars, load.spacing, places);
+    for (std::size_t i = 1; i < places.size(); ++i) height += rail_point(input.derived.shape(input.derived.order[places[i].index]), places[i].s).height;
+    height /= load.cars;
+  }
+  const double kinetic = cart.reference_energy + cart.work - world::kGravity * (height - input.document.datum);
   return kinetic > 0 ? std::sqrt(2.0 * kinetic) : 0.0;
 }
 
@@ -108,11 +115,12 @@ void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
   }
 }
 
-bool advance_by_vertices(const RideInput& input, double dt, world::CartMotion& cart) {
+bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double dt, world::CartMotion& cart) {
   const Derived& derived = input.derived;
   constexpr int kMostVertices = 100'000;  // in one tick
   double time = cart.carry + dt;
-  const bool forward = cart.speed >= 0;
+  const bool forward = cart.speed > 0 || (cart.speed == 0 && load.drive >= 0);
+  const double sign = forward ? 1.0 : -1.0;
   std::size_t index = front_place(derived, cart).index;
   for (int n = 0; n < kMostVertices; ++n) {
     const SegmentShape& shape = derived.shape(derived.order[index]);
@@ -135,16 +143,19 @@ bool advance_by_vertices(const RideInput& input, double dt, world::CartMotion& c
       continue;
     }
     const glm::dvec3 a = vertex(here), b = vertex(to);
-    const double speed = speed_at(input, cart, a.y), chord = glm::length(b - a);
-    cart.speed = forward ? speed : -speed;
-    if (!(speed > 0) || !(time >= chord / speed)) break;
-    time -= chord / speed;
-    const double s = shape.arc.distance(static_cast<double>(to) / (count - 1));
+    const double chord = glm::length(b - a), s = shape.arc.distance(static_cast<double>(to) / (count - 1));
+    cart.speed = sign * speed_at(input, load, cart, {index, cart.s}, a.y);
+    // From rest equipment takes it over the first chord with v^2 = 2 a s, at half of that speed in the mean.
+    const double pace = cart.speed != 0 ? std::abs(cart.speed) : 0.5 * std::sqrt(std::max(0.0, 2.0 * sign * load.drive * chord));
+    if (!(pace > 0) || !(time >= chord / pace)) break;
+    time -= chord / pace;
+    const double lost = world::kGravity * load.resistance.rolling + load.resistance.drag * pace * pace;
+    cart.work += (sign * load.drive - lost) * std::abs(s - cart.s);
     cart.travelled += s - cart.s;
     settle_on(derived, {index, s}, cart);
-    cart.speed = (forward ? 1.0 : -1.0) * speed_at(input, cart, b.y);
+    cart.speed = sign * speed_at(input, load, cart, {index, s}, b.y);
   }
-  cart.carry = cart.speed != 0 ? time : 0.0;
+  cart.carry = cart.speed != 0 || load.drive != 0 ? time : 0.0;
   return true;
 }
 
