@@ -106,9 +106,10 @@ void side(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study) {
   if (radio(ui, "Over way", !ui.lab.forces_over_time, "Plot over the way along the track.")) ui.lab.forces_over_time = false;
   ImGui::SameLine();
   if (radio(ui, "Over time", ui.lab.forces_over_time, "Plot over the time of the ride.")) ui.lab.forces_over_time = true;
-  colouring_box(ui);
-  layer_box(ui, world::Layer::limits);
   if (button(ui, "Auto-bank", "Roll every knot so that riders feel no lateral g there at the ghost's speed. One step of undo.")) ui.emit(edit::AutoBank{});
+  (void)beside_last(ui, world::layers()[static_cast<std::size_t>(world::Layer::limits)].label);
+  layer_box(ui, world::Layer::limits);
+  if (study.red.empty()) small_note(ui, "Nothing lasts longer than it may.");
   const sim::Ratings& r = study.ratings;
   read_out(ui, ghost.lap ? "Lap time" : "Ride time", fixed(r.seconds, 2), "s", "Of the whole ride, by the ghost.");
   read_out(ui, "Top speed", fixed(r.top_speed.value, 2), "m/s", "Anywhere in the ride.");
@@ -139,12 +140,9 @@ std::string advice_text(const edit::Session& session, const std::optional<sim::A
   return {};
 }
 
-void red_table(Ui& ui, const ForceStudy& study, float height) {
+// `brief`: in little room, where a span begins and the force by its short name.
+void red_table(Ui& ui, const ForceStudy& study, float height, bool brief) {
   const edit::Session& session = ui.session();
-  if (study.red.empty()) {
-    small_note(ui, "Nothing lasts longer than it may.");
-    return;
-  }
   if (ui.lab.red_chosen < static_cast<int>(study.red.size())) {
     if (button(ui, "What helps?", "Tries moves of the knots around the chosen stretch, each with a whole ride, and says which lowers it most.", ui.lab.red_chosen >= 0))
       ui.lab.advice = advice_text(session, sim::advise(session.document, world::first_cart(session.document), session.envelope, study.red[static_cast<std::size_t>(ui.lab.red_chosen)]));
@@ -154,7 +152,7 @@ void red_table(Ui& ui, const ForceStudy& study, float height) {
   if (!begin_table(ui, "Red spans", kColumns, height)) return;
   for (std::size_t i = 0; i < study.red.size(); ++i) {
     const sim::RedSpan& span = study.red[i];
-    const Cell cells[] = {{fixed(span.from_distance, 1) + ".." + fixed(span.to_distance, 1)}, {std::string(sim::label(span.axis)), kPlainColour, true},
+    const Cell cells[] = {{fixed(span.from_distance, 1) + (brief ? "" : ".." + fixed(span.to_distance, 1))}, {std::string(brief ? sim::name(span.axis) : sim::label(span.axis)), kPlainColour, true},
                           {fixed(span.worst, 2), kBadColour}, {fixed(span.allowed, 2)}};
     if (!table_row(ui, "Span " + std::to_string(i + 1), cells, ui.lab.red_chosen == static_cast<int>(i), fixed(span.worst, 2), "Click to put the train there.")) continue;
     ui.lab.red_chosen = static_cast<int>(i);
@@ -178,16 +176,17 @@ void forces_page(Ui& ui) {
   Page page(ui, 230);
   side(ui, *ghost, study);
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);
-  const int parts = room > 560 * ui.scale ? 3 : room > 340 * ui.scale ? 2 : 1;
+  const int parts = room <= 340 * ui.scale ? 1 : study.red.empty() || room <= 560 * ui.scale ? 2 : 3;
   const float width = std::floor((room - gap * static_cast<float>(parts - 1)) / static_cast<float>(parts));
   force_plot(ui, *ghost, study, ui.lab.force_plots[0], "Left plot", width, height);
-  if (parts > 1) {
+  if (parts > (study.red.empty() ? 1 : 2)) {  // where there is little room the table takes the second plot's place
     ImGui::SameLine(0, gap);
     force_plot(ui, *ghost, study, ui.lab.force_plots[1], "Right plot", width, height);
   }
-  if (parts > 2) ImGui::SameLine(0, gap);
+  if (study.red.empty()) return;
+  if (parts > 1) ImGui::SameLine(0, gap);
   ImGui::BeginGroup();
-  red_table(ui, study, height);
+  red_table(ui, study, height, parts < 3);
   ImGui::EndGroup();
 }
 

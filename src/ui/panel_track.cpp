@@ -6,6 +6,7 @@
 #include "sim/equipment.h"
 #include "ui/lab.h"
 #include "ui/panels.h"
+#include "ui/row.h"
 
 namespace coaster::ui {
 namespace {
@@ -16,7 +17,14 @@ const world::Name* selected_name(const edit::Session& session) {
   return session.document.entities.find<world::Name>(session.settings.selected);
 }
 
-float half(const Ui&) { return (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) * 0.5f; }
+// Buttons of a pair stand side by side where the longest label finds room, else one below the other.
+float pair_width() {
+  const float room = ImGui::GetContentRegionAvail().x, half = (room - ImGui::GetStyle().ItemSpacing.x) * 0.5f;
+  return text_size("Insert point").x + 2 * ImGui::GetStyle().FramePadding.x <= half ? half : room;
+}
+void beside(float width) {
+  if (width < ImGui::GetContentRegionAvail().x) ImGui::SameLine();
+}
 
 // Where a new cart touches no other at the start of the ride: the start or the middle of a segment, looked for from `first` on; the start of
 // `first` where there is no such place.
@@ -64,14 +72,14 @@ void building(Ui& ui) {
                                "A click on the ground appends a knot to an open track. Key A; Escape leaves it."))
     ui.emit(edit::SetAppendMode{*on});
 
-  const float width = half(ui);
+  const float width = pair_width();
   if (button(ui, "Add curve", "Split the longest segment at half its length, keeping the shape. Key C.", true, width)) ui.emit(edit::AddCurve{});
-  ImGui::SameLine();
+  beside(width);
   if (button(ui, "Insert point", "Insert a knot at the picked place of the selected segment, keeping the shape (de Casteljau). Key I, or double-click the curve.",
              on_segment, width))
     ui.emit(edit::SplitSegment{{*selected}, session.settings.selected_t});
   if (button(ui, "Delete", "Remove the selected knot or cart. Key Delete or X.", removable, width)) ui.emit(edit::RemoveKnot{{*selected}});
-  ImGui::SameLine();
+  beside(width);
   const auto& segments = session.document.track.segments;
   if (button(ui, "Add cart", "Add a cart at the start of the selected segment, or of the track, or at the next place after it that is free.", !segments.empty(), width)) {
     ui.emit(free_place(session, on_segment ? session.settings.selected : segments.front()));
