@@ -1,26 +1,11 @@
+// Solving: sequential quadratic programming, by Newton's steps where they go downhill, else by Gauss-Newton's. What is solved is in g2_repair.h.
 #include "curve/g2.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "curve/g2_repair.h"
 
 namespace coaster::curve {
+namespace detail {
 namespace {
-
-using glm::dvec3;
-
-// Unknowns: the joint's two handles q and r, the joint's place on their line p = q + l (r - q), and how long the far handles are. In these
-// every condition is a polynomial.
-constexpr int kUnknowns = 9, kMostConditions = 11;
-enum : int { kQ = 0, kR = 3, kL = 6, kA = 7, kB = 8 };
-using Vector = std::array<double, kUnknowns>;
-using Matrix = std::array<Vector, kUnknowns>;
-
-struct Point {
-  dvec3 q, r;
-  double l, a, b;
-  dvec3 p() const { return q + l * (r - q); }
-};
 
 Point moved(Point x, const Vector& d, double step) {
   for (int i = 0; i < 3; ++i) x.q[i] += step * d[kQ + i], x.r[i] += step * d[kR + i];
@@ -28,16 +13,6 @@ Point moved(Point x, const Vector& d, double step) {
   x.a += step * d[kA];
   x.b += step * d[kB];
   return x;
-}
-
-struct Axes {
-  dvec3 first, second;
-};
-Axes axes_across(dvec3 direction) {
-  const dvec3 a = glm::abs(direction);
-  const dvec3 axis = a.x <= a.y && a.x <= a.z ? dvec3(1, 0, 0) : a.y <= a.z ? dvec3(0, 1, 0) : dvec3(0, 0, 1);
-  const dvec3 first = glm::normalize(glm::cross(direction, axis));
-  return {first, glm::normalize(glm::cross(direction, first))};
 }
 
 double dot(const Vector& a, const Vector& b) {
@@ -51,151 +26,7 @@ double norm(const std::array<double, kMostConditions>& v) {
   return std::sqrt(sum);
 }
 
-void put(Vector& row, int at, dvec3 v) {
-  for (int i = 0; i < 3; ++i) row[at + i] = v[i];
-}
-
-// Values c and rows of their derivatives, all in metres.
-struct Conditions {
-  int count = 0;
-  std::array<double, kMostConditions> c{};
-  std::array<Vector, kMostConditions> rows{};
-  Vector& add(double value) {
-    c[count] = value;
-    rows[count] = {};
-    return rows[count++];
-  }
-};
-
-class Repair {
- public:
-  explicit Repair(const G2Problem& problem) : problem_(problem) {
-    // About the joint: what is far from the origin loses no digits.
-    const dvec3 origin = problem.position;
-    problem_.in_handle -= origin;
-    problem_.out_handle -= origin;
-    problem_.position = dvec3(0);
-    problem_.before.anchor -= origin;
-    problem_.after.anchor -= origin;
-    const dvec3 line = problem_.out_handle - problem_.in_handle;
-    scale_ = glm::length(line);
-    start_ = {problem_.in_handle, problem_.out_handle, glm::length(problem_.in_handle) / std::max(scale_, 1e-300), problem.before.length,
-              problem.after.length};
-    if (problem.equal_lengths) start_.l = 0.5;
-  }
-
-  G2Solution solve() const;
-
- private:
-  double cost(const Point& x) const {
-    const dvec3 q = x.q - problem_.in_handle, r = x.r - problem_.out_handle, p = x.p();
-    const double a = x.a - problem_.before.length, b = x.b - problem_.after.length;
-    return 0.5 * (glm::dot(q, q) + glm::dot(r, r) + glm::dot(p, p) + a * a + b * b);
-  }
-  void slopes(const Point& x, Vector& gradient, Matrix& hessian) const;
-  Conditions conditions(const Point& x, const Axes& across) const;
-  void add_equal_curvature(const Point& x, const Axes& axes, Conditions& to) const;
-  void add_kept(const G2Side& side, const Point& x, int handle, int length, Conditions& to) const;
-  bool frozen(int unknown) const {
-    return (unknown == kL && problem_.equal_lengths) || (unknown == kA && problem_.before.length_fixed) ||
-           (unknown == kB && problem_.after.length_fixed);
-  }
-  static double size_of(const Conditions& now) {
-    double sum = 0;
-    for (int i = 0; i < now.count; ++i) sum += now.c[i] * now.c[i];
-    return std::sqrt(sum);
-  }
-  struct Step {
-    Vector d{};
-    std::array<double, kMostConditions> multipliers{};
-    bool finite = false;
-  };
-  Step step(const Conditions& now, const Vector& gradient, const Matrix& hessian) const;
-  void bend(const Point& x, const Axes& across, const std::array<double, kMostConditions>& multipliers, Matrix& hessian) const;
-  double longest(const Point& x, const Vector& d) const;
-
-  G2Problem problem_;
-  Point start_{};
-  double scale_ = 0;  // m, the handles' distance: makes the condition on curvature one in metres
-};
-
-void Repair::slopes(const Point& x, Vector& gradient, Matrix& hessian) const {
-  const dvec3 p = x.p(), line = x.r - x.q;
-  const double u = 1.0 - x.l;
-  gradient = {};
-  hessian = {};
-  put(gradient, kQ, x.q - problem_.in_handle + u * p);
-  put(gradient, kR, x.r - problem_.out_handle + x.l * p);
-  gradient[kL] = glm::dot(line, p);
-  gradient[kA] = x.a - problem_.before.length;
-  gradient[kB] = x.b - problem_.after.length;
-  // Gauss-Newton: J^T J of the movements, positive definite while the handles are apart.
-  for (int i = 0; i < 3; ++i) {
-    hessian[kQ + i][kQ + i] = 1.0 + u * u;
-    hessian[kR + i][kR + i] = 1.0 + x.l * x.l;
-    hessian[kQ + i][kR + i] = hessian[kR + i][kQ + i] = u * x.l;
-    hessian[kQ + i][kL] = hessian[kL][kQ + i] = u * line[i];
-    hessian[kR + i][kL] = hessian[kL][kR + i] = x.l * line[i];
-  }
-  hessian[kL][kL] = glm::dot(line, line);
-  hessian[kA][kA] = hessian[kB][kB] = 1.0;
-}
-
-void Repair::add_equal_curvature(const Point& x, const Axes& axes, Conditions& to) const {
-  const dvec3 line = x.r - x.q, p = x.p();
-  const dvec3 a = problem_.before.anchor + x.a * problem_.before.direction - p, b = problem_.after.anchor + x.b * problem_.after.direction - p;
-  const double u = 1.0 - x.l, skew = 1.0 - 2.0 * x.l;
-  // out^2 (a - p) - in^2 (b - p), over the square of the handles' distance, must be parallel to the line of the handles.
-  const dvec3 v = u * u * a - x.l * x.l * b;
-  const dvec3 dv_dl = -2.0 * u * a - 2.0 * x.l * b - skew * line;
-  const dvec3 across = glm::cross(line, v) / scale_;
-  for (const dvec3 e : {axes.first, axes.second}) {
-    const dvec3 by_v = glm::cross(e, line) / scale_, by_line = glm::cross(v, e) / scale_;
-    Vector& row = to.add(glm::dot(e, across));
-    put(row, kQ, -by_line - skew * u * by_v);
-    put(row, kR, by_line - skew * x.l * by_v);
-    row[kL] = glm::dot(by_v, dv_dl);
-    row[kA] = u * u * glm::dot(by_v, problem_.before.direction);
-    row[kB] = -x.l * x.l * glm::dot(by_v, problem_.after.direction);
-  }
-}
-
-void Repair::add_kept(const G2Side& side, const Point& x, int handle, int length, Conditions& to) const {
-  const dvec3 at = handle == kQ ? x.q : x.r, was = handle == kQ ? problem_.in_handle : problem_.out_handle;
-  const double size = handle == kQ ? x.a : x.b;
-  switch (side.keep) {
-    case G2Side::Keep::nothing: return;
-    case G2Side::Keep::handle:
-      for (int i = 0; i < 3; ++i) to.add(at[i] - was[i])[handle + i] = 1.0;
-      return;
-    case G2Side::Keep::curvature: {
-      // k = (2/3) (part of (handle - anchor) across the direction) / length^2
-      const Axes axes = axes_across(side.direction);
-      for (const dvec3 e : {axes.first, axes.second}) {
-        Vector& row = to.add(glm::dot(e, at - side.anchor) - 1.5 * size * size * glm::dot(e, side.curvature));
-        put(row, handle, e);
-        row[length] = -3.0 * size * glm::dot(e, side.curvature);
-      }
-    }
-  }
-}
-
-Conditions Repair::conditions(const Point& x, const Axes& across) const {
-  Conditions all;
-  add_equal_curvature(x, across, all);
-  add_kept(problem_.before, x, kQ, kA, all);
-  add_kept(problem_.after, x, kR, kB, all);
-  if (problem_.position_fixed) {
-    const dvec3 p = x.p(), line = x.r - x.q;
-    for (int i = 0; i < 3; ++i) {
-      Vector& row = all.add(p[i]);
-      row[kQ + i] = 1.0 - x.l;
-      row[kR + i] = x.l;
-      row[kL] = line[i];
-    }
-  }
-  return all;
-}
+}  // namespace
 
 // One quadratic programme: [H C^T; C -e] [d; m] = [-g; -c] by Gaussian elimination with row exchanges. The small e keeps the system
 // regular where conditions repeat each other; contradicting ones end as a violation that does not go away.
@@ -328,9 +159,13 @@ G2Solution Repair::solve() const {
   return out;
 }
 
+}  // namespace detail
+
+namespace {
+
 bool usable(const G2Problem& p) {
-  const auto finite = [](dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
-  for (const dvec3 v : {p.in_handle, p.position, p.out_handle, p.before.anchor, p.before.direction, p.before.curvature, p.after.anchor,
+  const auto finite = [](glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+  for (const glm::dvec3 v : {p.in_handle, p.position, p.out_handle, p.before.anchor, p.before.direction, p.before.curvature, p.after.anchor,
                         p.after.direction, p.after.curvature})
     if (!finite(v)) return false;
   return glm::length(p.position - p.in_handle) > 0 && glm::length(p.out_handle - p.position) > 0 && p.before.length > 0 && p.after.length > 0;
@@ -340,7 +175,7 @@ bool usable(const G2Problem& p) {
 
 G2Solution solve_g2(const G2Problem& problem) {
   if (!usable(problem)) return {};
-  G2Solution solution = Repair(problem).solve();
+  G2Solution solution = detail::Repair(problem).solve();
   solution.in_handle += problem.position;
   solution.position += problem.position;
   solution.out_handle += problem.position;
