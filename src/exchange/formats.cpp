@@ -5,11 +5,14 @@
 #include <array>
 #include <vector>
 
+#include "exchange/nltrack.h"
+
 namespace coaster::exchange {
 namespace {
 
 constexpr std::array kFormats{
     Format{".json", "coaster track", parse_track, print_track, false, true},
+    Format{".nltrack", "NoLimits 1 track", parse_nltrack, nullptr, true, false},
 };
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
