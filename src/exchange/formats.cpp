@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exchange/nltrack.h"
+#include "exchange/track_shapes.h"
 
 namespace coaster::exchange {
 namespace {
@@ -13,6 +14,9 @@ namespace {
 constexpr std::array kFormats{
     Format{".json", "coaster track", parse_track, print_track, false, true},
     Format{".nltrack", "NoLimits 1 track", parse_nltrack, nullptr, true, false},
+    Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false},
+    Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false},
+    Format{".svg", "drawing", nullptr, print_svg, false, false},
 };
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
