@@ -24,7 +24,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   CLI::App cli("Builds and rides roller coasters made of cubic Bezier curves.", "coaster");
   cli.footer(kExitCodes);
   cli.set_version_flag("--version", kVersion);
-  cli.add_option("FILE", o.file, "Track to open (.json)");
+  cli.add_option("FILE", o.file, "Track to open (.json, or another format that its ending tells: docs/track-format.md)");
   cli.add_flag("--headless", o.headless, "Draw into memory; without a script: ride FILE, write OUT/ride.png, print a summary");
   cli.add_option("--script", o.script, "Run a script (.coaster)");
   cli.add_option("--record", o.record, "Record what happens as a script");

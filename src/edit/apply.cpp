@@ -10,6 +10,7 @@
 #include "edit/history.h"
 #include "edit/motion_follow.h"
 #include "exchange/envelope_file.h"
+#include "exchange/formats.h"
 #include "exchange/track_file.h"
 #include "world/topology.h"
 
@@ -151,7 +152,8 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
 Status files_command(Session& session, base::Files& files, const Load& command) {
   base::Result<exchange::LoadedTrack> loaded = exchange::load_track(files, command.path);
   if (!loaded) return loaded.status();
-  start_over(session, std::move(loaded->document), command.path);
+  // A format that does not hold everything is imported: the next save is to a file of its own.
+  start_over(session, std::move(loaded->document), exchange::format_of(command.path)->whole ? command.path : std::string());
   for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
   return {};
 }
@@ -159,6 +161,11 @@ Status files_command(Session& session, base::Files& files, const Save& command) 
   if (command.path.empty()) return refused("expected a file to save to");
   const Status status = exchange::save_track(files, command.path, session.document);
   if (!status) return status;
+  // Exporting to a format that does not hold everything is no saving: the document stays as unsaved as it was.
+  if (!exchange::format_of(command.path)->whole) {
+    notify(session, NoticeKind::info, "exported " + command.path);
+    return {};
+  }
   session.path = command.path;
   session.saved_hash = world::hash(session.document);
   notify(session, NoticeKind::info, "saved " + command.path);

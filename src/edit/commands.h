@@ -236,12 +236,12 @@ struct CancelGesture {
 };
 struct Load {
   std::string path;
-  COASTER_COMMAND("load", "Open a track file.", Effect::session);
+  COASTER_COMMAND("load", "Open a track file; its ending tells the format.", Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
 struct Save {
   std::string path;
-  COASTER_COMMAND("save", "Save the track to a file.", Effect::session);
+  COASTER_COMMAND("save", "Save the track to a file, or export it: the ending tells the format.", Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
 struct NewTrack {

@@ -1,33 +1,40 @@
 // Track files on disk: the format by the path's ending, whole-file reading, atomic writing.
 #include "exchange/track_file.h"
 
+#include "exchange/formats.h"
+
 namespace coaster::exchange {
 namespace {
 
-constexpr std::string_view kEnding = ".json";
-
-std::string unknown_ending(const std::filesystem::path& path) {
-  return path.string() + ": error: expected a file ending in " + std::string(kEnding);
+// "a.txt: error: expected a file ending in .json"; a format that goes the other way alone is named.
+std::string unfit_ending(const std::filesystem::path& path, const Format* format, Direction direction) {
+  std::string text = path.string() + ": error: ";
+  if (format)
+    text += std::string(format->ending) + " (" + std::string(format->label) + ") can only be " +
+            (direction == Direction::read ? "written" : "read") + "; ";
+  return text + "expected a file ending in " + known_endings(direction);
 }
 
 }  // namespace
 
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path) {
-  if (path.extension() != kEnding) return base::Status{base::Code::bad_file, unknown_ending(path)};
-  const base::Result<std::string> text = files.read(path);
-  if (!text) return text.status();
-  return parse_track(*text, path.string());
+  const Format* const format = format_of(path);
+  if (!format || !format->parse) return base::Status{base::Code::bad_file, unfit_ending(path, format, Direction::read)};
+  const base::Result<std::string> bytes = files.read(path);
+  if (!bytes) return bytes.status();
+  return format->parse(*bytes, path.string());
 }
 
 base::Status save_track(base::Files& files, const std::filesystem::path& path,
                         const world::Document& document) {
-  if (path.extension() != kEnding) return {base::Code::refused, unknown_ending(path)};
-  const std::string text = print_track(document);
+  const Format* const format = format_of(path);
+  if (!format || !format->print) return {base::Code::refused, unfit_ending(path, format, Direction::write)};
+  const std::string bytes = format->print(document);
   // What could not be read again is not written.
-  if (text.size() > base::kMaxFileBytes)
-    return {base::Code::refused, path.string() + ": error: " + std::to_string(text.size()) +
+  if (format->parse && bytes.size() > base::kMaxFileBytes)
+    return {base::Code::refused, path.string() + ": error: " + std::to_string(bytes.size()) +
                                      " bytes are over the limit of " + std::to_string(base::kMaxFileBytes)};
-  return files.write_atomic(path, text);
+  return files.write_atomic(path, bytes);
 }
 
 }  // namespace coaster::exchange

@@ -28,7 +28,7 @@ base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view na
 // parse_track(print_track(d)) equals d by hash, and printing that again gives the same bytes.
 std::string print_track(const world::Document& document);
 
-// By the ending of the path (".json" so far; another is refused with the list of those known).
+// By the ending of the path (exchange/formats.h); another is refused with the list of those known for that direction.
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path);
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document);
 

@@ -95,7 +95,7 @@ void start(Ui& ui) {
 }
 
 void file(Ui& ui) {
-  if (auto path = text(ui, "File", ui.file, std::string("Path of a track file (.json), to open or to save to.\n") + ui.file)) ui.file = std::move(*path);
+  if (auto path = text(ui, "File", ui.file, std::string("Path of a track file, to open or to save to. The ending tells the format: .json holds everything.\n") + ui.file)) ui.file = std::move(*path);
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
   if (button(ui, "New", "Start an empty track.", true, width)) ui.emit(edit::NewTrack{});
   ImGui::SameLine();

@@ -50,6 +50,36 @@ TEST_F(Applying, save_and_load_bring_the_same_document) {
   EXPECT_FALSE(dirty(session));
 }
 
+TEST_F(Applying, exporting_leaves_the_path_and_what_is_unsaved) {
+  ASSERT_TRUE(apply(Save{file("a.json")}));
+  good("datum 3.25");
+  for (const char* name : {"a.obj", "a.gltf", "a.svg"}) {
+    ASSERT_TRUE(apply(Save{file(name)}));
+    EXPECT_EQ(session.notices.back().text, "exported " + file(name));
+    EXPECT_GT(std::filesystem::file_size(file(name)), 0u);
+    EXPECT_TRUE(dirty(session));
+    EXPECT_EQ(session.path, file("a.json"));
+    EXPECT_EQ(apply(Load{file(name)}).code, base::Code::bad_file);
+    EXPECT_NE(session.notices.back().text.find("can only be written; expected a file ending in .json"), std::string::npos);
+  }
+  EXPECT_EQ(apply(Save{file("a.nltrack")}).code, base::Code::refused);
+  EXPECT_NE(session.notices.back().text.find("can only be read; expected a file ending in .json"), std::string::npos);
+  ASSERT_TRUE(apply(Save{file("a.json")}));
+  EXPECT_FALSE(dirty(session));
+}
+
+// Saving an import goes to a file of its own, never to the one that it came from.
+TEST_F(Applying, an_imported_track_has_no_path) {
+  ASSERT_TRUE(apply(Save{file("a.json")}));
+  std::string bytes("BEZR\0\0\0\x14", 8);
+  bytes += std::string(20, '\0') + std::string("SEGM\0\0\0\5", 8) + std::string(5, '\0');
+  ASSERT_TRUE(files.write_atomic(file("b.nltrack"), bytes));
+  ASSERT_TRUE(apply(Load{file("b.nltrack")}));
+  EXPECT_TRUE(session.path.empty());
+  EXPECT_EQ(session.document.name, "b");
+  EXPECT_FALSE(dirty(session));
+}
+
 TEST_F(Applying, files_that_fail_leave_everything_as_it_was) {
   const world::Document before = session.document;
   EXPECT_EQ(apply(Load{file("none.json")}).code, base::Code::bad_file);

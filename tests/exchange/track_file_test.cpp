@@ -40,6 +40,14 @@ TEST_F(TrackFile, other_endings_are_refused_with_the_known_ones) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
+TEST_F(TrackFile, either_case_of_an_ending_will_do) {
+  const world::Document d = test::sample_document();
+  ASSERT_TRUE(save_track(files_, folder_ / "A.JSON", d));
+  const auto loaded = load_track(files_, folder_ / "A.JSON");
+  ASSERT_TRUE(loaded) << loaded.status().message;
+  EXPECT_EQ(world::hash(loaded->document), world::hash(d));
+}
+
 TEST_F(TrackFile, a_missing_file_is_a_bad_file) {
   EXPECT_EQ(load_track(files_, folder_ / "none.json").status().code, base::Code::bad_file);
 }

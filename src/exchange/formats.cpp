@@ -1,0 +1,45 @@
+// The table of formats, and looking things up in it.
+#include "exchange/formats.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "exchange/nltrack.h"
+#include "exchange/track_shapes.h"
+
+namespace coaster::exchange {
+namespace {
+
+constexpr std::array kFormats{
+    Format{".json", "coaster track", parse_track, print_track, false, true},
+    Format{".nltrack", "NoLimits 1 track", parse_nltrack, nullptr, true, false},
+    Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false},
+    Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false},
+    Format{".svg", "drawing", nullptr, print_svg, false, false},
+};
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+}  // namespace
+
+std::span<const Format> formats() { return kFormats; }
+
+const Format* format_of(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), lower);
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return f.ending == ending; });
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
+std::string known_endings(Direction direction) {
+  std::vector<std::string_view> endings;
+  for (const Format& f : kFormats)
+    if (direction == Direction::read ? f.parse != nullptr : f.print != nullptr) endings.push_back(f.ending);
+  std::string text;
+  for (std::size_t i = 0; i < endings.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < endings.size() ? ", " : " or ") + std::string(endings[i]);
+  return text;
+}
+
+}  // namespace coaster::exchange
