@@ -142,6 +142,7 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
   session.settings.selected = world::kNone;
   session.settings.append_mode = false;
   session.path = std::move(path);
+  session.import.reset();
   session.saved_hash = world::hash(session.document);
   fit_budget(session);
   derive(session);
@@ -152,6 +153,7 @@ Status files_command(Session& session, base::Files& files, const Load& command) 
   base::Result<exchange::LoadedTrack> loaded = exchange::load_track(files, command.path);
   if (!loaded) return loaded.status();
   start_over(session, std::move(loaded->document), command.path);
+  session.import = loaded->import;
   for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
   return {};
 }
@@ -159,6 +161,10 @@ Status files_command(Session& session, base::Files& files, const Save& command) 
   if (command.path.empty()) return refused("expected a file to save to");
   const Status status = exchange::save_track(files, command.path, session.document);
   if (!status) return status;
+  if (!exchange::keeps_all(command.path)) {  // the document still has what only its own format can hold
+    notify(session, NoticeKind::info, "exported " + command.path + ": places and frames alone");
+    return {};
+  }
   session.path = command.path;
   session.saved_hash = world::hash(session.document);
   notify(session, NoticeKind::info, "saved " + command.path);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,9 +15,18 @@ namespace coaster::exchange {
 inline constexpr std::string_view kTrackFormat = "coaster-track";
 inline constexpr int kTrackVersion = 1;
 
+// How well a track that was fitted to a file's places meets them (sim/fit_track.h); measured at every row on the document itself.
+struct ImportReport {
+  double max_error = 0;    // m, the largest distance of a row from the curve
+  double frame_error = 0;  // degrees between a row's frame and the track's, but within 0.5 m of where the rows themselves jump
+  int knots = 0;
+  friend bool operator==(const ImportReport&, const ImportReport&) = default;
+};
+
 struct LoadedTrack {
   world::Document document;
-  std::vector<std::string> warnings;  // one line each: unknown members, which are kept
+  std::vector<std::string> warnings;   // one line each: unknown members, which are kept; rows that were left out
+  std::optional<ImportReport> import;  // of formats that a track is fitted to
 };
 
 // Parses a whole file's text. Errors are Code::bad_file with one line "NAME:LINE:COLUMN: error: ..." for broken JSON and
@@ -28,8 +38,10 @@ base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view na
 // parse_track(print_track(d)) equals d by hash, and printing that again gives the same bytes.
 std::string print_track(const world::Document& document);
 
-// By the ending of the path (".json" so far; another is refused with the list of those known).
+// By the ending of the path: ".json", or ".csv" (exchange/nl2_csv.h; saved with rows every 0.05 m). Another is refused with the list of those known.
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path);
+// Whether the format of that ending holds a whole document: reading what was saved gives it back.
+bool keeps_all(const std::filesystem::path& path);
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document);
 
 }  // namespace coaster::exchange
