@@ -120,7 +120,7 @@ bool read_vector(Reader& r, const std::array<std::string_view, kColumns.size()>&
     const auto number = base::parse_double(cells[i]);
     const auto expected = [&](std::string_view what) { return std::string(what) + " in column " + std::string(kColumns[i]); };
     if (!number) return r.fail(expected("a finite number"), shown(cells[i]));
-    if (!(std::abs(*number) <= limit)) return r.fail(expected("a number within " + base::to_text(limit)), shown(cells[i]));
+    if (!(std::abs(*number) <= limit)) return r.fail(expected("a number within " + std::to_string(static_cast<int>(limit))), shown(cells[i]));
     v[axis] = *number;
   }
   return true;

@@ -16,6 +16,9 @@ using glm::dvec3;
 constexpr double kInnerReach = 0.45;  // m: rows whose frames are not fitted; less than what is left out of the report
 constexpr int kMaxRounds = 12;        // of halving what the finished document misses
 constexpr std::size_t kFirstStride = 32;  // rows that the first span is tried with
+constexpr int kEvenings = 3;              // bisections for the least bounds that the same number of knots keeps
+constexpr double kLeastScale = 0.4;       // of the bounds
+constexpr std::size_t kEvenedRows = 60'000;  // more rows are not evened out: that takes four times as long
 
 struct Span {
   std::size_t first = 0, last = 0;
@@ -28,11 +31,17 @@ struct Work {
   std::vector<double> distances;
   std::vector<char> free;
   bool closed = false;
+  double scale = 1;  // of the bounds
   SpanScratch scratch;
   std::vector<Span> spans;
   std::vector<double> rolls;  // additional roll of a knot on each row, radians
 
-  SpanBounds bounds() const { SpanBounds b; b.free = free; return b; }
+  SpanBounds bounds() const {
+    SpanBounds b;
+    b.distance *= scale, b.angle *= scale;
+    b.free = free;
+    return b;
+  }
   SpanFit fit(std::size_t first, std::size_t last, double low, double high) {
     SpanFit f = fit_span(rows, distances, first, last, low, high, bounds(), scratch);
     if (f.within && closed && last + 1 == rows.size()) {  // ends where it began: without additional roll
@@ -69,6 +78,7 @@ Span longest_span(Work& w, std::size_t first, double low, double high, std::size
 
 void fit_spans(Work& w) {
   const std::size_t end = w.rows.size() - 1;
+  w.spans.clear();
   const double most = w.closed ? 0 : w.bounds().angle;
   double low = -most, high = most;
   std::size_t usual = kFirstStride;
@@ -81,6 +91,23 @@ void fit_spans(Work& w) {
     first = span.last;
     w.spans.push_back(std::move(span));
   }
+}
+
+// The longest spans leave an odd short one at the end. As many spans within tighter bounds are alike, and nearer to the rows.
+void even_out(Work& w) {
+  if (w.spans.size() < 2 || w.rows.size() > kEvenedRows) return;
+  std::vector<Span> best = w.spans;
+  // A span's length goes with the second to fourth root of the bound: with n spans there is 4 / n to give away at most.
+  double low = std::max(kLeastScale, 1 - 4.0 / static_cast<double>(best.size())), high = 1;
+  for (int i = 0; i < kEvenings; ++i) {
+    w.scale = 0.5 * (low + high);
+    fit_spans(w);
+    const bool as_few = w.spans.size() <= best.size();
+    (as_few ? high : low) = w.scale;
+    if (as_few) best = std::move(w.spans);
+  }
+  w.scale = 1;
+  w.spans = std::move(best);
 }
 
 // The middle of what the window leaves for the first knot when the second has `second`.
@@ -214,6 +241,7 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed) {
   COASTER_CHECK(rows.size() >= (closed ? 3u : 2u), "a track needs rows");
   Work w = prepare(rows, closed);
   fit_spans(w);
+  even_out(w);
   choose_rolls(w);
   if (closed && w.spans.size() == 1) {
     std::vector<Span> two;
