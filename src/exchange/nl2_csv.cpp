@@ -1,13 +1,11 @@
+// The rows of a NoLimits 2 CSV, checked, and a track through them.
 #include "exchange/nl2_csv.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
-#include "base/check.h"
 #include "base/text.h"
-#include "sim/derived.h"
 #include "sim/fit_track.h"
 #include "world/topology.h"
 
@@ -16,8 +14,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::array<std::string_view, 13> kColumns{"No.",   "PosX",  "PosY",  "PosZ", "FrontX", "FrontY", "FrontZ",
-                                                    "LeftX", "LeftY", "LeftZ", "UpX",  "UpY",    "UpZ"};
+constexpr auto& kColumns = kNl2Columns;
 constexpr double kSquare = 0.01;        // how far frames may be from unit and perpendicular
 constexpr double kSamePlace = 2e-6;     // m: rounding of printed places
 constexpr std::size_t kShownBytes = 40;  // of what was found, in messages
@@ -182,29 +179,6 @@ bool read_rows(Reader& r) {
   return true;
 }
 
-// Six decimals, as %.6f in the C locale.
-void print_number(std::string& out, double value) {
-  std::array<char, 64> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, 6).ptr;
-  out += '\t';
-  out.append(buffer.data(), end);
-}
-
-void print_row(std::string& out, std::size_t number, dvec3 position, const curve::Frame& frame) {
-  out += std::to_string(number);
-  for (const dvec3& v : {position, frame.forward, frame.left(), frame.up})
-    for (int axis = 0; axis < 3; ++axis) print_number(out, v[axis]);
-  out += '\n';
-}
-
-sim::Derived shapes_of(const world::Document& document) {
-  world::Settings settings;
-  settings.steps = 1;  // no polylines are looked at
-  sim::Derived derived;
-  sim::derive(document, settings, {}, derived);
-  return derived;
-}
-
 }  // namespace
 
 base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name) {
@@ -220,34 +194,6 @@ base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view 
   loaded.warnings = std::move(r.warnings);
   loaded.import = ImportReport{fitted.report.max_error, fitted.report.frame_error, fitted.report.knots};
   return loaded;
-}
-
-base::Status check_nl2_csv(const world::Document& document, double spacing) {
-  if (document.track.segments.empty()) return {base::Code::refused, "error: expected a track with segments, found none"};
-  const double length = world::exact_length(document);
-  if (!(length / spacing < static_cast<double>(kMaxNl2Rows - 1)))
-    return {base::Code::refused, "error: expected at most " + std::to_string(kMaxNl2Rows) + " rows, found " + base::to_text(length) + " m of track"};
-  return {};
-}
-
-std::string print_nl2_csv(const world::Document& document, double spacing) {
-  COASTER_CHECK(spacing > 0 && check_nl2_csv(document, spacing).ok(), "callers check what can be written");
-  const sim::Derived derived = shapes_of(document);
-  std::string out;
-  for (const std::string_view column : kColumns) out += (out.empty() ? "\"" : "\t\"") + std::string(column) + "\"";
-  out += '\n';
-  std::size_t index = 0, number = 0;
-  const auto row_at = [&](double s) {
-    while (index + 1 < derived.order.size() && s >= derived.starts[index + 1]) ++index;
-    const sim::SegmentShape& shape = derived.shape(derived.order[index]);
-    const double within = std::min(s - derived.starts[index], shape.arc.length());
-    print_row(out, ++number, curve::point(shape.key.cubic, shape.arc.parameter(within)), sim::frame_at(shape, within));
-  };
-  // What is left at the end and would print as the same place is no row of its own.
-  constexpr double kShortest = 1e-5;  // m
-  for (double s = 0; s < derived.length - kShortest; s = static_cast<double>(number) * spacing) row_at(s);
-  if (!derived.closed) row_at(derived.length);
-  return out;
 }
 
 }  // namespace coaster::exchange

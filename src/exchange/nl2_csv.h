@@ -2,6 +2,7 @@
 // fits a track to them.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,8 @@
 
 namespace coaster::exchange {
 
+inline constexpr std::array<std::string_view, 13> kNl2Columns{"No.",   "PosX",  "PosY",  "PosZ", "FrontX", "FrontY", "FrontZ",
+                                                             "LeftX", "LeftY", "LeftZ", "UpX",  "UpY",    "UpZ"};
 inline constexpr std::size_t kMaxNl2Rows = 500'000;
 inline constexpr double kNl2Spacing = 0.05;  // m between the rows that are saved; what NoLimits 2 writes, too
 

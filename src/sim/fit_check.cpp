@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "base/portable_math.h"
 
 namespace coaster::sim {
 namespace {
@@ -14,8 +13,8 @@ using glm::dvec3;
 // The nearest parameter by Newton's method from `t`; where that ends badly, by searching the whole segment.
 curve::NearestPoint nearest_from(const curve::Cubic& cubic, const curve::CoefficientsD& c, dvec3 target, double t) {
   for (int i = 0; i < 4; ++i) {
-    const dvec3 off = c.c0 + t * (c.c1 + t * (c.c2 + t * c.c3)) - target, d = c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3)), dd = 2.0 * c.c2 + t * (6.0 * c.c3);
-    const double slope = glm::dot(d, d) + glm::dot(off, dd);
+    const dvec3 off = c.c0 + t * (c.c1 + t * (c.c2 + t * c.c3)) - target, d = c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3));
+    const double slope = glm::dot(d, d) + glm::dot(off, 2.0 * c.c2 + t * (6.0 * c.c3));
     if (!(slope > 0)) break;
     t = std::clamp(t - glm::dot(off, d) / slope, 0.0, 1.0);
   }
@@ -25,14 +24,8 @@ curve::NearestPoint nearest_from(const curve::Cubic& cubic, const curve::Coeffic
 
 }  // namespace
 
-double frame_angle_deg(const curve::Frame& a, const curve::Frame& b) {
-  // The squared distances of the three axes add up to 8 sin^2(angle / 2).
-  const dvec3 f = a.forward - b.forward, u = a.up - b.up, l = a.left() - b.left();
-  const double sine = std::sqrt(std::min(1.0, (glm::dot(f, f) + glm::dot(u, u) + glm::dot(l, l)) / 8));
-  return base::degrees(2 * base::arc_tangent(sine, std::sqrt(1 - sine * sine)));
-}
-
-std::vector<FitReport> measure_spans(const Derived& derived, std::span<const FitRow> rows, std::span<const std::size_t> ends, std::span<const char> free) {
+std::vector<FitReport> measure_spans(const Derived& derived, std::span<const FitRow> rows, std::span<const std::size_t> ends,
+                                     std::span<const char> free) {
   COASTER_CHECK(ends.size() == derived.order.size() + 1, "every segment covers a span of rows");
   std::vector<FitReport> reports(derived.order.size());
   for (std::size_t i = 0; i < reports.size(); ++i) {
@@ -43,7 +36,8 @@ std::vector<FitReport> measure_spans(const Derived& derived, std::span<const Fit
       const std::size_t r = k < rows.size() ? k : 0;
       // From where the row before it is: a step of the mean size further.
       const double mean = 1.0 / static_cast<double>(ends[i + 1] - ends[i]);
-      const curve::NearestPoint near = nearest_from(shape.key.cubic, c, rows[r].position, k == ends[i] ? 0.0 : k == ends[i + 1] ? 1.0 : std::min(1.0, guess + mean));
+      const double start = k == ends[i] ? 0.0 : k == ends[i + 1] ? 1.0 : std::min(1.0, guess + mean);
+      const curve::NearestPoint near = nearest_from(shape.key.cubic, c, rows[r].position, start);
       guess = near.t;
       reports[i].max_error = std::max(reports[i].max_error, near.distance);
       if (free[r]) continue;

@@ -4,14 +4,9 @@
 #include <span>
 #include <vector>
 
-#include <glm/glm.hpp>
+#include "sim/fit_rows.h"
 
 namespace coaster::sim {
-
-// A place that a track goes through: position in m, unit direction of travel, unit `up` perpendicular to it.
-struct FitRow {
-  glm::dvec3 position{0}, forward{1, 0, 0}, up{0, 1, 0};
-};
 
 // What a fit may be off by, and which rows' frames are not asked about.
 struct SpanBounds {

@@ -201,42 +201,6 @@ Work prepare(std::span<const FitRow> rows, bool closed) {
 
 }  // namespace
 
-std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double reach) {
-  const std::size_t count = rows.size();
-  std::vector<char> near(count, 0);
-  const auto step = [&](std::size_t i) { return glm::distance(rows[i].position, rows[(i + 1) % count].position); };
-  for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
-    const FitRow &a = rows[i], &b = rows[(i + 1) % count];
-    const double angle = frame_angle_deg({a.forward, a.up}, {b.forward, b.up});
-    if (angle <= kJumpAngle || angle <= kJumpRate * step(i)) continue;
-    double gone = 0.5 * step(i);
-    for (std::size_t k = i, n = 0; gone <= reach && n < count; ++n) {
-      near[k] = 1;
-      if (k == 0 && !closed) break;
-      k = (k + count - 1) % count;
-      gone += step(k);
-    }
-    gone = 0.5 * step(i);
-    for (std::size_t k = (i + 1) % count, n = 0; gone <= reach && n < count; ++n) {
-      near[k] = 1;
-      gone += step(k);
-      k = (k + 1) % count;
-      if (k == 0 && !closed) break;
-    }
-  }
-  return near;
-}
-
-bool rows_close(std::span<const FitRow> rows) {
-  if (rows.size() < 4) return false;
-  const FitRow &first = rows.front(), &last = rows.back();
-  double longest = 0;
-  for (std::size_t i = 1; i < rows.size(); ++i) longest = std::max(longest, glm::distance(rows[i - 1].position, rows[i].position));
-  const dvec3 gap = first.position - last.position;
-  constexpr double kRounding = 1e-5, kSameWay = 0.5;  // m, of printed places; cosine
-  return glm::length(gap) <= 1.01 * longest + kRounding && glm::dot(gap, last.forward) >= -kRounding && glm::dot(first.forward, last.forward) > kSameWay;
-}
-
 FittedTrack fit_track(std::span<const FitRow> rows, bool closed) {
   COASTER_CHECK(rows.size() >= (closed ? 3u : 2u), "a track needs rows");
   Work w = prepare(rows, closed);

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "base/text.h"
-#include "sim/fit_rows.h"
+#include "sim/rows_along.h"
 #include "sim/tracks.h"
 
 namespace coaster::exchange {

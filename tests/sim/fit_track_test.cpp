@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/fit_check.h"
-#include "sim/fit_rows.h"
+#include "sim/rows_along.h"
 
 namespace coaster::sim {
 namespace {
@@ -127,6 +127,17 @@ TEST(fit_track, a_jump_of_up_costs_a_few_knots_and_nothing_beyond_half_a_metre) 
   EXPECT_LE(expect_fit(rows, false).report.knots, 6);
   const std::vector<char> near = near_jumps(rows, false, kJumpReach);
   for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(near[i] != 0, std::abs(0.05 * static_cast<double>(i) - 20.025) <= 0.5) << i;
+}
+
+TEST(fit_track, a_jump_at_the_seam_of_a_closed_track_is_near_on_both_sides_of_it) {
+  const auto circle = [](double s) { return kOrigin + 9.7 * dvec3(std::sin(s / 9.7), 0, std::cos(s / 9.7)); };
+  const auto up = [](double s) { return s < 30 ? dvec3(0, 1, 0) : dvec3(0.5 * std::sin(s / 9.7), 1, 0.5 * std::cos(s / 9.7)); };
+  const std::vector<FitRow> rows = rows_along(circle, up, 0.05, 1219);  // leans from row 600 on, and jumps back at the seam
+  const std::vector<char> near = near_jumps(rows, true, kJumpReach);
+  const std::vector<bool> counted = test::counted_rows(rows, true);
+  for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(near[i] != 0, !counted[i]) << i;
+  EXPECT_TRUE(near[0] && near[9] && !near[10] && near[1218] && near[1209] && !near[1208] && near[600] && near[599]);
+  expect_fit(rows, true);
 }
 
 TEST(fit_track, corners_and_gaps_of_the_rows_are_within_a_centimetre_still) {
