@@ -35,7 +35,7 @@ struct SpanScratch {
 // `distances` is the length of the rows' polyline up to each row, m. `roll_low` and `roll_high` limit the first knot's additional roll.
 // Handle lengths by Gauss-Newton on the orthogonal distances, parameters by Newton, from the start that Schneider 1990 ("An algorithm for
 // automatically fitting digitized curves", Graphics Gems, 612-626) takes: lengths along the polyline. All rows are then checked.
-// Neighbouring rows always fit. Cost: about 0.2 us a row and 10 us.
+// Neighbouring rows always fit. Cost: about 0.5 us a row and 10 us.
 SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last, double roll_low, double roll_high,
                  const SpanBounds& bounds, SpanScratch& scratch);
 

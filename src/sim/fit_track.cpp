@@ -16,6 +16,7 @@ using glm::dvec3;
 constexpr double kInnerReach = 0.45;  // m: rows whose frames are not fitted; less than what is left out of the report
 constexpr int kMaxRounds = 12;        // of halving what the finished document misses
 constexpr std::size_t kFirstStride = 32;  // rows that the first span is tried with
+constexpr double kShortSpan = 0.06;       // m: handles, which have a least length, would be long for a shorter one
 constexpr int kEvenings = 3;              // bisections for the least bounds that the same number of knots keeps
 constexpr double kLeastScale = 0.4;       // of the bounds
 constexpr std::size_t kEvenedRows = 60'000;  // more rows are not evened out: that takes four times as long
@@ -57,7 +58,9 @@ struct Work {
 Span longest_span(Work& w, std::size_t first, double low, double high, std::size_t usual) {
   const std::size_t end = w.rows.size() - 1;
   Span good{first, first + 1, w.fit(first, first + 1, low, high)};
-  std::size_t bad = end + 1, length = std::max<std::size_t>(usual, 2);
+  const auto beyond = std::lower_bound(w.distances.begin() + static_cast<std::ptrdiff_t>(first), w.distances.end(), w.distances[first] + kShortSpan);
+  const auto short_rows = static_cast<std::size_t>(beyond - w.distances.begin()) - first;
+  std::size_t bad = end + 1, length = std::max<std::size_t>({usual, 2, short_rows});
   while (good.last < end) {
     const std::size_t last = std::min(first + length, end);
     if (last <= good.last || last >= bad) break;
@@ -72,6 +75,13 @@ Span longest_span(Work& w, std::size_t first, double low, double high, std::size
     SpanFit fit = w.fit(first, last, low, high);
     if (fit.within) good.last = last, good.fit = std::move(fit);
     else bad = last;
+  }
+  // A knot just before the end goes back a little: the step that closes a track is shorter than the others.
+  if (good.last < end && w.distances[end] - w.distances[good.last] < kShortSpan) {
+    std::size_t last = good.last;
+    while (last > first + 1 && w.distances[end] - w.distances[last] < kShortSpan) --last;
+    SpanFit fit = w.fit(first, last, low, high);
+    if (fit.within) good.last = last, good.fit = std::move(fit);
   }
   return good;
 }

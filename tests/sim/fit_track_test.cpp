@@ -154,6 +154,22 @@ TEST(fit_track, rows_far_apart_and_few_rows_are_met_exactly) {
   EXPECT_EQ(two.report.knots, 2);
 }
 
+TEST(fit_track, rows_closer_than_the_shortest_handle_are_passed_over) {
+  const auto circle = [](double s) { return kOrigin + 30.0 * dvec3(std::sin(s / 30), 0.2 * s / 30, std::cos(s / 30)); };
+  EXPECT_LE(expect_fit(rows_along(circle, sky, 0.001, 4000), false).report.knots, 3);
+}
+
+TEST(fit_track, no_knot_is_a_short_step_before_the_end) {
+  // Open tracks of rising length: wherever the last span but one would end, the last one is long enough for its handles.
+  const auto wave = [](double s) { return kOrigin + dvec3(s, 3 * std::sin(s / 7), 2 * std::cos(s / 5)); };
+  for (int count = 300; count < 420; ++count) {
+    const FittedTrack fitted = fit_track(rows_along(wave, sky, 0.05, count), false);
+    const auto& knots = fitted.document.track.knots;
+    const glm::vec3 a = world::knot(fitted.document, knots[knots.size() - 2]).position, b = world::knot(fitted.document, knots.back()).position;
+    EXPECT_GE(glm::distance(a, b), 0.05f) << count;
+  }
+}
+
 TEST(fit_track, the_same_rows_give_the_same_bits) {
   const auto wave = [](double s) { return kOrigin + dvec3(s, 3 * std::sin(s / 7), 2 * std::cos(s / 5)); };
   const std::vector<FitRow> rows = rows_along(wave, sky, 0.05, 1000);
