@@ -143,6 +143,7 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
   session.settings.selected = world::kNone;
   session.settings.append_mode = false;
   session.path = std::move(path);
+  session.import.reset();
   session.saved_hash = world::hash(session.document);
   fit_budget(session);
   derive(session);
@@ -154,6 +155,7 @@ Status files_command(Session& session, base::Files& files, const Load& command) 
   if (!loaded) return loaded.status();
   // A format that does not hold everything is imported: the next save is to a file of its own.
   start_over(session, std::move(loaded->document), exchange::format_of(command.path)->whole ? command.path : std::string());
+  session.import = loaded->import;
   for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
   return {};
 }

@@ -10,6 +10,7 @@
 
 #include "base/files.h"
 #include "edit/commands.h"
+#include "exchange/track_file.h"
 #include "sim/derived.h"
 #include "sim/envelope.h"
 #include "sim/measure.h"
@@ -55,6 +56,7 @@ struct Session {
   std::vector<Notice> notices;     // the newest last, at most 32
   std::uint64_t notice_serial = 0;
   std::filesystem::path path;      // of the document; empty when it has none
+  std::optional<exchange::ImportReport> import;  // how well the document, as it was loaded, meets the file it was fitted to
   std::uint64_t saved_hash = 0;    // document hash when last loaded, saved or made
   mutable std::optional<std::uint64_t> document_hash;  // a memo for dirty(), which every frame asks; apply() forgets it
   std::uint64_t tick = 0;          // ticks since the program's start

@@ -5,15 +5,20 @@
 #include <array>
 #include <vector>
 
+#include "exchange/nl2_csv.h"
 #include "exchange/nltrack.h"
 #include "exchange/track_shapes.h"
 
 namespace coaster::exchange {
 namespace {
 
+std::string print_rows(const world::Document& document) { return print_nl2_csv(document, kNl2Spacing); }
+base::Status check_rows(const world::Document& document) { return check_nl2_csv(document, kNl2Spacing); }
+
 constexpr std::array kFormats{
     Format{".json", "coaster track", parse_track, print_track, false, true},
     Format{".nltrack", "NoLimits 1 track", parse_nltrack, nullptr, true, false},
+    Format{".csv", "NoLimits 2 track spline", parse_nl2_csv, print_rows, false, false, check_rows},
     Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false},
     Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false},
     Format{".svg", "drawing", nullptr, print_svg, false, false},

@@ -17,6 +17,7 @@ struct Format {
   std::string (*print)(const world::Document& document);                             // null: can only be read
   bool binary;              // the bytes are not text
   bool whole;               // holds everything that a document has: saving to it counts as saving
+  base::Status (*check)(const world::Document& document) = nullptr;  // whether it can be printed; null: every document can
 };
 
 // The project's own format first.

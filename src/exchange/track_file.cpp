@@ -29,6 +29,8 @@ base::Status save_track(base::Files& files, const std::filesystem::path& path,
                         const world::Document& document) {
   const Format* const format = format_of(path);
   if (!format || !format->print) return {base::Code::refused, unfit_ending(path, format, Direction::write)};
+  if (format->check)
+    if (const base::Status fit = format->check(document); !fit) return {fit.code, path.string() + ": " + fit.message};
   const std::string bytes = format->print(document);
   // What could not be read again is not written.
   if (format->parse && bytes.size() > base::kMaxFileBytes)

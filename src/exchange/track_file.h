@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,9 +15,18 @@ namespace coaster::exchange {
 inline constexpr std::string_view kTrackFormat = "coaster-track";
 inline constexpr int kTrackVersion = 1;
 
+// How well a track that was fitted to a file's places meets them (sim/fit_track.h); measured at every row on the document itself.
+struct ImportReport {
+  double max_error = 0;    // m, the largest distance of a row from the curve
+  double frame_error = 0;  // degrees between a row's frame and the track's, but within 0.5 m of where the rows themselves jump
+  int knots = 0;
+  friend bool operator==(const ImportReport&, const ImportReport&) = default;
+};
+
 struct LoadedTrack {
   world::Document document;
-  std::vector<std::string> warnings;  // one line each: unknown members, which are kept
+  std::vector<std::string> warnings;   // one line each: unknown members, which are kept; rows that were left out
+  std::optional<ImportReport> import;  // of formats that a track is fitted to
 };
 
 // Parses a whole file's text. Errors are Code::bad_file with one line "NAME:LINE:COLUMN: error: ..." for broken JSON and

@@ -38,6 +38,12 @@ Answer hash(const Context& c, View argument) {
   return base::Status{base::Code::usage, "expected document or motion, found " + base::quoted(argument)};
 }
 
+// --- how well a track that was fitted to a file meets it ---------------------------------------------------------------
+exchange::ImportReport import_of(const Context& c) { return c.session.import.value_or(exchange::ImportReport{}); }
+Answer import_max_error(const Context& c, View) { return number(import_of(c).max_error); }
+Answer import_frame_error(const Context& c, View) { return number(import_of(c).frame_error); }
+Answer import_knots(const Context& c, View) { return number(import_of(c).knots); }
+
 // --- knots ------------------------------------------------------------------------------------------------------------
 template <class Function>
 Answer of_knot(const Context& context, View argument, Function function) {
@@ -179,6 +185,9 @@ constexpr std::array kRows{
     Query{"turns", "@segment", "", "Whole turns of roll within a segment.", turns},
     Query{"segment_length", "@segment", "m", "A segment's length by the chosen arc-length method.", segment_length},
     Query{"twist", "@segment", "deg", "Roll that is spread over a segment, against its rotation-minimising frame.", twist},
+    Query{"import.max_error", "", "m", "Largest distance of an imported file's rows from the track that was fitted to them; 0 without an import.", import_max_error},
+    Query{"import.frame_error", "", "deg", "Largest angle between a row's frame and the fitted track's, but within 0.5 m of where rows jump; 0 without an import.", import_frame_error},
+    Query{"import.knots", "", "", "Knots that the fit of the imported file took; 0 without an import.", import_knots},
     Query{"evaluator", "", "", "How polylines are evaluated.", evaluator},
     Query{"resolution", "", "", "Steps of a segment's polyline.", resolution},
     Query{"arc_length", "", "", "How the displayed length is measured.", arc_length},
