@@ -53,20 +53,11 @@ Answer ghost_end(const Context& c, View) {
 Answer rolling(const Context& c, View) { return number(c.session.document.resistance.rolling); }
 Answer drag(const Context& c, View) { return number(c.session.document.resistance.drag); }
 Answer heartline(const Context& c, View) { return number(c.session.document.heartline); }
-Answer cars(const Context& c, View argument) {
+template <auto member>
+Answer of_cart(const Context& c, View argument) {
   const auto cart = entity_of(c, argument, world::Kind::cart);
   if (!cart) return cart.status();
-  return number(c.session.document.entities.get<world::Cart>(*cart).cars);
-}
-Answer car_length(const Context& c, View argument) {
-  const auto cart = entity_of(c, argument, world::Kind::cart);
-  if (!cart) return cart.status();
-  return number(c.session.document.entities.get<world::Cart>(*cart).length);
-}
-Answer car_mass(const Context& c, View argument) {
-  const auto cart = entity_of(c, argument, world::Kind::cart);
-  if (!cart) return cart.status();
-  return number(c.session.document.entities.get<world::Cart>(*cart).mass);
+  return number(c.session.document.entities.get<world::Cart>(*cart).*member);
 }
 Answer equipment(const Context& c, View argument) {
   const auto segment = entity_of(c, argument, world::Kind::segment);
@@ -97,9 +88,9 @@ constexpr std::array kRows{
     Query{"rolling", "", "", "Rolling friction, of the weight.", rolling},
     Query{"drag", "", "1/m", "Drag.", drag},
     Query{"heartline", "", "m", "Height over the rails where forces are told for.", heartline},
-    Query{"cars", "@cart", "", "Cars of a train.", cars},
-    Query{"car_length", "@cart", "m", "Length of a car's body.", car_length},
-    Query{"car_mass", "@cart", "kg", "Mass of a car with its riders.", car_mass},
+    Query{"cars", "@cart", "", "Cars of a train.", of_cart<&world::Cart::cars>},
+    Query{"car_length", "@cart", "m", "Length of a car's body.", of_cart<&world::Cart::length>},
+    Query{"car_mass", "@cart", "kg", "Mass of a car with its riders.", of_cart<&world::Cart::mass>},
     Query{"equipment", "@segment", "", "What stands on a segment: station, lift, launch, brake, block or none.", equipment},
 };
 

@@ -97,7 +97,8 @@ void round_range(TrackValues& values) {
     if (value != kUnknownValue) low = std::min(low, static_cast<double>(value)), high = std::max(high, static_cast<double>(value));
   if (low > high) low = 0, high = 1;
   if (low > 0 && low < 0.5 * high) low = 0;
-  const double least = world::colourings()[static_cast<std::size_t>(values.colouring)].of_ride ? 0.5 : 1e-6;  // m/s or g
+  const bool fine = values.colouring == Colouring::curvature || values.colouring == Colouring::error;
+  const double least = fine ? 1e-6 : 0.5;  // m/s, g or m
   const double span = std::max(high - low, std::max(least, 1e-3 * std::max(std::abs(low), std::abs(high))));
   const double power = std::pow(10.0, std::floor(std::log10(span / 5)));
   const double part = span / 5 / power;

@@ -43,12 +43,16 @@ void draw_legend(Ui& ui, const view::Viewport& scene) {
   draw_bar(list, bar_at, width, bar);
   const AxisRange axis{ui.state.stats.colour_low, ui.state.stats.colour_high};
   const Ticks marks = ticks(axis, 6);
+  float free_from = low.x;  // texts that would touch the one before are left out
   for (const double value : marks.major) {
     const float x = std::floor(low.x + width * static_cast<float>(part_of(axis, value)));
     const std::string number = tick_text(axis, marks, value, true);
     const float wide = small_font()->CalcTextSizeA(text, 1e9f, 0, number.c_str()).x;
     list.AddLine({x, bar_at.y + bar}, {x, bar_at.y + bar + 4 * scale}, ui::packed(kDark.dim));
-    words({std::clamp(x - wide * 0.5f, low.x, low.x + width - wide), bar_at.y + bar + std::floor(5 * scale)}, kDark.dim, number);
+    const float left = std::clamp(x - wide * 0.5f, low.x, low.x + width - wide);
+    if (left < free_from) continue;
+    words({left, bar_at.y + bar + std::floor(5 * scale)}, kDark.dim, number);
+    free_from = left + wide + std::floor(6 * scale);
   }
 }
 
