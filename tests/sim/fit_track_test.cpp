@@ -23,8 +23,10 @@ FittedTrack expect_fit(const std::vector<FitRow>& rows, bool closed) {
   EXPECT_LE(fitted.report.max_error, kFitDistance);
   EXPECT_LE(fitted.report.frame_error, kFitAngle);
   const test::Misses misses = test::misses_of(fitted.document, rows);
-  EXPECT_NEAR(misses.distance, fitted.report.max_error, 1e-6);
-  // At a knot the report takes the worse of the two sides: handles of 2 cm at 100 m turn by 4e-4 rad when they are rounded to float.
+  // At a knot the report takes the worse of the two sides. A row there lies a little beside both: some micrometres.
+  EXPECT_LE(misses.distance, fitted.report.max_error + 1e-9);
+  EXPECT_NEAR(misses.distance, fitted.report.max_error, 1e-5);
+  // So it does with angles: handles of 2 cm at 100 m turn by 4e-4 rad when they are rounded to float.
   EXPECT_LE(misses.angle_deg, fitted.report.frame_error + 1e-6);
   EXPECT_NEAR(misses.angle_deg, fitted.report.frame_error, 0.03);
   return fitted;
