@@ -82,6 +82,20 @@ base::Result<Chunk> find_chunk(const Reader& reader, std::string_view tag, std::
   return fault;
 }
 
+// Where the closed byte is. Chunk SEGM has a size before its count of segments, which files of some writers lack: the count, which is that of
+// `knots` or one less, tells which it is. Where it is neither, the chunk is taken by its size.
+base::Result<std::size_t> closed_byte(const Reader& reader, std::size_t from, std::size_t knots) {
+  const auto counts = [&](std::size_t at) { return reader.whole(at) == knots || reader.whole(at) + 1 == knots; };
+  for (std::size_t at = reader.bytes.find("SEGM", from); at != std::string_view::npos; at = reader.bytes.find("SEGM", at + 1)) {
+    const std::size_t left = reader.bytes.size() - at;
+    if (left >= kHeadBytes + kSegmentsHead && counts(at + kHeadBytes)) break;
+    if (left >= kTagBytes + kSegmentsHead && counts(at + kTagBytes)) return at + kHeadBytes;
+  }
+  const auto chunk = find_chunk(reader, "SEGM", from, kSegmentsHead);
+  if (!chunk) return chunk.status();
+  return chunk->payload + 4;
+}
+
 base::Result<glm::vec3> read_point(const Reader& reader, std::size_t at, const char* what) {
   glm::vec3 value(0);
   for (int axis = 0; axis < 3; ++axis) {
@@ -248,9 +262,9 @@ base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view
   if (!vertices) return vertices.status();
   const auto records = read_records(reader, *vertices);
   if (!records) return records.status();
-  const auto segments = find_chunk(reader, "SEGM", vertices->end(), kSegmentsHead);
-  if (!segments) return segments.status();
-  const std::size_t at = segments->payload + 4;
+  const auto place = closed_byte(reader, vertices->end(), records->size());
+  if (!place) return place.status();
+  const std::size_t at = *place;
   const auto mark = static_cast<unsigned char>(bytes[at]);
   if (mark != 0 && mark != 0xff) return reader.fail(at, "expected the closed byte 0 or 255, found " + std::to_string(mark));
   const bool closed = mark == 0xff;

@@ -133,6 +133,18 @@ TEST(NoLimitsTrack, a_plane_loop_has_no_turns) {
   for (std::size_t i = 0; i < 2; ++i) EXPECT_LT(std::abs(derived.shape(derived.order[i]).twist), 0.5) << i;
 }
 
+TEST(NoLimitsTrack, segments_without_a_size_are_read_as_well) {
+  for (const bool closed : {false, true}) {
+    std::string bytes = encode(ring(), closed);
+    const auto sized = parse_nltrack(bytes, "a.nltrack");
+    bytes.erase(bytes.size() - 9, 4);
+    const auto bare = parse_nltrack(bytes, "a.nltrack");
+    ASSERT_TRUE(sized.ok() && bare.ok());
+    EXPECT_EQ(bare->document.track.closed, closed);
+    EXPECT_EQ(world::hash(bare->document), world::hash(sized->document));
+  }
+}
+
 TEST(NoLimitsTrack, cut_off_anywhere_it_is_refused_with_the_place) {
   const std::string whole = encode(ring(), true);
   for (std::size_t size = 0; size < whole.size(); ++size) {
