@@ -12,6 +12,7 @@
 #include "exchange/envelope_file.h"
 #include "exchange/formats.h"
 #include "exchange/track_file.h"
+#include "world/selection.h"
 #include "world/topology.h"
 
 namespace coaster::edit {
@@ -31,11 +32,6 @@ void settle_motion(Session& session) {
     sim::reset(session.document, session.derived, session.motion);
   else
     sim::reconcile(session.document, session.derived, session.motion);
-}
-
-void drop_dead_selection(Session& session) {
-  world::Entity& selected = session.settings.selected;
-  if (selected.valid() && !session.document.entities.alive(selected)) selected = world::kNone;
 }
 
 // A split knows only `up` at the new knot, which fixes the twist of both halves up to whole turns: those
@@ -60,10 +56,10 @@ void follow_document(Session& session, const Change& change, double twist_before
   world::settle_joints(session.document);
   derive(session);
   if (change.motion.kind == MotionFollowUp::Kind::split) share_turns(session, change.motion, twist_before);
-  follow(change.motion, session.derived, session.motion);
+  follow(change.motion, session.document, session.derived, session.motion);
   settle_motion(session);
-  if (change.select) session.settings.selected = *change.select;
-  drop_dead_selection(session);
+  if (change.select) session.settings.selected = *change.select, session.settings.also = change.also;
+  world::drop_dead(session.document, session.settings);
 }
 
 template <class C>
@@ -101,7 +97,7 @@ bool exchange_document(Session& session, Exchange exchange) {
   fit_budget(session);
   derive(session);
   settle_motion(session);
-  drop_dead_selection(session);
+  world::drop_dead(session.document, session.settings);
   return true;
 }
 
@@ -140,7 +136,7 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
   session.document = std::move(document);
   session.history = {};
   session.motion = {};
-  session.settings.selected = world::kNone;
+  session.settings.selected = world::kNone, session.settings.also.clear();
   session.settings.append_mode = false;
   session.path = std::move(path);
   session.import.reset();

@@ -73,6 +73,12 @@ base::Status within_budget(std::size_t segments, int steps, std::int64_t budget)
                  std::to_string(vertices) + " vertices, over the vertex budget of " + std::to_string(budget));
 }
 
+base::Status room_for(const Session& session, std::size_t knots, std::size_t segments) {
+  if (knots > world::kMaxKnots)
+    return refused("the track is at the limit of " + std::to_string(world::kMaxKnots) + " knots");
+  return within_budget(segments, session.settings.steps, session.settings.vertex_budget);
+}
+
 void fit_budget(Session& session) {
   const std::size_t segments = session.document.track.segments.size();
   int& steps = session.settings.steps;

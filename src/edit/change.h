@@ -13,7 +13,7 @@ namespace coaster::edit {
 
 // How carts in motion follow a change of the track's segments: they stay where they are on the rails.
 struct MotionFollowUp {
-  enum class Kind : std::uint8_t { none, split, merged } kind = Kind::none;
+  enum class Kind : std::uint8_t { none, split, merged, reversed } kind = Kind::none;
   world::Entity first, second;               // the new halves, or survivor and removed
   double first_length = 0, second_length = 0;  // m, merged: before the change
 };
@@ -23,6 +23,7 @@ struct Change {
   std::string note;                     // what was done, where that is not plain to see; shown when all went well
   MotionFollowUp motion;
   std::optional<world::Entity> select;  // what becomes selected when all went well
+  std::vector<world::Entity> also;      // and further knots with it
   bool remeasure = false;               // a setting that derived data depend on has changed
 
   // `value` cut to [low,high]; a line about "WHAT" and the limit is kept when that changed it. Finite values only.
@@ -40,6 +41,8 @@ base::Result<world::Entity> require(const Session& session, Target target, world
 
 // Refuses when `segments` polylines of `steps` steps have more than `budget` vertices.
 base::Status within_budget(std::size_t segments, int steps, std::int64_t budget);
+// Room for that many knots and segments?
+base::Status room_for(const Session& session, std::size_t knots, std::size_t segments);
 // Lowers the resolution until the document fits the budget, with a warning notice.
 void fit_budget(Session& session);
 
@@ -69,6 +72,19 @@ base::Status perform(Session& session, Change& change, const SetRollbackFails& c
 base::Status perform(Session& session, Change& change, const AutoBank& command);
 base::Status perform(Session& session, Change& change, const MakeG2& command);
 base::Status perform(Session& session, Change& change, const MakeAllG2& command);
+base::Status perform(Session& session, Change& change, const Translate& command);
+base::Status perform(Session& session, Change& change, const Rotate& command);
+base::Status perform(Session& session, Change& change, const Scale& command);
+base::Status perform(Session& session, Change& change, const Mirror& command);
+base::Status perform(Session& session, Change& change, const Align& command);
+base::Status perform(Session& session, Change& change, const Smooth& command);
+base::Status perform(Session& session, Change& change, const Equalise& command);
+base::Status perform(Session& session, Change& change, const Straighten& command);
+base::Status perform(Session& session, Change& change, const SetRadius& command);
+base::Status perform(Session& session, Change& change, const DropToGround& command);
+base::Status perform(Session& session, Change& change, const Reverse& command);
+base::Status perform(Session& session, Change& change, const Duplicate& command);
+base::Status perform(Session& session, Change& change, const CloseExactly& command);
 
 // Settings.
 base::Status perform(Session& session, Change& change, const SetEvaluator& command);
@@ -88,6 +104,10 @@ base::Status perform(Session& session, Change& change, const SetChaseDistance& c
 base::Status perform(Session& session, Change& change, const SetHeadBob& command);
 base::Status perform(Session& session, Change& change, const SetReducedMotion& command);
 base::Status perform(Session& session, Change& change, const Select& command);
+base::Status perform(Session& session, Change& change, const SelectKnots& command);
+base::Status perform(Session& session, Change& change, const SetSnapping& command);
+base::Status perform(Session& session, Change& change, const SetGizmo& command);
+base::Status perform(Session& session, Change& change, const SetHints& command);
 base::Status perform(Session& session, Change& change, const SetPanels& command);
 base::Status perform(Session& session, Change& change, const SetPolyline& command);
 base::Status perform(Session& session, Change& change, const SetAppendMode& command);

@@ -57,6 +57,10 @@ bool read_enum(WordReader& words, const Names& names, Enum& value) {
 // Each type of field: text that read_value() gives back exactly, reading, and the words for help. reading fails through `words`.
 std::string print_value(const Target& value);  // "@k3", "none"
 std::string print_value(const HandleTarget& value);
+std::string print_value(const Knots& value);  // "@k1,@k2", "all", "selected"
+std::string print_value(world::Axis value);
+std::string print_value(world::SplineSteps value);
+std::string print_value(world::SnapTo value);
 std::string print_value(glm::vec3 value);
 std::string print_value(float value);
 std::string print_value(double value);
@@ -77,6 +81,10 @@ std::string print_value(world::LabPage value);
 
 bool read_value(WordReader& words, Target& value);
 bool read_value(WordReader& words, HandleTarget& value);
+bool read_value(WordReader& words, Knots& value);
+bool read_value(WordReader& words, world::Axis& value);
+bool read_value(WordReader& words, world::SplineSteps& value);
+bool read_value(WordReader& words, world::SnapTo& value);
 bool read_value(WordReader& words, glm::vec3& value);
 bool read_value(WordReader& words, float& value);
 bool read_value(WordReader& words, double& value);
@@ -96,6 +104,10 @@ bool read_value(WordReader& words, world::Colouring& value);
 bool read_value(WordReader& words, world::LabPage& value);
 
 std::string usage_of(const HandleTarget& value);
+std::string usage_of(const Knots& value);
+std::string usage_of(world::Axis value);
+std::string usage_of(world::SplineSteps value);
+std::string usage_of(world::SnapTo value);
 std::string usage_of(glm::vec3 value);
 std::string usage_of(float value);
 std::string usage_of(double value);

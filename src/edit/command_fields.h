@@ -1,17 +1,36 @@
 // What commands are made of: their targets, what they change, their name, help and list of fields.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "world/entity.h"
 
 namespace coaster::edit {
 
+struct Knots;
+
 // An entity of any kind, written "@k3"; number 0 is "none".
 struct Target {
   world::Name name;
+  operator Knots() const;  // a command for several knots takes one, too
   friend bool operator==(const Target&, const Target&) = default;
 };
+
+// Several knots: "@k1,@k2,@k7", "all", or "selected": those that are selected when the command is applied. Their order does not count.
+struct Knots {
+  enum class Which : std::uint8_t { named, all, selected } which = Which::named;
+  std::vector<world::Name> names;
+  Knots() = default;
+  Knots(world::Name one) : names{one} {}
+  Knots(Which all_or_selected) : which(all_or_selected) {}
+  explicit Knots(std::vector<world::Name> several) : names(std::move(several)) {}
+  friend bool operator==(const Knots&, const Knots&) = default;
+};
+inline Target::operator Knots() const { return Knots(name); }
+
 enum class HandleEnd : std::uint8_t { in, out };
 // A knot's handle, written "@k3.in" or "@k3.out".
 struct HandleTarget {

@@ -1,6 +1,7 @@
 // The one vocabulary: everything that a person, a script or a recording can make the program do to document, motion and settings.
 // Plain structs with a name, a line of help and a list of fields; from these come printing, parsing, help and completion.
-// Those of the cameras are in commands_camera.h, those of the laboratory in commands_lab.h, those of the ride's operation in commands_operation.h.
+// Those that shape several knots are in commands_shape.h, those of the cameras in commands_camera.h, of the laboratory in commands_lab.h, of the
+// ride's operation in commands_operation.h.
 // Commands carry names and numbers, never screen coordinates.
 #pragma once
 
@@ -14,6 +15,7 @@
 #include "edit/commands_camera.h"
 #include "edit/commands_lab.h"
 #include "edit/commands_operation.h"
+#include "edit/commands_shape.h"
 #include "world/document.h"
 
 namespace coaster::edit {
@@ -32,28 +34,28 @@ struct MoveHandle {
   COASTER_FIELDS(visit("", self.handle), visit("to", self.to))
 };
 struct SetDirection {
-  Target knot;
+  Knots knots;
   glm::vec3 to{1, 0, 0};
-  COASTER_COMMAND("direct", "Turn a knot's tangent to a direction.", Effect::document);
-  COASTER_FIELDS(visit("", self.knot), visit("to", self.to))
+  COASTER_COMMAND("direct", "Turn the tangents of knots to a direction.", Effect::document);
+  COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct SetLengths {
-  Target knot;
+  Knots knots;
   float in = 5, out = 5;
-  COASTER_COMMAND("lengths", "Set a knot's handle lengths (m); different ones make a smooth joint aligned.", Effect::document);
-  COASTER_FIELDS(visit("", self.knot), visit("in", self.in), visit("out", self.out))
+  COASTER_COMMAND("lengths", "Set handle lengths of knots (m); different ones make a smooth joint aligned.", Effect::document);
+  COASTER_FIELDS(visit("", self.knots), visit("in", self.in), visit("out", self.out))
 };
 struct SetRoll {
-  Target knot;
+  Knots knots;
   double to = 0;
-  COASTER_COMMAND("roll", "Set a knot's roll (degrees from the horizon, positive to the rider's right).", Effect::document);
-  COASTER_FIELDS(visit("", self.knot), visit("to", self.to))
+  COASTER_COMMAND("roll", "Set the roll of knots (degrees from the horizon, positive to the rider's right).", Effect::document);
+  COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct SetJoint {
-  Target knot;
+  Knots knots;
   world::JointKind to = world::JointKind::smooth;
-  COASTER_COMMAND("joint", "Set a knot's joint: smooth, aligned or automatic.", Effect::document);
-  COASTER_FIELDS(visit("", self.knot), visit("to", self.to))
+  COASTER_COMMAND("joint", "Set the joint of knots: smooth, aligned or automatic.", Effect::document);
+  COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct SetTurns {
   Target segment;
@@ -167,6 +169,27 @@ struct Select {
   COASTER_COMMAND("select", "Select a knot, a cart, or a segment with a place on it; none clears.", Effect::settings);
   COASTER_FIELDS(visit("", self.what), visit("at?", self.at))
 };
+struct SelectKnots {
+  Knots knots;
+  COASTER_COMMAND("select_knots", "Select several knots; the last one named is the active one.", Effect::settings);
+  COASTER_FIELDS(visit("", self.knots))
+};
+struct SetSnapping {
+  world::SnapTo to{};
+  double step = world::Snapping{}.step, angle = world::Snapping{}.angle;
+  COASTER_COMMAND("snapping", "Let what is moved by hand snap to a grid (step in m), to other knots or to the ground; turns to an angle (degrees).", Effect::settings);
+  COASTER_FIELDS(visit("", self.to), visit("step?", self.step), visit("angle?", self.angle))
+};
+struct SetGizmo {
+  bool to = true;
+  COASTER_COMMAND("gizmo", "Show or hide the arrows that move the selected knots (on, off).", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct SetHints {
+  bool to = true;
+  COASTER_COMMAND("hints", "Show or dismiss the first steps in the viewport (on, off).", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
 struct SetPanels {
   bool to = true;
   COASTER_COMMAND("panels", "Show or hide the panels (on, off).", Effect::settings);
@@ -251,10 +274,12 @@ struct NewTrack {
 
 using AnyCommand = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve,
                                 AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2,
+                                Translate, Rotate, Scale, Mirror, Smooth, Equalise, Straighten, SetRadius, DropToGround, Align, Reverse,
+                                Duplicate, CloseExactly,
                                 SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetHeartline, SetRollbackFails, AutoBank,  //
                                 SetEvaluator, SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera,
                                 SetCameraMode, SetFly, SetFieldOfView, SetRideView, SetWidening, SetRollDamping, SetChaseDistance,
-                                SetHeadBob, SetReducedMotion, Select, SetPanels, SetPolyline, SetAppendMode, SetScale, ShowLayer, SetColouring, SetMagnification,
+                                SetHeadBob, SetReducedMotion, Select, SelectKnots, SetSnapping, SetGizmo, SetHints, SetPanels, SetPolyline, SetAppendMode, SetScale, ShowLayer, SetColouring, SetMagnification,
                                 SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,                 //
                                 RideStart, RidePause, RideStop, RideStep, RideSeek,                              //
                                 Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save,

@@ -22,10 +22,28 @@ void follow_merge(const MotionFollowUp& change, world::CartMotion& cart) {
   cart.segment_length = change.first_length + change.second_length;
 }
 
+// The rails stay, their direction changes: what was the rear of a train is its front, and it goes on the same way through space.
+void follow_reversal(const world::Document& document, const sim::Derived& derived, world::Motion& motion) {
+  for (std::size_t i = 0; i < motion.carts.size(); ++i) {
+    world::CartMotion& cart = motion.carts.items()[i];
+    const auto index = world::index_of(derived.order, cart.segment);
+    const world::Cart* const design = document.entities.find<world::Cart>(motion.carts.entities()[i]);
+    if (!index || !design) continue;
+    // `s` was measured from what is the segment's end now.
+    const double front = derived.starts[*index + 1] - cart.s, behind = (design->cars - 1) * double{design->spacing};
+    cart.track_distance = front + behind;
+    if (derived.closed && derived.length > 0 && cart.track_distance >= derived.length) cart.track_distance -= derived.length;
+    cart.segment = world::kNone;
+    cart.speed = -cart.speed, cart.travelled = -cart.travelled, cart.laps = -cart.laps, cart.furthest = cart.travelled;
+    cart.timetable = {};
+  }
+}
+
 }  // namespace
 
-void follow(const MotionFollowUp& change, const sim::Derived& derived, world::Motion& motion) {
+void follow(const MotionFollowUp& change, const world::Document& document, const sim::Derived& derived, world::Motion& motion) {
   if (change.kind == MotionFollowUp::Kind::none) return;
+  if (change.kind == MotionFollowUp::Kind::reversed) return follow_reversal(document, derived, motion);
   for (world::CartMotion& cart : motion.carts.items()) {
     if (cart.segment != change.first && cart.segment != change.second) continue;
     if (change.kind == MotionFollowUp::Kind::split)

@@ -6,8 +6,8 @@
 
 namespace coaster::edit {
 
-// After a split or a merge, once the new shapes are derived.
-void follow(const MotionFollowUp& change, const sim::Derived& derived, world::Motion& motion);
+// After a split, a merge or a reversal, once the new shapes are derived.
+void follow(const MotionFollowUp& change, const world::Document& document, const sim::Derived& derived, world::Motion& motion);
 
 // Before the whole document is exchanged for `next` (undo, redo, cancel): carts on segments that are not the same in both
 // are left to their distance from the start, which `derived` (of the present document) tells.

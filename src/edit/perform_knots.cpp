@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edit/change.h"
+#include "edit/knot_runs.h"
 #include "world/topology.h"
 
 namespace coaster::edit {
@@ -54,44 +54,50 @@ Status perform(Session& session, Change& change, const MoveHandle& command) {
 }
 
 Status perform(Session& session, Change&, const SetDirection& command) {
-  const auto e = require(session, command.knot, Kind::knot);
-  if (!e) return e.status();
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
   if (!finite(command.to)) return refused("expected 3 finite numbers");
   if (!(glm::length(glm::dvec3(command.to)) >= kShortDirection)) return refused("a direction needs a length");
-  Knot& knot = knot_at(session, *e);
-  shaped_by_hand(knot);
-  world::set_tangent(knot, command.to);
+  for (const world::Entity e : *knots) {
+    Knot& knot = knot_at(session, e);
+    shaped_by_hand(knot);
+    world::set_tangent(knot, command.to);
+  }
   return {};
 }
 
 Status perform(Session& session, Change& change, const SetLengths& command) {
-  const auto e = require(session, command.knot, Kind::knot);
-  if (!e) return e.status();
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
   if (!std::isfinite(command.in) || !std::isfinite(command.out)) return refused("expected finite lengths");
-  Knot& knot = knot_at(session, *e);
-  shaped_by_hand(knot);
-  knot.in_length = change.clamp("handle length", command.in, world::kMinHandle, world::kMaxHandle, "m");
-  knot.out_length = change.clamp("handle length", command.out, world::kMinHandle, world::kMaxHandle, "m");
-  if (knot.in_length != knot.out_length) knot.joint = JointKind::aligned;
+  const float in = change.clamp("handle length", command.in, world::kMinHandle, world::kMaxHandle, "m");
+  const float out = change.clamp("handle length", command.out, world::kMinHandle, world::kMaxHandle, "m");
+  for (const world::Entity e : *knots) {
+    Knot& knot = knot_at(session, e);
+    shaped_by_hand(knot);
+    knot.in_length = in, knot.out_length = out;
+    if (in != out) knot.joint = JointKind::aligned;
+  }
   return {};
 }
 
 Status perform(Session& session, Change&, const SetRoll& command) {
-  const auto e = require(session, command.knot, Kind::knot);
-  if (!e) return e.status();
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
   if (!std::isfinite(command.to)) return refused("expected a finite angle");
-  world::set_roll(knot_at(session, *e), command.to);  // any angle will do: it wraps
+  for (const world::Entity e : *knots) world::set_roll(knot_at(session, e), command.to);  // any angle will do: it wraps
   return {};
 }
 
 Status perform(Session& session, Change&, const SetJoint& command) {
-  const auto e = require(session, command.knot, Kind::knot);
-  if (!e) return e.status();
-  Knot& knot = knot_at(session, *e);
-  knot.joint = command.to;
-  if (command.to == JointKind::smooth)
-    knot.in_length = knot.out_length =
-        static_cast<float>((double{knot.in_length} + double{knot.out_length}) / 2);
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
+  for (const world::Entity e : *knots) {
+    Knot& knot = knot_at(session, e);
+    knot.joint = command.to;
+    if (command.to == JointKind::smooth)
+      knot.in_length = knot.out_length = static_cast<float>((double{knot.in_length} + double{knot.out_length}) / 2);
+  }
   return {};
 }
 

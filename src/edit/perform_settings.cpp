@@ -89,21 +89,6 @@ Status perform(Session& session, Change& change, const SetCamera& command) {
   return {};
 }
 
-Status perform(Session& session, Change& change, const Select& command) {
-  if (command.what.name.number == 0) {
-    session.settings.selected = world::kNone;
-    return {};
-  }
-  const auto e = require(session, command.what, command.what.name.kind);
-  if (!e) return e.status();
-  if (command.what.name.kind == world::Kind::segment) {
-    if (!std::isfinite(command.at)) return refused("expected a finite place");
-    session.settings.selected_t = change.clamp("place", command.at, 0.0, 1.0);
-  }
-  session.settings.selected = *e;
-  return {};
-}
-
 Status perform(Session& session, Change&, const SetPanels& command) {
   session.settings.show_panels = command.to;
   return {};

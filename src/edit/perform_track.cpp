@@ -16,13 +16,6 @@ using world::Kind;
 constexpr float kStep = 10;                   // m, how far ahead a knot goes when there is nothing to split
 constexpr glm::vec3 kFirstPosition{0, 2, 0};  // m, clear of the ground
 
-// Room for one more knot or segment?
-Status room_for(const Session& session, std::size_t knots, std::size_t segments) {
-  if (knots > world::kMaxKnots)
-    return refused("the track is at the limit of " + std::to_string(world::kMaxKnots) + " knots");
-  return within_budget(segments, session.settings.steps, session.settings.vertex_budget);
-}
-
 Status split_at(Session& session, Change& change, Entity segment, double t) {
   world::Document& document = session.document;
   const Status room = room_for(session, document.track.knots.size() + 1, document.track.segments.size() + 1);

@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "edit/codec.h"
 #include "exchange/track_file.h"
+#include "world/selection.h"
 
 namespace coaster::script {
 namespace {
@@ -20,6 +21,7 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
       edit::SetRollDamping{s.feel.roll_damping}, edit::SetChaseDistance{s.feel.chase_distance}, edit::SetHeadBob{s.feel.head_bob},
       edit::SetReducedMotion{s.feel.reduced_motion},
       edit::SetPanels{s.show_panels}, edit::SetAppendMode{s.append_mode}, edit::SetScale{s.ui_scale},
+      edit::SetSnapping{s.snapping.to, s.snapping.step, s.snapping.angle}, edit::SetGizmo{s.show_gizmo}, edit::SetHints{s.show_hints},
       edit::SetColouring{s.colouring}, edit::SetMagnification{s.magnification}, edit::SetCombScale{s.comb_scale}, edit::ShowLaboratory{s.show_laboratory}, edit::OpenPage{s.lab_page}};
   for (std::size_t i = 0; i < world::layers().size(); ++i) {
     const auto layer = static_cast<world::Layer>(i);
@@ -28,6 +30,11 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
   }
   if (s.selected.valid() && session.document.entities.alive(s.selected))
     commands.push_back(edit::Select{{world::name_of(session.document, s.selected)}, s.selected_t});
+  if (!s.also.empty()) {
+    edit::Knots knots;
+    for (const world::Entity e : world::selected_knots(session.document, s)) knots.names.push_back(world::name_of(session.document, e));
+    commands.push_back(edit::SelectKnots{std::move(knots)});
+  }
   return commands;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -50,6 +51,22 @@ struct CameraFeel {
   friend bool operator==(const CameraFeel&, const CameraFeel&) = default;
 };
 
+enum class Axis : std::uint8_t { x, y, z };
+inline constexpr std::array<std::string_view, 3> kAxisNames{"x", "y", "z"};  // by Axis, in scripts
+// The parameter of a spline through knots: the lengths of the chords between them, or 1 from each to the next.
+enum class SplineSteps : std::uint8_t { chord, uniform };
+inline constexpr std::array<std::string_view, 2> kSplineStepNames{"chord", "uniform"};
+
+// What moves by hand snap to.
+enum class SnapTo : std::uint8_t { off, grid, knots, ground };
+inline constexpr std::array<std::string_view, 4> kSnapNames{"off", "grid", "knots", "ground"};
+struct Snapping {
+  SnapTo to = SnapTo::off;
+  double step = 1;    // m, 0.001..1000
+  double angle = 15;  // degrees, 0.1..180
+  friend bool operator==(const Snapping&, const Snapping&) = default;
+};
+
 struct Settings {
   curve::EvaluatorId evaluator = curve::kDefaultEvaluator;
   int steps = 64;                            // polyline resolution, steps per segment, 1..4096
@@ -61,7 +78,8 @@ struct Settings {
   CameraMode camera_mode = CameraMode::orbit;
   FlyCamera fly;
   CameraFeel feel;
-  Entity selected = kNone;                   // a knot, segment or cart
+  Entity selected = kNone;                   // a knot, segment or cart: the active one
+  std::vector<Entity> also;                  // further selected knots while `selected` is one: no one twice, in the order of selecting
   double selected_t = 0.5;                   // the picked place on a selected segment, parameter in [0,1]
   bool show_panels = true;
   Layers layers;                             // the laboratory's pictures over the scene
@@ -71,6 +89,9 @@ struct Settings {
   bool show_laboratory = false;              // the strip of pages below the viewport
   LabPage lab_page = LabPage::construction;
   bool append_mode = false;                  // a click on the ground appends a knot
+  Snapping snapping;
+  bool show_gizmo = true;                    // arrows that move the selected knots
+  bool show_hints = true;                    // the first steps, in the viewport
   float ui_scale = 1.0f;
   friend bool operator==(const Settings&, const Settings&) = default;
 };

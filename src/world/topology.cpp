@@ -63,7 +63,7 @@ void merge_segments(Document& document, std::size_t before_index, std::size_t af
   for_carts_on(document, before,
                [&](Cart& c) { c.fraction = as_fraction(c.fraction * first, first + second); });
   for_carts_on(document, after, [&](Cart& c) {
-    c = {before, as_fraction(first + c.fraction * second, first + second)};
+    c.segment = before, c.fraction = as_fraction(first + c.fraction * second, first + second);
   });
   const Segment removed = segment(document, after);
   Segment& survivor = document.entities.get<Segment>(before);
@@ -130,7 +130,7 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
                right = curve::arc_length(cubic_of(document, second));
   for_carts_on(document, first, [&](Cart& cart) {
     const double s = cart.fraction * (left + right);
-    cart = s < left ? Cart{first, as_fraction(s, left)} : Cart{second, as_fraction(s - left, right)};
+    cart.segment = s < left ? first : second, cart.fraction = s < left ? as_fraction(s, left) : as_fraction(s - left, right);
   });
   return {e, first, second};
 }
@@ -160,7 +160,7 @@ void set_closed(Document& document, bool closed) {
   if (closed) {
     track.segments.push_back(create_segment(document, track.knots.back(), track.knots.front()));
   } else {
-    for_carts_on(document, track.segments.back(), [&](Cart& cart) { cart = {track.segments.front(), 0.0}; });
+    for_carts_on(document, track.segments.back(), [&](Cart& cart) { cart.segment = track.segments.front(), cart.fraction = 0; });
     remove_segment(document, track.segments.size() - 1);
   }
   track.closed = closed;

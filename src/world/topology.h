@@ -32,6 +32,14 @@ void remove_knot(Document& document, Entity knot);
 // carts that start on it start at the beginning of the track instead.
 void set_closed(Document& document, bool closed);
 
+// Turns the direction of travel round; the shape of every segment stays to the bit, and so do names. A closed track goes on beginning at its
+// first knot. Carts keep segment and fraction: where they are then is the caller's to say.
+void reverse(Document& document);
+
+// Closes an open track of 3 knots or more by making its last knot the first: the last segment ends there, no segment is added. False, and
+// nothing changed, for others.
+bool weld_ends(Document& document);
+
 // Recomputes the knots whose joint is automatic, and makes lengths of smooth joints equal (the outgoing one wins: who edits the
 // incoming one sets both). Idempotent to the bit. Linear in the track's length, 20 ns a knot.
 void settle_joints(Document& document);

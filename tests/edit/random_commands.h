@@ -40,6 +40,14 @@ class RandomCommands {
   void fill(edit::HandleTarget& v) {
     v = {{world::Kind::knot, 1 + below(9)}, below(2) ? edit::HandleEnd::in : edit::HandleEnd::out};
   }
+  void fill(edit::Knots& v) {
+    const std::uint32_t which = below(6);
+    if (which < 2) v = which == 0 ? edit::Knots::Which::all : edit::Knots::Which::selected;
+    else for (std::uint32_t i = below(4); i > 0; --i) v.names.push_back({world::Kind::knot, 1 + below(9)});
+  }
+  void fill(world::Axis& v) { v = static_cast<world::Axis>(below(3)); }
+  void fill(world::SplineSteps& v) { v = static_cast<world::SplineSteps>(below(2)); }
+  void fill(world::SnapTo& v) { v = static_cast<world::SnapTo>(below(4)); }
   void fill(glm::vec3& v) { v = {number(), number(), number()}; }
   void fill(float& v) { v = static_cast<float>(number()); }
   void fill(double& v) { v = number(); }

@@ -17,6 +17,12 @@ class SessionTest : public testing::Test {
   // Starts on `document` as if it had been loaded.
   explicit SessionTest(const world::Document& document = sample_document())
       : session(edit::make_session({})) {
+    start_on(document);
+  }
+  void start_on(const world::Document& document) {
+    session.history = {};
+    session.settings = {};
+    session.motion = {};
     session.document = document;
     session.saved_hash = world::hash(document);
     sim::derive(session.document, session.settings, {}, session.derived);

@@ -1,0 +1,43 @@
+#include "world/selection.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace coaster::world {
+
+std::vector<Entity> selected_knots(const Document& document, const Settings& settings) {
+  std::vector<Entity> knots;
+  if (!document.entities.find<Knot>(settings.selected)) return knots;
+  knots.reserve(settings.also.size() + 1);
+  for (const Entity e : settings.also)
+    if (document.entities.find<Knot>(e)) knots.push_back(e);
+  knots.push_back(settings.selected);
+  return knots;
+}
+
+bool is_selected(const Settings& settings, Entity e) {
+  return e == settings.selected || std::find(settings.also.begin(), settings.also.end(), e) != settings.also.end();
+}
+
+std::vector<Entity> in_track_order(const Document& document, const std::vector<Entity>& chosen) {
+  std::uint32_t most = 0;
+  for (const Entity e : chosen) most = std::max(most, e.index + 1);
+  std::vector<Entity> by_index(most, kNone);
+  for (const Entity e : chosen) by_index[e.index] = e;
+  std::vector<Entity> ordered;
+  for (const Entity e : document.track.knots)
+    if (e.index < most && by_index[e.index] == e) ordered.push_back(e);
+  return ordered;
+}
+
+void drop_dead(const Document& document, Settings& settings) {
+  const auto alive = [&](Entity e) { return document.entities.alive(e); };
+  std::erase_if(settings.also, [&](Entity e) { return !alive(e); });
+  if (!settings.selected.valid() || alive(settings.selected)) return;
+  settings.selected = kNone;
+  if (settings.also.empty()) return;
+  settings.selected = settings.also.back();
+  settings.also.pop_back();
+}
+
+}  // namespace coaster::world
