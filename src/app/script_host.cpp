@@ -9,6 +9,7 @@
 #include "app/pictures.h"
 #include "base/text.h"
 #include "view/camera.h"
+#include "view/gizmo.h"
 #include "view/pick.h"
 
 namespace coaster::app {
@@ -53,6 +54,7 @@ view::PickKind kind_of(AimPoint::Kind kind) {
     case AimPoint::Kind::handle_out: return view::PickKind::handle_out;
     case AimPoint::Kind::curve: return view::PickKind::curve;
     case AimPoint::Kind::cart: return view::PickKind::cart;
+    case AimPoint::Kind::gizmo:
     case AimPoint::Kind::ground:
     case AimPoint::Kind::world: break;
   }
@@ -63,6 +65,11 @@ base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim)
   const edit::Session& session = program.session;
   if (aim.kind == AimPoint::Kind::world) return aim.position;
   if (aim.kind == AimPoint::Kind::ground) return glm::vec3(aim.position.x, 0, aim.position.z);
+  if (aim.kind == AimPoint::Kind::gizmo) {
+    const auto gizmo = view::gizmo_of(session.document, session.settings, program.view);
+    if (!gizmo) return base::Status{base::Code::refused, "there is no gizmo: select a knot"};
+    return view::gizmo_place(*gizmo, session.settings.ui_scale, aim.part);
+  }
   const world::Entity entity = world::find(session.document, aim.name);
   const std::string label = "@" + world::to_text(aim.name);
   if (!entity.valid()) return base::Status{base::Code::refused, "there is no " + label};

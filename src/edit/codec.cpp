@@ -152,9 +152,10 @@ void set_output_path(Command& command, std::string path) {
 std::string print(const Command& command) {
   Command copy = command;  // fields are read and written through the same list
   std::string text(info(copy).name);
-  const bool of_anything = kKinds[copy.index()].target == kAnyTarget;
+  const Fields fields = fields_of(copy);
+  const bool of_anything = kKinds[copy.index()].target == kAnyTarget && std::any_of(fields.begin(), fields.end(), [](const Field& f) { return f.is_target(); });
   bool on_segment = false;
-  for (const Field& field : fields_of(copy)) {
+  for (const Field& field : fields) {
     if (field.is_target()) {
       const world::Name& name = static_cast<const Target*>(field.value)->name;
       on_segment = name.number != 0 && name.kind == world::Kind::segment;

@@ -4,6 +4,7 @@
 
 #include "query/rows.h"
 #include "sim/frame_methods.h"
+#include "world/selection.h"
 
 namespace coaster::query {
 namespace {
@@ -19,6 +20,14 @@ Answer selected(const Context& c, View) {
   return text(c.session.document.entities.find<world::Name>(e) ? world::label_of(c.session.document, e) : "none");
 }
 Answer selected_t(const Context& c, View) { return number(c.session.settings.selected_t); }
+Answer selected_count(const Context& c, View) {
+  const std::size_t knots = world::selected_knots(c.session.document, c.session.settings).size();
+  return number(knots > 0 ? knots : c.session.settings.selected.valid() ? 1 : 0);
+}
+Answer undo_label(const Context& c, View) { return text(c.session.history.undo.empty() ? "" : c.session.history.undo.back().label); }
+Answer snapping(const Context& c, View) { return text(std::string(world::kSnapNames[static_cast<std::size_t>(c.session.settings.snapping.to)])); }
+Answer gizmo(const Context& c, View) { return yes_no(c.session.settings.show_gizmo); }
+Answer hints(const Context& c, View) { return yes_no(c.session.settings.show_hints); }
 Answer undo_depth(const Context& c, View) { return number(c.session.history.undo.size()); }
 Answer redo_depth(const Context& c, View) { return number(c.session.history.redo.size()); }
 Answer dirty(const Context& c, View) { return yes_no(edit::dirty(c.session)); }
@@ -67,6 +76,11 @@ constexpr std::array kRows{
     Query{"integrator", "", "", "How carts move.", integrator},
     Query{"selected", "", "", "What is selected, such as k4; none when nothing is.", selected},
     Query{"selected_t", "", "", "The picked place on the selected segment, a parameter from 0 to 1.", selected_t},
+    Query{"selected_count", "", "", "How many knots are selected; 1 for a segment or a cart.", selected_count},
+    Query{"snapping", "", "", "What moves by hand snaps to: off, grid, knots or ground.", snapping},
+    Query{"gizmo", "", "", "on when the arrows at the selected knots show.", gizmo},
+    Query{"hints", "", "", "on when the first steps show.", hints},
+    Query{"undo_label", "", "", "The command that undo would take back; empty when there is none.", undo_label},
     Query{"undo_depth", "", "", "Steps that can be undone.", undo_depth},
     Query{"redo_depth", "", "", "Steps that can be redone.", redo_depth},
     Query{"dirty", "", "", "on when the track differs from its file.", dirty},

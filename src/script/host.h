@@ -25,10 +25,11 @@ struct WidgetState {
 
 // A thing to aim at in the viewport, resolved to a pixel by the app.
 struct AimPoint {
-  enum class Kind { knot, handle_in, handle_out, curve, cart, ground, world } kind = Kind::ground;
+  enum class Kind { knot, handle_in, handle_out, curve, cart, ground, world, gizmo } kind = Kind::ground;
   world::Name name;
   double t = 0;
   glm::vec3 position{0};  // for ground (y = 0) and world
+  view::PickKind part{};  // of the gizmo
 };
 
 // Session-wide switches of the env line.

@@ -1,4 +1,7 @@
 // Reading aim.*: what to aim at, with which modifiers, and where to drag it.
+#include <algorithm>
+#include <array>
+
 #include "script/lines_parts.h"
 
 namespace coaster::script {
@@ -6,7 +9,7 @@ namespace {
 
 using Kind = AimPoint::Kind;
 using Verb = AimAction::Verb;
-constexpr std::string_view kTargets = "@k3, @k3.in, @k3.out, @s2:0.4, @c1, ground X Y Z or world X Y Z";
+constexpr std::string_view kTargets = "@k3, @k3.in, @k3.out, @s2:0.4, @c1, gizmo.x .. gizmo.xy, ground X Y Z or world X Y Z";
 
 bool refuse(Words& words, const base::Token& word) {
   return words.fail(word.column, "expected " + std::string(kTargets) + ", found " + base::quoted(word.text));
@@ -39,10 +42,21 @@ bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
   return true;
 }
 
+// "gizmo.x" is an arrow, "gizmo.xz" the square that moves along both.
+bool parse_gizmo(Words& words, const base::Token& word, AimPoint& point) {
+  constexpr std::array<std::string_view, 6> kParts{"x", "y", "z", "yz", "xz", "xy"};
+  const auto part = std::find(kParts.begin(), kParts.end(), std::string_view(word.text).substr(std::string_view("gizmo.").size()));
+  if (part == kParts.end()) return refuse(words, word);
+  point.kind = Kind::gizmo;
+  point.part = static_cast<view::PickKind>(static_cast<int>(view::PickKind::axis_x) + (part - kParts.begin()));
+  return true;
+}
+
 bool parse_point(Words& words, AimPoint& point, std::string& text, int& column) {
   const base::Token* const word = words.take(kTargets);
   if (!word) return false;
   text = word->text, column = word->column;
+  if (word->text.starts_with("gizmo.")) return parse_gizmo(words, *word, point);
   if (word->text != "ground" && word->text != "world") return parse_entity(words, *word, point);
   point.kind = word->text == "ground" ? Kind::ground : Kind::world;
   const auto position = words.vector("a coordinate (m)");

@@ -12,13 +12,14 @@ using platform::MouseMove;
 
 constexpr int kDragSteps = 6;
 
-view::PickKind pick_kind(AimPoint::Kind kind) {
-  switch (kind) {
+view::PickKind pick_kind(const AimPoint& point) {
+  switch (point.kind) {
     case AimPoint::Kind::knot: return view::PickKind::knot;
     case AimPoint::Kind::handle_in: return view::PickKind::handle_in;
     case AimPoint::Kind::handle_out: return view::PickKind::handle_out;
     case AimPoint::Kind::curve: return view::PickKind::curve;
     case AimPoint::Kind::cart: return view::PickKind::cart;
+    case AimPoint::Kind::gizmo: return point.part;
     case AimPoint::Kind::ground:
     case AimPoint::Kind::world: break;
   }
@@ -34,18 +35,24 @@ std::string name_of(const world::Document& document, const view::Pick& pick) {
     case view::PickKind::curve: return label + ":" + base::to_text(static_cast<float>(pick.t));
     case view::PickKind::knot:
     case view::PickKind::cart: break;
+    case view::PickKind::axis_x:
+    case view::PickKind::axis_y:
+    case view::PickKind::axis_z:
+    case view::PickKind::plane_x:
+    case view::PickKind::plane_y:
+    case view::PickKind::plane_z: return "the gizmo";
   }
   return label;
 }
 
 // The hovered thing must be the one aimed at; ground and world points may have anything over them but panels.
 Failure check_hover(Stage& stage, const AimAction& aim) {
-  const view::PickKind wanted = pick_kind(aim.target.kind);
+  const view::PickKind wanted = pick_kind(aim.target);
   if (wanted == view::PickKind::none || !stage.host().hovered) return {};
   const view::Pick found = stage.host().hovered();
   const query::Context context = stage.host().context();
   const world::Document& document = context.session.document;
-  if (found.kind == wanted && found.entity == world::find(document, aim.target.name)) return {};
+  if (found.kind == wanted && (aim.target.kind == AimPoint::Kind::gizmo || found.entity == world::find(document, aim.target.name))) return {};
   const std::string what = name_of(document, found);
   if (found.kind == view::PickKind::none) return failed("the cursor finds nothing at " + aim.target_text + ": something covers it", aim.target_column);
   return failed(aim.target_text + " is covered by " + what, aim.target_column);

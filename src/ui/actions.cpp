@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <variant>
 
+#include "ui/command_palette.h"
 #include "ui/fly_keys.h"
 #include "ui/toasts.h"
+#include "world/selection.h"
 
 namespace coaster::ui {
 namespace {
@@ -31,6 +33,8 @@ const world::Name* selected(const Act& act) {
 bool always(const Act&) { return true; }
 bool any_selected(const Act& act) { return selected(act) != nullptr; }
 bool removable(const Act& act) { return any_selected(act) && selected(act)->kind != Kind::segment; }
+bool knot_selected(const Act& act) { return any_selected(act) && selected(act)->kind == Kind::knot; }
+bool any_knots(const Act& act) { return !act.ui.session().document.track.knots.empty(); }
 bool can_undo(const Act& act) { return !act.ui.session().history.undo.empty() || act.ui.session().history.in_gesture; }
 bool can_redo(const Act& act) { return !act.ui.session().history.redo.empty(); }
 bool rideable(const Act& act) {
@@ -59,7 +63,29 @@ void undo(Act& act) {
   if (!cancel_drags(act)) act.ui.emit(edit::Undo{});
 }
 void redo(Act& act) { act.ui.emit(edit::Redo{}); }
-void remove(Act& act) { act.ui.emit(edit::RemoveKnot{{*selected(act)}}); }
+void remove(Act& act) {
+  const edit::Session& session = act.ui.session();
+  const std::vector<world::Entity> knots = world::selected_knots(session.document, session.settings);
+  if (knots.size() < 2) return act.ui.emit(edit::RemoveKnot{{*selected(act)}});
+  act.ui.emit(edit::BeginGesture{});
+  for (const world::Entity e : knots) act.ui.emit(edit::RemoveKnot{{world::name_of(session.document, e)}});
+  act.ui.emit(edit::EndGesture{});
+}
+void select_all(Act& act) { act.ui.emit(edit::SelectKnots{edit::Knots::Which::all}); }
+void box_select(Act& act) { act.tool.wait_for_box(); }
+template <TransformKind kind>
+void transform(Act& act) { act.tool.transform().begin(act.ui, kind, {}, std::nullopt); }
+bool gizmo_shown(const Act& act) { return act.ui.session().settings.show_gizmo; }
+void toggle_gizmo(Act& act) { act.ui.emit(edit::SetGizmo{!gizmo_shown(act)}); }
+bool snapping(const Act& act) { return act.ui.session().settings.snapping.to != world::SnapTo::off; }
+void next_snapping(Act& act) {
+  const world::Snapping& s = act.ui.session().settings.snapping;
+  const auto next = static_cast<world::SnapTo>((static_cast<std::size_t>(s.to) + 1) % world::kSnapNames.size());
+  act.ui.emit(edit::SetSnapping{next, s.step, s.angle});
+}
+void open_palette(Act& act) { toggle_palette(act.palette); }
+bool hints_shown(const Act& act) { return act.ui.session().settings.show_hints; }
+void toggle_hints(Act& act) { act.ui.emit(edit::SetHints{!hints_shown(act)}); }
 void select_none(Act& act) { act.ui.emit(edit::Select{}); }
 
 void escape(Act& act) {
@@ -171,6 +197,16 @@ constexpr Action kActions[] = {
     {"Redo", "Edit", "Ctrl+Y", ctrl(Key::y), {Key::z, {.shift = true, .ctrl = true}}, true, false, "Redo the step undone last. Also Ctrl+Shift+Z.",
      can_redo, nullptr, redo},
     {"Delete", "Edit", "Delete", key(Key::del), key(Key::x), false, false, "Remove the selected knot or cart. Also X.", removable, nullptr, remove},
+    {"Select all", "Edit", "Ctrl+A", ctrl(Key::a), kNoKey, false, false, "Select every knot.", any_knots, nullptr, select_all},
+    {"Box select", "Edit", "B", key(Key::b), kNoKey, false, false, "Drag a box around knots. Shift+drag on the empty view adds, Ctrl+drag takes away.", any_knots, nullptr, box_select},
+    {"Move", "Edit", "G", key(Key::g), kNoKey, false, false, "Move the selected knots with the mouse; X, Y, Z: along an axis, Shift+axis: in a plane; digits: by metres.", knot_selected, nullptr,
+     transform<TransformKind::move>},
+    {"Rotate", "Edit", "R", key(Key::r), kNoKey, false, false, "Turn the selected knots about their middle; X, Y, Z: about an axis; digits: by degrees.", knot_selected, nullptr,
+     transform<TransformKind::rotate>},
+    {"Scale", "Edit", "S", key(Key::s), kNoKey, false, false, "Scale the selected knots and their handles; X, Y, Z: along an axis; digits: by a factor.", knot_selected, nullptr,
+     transform<TransformKind::scale>},
+    {"Next snapping", "Edit", "Shift+Tab", shift(Key::tab), kNoKey, false, false, "Snap to nothing, a grid, other knots or the ground. Ctrl while moving: the other way round.", always, snapping,
+     next_snapping},
     {"Select none", "Edit", "", kNoKey, kNoKey, false, false, "Clear the selection. Escape does so too.", any_selected, nullptr, select_none},
     {"Add curve", "Edit", "C", key(Key::c), kNoKey, false, false, "Split the longest segment at half its length, keeping the shape.", always, nullptr, add_curve},
     {"Insert point", "Edit", "I", key(Key::i), kNoKey, false, false, "Insert a knot under the cursor, or at the picked place, keeping the shape.", insertable,
@@ -179,6 +215,9 @@ constexpr Action kActions[] = {
 
     {"Frame all", "View", "F", key(Key::f), kNoKey, false, true, "Show the whole track.", always, nullptr, frame_all},
     {"Frame selection", "View", "Shift+F", shift(Key::f), kNoKey, false, true, "Show what is selected.", any_selected, nullptr, frame_selection},
+    {"Command palette", "View", "Ctrl+P", ctrl(Key::p), kNoKey, false, false, "Find an action or a command by typing.", always, nullptr, open_palette},
+    {"First steps", "View", "", kNoKey, kNoKey, false, true, "Show or dismiss the first steps.", always, hints_shown, toggle_hints},
+    {"Gizmo", "View", "", kNoKey, kNoKey, false, true, "Show or hide the arrows that move the selected knots.", always, gizmo_shown, toggle_gizmo},
     {"Panels", "View", "Tab", key(Key::tab), kNoKey, false, false, "Show or hide menu, panels and status bar.", always, panels_shown, toggle_panels},
     {"Next track colours", "View", "K", key(Key::k), kNoKey, false, false, "Colour the track by speed, height, each g, curvature, error, or not at all.", always, coloured,
      next_colouring},
@@ -198,7 +237,7 @@ constexpr Action kActions[] = {
 
     {"Play or pause", "Ride", "Space", key(Key::space), kNoKey, false, true, "Let the carts run, or hold them.", rideable, nullptr, play_pause},
     {"Single step", "Ride", ".", key(Key::period), kNoKey, true, true, "Hold the carts and advance one tick of 1/120 s.", rideable, nullptr, single_step},
-    {"Reset", "Ride", "R", key(Key::r), kNoKey, false, true, "Put the carts back to their start.", rideable, nullptr, reset},
+    {"Reset", "Ride", "Shift+R", shift(Key::r), kNoKey, false, true, "Put the carts back to their start.", rideable, nullptr, reset},
 
     {"Cancel", "", "Escape", key(Key::escape), kNoKey, false, true, "Take back a drag, close a list, leave append mode, or clear the selection.", always, nullptr,
      escape},
@@ -207,6 +246,16 @@ constexpr Action kActions[] = {
 }  // namespace
 
 std::span<const Action> actions() { return kActions; }
+
+void run_transform_keys(Act& act, const platform::Events& events) {
+  platform::Events others;
+  for (const platform::Event& event : events) {
+    const auto* const press = std::get_if<platform::KeyPress>(&event);
+    if (press && press->down && (press->key == Key::escape || press->modifiers.ctrl)) others.push_back(event);
+  }
+  act.tool.transform().take_keys(events);
+  run_keys(act, others);
+}
 
 void run_keys(Act& act, const platform::Events& events) {
   for (const platform::Event& event : events) {

@@ -8,12 +8,15 @@
 
 namespace coaster::ui {
 
+struct CommandPalette;
+
 // What an action works with.
 struct Act {
   Ui& ui;
   ViewportTool& tool;
   const view::Viewport& scene;
   const view::Pick& hovered;  // in the frame before
+  CommandPalette& palette;
 };
 
 struct Action {
@@ -32,6 +35,8 @@ std::span<const Action> actions();
 
 // Runs what the pressed keys ask for. Not to be called while a text field has the keyboard.
 void run_keys(Act& act, const platform::Events& events);
+// While a transform is under way: its own keys, and those of actions that may interrupt it (undo, Escape).
+void run_transform_keys(Act& act, const platform::Events& events);
 void build_menu(Act& act);
 // Asks to quit; with unsaved changes only at the second time in a row.
 void request_quit(Ui& ui);

@@ -9,7 +9,9 @@
 #include <variant>
 
 #include "ui/actions.h"
+#include "ui/command_palette.h"
 #include "ui/fly_keys.h"
+#include "ui/hints.h"
 #include "ui/imgui_input.h"
 #include "ui/imgui_renderer.h"
 #include "ui/lab_cache.h"
@@ -36,17 +38,25 @@ view::View make_view(const State& state, const view::Viewport& scene) {
   return view::view_of(rig.eye, scene);
 }
 
-// What an empty viewport tells a newcomer.
-void draw_hint(const edit::Session& session, const view::Viewport& scene) {
+// What can be done next, at the viewport's foot: what a transform does, or what a newcomer may click on.
+std::string foot_text(const ViewportTool& tool, const edit::Session& session) {
+  if (tool.transform().active()) return tool.transform().status() + "     X Y Z axis \u00B7 Shift plane \u00B7 digits \u00B7 Enter \u00B7 Esc";
+  if (tool.box_waits()) return "Drag a box around knots; Shift adds, Ctrl takes away; Escape ends it";
+  if (session.document.track.knots.empty()) return "Click on the ground to place the first knot";
+  if (session.settings.append_mode && !session.document.track.closed) return "Click on the ground to append knots; A or Escape ends it";
+  return {};
+}
+
+void draw_foot(const ViewportTool& tool, const edit::Session& session, const view::Viewport& scene) {
+  const std::string hint = foot_text(tool, session);
+  if (hint.empty()) return;
   const bool empty = session.document.track.knots.empty();
-  if (!empty && !(session.settings.append_mode && !session.document.track.closed)) return;
-  const char* const hint = empty ? "Click on the ground to place the first knot" : "Click on the ground to append knots; A or Escape ends it";
-  const ImVec2 size = ImGui::CalcTextSize(hint);
+  const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
   const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f), std::floor(scene.y + scene.height * (empty ? 0.62f : 0.93f)));
   const ImVec2 pad(size.y * 0.9f, size.y * 0.5f);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y}, packed(kDark.background, 0.78f), size.y);
-  list.AddText(at, packed(kDark.text), hint);
+  list.AddText(at, packed(kDark.text), hint.c_str());
 }
 
 }  // namespace
@@ -75,6 +85,8 @@ struct Host::Parts {
   std::filesystem::path file_of;  // the session's path it was taken from
   ViewportTool tool;
   FlyKeys fly_keys;
+  CommandPalette palette;
+  double radius = 20;             // in Shape/Radius, m
   view::View view;
   view::Pick hovered;
   bool frame_next = false;        // show the whole track once the one asked for is there
@@ -143,8 +155,8 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   if (std::exchange(frame_next, false)) ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
 
   take_files(ui, events);
-  Act act{ui, tool, layout.scene, hovered};
-  if (!text_has_keyboard()) run_keys(act, events);
+  Act act{ui, tool, layout.scene, hovered, palette};
+  if (!text_has_keyboard()) tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, events);
   fly_keys.fly(ui, events, text_has_keyboard());
   if (session.settings.show_panels) {
     build_menu(act);
@@ -153,9 +165,11 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
     build_laboratory(ui, layout.strip);
     build_status_bar(ui, layout.status);
   }
+  draw_hints(ui, layout.scene);
+  build_palette(act, palette);
   settle_gesture(ui);
   hovered = tool.update(ui, view);
-  draw_hint(session, layout.scene);
+  draw_foot(tool, session, layout.scene);
   draw_legend(ui, layout.scene);
   toasts.draw(layout.scene, ui.scale, ui.state.seconds, ui.state.scripted);
   for (const edit::Command& command : ui.out.commands)
@@ -197,7 +211,7 @@ Output Host::build(const platform::Events& events, const State& state, int width
   ImGui::NewFrame();
   Output out;
   p.list.clear();
-  Ui ui{state, out, p.list, p.entry, p.gesture, p.rest, p.toasts, p.lab, p.file, p.gl.renderer, scale, {}};
+  Ui ui{state, out, p.list, p.entry, p.gesture, p.rest, p.toasts, p.lab, p.file, p.radius, p.gl.renderer, scale, {}};
   p.lay_out(ui, events, width, height);
   p.count_rest();
   ImGui::Render();
@@ -219,7 +233,7 @@ std::string Host::toast() const { return parts_->toasts.shown; }
 
 bool Host::wants_keyboard() const {
   ImGui::SetCurrentContext(parts_->context);
-  return text_has_keyboard() || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+  return text_has_keyboard() || parts_->palette.open || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
 }
 
 }  // namespace coaster::ui

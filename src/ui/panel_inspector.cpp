@@ -7,6 +7,7 @@
 
 #include "curve/continuity.h"
 #include "ui/panels.h"
+#include "world/selection.h"
 #include "world/topology.h"
 
 namespace coaster::ui {
@@ -89,6 +90,31 @@ void knot_inspector(Ui& ui, Entity entity, Name name) {
   continuity(ui, entity, name);
 }
 
+// Fields of the active knot that go to every selected one.
+void knots_inspector(Ui& ui, Entity active, const std::vector<Entity>& knots) {
+  const world::Document& document = ui.session().document;
+  const world::Knot& knot = world::knot(document, active);
+  edit::Knots all;
+  for (const Entity e : knots) all.names.push_back(world::name_of(document, e));
+  read_out(ui, "Active", world::label_of(document, active), "", "The numbers below are its; a change goes to all selected knots.");
+  heading(ui, "Position (m)", "Of all selected knots at once: each keeps its other two coordinates.");
+  constexpr double kReach = world::kMaxCoordinate;
+  if (const auto c = numbers(ui, "Position", kAxes, components(knot.position, {.decimals = 3, .step = 0.02, .low = -kReach, .high = kReach}), "Give all selected knots this coordinate."))
+    ui.emit(edit::Align{all, static_cast<world::Axis>(c->index), c->value});
+  heading(ui, "Handles (m)", "Of all selected knots at once.");
+  constexpr std::string_view kSides[] = {"in", "out"};
+  const Number length{.decimals = 3, .step = 0.02, .low = world::kMinHandle, .high = world::kMaxHandle};
+  std::array<Number, 2> lengths{length, length};
+  lengths[0].value = knot.in_length, lengths[1].value = knot.out_length;
+  if (const auto c = numbers(ui, "Handles", kSides, lengths, "Give all selected knots handles of this length."))
+    ui.emit(edit::SetLengths{all, c->index == 0 ? to_float(c->value) : knot.in_length, c->index == 1 ? to_float(c->value) : knot.out_length});
+  const Number roll{.value = world::roll_deg(knot), .unit = "\u00B0", .decimals = 2, .step = 0.2, .low = -180, .high = 180, .largest = 1e6};
+  if (const auto to = number(ui, "Roll", roll, "Bank of all selected knots, degrees from the horizon.")) ui.emit(edit::SetRoll{all, *to});
+  static const std::array<Choice, 3> kJoints{Choice{"Smooth (C1)", "Equal handle lengths."}, Choice{"Aligned (G1)", "One tangent line."}, Choice{"Automatic", "As Catmull-Rom."}};
+  if (const auto kind = combo(ui, "Joint", kJoints, static_cast<int>(knot.joint), "The joints of all selected knots."))
+    ui.emit(edit::SetJoint{all, static_cast<world::JointKind>(*kind)});
+}
+
 bool is_longest(const sim::Derived& derived, Entity entity) {
   for (const Entity other : derived.order)
     if (derived.shape(other).arc.length() > derived.shape(entity).arc.length()) return false;
@@ -145,6 +171,13 @@ void inspector_panel(Ui& ui) {
     return;
   }
   constexpr const char* kKinds[] = {"Knot", "Segment", "Cart"};
+  if (const std::vector<Entity> knots = world::selected_knots(session.document, session.settings); knots.size() > 1) {
+    read_out(ui, "Selected", std::to_string(knots.size()) + " knots", "", "Shift+click adds and takes away, B draws a box.");
+    ImGui::PushID("several");
+    knots_inspector(ui, selected, knots);
+    ImGui::PopID();
+    return;
+  }
   read_out(ui, "Selected", std::string(kKinds[static_cast<std::size_t>(name->kind)]) + " " + world::to_text(*name), "", "What the fields below are about; scripts write @ before the name.");
   // Fields of another entity are other fields: what is typed in one never lands in the next.
   ImGui::PushID(static_cast<int>(name->kind) * 0x1000000 + static_cast<int>(name->number));

@@ -21,7 +21,7 @@ void controls(Ui& ui) {
   const bool steppable = any && (state == world::RideState::paused || state == world::RideState::stopped);
   if (button(ui, "Step", "Advance a held ride by one tick of 1/120 s. Key . (period).", steppable, width)) ui.emit(edit::RideStep{1});
   ImGui::SameLine(0, gap);
-  if (button(ui, "Reset", "Put the carts back to their start. Key R.", any, width)) ui.emit(edit::RideStop{});
+  if (button(ui, "Reset", "Put the carts back to their start. Key Shift+R.", any, width)) ui.emit(edit::RideStop{});
 }
 
 void read_outs(Ui& ui) {

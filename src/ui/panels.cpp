@@ -11,11 +11,13 @@ std::span<const Panel> panels() {
   static constexpr std::array kPanels{  // pages: in the order of world::lab_pages()
       Panel{"Track", Column::left, "The track as a whole: its name, file, size, and what can be added.", track_panel},
       Panel{"Inspector", Column::left, "What is selected: a knot, a segment with a place on it, or a cart.", inspector_panel},
+      Panel{"Shape", Column::left, "What can be done to the selected knots, or to all, at once; snapping.", shape_panel, false},
       Panel{"Operation", Column::left, "What makes the track a ride: equipment, the train, losses.", operation_panel},
       Panel{"Evaluation", Column::right, "How the curve is turned into a polyline, and how exact and fast that is.", evaluation_panel},
       Panel{"Ride", Column::right, "The carts: run them, and read what they do.", ride_panel},
       Panel{"Camera", Column::right, "Where the picture is taken from, and how the camera feels.", camera_panel},
       Panel{"Statistics", Column::right, "What the last frame cost.", statistics_panel},
+      Panel{"History", Column::right, "The steps that can be undone and redone; a click goes there.", history_panel, false},
       Panel{"Construction", Column::bottom, "De Casteljau's construction of the point at the probe: by interpolation alone.", construction_page},
       Panel{"Weights", Column::bottom, "Bernstein's basis: how much each control point weighs in the point of the curve.", weights_page},
       Panel{"Hodograph", Column::bottom, "The derivative B'(t) as a curve of its own, and the speed of the parameter.", hodograph_page},
@@ -42,7 +44,7 @@ void build_column(Ui& ui, Column column, const view::Viewport& area) {
       if (panel.column != column) continue;
       ui.panel = panel.name;
       ImGui::PushID(panel.name.data(), panel.name.data() + panel.name.size());
-      if (header(ui, panel.name, panel.help)) panel.build(ui);
+      if (header(ui, panel.name, panel.help, panel.open)) panel.build(ui);
       ImGui::PopID();
     }
   }

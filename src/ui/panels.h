@@ -15,16 +15,19 @@ struct Panel {
   Column column;
   std::string_view help;
   void (*build)(Ui& ui);
+  bool open = true;       // at first
 };
 std::span<const Panel> panels();
 
 void track_panel(Ui& ui);
 void inspector_panel(Ui& ui);
+void shape_panel(Ui& ui);
 void evaluation_panel(Ui& ui);
 void ride_panel(Ui& ui);
 void camera_panel(Ui& ui);
 void operation_panel(Ui& ui);
 void statistics_panel(Ui& ui);
+void history_panel(Ui& ui);
 
 void construction_page(Ui& ui);
 void weights_page(Ui& ui);

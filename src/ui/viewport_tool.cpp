@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/fly_keys.h"
+#include "ui/theme.h"
+#include "view/gizmo.h"
+#include "world/selection.h"
 
 namespace coaster::ui {
 namespace {
@@ -38,6 +42,10 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
   const ImGuiIO& io = ImGui::GetIO();
   const edit::Session& session = ui.session();
   const glm::vec2 mouse = mouse_position();
+  if (transform_.active()) {
+    transform_.update(ui, view);
+    return {};
+  }
   // An undo or a script may have ended the gesture, or removed what is dragged.
   if (drag_.gesture && !session.history.in_gesture) drag_ = {};
   if (dragging() && drag_.pick.kind != PickKind::none && !session.document.entities.alive(drag_.pick.entity)) cancel(ui);
@@ -70,6 +78,8 @@ void ViewportTool::turn_wheel(Ui& ui, float notches) {
 }
 
 bool ViewportTool::cancel(Ui& ui) {
+  if (transform_.cancel(ui)) return true;
+  if (box_waits_ && drag_.what == What::nothing) return box_waits_ = false, true;
   if (!dragging()) return false;
   if (drag_.gesture) ui.emit(edit::CancelGesture{});
   drag_ = {};
@@ -83,10 +93,21 @@ void ViewportTool::press(Ui& ui, const view::View&, const view::Pick& under) {
     drag_.what = what;
     drag_.button = button;
     drag_.start = drag_.last = mouse_position();
+    drag_.shift = io.KeyShift, drag_.ctrl = io.KeyCtrl;
   };
   if (io.MouseClicked[ImGuiMouseButton_Left]) {
     begin(What::orbit, ImGuiMouseButton_Left);
-    if (!io.KeyAlt) press_left(ui, under);
+    const bool waited = std::exchange(box_waits_, false);
+    if (waited || (under.kind == PickKind::none && !io.KeyAlt && (io.KeyShift || io.KeyCtrl))) {
+      drag_.what = What::box;
+      drag_.box = io.KeyShift ? BoxMode::add : io.KeyCtrl ? BoxMode::remove : BoxMode::replace;
+    } else if (view::is_gizmo(under.kind)) {
+      drag_ = {};
+      const Constraint constraint{view::is_axis(under.kind) ? Constraint::Kind::axis : Constraint::Kind::plane, view::gizmo_axis(under.kind)};
+      transform_.begin(ui, TransformKind::move, constraint, ImGuiMouseButton_Left);
+    } else if (!io.KeyAlt) {
+      press_left(ui, under);
+    }
   } else if (io.MouseClicked[ImGuiMouseButton_Right]) {
     begin(io.KeyShift ? What::pan : What::orbit, ImGuiMouseButton_Right);
   } else if (io.MouseClicked[ImGuiMouseButton_Middle]) {
@@ -114,7 +135,9 @@ void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
     return;
   }
   drag_.what = under.kind == PickKind::cart ? What::cart : What::item;
-  if (!is_handle(under.kind) && session.settings.selected != under.entity) ui.emit(edit::Select{target});
+  // With Shift or Ctrl a click adds to the selection, and a drag moves: which of them it is shows later.
+  const bool waits = under.kind == PickKind::knot && (drag_.shift || drag_.ctrl || world::is_selected(session.settings, under.entity));
+  if (!is_handle(under.kind) && session.settings.selected != under.entity && !waits) ui.emit(edit::Select{target});
 }
 
 void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
@@ -135,6 +158,13 @@ void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
       if (turns) ui.emit(edit::SetCamera{panned(camera, view, by)});
       break;
     case What::item: move_item(ui, view, mouse); break;
+    case What::box: {
+      const glm::vec2 low = glm::min(drag_.start, mouse), high = glm::max(drag_.start, mouse);
+      ImDrawList& list = *ImGui::GetBackgroundDrawList();
+      list.AddRectFilled({low.x, low.y}, {high.x, high.y}, packed(kDark.accent, 0.14f));
+      list.AddRect({low.x, low.y}, {high.x, high.y}, packed(kDark.accent, 0.9f), 0, 0, std::max(1.0f, ui.scale));
+      break;
+    }
     case What::place:
       if (by == glm::vec2(0)) break;
       if (const auto place = view::pick_segment(session.derived, view, mouse, drag_.pick.entity))
@@ -167,13 +197,21 @@ void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
   }
   const auto at = hit(mouse);
   if (!at) return;
-  const glm::vec3 to = *at + drag_.offset;
+  glm::vec3 to = *at + drag_.offset;
+  const world::Settings& settings = ui.session().settings;
+  if (drag_.pick.kind == PickKind::knot && settings.snapping.to != world::SnapTo::off) {
+    const Constraint constraint{along == Along::vertical ? Constraint::Kind::axis : along == Along::ground ? Constraint::Kind::plane : Constraint::Kind::free, 1};
+    to = glm::vec3(snapped({document, settings, view, mouse}, settings.snapping.to, glm::dvec3(to), glm::dvec3(drag_.anchor), constraint));
+  }
   if (to == drag_.sent) return;
+  if (!world::is_selected(settings, drag_.pick.entity) && drag_.pick.kind == PickKind::knot) ui.emit(edit::Select{{world::name_of(document, drag_.pick.entity)}});
   if (!drag_.gesture) ui.emit(edit::BeginGesture{});
   drag_.gesture = true;
   drag_.sent = to;
   const world::Name name = world::name_of(document, drag_.pick.entity);
-  if (drag_.pick.kind == PickKind::knot) {
+  if (drag_.pick.kind == PickKind::knot && world::is_selected(settings, drag_.pick.entity) && !settings.also.empty()) {
+    move_knots(ui, to);
+  } else if (drag_.pick.kind == PickKind::knot) {
     ui.emit(edit::MoveKnot{{name}, to});
   } else {
     const auto end = drag_.pick.kind == PickKind::handle_in ? edit::HandleEnd::in : edit::HandleEnd::out;
@@ -181,9 +219,30 @@ void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
   }
 }
 
+// All selected knots as far as the one that is dragged.
+void ViewportTool::move_knots(Ui& ui, glm::vec3 to) {
+  const edit::Session& session = ui.session();
+  edit::Knots knots;
+  for (const world::Entity e : world::selected_knots(session.document, session.settings)) knots.names.push_back(world::name_of(session.document, e));
+  const world::Document& start = session.history.in_gesture ? session.history.gesture_start : session.document;
+  const glm::dvec3 from(world::knot(start, drag_.pick.entity).position);
+  ui.emit(edit::Translate{std::move(knots), glm::vec3(glm::dvec3(to) - from), true});
+}
+
+void ViewportTool::click_knot(Ui& ui) {
+  const edit::Session& session = ui.session();
+  const world::Entity knot = drag_.pick.entity;
+  if (drag_.shift) ui.out.commands.push_back(toggled(session, knot));
+  else if (drag_.ctrl) ui.out.commands.push_back(up_to(session, knot));
+  else if (!session.settings.also.empty()) ui.emit(edit::Select{{world::name_of(session.document, knot)}});
+}
+
 void ViewportTool::release(Ui& ui, const view::View& view) {
   if (drag_.gesture) ui.emit(edit::EndGesture{});
   if (!drag_.moved && drag_.click_acts) click_ground(ui, view);
+  if (!drag_.moved && drag_.what == What::item && drag_.pick.kind == PickKind::knot) click_knot(ui);
+  if (drag_.moved && drag_.what == What::box)
+    if (auto chosen = boxed(ui.session(), view, drag_.start, drag_.last, drag_.box)) ui.out.commands.push_back(std::move(*chosen));
   drag_ = {};
 }
 

@@ -1,9 +1,11 @@
-// The mouse in the viewport: hovering, selecting, dragging knots and handles, appending, and the orbit camera. Holds the drag that is under
-// way and nothing else.
+// The mouse in the viewport: hovering, selecting, dragging knots and handles, boxes, appending, and the orbit camera. Holds the drag that is
+// under way and nothing else.
 #pragma once
 
 #include <glm/glm.hpp>
 
+#include "ui/selecting.h"
+#include "ui/transform_tool.h"
 #include "ui/widgets.h"
 
 namespace coaster::ui {
@@ -12,12 +14,17 @@ class ViewportTool {
  public:
   // After the panels: reads the mouse from ImGui, emits commands, returns what is under the cursor (or dragged).
   view::Pick update(Ui& ui, const view::View& view);
-  bool dragging() const { return drag_.what != What::nothing; }
+  bool dragging() const { return drag_.what != What::nothing || transform_.active(); }
+  TransformTool& transform() { return transform_; }
+  const TransformTool& transform() const { return transform_; }
+  // The next drag of the left button draws a box that selects the knots in it.
+  void wait_for_box() { box_waits_ = true; }
+  bool box_waits() const { return box_waits_ || drag_.what == What::box; }
   // Ends the drag; one that has moved something is cancelled, which puts the document back. False when there was none.
   bool cancel(Ui& ui);
 
  private:
-  enum class What : std::uint8_t { nothing, item, place, cart, orbit, pan };
+  enum class What : std::uint8_t { nothing, item, place, cart, orbit, pan, box };
   enum class Along : std::uint8_t { screen, vertical, ground };  // what the cursor's ray is met with
   struct Drag {
     What what = What::nothing;
@@ -26,6 +33,8 @@ class ViewportTool {
     glm::vec2 start{0}, last{0};  // px
     bool moved = false;           // 3 px or more: else it is a click
     bool click_acts = false;      // a click on empty ground appends or deselects
+    bool shift = false, ctrl = false;  // held when it was pressed
+    BoxMode box = BoxMode::replace;
     bool gesture = false;         // BeginGesture was emitted
     Along along = Along::screen;
     bool grabbed = false;
@@ -40,8 +49,12 @@ class ViewportTool {
   void release(Ui& ui, const view::View& view);
   void turn_wheel(Ui& ui, float notches);
   void click_ground(Ui& ui, const view::View& view);
+  void click_knot(Ui& ui);
+  void move_knots(Ui& ui, glm::vec3 to);
 
   Drag drag_;
+  TransformTool transform_;
+  bool box_waits_ = false;
 };
 
 // The camera after the mouse moved by `pixels`: about its target, and with it. The scene follows the mouse.

@@ -64,10 +64,10 @@ void begin_row(Ui&, std::string_view label, float needed) {
   ImGui::SetNextItemWidth(beside ? room - label_room : room);
 }
 
-bool header(Ui& ui, std::string_view name, std::string_view tooltip) {
+bool header(Ui& ui, std::string_view name, std::string_view tooltip, bool at_first) {
   const std::string label(name);
   if (ImGui::GetCursorPosY() > 2 * ImGui::GetStyle().WindowPadding.y) ImGui::Dummy({0, std::floor(3 * ui.scale)});  // not before the first
-  const bool open = ImGui::CollapsingHeader(label.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+  const bool open = ImGui::CollapsingHeader(label.c_str(), at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
   note(ui, "", "header", tooltip, true, open ? "open" : "closed", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   return open;
 }

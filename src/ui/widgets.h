@@ -62,6 +62,7 @@ struct Ui {
   Toasts& toasts;
   LabCache& lab;
   std::string& file;           // the path in Track/File
+  double& radius;              // the number in Shape/Radius, m
   std::string_view renderer;   // GL_RENDERER
   float scale = 1;
   std::string panel;           // first part of the paths
@@ -74,7 +75,8 @@ struct Ui {
 // Registers the last item of ImGui and shows its tooltip when the mouse rests on it.
 void note_item(Ui& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled, std::string value = {});
 
-bool header(Ui& ui, std::string_view name, std::string_view tooltip);  // true while open
+// True while open; `open`: at first.
+bool header(Ui& ui, std::string_view name, std::string_view tooltip, bool open = true);
 void heading(Ui& ui, std::string_view text, std::string_view tooltip);
 bool button(Ui& ui, std::string_view label, std::string_view tooltip, bool enabled = true, float width = 0);
 bool radio(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled = true);

@@ -3,14 +3,16 @@
 
 #include <algorithm>
 
+#include "view/gizmo.h"
 #include "view/marks.h"
 #include "view/overlay_lab.h"
 #include "view/overlay_lab_parts.h"
+#include "world/selection.h"
 
 namespace coaster::view {
 namespace {
 
-constexpr std::uint32_t kKnotColour = 0xffffffff, kSelectedColour = 0xff8a1fff, kHandleColour = 0xf2b84bff, kHandleHovered = 0xffdc96ff;
+constexpr std::uint32_t kKnotColour = 0xffffffff, kSelectedColour = 0xff8a1fff, kAlsoColour = 0xffc08aff, kHandleColour = 0xf2b84bff, kHandleHovered = 0xffdc96ff;
 constexpr std::uint32_t kPolygonColour = 0xf2b84bff, kPlaceColour = 0xff8a1fff, kHoveredPlaceColour = 0xffffffff;
 constexpr std::uint32_t kFailureColour = 0xd7263dff;
 constexpr double kFailureHeight = 1.6;  // m over the rails: over the cart
@@ -57,7 +59,7 @@ Mark mark_of(const PlacedMark& placed, const world::Settings& settings, const Pi
   const float growth = (under_cursor ? kHoveredGrowth : 1.0f) * settings.ui_scale;
   if (placed.kind != PickKind::knot)
     return {placed.position, kHandleHalf * growth, under_cursor ? kHandleHovered : kHandleColour, MarkShape::square};
-  return {placed.position, kKnotRadius * growth, placed.knot == settings.selected ? kSelectedColour : kKnotColour, MarkShape::disc};
+  return {placed.position, kKnotRadius * growth, placed.knot == settings.selected ? kSelectedColour : world::is_selected(settings, placed.knot) ? kAlsoColour : kKnotColour, MarkShape::disc};
 }
 
 // A red disc with a white cross on the rails.
@@ -92,10 +94,11 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
     overlay.marks.push_back({glm::vec3(curve::point(shape->key.cubic, settings.selected_t)), kPlaceRadius * scale, kPlaceColour, MarkShape::disc});
   if (hovered.kind == PickKind::curve)
     overlay.marks.push_back({hovered.position, kPlaceRadius * scale, kHoveredPlaceColour, MarkShape::disc});
+  if (const auto gizmo = gizmo_of(document, settings, view); gizmo && !findings.riding) add_gizmo(*gizmo, view, scale, hovered.kind, overlay);
   std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
   std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
   for (const PlacedMark& placed : marks)
-    if (!findings.riding || placed.knot == settings.selected || hovered == Pick{placed.kind, placed.knot}) overlay.marks.push_back(mark_of(placed, settings, hovered));
+    if (!findings.riding || world::is_selected(settings, placed.knot) || hovered == Pick{placed.kind, placed.knot}) overlay.marks.push_back(mark_of(placed, settings, hovered));
   add_failure(derived, findings.failure, view, scale, overlay);
   return overlay;
 }

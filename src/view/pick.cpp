@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "view/gizmo.h"
 #include "view/marks.h"
 
 namespace coaster::view {
@@ -219,6 +220,8 @@ Pick pick(const world::Document& document, const sim::Derived& derived, const wo
           const View& view, glm::vec2 pixel) {
   if (!view.viewport.contains(pixel)) return {};
   if (const auto mark = pick_mark(document, settings, view, pixel)) return *mark;
+  if (const auto gizmo = gizmo_of(document, settings, view))
+    if (const PickKind part = pick_gizmo(*gizmo, view, settings.ui_scale, pixel); part != PickKind::none) return {part, world::kNone, 0, gizmo->at};
   if (const auto cart = pick_cart(document, derived, motion, settings, view, pixel)) return *cart;
   if (const auto cart = pick_distant_cart(document, derived, motion, settings, view, pixel)) return *cart;
   if (const auto place = pick_place(derived, settings, view, pixel)) return *place;
@@ -229,7 +232,13 @@ std::optional<glm::vec3> position_of(const world::Document& document, const sim:
                                      PickKind kind, world::Entity entity, double t) {
   const world::Knot* const knot = document.entities.find<world::Knot>(entity);
   switch (kind) {
-    case PickKind::none: return std::nullopt;
+    case PickKind::none:
+    case PickKind::axis_x:
+    case PickKind::axis_y:
+    case PickKind::axis_z:
+    case PickKind::plane_x:
+    case PickKind::plane_y:
+    case PickKind::plane_z: return std::nullopt;
     case PickKind::knot: return knot ? std::optional(knot->position) : std::nullopt;
     case PickKind::handle_in: return knot ? std::optional(world::in_handle(*knot)) : std::nullopt;
     case PickKind::handle_out: return knot ? std::optional(world::out_handle(*knot)) : std::nullopt;

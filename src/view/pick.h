@@ -8,7 +8,8 @@
 
 namespace coaster::view {
 
-enum class PickKind : std::uint8_t { none, knot, handle_in, handle_out, cart, curve };
+// axis_x .. plane_z: parts of the gizmo (view/gizmo.h), without an entity.
+enum class PickKind : std::uint8_t { none, knot, handle_in, handle_out, cart, curve, axis_x, axis_y, axis_z, plane_x, plane_y, plane_z };
 
 struct Pick {
   PickKind kind = PickKind::none;
@@ -24,7 +25,7 @@ inline constexpr float kHandleHalf = 4.0f;    // half the side of the handle's s
 inline constexpr float kCurveReach = 8.0f;    // px from the curve
 inline constexpr float kCartReach = 9.0f;     // px from a cart's middle: more than a knot's radius, so that a cart on a knot can be picked beside it
 
-// Marks are on top of everything and never hidden. Handles beat knots, knots beat carts, carts beat the curve; within a kind the
+// Marks are on top of everything and never hidden. Handles beat knots, knots the gizmo, that carts, carts beat the curve; within a kind the
 // mark nearest to the eye wins (ties: the earlier in the track). Carts are picked by their box, oriented as drawn, and
 // near their middle however small they look; not the one that the eye sits in. Where curves cross on screen the selected one wins near
 // its picked place.

@@ -91,7 +91,7 @@ struct Settings {
   bool append_mode = false;                  // a click on the ground appends a knot
   Snapping snapping;
   bool show_gizmo = true;                    // arrows that move the selected knots
-  bool show_hints = true;                    // the first steps, in the viewport
+  bool show_hints = false;                   // the first steps, in the viewport; a window shows them until they are dismissed
   float ui_scale = 1.0f;
   friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -55,6 +55,11 @@ TEST(codec, commands_read_as_documented) {
   EXPECT_EQ(print(MoveHandle{{{world::Kind::knot, 4}, HandleEnd::in}, {1, 2, 3}}), "handle @k4.in to 1 2 3");
   EXPECT_EQ(print(SplitSegment{{{world::Kind::segment, 3}}, 0.5}), "split @s3 at 0.5");
   EXPECT_EQ(print(SetLengths{{{world::Kind::knot, 1}}, 4, 6}), "lengths @k1 in 4 out 6");
+  Knots two;
+  two.names = {{world::Kind::knot, 1}, {world::Kind::knot, 12}};
+  EXPECT_EQ(print(Translate{two, {1, 2, 3}, true}), "translate @k1,@k12 by 1 2 3 anew on");
+  EXPECT_EQ(print(Smooth{Knots::Which::selected, world::SplineSteps::uniform}), "smooth selected by uniform");
+  EXPECT_EQ(print(SetSnapping{world::SnapTo::grid, 0.5, 30}), "snapping grid step 0.5 angle 30");
   EXPECT_EQ(print(SetTrain{{{world::Kind::cart, 1}}, 3, 2.5f}), "train @c1 cars 3 spacing 2.5 length 0 mass 0");
   EXPECT_EQ(print(SetClosed{false}), "closed off");
   EXPECT_EQ(print(SetName{"a \"b\""}), R"(name "a \"b\"")");

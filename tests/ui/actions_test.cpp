@@ -78,7 +78,7 @@ TEST_F(ActionsTest, space_runs_and_holds_the_ride_and_period_steps_it) {
   key(platform::Key::period);
   EXPECT_EQ(session_.motion.state, world::RideState::paused);
   EXPECT_EQ(all<edit::RideStep>().size(), 1u);
-  key(platform::Key::r);
+  key(platform::Key::r, {.shift = true});
   EXPECT_EQ(session_.motion.state, world::RideState::stopped);
 }
 

@@ -60,6 +60,7 @@ TEST(overlay, what_is_painted_last_is_what_is_picked) {
     world::Document d = test::random_document(static_cast<std::uint32_t>(trial));
     if (d.track.knots.empty()) continue;
     world::Settings settings;
+    settings.show_gizmo = false;  // its parts are no marks: view/gizmo_test.cpp
     settings.camera = {{uniform(-90, 90), uniform(0, 60), uniform(-90, 90)}, static_cast<float>(uniform(-180, 180)),
                        static_cast<float>(uniform(5, 85)), static_cast<float>(uniform(300, 30000))};
     settings.selected = !d.track.segments.empty() && trial % 2 ? d.track.segments[bits() % d.track.segments.size()] : d.track.knots[bits() % d.track.knots.size()];
@@ -135,6 +136,7 @@ TEST(overlay, nothing_selected_shows_knots_alone) {
 TEST(overlay, a_selected_knot_is_orange_with_handles_and_polygons) {
   Scene scene;
   scene.settings.selected = scene.document.track.knots[2];
+  scene.settings.show_gizmo = false;
   const Overlay overlay = scene.overlay();
   ASSERT_EQ(overlay.marks.size(), 7u);
   EXPECT_EQ(std::count_if(overlay.marks.begin(), overlay.marks.end(), [](const Mark& m) { return m.rgba == 0xff8a1fffu; }), 1);

@@ -1,0 +1,54 @@
+// The first steps: a card in the viewport of who has not seen it yet, until it is dismissed.
+#include "ui/hints.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+
+#include "ui/row.h"
+#include "ui/theme.h"
+
+namespace coaster::ui {
+
+void draw_hints(Ui& ui, const view::Viewport& scene) {
+  if (!ui.session().settings.show_hints) return;
+  struct Hint {
+    const char *key, *text;
+  };
+  constexpr std::array<Hint, 8> kHints{Hint{"Drag", "turn the view; the wheel zooms, F shows all"},
+                                       Hint{"Click", "select a knot, then drag it or its handles"},
+                                       Hint{"G R S", "move, rotate, scale; then X, Y, Z or a number"},
+                                       Hint{"A", "append knots by clicks; C adds a curve"},
+                                       Hint{"Space", "ride; 2 looks from the seat, 1 from afar"},
+                                       Hint{"L", "the laboratory: curves, errors, forces"},
+                                       Hint{"Ctrl+Z", "undo, as often as you like"},
+                                       Hint{"Ctrl+P", "find every action and command"}};
+  const float width = std::floor(384 * ui.scale), margin = std::floor(14 * ui.scale);
+  if (scene.width < width + 2 * margin || scene.height < 300 * ui.scale) return;
+  ImGui::SetNextWindowPos({std::floor(scene.x + margin), std::floor(scene.y + scene.height - margin)}, ImGuiCond_Always, {0, 1});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::SetNextWindowBgAlpha(0.88f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * ui.scale, 10 * ui.scale));
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+  if (ImGui::Begin("##hints", nullptr, kFlags)) {
+    ui.panel = "Hints";
+    ImGui::TextUnformatted("First steps");
+    for (const Hint& hint : kHints) {
+      const float start = ImGui::GetCursorPosX();
+      ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.accent));
+      ImGui::TextUnformatted(hint.key);
+      ImGui::PopStyleColor();
+      ImGui::SameLine(start + std::floor(58 * ui.scale));
+      ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.dim));
+      ImGui::TextUnformatted(hint.text);
+      ImGui::PopStyleColor();
+    }
+    if (button(ui, "Got it", "Dismiss the first steps; View/First steps brings them back.")) ui.emit(edit::SetHints{false});
+    ui.panel.clear();
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace coaster::ui
