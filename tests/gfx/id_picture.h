@@ -45,6 +45,7 @@ struct Sight {
 
 inline Sight make_sight() {
   Sight sight;
+  sight.settings.show_gizmo = false;  // its parts are no entities
   sight.document = ring_document(9, 17.3);
   for (const double fraction : {0.21, 0.43, 0.67}) world::add_cart(sight.document, sight.document.track.segments[2], fraction);
   sim::derive(sight.document, sight.settings, {}, sight.derived);
