@@ -179,7 +179,7 @@ Status files_command(Session& session, base::Files& files, const SaveMeasurement
 }
 Status files_command(Session& session, base::Files& files, const SaveReport& command) {
   if (command.path.empty()) return refused("expected a file to write to");
-  const sim::Ghost* const ghost = session.ghosts.ride(session.document, session.derived, world::first_cart(session.document));
+  const sim::Ghost* const ghost = chosen_ride(session);
   if (!ghost) return refused("a report needs a track with a cart");
   const Status status = files.write_atomic(command.path, command.path.ends_with(".csv") ? ride_csv(session, *ghost) : ride_report(session, *ghost));
   if (!status) return status;

@@ -231,7 +231,7 @@ struct RideStep {
 };
 struct RideSeek {
   double to = 0;
-  COASTER_COMMAND("ride.seek", "Put the first cart at a distance from the track's start (m), keeping its energy.", Effect::motion);
+  COASTER_COMMAND("ride.seek", "Put the selected cart, else the first, at a distance from the track's start (m), keeping its energy.", Effect::motion);
   COASTER_FIELDS(visit("", self.to))
 };
 

@@ -47,7 +47,7 @@ struct SetRollbackFails {
 };
 struct SaveReport {
   std::string path;
-  COASTER_COMMAND("report", "Write the report of the first cart's whole ride to a file; one that ends in .csv gets the ride by time.", Effect::session);
+  COASTER_COMMAND("report", "Write the report of the selected cart's whole ride, else the first one's, to a file; one that ends in .csv gets the ride by time.", Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
 struct LoadEnvelope {
@@ -56,7 +56,7 @@ struct LoadEnvelope {
   COASTER_FIELDS(visit("", self.path))
 };
 struct AutoBank {
-  COASTER_COMMAND("auto_bank", "Roll every knot so that the first cart's riders feel no lateral g there.", Effect::document);
+  COASTER_COMMAND("auto_bank", "Roll every knot so that the riders of the selected cart, else of the first, feel no lateral g there.", Effect::document);
   COASTER_FIELDS()
 };
 

@@ -65,7 +65,7 @@ Status perform(Session& session, Change& change, const RideSeek& command) {
   const double distance = session.derived.closed
                               ? command.to
                               : change.clamp("distance", command.to, 0.0, session.derived.length, "m");
-  sim::seek(session.document, session.derived, world::first_cart(session.document), distance, session.motion);
+  sim::seek(session.document, session.derived, chosen_cart(session), distance, session.motion);
   // Stopped means at the start, ended and failed at some end: a cart put elsewhere is none of these.
   session.motion.failure = {};
   if (session.motion.state != RideState::running) session.motion.state = RideState::paused;

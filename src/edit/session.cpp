@@ -30,9 +30,13 @@ void advance_measurement(Session& session) {
   sim::measure_next(session.measurement, session.clock);
 }
 
-const sim::Ghost* chosen_ride(const Session& session) {
+world::Entity chosen_cart(const Session& session) {
   const bool selected = session.document.entities.find<world::Cart>(session.settings.selected) != nullptr;
-  return session.ghosts.ride(session.document, session.derived, selected ? session.settings.selected : world::first_cart(session.document));
+  return selected ? session.settings.selected : world::first_cart(session.document);
+}
+
+const sim::Ghost* chosen_ride(const Session& session) {
+  return session.ghosts.ride(session.document, session.derived, chosen_cart(session));
 }
 
 std::string ride_report(const Session& session, const sim::Ghost& ghost) {

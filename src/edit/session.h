@@ -83,7 +83,9 @@ base::Status apply(Session& session, base::Files& files, const Command& command)
 // Does a part of a measurement that is under way, some ms; nothing else does: a frame without one costs nothing.
 void advance_measurement(Session& session);
 
-// The ghost of the selected cart's ride, else of the first cart's by name; null without a ride.
+// The selected cart, else the first one by name; kNone without any: whose forces, colours, advice and report are told.
+world::Entity chosen_cart(const Session& session);
+// The ghost of its ride; null without a ride.
 const sim::Ghost* chosen_ride(const Session& session);
 
 // The report of a ghost on the present track, to read, and as comma-separated values by time.

@@ -1,4 +1,4 @@
-// Forces: the whole ride of the first cart, simulated over the present track: speed, height and g over distance or time, what riders may not
+// Forces: the whole ride of the selected cart, else the first, simulated over the present track: speed, height and g over distance or time, what riders may not
 // feel for that long, and which knot to move against it.
 #include <imgui.h>
 
@@ -61,12 +61,12 @@ ForceStudy study_of(const edit::Session& session, const sim::Ghost& ghost) {
   return study;
 }
 
-// How far the first cart is into the ghost's ride, m and s; nothing when the ghost does not come by.
+// How far that cart is into the ghost's ride, m and s; nothing when the ghost does not come by.
 struct Cursor {
   double way = 0, time = 0;
 };
 std::optional<Cursor> cursor_of(const edit::Session& session, const sim::Ghost& ghost, const ForceStudy& study) {
-  const world::CartMotion* const cart = session.motion.carts.find(world::first_cart(session.document));
+  const world::CartMotion* const cart = session.motion.carts.find(edit::chosen_cart(session));
   if (!cart || study.way.empty()) return std::nullopt;
   double way = cart->track_distance - ghost.start.front;
   if (ghost.closed && ghost.track_length > 0) way -= ghost.track_length * std::floor(way / ghost.track_length);
@@ -145,7 +145,7 @@ void red_table(Ui& ui, const ForceStudy& study, float height, bool brief) {
   const edit::Session& session = ui.session();
   if (ui.lab.red_chosen < static_cast<int>(study.red.size())) {
     if (button(ui, "What helps?", "Tries moves of the knots around the chosen stretch, each with a whole ride, and says which lowers it most.", ui.lab.red_chosen >= 0))
-      ui.lab.advice = advice_text(session, sim::advise(session.document, world::first_cart(session.document), session.envelope, study.red[static_cast<std::size_t>(ui.lab.red_chosen)]));
+      ui.lab.advice = advice_text(session, sim::advise(session.document, edit::chosen_cart(session), session.envelope, study.red[static_cast<std::size_t>(ui.lab.red_chosen)]));
     if (!ui.lab.advice.empty()) small_note(ui, ui.lab.advice);
     height -= 2 * ImGui::GetFrameHeightWithSpacing();
   }
@@ -167,7 +167,7 @@ void red_table(Ui& ui, const ForceStudy& study, float height, bool brief) {
 void forces_page(Ui& ui) {
   if (!need_probe(ui)) return;
   const edit::Session& session = ui.session();
-  const sim::Ghost* const ghost = session.ghosts.ride(session.document, session.derived, world::first_cart(session.document));
+  const sim::Ghost* const ghost = edit::chosen_ride(session);
   if (!ghost) {
     small_note(ui, "A ride needs a cart: add one in the Track panel.");
     return;

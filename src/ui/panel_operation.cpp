@@ -56,8 +56,7 @@ void equipment(Ui& ui) {
 
 void train(Ui& ui) {
   const edit::Session& session = ui.session();
-  const bool selected = session.document.entities.find<world::Cart>(session.settings.selected) != nullptr;
-  const world::Entity cart = selected ? session.settings.selected : world::first_cart(session.document);
+  const world::Entity cart = edit::chosen_cart(session);
   const world::Cart* const design = session.document.entities.find<world::Cart>(cart);
   if (!design) return;
   const world::Name name = world::name_of(session.document, cart);

@@ -94,5 +94,22 @@ TEST_F(Riding, undo_never_rewinds_the_ride) {
   EXPECT_EQ(cart().segment, before.segment);
 }
 
+TEST_F(Riding, the_selected_cart_is_the_one_that_is_spoken_of_else_the_first) {
+  const sim::Ghost* const first = chosen_ride(session);
+  ASSERT_TRUE(first);
+  const double front = first->start.front;
+  good("select @c2");
+  EXPECT_EQ(chosen_cart(session), entity("c2"));
+  const sim::Ghost* const second = chosen_ride(session);
+  ASSERT_TRUE(second);
+  EXPECT_NE(second->start.front, front);
+  const world::CartMotion before = cart();
+  good("ride.seek 31.7");
+  EXPECT_TRUE(cart() == before);
+  EXPECT_NEAR(session.motion.carts.get(entity("c2")).track_distance, 31.7, 1e-6);
+  good("select @k1");
+  EXPECT_EQ(chosen_cart(session), entity("c1"));
+}
+
 }  // namespace
 }  // namespace coaster::edit
