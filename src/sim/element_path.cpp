@@ -11,7 +11,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kShortPiece = 1e-9, kShortestSpan = 0.5;  // m
+constexpr double kShortPiece = 1e-9, kShortestSpan = 1.5;  // m
 constexpr int kFewestSteps = 12;
 constexpr double kMostRampAngle = base::kPi / 6;
 

@@ -38,7 +38,7 @@ using ElementPiece = std::function<ElementRate(double u)>;
 // A bend from one angle to another: clothoid, circle, clothoid. Curvature rises from 0 to 1/radius, in proportion to the length, over a quarter
 // of the angle, at most 30 degrees of it; and falls alike.
 struct Bend {
-  static constexpr double kShortest = 4;  // m: a slight bend gets a larger radius instead
+  static constexpr double kShortest = 6;  // m: a slight bend gets a larger radius instead
   double from = 0, to = 0;  // rad
   double radius = 1;        // m
   Bend(double from_angle, double to_angle, double least_radius);

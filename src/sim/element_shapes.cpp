@@ -17,6 +17,7 @@ using world::ElementKind;
 
 constexpr double kMostHelixSlope = 0.6;  // m per m of plan
 constexpr double kLongestHelix = 14'000; // m, in plan, without what the clothoids add
+constexpr double kMostRollRate_deg = 60;  // a metre
 constexpr double kLevel = 1e-4;          // rad: what is as level as this needs no levelling
 constexpr double kRollFade = 8;          // m, at least, over which a rolled end is turned upright
 
@@ -47,7 +48,9 @@ double head(ElementPath& path) {
   return slope_of(forward);
 }
 
-void add_straight(const world::Element& element, ElementPath& path, bool upright) {
+void add_straight(world::Element& element, ElementPath& path, bool upright, std::vector<std::string>& lines) {
+  const double most = kMostRollRate_deg * world::value_of(element, "length");
+  if (const double wanted = world::value_of(element, "roll"); std::abs(wanted) > most) give_way(element, "roll", wanted < 0 ? -most : most, "so short a straight cannot roll as far", lines);
   const double length = world::value_of(element, "length"), roll = base::radians(world::value_of(element, "roll"));
   const dvec3 forward = path.end().tangent, level = upright ? curve::perpendicular(forward, {0, 1, 0}) : path.end().up;
   path.set_axes(forward, level, glm::cross(level, forward));
@@ -151,7 +154,7 @@ ElementShape element_shape(world::Element& element, const TrackEnd& end, std::ve
   ease(path, upright);
   if (straight) {
     path.begin_element();
-    add_straight(element, path, upright);
+    add_straight(element, path, upright, lines);
     shape.curve = path.finish(path.curve().length());
     return shape;
   }
