@@ -88,9 +88,8 @@ void elements_panel(Ui& ui) {
     ImGui::TextWrapped("%s", plan.refusal.c_str());
     ImGui::PopStyleColor();
   }
-  const bool entered = ImGui::IsKeyPressed(ImGuiKey_Enter, false) && !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive();
-  const bool pressed = button(ui, "Place", "Add it at the open end of the track. Key Enter.", possible, ImGui::GetContentRegionAvail().x);
-  if (pressed || (entered && possible)) ui.emit(edit::PlaceElement{session.settings.element});
+  if (button(ui, "Place", "Add it at the open end of the track. Key Enter; Escape hides the preview.", possible, ImGui::GetContentRegionAvail().x))
+    ui.emit(edit::PlaceElement{session.settings.element});
 }
 
 }  // namespace coaster::ui
