@@ -25,6 +25,7 @@ void report(const sim::ElementPlan& plan, Change& change) {
   if (plan.lowest < 0) change.clamped.push_back("goes " + metres(-plan.lowest, 0.125) + " m below the ground");
   const std::string shape = " of its shape";
   if (!plan.fit.within) change.clamped.push_back("so far from the origin it keeps within " + base::to_text(static_cast<float>(plan.fit.error)) + " m" + shape);
+  if (!change.clamped.empty()) return;  // the warning is to be the newest notice
   change.note = std::string(world::element_row(plan.element.kind).name) + " of " + std::to_string(plan.spans()) + (plan.spans() == 1 ? " span, " : " spans, ") +
                 metres(plan.length, 0.125) + " m, within " + std::to_string(static_cast<int>(std::ceil(plan.fit.error * 1000))) + " mm" + shape;
 }

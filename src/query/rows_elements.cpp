@@ -26,6 +26,9 @@ Answer value(const Context& c, View argument) {
     if (row.parameters[i].name == argument) return number(e.values[i]);
     names.emplace_back(row.parameters[i].name);
   }
+  for (const world::ElementRow& other : world::elements())
+    for (const world::ElementParameter& p : other.parameters)
+      if (p.name == argument) return text("none");
   return base::Status{base::Code::usage, "a " + std::string(row.name) + " has no " + base::quoted(argument) + base::suggestion(argument, names)};
 }
 Answer error(const Context& c, View) { return number(plan(c).fit.error); }
@@ -41,7 +44,7 @@ constexpr std::array kRows{
     Query{"element", "", "", "The palette's element: straight, curve, helix, climb, dive, camelback, loop or corkscrew.", element},
     Query{"element.preview", "", "", "on when it shows where the palette's element would go.", preview},
     Query{"element.side", "", "", "left or right; none for an element without a side.", side},
-    Query{"element.value", "length|roll|radius|angle|bank|speed|turns|height|top|shift", "", "A parameter of the palette's element, such as radius, within its limits.", value},
+    Query{"element.value", "length|roll|radius|angle|bank|speed|turns|height|top|shift", "", "A parameter of the palette's element, such as radius, within its limits; none where it has no such parameter.", value},
     Query{"element.error", "", "m", "How far the palette's element, as Bezier spans, would be off its ideal curve at most.", error},
     Query{"element.roll_error", "", "deg", "By how much the spans' frames would be turned against the ideal curve's at most.", roll_error},
     Query{"element.jump", "", "1/m", "The largest jump of curvature at the joints of the palette's element, its first one included.", jump},
