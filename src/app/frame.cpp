@@ -48,6 +48,7 @@ gfx::DrawStats draw_scene(Program& program, const ui::Output& output, platform::
   view::Findings findings{.failure = session.motion.failure, .riding = with_train && session.motion.state == world::RideState::running};
   if (layers.has(world::Layer::flips)) findings.breaks = program.breaks.update(session.derived);
   if (limits && ghost) findings.spans = program.red.update(*ghost, session.envelope);
+  if (session.settings.show_element) findings.element = &session.elements.plan(session.settings.element, session.document);
   const sim::TrackValues& values = program.values.update(session.derived, session.settings, ghost);
   program.stats.colour_low = values.low, program.stats.colour_high = values.high;
   const view::Overlay overlay = view::build_overlay(session.document, session.derived, session.settings, output.view, output.hovered, findings);

@@ -70,6 +70,7 @@ base::Status perform(Session& session, Change& change, const SetLosses& command)
 base::Status perform(Session& session, Change& change, const SetHeartline& command);
 base::Status perform(Session& session, Change& change, const SetRollbackFails& command);
 base::Status perform(Session& session, Change& change, const AutoBank& command);
+base::Status perform(Session& session, Change& change, const PlaceElement& command);
 base::Status perform(Session& session, Change& change, const MakeG2& command);
 base::Status perform(Session& session, Change& change, const MakeAllG2& command);
 base::Status perform(Session& session, Change& change, const Translate& command);
@@ -120,6 +121,8 @@ base::Status perform(Session& session, Change& change, const ShowLaboratory& com
 base::Status perform(Session& session, Change& change, const OpenPage& command);
 base::Status perform(Session& session, Change& change, const Measure& command);
 base::Status perform(Session& session, Change& change, const StopMeasuring& command);
+base::Status perform(Session& session, Change& change, const ChooseElement& command);
+base::Status perform(Session& session, Change& change, const PreviewElement& command);
 
 // Motion.
 base::Status perform(Session& session, Change& change, const RideStart& command);

@@ -78,6 +78,7 @@ std::string print_value(IntegratorId value);
 std::string print_value(world::Layer value);
 std::string print_value(world::Colouring value);
 std::string print_value(world::LabPage value);
+std::string print_value(const world::Element& value);  // "loop left height 16 ..."
 
 bool read_value(WordReader& words, Target& value);
 bool read_value(WordReader& words, HandleTarget& value);
@@ -102,6 +103,7 @@ bool read_value(WordReader& words, IntegratorId& value);
 bool read_value(WordReader& words, world::Layer& value);
 bool read_value(WordReader& words, world::Colouring& value);
 bool read_value(WordReader& words, world::LabPage& value);
+bool read_value(WordReader& words, world::Element& value);  // to the end of the line; what is not named has its usual value
 
 std::string usage_of(const HandleTarget& value);
 std::string usage_of(const Knots& value);
@@ -125,5 +127,6 @@ std::string usage_of(IntegratorId value);
 std::string usage_of(world::Layer value);
 std::string usage_of(world::Colouring value);
 std::string usage_of(world::LabPage value);
+std::string usage_of(const world::Element& value);
 
 }  // namespace coaster::edit

@@ -1,7 +1,7 @@
 // The one vocabulary: everything that a person, a script or a recording can make the program do to document, motion and settings.
 // Plain structs with a name, a line of help and a list of fields; from these come printing, parsing, help and completion.
-// Those that shape several knots are in commands_shape.h, those of the cameras in commands_camera.h, of the laboratory in commands_lab.h, of the
-// ride's operation in commands_operation.h.
+// Those that shape several knots are in commands_shape.h, those of the cameras in commands_camera.h, of the palette in commands_elements.h, of the
+// laboratory in commands_lab.h, of the ride's operation in commands_operation.h.
 // Commands carry names and numbers, never screen coordinates.
 #pragma once
 
@@ -13,6 +13,7 @@
 
 #include "edit/command_fields.h"
 #include "edit/commands_camera.h"
+#include "edit/commands_elements.h"
 #include "edit/commands_lab.h"
 #include "edit/commands_operation.h"
 #include "edit/commands_shape.h"
@@ -276,11 +277,11 @@ using AnyCommand = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, 
                                 AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2,
                                 Translate, Rotate, Scale, Mirror, Smooth, Equalise, Straighten, SetRadius, DropToGround, Align, Reverse,
                                 Duplicate, CloseExactly,
-                                SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetHeartline, SetRollbackFails, AutoBank,  //
+                                SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetHeartline, SetRollbackFails, AutoBank, PlaceElement,  //
                                 SetEvaluator, SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera,
                                 SetCameraMode, SetFly, SetFieldOfView, SetRideView, SetWidening, SetRollDamping, SetChaseDistance,
                                 SetHeadBob, SetReducedMotion, Select, SelectKnots, SetSnapping, SetGizmo, SetHints, SetPanels, SetPolyline, SetAppendMode, SetScale, ShowLayer, SetColouring, SetMagnification,
-                                SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,                 //
+                                SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring, ChooseElement, PreviewElement,  //
                                 RideStart, RidePause, RideStop, RideStep, RideSeek,                              //
                                 Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save,
                                 SaveMeasurements, SaveReport, LoadEnvelope, NewTrack>;

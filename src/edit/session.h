@@ -12,6 +12,7 @@
 #include "edit/commands.h"
 #include "exchange/track_file.h"
 #include "sim/derived.h"
+#include "sim/elements.h"
 #include "sim/envelope.h"
 #include "sim/measure.h"
 #include "sim/ghost.h"
@@ -61,6 +62,7 @@ struct Session {
   mutable std::optional<std::uint64_t> document_hash;  // a memo for dirty(), which every frame asks; apply() forgets it
   std::uint64_t tick = 0;          // ticks since the program's start
   mutable sim::GhostMemo ghosts;   // whole rides of the carts, simulated when something asks: a memo of what document and derived say
+  mutable sim::ElementMemo elements;  // what the palette's element would be, planned when something asks
   sim::Clock clock;                // to measure evaluation with
   std::string machine;             // a line about it, for files of measurements
   sim::Measurement measurement;    // of the evaluators; advanced by advance_measurement()

@@ -21,7 +21,7 @@ std::string to_text(const Value& value) {
 std::span<const Query> queries() {
   static const std::vector<Query> table = [] {
     std::vector<Query> rows;
-    for (const std::span<const Query> part : {document_rows(), ride_rows(), ghost_rows(), session_rows(), joint_rows(), lab_rows()}) rows.insert(rows.end(), part.begin(), part.end());
+    for (const std::span<const Query> part : {document_rows(), ride_rows(), ghost_rows(), session_rows(), joint_rows(), lab_rows(), element_rows()}) rows.insert(rows.end(), part.begin(), part.end());
     return rows;
   }();
   return table;

@@ -94,6 +94,8 @@ void escape(Act& act) {
     ImGui::ClosePopupToLevel(0, true);
   } else if (appending(act)) {
     act.ui.emit(edit::SetAppendMode{false});
+  } else if (act.ui.session().settings.show_element) {
+    act.ui.emit(edit::PreviewElement{false});
   } else if (any_selected(act)) {
     select_none(act);
   }
@@ -108,6 +110,13 @@ void insert_point(Act& act) {
 }
 void add_curve(Act& act) { act.ui.emit(edit::AddCurve{}); }
 void toggle_append(Act& act) { act.ui.emit(edit::SetAppendMode{!appending(act)}); }
+
+// The palette's element, where its preview shows.
+bool placeable(const Act& act) {
+  const edit::Session& session = act.ui.session();
+  return session.settings.show_element && session.elements.plan(session.settings.element, session.document).refusal.empty();
+}
+void place_element(Act& act) { act.ui.emit(edit::PlaceElement{act.ui.session().settings.element}); }
 
 // What is framed is framed for the orbit camera.
 void orbit_again(Act& act) {
@@ -212,6 +221,8 @@ constexpr Action kActions[] = {
     {"Insert point", "Edit", "I", key(Key::i), kNoKey, false, false, "Insert a knot under the cursor, or at the picked place, keeping the shape.", insertable,
      nullptr, insert_point},
     {"Append points", "Edit", "A", key(Key::a), kNoKey, false, false, "Clicks on the ground append knots to an open track.", always, appending, toggle_append},
+    {"Place element", "Edit", "Enter", key(Key::enter), kNoKey, false, false, "Add the element that the palette shows at the open end of the track.", placeable, nullptr,
+     place_element},
 
     {"Frame all", "View", "F", key(Key::f), kNoKey, false, true, "Show the whole track.", always, nullptr, frame_all},
     {"Frame selection", "View", "Shift+F", shift(Key::f), kNoKey, false, true, "Show what is selected.", any_selected, nullptr, frame_selection},
@@ -239,7 +250,7 @@ constexpr Action kActions[] = {
     {"Single step", "Ride", ".", key(Key::period), kNoKey, true, true, "Hold the carts and advance one tick of 1/120 s.", rideable, nullptr, single_step},
     {"Reset", "Ride", "Shift+R", shift(Key::r), kNoKey, false, true, "Put the carts back to their start.", rideable, nullptr, reset},
 
-    {"Cancel", "", "Escape", key(Key::escape), kNoKey, false, true, "Take back a drag, close a list, leave append mode, or clear the selection.", always, nullptr,
+    {"Cancel", "", "Escape", key(Key::escape), kNoKey, false, true, "Take back a drag, close a list, leave append mode, hide the element's preview, or clear the selection.", always, nullptr,
      escape},
 };
 

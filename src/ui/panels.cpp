@@ -12,6 +12,7 @@ std::span<const Panel> panels() {
       Panel{"Track", Column::left, "The track as a whole: its name, file, size, and what can be added.", track_panel},
       Panel{"Inspector", Column::left, "What is selected: a knot, a segment with a place on it, or a cart.", inspector_panel},
       Panel{"Shape", Column::left, "What can be done to the selected knots, or to all, at once; snapping.", shape_panel, false},
+      Panel{"Elements", Column::left, "Straights, curves, helices, hills and inversions, placed at the open end of the track.", elements_panel},
       Panel{"Operation", Column::left, "What makes the track a ride: equipment, the train, losses.", operation_panel},
       Panel{"Evaluation", Column::right, "How the curve is turned into a polyline, and how exact and fast that is.", evaluation_panel},
       Panel{"Ride", Column::right, "The carts: run them, and read what they do.", ride_panel},

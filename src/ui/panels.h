@@ -26,6 +26,7 @@ void evaluation_panel(Ui& ui);
 void ride_panel(Ui& ui);
 void camera_panel(Ui& ui);
 void operation_panel(Ui& ui);
+void elements_panel(Ui& ui);
 void statistics_panel(Ui& ui);
 void history_panel(Ui& ui);
 

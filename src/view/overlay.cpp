@@ -5,6 +5,7 @@
 
 #include "view/gizmo.h"
 #include "view/marks.h"
+#include "view/overlay_element.h"
 #include "view/overlay_lab.h"
 #include "view/overlay_lab_parts.h"
 #include "world/selection.h"
@@ -88,6 +89,7 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   Overlay overlay;
   add_laboratory(document, derived, settings, view, findings, overlay);
   const float scale = settings.ui_scale;
+  if (findings.element) add_element(*findings.element, view, scale, overlay);
   add_polygons(document, settings, overlay);
   // Places on the curve cannot be picked as marks, so they lie under all that can.
   if (const sim::SegmentShape* const shape = derived.segments.find(settings.selected))

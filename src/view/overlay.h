@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/elements.h"
 #include "sim/envelope.h"
 #include "sim/frame_methods.h"
 #include "view/pick.h"
@@ -41,6 +42,7 @@ struct Findings {
   std::span<const sim::FrenetBreak> breaks;  // read for Layer::flips
   std::span<const sim::RedSpan> spans;       // read for Layer::limits
   world::Failure failure;                    // of the ride; kind none: none
+  const sim::ElementPlan* element = nullptr;  // of the palette, where it would go; null: not shown
   bool riding = false;                       // the eye goes with a running train: knots that are neither chosen nor under the cursor would hide the ride
 };
 

@@ -10,6 +10,7 @@
 
 #include "curve/arc_length.h"
 #include "curve/evaluators.h"
+#include "world/element.h"
 #include "world/entity.h"
 #include "world/laboratory.h"
 
@@ -92,6 +93,8 @@ struct Settings {
   Snapping snapping;
   bool show_gizmo = true;                    // arrows that move the selected knots
   bool show_hints = false;                   // the first steps, in the viewport; a window shows them until they are dismissed
+  Element element = usual_element(ElementKind::curve);  // the palette's
+  bool show_element = false;                 // where it would go
   float ui_scale = 1.0f;
   friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -59,6 +59,12 @@ class RandomCommands {
     for (std::uint32_t i = below(8); i > 0; --i) v += kLetters[below(kLetters.size())];
   }
   void fill(world::EquipmentKind& v) { v = static_cast<world::EquipmentKind>(below(5)); }
+  void fill(world::Element& v) {
+    v = world::usual_element(static_cast<world::ElementKind>(below(world::elements().size())));
+    const world::ElementRow& row = world::element_row(v.kind);
+    v.right = row.sided && below(2) == 1;
+    for (std::size_t i = 0; i < row.parameters.size(); ++i) v.values[i] = number();
+  }
   void fill(world::JointKind& v) { v = static_cast<world::JointKind>(below(3)); }
   void fill(world::FrameMethod& v) { v = static_cast<world::FrameMethod>(below(4)); }
   void fill(world::Colouring& v) { v = static_cast<world::Colouring>(below(world::colourings().size())); }

@@ -1,0 +1,62 @@
+// Queries about the palette's element, as it would be placed at the track's open end now.
+#include <array>
+
+#include "base/portable_math.h"
+#include "query/rows.h"
+
+namespace coaster::query {
+namespace {
+
+using Answer = base::Result<Value>;
+using View = std::string_view;
+
+const sim::ElementPlan& plan(const Context& c) { return c.session.elements.plan(c.session.settings.element, c.session.document); }
+
+Answer element(const Context& c, View) { return text(world::element_row(c.session.settings.element.kind).name); }
+Answer preview(const Context& c, View) { return yes_no(c.session.settings.show_element); }
+Answer side(const Context& c, View) {
+  const world::Element& e = c.session.settings.element;
+  return text(!world::element_row(e.kind).sided ? "none" : e.right ? "right" : "left");
+}
+Answer value(const Context& c, View argument) {
+  const world::Element& e = plan(c).element;
+  const world::ElementRow& row = world::element_row(e.kind);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+    if (row.parameters[i].name == argument) return number(e.values[i]);
+    names.emplace_back(row.parameters[i].name);
+  }
+  for (const world::ElementRow& other : world::elements())
+    for (const world::ElementParameter& p : other.parameters)
+      if (p.name == argument) return text("none");
+  return base::Status{base::Code::usage, "a " + std::string(row.name) + " has no " + base::quoted(argument) + base::suggestion(argument, names)};
+}
+Answer error(const Context& c, View) { return number(plan(c).fit.error); }
+Answer roll_error(const Context& c, View) { return number(base::degrees(plan(c).fit.roll_error)); }
+Answer jump(const Context& c, View) { return number(plan(c).fit.jump); }
+Answer spans(const Context& c, View) { return number(plan(c).spans()); }
+Answer length(const Context& c, View) { return number(plan(c).length); }
+Answer lead(const Context& c, View) { return number(plan(c).lead); }
+Answer lowest(const Context& c, View) { return number(plan(c).lowest); }
+Answer refusal(const Context& c, View) { return text(plan(c).refusal.empty() ? "none" : plan(c).refusal); }
+
+constexpr std::array kRows{
+    Query{"element", "", "", "The palette's element: straight, curve, helix, climb, dive, camelback, loop or corkscrew.", element},
+    Query{"element.preview", "", "", "on when it shows where the palette's element would go.", preview},
+    Query{"element.side", "", "", "left or right; none for an element without a side.", side},
+    Query{"element.value", "length|roll|radius|angle|bank|speed|turns|height|top|shift", "", "A parameter of the palette's element, such as radius, within its limits; none where it has no such parameter.", value},
+    Query{"element.error", "", "m", "How far the palette's element, as Bezier spans, would be off its ideal curve at most.", error},
+    Query{"element.roll_error", "", "deg", "By how much the spans' frames would be turned against the ideal curve's at most.", roll_error},
+    Query{"element.jump", "", "1/m", "The largest jump of curvature at the joints of the palette's element, its first one included.", jump},
+    Query{"element.spans", "", "", "Bezier spans of the palette's element.", spans},
+    Query{"element.length", "", "m", "Length of the palette's element with what leads into it.", length},
+    Query{"element.lead", "", "m", "Length of what leads into it: easing out the curvature of the track's end, and levelling.", lead},
+    Query{"element.lowest", "", "m", "The least height of its rails over the ground.", lowest},
+    Query{"element.refusal", "", "", "Why it cannot be placed; none when it can.", refusal},
+};
+
+}  // namespace
+
+std::span<const Query> element_rows() { return kRows; }
+
+}  // namespace coaster::query

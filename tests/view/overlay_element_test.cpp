@@ -1,0 +1,68 @@
+#include "view/overlay_element.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/random_elements.h"
+#include "sim/track_mesh.h"
+#include "view/camera.h"
+
+namespace coaster::view {
+namespace {
+
+View view_of_all() {
+  world::Camera camera;
+  camera.target = {0, 5, 0};
+  camera.distance = 300;
+  return orbit_view(camera, {0, 0, 640, 480});
+}
+
+Overlay drawn(const sim::ElementPlan& plan) {
+  Overlay overlay;
+  add_element(plan, view_of_all(), 1, overlay);
+  return overlay;
+}
+
+TEST(overlay_element, rails_lie_half_a_gauge_beside_the_ideal_curve_and_knots_are_marked) {
+  test::RandomElements random(51);
+  for (int i = 0; i < 20; ++i) {
+    const sim::ElementPlan plan = sim::plan_element(random.any(), random.end());
+    if (!plan.refusal.empty() || plan.length > 400) continue;
+    const Overlay overlay = drawn(plan);
+    std::size_t rails = 0;
+    for (const Line& line : overlay.lines) {
+      if (line.width_px != 2.0f) continue;
+      double nearest = 1e9;
+      for (const sim::ElementPoint& p : plan.ideal.points) nearest = std::min(nearest, glm::distance(glm::dvec3(line.to), p.position));
+      EXPECT_LT(nearest, sim::kGauge / 2 + 0.05);
+      EXPECT_GT(nearest, sim::kGauge / 2 - 0.15) << "or of another turn nearby";
+      ++rails;
+    }
+    EXPECT_GT(rails, plan.length);
+    EXPECT_EQ(overlay.marks.size(), 2 * plan.spans());
+    EXPECT_EQ(overlay.marks.back().position, plan.fit.knots.back().position);
+  }
+}
+
+TEST(overlay_element, a_long_element_is_drawn_with_as_few_lines_as_a_short_one_may_have) {
+  world::Element helix = world::usual_element(world::ElementKind::helix);
+  helix.values[0] = 1000, helix.values[1] = 12;
+  const sim::ElementPlan plan = sim::plan_element(helix, sim::TrackEnd{});
+  ASSERT_GT(plan.length, 13'000);
+  EXPECT_LT(drawn(plan).lines.size(), 9u * kMaxElementSteps);
+}
+
+TEST(overlay_element, what_is_in_the_ground_is_red_and_what_cannot_be_placed_is_not_drawn) {
+  const auto red = [](const Overlay& overlay) {
+    return std::count_if(overlay.lines.begin(), overlay.lines.end(), [](const Line& line) { return (line.rgba | 0xffu) == kBuriedColour; });
+  };
+  sim::TrackEnd end;
+  EXPECT_GT(red(drawn(sim::plan_element(world::usual_element(world::ElementKind::dive), end))), 20);
+  end.position.y = 30;
+  EXPECT_EQ(red(drawn(sim::plan_element(world::usual_element(world::ElementKind::dive), end))), 0);
+  end.forward = {0, 1, 0}, end.up = {1, 0, 0};
+  const Overlay none = drawn(sim::plan_element(world::usual_element(world::ElementKind::loop), end));
+  EXPECT_TRUE(none.lines.empty() && none.marks.empty());
+}
+
+}  // namespace
+}  // namespace coaster::view
