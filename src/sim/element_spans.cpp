@@ -115,7 +115,8 @@ std::vector<world::Knot> knots_of(const ElementCurve& curve, std::span<const std
     world::Knot knot;
     knot.position = glm::vec3(n.place[k]);
     knot.tangent = glm::vec3(n.tangent[k]);
-    knot.up = glm::vec3(curve::perpendicular(glm::normalize(dvec3(knot.tangent)), curve.points[at[k]].up));
+    // From the tangent in double, not from the rounded one: gcc 12 at -O2 was seen to leave out a rounding to float and back, and the bits count.
+    knot.up = glm::vec3(curve::perpendicular(n.tangent[k], curve.points[at[k]].up));
     knot.in_length = as_handle(k > 0 ? n.in[k] : n.out[k]);
     knot.out_length = as_handle(k + 1 < at.size() ? n.out[k] : n.in[k]);
     knot.joint = world::JointKind::aligned;
@@ -204,8 +205,6 @@ Spans make_spans(const ElementCurve& curve, std::span<const std::size_t> at) {
     shift_second(n, curve, at, false), shift_second(n, curve, at, true);
     if (turn_tangents(n) < kDone) break;
   }
-  for (dvec3& place : n.place) place = dvec3(glm::vec3(place));  // as the knots have it
-  turn_tangents(n);
   Spans spans;
   spans.knots = knots_of(curve, at, n);
   dvec3 before = curve.points.front().curvature;

@@ -40,7 +40,7 @@ TEST_F(PerformElementsTest, one_after_the_other_they_make_a_track_whose_every_jo
   }
   EXPECT_EQ(session.history.undo.size(), 8u);
   // Portable to the bit: gcc and clang, debug and release.
-  EXPECT_EQ(base::hex16(hash()), "f0df7a94373fce71");
+  EXPECT_EQ(base::hex16(hash()), "f03362872fcc78bd");
 }
 
 TEST_F(PerformElementsTest, undo_takes_a_whole_element_away_and_redo_brings_it_back) {
