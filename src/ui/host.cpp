@@ -52,7 +52,8 @@ void draw_foot(const ViewportTool& tool, const edit::Session& session, const vie
   if (hint.empty()) return;
   const bool empty = session.document.track.knots.empty();
   const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
-  const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f), std::floor(scene.y + scene.height * (empty ? 0.62f : 0.93f)));
+  // Over the place of the notices.
+  const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f), std::floor(empty ? scene.y + scene.height * 0.62f : scene.y + scene.height - 5.6f * size.y));
   const ImVec2 pad(size.y * 0.9f, size.y * 0.5f);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y}, packed(kDark.background, 0.78f), size.y);

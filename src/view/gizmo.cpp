@@ -56,7 +56,7 @@ PickKind plane_kind(int i) { return static_cast<PickKind>(static_cast<int>(PickK
 }  // namespace
 
 std::optional<Gizmo> gizmo_of(const world::Document& document, const world::Settings& settings, const View& view) {
-  if (!settings.show_gizmo || !settings.show_panels) return std::nullopt;
+  if (!settings.show_gizmo || !settings.show_panels || settings.append_mode) return std::nullopt;  // clicks append beside it
   const std::vector<world::Entity> knots = world::selected_knots(document, settings);
   if (knots.empty()) return std::nullopt;
   glm::dvec3 sum(0);

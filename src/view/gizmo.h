@@ -18,7 +18,7 @@ struct Gizmo {
   float metre_px = 1;  // pixels of a metre across the line of sight there
 };
 
-// Nothing when no knot is selected, the gizmo or all panels are hidden, or its place is not in front of the eye.
+// Nothing when no knot is selected, the gizmo or all panels are hidden, clicks append, or its place is not in front of the eye.
 std::optional<Gizmo> gizmo_of(const world::Document& document, const world::Settings& settings, const View& view);
 
 // The arrow (axis_x ..) or square (plane_x: normal to x ..) under a pixel, PickKind::none where there is none. Arrows that point at the eye
