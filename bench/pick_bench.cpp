@@ -67,25 +67,31 @@ std::vector<Aim> aims(const sim::Derived& derived) {
   return all;
 }
 
+// The picks are timed as frames make them, after each other; looking at all segments empties the caches, so an untimed round goes before.
 void pick(benchmark::State& state) {
   const sim::Derived derived = tangle(static_cast<int>(state.range(0)));
   const std::vector<Aim> all = aims(derived);
   constexpr std::size_t kOfAll = 4;  // so few are looked for among all segments in one iteration
   double sum = 0;
   std::size_t found = 0, next = 0;
-  paired(state, "pick", static_cast<double>(all.size()),
-         [&] {
-           sum = 0, found = 0;
-           for (const Aim& aim : all)
-             if (const auto place = view::pick_curve(derived, aim.view, aim.pixel, kReach)) sum += place->t, ++found;
-         },
-         {{"ratio_of_all",
-           [&] {
-             for (std::size_t i = 0; i < kOfAll; ++i, next = (next + 1) % all.size())
-               benchmark::DoNotOptimize(view::pick_curve_of_all(derived, all[next].view, all[next].pixel, kReach));
-           },
-           false}});
-  state.counters["ratio_of_all"].value *= static_cast<double>(all.size()) / kOfAll;
+  std::vector<double> times, ratios;
+  const Work picks = [&] {
+    sum = 0, found = 0;
+    for (const Aim& aim : all)
+      if (const auto place = view::pick_curve(derived, aim.view, aim.pixel, kReach)) sum += place->t, ++found;
+  };
+  for (auto _ : state) {
+    picks();
+    const double time = seconds(picks) / static_cast<double>(all.size());
+    const double of_all = seconds([&] {
+      for (std::size_t i = 0; i < kOfAll; ++i, next = (next + 1) % all.size())
+        benchmark::DoNotOptimize(view::pick_curve_of_all(derived, all[next].view, all[next].pixel, kReach));
+    });
+    state.SetIterationTime(time * static_cast<double>(all.size()));
+    times.push_back(time), ratios.push_back(of_all / kOfAll / time);
+  }
+  state.counters["ns_per_pick"] = median(times) * 1e9;
+  state.counters["ratio_of_all"] = median(ratios);
   state.counters["ratio_found"] = static_cast<double>(found) / static_cast<double>(all.size());
   state.counters["checksum"] = sum;
 }
@@ -154,8 +160,7 @@ void pick_beside_embree(benchmark::State& state) {
   const sim::Derived derived = tangle(static_cast<int>(state.range(0)));
   const std::vector<Aim> all = aims(derived);
   EmbreeScene embree(derived.tree.cubics, kThick);
-  std::size_t hits = 0;
-  std::size_t found = 0;
+  std::size_t hits = 0, found = 0;
   std::vector<RTCRayHit> rays;
   for (const Aim& aim : all) rays.push_back(ray_of(view::ray_through(aim.view, aim.pixel)));
   paired(state, "pick", static_cast<double>(all.size()),

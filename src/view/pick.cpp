@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "view/beam.h"
 #include "view/gizmo.h"
 #include "view/marks.h"
 
@@ -23,13 +24,65 @@ bool inside(const PlacedMark& mark, dvec2 pixel, double scale) {
   return glm::dot(off, off) <= kKnotRadius * scale * kKnotRadius * scale;
 }
 
-std::optional<Pick> pick_mark(const world::Document& document, const world::Settings& settings, const View& view, dvec2 pixel) {
-  const std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
-  const PlacedMark* best = nullptr;
-  for (const PlacedMark& mark : marks)
-    if (inside(mark, pixel, settings.ui_scale) && (!best || covers(mark, *best))) best = &mark;
-  if (!best) return std::nullopt;
-  return Pick{best->kind, best->knot, 0, best->position};
+// The marks of marks_on_screen() that the pixel is on; knots by the tree of the segments that they end, not one by one.
+class MarksAt {
+ public:
+  MarksAt(const world::Document& document, const world::Settings& settings, const View& view, dvec2 pixel)
+      : document_(document), settings_(settings), projector_(view), eye_(view.eye), pixel_(pixel) {}
+
+  // `place`: of the knot in the track.
+  void try_knot(std::size_t place) {
+    const world::Entity knot = document_.track.knots[place];
+    try_mark(PickKind::knot, knot, world::knot(document_, knot).position, [place] { return place; });
+  }
+  void try_handles(world::Entity e) {
+    const world::Knot& knot = world::knot(document_, e);
+    const auto order = [&] { return 2 * world::index_of(document_.track.knots, e).value_or(0); };
+    try_mark(PickKind::handle_in, e, world::in_handle(knot), order);
+    try_mark(PickKind::handle_out, e, world::out_handle(knot), [&] { return order() + 1; });
+  }
+  std::optional<Pick> best() const {
+    if (!best_) return std::nullopt;
+    return Pick{best_->kind, best_->knot, 0, best_->position};
+  }
+
+ private:
+  template <class Order>
+  void try_mark(PickKind kind, world::Entity knot, glm::vec3 position, const Order& order) {
+    const auto seen = projector_(position);
+    if (!seen) return;
+    PlacedMark mark{kind, knot, position, *seen, 0, 0};
+    if (!inside(mark, pixel_, settings_.ui_scale)) return;
+    const dvec3 away = dvec3(position) - eye_;
+    mark.distance = glm::dot(away, away);
+    mark.order = order();
+    if (!best_ || covers(mark, *best_)) best_ = mark;
+  }
+
+  const world::Document& document_;
+  const world::Settings& settings_;
+  Projector projector_;
+  dvec3 eye_;
+  dvec2 pixel_;
+  std::optional<PlacedMark> best_;
+};
+
+std::optional<Pick> pick_mark(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,
+                              glm::vec2 pixel) {
+  MarksAt marks(document, settings, view, pixel);
+  for (const world::Entity e : knots_with_handles(document, settings)) marks.try_handles(e);
+  if (const auto handle = marks.best()) return handle;  // handles are over knots
+  const std::size_t count = document.track.knots.size();
+  if (derived.order.empty()) {
+    for (std::size_t i = 0; i < count; ++i) marks.try_knot(i);
+  } else {
+    // Segment i goes from knot i to the next one.
+    const double reach = 1.001 * static_cast<double>(kKnotRadius * settings.ui_scale);
+    visit_near(derived.tree, Beam(view, pixel), [reach] { return reach; }, [&](std::size_t i) {
+      if (i < count) marks.try_knot(i), marks.try_knot((i + 1) % count);
+    });
+  }
+  return marks.best();
 }
 
 glm::vec3 cart_middle(const sim::Pose& pose) {
@@ -120,7 +173,7 @@ std::optional<Pick> pick_place(const sim::Derived& derived, const world::Setting
 Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings,
           const View& view, glm::vec2 pixel) {
   if (!view.viewport.contains(pixel)) return {};
-  if (const auto mark = pick_mark(document, settings, view, pixel)) return *mark;
+  if (const auto mark = pick_mark(document, derived, settings, view, pixel)) return *mark;
   if (const auto gizmo = gizmo_of(document, settings, view))
     if (const PickKind part = pick_gizmo(*gizmo, view, settings.ui_scale, pixel); part != PickKind::none) return {part, world::kNone, 0, gizmo->at};
   if (const auto cart = pick_cart(document, derived, motion, settings, view, pixel)) return *cart;
