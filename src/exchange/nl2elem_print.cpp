@@ -27,15 +27,21 @@ Place place_on(const sim::Derived& derived, double s) {
 
 curve::Cubic in_float(const std::array<dvec3, 4>& c) { return {glm::vec3(c[0]), glm::vec3(c[1]), glm::vec3(c[2]), glm::vec3(c[3])}; }
 
-// Whether the spline is near the place at the same share of the length, which is no nearer than the track, and leads the same way there.
+// Whether the spline is near the place at the same share of the length, which is no nearer than the track, and leads the same way there, and
+// whether roll goes on evenly between the vertices.
 bool is_close(const UniformSpline& spline, const sim::Derived& derived) {
-  for (std::size_t i = 0; i < spline.spans(); ++i)
+  const auto place = [&](double spans) { return place_on(derived, derived.length * spans / static_cast<double>(spline.spans())); };
+  for (std::size_t i = 0; i < spline.spans(); ++i) {
+    const curve::Cubic cubic = in_float(spline.span(i));
+    const dvec3 from = place(static_cast<double>(i)).frame.up, to = place(static_cast<double>(i + 1)).frame.up;
     for (const double t : {0.0, 0.25, 0.5, 0.75}) {
-      const curve::Cubic cubic = in_float(spline.span(i));
-      const Place wanted = place_on(derived, derived.length * (static_cast<double>(i) + t) / static_cast<double>(spline.spans()));
+      const Place wanted = place(static_cast<double>(i) + t);
       if (glm::distance(curve::point(cubic, t), wanted.position) > kNl2ElemError) return false;
       if (glm::length(curve::unit_tangent(cubic, t) - wanted.frame.forward) > kNl2ElemTurn) return false;
+      const dvec3 up = curve::perpendicular(wanted.frame.forward, (1 - t) * from + t * to);
+      if (glm::length(up - wanted.frame.up) > kNl2ElemTurn) return false;
     }
+  }
   return true;
 }
 

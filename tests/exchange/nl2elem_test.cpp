@@ -157,7 +157,7 @@ TEST(nl2elem, exported_tracks_come_back_within_a_centimetre_and_half_a_degree) {
         if (off < nearest) nearest = off, angle = std::acos(std::clamp(glm::dot(frame.up, other.up), -1.0, 1.0)) * 180 / M_PI;
       }
       EXPECT_LT(nearest, 0.01) << i;
-      EXPECT_LT(angle, 0.5) << i;
+      EXPECT_LT(angle, 0.5) << i << " of " << before.length << " m, " << again->document.track.knots.size();
     }
   }
   EXPECT_FALSE(check_nl2elem(world::Document{}).ok());
