@@ -4,6 +4,7 @@
 set(kernel_options $<IF:$<BOOL:${COASTER_SANITIZE}>,-O1,-O3>)  # sanitized, -O3 takes minutes to compile
 set_source_files_properties(src/curve/kernels_baseline.cpp src/curve/kernels_frames_baseline.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)
 set_source_files_properties(src/sim/lap_table.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)  # its loops run on several trains at once
+set_source_files_properties(src/view/sighted_curve.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)  # products of short polynomials
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$" AND NOT EMSCRIPTEN)
   set_source_files_properties(src/curve/kernels_avx2.cpp PROPERTIES
     COMPILE_OPTIONS "${kernel_options};-mavx2;-mfma;-ffp-contract=fast" COMPILE_DEFINITIONS COASTER_AVX2_KERNELS SKIP_PRECOMPILE_HEADERS ON)

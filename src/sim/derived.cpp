@@ -88,10 +88,25 @@ void drop_vanished(const world::Document& document, Derived& derived) {
   for (const world::Entity e : vanished) derived.segments.erase(e);
 }
 
+// `reshaped`: places in the order of segments whose cubics are new. Other segments, or most of them elsewhere, and the old tree is of no use.
+void update_tree(bool reordered, std::span<const std::size_t> reshaped, Derived& derived) {
+  if (!reordered && reshaped.empty()) return;
+  if (reordered || reshaped.size() > derived.order.size() / 2) {
+    std::vector<curve::Cubic> cubics;
+    cubics.reserve(derived.order.size());
+    for (const world::Entity e : derived.order) cubics.push_back(derived.shape(e).key.cubic);
+    return build_tree(std::move(cubics), derived.tree);
+  }
+  for (const std::size_t i : reshaped) derived.tree.cubics[i] = derived.shape(derived.order[i]).key.cubic;
+  refit_tree(reshaped, derived.tree);
+}
+
 }  // namespace
 
 void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived) {
-  if (derived.order != document.track.segments) {
+  const bool reordered = derived.order != document.track.segments;
+  std::vector<std::size_t> reshaped;
+  if (reordered) {
     derived.order = document.track.segments;
     drop_vanished(document, derived);
   }
@@ -121,6 +136,7 @@ void derive(const world::Document& document, const world::Settings& settings, co
     if (new_shape) {
       build_shape(key, *shape);
       shape->shape_build = ++derived.last_build;
+      reshaped.push_back(i);
     }
     if (new_shape || shape->measured_by != settings.arc_length || shape->measured_steps != settings.steps) {
       shape->measured_length = method.length(key.cubic, settings.steps);
@@ -139,6 +155,7 @@ void derive(const world::Document& document, const world::Settings& settings, co
     derived.deviation = std::max(derived.deviation, shape->deviation);
   }
   derived.length = derived.starts.back();
+  update_tree(reordered, reshaped, derived);
 }
 
 TrackPlace place_at(const Derived& derived, double distance) {

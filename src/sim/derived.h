@@ -9,6 +9,7 @@
 
 #include "curve/arc_length.h"
 #include "curve/frames.h"
+#include "sim/segment_tree.h"
 #include "world/document.h"
 #include "world/settings.h"
 
@@ -52,6 +53,7 @@ struct Derived {
   std::vector<world::Entity> order;      // as document.track.segments
   std::vector<double> starts;            // m, distance along the track where segment i starts; size order.size()+1, back() = length
   std::vector<double> twists;            // rad, what the knots' frames turned against rotation-minimising ones before segment i; as starts
+  SegmentTree tree;                      // over `order`: what is near a ray
   bool closed = false;
   double length = 0;                     // m, adaptive Gauss-Legendre
   double measured_length = 0;            // m, by the chosen arc-length method

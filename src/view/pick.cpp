@@ -1,4 +1,4 @@
-// Picking: marks by their shapes on screen, carts by a ray against their box, the curve by distance on screen.
+// Picking: marks by their shapes on screen, carts by a ray against their box. The curve is in pick_curve.cpp.
 #include "view/pick.h"
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "view/beam.h"
 #include "view/gizmo.h"
 #include "view/marks.h"
 
@@ -16,8 +17,6 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
-constexpr int kIntervals = 16;       // of the coarse polyline
-constexpr int kRefinements = 32;     // golden section: 2/16 of the parameter shrinks to 3e-8
 
 bool inside(const PlacedMark& mark, dvec2 pixel, double scale) {
   const dvec2 off = pixel - mark.pixel;
@@ -25,13 +24,65 @@ bool inside(const PlacedMark& mark, dvec2 pixel, double scale) {
   return glm::dot(off, off) <= kKnotRadius * scale * kKnotRadius * scale;
 }
 
-std::optional<Pick> pick_mark(const world::Document& document, const world::Settings& settings, const View& view, dvec2 pixel) {
-  const std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
-  const PlacedMark* best = nullptr;
-  for (const PlacedMark& mark : marks)
-    if (inside(mark, pixel, settings.ui_scale) && (!best || covers(mark, *best))) best = &mark;
-  if (!best) return std::nullopt;
-  return Pick{best->kind, best->knot, 0, best->position};
+// The marks of marks_on_screen() that the pixel is on; knots by the tree of the segments that they end, not one by one.
+class MarksAt {
+ public:
+  MarksAt(const world::Document& document, const world::Settings& settings, const View& view, dvec2 pixel)
+      : document_(document), settings_(settings), projector_(view), eye_(view.eye), pixel_(pixel) {}
+
+  // `place`: of the knot in the track.
+  void try_knot(std::size_t place) {
+    const world::Entity knot = document_.track.knots[place];
+    try_mark(PickKind::knot, knot, world::knot(document_, knot).position, [place] { return place; });
+  }
+  void try_handles(world::Entity e) {
+    const world::Knot& knot = world::knot(document_, e);
+    const auto order = [&] { return 2 * world::index_of(document_.track.knots, e).value_or(0); };
+    try_mark(PickKind::handle_in, e, world::in_handle(knot), order);
+    try_mark(PickKind::handle_out, e, world::out_handle(knot), [&] { return order() + 1; });
+  }
+  std::optional<Pick> best() const {
+    if (!best_) return std::nullopt;
+    return Pick{best_->kind, best_->knot, 0, best_->position};
+  }
+
+ private:
+  template <class Order>
+  void try_mark(PickKind kind, world::Entity knot, glm::vec3 position, const Order& order) {
+    const auto seen = projector_(position);
+    if (!seen) return;
+    PlacedMark mark{kind, knot, position, *seen, 0, 0};
+    if (!inside(mark, pixel_, settings_.ui_scale)) return;
+    const dvec3 away = dvec3(position) - eye_;
+    mark.distance = glm::dot(away, away);
+    mark.order = order();
+    if (!best_ || covers(mark, *best_)) best_ = mark;
+  }
+
+  const world::Document& document_;
+  const world::Settings& settings_;
+  Projector projector_;
+  dvec3 eye_;
+  dvec2 pixel_;
+  std::optional<PlacedMark> best_;
+};
+
+std::optional<Pick> pick_mark(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,
+                              glm::vec2 pixel) {
+  MarksAt marks(document, settings, view, pixel);
+  for (const world::Entity e : knots_with_handles(document, settings)) marks.try_handles(e);
+  if (const auto handle = marks.best()) return handle;  // handles are over knots
+  const std::size_t count = document.track.knots.size();
+  if (derived.order.empty()) {
+    for (std::size_t i = 0; i < count; ++i) marks.try_knot(i);
+  } else {
+    // Segment i goes from knot i to the next one.
+    const double reach = 1.001 * static_cast<double>(kKnotRadius * settings.ui_scale);
+    visit_near(derived.tree, Beam(view, pixel), [reach] { return reach; }, [&](std::size_t i) {
+      if (i < count) marks.try_knot(i), marks.try_knot((i + 1) % count);
+    });
+  }
+  return marks.best();
 }
 
 glm::vec3 cart_middle(const sim::Pose& pose) {
@@ -104,104 +155,7 @@ std::optional<Pick> pick_distant_cart(const world::Document& document, const sim
   return best;
 }
 
-// One curve as seen from a pixel.
-struct Seen {
-  const curve::CoefficientsD& c;
-  const Projector& projector;
-  dvec2 pixel;
-
-  // Square of the distance on screen, px^2; kNowhere where the curve is not in front of the eye.
-  double operator()(double t) const {
-    const auto at = projector(c.c0 + t * (c.c1 + t * (c.c2 + t * c.c3)));
-    if (!at) return kNowhere;
-    return glm::dot(*at - pixel, *at - pixel);
-  }
-};
-
-// False when the pixel is further than `reach` from all of the curve for certain: a projected curve lies within the box of its
-// projected control points, as long as all of them are in front of the eye.
-bool may_be_near(const curve::Cubic& cubic, const Projector& projector, dvec2 pixel, double reach) {
-  dvec2 low(kNowhere), high(-kNowhere);
-  int behind = 0;
-  for (const glm::vec3 p : {cubic.p0, cubic.p1, cubic.p2, cubic.p3}) {
-    const glm::dvec4 clip = projector.matrix() * glm::dvec4(p, 1);
-    if (!(clip.w > 1e-4)) {
-      ++behind;
-      continue;
-    }
-    const dvec2 at = projector.to_pixels(dvec2(clip) / clip.w);
-    low = glm::min(low, at), high = glm::max(high, at);
-  }
-  if (behind > 0) return behind < 4;
-  return pixel.x >= low.x - reach && pixel.x <= high.x + reach && pixel.y >= low.y - reach && pixel.y <= high.y + reach;
-}
-
-struct Found {
-  double t = 0, square = kNowhere;
-};
-
-Found refine(const Seen& seen, double low, double high) {
-  constexpr double kGolden = 0.6180339887498949;
-  double a = high - kGolden * (high - low), b = low + kGolden * (high - low), at_a = seen(a), at_b = seen(b);
-  for (int i = 0; i < kRefinements; ++i) {
-    if (at_a <= at_b) {
-      high = b, b = a, at_b = at_a;
-      a = high - kGolden * (high - low), at_a = seen(a);
-    } else {
-      low = a, a = b, at_a = at_b;
-      b = low + kGolden * (high - low), at_b = seen(b);
-    }
-  }
-  Found best{a, at_a};
-  for (const double t : {low, b, high})
-    if (const double square = seen(t); square < best.square) best = {t, square};
-  return best;
-}
-
-// Every minimum of the coarse polyline is refined: which one is the least is seen only then. The intervals at the border of what is
-// visible are tried as well.
-Found nearest_on(const Seen& seen) {
-  std::array<double, kIntervals + 1> square;
-  for (int i = 0; i <= kIntervals; ++i) square[i] = seen(static_cast<double>(i) / kIntervals);
-  Found best;
-  for (int i = 0; i <= kIntervals; ++i) {
-    const double before = i > 0 ? square[i - 1] : kNowhere, after = i < kIntervals ? square[i + 1] : kNowhere;
-    const bool border = square[i] == kNowhere && (before < kNowhere || after < kNowhere);
-    if (!border && !(square[i] < kNowhere && square[i] <= before && square[i] <= after)) continue;
-    const Found found = refine(seen, std::max(0, i - 1) / static_cast<double>(kIntervals), std::min(kIntervals, i + 1) / static_cast<double>(kIntervals));
-    if (found.square < best.square) best = found;
-  }
-  return best;
-}
-
 }  // namespace
-
-std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach) {
-  const Projector projector(view);
-  double least = static_cast<double>(reach) * reach;
-  std::optional<Pick> best;
-  for (const world::Entity e : derived.order) {
-    const sim::SegmentShape& shape = derived.shape(e);
-    if (!may_be_near(shape.key.cubic, projector, pixel, std::sqrt(least))) continue;
-    const curve::CoefficientsD c = curve::coefficients_d(shape.key.cubic);
-    const Found found = nearest_on({c, projector, pixel});
-    // An equal distance (at a joint) stays with the earlier segment.
-    if (!(best ? found.square < least : found.square <= least)) continue;
-    least = found.square;
-    best = Pick{PickKind::curve, e, found.t, glm::vec3(curve::point(shape.key.cubic, found.t))};
-  }
-  return best;
-}
-
-std::optional<Pick> pick_segment(const sim::Derived& derived, const View& view, glm::vec2 pixel, world::Entity segment) {
-  const sim::SegmentShape* const shape = derived.segments.find(segment);
-  if (shape == nullptr) return std::nullopt;
-  const Projector projector(view);
-  const curve::CoefficientsD c = curve::coefficients_d(shape->key.cubic);
-  const Found found = nearest_on({c, projector, pixel});
-  if (!(found.square < kNowhere)) return std::nullopt;
-  return Pick{PickKind::curve, segment, found.t, glm::vec3(curve::point(shape->key.cubic, found.t))};
-}
 
 namespace {
 
@@ -219,7 +173,7 @@ std::optional<Pick> pick_place(const sim::Derived& derived, const world::Setting
 Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings,
           const View& view, glm::vec2 pixel) {
   if (!view.viewport.contains(pixel)) return {};
-  if (const auto mark = pick_mark(document, settings, view, pixel)) return *mark;
+  if (const auto mark = pick_mark(document, derived, settings, view, pixel)) return *mark;
   if (const auto gizmo = gizmo_of(document, settings, view))
     if (const PickKind part = pick_gizmo(*gizmo, view, settings.ui_scale, pixel); part != PickKind::none) return {part, world::kNone, 0, gizmo->at};
   if (const auto cart = pick_cart(document, derived, motion, settings, view, pixel)) return *cart;

@@ -1,0 +1,33 @@
+// The spline of NoLimits 2 elements: a uniform cubic B-spline whose strict vertices are on the curve and whose others are control vertices.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace coaster::exchange {
+
+struct SplineVertex {
+  glm::dvec3 position{0};  // m
+  bool strict = false;     // the curve passes through it
+};
+
+class UniformSpline {
+ public:
+  // Needs 2 vertices, 3 when closed. An open spline starts at the first vertex and ends at the last one, without curvature there; a
+  // closed one goes on from the last vertex to the first.
+  UniformSpline(const std::vector<SplineVertex>& vertices, bool closed);
+
+  std::size_t spans() const { return closed_ ? controls_.size() : controls_.size() - 1; }
+  // Bézier control points of the curve between two neighbouring vertices, exact but for rounding:
+  // (V0 + 4 V1 + V2)/6, (2 V1 + V2)/3, (V1 + 2 V2)/3, (V1 + 4 V2 + V3)/6.
+  std::array<glm::dvec3, 4> span(std::size_t i) const;
+
+ private:
+  glm::dvec3 control(std::ptrdiff_t i) const;  // also one before the first and one behind the last
+  std::vector<glm::dvec3> controls_;
+  bool closed_;
+};
+
+}  // namespace coaster::exchange

@@ -1,0 +1,152 @@
+// The walk through a segment tree: four boxes or four chords at a time in float, never missing what double would find. Included by beam.h.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "base/check.h"
+#include "view/four.h"
+
+namespace coaster::view {
+
+// A loop over the axes that is unrolled however little the compiler optimises.
+template <class Do>
+[[gnu::always_inline]] inline void each_axis(Do what) {
+  what(0), what(1), what(2);
+}
+
+// What the test of boxes needs of a beam, four times side by side.
+struct BoxSweep {
+  Four inverse[3], size[3], at_eye[3], depth[3], wider_at_eye;
+  int near_side[3], far_side[3];  // which of a node's six rows the line of sight meets first and last, and the deepest of the axis
+  int deep_side[3];
+
+  // `slope`: metres that the beam's radius grows by a metre of depth.
+  BoxSweep(const Beam::Coarse& beam, float slope) {
+    for (int a = 0; a < 3; ++a) {
+      inverse[a] = all(beam.inverse[a]), size[a] = all(std::abs(beam.inverse[a]));
+      at_eye[a] = all(beam.eye[a] * beam.inverse[a]), depth[a] = all(beam.w[a] * slope);
+      near_side[a] = beam.inverse[a] > 0 ? a : 3 + a, far_side[a] = beam.inverse[a] > 0 ? 3 + a : a;
+      deep_side[a] = beam.w[a] > 0 ? 3 + a : a;
+    }
+    wider_at_eye = all(beam.rounding - beam.eye_depth * slope);
+  }
+};
+
+// Bit i: box i of the node may hold a point that is seen within the limit, since the line of sight passes it once it is wider by the beam's radius
+// at its far end.
+[[gnu::always_inline]] inline unsigned boxes_met(const sim::TreeNode& node, const BoxSweep& beam) {
+  const auto row = [&node](int i) { return load(node.bounds[static_cast<std::size_t>(i)]); };
+  Four wider = beam.wider_at_eye, near_end = all(0), far_end = all(3e38f);
+  each_axis([&](int a) { wider += beam.depth[a] * row(beam.deep_side[a]); });
+  each_axis([&](int a) {
+    const Four more = wider * beam.size[a];
+    near_end = greatest(near_end, row(beam.near_side[a]) * beam.inverse[a] - beam.at_eye[a] - more);
+    far_end = least(far_end, row(beam.far_side[a]) * beam.inverse[a] - beam.at_eye[a] + more);
+  });
+  return bits_of(near_end <= far_end) & bits_of(wider > all(0)) & node.lanes;
+}
+
+// The same for the segments of a block, by their chords as the eye sees them and their radii about these. `closeness`: for each lane, what the
+// square of the distance on screen is about proportional to.
+[[gnu::always_inline]] inline unsigned chords_met(const sim::SegmentBlock& block, const Beam::Coarse& beam, float slope, sim::FourFloats& closeness) {
+  Four from_u = all(0), from_v = all(0), from_w = all(0), to_u = all(0), to_v = all(0), to_w = all(0);
+  each_axis([&](int a) {
+    const Four from = load(block.from[a]) - all(beam.eye[a]), to = load(block.to[a]) - all(beam.eye[a]);
+    from_u += all(beam.u[a]) * from, from_v += all(beam.v[a]) * from, from_w += all(beam.w[a]) * from;
+    to_u += all(beam.u[a]) * to, to_v += all(beam.v[a]) * to, to_w += all(beam.w[a]) * to;
+  });
+  const Four along_u = to_u - from_u, along_v = to_v - from_v, square = along_u * along_u + along_v * along_v;
+  const Four share = least(greatest(-(from_u * along_u + from_v * along_v) / (square + all(1e-30f)), all(0)), all(1));
+  const Four off_u = from_u + share * along_u, off_v = from_v + share * along_v, off = off_u * off_u + off_v * off_v;
+  const Four depth = greatest(from_w, to_w), radius = load(block.radius);
+  const Four rounding = all(2e-6f) * (size(from_u) + size(from_v) + size(from_w) + size(to_u) + size(to_v) + size(to_w)) + all(beam.rounding * beam.stretch);
+  const Four reach = all(slope) * (depth + radius) + radius * all(beam.stretch) + rounding;
+  store(off / (depth * depth + all(1e-30f)), closeness);
+  return bits_of(off <= reach * reach) & bits_of(depth + radius + rounding > all(0)) & ((1u << block.count) - 1);
+}
+
+// Segments that wait to be looked at, the closest first.
+class Waiting {
+ public:
+  static constexpr std::size_t kMost = 256;
+  bool has_room_for_block() const { return count_ + 4 <= kMost; }
+  bool empty() const { return count_ == 0; }
+  void add(std::size_t index, float closeness) {
+    items_[count_++] = {closeness, static_cast<std::uint32_t>(index)};
+    std::push_heap(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(count_), is_farther);
+  }
+  std::size_t next() {
+    std::pop_heap(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(count_), is_farther);
+    return items_[--count_].index;
+  }
+
+ private:
+  struct Item {
+    float closeness;
+    std::uint32_t index;
+  };
+  static bool is_farther(const Item& a, const Item& b) { return a.closeness > b.closeness; }
+  std::array<Item, kMost> items_;
+  std::size_t count_ = 0;
+};
+
+template <class Limit, class Visit>
+void visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit limit, Visit visit) {
+  if (tree.nodes.empty() || !beam.has_eye()) return;
+  const Beam::Coarse& coarse = beam.coarse();
+  // Metres that the reach has at depth 1; with what float makes of sums of some terms.
+  const auto slope_of = [&] { return static_cast<float>(std::min(limit() / coarse.least_pixels, 1e6) * 1.000001 + 4e-6); };
+  float slope = slope_of();
+  BoxSweep sweep(coarse, slope);
+  Waiting waiting;
+  const auto look_at_waiting = [&] {
+    while (!waiting.empty()) visit(waiting.next());
+  };
+  // Several nodes are tested before their children are looked at: the processor does them at once, where one alone would wait for its sums.
+  constexpr std::size_t kAtOnce = 4;
+  std::array<std::int32_t, kAtOnce*(3 * sim::kMaxTreeDepth + 4)> nodes;
+  std::array<std::int32_t, 4 * kAtOnce + 4> blocks;
+  std::size_t node_count = 1;
+  nodes[0] = 0;
+  while (node_count > 0) {
+    const std::size_t batch = std::min(node_count, kAtOnce);
+    std::array<std::int32_t, kAtOnce> at;
+    node_count -= batch;
+    for (std::size_t i = 0; i < batch; ++i) at[i] = nodes[node_count + i];
+    std::size_t block_count = 0;
+    COASTER_CHECK(node_count + 4 * kAtOnce <= nodes.size(), "the tree is no deeper than it is built");
+    for (std::size_t i = 0; i < batch; ++i) {
+      const sim::TreeNode& node = tree.nodes[static_cast<std::size_t>(at[i])];
+      const unsigned met = boxes_met(node, sweep);
+      for (unsigned left = met; left != 0; left &= left - 1) {
+        const std::int32_t child = node.child[static_cast<std::size_t>(std::countr_zero(left))];
+        if (child >= 0) {
+          nodes[node_count++] = child;
+          __builtin_prefetch(&tree.nodes[static_cast<std::size_t>(child)]);
+        } else {
+          blocks[block_count++] = ~child;
+          __builtin_prefetch(&tree.blocks[static_cast<std::size_t>(~child)]);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < block_count; ++i) {
+      const sim::SegmentBlock& block = tree.blocks[static_cast<std::size_t>(blocks[i])];
+      sim::FourFloats closeness;
+      unsigned met = chords_met(block, coarse, slope, closeness);
+      if (!waiting.has_room_for_block()) {
+        look_at_waiting();
+        slope = slope_of();
+        sweep = BoxSweep(coarse, slope);
+      }
+      for (; met != 0; met &= met - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(met));
+        waiting.add(static_cast<std::size_t>(block.first) + lane, closeness[lane]);
+      }
+    }
+  }
+  look_at_waiting();
+}
+
+}  // namespace coaster::view

@@ -1,0 +1,114 @@
+// Picking the curve: the places of segments near the line of sight, and which of them is meant.
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "view/beam.h"
+#include "view/pick.h"
+#include "view/sighted_curve.h"
+
+namespace coaster::view {
+namespace {
+
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+constexpr double kSameDepth = 1e-3;   // of the depth: places this near to each other hide nothing from each other
+constexpr double kSamePlace = 1e-4;   // px: what a pixel's coordinates in float are good to
+
+struct Candidate {
+  std::size_t index = 0;  // of the segment in the track
+  double t = 0;
+  double distance = 0;  // px
+  double depth = 0;     // m
+};
+
+bool is_earlier(const Candidate& a, const Candidate& b) { return a.index != b.index ? a.index < b.index : a.t < b.t; }
+
+// A segment's end is a place of the track's only when the neighbour does not come nearer beyond it.
+bool is_nearest_at_joint(const sim::Derived& derived, const Beam& beam, const Candidate& at) {
+  const std::size_t count = derived.order.size();
+  if (at.t == 0) {
+    if (at.index == 0 && !derived.closed) return true;
+    const std::size_t before = at.index == 0 ? count - 1 : at.index - 1;
+    return slope_at_end(sighted(derived.tree.cubics[before], beam), 1) <= 0;
+  }
+  if (at.t == 1) {
+    if (at.index + 1 == count && !derived.closed) return true;
+    const std::size_t after = at.index + 1 == count ? 0 : at.index + 1;
+    return slope_at_end(sighted(derived.tree.cubics[after], beam), 0) >= 0;
+  }
+  return true;
+}
+
+// The places that may be meant, as segments are looked at one after the other in any order.
+class Search {
+ public:
+  Search(const sim::Derived& derived, const Beam& beam, double reach) : derived_(derived), beam_(beam), least_(kNowhere), reach_(reach) {}
+
+  // Places farther than this are out of the question, px.
+  double limit() const { return std::min(reach_, least_ + kOneBehindAnother); }
+
+  void look_at(std::size_t index) {
+    const SightedControls controls = sighted(derived_.tree.cubics[index], beam_);
+    if (!may_come_near(controls, limit())) return;
+    for (const SightedPlace& place : nearest_places(controls)) {
+      const double distance = std::sqrt(place.square);
+      if (!(distance <= limit())) continue;
+      least_ = std::min(least_, distance);
+      candidates_.push_back({index, place.t, distance, place.depth});
+    }
+  }
+
+  // The one that is meant (pick.h tells the rule). It does not depend on the order in which segments were looked at.
+  const Candidate* meant() {
+    std::erase_if(candidates_, [&](const Candidate& c) { return c.distance > limit() || !is_nearest_at_joint(derived_, beam_, c); });
+    double front = kNowhere, nearest = kNowhere;
+    for (const Candidate& c : candidates_) front = std::min(front, c.depth);
+    const auto in_front = [&](const Candidate& c) { return c.depth <= front * (1 + kSameDepth); };
+    for (const Candidate& c : candidates_)
+      if (in_front(c)) nearest = std::min(nearest, c.distance);
+    const Candidate* best = nullptr;
+    for (const Candidate& c : candidates_)
+      if (in_front(c) && c.distance <= nearest + kSamePlace && (!best || is_earlier(c, *best))) best = &c;
+    return best;
+  }
+
+ private:
+  const sim::Derived& derived_;
+  const Beam& beam_;
+  double least_, reach_;
+  std::vector<Candidate> candidates_;
+};
+
+std::optional<Pick> picked(const sim::Derived& derived, const Candidate* place) {
+  if (!place) return std::nullopt;
+  return Pick{PickKind::curve, derived.order[place->index], place->t, glm::vec3(curve::point(derived.tree.cubics[place->index], place->t))};
+}
+
+}  // namespace
+
+std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach) {
+  const Beam beam(view, pixel);
+  Search search(derived, beam, reach);
+  visit_near(derived.tree, beam, [&] { return search.limit(); }, [&](std::size_t index) { search.look_at(index); });
+  return picked(derived, search.meant());
+}
+
+std::optional<Pick> pick_curve_of_all(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach) {
+  const Beam beam(view, pixel);
+  if (!beam.has_eye()) return std::nullopt;
+  Search search(derived, beam, reach);
+  for (std::size_t i = 0; i < derived.order.size(); ++i) search.look_at(i);
+  return picked(derived, search.meant());
+}
+
+std::optional<Pick> pick_segment(const sim::Derived& derived, const View& view, glm::vec2 pixel, world::Entity segment) {
+  const sim::SegmentShape* const shape = derived.segments.find(segment);
+  const Beam beam(view, pixel);
+  if (shape == nullptr || !beam.has_eye()) return std::nullopt;
+  const SightedPlaces places = nearest_places(sighted(shape->key.cubic, beam));
+  const SightedPlace* const best = std::min_element(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.square < b.square; });
+  if (best == places.end()) return std::nullopt;
+  return Pick{PickKind::curve, segment, best->t, glm::vec3(curve::point(shape->key.cubic, best->t))};
+}
+
+}  // namespace coaster::view

@@ -1,0 +1,89 @@
+// Roots in (0, 1) of polynomials in Bernstein form, by halving until the coefficients change sign once at most (Descartes' rule of signs for
+// Bernstein's basis: there are as many roots as sign changes, or fewer by an even number).
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+
+namespace coaster::view {
+
+using Bernstein8 = std::array<double, 9>;
+
+// A root lies between, and the polynomial goes from negative to positive there.
+struct Bracket {
+  double low = 0, high = 1, guess = 0.5;
+};
+
+// Zeros count as positive: so a root at the very end of a half belongs to one of the two halves.
+template <std::size_t N>
+int sign_changes(const std::array<double, N>& c) {
+  unsigned negative = 0;
+  for (std::size_t i = 0; i < N; ++i) negative |= static_cast<unsigned>(c[i] < 0) << i;
+  return std::popcount((negative ^ negative >> 1) & ((1u << (N - 1)) - 1));
+}
+
+template <std::size_t N>
+void halve(const std::array<double, N>& c, std::array<double, N>& left, std::array<double, N>& right) {
+  std::array<double, N> row = c;
+  for (std::size_t level = N; level > 0; --level) {
+    left[N - level] = row[0];
+    right[level - 1] = row[level - 1];
+    for (std::size_t i = 0; i + 1 < level; ++i) row[i] = 0.5 * (row[i] + row[i + 1]);
+  }
+}
+
+// Where the control polygon crosses zero: near the root when it is flat. Of coefficients with one sign change.
+template <std::size_t N>
+double polygon_crossing(const std::array<double, N>& c) {
+  std::size_t i = 0;
+  while (i + 2 < N && (c[i] < 0) == (c[i + 1] < 0)) ++i;
+  return (static_cast<double>(i) + c[i] / (c[i] - c[i + 1])) / static_cast<double>(N - 1);
+}
+
+// Calls found(bracket, rising) for every root of odd order; roots closer to each other than 1e-7 may be taken for one or for none.
+template <std::size_t N, class Found>
+void each_crossing(const std::array<double, N>& c, double low, double high, const Found& found) {
+  constexpr double kLeastWidth = 1e-7;
+  const int changes = sign_changes(c);
+  if (changes == 0) return;
+  const bool rising = c.front() < 0;
+  if (changes == 1) return found(Bracket{low, high, low + polygon_crossing(c) * (high - low)}, rising);
+  if (high - low < kLeastWidth) {
+    if (changes % 2 == 1) found(Bracket{low, high, 0.5 * (low + high)}, rising);
+    return;
+  }
+  std::array<double, N> left, right;
+  halve(c, left, right);
+  const double middle = 0.5 * (low + high);
+  each_crossing(left, low, middle, found);
+  each_crossing(right, middle, high, found);
+}
+
+// Calls found(bracket) where the polynomial goes from negative to positive, in order.
+template <class Found>
+void each_rise(const Bernstein8& c, const Found& found) {
+  each_crossing(c, 0, 1, [&](const Bracket& bracket, bool rising) {
+    if (rising) found(bracket);
+  });
+}
+
+// Calls found(t), to 1e-15, for the roots of odd order in order.
+template <std::size_t N, class Found>
+void each_root(const std::array<double, N>& c, const Found& found) {
+  const auto value = [&c](double t) {
+    std::array<double, N> row = c;
+    for (std::size_t level = N; level > 1; --level)
+      for (std::size_t i = 0; i + 1 < level; ++i) row[i] = (1 - t) * row[i] + t * row[i + 1];
+    return row[0];
+  };
+  each_crossing(c, 0, 1, [&](Bracket at, bool rising) {
+    for (int i = 0; i < 60 && at.high - at.low > 1e-16; ++i) {
+      const double middle = 0.5 * (at.low + at.high);
+      ((value(middle) < 0) == rising ? at.low : at.high) = middle;
+    }
+    found(0.5 * (at.low + at.high));
+  });
+}
+
+}  // namespace coaster::view

@@ -1,0 +1,71 @@
+#include "fuzz/targets.h"
+
+#include <array>
+
+#include "base/check.h"
+#include "exchange/envelope_file.h"
+#include "exchange/nl2_csv.h"
+#include "exchange/nl2elem.h"
+#include "exchange/nltrack.h"
+#include "exchange/track_file.h"
+#ifdef COASTER_FUZZ_SCRIPTS
+#include "script/grammar.h"
+#endif
+
+namespace coaster::fuzz {
+namespace {
+
+void check_error(const base::Status& status) {
+  COASTER_CHECK(!status.message.empty() && status.message.find('\n') == std::string::npos, "an error is one line");
+}
+
+void check_track(const base::Result<exchange::LoadedTrack>& loaded) {
+  if (!loaded) return check_error(loaded.status());
+  COASTER_CHECK(!world::broken_invariant(loaded->document), "what a reader accepts is a document");
+  COASTER_CHECK(exchange::parse_track(exchange::print_track(loaded->document), "again").ok(), "what a reader accepts can be saved and read again");
+}
+
+void track(std::string_view bytes) {
+  const auto loaded = exchange::parse_track(bytes, "track");
+  check_track(loaded);
+  if (!loaded) return;
+  const auto again = exchange::parse_track(exchange::print_track(loaded->document), "again");
+  COASTER_CHECK(world::hash(again->document) == world::hash(loaded->document), "saving and loading changes nothing");
+}
+
+// Fitting takes milliseconds a hundred rows: longer inputs tell the fuzzer nothing new about the reader.
+void nl2_csv(std::string_view bytes) {
+  if (bytes.size() < 16'000) check_track(exchange::parse_nl2_csv(bytes, "rows"));
+}
+void nltrack(std::string_view bytes) { check_track(exchange::parse_nltrack(bytes, "track")); }
+void nl2elem(std::string_view bytes) {
+  if (bytes.size() < 64'000) check_track(exchange::parse_nl2elem(bytes, "element"));
+}
+
+void envelope(std::string_view bytes) {
+  const auto loaded = exchange::parse_envelope(bytes, "envelope");
+  if (!loaded) return check_error(loaded.status());
+  COASTER_CHECK(exchange::parse_envelope(exchange::print_envelope(loaded->envelope, loaded->name), "again").ok(), "an envelope can be saved and read again");
+}
+
+#ifdef COASTER_FUZZ_SCRIPTS
+void script(std::string_view bytes) {
+  if (bytes.find("include") != std::string_view::npos) return;  // reads whatever file it names
+  base::Files files;
+  (void)script::parse_script(bytes, "script", ".", files);
+}
+#endif
+
+constexpr std::array kTargets{
+    Target{"track", track},       Target{"nl2_csv", nl2_csv},   Target{"nltrack", nltrack}, Target{"nl2elem", nl2elem},
+    Target{"envelope", envelope},
+#ifdef COASTER_FUZZ_SCRIPTS
+    Target{"script", script},
+#endif
+};
+
+}  // namespace
+
+std::span<const Target> targets() { return kTargets; }
+
+}  // namespace coaster::fuzz
