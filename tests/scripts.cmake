@@ -9,6 +9,9 @@ foreach(script ${scripts})
   coaster_script_test(${name} $<TARGET_FILE:coaster> --headless --script ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/out/${name})
 endforeach()
 
+# The circuit of docs/play.md.
+coaster_script_test(play $<TARGET_FILE:coaster> --headless --script ${CMAKE_SOURCE_DIR}/docs/play.coaster --out ${CMAKE_CURRENT_BINARY_DIR}/out/play)
+
 # The command line: exit codes, recordings that replay to the same hashes, files checked without running.
 file(GLOB checks CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/*_check.sh)
 foreach(check ${checks})
