@@ -54,7 +54,7 @@ gfx::DrawStats draw_scene(Program& program, const ui::Output& output, platform::
   program.stats.colour_low = values.low, program.stats.colour_high = values.high;
   const view::Overlay overlay = view::build_overlay(session.document, session.derived, session.settings, output.view, output.hovered, findings);
   const std::vector<sim::Pose> carts = cart_poses(session);
-  const gfx::Scene scene{session.derived, output.view, overlay, carts, layers.has(world::Layer::polyline), &values};
+  const gfx::Scene scene{session.derived, output.view, overlay, carts, layers.has(world::Layer::polyline), &values, session.settings.theme};
   return program.renderer->draw(scene, size.width, size.height);
 }
 

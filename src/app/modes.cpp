@@ -99,6 +99,7 @@ int run_script(const Options& options) {
   if (!options.config.empty()) {
     start_keeping(**program, {options.config, options.config}, options.reset_layout);
     platform::watch_signals();
+    run.environment.scale = (*program)->session.settings.ui_scale;  // until the script says otherwise
   }
   if (!options.file.empty())
     if (const base::Status opened = open_track(**program, options.file); !opened) return finish(opened);

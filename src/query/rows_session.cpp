@@ -96,7 +96,7 @@ constexpr std::array kRows{
     Query{"panels", "", "", "on when the panels show.", panels},
     Query{"polyline", "", "", "on when the evaluated polyline shows.", polyline},
     Query{"theme", "", "", "Colours of panels and scene: dark, light or high_contrast.", theme},
-    Query{"file", "", "", "Name of the track's file without its folder, empty when it has none.", file},
+    Query{"track_file", "", "", "Name of the track's file without its folder, empty when it has none.", file},
     Query{"locked_by", "", "", "Who else edits the track's file, empty when nobody does.", locked_by},
     Query{"recoverable", "", "", "Autosaves of other runs that wait for an answer.", recoverable},
     Query{"autosaves", "", "", "Autosaves written since the start.", autosaves},

@@ -256,7 +256,10 @@ void Dialogs::build(Ui& ui, const platform::Events& events, bool text_had_keyboa
   if (shown_ != Stage::none && !ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
   const auto [design_width, design_height] = wanted_size();
   const float wide = std::floor(std::min(design_width * ui.scale, width - 16)), high = std::floor(std::min(design_height * ui.scale, height - 16));
-  ImGui::SetNextWindowPos({std::floor(width * 0.5f), std::floor(height * 0.5f)}, ImGuiCond_Always, {0.5f, 0.5f});
+  // Where the top is does not depend on the height, which is known some frames later alone: nothing moves under the mouse.
+  constexpr float kTop = 0.28f;
+  const float top = design_height > 0 ? (height - high) * 0.5f : height * kTop;
+  ImGui::SetNextWindowPos({std::floor((width - wide) * 0.5f), std::floor(top)});
   ImGui::SetNextWindowSize({wide, high});
   constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;

@@ -17,10 +17,22 @@ namespace {
 
 constexpr std::string_view kThemeLabels[] = {"Dark", "Light", "High contrast"};
 
+// Steps and no slider: that would move away under the mouse.
+void scale(Ui& ui) {
+  constexpr int kPercent[] = {75, 90, 100, 110, 125, 150, 175, 200, 250, 300};
+  const int now = static_cast<int>(std::lround(100 * ui.session().settings.ui_scale));
+  std::vector<int> percents(std::begin(kPercent), std::end(kPercent));
+  const auto place = std::lower_bound(percents.begin(), percents.end(), now);
+  const auto current = static_cast<int>(place - percents.begin());
+  if (place == percents.end() || *place != now) percents.insert(place, now);
+  std::vector<Choice> choices;
+  for (const int percent : percents) choices.push_back({std::to_string(percent) + " %", "Size of texts and panels."});
+  if (const auto to = combo(ui, "Scale", choices, current, "Size of texts and panels.")) ui.emit(edit::SetScale{static_cast<float>(percents[static_cast<std::size_t>(*to)]) / 100});
+}
+
 void look(Ui& ui) {
   const world::Settings& settings = ui.session().settings;
-  if (const auto to = real_slider(ui, "Scale", settings.ui_scale, exchange::kMinUiScale, exchange::kMaxUiScale, 2, "Size of texts and panels."))
-    ui.emit(edit::SetScale{static_cast<float>(*to)});
+  scale(ui);
   std::vector<Choice> themes;
   for (const std::string_view label : kThemeLabels) themes.push_back({std::string(label), "Colours of panels and scene."});
   if (const auto to = combo(ui, "Theme", themes, static_cast<int>(settings.theme), "Colours of panels and scene.")) ui.emit(edit::SetTheme{static_cast<world::Theme>(*to)});

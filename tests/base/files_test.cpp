@@ -172,7 +172,7 @@ TEST_F(files, names_that_look_alike_are_nobody_s_leftovers) {
   const fs::path left = temporary_of(folder / "a", 0);
   const std::string name = left.filename().string();
   fs::remove(left);
-  for (const std::string& other : {name + "x", name.substr(1), ".a.00000000.1.0", std::string(".a."), std::string(".a.json.lock")}) std::ofstream(folder / other) << "mine";
+  for (const std::string& other : std::vector<std::string>{name + "x", name.substr(1), ".a.00000000.1.0", ".a.", ".a.json.lock"}) std::ofstream(folder / other) << "mine";
   EXPECT_EQ(remove_leftovers_in(folder), 0);
   EXPECT_EQ(entries(), 5u);
 }
