@@ -8,7 +8,7 @@ const Scenery& scenery_of(world::Theme theme) {
   static constexpr Scenery kDay{.grid_light = kGrassLight};
   static constexpr Scenery kPale{.grid_light = kGrassLight, .around = {243 / 255.0f, 244 / 255.0f, 246 / 255.0f}};
   static constexpr Scenery kNight{.horizon = {0.11f, 0.11f, 0.12f}, .zenith = {0, 0, 0}, .ground = {0.09f, 0.09f, 0.09f}, .grid_light = {0.9f, 0.9f, 0.9f}, .glow = 0,
-                                  .lift = 1.8f, .shadow = {0.0f, 0.0f, 0.0f, 0.85f}, .around = {0, 0, 0}};
+                                  .lift = 1.8f, .shadow = {0.42f, 0.42f, 0.42f, 0.7f}, .around = {0, 0, 0}};
   switch (theme) {
     case world::Theme::dark: return kDay;
     case world::Theme::light: return kPale;

@@ -223,7 +223,8 @@ std::pair<float, float> Dialogs::wanted_size() const {
   switch (shown_) {
     case Stage::browse: return {680, 470};
     case Stage::settings: return {560, 520};
-    default: return {440, 0};
+    case Stage::recovery: return {480, -200};
+    default: return {440, -96};
   }
 }
 
@@ -255,12 +256,14 @@ void Dialogs::build(Ui& ui, const platform::Events& events, bool text_had_keyboa
   constexpr const char* kId = "##dialog";
   if (shown_ != Stage::none && !ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
   const auto [design_width, design_height] = wanted_size();
-  const float wide = std::floor(std::min(design_width * ui.scale, width - 16)), high = std::floor(std::min(design_height * ui.scale, height - 16));
+  const bool fits = design_height < 0;  // itself to what is in it
+  const float wide = std::floor(std::min(design_width * ui.scale, width - 16)), high = std::floor(std::min(std::abs(design_height) * ui.scale, height - 16));
   // Where the top is does not depend on the height, which is known some frames later alone: nothing moves under the mouse.
   constexpr float kTop = 0.28f;
-  const float top = design_height > 0 ? (height - high) * 0.5f : height * kTop;
+  const float top = fits ? std::min(height * kTop, height - high - 8) : (height - high) * 0.5f;
   ImGui::SetNextWindowPos({std::floor((width - wide) * 0.5f), std::floor(top)});
-  ImGui::SetNextWindowSize({wide, high});
+  ImGui::SetNextWindowSize({wide, fits ? 0 : high});
+  if (fits) ImGui::SetNextWindowSizeConstraints({wide, high}, {wide, std::max(high, height - 16)});
   constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
   if (!ImGui::BeginPopupModal(kId, nullptr, kFixed)) return;

@@ -44,7 +44,7 @@ class Dialogs {
   void build_overwrite(Ui& ui, const platform::Events& events);
   void build_new_folder(Ui& ui, const platform::Events& events, bool text_had_keyboard);
   void build_recovery(Ui& ui);
-  std::pair<float, float> wanted_size() const;  // design px; height 0: as high as what is in it
+  std::pair<float, float> wanted_size() const;  // design px; a height below 0: at least so much, and as high as what is in it
 
   Stage stage_ = Stage::none, shown_ = Stage::none;
   Want want_;

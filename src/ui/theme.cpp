@@ -20,7 +20,7 @@ constexpr Palette kLight{.background = 0xF3F4F6, .raised = 0xE3E6EB, .field = 0x
                          .plot = 0xFCFCFD, .light = true};
 // Text on ground 21 : 1, everything that tells something at least 7 : 1 (WCAG 2.1, level AAA); edges are drawn.
 constexpr Palette kHighContrast{.background = 0x000000, .raised = 0x101010, .field = 0x1E1E1E, .border = 0xC8C8C8, .text = 0xFFFFFF, .dim = 0xE0E0E0,
-                                .accent = 0xFFD400, .warning = 0xFFB000, .error = 0xFF8080, .good = 0x6CF09A, .axis = {0xFF8080, 0x6CF09A, 0x82C4FF},
+                                .accent = 0xFFD400, .warning = 0xFFB000, .error = 0xFF9090, .good = 0x6CF09A, .axis = {0xFF9090, 0x6CF09A, 0x82C4FF},
                                 .plot = 0x000000};
 
 // Relative luminance, by the weights of WCAG 2.1 with gamma 2.2 for the curve of sRGB: 0 black, 1 white.
@@ -111,7 +111,7 @@ void apply_theme(const Palette& palette, float scale) {
   style.DisabledAlpha = 0.45f;
   style.ScaleAllSizes(scale);
   style.WindowMinSize = {1, 1};  // ImGui refuses less
-  style.FrameBorderSize = &palette == &kHighContrast ? std::max(1.0f, std::floor(scale)) : 0.0f;
+  style.FrameBorderSize = palette.light || palette.background == 0 ? std::max(1.0f, std::floor(scale)) : 0.0f;
   ImGui::GetIO().UserData = const_cast<Palette*>(&palette);  // ImGui keeps it; nobody writes through it
   ImGui::GetStyle() = style;
 }

@@ -79,7 +79,7 @@ TEST_F(killed, a_thousand_kills_during_save_leave_no_unreadable_file) {
 TEST_F(killed, an_autosave_is_found_whole_whenever_its_program_was_killed) {
   int found_some = 0;
   for (int kill = 0; kill < 100; ++kill) {
-    killed_after(500 + bits() % 4000, [&](int serial) {
+    killed_after(2000 + bits() % 20000, [&](int serial) {
       static Autosave own;
       (void)own.write(files, folder, document_of(serial), "", serial);
     });
