@@ -140,6 +140,7 @@ script::Host make_script_host(Program& program) {
     stop_keeping(*p, false);
     p->quit = false;
     start_keeping(*p, {folder, folder}, false);
+    for (int i = 0; i < 2; ++i) run_frame(*p, {platform::Tick{0}}, 0);  // a question that comes up is laid out
     return base::Status{};
   };
   host.interrupted = [] { return platform::pending_signal() != 0; };
