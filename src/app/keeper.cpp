@@ -61,6 +61,8 @@ void show(Program& program, const exchange::UserSettings& settings) {
   if (now.show_laboratory != settings.laboratory) (void)apply(program, edit::ShowLaboratory{settings.laboratory});
   if (now.feel.reduced_motion != settings.reduced_motion) (void)apply(program, edit::SetReducedMotion{settings.reduced_motion});
   if (now.feel.head_bob != settings.head_bob) (void)apply(program, edit::SetHeadBob{settings.head_bob});
+  if (now.show_hints != settings.hints) (void)apply(program, edit::SetHints{settings.hints});
+  if (now.show_gizmo != settings.gizmo) (void)apply(program, edit::SetGizmo{settings.gizmo});
 }
 
 // What the session and the window have become is part of the settings.
@@ -72,6 +74,8 @@ void follow_session(const Program& program, exchange::UserSettings& settings) {
   settings.laboratory = now.show_laboratory;
   settings.reduced_motion = now.feel.reduced_motion;
   settings.head_bob = now.feel.head_bob;
+  settings.hints = now.show_hints;
+  settings.gizmo = now.show_gizmo;
   const auto at = program.surface->placement();
   if (!at) return;
   if (at->maximised && settings.window) settings.window->maximised = true;  // its place before is where it goes back to

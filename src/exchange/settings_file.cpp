@@ -116,8 +116,8 @@ constexpr std::array kMembers{
     Member{"window", "x, y, width and height", read_window, print_window},
     Member{"recent", "a list of at most 10 files", [](const Json& v, UserSettings& to) { return read(v, to.recent, kMaxRecent); },
            [](const UserSettings& s) { return Json(s.recent); }},
-    Member{"hints_dismissed", "a list of names", [](const Json& v, UserSettings& to) { return read(v, to.hints_dismissed, 1000); },
-           [](const UserSettings& s) { return Json(s.hints_dismissed); }},
+    flag_row<&UserSettings::hints>("hints"),
+    flag_row<&UserSettings::gizmo>("gizmo"),
     Member{"keys", "names of actions with a key, or a list of two", read_keys, print_keys},
 };
 

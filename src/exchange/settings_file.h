@@ -39,7 +39,7 @@ struct UserSettings {
   double autosave_seconds = 30;             // kMinAutosave..kMaxAutosave
   std::optional<WindowPlace> window;        // none: where the window system puts it
   std::vector<std::string> recent;          // files, the newest first, at most kMaxRecent
-  std::vector<std::string> hints_dismissed;  // by name
+  bool hints = true, gizmo = true;          // the first steps, and the arrows on what is selected
   std::vector<KeyChoice> keys;              // as written, names that no action has included
   std::string others;                       // members of later versions, the text of a JSON object; "" without any
   friend bool operator==(const UserSettings&, const UserSettings&) = default;

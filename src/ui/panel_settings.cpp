@@ -54,10 +54,7 @@ void keeping(Ui& ui) {
     ui.out.settings->recent.clear();
   }
   ImGui::SameLine();
-  if (button(ui, "Show hints again", "Forget which hints were dismissed.", !now.hints_dismissed.empty())) {
-    ui.out.settings = now;
-    ui.out.settings->hints_dismissed.clear();
-  }
+  if (const auto on = checkbox(ui, "Hints", ui.session().settings.show_hints, "Tell the first steps in the viewport.")) ui.emit(edit::SetHints{*on});
 }
 
 std::string keys_text(std::span<const platform::Chord> chords) {
