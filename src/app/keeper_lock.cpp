@@ -52,6 +52,7 @@ void after_command(Program& program, const edit::Command& command, const base::S
   Keeper& keeper = *program.keeper;
   base::FileLock next = std::move(keeper.next_lock);
   if (!applied) return;
+  if (!edit::dirty(program.session)) keeper.autosave.remove();  // saved, or another document: at once, lest a crash before the next frame offers it
   std::vector<std::string>& recent = keeper.state.settings.recent;
   if (const auto* const save = std::get_if<edit::Save>(&command); save != nullptr && holds_everything(save->path)) {
     if (next.held() || !keeper.lock.covers(save->path)) keeper.lock = std::move(next);

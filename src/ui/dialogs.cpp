@@ -223,7 +223,7 @@ std::pair<float, float> Dialogs::wanted_size() const {
   switch (shown_) {
     case Stage::browse: return {680, 470};
     case Stage::settings: return {560, 520};
-    case Stage::recovery: return {480, -200};
+    case Stage::recovery: return {480, -168};
     default: return {440, -96};
   }
 }

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 
 #include <fstream>
 #include <iterator>
@@ -125,6 +126,7 @@ TEST_F(files, a_long_name_can_be_saved_to) {
 fs::path temporary_of(const fs::path& target, int pid) {
   // A child writes one and dies before it can put it in place: its name tells this machine's mark.
   const pid_t child = ::fork();
+  if (child < 0) std::abort();
   if (child == 0) {
     struct rlimit none {};
     ::setrlimit(RLIMIT_CORE, &none);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 
 #include "exchange/track_file.h"
@@ -35,6 +36,7 @@ class autosave : public testing::Test {
   // A process that autosaves so many times and ends without a word.
   void crash(const std::string& name, const std::string& original, int times, std::int64_t time) {
     const pid_t child = ::fork();
+    if (child < 0) std::abort();  // kill(-1) would be everybody's end
     if (child == 0) {
       Autosave own;
       for (int i = 0; i < times; ++i) (void)own.write(files, folder, document_named(name), original, time);
