@@ -66,7 +66,7 @@ printf '{"format": "coaster-settings", "version": 1, "keys": {"Undo": "Ctrl+U", 
 script keys 'expect toast ~ "no action \"Undoo\" did you mean \"Undo\"?"
 expect toast ~ "Ctrl+U is wanted by Undo and Redo"
 expect toast ~ "Save: no key \"Splat\""
-expect toast ~ "R is Frame all now, no longer Reset"
+expect toast ~ "R is Frame all now, no longer Rotate"
 append at 0 5 0
 append at 20 5 0
 key C
