@@ -84,6 +84,7 @@ void key_rows(Ui& ui) {
   heading(ui, "Keys", "One or two for each action, such as Ctrl+Z; empty for none.");
   const float below = ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
   if (ImGui::BeginChild("##keys", {0, std::max(3 * ImGui::GetFrameHeight(), ImGui::GetContentRegionAvail().y - below)}, true)) {
+    ui.panel = "Settings/Keys";  // actions have names that rows above have, too
     for (std::size_t row = 0; row < actions().size(); ++row) {
       const Action& action = actions()[row];
       ImGui::PushID(static_cast<int>(row));
@@ -93,6 +94,7 @@ void key_rows(Ui& ui) {
       }
       ImGui::PopID();
     }
+    ui.panel = "Settings";
   }
   ImGui::EndChild();
   if (button(ui, "Default keys", "Give every action its own keys back.", !now.keys.empty())) {

@@ -10,7 +10,7 @@ script change 'ui.menu "View/Light theme"
 key Ctrl+,
 ui.click "Settings/Scale/125 %"
 ui.type "Settings/Autosave every (s)" "12"
-ui.type "Settings/Undo" "Ctrl+U"
+ui.type "Settings/Keys/Undo" "Ctrl+U"
 ui.click "Settings/Close"
 key L
 frames 90'

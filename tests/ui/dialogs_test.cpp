@@ -120,8 +120,8 @@ TEST_F(DialogsTest, the_settings_say_what_to_keep) {
   frames(2);
   key(Key::comma, {.ctrl = true});
   frames(2);
-  ASSERT_NE(find("Settings/Undo"), nullptr);
-  click("Settings/Undo");
+  ASSERT_NE(find("Settings/Keys/Undo"), nullptr);
+  click("Settings/Keys/Undo");
   key(Key::a, {.ctrl = true});
   frame({platform::TextInput{"Ctrl+U F2"}});
   const Output out = frame({platform::KeyPress{Key::enter, true, false, {}}});
