@@ -1,5 +1,7 @@
 // Sky and ground by the ray of each pixel: no geometry, so no far edge. The ground is the plane y = 0.
 uniform vec3 eye;
+uniform vec3 zenith, ground_colour, grid_light;  // the last is linear light, added where lines are
+uniform float glow_strength;                     // of the sky around the sun
 in vec3 direction;
 out vec4 colour;
 
@@ -20,9 +22,9 @@ float grid(vec2 place, vec2 footprint, float spacing, float width) {
 vec3 sky(vec3 sight) {
   float height = clamp(sight.y, 0.0, 1.0);
   float climb = 1.0 - exp(-3.0 * height * height / (height + 0.05));  // flat at the horizon, where it meets the fog without an edge
-  vec3 light = mix(linear_of(kHorizonColour), linear_of(kZenithColour), climb);
+  vec3 light = mix(linear_of(horizon), linear_of(zenith), climb);
   float glow = max(dot(sight, normalize(vec3(kSun.x, 0.12, kSun.z))), 0.0);
-  return light + vec3(0.07, 0.045, 0.01) * pow(glow, 6.0) * (1.0 - height);
+  return light + glow_strength * vec3(0.07, 0.045, 0.01) * pow(glow, 6.0) * (1.0 - height);
 }
 
 void main() {
@@ -35,10 +37,10 @@ void main() {
   if (eye.y < 0.0) {
     light = mix(linear_of(vec3(0.36, 0.33, 0.29)), linear_of(vec3(0.52, 0.49, 0.43)), 0.5 + 0.5 * sight.y);  // inside the earth
   } else if (sight.y < 0.0) {
-    vec3 ground = linear_of(vec3(0.561, 0.682, 0.486));
+    vec3 ground = linear_of(ground_colour);
     float one = grid(place, footprint, 1.0, 0.025), ten = grid(place, footprint, 10.0, 0.09);
-    ground *= 1.0 + 0.30 * one + 0.42 * ten;
-    light = mix(ground, linear_of(kHorizonColour), fog(metres, eye.y));
+    ground += grid_light * (0.30 * one + 0.42 * ten);
+    light = mix(ground, linear_of(horizon), fog(metres, eye.y));
   }
   colour = vec4(encode(light), 1.0);
 }

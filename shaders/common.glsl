@@ -4,8 +4,7 @@ const vec3 kSun = vec3(0.4216, 0.7792, 0.4638);  // unit, towards the sun: warm 
 const vec3 kSunLight = vec3(1.06, 0.97, 0.82);
 const vec3 kSkyLight = vec3(0.40, 0.47, 0.58);    // from above
 const vec3 kGroundLight = vec3(0.20, 0.22, 0.17);  // bounced from below
-const vec3 kHorizonColour = vec3(0.847, 0.902, 0.949);
-const vec3 kZenithColour = vec3(0.424, 0.612, 0.796);
+uniform vec3 horizon;  // the air's colour far away
 
 vec3 linear_of(vec3 colour) { return pow(colour, vec3(2.2)); }
 // The shoulder keeps highlights below white.

@@ -5,6 +5,7 @@ uniform sampler2D values;     // 32 a segment, uniform in arc length; 32 segment
 uniform vec2 value_range;     // from and to
 uniform vec3 stops[10];       // the colour map, uniform from 0 to 1
 uniform vec3 unknown;
+uniform float lift;           // of painted parts, 1 by day
 in vec3 world;
 in vec3 facing;
 flat in float material;
@@ -46,10 +47,10 @@ void main() {
   bool by_value = colouring == 1 && part < 2;
   // Where colours are numbers, light only models: they stay near those of the legend.
   vec3 light = by_value ? linear_of(value_colour()) * (0.72 + 0.34 * sun + 0.12 * normal.y)
-                        : linear_of(paint(part)) * (kSunLight * sun + ambient);
+                        : lift * linear_of(paint(part)) * (kSunLight * sun + ambient);
   float shine = pow(max(dot(normal, normalize(kSun + to_eye)), 0.0), 48.0) * sun;
   float rim = pow(1.0 - max(dot(normal, to_eye), 0.0), 4.0);
   light += kSunLight * (part == 2 || part == 5 || by_value ? 0.05 : 0.28) * shine + kSkyLight * 0.06 * rim;
-  light = mix(light, linear_of(kHorizonColour), (by_value ? 0.4 : 0.8) * fog(metres, eye.y));
+  light = mix(light, linear_of(horizon), (by_value ? 0.4 : 0.8) * fog(metres, eye.y));
   colour = vec4(encode(light), 1.0);
 }

@@ -1,5 +1,6 @@
 // The tone of a shadow on the ground; the stencil lets each sample be darkened once.
 uniform vec3 eye;
+uniform vec4 tone;  // and how much of it
 in vec3 world;
 in vec3 facing;
 flat in float material;
@@ -8,5 +9,5 @@ out vec4 colour;
 void main() {
   if (world.y < 0.0) discard;
   vec3 place = world - kSun * (world.y / kSun.y);
-  colour = vec4(0.14, 0.23, 0.24, 0.58 * (1.0 - fog(distance(eye, place), eye.y)));
+  colour = vec4(tone.rgb, tone.a * (1.0 - fog(distance(eye, place), eye.y)));
 }

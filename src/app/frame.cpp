@@ -28,7 +28,7 @@ std::vector<sim::Pose> cart_poses(const edit::Session& session) {
 
 // Panels and viewport tool see the state before this frame's commands, which are applied here.
 ui::Output build_panels(Program& program, const platform::Events& events, platform::Size size) {
-  const ui::State state{program.session, program.stats, program.seconds, program.stats.hide_times, &program.rig};
+  const ui::State state{program.session, program.stats, program.seconds, program.stats.hide_times, &program.rig, program.keeper ? &program.keeper->state : nullptr};
   ui::Output output = program.ui->build(events, state, size.width, size.height);
   program.toast = program.ui->toast();
   program.by_hand = true;
@@ -36,6 +36,7 @@ ui::Output build_panels(Program& program, const platform::Events& events, platfo
   program.by_hand = false;
   program.hovered = output.hovered;
   program.quit = program.quit || output.quit;
+  keep(program, &output);
   return output;
 }
 
@@ -53,7 +54,7 @@ gfx::DrawStats draw_scene(Program& program, const ui::Output& output, platform::
   program.stats.colour_low = values.low, program.stats.colour_high = values.high;
   const view::Overlay overlay = view::build_overlay(session.document, session.derived, session.settings, output.view, output.hovered, findings);
   const std::vector<sim::Pose> carts = cart_poses(session);
-  const gfx::Scene scene{session.derived, output.view, overlay, carts, layers.has(world::Layer::polyline), &values};
+  const gfx::Scene scene{session.derived, output.view, overlay, carts, layers.has(world::Layer::polyline), &values, session.settings.theme};
   return program.renderer->draw(scene, size.width, size.height);
 }
 
@@ -116,6 +117,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   take_events(program, events, size);
   if (size.width < 1 || size.height < 1) {
     advance(program, ticks);
+    keep(program, nullptr);
     return;
   }
   ui::Output output = build_panels(program, events, size);

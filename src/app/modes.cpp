@@ -10,6 +10,7 @@
 #include "app/ride_summary.h"
 #include "app/script_host.h"
 #include "exchange/track_file.h"
+#include "platform/signals.h"
 #include "script/grammar.h"
 #include "script/paths.h"
 #include "script/runner.h"
@@ -72,6 +73,15 @@ base::Status start_recording(Program& program) {
   return {};
 }
 
+// What a signal asks for: unsaved changes are put aside, and the exit code tells of the signal, as shells have it.
+int leave_by(Program& program, int signal) {
+  const base::Status kept = autosave_now(program);
+  if (!kept) std::fprintf(stderr, "%s\n", kept.message.c_str());
+  stop_keeping(program, false);
+  std::fflush(stdout);
+  return 128 + signal;
+}
+
 int run_script(const Options& options) {
   const auto script = read_script(options.script);
   if (!script) return finish(script.status());
@@ -86,12 +96,20 @@ int run_script(const Options& options) {
   if (!program) return finish(program.status());
   (*program)->stats.hide_times = true;
   (*program)->writable = run.out;
+  if (!options.config.empty()) {
+    start_keeping(**program, {options.config, options.config}, options.reset_layout);
+    platform::watch_signals();
+    run.environment.scale = (*program)->session.settings.ui_scale;  // until the script says otherwise
+  }
   if (!options.file.empty())
     if (const base::Status opened = open_track(**program, options.file); !opened) return finish(opened);
   if (const base::Status limits = open_envelope((*program)->session, (*program)->files, options); !limits) return finish(limits);
   if (const base::Status started = start_recording(**program); !started) return finish(started);
   script::Host host = make_script_host(**program);
-  return finish(script::run_script(*script, host, run));
+  const base::Status ran = script::run_script(*script, host, run);
+  if (const int signal = platform::pending_signal()) return leave_by(**program, signal);
+  stop_keeping(**program, (*program)->quit);
+  return finish(ran);
 }
 
 bool lap_is_done(const edit::Session& session) {
@@ -165,13 +183,18 @@ int run_window(const Options& options) {
   auto program = make_program(options, size, kSamples);
   if (!program) return finish(program.status());
   Program& p = **program;
+  const base::UserFolders folders = options.config.empty() ? base::user_folders() : base::UserFolders{options.config, options.config};
+  start_keeping(p, folders, options.reset_layout);
+  platform::watch_signals();
+  p.keeper->unasked = options.file.empty();
   const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);
   if (const base::Status opened = open_track(p, track); !opened) return finish(opened);
+  p.keeper->unasked = false;
   if (const base::Status limits = open_envelope(p.session, p.files, options); !limits) return finish(limits);
   if (const base::Status started = start_recording(p); !started) return finish(started);
   double last = p.surface->clock();
   double smoothed = 0;
-  for (std::int64_t frame = 0; !p.quit && (!options.frames || frame < *options.frames); ++frame) {
+  for (std::int64_t frame = 0; !p.quit && !platform::pending_signal() && (!options.frames || frame < *options.frames); ++frame) {
     platform::Events events;
     p.surface->poll(events);
     run_frame(p, events, take_ticks(p, events));
@@ -181,6 +204,8 @@ int run_window(const Options& options) {
     p.stats.fps = smoothed > 0 ? 1 / smoothed : 0;
     last = now;
   }
+  if (const int signal = platform::pending_signal()) return leave_by(p, signal);
+  stop_keeping(p, p.quit);
   return finish({});
 }
 

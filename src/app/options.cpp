@@ -38,6 +38,8 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   cli.add_flag("--report", o.report, "Print the report of the whole ride of FILE: times, forces, ratings; no graphics needed");
   cli.add_option("--envelope", o.envelope, "Limits of force by duration (.json); not a compliance check");
   cli.add_flag("--hash-log", o.hash_log, "Print the hashes of document and motion after each tick");
+  cli.add_option("--config", o.config, "Keep settings and autosaves in this folder instead of the user's; scripts keep none without it (docs/files.md)");
+  cli.add_flag("--reset-layout", o.reset_layout, "Start with the window, scale and panels of the first start");
   cli.add_flag("--help-script", help_script, "Explain the script language and end");
   try {
     cli.parse(argc, argv);

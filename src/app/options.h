@@ -15,6 +15,8 @@ struct Options {
   int width = 0, height = 0;  // 0: the default of the mode
   std::uint64_t seed = 0;
   bool update_goldens = false, validate = false, json = false, hash_log = false, report = false;
+  std::string config;         // folder of settings and autosaves; empty: the user's, for windows alone
+  bool reset_layout = false;
 };
 
 struct ParsedOptions {

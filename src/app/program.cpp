@@ -75,8 +75,13 @@ base::Status apply_one(Program& program, const edit::Command& command) {
     edit::notify(program.session, edit::NoticeKind::error, refused.message);
     return refused;
   }
+  if (const base::Status allowed = before_command(program, command); !allowed) {
+    edit::notify(program.session, edit::NoticeKind::error, allowed.message);
+    return allowed;
+  }
   const std::uint64_t builds = program.session.derived.last_build;
   const base::Status applied = edit::apply(program.session, program.files, command);
+  after_command(program, command, applied);
   if (program.session.derived.last_build != builds) program.rebuilds += program.session.derived.rebuilds;
   if (applied && std::holds_alternative<edit::SetEvaluator>(command))
     if (const std::string reason = program.renderer->refusal(program.session.derived.stage); !reason.empty())

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "app/keeper.h"
 #include "app/options.h"
 #include "base/files.h"
 #include "edit/session.h"
@@ -27,6 +28,7 @@ struct Program {
   std::unique_ptr<gfx::Renderer> renderer;
   std::unique_ptr<ui::Host> ui;
   std::unique_ptr<script::Recorder> recorder;   // null: nothing is recorded
+  std::unique_ptr<Keeper> keeper;               // null: nothing is kept for a user
   std::filesystem::path writable;               // scripts: the only folder that may be written to; empty: no limit
 
   view::CameraRig rig;             // what pictures are taken with; follows every command and tick

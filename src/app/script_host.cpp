@@ -8,6 +8,7 @@
 #include "app/frame.h"
 #include "app/pictures.h"
 #include "base/text.h"
+#include "platform/signals.h"
 #include "view/camera.h"
 #include "view/gizmo.h"
 #include "view/pick.h"
@@ -135,6 +136,14 @@ script::Host make_script_host(Program& program) {
   host.viewport = [p] { return p->view.viewport; };
   host.progress = progress;
   host.print = [](std::string_view line) { std::printf("%.*s\n", static_cast<int>(line.size()), line.data()); };
+  host.set_home = [p](const std::filesystem::path& folder) {
+    stop_keeping(*p, false);
+    p->quit = false;
+    start_keeping(*p, {folder, folder}, false);
+    for (int i = 0; i < 2; ++i) run_frame(*p, {platform::Tick{0}}, 0);  // a question that comes up is laid out
+    return base::Status{};
+  };
+  host.interrupted = [] { return platform::pending_signal() != 0; };
   host.files = &program.files;
   host.window = program.surface->is_window();
   return host;

@@ -5,8 +5,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <utility>
+
+#include "base/hash.h"
 
 namespace coaster::base {
 namespace {
@@ -49,15 +53,62 @@ Status follow_links(std::filesystem::path& path) {
   return {};
 }
 
+// ".1f2e3d4c.", for this machine.
+std::string host_mark() {
+  Hasher host;
+  host.add(host_name());
+  return "." + hex16(host.digest()).substr(0, 8) + ".";
+}
+
+// ".loop.json.1f2e3d4c." of "loop.json": what its temporary files start with on this machine. A process number says nothing about another
+// machine's processes, so each has its own names; long names are cut, for the whole must stay below 255 bytes.
+std::string temporary_stem(const std::filesystem::path& target) {
+  constexpr std::size_t kMostBytes = 200;
+  return "." + target.filename().string().substr(0, kMostBytes) + host_mark();
+}
+
 // A new file beside `target` with the mode that the process gives new files; `name` is its path. -1 and errno on failure.
 int open_temporary(const std::filesystem::path& target, std::string& name) {
+  const std::string stem = temporary_stem(target) + std::to_string(::getpid()) + ".";
   for (int i = 0; i < 1000; ++i) {
-    const std::string file = "." + target.filename().string() + "." + std::to_string(::getpid()) + "." + std::to_string(i);
-    name = (target.parent_path() / file).string();
+    name = (target.parent_path() / (stem + std::to_string(i))).string();
     const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd >= 0 || errno != EEXIST) return fd;
   }
   return -1;
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& target) { return target.has_parent_path() ? target.parent_path() : "."; }
+
+// The number that a text starts with, cut off from it.
+std::optional<int> take_number(std::string_view& text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{}) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return number;
+}
+
+// Whether a name is that of a temporary file whose process is gone: it ends in host_mark() and "PID.NUMBER".
+bool is_leftover(std::string_view name) {
+  const std::string mark = host_mark();
+  const std::size_t at = name.rfind(mark);
+  if (!name.starts_with('.') || at == std::string_view::npos) return false;
+  name.remove_prefix(at + mark.size());
+  const auto pid = take_number(name);
+  if (!pid || !name.starts_with('.')) return false;
+  name.remove_prefix(1);
+  return take_number(name) && name.empty() && !process_runs(*pid);
+}
+
+int sweep(const std::filesystem::path& folder, const std::string& stem) {
+  int removed = 0;
+  std::error_code error;
+  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (name.starts_with(stem) && is_leftover(name)) removed += ::unlink(at->path().c_str()) == 0 ? 1 : 0;
+  }
+  return removed;
 }
 
 }  // namespace
@@ -104,7 +155,10 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
   const bool exists = ::stat(target.c_str(), &old) == 0;
   if (exists && !S_ISREG(old.st_mode)) return {Code::io, path.string() + ": is not a regular file, so it cannot be written"};
 
-  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  if (exists && ::access(target.c_str(), W_OK) != 0) return failure(Code::io, path, "is read-only", errno);
+
+  (void)remove_leftovers(target);
+  const std::filesystem::path folder = folder_of(target);
   // Opened before anything changes, so that all that can fail behind the rename is the folder's own fsync.
   Descriptor directory(fails(IoOperation::open) ? -1 : ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!directory.valid()) return failure(Code::io, path, "open of the folder", errno);
@@ -133,5 +187,16 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
   if (fails(IoOperation::fsync) || ::fsync(directory.get()) != 0) return failure(Code::io, path, "fsync of the folder", errno);
   return {};
 }
+
+std::string host_name() {
+  char name[256] = "";
+  (void)::gethostname(name, sizeof name - 1);
+  return name;
+}
+
+bool process_runs(int pid) { return pid > 0 && (::kill(pid, 0) == 0 || errno == EPERM); }
+
+int remove_leftovers(const std::filesystem::path& target) { return sweep(folder_of(target), temporary_stem(target)); }
+int remove_leftovers_in(const std::filesystem::path& folder) { return sweep(folder, {}); }
 
 }  // namespace coaster::base

@@ -195,6 +195,20 @@ Status files_command(Session& session, base::Files& files, const LoadEnvelope& c
   notify(session, NoticeKind::info, "forces are held against " + session.envelope_name + " (not a compliance check)");
   return {};
 }
+Status files_command(Session& session, base::Files& files, const RecoverTrack& command) {
+  base::Result<exchange::LoadedTrack> loaded = exchange::load_track(files, command.path);
+  if (!loaded) return loaded.status();
+  // What its own file holds now is what it is compared with: another document, or none, and then it is unsaved whatever it says.
+  const exchange::Format* const format = command.original.empty() ? nullptr : exchange::format_of(command.original);
+  std::uint64_t saved = ~world::hash(loaded->document);
+  if (format != nullptr && format->whole)
+    if (const base::Result<exchange::LoadedTrack> old = exchange::load_track(files, command.original)) saved = world::hash(old->document);
+  start_over(session, std::move(loaded->document), format != nullptr && format->whole ? command.original : std::string());
+  session.saved_hash = saved;
+  for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
+  notify(session, NoticeKind::info, "recovered " + (command.original.empty() ? std::string("a track that had no file") : command.original));
+  return {};
+}
 Status files_command(Session& session, base::Files&, const NewTrack&) {
   start_over(session, {}, {});
   return {};

@@ -113,6 +113,7 @@ base::Status perform(Session& session, Change& change, const SetPanels& command)
 base::Status perform(Session& session, Change& change, const SetPolyline& command);
 base::Status perform(Session& session, Change& change, const SetAppendMode& command);
 base::Status perform(Session& session, Change& change, const SetScale& command);
+base::Status perform(Session& session, Change& change, const SetTheme& command);
 base::Status perform(Session& session, Change& change, const ShowLayer& command);
 base::Status perform(Session& session, Change& change, const SetColouring& command);
 base::Status perform(Session& session, Change& change, const SetMagnification& command);

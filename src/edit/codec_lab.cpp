@@ -1,4 +1,4 @@
-// Values of the laboratory's commands as text: layers, colourings and pages, by the names of their tables.
+// Values of the laboratory's commands as text: layers, colourings and pages, and the theme's, by the names of their tables.
 #include "edit/codec_values.h"
 
 namespace coaster::edit {
@@ -13,6 +13,9 @@ Names colouring_names() {
 Names page_names() {
   return names_of(world::lab_pages());
 }
+Names theme_names() {
+  return Names(world::kThemeNames.begin(), world::kThemeNames.end());
+}
 
 }  // namespace
 
@@ -25,6 +28,9 @@ std::string print_value(world::Colouring value) {
 std::string print_value(world::LabPage value) {
   return row_name(page_names(), static_cast<int>(value));
 }
+std::string print_value(world::Theme value) {
+  return row_name(theme_names(), static_cast<int>(value));
+}
 bool read_value(WordReader& words, world::Layer& value) {
   return read_enum(words, layer_names(), value);
 }
@@ -34,6 +40,9 @@ bool read_value(WordReader& words, world::Colouring& value) {
 bool read_value(WordReader& words, world::LabPage& value) {
   return read_enum(words, page_names(), value);
 }
+bool read_value(WordReader& words, world::Theme& value) {
+  return read_enum(words, theme_names(), value);
+}
 std::string usage_of(world::Layer) {
   return joined(layer_names());
 }
@@ -42,6 +51,9 @@ std::string usage_of(world::Colouring) {
 }
 std::string usage_of(world::LabPage) {
   return joined(page_names());
+}
+std::string usage_of(world::Theme) {
+  return joined(theme_names());
 }
 
 }  // namespace coaster::edit

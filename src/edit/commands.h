@@ -211,6 +211,11 @@ struct SetScale {
   COASTER_COMMAND("scale", "Scale the panels (0.75..3).", Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };
+struct SetTheme {
+  world::Theme to{};
+  COASTER_COMMAND("theme", "Choose the colours of panels and scene: dark, light or high_contrast.", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
 
 // --- motion -----------------------------------------------------------------------------------------------------------
 struct RideStart {
@@ -268,6 +273,11 @@ struct Save {
   COASTER_COMMAND("save", "Save the track to a file, or export it: the ending tells the format.", Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
+struct RecoverTrack {
+  std::string path, original;
+  COASTER_COMMAND("recover", "Open an autosaved track as the unsaved state of another file, which may be \"\": none.", Effect::session);
+  COASTER_FIELDS(visit("", self.path), visit("as", self.original))
+};
 struct NewTrack {
   COASTER_COMMAND("new", "Start an empty track.", Effect::session);
   COASTER_FIELDS()
@@ -280,11 +290,11 @@ using AnyCommand = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, 
                                 SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetHeartline, SetRollbackFails, AutoBank, PlaceElement,  //
                                 SetEvaluator, SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera,
                                 SetCameraMode, SetFly, SetFieldOfView, SetRideView, SetWidening, SetRollDamping, SetChaseDistance,
-                                SetHeadBob, SetReducedMotion, Select, SelectKnots, SetSnapping, SetGizmo, SetHints, SetPanels, SetPolyline, SetAppendMode, SetScale, ShowLayer, SetColouring, SetMagnification,
+                                SetHeadBob, SetReducedMotion, Select, SelectKnots, SetSnapping, SetGizmo, SetHints, SetPanels, SetPolyline, SetAppendMode, SetScale, SetTheme, ShowLayer, SetColouring, SetMagnification,
                                 SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring, ChooseElement, PreviewElement,  //
                                 RideStart, RidePause, RideStop, RideStep, RideSeek,                              //
                                 Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save,
-                                SaveMeasurements, SaveReport, LoadEnvelope, NewTrack>;
+                                SaveMeasurements, SaveReport, LoadEnvelope, RecoverTrack, NewTrack>;
 
 // One command. Copies and destructors of so many alternatives are compiled once, in codec.cpp, instead of in every file that holds one.
 struct Command : AnyCommand {

@@ -146,6 +146,13 @@ Status perform(Session& session, Change&, const StopMeasuring&) {
   return {};
 }
 
+Status perform(Session& session, Change&, const SetTheme& command) {
+  const Status known = known_row(command.to, world::kThemeNames);
+  if (!known) return known;
+  session.settings.theme = command.to;
+  return {};
+}
+
 Status perform(Session& session, Change& change, const SetScale& command) {
   if (!std::isfinite(command.to)) return refused("expected a finite scale");
   session.settings.ui_scale = change.clamp("scale", command.to, kMinScale, kMaxScale);

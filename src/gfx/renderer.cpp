@@ -11,6 +11,7 @@
 #include "gfx/gpu_timer.h"
 #include "gfx/instances.h"
 #include "gfx/scene_programs.h"
+#include "gfx/scenery.h"
 #include "gfx/track_cache.h"
 #include "gfx/value_texture.h"
 #include "view/colour_map.h"
@@ -18,8 +19,7 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr glm::vec3 kBackground{27 / 255.0f, 31 / 255.0f, 39 / 255.0f};  // #1B1F27, around the viewport
-constexpr float kPolylineWidth = 1.75f;                                  // px
+constexpr float kPolylineWidth = 1.75f;  // px
 constexpr glm::vec4 kPolylineColour{1, 1, 1, 0.9f};
 
 }  // namespace
@@ -43,8 +43,8 @@ struct Renderer::Parts {
         empty_array(make_vertex_array(table)) {}
 
   void fit_targets(int width, int height);
-  void begin(const view::Viewport& viewport, int width, int height);
-  void draw_backdrop(const view::View& view, DrawStats& stats);
+  void begin(const view::Viewport& viewport, glm::vec3 around, int width, int height);
+  void draw_backdrop(const view::View& view, const Scenery& scenery, DrawStats& stats);
   void draw_meshes(const Program& track_program, const Program& cart_program, const Scene& scene, DrawStats& stats);
   void draw_shadows(const Scene& scene, DrawStats& stats);
   void set_colouring(const Scene& scene);
@@ -71,13 +71,13 @@ void Renderer::Parts::fit_targets(int width, int height) {
     samples = 0;
 }
 
-void Renderer::Parts::begin(const view::Viewport& viewport, int width, int height) {
+void Renderer::Parts::begin(const view::Viewport& viewport, glm::vec3 around, int width, int height) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, scene ? scene->framebuffer.id() : resolved->framebuffer.id());
   gl.Viewport(0, 0, width, height);
   gl.Disable(GL_SCISSOR_TEST);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.DepthMask(GL_TRUE);
-  gl.ClearColor(kBackground.x, kBackground.y, kBackground.z, 1);
+  gl.ClearColor(around.x, around.y, around.z, 1);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   const Rectangle r = pixels_of(viewport, width, height);
   gl.Viewport(r.x, r.y, r.width, r.height);
@@ -85,7 +85,7 @@ void Renderer::Parts::begin(const view::Viewport& viewport, int width, int heigh
   gl.Enable(GL_SCISSOR_TEST);
 }
 
-void Renderer::Parts::draw_backdrop(const view::View& view, DrawStats& stats) {
+void Renderer::Parts::draw_backdrop(const view::View& view, const Scenery& scenery, DrawStats& stats) {
   // Rows of the view matrix are the camera's axes in the world; the projection is symmetric.
   const glm::mat3 axes = glm::transpose(glm::mat3(view.view));
   programs.backdrop.use();
@@ -93,6 +93,11 @@ void Renderer::Parts::draw_backdrop(const view::View& view, DrawStats& stats) {
   programs.backdrop.set("right", axes[0] / view.projection[0][0]);
   programs.backdrop.set("up", axes[1] / view.projection[1][1]);
   programs.backdrop.set("eye", view.eye);
+  programs.backdrop.set("horizon", scenery.horizon);
+  programs.backdrop.set("zenith", scenery.zenith);
+  programs.backdrop.set("ground_colour", scenery.ground);
+  programs.backdrop.set("grid_light", scenery.grid_light);
+  programs.backdrop.set("glow_strength", scenery.glow);
   blend(gl, false);
   gl.Disable(GL_DEPTH_TEST);
   gl.BindVertexArray(empty_array.id());
@@ -102,8 +107,15 @@ void Renderer::Parts::draw_backdrop(const view::View& view, DrawStats& stats) {
 
 void Renderer::Parts::draw_meshes(const Program& track_program, const Program& cart_program, const Scene& picture, DrawStats& stats) {
   const glm::mat4 view_projection = picture.view.projection * picture.view.view;
+  const Scenery& scenery = scenery_of(picture.theme);
+  const auto light = [&](const Program& program) {  // solids and shadows have each their own of these
+    program.set("horizon", scenery.horizon);
+    program.set("lift", scenery.lift);
+    program.set("tone", scenery.shadow);
+  };
   if (track.index_count() > 0) {
     track_program.use();
+    light(track_program);
     track_program.set("view_projection", view_projection);
     track_program.set("eye", picture.view.eye);
     track.bind_mesh();
@@ -112,6 +124,7 @@ void Renderer::Parts::draw_meshes(const Program& track_program, const Program& c
   }
   if (const GLsizei carts = instances.bind_carts(); carts > 0) {
     cart_program.use();
+    light(cart_program);
     cart_program.set("view_projection", view_projection);
     cart_program.set("eye", picture.view.eye);
     gl.DrawElementsInstanced(GL_TRIANGLES, instances.cart_indices(), GL_UNSIGNED_INT, nullptr, carts);
@@ -268,8 +281,8 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   parts.instances.upload(scene.overlay, scene.carts);
   parts.fit_targets(width, height);
   stats.samples = parts.samples;
-  parts.begin(scene.view.viewport, width, height);
-  parts.draw_backdrop(scene.view, stats);
+  parts.begin(scene.view.viewport, scenery_of(scene.theme).around, width, height);
+  parts.draw_backdrop(scene.view, scenery_of(scene.theme), stats);
   parts.draw_shadows(scene, stats);
   parts.draw_solids(scene, stats);
   parts.draw_polyline(scene, stats);

@@ -23,6 +23,7 @@ struct Scene {
   std::span<const sim::Pose> carts;
   bool show_polyline = true;
   const sim::TrackValues* values = nullptr;  // what the track is coloured by; null or plain: painted
+  world::Theme theme = world::Theme::dark;
   sim::Clock clock = {};  // to measure cpu_ms with; empty: not measured
 };
 

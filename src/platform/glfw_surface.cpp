@@ -121,6 +121,28 @@ class WindowSurface final : public Surface {
   }
   void set_clipboard(const std::string& text) override { glfwSetClipboardString(window_, text.c_str()); }
   bool is_window() const override { return true; }
+  std::optional<Placement> placement() const override {
+    if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) return std::nullopt;
+    Placement now;
+    glfwGetWindowPos(window_, &now.x, &now.y);
+    glfwGetWindowSize(window_, &now.width, &now.height);
+    now.maximised = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
+    return now.width > 0 && now.height > 0 ? std::optional(now) : std::nullopt;
+  }
+  void place(const Placement& wanted) override {
+    std::vector<Screen> screens;
+    int count = 0;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+      Screen screen;
+      glfwGetMonitorWorkarea(monitors[i], &screen.x, &screen.y, &screen.width, &screen.height);
+      if (screen.width > 0 && screen.height > 0) screens.push_back(screen);
+    }
+    const Placement placed = fitted(wanted, screens);
+    glfwSetWindowPos(window_, placed.x, placed.y);
+    glfwSetWindowSize(window_, placed.width, placed.height);
+    if (placed.maximised) glfwMaximizeWindow(window_);
+  }
 
  private:
   struct PixelScale {

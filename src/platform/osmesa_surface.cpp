@@ -71,6 +71,8 @@ class OffscreenSurface final : public Surface {
   std::string clipboard() override { return clipboard_; }
   void set_clipboard(const std::string& text) override { clipboard_ = text; }
   bool is_window() const override { return false; }
+  std::optional<Placement> placement() const override { return std::nullopt; }
+  void place(const Placement&) override {}
 
  private:
   static constexpr int kBuffer = 16;

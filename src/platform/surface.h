@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/status.h"
 #include "platform/events.h"
+#include "platform/placement.h"
 
 namespace coaster::platform {
 
@@ -33,6 +35,10 @@ class Surface {
   virtual std::string clipboard() = 0;
   virtual void set_clipboard(const std::string& text) = 0;
   virtual bool is_window() const = 0;
+  // Where the window is; nothing for memory and while it is minimised. The size of a maximised one is that of the screen.
+  virtual std::optional<Placement> placement() const = 0;
+  // Moves the window there, or to where it can be seen.
+  virtual void place(const Placement& placement) = 0;
 };
 
 struct SurfaceOptions {

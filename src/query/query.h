@@ -14,6 +14,14 @@
 
 namespace coaster::query {
 
+// What is known about the document's file beyond its path.
+struct Keeping {
+  std::string holder;      // who else edits it, "another coaster (process 12)"; empty: nobody
+  int recoverable = 0;     // autosaves of other runs that wait for an answer
+  int autosaves = 0;       // written since the start
+  bool quits = false;      // the program was told to end
+};
+
 // Measured by the frame loop; shown here.
 struct FrameStats {
   std::uint64_t frame = 0;
@@ -41,6 +49,7 @@ struct FrameStats {
   world::CameraMode camera_shown{};                       // orbit where there is no train to go with
   glm::dvec3 eye{0}, eye_forward{0, 0, -1}, eye_up{0, 1, 0};  // of the last frame's picture: m, unit, unit
   double field_of_view_deg = 0;
+  Keeping keeping;
 };
 
 struct Context {

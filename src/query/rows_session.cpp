@@ -36,6 +36,12 @@ Answer title(const Context& c, View) { return text(c.title); }
 Answer append_mode(const Context& c, View) { return yes_no(c.session.settings.append_mode); }
 Answer panels(const Context& c, View) { return yes_no(c.session.settings.show_panels); }
 Answer polyline(const Context& c, View) { return yes_no(c.session.settings.layers.has(world::Layer::polyline)); }
+Answer theme(const Context& c, View) { return text(world::kThemeNames[static_cast<std::size_t>(c.session.settings.theme)]); }
+Answer file(const Context& c, View) { return text(c.session.path.filename().string()); }
+Answer locked_by(const Context& c, View) { return text(c.stats.keeping.holder); }
+Answer recoverable(const Context& c, View) { return number(c.stats.keeping.recoverable); }
+Answer autosaves(const Context& c, View) { return number(c.stats.keeping.autosaves); }
+Answer quits(const Context& c, View) { return yes_no(c.stats.keeping.quits); }
 Answer scale(const Context& c, View) { return number(c.session.settings.ui_scale); }
 
 Answer mode_name(world::CameraMode mode) { return text(world::kCameraModeNames[static_cast<std::size_t>(mode)]); }
@@ -89,6 +95,12 @@ constexpr std::array kRows{
     Query{"append_mode", "", "", "on when clicks on the ground append knots.", append_mode},
     Query{"panels", "", "", "on when the panels show.", panels},
     Query{"polyline", "", "", "on when the evaluated polyline shows.", polyline},
+    Query{"theme", "", "", "Colours of panels and scene: dark, light or high_contrast.", theme},
+    Query{"track_file", "", "", "Name of the track's file without its folder, empty when it has none.", file},
+    Query{"locked_by", "", "", "Who else edits the track's file, empty when nobody does.", locked_by},
+    Query{"recoverable", "", "", "Autosaves of other runs that wait for an answer.", recoverable},
+    Query{"autosaves", "", "", "Autosaves written since the start.", autosaves},
+    Query{"quits", "", "", "on when the program was told to end: a window closes then, a script goes on.", quits},
     Query{"scale", "", "", "Scale of the panels.", scale},
     Query{"camera_mode", "", "", "The chosen camera: orbit, ride, chase or fly.", camera_mode},
     Query{"camera_shown", "", "", "The camera of the last frame: orbit where there is no cart to go with.", camera_shown},

@@ -18,6 +18,7 @@ struct Row {
 constexpr std::array kSession{
     Row{"coaster-script 1", "The first line of every script."},
     Row{"env [size WxH] [seed N] [scale X] [msaa N]", "Picture size (640x360), seed, scale of the panels, samples a pixel (0)."},
+    Row{"env home \"$OUT/FOLDER\"", "Keeps settings and autosaves there: an empty folder at first, later as though the program had crashed and were started again."},
     Row{"include \"FILE\"", "The statements of another script."},
     Row{"repeat N ... end", "The lines up to end, N times."},
     Row{"gesture ... end", "The commands up to end are one step of undo."},

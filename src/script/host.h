@@ -58,6 +58,8 @@ struct Host {
   std::function<view::Viewport()> viewport;                            // of the last frame
   std::function<void(int line, int lines)> progress;                   // before each statement
   std::function<void(std::string_view line)> print;                    // to stdout (log, hash log)
+  std::function<base::Status(const std::filesystem::path&)> set_home;  // keeps settings and autosaves there, as if just started; may be empty
+  std::function<bool()> interrupted;                                   // the system wants the program to end; may be empty
   base::Files* files = nullptr;
   bool window = false;                                                 // frames are paced by a screen
 };

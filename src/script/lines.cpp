@@ -17,11 +17,11 @@ namespace {
 constexpr std::int64_t kMostFrames = 10'000'000;
 
 bool parse_env(Words& words, Action& action) {
-  static const std::vector<std::string> kNames{"size", "seed", "scale", "msaa"};
+  static const std::vector<std::string> kNames{"size", "seed", "scale", "msaa", "home"};
   SetEnvironment env;
-  if (words.at_end()) return words.fail(words.end_column(), "expected size, seed, scale or msaa");
+  if (words.at_end()) return words.fail(words.end_column(), "expected size, seed, scale, msaa or home");
   while (!words.at_end()) {
-    const auto name = words.one_of("size, seed, scale or msaa", kNames);
+    const auto name = words.one_of("size, seed, scale, msaa or home", kNames);
     if (!name) return false;
     if (*name == 0) {
       const base::Token* const size = words.take("WIDTHxHEIGHT");
@@ -37,6 +37,10 @@ bool parse_env(Words& words, Action& action) {
       const auto scale = words.number("a scale");
       if (!scale) return false;
       env.scale = static_cast<float>(*scale);
+    } else if (*name == 4) {
+      const base::Token* const home = words.take("a folder below $OUT");
+      if (!home) return false;
+      env.home = *home;
     } else {
       const auto samples = words.whole("a number of samples", 0, 64);
       if (!samples) return false;

@@ -29,6 +29,10 @@ Failure Runner::run(const Block& block) {
 
 Failure Runner::run(const Statement& statement) {
   source_ = statement.source;
+  if (stage_.host().interrupted && stage_.host().interrupted()) {
+    failed_at_ = &statement;
+    return failed("stopped by a signal");
+  }
   if (stage_.host().progress) stage_.host().progress(statement.line, static_cast<int>(source().lines.size()));
   failed_at_ = nullptr;
   Failure result = std::visit([this](const auto& action) { return perform(action); }, statement.action);
@@ -45,6 +49,12 @@ Failure Runner::perform(const RunCommand& run) {
     // A file that cannot be opened is a bad file too: the exit code says which kind of thing is wrong, not why.
     const base::Status loaded = stage_.apply(command);
     return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
+  }
+  if (edit::RecoverTrack* const recover = std::get_if<edit::RecoverTrack>(&command)) {
+    recover->path = input(recover->path).string();
+    if (!recover->original.empty()) recover->original = input(recover->original).string();
+    const base::Status recovered = stage_.apply(command);
+    return recovered ? Failure{} : Failure{base::Code::bad_file, recovered.message};
   }
   if (edit::LoadEnvelope* const limits = std::get_if<edit::LoadEnvelope>(&command)) {
     limits->path = input(limits->path).string();
@@ -65,11 +75,24 @@ Failure Runner::perform(const SetEnvironment& change) {
   if (change.samples) environment_.samples = *change.samples;
   if (change.seed) environment_.seed = *change.seed;
   if (change.scale) environment_.scale = *change.scale;
-  return failure(stage_.set_environment(environment_));
+  // A folder alone leaves picture and scale as they are: settings that it holds may say otherwise.
+  const bool home_alone = change.home && !change.width && !change.samples && !change.seed && !change.scale;
+  if (!home_alone)
+    if (const base::Status status = stage_.set_environment(environment_); !status) return failure(status);
+  if (!change.home) return {};
+  if (!stage_.host().set_home) return wrong("there is nothing to keep for a user");
+  const auto folder = find_output(change.home->text, options_.out);
+  if (!folder) return failure(folder.status(), change.home->column);
+  // The first time in a run it is nobody's home yet; what an earlier run left there would make this one go otherwise.
+  std::error_code ignored;
+  if (std::find(homes_.begin(), homes_.end(), *folder) == homes_.end()) std::filesystem::remove_all(*folder, ignored);
+  homes_.push_back(*folder);
+  return failure(stage_.set_home(*folder));
 }
 
 Failure Runner::perform(const Frames& frames) {
-  for (std::int64_t i = 0; i < frames.count; ++i)
+  const auto& interrupted = stage_.host().interrupted;
+  for (std::int64_t i = 0; i < frames.count && !(interrupted && interrupted()); ++i)
     if (const base::Status status = stage_.frame({}); !status) return failure(status);
   return {};
 }

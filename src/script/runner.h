@@ -82,6 +82,7 @@ class Runner {
   Stage stage_;
   const RunOptions& options_;
   Environment environment_;
+  std::vector<std::filesystem::path> homes_;  // that env has named
   int source_ = 0;                     // of the statement that runs
   const Statement* failed_at_ = nullptr;  // the innermost statement that failed
 };

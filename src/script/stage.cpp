@@ -11,6 +11,11 @@ base::Status Stage::set_environment(const Environment& environment) {
   return host_.set_environment(environment);
 }
 
+base::Status Stage::set_home(const std::filesystem::path& folder) {
+  picture_stale_ = panels_stale_ = true;
+  return host_.set_home(folder);
+}
+
 base::Status Stage::apply(const edit::Command& command) {
   picture_stale_ = panels_stale_ = true;  // a refused command shows a notice
   return host_.apply(command);

@@ -14,6 +14,7 @@ class Stage {
 
   Host& host() { return host_; }
   base::Status set_environment(const Environment& environment);
+  base::Status set_home(const std::filesystem::path& folder);
   base::Status apply(const edit::Command& command);
   // One frame with these events, and those put off.
   base::Status frame(platform::Events events, int ticks = kTicksPerFrame);

@@ -28,6 +28,7 @@ struct SetEnvironment {
   std::optional<int> width, height, samples;
   std::optional<std::uint64_t> seed;
   std::optional<float> scale;
+  std::optional<base::Token> home;
 };
 struct Frames {
   std::int64_t count = 1;

@@ -8,8 +8,9 @@
 #include <variant>
 
 #include "ui/command_palette.h"
+#include "ui/dialogs.h"
 #include "ui/fly_keys.h"
-#include "ui/toasts.h"
+#include "ui/key_map.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -186,26 +187,33 @@ void single_step(Act& act) {
 }
 void reset(Act& act) { act.ui.emit(edit::RideStop{}); }
 
-void new_track(Act& act) { act.ui.emit(edit::NewTrack{}); }
-void save(Act& act) {
-  if (act.ui.file.empty())
-    act.ui.toasts.show(edit::NoticeKind::warning, "Type a file name in Track/File first, then save.", act.ui.state.seconds);
-  else
-    act.ui.emit(edit::Save{act.ui.file});
-}
+void new_track(Act& act) { act.ui.dialogs.request(act.ui, {Want::Kind::fresh, {}}); }
+void open(Act& act) { act.ui.dialogs.request(act.ui, {Want::Kind::browse, {}}); }
+void save(Act& act) { act.ui.dialogs.save(act.ui); }
+void save_as(Act& act) { act.ui.dialogs.save_as(act.ui); }
+void settings(Act& act) { act.ui.dialogs.show_settings(); }
 void screenshot(Act& act) { act.ui.out.wants_screenshot = true; }
-void quit(Act& act) { request_quit(act.ui); }
+void quit(Act& act) { act.ui.dialogs.request(act.ui, {Want::Kind::quit, {}}); }
+
+template <world::Theme theme>
+bool themed(const Act& act) { return act.ui.session().settings.theme == theme; }
+template <world::Theme theme>
+void paint(Act& act) { act.ui.emit(edit::SetTheme{theme}); }
 
 constexpr Action kActions[] = {
-    {"New", "File", "", kNoKey, kNoKey, false, false, "Start an empty track.", always, nullptr, new_track},
-    {"Save", "File", "Ctrl+S", ctrl(Key::s), kNoKey, false, false, "Save the track to the file named in the Track panel.", always, nullptr, save},
+    {"New", "File", "Ctrl+N", ctrl(Key::n), kNoKey, false, false, "Start an empty track.", always, nullptr, new_track},
+    {"Open", "File", "Ctrl+O", ctrl(Key::o), kNoKey, false, false, "Choose a track file to open.", always, nullptr, open},
+    {"Save", "File", "Ctrl+S", ctrl(Key::s), kNoKey, false, false, "Save the track to its file.", always, nullptr, save},
+    {"Save as", "File", "Ctrl+Shift+S", {Key::s, {.shift = true, .ctrl = true}}, kNoKey, false, false,
+     "Save the track to another file, or export it: the ending tells the format.", always, nullptr, save_as},
+    {"Settings", "File", "Ctrl+,", ctrl(Key::comma), kNoKey, false, false, "Scale, colours, autosave, keys.", always, nullptr, settings},
     {"Screenshot", "File", "F12", key(Key::f12), kNoKey, false, true, "Write a picture of the window.", always, nullptr, screenshot},
     {"Quit", "File", "Ctrl+Q", ctrl(Key::q), kNoKey, false, false, "Leave the program.", always, nullptr, quit},
 
     {"Undo", "Edit", "Ctrl+Z", ctrl(Key::z), kNoKey, true, true, "Undo the last step; during a drag, take the drag back.", can_undo, nullptr, undo},
-    {"Redo", "Edit", "Ctrl+Y", ctrl(Key::y), {Key::z, {.shift = true, .ctrl = true}}, true, false, "Redo the step undone last. Also Ctrl+Shift+Z.",
+    {"Redo", "Edit", "Ctrl+Y", ctrl(Key::y), {Key::z, {.shift = true, .ctrl = true}}, true, false, "Redo the step undone last.",
      can_redo, nullptr, redo},
-    {"Delete", "Edit", "Delete", key(Key::del), key(Key::x), false, false, "Remove the selected knot or cart. Also X.", removable, nullptr, remove},
+    {"Delete", "Edit", "Delete", key(Key::del), key(Key::x), false, false, "Remove the selected knot or cart.", removable, nullptr, remove},
     {"Select all", "Edit", "Ctrl+A", ctrl(Key::a), kNoKey, false, false, "Select every knot.", any_knots, nullptr, select_all},
     {"Box select", "Edit", "B", key(Key::b), kNoKey, false, false, "Drag a box around knots. Shift+drag on the empty view adds, Ctrl+drag takes away.", any_knots, nullptr, box_select},
     {"Move", "Edit", "G", key(Key::g), kNoKey, false, false, "Move the selected knots with the mouse; X, Y, Z: along an axis, Shift+axis: in a plane; digits: by metres.", knot_selected, nullptr,
@@ -242,6 +250,10 @@ constexpr Action kActions[] = {
     {"Head-bob", "View", "", kNoKey, kNoKey, false, true, "Let the rider's head give way to g.", always, head_bobs, toggle_head_bob},
     {"Reduced motion", "View", "", kNoKey, kNoKey, false, true, "Keep the rider's horizon level, cut between cameras, no bobbing, no widening.", always, motion_reduced,
      toggle_reduced_motion},
+    {"Dark theme", "View", "", kNoKey, kNoKey, false, true, "Light on dark.", always, themed<world::Theme::dark>, paint<world::Theme::dark>},
+    {"Light theme", "View", "", kNoKey, kNoKey, false, true, "Dark on light.", always, themed<world::Theme::light>, paint<world::Theme::light>},
+    {"High-contrast theme", "View", "", kNoKey, kNoKey, false, true, "White and bright colours on black, with edges.", always, themed<world::Theme::high_contrast>,
+     paint<world::Theme::high_contrast>},
     {"Laboratory", "View", "L", key(Key::l), kNoKey, false, true, "Open or fold the laboratory's pages.", always, laboratory_shown, toggle_laboratory},
     {"Probe back", "View", "[", key(Key::left_bracket), kNoKey, true, false, "Move the picked place back along the track by 1/64 of a segment.", probing, nullptr, probe_back},
     {"Probe on", "View", "]", key(Key::right_bracket), kNoKey, true, false, "Move the picked place on along the track by 1/64 of a segment.", probing, nullptr, probe_on},
@@ -274,8 +286,10 @@ void run_keys(Act& act, const platform::Events& events) {
     if (press == nullptr || !press->down || press->key == Key::unknown) continue;
     if (is_fly_key(*press) && act.ui.session().settings.camera_mode == CameraMode::fly) continue;
     const Chord chord{press->key, press->modifiers};
-    for (const Action& action : actions()) {
-      if (chord != action.chord && chord != action.other) continue;
+    for (std::size_t row = 0; row < actions().size(); ++row) {
+      const Action& action = actions()[row];
+      const auto chords = act.ui.keys.chords(row);
+      if (std::find(chords.begin(), chords.end(), chord) == chords.end()) continue;
       if (press->repeat && !action.repeats) continue;
       if (!action.in_drag && (act.tool.dragging() || act.ui.gesture.open)) continue;
       if (action.enabled(act)) action.run(act);

@@ -22,8 +22,8 @@ struct Act {
 struct Action {
   std::string_view name;            // in the menu
   std::string_view menu;            // "" when it is in none
-  std::string_view keys;            // as shown: "Ctrl+Z"
-  platform::Chord chord, other;     // other: a second key, Key::unknown for none
+  std::string_view keys;            // the first of them, as shown: "Ctrl+Z"
+  platform::Chord chord, other;     // other: a second key, Key::unknown for none; the user's settings may name others (key_map.h)
   bool repeats;                     // while the key is held
   bool in_drag;                     // allowed while the mouse drags something
   std::string_view help;
@@ -38,7 +38,5 @@ void run_keys(Act& act, const platform::Events& events);
 // While a transform is under way: its own keys, and those of actions that may interrupt it (undo, Escape).
 void run_transform_keys(Act& act, const platform::Events& events);
 void build_menu(Act& act);
-// Asks to quit; with unsaved changes only at the second time in a row.
-void request_quit(Ui& ui);
 
 }  // namespace coaster::ui

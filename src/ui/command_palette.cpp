@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "edit/codec.h"
+#include "ui/dialogs.h"
+#include "ui/key_map.h"
 #include "ui/row.h"
 #include "ui/theme.h"
 
@@ -47,7 +49,7 @@ std::vector<PaletteLine> entries(Act& act, const char* words) {
   std::vector<PaletteLine> list;
   for (const Action& action : actions())
     if (const int score = match(words, action.name, action.help); score > 0 && action.enabled(act) && action.name != "Command palette")
-      list.push_back({std::string(action.name), std::string(action.keys), action.help, &action, {}, false, score + 1});
+      list.push_back({std::string(action.name), act.ui.keys.shown(action.name), action.help, &action, {}, false, score + 1});
   for (const edit::CommandHelp& command : edit::command_table())
     if (const int score = match(words, command.info.name, command.info.help); score > 0)
       list.push_back({command.usage, "", command.info.help, nullptr, command.info.name, false, score});
@@ -56,20 +58,27 @@ std::vector<PaletteLine> entries(Act& act, const char* words) {
   return list;
 }
 
+// What replaces the track asks about unsaved changes first, as by any other way.
+void run_command(Ui& ui, const edit::Command& command) {
+  if (const auto* const load = std::get_if<edit::Load>(&command)) ui.dialogs.request(ui, {Want::Kind::load, load->path});
+  else if (std::holds_alternative<edit::NewTrack>(command)) ui.dialogs.request(ui, {Want::Kind::fresh, {}});
+  else ui.out.commands.push_back(command);
+}
+
 void choose(Act& act, CommandPalette& palette, const PaletteLine& entry) {
   if (entry.action) {
     palette.open = false;
     entry.action->run(act);
   } else if (entry.typed) {
     palette.open = false;
-    act.ui.out.commands.push_back(*parsed(palette.text.data()));
+    run_command(act.ui, *parsed(palette.text.data()));
   } else {  // a command wants its words
     const std::string line = std::string(entry.command) + " ";
     std::memcpy(palette.text.data(), line.c_str(), std::min(line.size() + 1, palette.text.size()));
     palette.filled = true, palette.row = 0;
     if (const auto whole = parsed(line.c_str()); whole && entry.name == entry.command) {  // unless it has none
       palette.open = false;
-      act.ui.out.commands.push_back(*whole);
+      run_command(act.ui, *whole);
     }
   }
 }
@@ -94,10 +103,10 @@ void draw_row(Act& act, const PaletteLine& entry, bool chosen, bool& pressed) {
   const float keys = entry.keys.empty() ? 0 : text_size(entry.keys).x + 14 * ui.scale;
   const float name_room = std::min(text_size(entry.name).x, room - keys);
   list.PushClipRect({at.x, at.y}, {at.x + room - keys, at.y + ImGui::GetTextLineHeight() + 2}, true);
-  list.AddText(at, packed(kDark.text), entry.name.c_str());
-  list.AddText({std::floor(at.x + name_room + 14 * ui.scale), at.y}, packed(kDark.dim), entry.help.data(), entry.help.data() + entry.help.size());
+  list.AddText(at, packed(ui::palette().text), entry.name.c_str());
+  list.AddText({std::floor(at.x + name_room + 14 * ui.scale), at.y}, packed(ui::palette().dim), entry.help.data(), entry.help.data() + entry.help.size());
   list.PopClipRect();
-  if (!entry.keys.empty()) list.AddText({std::floor(at.x + room - text_size(entry.keys).x), at.y}, packed(kDark.accent), entry.keys.c_str());
+  if (!entry.keys.empty()) list.AddText({std::floor(at.x + room - text_size(entry.keys).x), at.y}, packed(ui::palette().accent), entry.keys.c_str());
 }
 
 }  // namespace

@@ -85,19 +85,19 @@ void draw_number(const Ui& ui, const Number& n, std::string_view name, std::uint
   list.PushClipRect(low, high, true);
   float left = low.x + pad, right = high.x - pad;
   if (!name.empty()) {
-    list.AddText({left, top}, packed(name_colour, alpha), name.data(), name.data() + name.size());
+    list.AddText({left, top}, packed(ink(name_colour), alpha), name.data(), name.data() + name.size());
     left += text_size(name).x + gap;
   }
   std::string digits = fixed(n.value, n.decimals);
   const std::string_view unit = n.unit;
   if (!unit.empty() && right - left > text_size(digits).x + gap + text_size(unit).x) {
     right -= text_size(unit).x;
-    list.AddText({right, top}, packed(kDark.dim, alpha), unit.data(), unit.data() + unit.size());
+    list.AddText({right, top}, packed(palette().dim, alpha), unit.data(), unit.data() + unit.size());
     right -= gap;
   }
   // A narrow field shows fewer decimals rather than a cut number.
   for (int decimals = n.decimals; decimals > 0 && text_size(digits).x > right - left;) digits = fixed(n.value, --decimals);
-  list.AddText({std::floor(right - text_size(digits).x), top}, packed(kDark.text, alpha), digits.data(), digits.data() + digits.size());
+  list.AddText({std::floor(right - text_size(digits).x), top}, packed(palette().text, alpha), digits.data(), digits.data() + digits.size());
   list.PopClipRect();
 }
 
@@ -154,7 +154,7 @@ std::optional<Changed> numbers(Ui& ui, std::string_view group, std::span<const s
   std::optional<Changed> changed;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
-    const std::uint32_t tint = names.size() == 3 ? kDark.axis[i] : kDark.dim;
+    const std::uint32_t tint = names.size() == 3 ? palette().axis[i] : palette().dim;
     const auto value = field(ui, std::string(group) + "/" + std::string(names[i]), values[i], names[i], tint, width, tooltip, true);
     if (value) changed = Changed{static_cast<int>(i), *value};
   }
@@ -184,7 +184,7 @@ std::optional<double> slide(Ui& ui, std::string_view label, double value, double
     ImGui::PopStyleColor();
     const double part = logarithmic && low > 0 ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
     const float pad = std::floor(8 * ui.scale), left = part > 0.5 ? from.x + pad : to.x - pad - text_size(digits).x;
-    ImGui::GetWindowDrawList()->AddText({std::floor(left), std::floor((from.y + to.y - ImGui::GetTextLineHeight()) * 0.5f)}, packed(kDark.text), digits.c_str());
+    ImGui::GetWindowDrawList()->AddText({std::floor(left), std::floor((from.y + to.y - ImGui::GetTextLineHeight()) * 0.5f)}, packed(palette().text), digits.c_str());
   }
   ImGui::PopID();
   note(ui, label, "slider", tooltip, true, digits, from, to);
@@ -219,7 +219,7 @@ std::optional<std::string> text(Ui& ui, std::string_view label, const std::strin
       while (from < value.size() && (static_cast<unsigned char>(value[from]) & 0xC0) == 0x80);  // within a UTF-8 character
     }
     const std::string shown = "\u2026" + value.substr(from);
-    ImGui::GetWindowDrawList()->AddText({at.x + pad, at.y + ImGui::GetStyle().FramePadding.y}, packed(kDark.text), shown.c_str());
+    ImGui::GetWindowDrawList()->AddText({at.x + pad, at.y + ImGui::GetStyle().FramePadding.y}, packed(palette().text), shown.c_str());
   }
   note_item(ui, label, "text", tooltip, true, typing == Typing::open ? ui.entry.text.data() : value);
   if (typing != Typing::complete) return std::nullopt;

@@ -36,11 +36,11 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
     ImGui::TextUnformatted("First steps");
     for (const Hint& hint : kHints) {
       const float start = ImGui::GetCursorPosX();
-      ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.accent));
+      ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().accent));
       ImGui::TextUnformatted(hint.key);
       ImGui::PopStyleColor();
       ImGui::SameLine(start + std::floor(58 * ui.scale));
-      ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.dim));
+      ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
       ImGui::TextUnformatted(hint.text);
       ImGui::PopStyleColor();
     }

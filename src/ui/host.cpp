@@ -10,10 +10,12 @@
 
 #include "ui/actions.h"
 #include "ui/command_palette.h"
+#include "ui/dialogs.h"
 #include "ui/fly_keys.h"
 #include "ui/hints.h"
 #include "ui/imgui_input.h"
 #include "ui/imgui_renderer.h"
+#include "ui/key_map.h"
 #include "ui/lab_cache.h"
 #include "ui/layout.h"
 #include "ui/legend.h"
@@ -23,8 +25,6 @@
 
 namespace coaster::ui {
 namespace {
-
-constexpr const char* kUnsavedNotice = "There are unsaved changes: save them (Ctrl+S), or quit once more to lose them.";
 
 bool text_has_keyboard() {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
@@ -56,18 +56,11 @@ void draw_foot(const ViewportTool& tool, const edit::Session& session, const vie
   const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f), std::floor(empty ? scene.y + scene.height * 0.62f : scene.y + scene.height - 5.6f * size.y));
   const ImVec2 pad(size.y * 0.9f, size.y * 0.5f);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y}, packed(kDark.background, 0.78f), size.y);
-  list.AddText(at, packed(kDark.text), hint.c_str());
+  list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y}, packed(palette().background, 0.78f), size.y);
+  list.AddText(at, packed(palette().text), hint.c_str());
 }
 
 }  // namespace
-
-void request_quit(Ui& ui) {
-  if (!edit::dirty(ui.session()) || ui.toasts.shown == kUnsavedNotice)
-    ui.out.quit = true;
-  else
-    ui.toasts.show(edit::NoticeKind::warning, kUnsavedNotice, ui.state.seconds);
-}
 
 struct Host::Parts {
   const gfx::Gl& gl;
@@ -76,12 +69,15 @@ struct Host::Parts {
   std::unique_ptr<ImGuiRenderer> renderer;
   ImGuiInput input;
   float loaded_scale = 0;  // of the fonts
+  world::Theme theme = world::Theme::dark;
   WidgetList list;
   Entry entry;
   Gesture gesture;
   Rest rest;
   Toasts toasts;
   LabCache lab;
+  Dialogs dialogs;
+  KeyMap keys;
   std::string file;               // in the field Track/File
   std::filesystem::path file_of;  // the session's path it was taken from
   ViewportTool tool;
@@ -92,13 +88,16 @@ struct Host::Parts {
   view::Pick hovered;
   bool frame_next = false;        // show the whole track once the one asked for is there
 
-  explicit Parts(const gfx::Gl& table) : gl(table) {}
+  explicit Parts(const gfx::Gl& table) : gl(table) {
+    std::vector<std::string> none;
+    keys = KeyMap::make({}, none);
+  }
   ~Parts() {
     renderer.reset();
     if (context != nullptr) ImGui::DestroyContext(context);
   }
 
-  void rescale(float scale);
+  void restyle(world::Theme wanted, float scale);
   void follow_session(const State& state);
   void settle_gesture(Ui& ui);
   void take_files(Ui& ui, const platform::Events& events);
@@ -106,10 +105,12 @@ struct Host::Parts {
   void lay_out(Ui& ui, const platform::Events& events, int width, int height);
 };
 
-void Host::Parts::rescale(float scale) {
+void Host::Parts::restyle(world::Theme wanted, float scale) {
+  if (scale == loaded_scale && wanted == theme) return;
+  theme = wanted;
+  apply_theme(palette_of(theme), scale);
   if (scale == loaded_scale) return;
   loaded_scale = scale;
-  apply_theme(kDark, scale);
   load_fonts(scale);
   renderer->upload_fonts();
 }
@@ -138,8 +139,8 @@ void Host::Parts::settle_gesture(Ui& ui) {
 
 void Host::Parts::take_files(Ui& ui, const platform::Events& events) {
   for (const platform::Event& event : events) {
-    if (const auto* drop = std::get_if<platform::Drop>(&event)) ui.emit(edit::Load{drop->path});
-    if (std::holds_alternative<platform::CloseRequest>(event)) request_quit(ui);
+    if (const auto* drop = std::get_if<platform::Drop>(&event)) dialogs.request(ui, {Want::Kind::load, drop->path});
+    if (std::holds_alternative<platform::CloseRequest>(event)) dialogs.request(ui, {Want::Kind::quit, {}});
   }
 }
 
@@ -155,10 +156,11 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   view = ui.out.view = make_view(ui.state, layout.scene);
   if (std::exchange(frame_next, false)) ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
 
+  const bool typing = text_has_keyboard(), asking = dialogs.open();
   take_files(ui, events);
   Act act{ui, tool, layout.scene, hovered, palette};
-  if (!text_has_keyboard()) tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, events);
-  fly_keys.fly(ui, events, text_has_keyboard());
+  if (!typing && !asking) tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, events);
+  fly_keys.fly(ui, events, typing || dialogs.open());
   if (session.settings.show_panels) {
     build_menu(act);
     build_column(ui, Column::left, layout.left);
@@ -168,6 +170,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   }
   draw_hints(ui, layout.scene);
   build_palette(act, palette);
+  dialogs.build(ui, events, typing, static_cast<float>(width), static_cast<float>(height));
   settle_gesture(ui);
   hovered = tool.update(ui, view);
   draw_foot(tool, session, layout.scene);
@@ -206,13 +209,13 @@ Output Host::build(const platform::Events& events, const State& state, int width
   Parts& p = *parts_;
   ImGui::SetCurrentContext(p.context);
   const float scale = fitted_scale(width, height, state.session.settings.ui_scale, p.content_scale);
-  p.rescale(scale);
+  p.restyle(state.session.settings.theme, scale);
   p.follow_session(state);
   p.input.feed(events, width, height, text_has_keyboard());
   ImGui::NewFrame();
   Output out;
   p.list.clear();
-  Ui ui{state, out, p.list, p.entry, p.gesture, p.rest, p.toasts, p.lab, p.file, p.radius, p.gl.renderer, scale, {}};
+  Ui ui{state, out, p.list, p.entry, p.gesture, p.rest, p.toasts, p.lab, p.file, p.radius, p.dialogs, p.keys, p.gl.renderer, scale, {}};
   p.lay_out(ui, events, width, height);
   p.count_rest();
   ImGui::Render();
@@ -226,6 +229,21 @@ void Host::draw(int width, int height) {
   ImGui::SetCurrentContext(parts_->context);
   const ImDrawData* data = ImGui::GetDrawData();
   if (data != nullptr) parts_->renderer->draw(*data, width, height);
+}
+
+std::vector<std::string> Host::set_keys(std::span<const exchange::KeyChoice> choices) {
+  std::vector<std::string> problems;
+  parts_->keys = KeyMap::make(choices, problems);
+  return problems;
+}
+
+// ImGui keeps which headers are open and how far columns are scrolled with each window.
+void Host::reset_layout() {
+  ImGui::SetCurrentContext(parts_->context);
+  for (ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows) {
+    window->StateStorage.Clear();
+    window->Scroll = {0, 0};
+  }
 }
 
 const std::vector<Widget>& Host::widgets() const { return parts_->list.widgets(); }

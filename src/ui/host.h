@@ -4,10 +4,12 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "edit/commands.h"
+#include "exchange/settings_file.h"
 #include "gfx/gl.h"
 #include "platform/events.h"
 #include "query/query.h"
@@ -27,6 +29,26 @@ struct Widget {
   std::string value;            // shown value or "on"/"off"
 };
 
+// An autosave that another run left, offered for recovery.
+struct RecoveryOffer {
+  std::string original, name;       // the file (empty: none) and the track's name
+  std::int64_t file_time = 0, time = 0;  // of the file's last change (0: it is not there) and of the autosave, s since 1970
+};
+
+// The desktop's own file dialog, in a process of its own.
+struct SystemDialog {
+  bool available = false, running = false;
+  std::optional<std::string> answer;  // in the frame after it has ended: the file, "" when it was cancelled
+};
+
+// What is kept for the user from run to run, and about files; app fills it in. Without it nothing is kept, and nothing offered.
+struct UserState {
+  exchange::UserSettings settings;
+  std::vector<RecoveryOffer> recoveries;  // the first is asked about
+  std::string holder;                     // who else edits the document's file; empty: nobody
+  SystemDialog system;
+};
+
 // What panels read.
 struct State {
   const edit::Session& session;
@@ -34,6 +56,13 @@ struct State {
   double seconds;               // since start, for fading notices and the cursor's blink
   bool scripted;                // times and fps read "--"
   const view::CameraRig* rig = nullptr;  // what pictures are taken with; null: settled at the state
+  const UserState* kept = nullptr;
+};
+
+enum class Recovery { recover, discard, later };  // later: asked again at the next start
+struct SystemDialogRequest {
+  bool save = false;
+  std::string folder, name;
 };
 
 // What a frame of the UI decides.
@@ -43,6 +72,10 @@ struct Output {
   view::Pick hovered;
   bool quit = false;
   bool wants_screenshot = false;
+  std::optional<exchange::UserSettings> settings;     // to keep instead of the present ones
+  std::optional<Recovery> recovery;                   // the answer about the first offer
+  std::optional<std::string> new_folder;              // to make
+  std::optional<SystemDialogRequest> system_dialog;   // to open
 };
 
 class Host {
@@ -56,6 +89,11 @@ class Host {
   Output build(const platform::Events& events, const State& state, int width, int height);
   // Draws what build() laid out into the bound framebuffer of that size.
   void draw(int width, int height);
+
+  // Keys in place of the table's; returns what could not be done, a line each.
+  std::vector<std::string> set_keys(std::span<const exchange::KeyChoice> choices);
+  // Columns, headers and the laboratory's strip as at the first start.
+  void reset_layout();
 
   const std::vector<Widget>& widgets() const;       // of the last build
   const view::View& view() const;                   // of the last build

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/key_map.h"
 #include "ui/row.h"
 #include "ui/theme.h"
 #include "world/topology.h"
@@ -44,7 +45,7 @@ std::optional<Probe> need_probe(Ui& ui) {
   const auto probe = probe_of(ui.session());
   if (!probe) {
     const std::string_view words = "Place two knots to have a segment: click on the ground.";
-    ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.dim));
+    ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
     ImGui::TextWrapped("%s", std::string(words).c_str());
     ImGui::PopStyleColor();
     note_item(ui, "No segment", "label", "", true, std::string(words));
@@ -102,9 +103,9 @@ void colour_value(Ui& ui, std::uint32_t rgb, std::string_view path, std::string_
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(), mark = std::floor(10 * ui.scale);
   const float y = std::floor(at.y + line * 0.5f);
-  list.AddRectFilled({at.x, y - 1.5f * ui.scale}, {at.x + mark, y + 1.5f * ui.scale}, packed(rgb));
-  list.AddText({at.x + mark + std::floor(6 * ui.scale), at.y}, packed(kDark.dim), shown.data(), shown.data() + shown.size());
-  list.AddText({std::floor(at.x + room - text_size(value).x), at.y}, packed(kDark.text), value.data(), value.data() + value.size());
+  list.AddRectFilled({at.x, y - 1.5f * ui.scale}, {at.x + mark, y + 1.5f * ui.scale}, packed(ink(rgb)));
+  list.AddText({at.x + mark + std::floor(6 * ui.scale), at.y}, packed(palette().dim), shown.data(), shown.data() + shown.size());
+  list.AddText({std::floor(at.x + room - text_size(value).x), at.y}, packed(palette().text), value.data(), value.data() + value.size());
   ImGui::Dummy({room, line});
   note_item(ui, path, "label", tooltip, true, std::string(value));
   ImGui::PopFont();
@@ -114,7 +115,7 @@ void colouring_box(Ui& ui) {
   std::vector<Choice> choices;
   for (const world::ColouringRow& row : world::colourings()) choices.push_back({std::string(row.label), std::string(row.help)});
   const int current = static_cast<int>(ui.session().settings.colouring);
-  if (const auto to = combo(ui, "Colour by", choices, current, "What the track's colours mean; a legend shows in the view. Key K goes on to the next."))
+  if (const auto to = combo(ui, "Colour by", choices, current, with_keys(ui.keys, "What the track's colours mean; a legend shows in the view.", "Next track colours")))
     ui.emit(edit::SetColouring{static_cast<world::Colouring>(*to)});
 }
 
@@ -139,7 +140,7 @@ void triple_heading(Ui& ui, std::string_view unit) {
   const float room = ImGui::GetContentRegionAvail().x;
   for (int i = 0; i < 3; ++i) {
     const std::string words = std::string(1, "xyz"[i]) + (unit.empty() ? "" : " (" + std::string(unit) + ")");
-    ImGui::GetWindowDrawList()->AddText({std::floor(column_edge(at, room, triple_label(ui), i) - text_size(words).x), at.y}, packed(kDark.dim), words.c_str());
+    ImGui::GetWindowDrawList()->AddText({std::floor(column_edge(at, room, triple_label(ui), i) - text_size(words).x), at.y}, packed(palette().dim), words.c_str());
   }
   ImGui::Dummy({room, ImGui::GetTextLineHeight()});
   ImGui::PopFont();
@@ -151,12 +152,12 @@ void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight();
-  list.AddText(at, packed(rgb), shown.data(), shown.data() + shown.size());
+  list.AddText(at, packed(ink(rgb)), shown.data(), shown.data() + shown.size());
   std::string words;
   for (int i = 0; i < 3; ++i) {
     const std::string digits = fixed(value[i], decimals);
     words += (i > 0 ? " " : "") + digits;
-    list.AddText({std::floor(column_edge(at, room, triple_label(ui), i) - text_size(digits).x), at.y}, packed(kDark.text), digits.c_str());
+    list.AddText({std::floor(column_edge(at, room, triple_label(ui), i) - text_size(digits).x), at.y}, packed(palette().text), digits.c_str());
   }
   if (!unit.empty()) words += " " + std::string(unit);
   ImGui::Dummy({room, line});
@@ -166,7 +167,7 @@ void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t
 
 void small_note(Ui& ui, std::string_view words) {
   ImGui::PushFont(small_font());
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.dim));
+  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(words.data(), words.data() + words.size());
   ImGui::PopTextWrapPos();
@@ -179,7 +180,7 @@ void colour_key(Ui& ui, std::uint32_t rgb, std::string_view label, std::string_v
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight(), mark = std::floor(10 * ui.scale);
   const float y = std::floor(at.y + line * 0.5f);
-  ImGui::GetWindowDrawList()->AddRectFilled({at.x, y - mark * 0.3f}, {at.x + mark * 1.6f, y + mark * 0.3f}, packed(rgb), 2);
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, y - mark * 0.3f}, {at.x + mark * 1.6f, y + mark * 0.3f}, packed(ink(rgb)), 2);
   ImGui::Dummy({mark * 1.6f, line});
   ImGui::SameLine(0, std::floor(6 * ui.scale));
   ImGui::TextUnformatted(label.data(), label.data() + label.size());

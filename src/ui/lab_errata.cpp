@@ -31,15 +31,15 @@ void claim_row(Ui& ui, const sim::Erratum& e) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::TextWrapped("%s", std::string(e.claim).c_str());
   ImGui::TableSetColumnIndex(1);
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.error));
+  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().error));
   ImGui::TextUnformatted(wrong.c_str());
   ImGui::PopStyleColor();
   ImGui::TableSetColumnIndex(2);
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.good));
+  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().good));
   ImGui::TextUnformatted(right.c_str());
   ImGui::PopStyleColor();
   ImGui::TableSetColumnIndex(3);
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.dim));
+  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
   ImGui::TextWrapped("%s", std::string(e.explanation).c_str());
   ImGui::PopStyleColor();
   ImGui::TableSetColumnIndex(0);
@@ -57,8 +57,8 @@ void errata_page(Ui& ui) {
                                        [&] { return sim::errata(ui.session().derived, probe->segment, speed, settings.steps); });
   ImGui::PushFont(small_font());
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(std::floor(6 * ui.scale), std::floor(2 * ui.scale)));
-  ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, colour(kDark.raised));
-  ImGui::PushStyleColor(ImGuiCol_TableRowBgAlt, colour(kDark.raised, 0.35f));
+  ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, colour(palette().raised));
+  ImGui::PushStyleColor(ImGuiCol_TableRowBgAlt, colour(palette().raised, 0.35f));
   if (ImGui::BeginTable("##errata", 4, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX)) {
     const std::string segment = "On " + world::to_text(probe->name);
     const std::pair<const char*, float> columns[] = {{"The paper says", 2.2f}, {"By the paper", 0.9f}, {"In truth", 0.9f}, {"Why", 3.2f}};

@@ -59,8 +59,8 @@ void progress_bar(Ui& ui, double part) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const ImVec2 high(low.x + ImGui::GetContentRegionAvail().x, low.y + std::floor(6 * ui.scale));
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(low, high, packed(kDark.field), 3);
-  if (part > 0) list.AddRectFilled(low, {low.x + (high.x - low.x) * static_cast<float>(part), high.y}, packed(kDark.accent), 3);
+  list.AddRectFilled(low, high, packed(palette().field), 3);
+  if (part > 0) list.AddRectFilled(low, {low.x + (high.x - low.x) * static_cast<float>(part), high.y}, packed(palette().accent), 3);
   ImGui::Dummy({high.x - low.x, high.y - low.y});
   note_item(ui, "Progress", "label", "How much of the table is measured.", true, fixed(part * 100, 0) + " %");
 }

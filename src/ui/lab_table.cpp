@@ -20,11 +20,11 @@ void draw_cell(const Ui& ui, const Cell& cell) {
   float left = at.x;
   if (cell.swatch != 0) {
     const float mark = std::floor(8 * ui.scale), y = std::floor(at.y + (size.y - mark) * 0.5f);
-    list.AddRectFilled({left, y}, {left + mark, y + mark}, packed(cell.swatch), 2);
+    list.AddRectFilled({left, y}, {left + mark, y + mark}, packed(ink(cell.swatch)), 2);
     left += mark + std::floor(5 * ui.scale);
   }
   const float x = cell.left ? left : std::max(left, at.x + room - size.x);
-  list.AddText({std::floor(x), at.y}, packed(cell.colour), cell.text.c_str());
+  list.AddText({std::floor(x), at.y}, packed(ink(cell.colour)), cell.text.c_str());
 }
 
 }  // namespace
@@ -32,8 +32,8 @@ void draw_cell(const Ui& ui, const Cell& cell) {
 bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> columns, float height) {
   ImGui::PushFont(small_font());
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(std::floor(6 * ui.scale), std::floor(1.5f * ui.scale)));
-  ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, colour(kDark.raised));
-  ImGui::PushStyleColor(ImGuiCol_TableRowBgAlt, colour(kDark.raised, 0.35f));
+  ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, colour(palette().raised));
+  ImGui::PushStyleColor(ImGuiCol_TableRowBgAlt, colour(palette().raised, 0.35f));
   const bool open = ImGui::BeginTable(hidden(label).c_str(), static_cast<int>(columns.size()),
                                       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX, {0, height});
   if (!open) {
@@ -51,7 +51,7 @@ bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> co
     const std::string words = std::string(column.title) + (column.unit.empty() ? "" : " (" + std::string(column.unit) + ")");
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;
-    draw_cell(ui, {words, kDark.dim, i == 0});
+    draw_cell(ui, {words, palette().dim, i == 0});
     ImGui::Dummy({room, ImGui::GetTextLineHeight()});
     note(ui, std::string(label) + "/" + std::string(column.title), "label", column.tooltip, true, words, at, {at.x + room, at.y + ImGui::GetTextLineHeight()});
   }
@@ -65,7 +65,7 @@ bool table_row(Ui& ui, std::string_view label, std::span<const Cell> cells, bool
     if (!ImGui::TableSetColumnIndex(static_cast<int>(i)) && i > 0) continue;
     if (i == 0) {
       const ImVec2 at = ImGui::GetCursorPos();
-      ImGui::PushStyleColor(ImGuiCol_Header, colour(kDark.accent, 0.35f));
+      ImGui::PushStyleColor(ImGuiCol_Header, colour(palette().accent, 0.35f));
       clicked = ImGui::Selectable(hidden(label).c_str(), selected, ImGuiSelectableFlags_SpanAllColumns);
       ImGui::PopStyleColor();
       // The row is found by its first cell: that is inside the clip rectangle of the column.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "ui/key_map.h"
 #include "ui/lab_cache.h"
 #include "ui/panels.h"
 #include "ui/row.h"
@@ -15,7 +16,7 @@ namespace coaster::ui {
 namespace {
 
 constexpr const char* kTooltip =
-    "The laboratory: how the curve is constructed, evaluated, measured, framed and joined, live on the selected segment. Key L opens and folds it.";
+    "The laboratory: how the curve is constructed, evaluated, measured, framed and joined, live on the selected segment.";
 
 bool is_open(const Ui& ui) { return ui.session().settings.show_laboratory; }
 int chosen_page(const Ui& ui) { return static_cast<int>(ui.session().settings.lab_page); }
@@ -34,8 +35,8 @@ void draw_triangle(const Ui& ui, ImVec2 low, float size, bool open) {
   const ImVec2 c(std::floor(low.x + size * 0.5f), std::floor(low.y + size * 0.5f));
   const float r = std::floor(4 * ui.scale);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (open) list.AddTriangleFilled({c.x - r, c.y - r * 0.5f}, {c.x + r, c.y - r * 0.5f}, {c.x, c.y + r * 0.7f}, packed(kDark.text));
-  else list.AddTriangleFilled({c.x - r, c.y + r * 0.5f}, {c.x, c.y - r * 0.7f}, {c.x + r, c.y + r * 0.5f}, packed(kDark.text));
+  if (open) list.AddTriangleFilled({c.x - r, c.y - r * 0.5f}, {c.x + r, c.y - r * 0.5f}, {c.x, c.y + r * 0.7f}, packed(palette().text));
+  else list.AddTriangleFilled({c.x - r, c.y + r * 0.5f}, {c.x, c.y - r * 0.7f}, {c.x + r, c.y + r * 0.5f}, packed(palette().text));
 }
 
 // The fold button, with the strip's name where there is room for it.
@@ -45,11 +46,11 @@ void fold_button(Ui& ui, float bar, bool named, ImFont* font) {
   const float text = named ? text_size("Laboratory").x + std::floor(8 * ui.scale) : 0;
   const float width = bar + text;
   const bool pressed = ImGui::InvisibleButton("##fold", {width, bar});
-  if (ImGui::IsItemHovered()) ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + bar}, packed(kDark.field));
+  if (ImGui::IsItemHovered()) ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + bar}, packed(palette().field));
   draw_triangle(ui, low, bar, is_open(ui));
-  if (named) ImGui::GetWindowDrawList()->AddText({low.x + bar, std::floor(low.y + (bar - ImGui::GetTextLineHeight()) * 0.5f)}, packed(kDark.text), "Laboratory");
+  if (named) ImGui::GetWindowDrawList()->AddText({low.x + bar, std::floor(low.y + (bar - ImGui::GetTextLineHeight()) * 0.5f)}, packed(palette().text), "Laboratory");
   ImGui::PopFont();
-  note(ui, "", "header", kTooltip, true, is_open(ui) ? "open" : "closed", low, {low.x + width, low.y + bar});
+  note(ui, "", "header", with_keys(ui.keys, kTooltip, "Laboratory"), true, is_open(ui) ? "open" : "closed", low, {low.x + width, low.y + bar});
   if (pressed) show(ui, !is_open(ui));
 }
 
@@ -60,9 +61,9 @@ void tab(Ui& ui, const Panel& page, int index, float bar, float pad, ImFont* fon
   const bool on = is_open(ui) && chosen_page(ui) == index;
   const bool pressed = ImGui::InvisibleButton(page.name.data(), {high.x - low.x, bar});
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (ImGui::IsItemHovered() || on) list.AddRectFilled(low, high, packed(kDark.field, on ? 1.0f : 0.7f));
-  if (on) list.AddRectFilled(low, {high.x, low.y + std::max(2.0f, std::floor(2 * ui.scale))}, packed(kDark.accent));
-  list.AddText({std::floor(low.x + pad), std::floor(low.y + (bar - size.y) * 0.5f)}, packed(on ? kDark.text : kDark.dim), page.name.data(), page.name.data() + page.name.size());
+  if (ImGui::IsItemHovered() || on) list.AddRectFilled(low, high, packed(palette().field, on ? 1.0f : 0.7f));
+  if (on) list.AddRectFilled(low, {high.x, low.y + std::max(2.0f, std::floor(2 * ui.scale))}, packed(palette().accent));
+  list.AddText({std::floor(low.x + pad), std::floor(low.y + (bar - size.y) * 0.5f)}, packed(on ? palette().text : palette().dim), page.name.data(), page.name.data() + page.name.size());
   ImGui::PopFont();
   note(ui, page.name, "radio", page.help, true, on ? "on" : "off", low, high);
   if (!pressed || on) return;
@@ -122,7 +123,7 @@ void build_laboratory(Ui& ui, const view::Viewport& area) {
   const std::vector<const Panel*> all = pages();
   ui.panel = "Laboratory";
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(kDark.raised));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
   ImGui::SetNextWindowPos({area.x, area.y});
   ImGui::SetNextWindowSize({area.width, bar});
   if (ImGui::Begin("##laboratory", nullptr, kFixed)) build_bar(ui, all, area.width, bar);

@@ -66,7 +66,7 @@ void outcome(Ui& ui, const sim::ElementPlan& plan) {
   read_query(ui, "Fit error", "element.error", {}, "The largest distance between the ideal curve and the spans.", {.decimals = 1, .unit = "mm", .factor = 1000});
   if (plan.lowest < 0) read_out(ui, "In the ground", fixed(-plan.lowest, 1), "m", "It goes below the ground: the red part.");
   for (const std::string& line : plan.lines) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.warning));
+    ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().warning));
     ImGui::TextWrapped("%s", line.c_str());
     ImGui::PopStyleColor();
   }
@@ -84,7 +84,7 @@ void elements_panel(Ui& ui) {
   if (possible) {
     outcome(ui, plan);
   } else {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.warning));
+    ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().warning));
     ImGui::TextWrapped("%s", plan.refusal.c_str());
     ImGui::PopStyleColor();
   }

@@ -32,16 +32,16 @@ void history_panel(Ui& ui) {
   read_out(ui, "Memory", fixed(megabytes, 2), "MiB", "Of the steps back. Beyond 256 MiB the oldest are forgotten.");
   const std::size_t undo = history.undo.size(), redo = history.redo.size();
   const std::size_t first = undo > kMostShown ? undo - kMostShown : 0;
-  if (first == 0 && undo > 0 && step_row(ui, "Start", "Start", kDark.dim, "Undo everything.")) repeat(ui, true, undo);
+  if (first == 0 && undo > 0 && step_row(ui, "Start", "Start", palette().dim, "Undo everything.")) repeat(ui, true, undo);
   for (std::size_t i = first; i < undo; ++i) {
     const bool now = i + 1 == undo;
     const std::string number = std::to_string(i + 1);
-    if (step_row(ui, number + "  " + history.undo[i].label, number, now ? kDark.accent : kDark.text, now ? "The newest step." : "Go back to after this step.")) repeat(ui, true, undo - 1 - i);
+    if (step_row(ui, number + "  " + history.undo[i].label, number, now ? palette().accent : palette().text, now ? "The newest step." : "Go back to after this step.")) repeat(ui, true, undo - 1 - i);
   }
   // The redo stack has the next step last.
   for (std::size_t k = 0; k < std::min(redo, kMostShown); ++k) {
     const std::string number = std::to_string(undo + k + 1);
-    if (step_row(ui, number + "  " + history.redo[redo - 1 - k].label, number, kDark.dim, "Go on to after this step.")) repeat(ui, false, k + 1);
+    if (step_row(ui, number + "  " + history.redo[redo - 1 - k].label, number, palette().dim, "Go on to after this step.")) repeat(ui, false, k + 1);
   }
 }
 

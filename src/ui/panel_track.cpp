@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "sim/equipment.h"
+#include "ui/dialogs.h"
+#include "ui/key_map.h"
 #include "ui/lab.h"
 #include "ui/panels.h"
 #include "ui/row.h"
@@ -69,16 +71,16 @@ void building(Ui& ui) {
   if (const auto to = checkbox(ui, "Closed", closed, "Join the last knot to the first (a circuit), or open the track there.", closed || knots >= 2))
     ui.emit(edit::SetClosed{*to});
   if (const auto on = checkbox(ui, "Append points", session.settings.append_mode,
-                               "A click on the ground appends a knot to an open track. Key A; Escape leaves it."))
+                               with_keys(ui.keys, "A click on the ground appends a knot to an open track; Escape leaves it.", "Append points")))
     ui.emit(edit::SetAppendMode{*on});
 
   const float width = pair_width();
-  if (button(ui, "Add curve", "Split the longest segment at half its length, keeping the shape. Key C.", true, width)) ui.emit(edit::AddCurve{});
+  if (button(ui, "Add curve", with_keys(ui.keys, "Split the longest segment at half its length, keeping the shape.", "Add curve"), true, width)) ui.emit(edit::AddCurve{});
   beside(width);
-  if (button(ui, "Insert point", "Insert a knot at the picked place of the selected segment, keeping the shape (de Casteljau). Key I, or double-click the curve.",
+  if (button(ui, "Insert point", with_keys(ui.keys, "Insert a knot at the picked place of the selected segment, keeping the shape (de Casteljau), as a double click on the curve does.", "Insert point"),
              on_segment, width))
     ui.emit(edit::SplitSegment{{*selected}, session.settings.selected_t});
-  if (button(ui, "Delete", "Remove the selected knot or cart. Key Delete or X.", removable, width)) ui.emit(edit::RemoveKnot{{*selected}});
+  if (button(ui, "Delete", with_keys(ui.keys, "Remove the selected knot or cart.", "Delete"), removable, width)) ui.emit(edit::RemoveKnot{{*selected}});
   beside(width);
   const auto& segments = session.document.track.segments;
   if (button(ui, "Add cart", "Add a cart at the start of the selected segment, or of the track, or at the next place after it that is free.", !segments.empty(), width)) {
@@ -95,13 +97,13 @@ void start(Ui& ui) {
 }
 
 void file(Ui& ui) {
-  if (auto path = text(ui, "File", ui.file, std::string("Path of a track file, to open or to save to. The ending tells the format: .json holds everything.\n") + ui.file)) ui.file = std::move(*path);
+  if (auto path = text(ui, "File", ui.file, std::string("The track's file. Another path typed here is opened.\n") + ui.file)) ui.dialogs.request(ui, {Want::Kind::load, std::move(*path)});
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-  if (button(ui, "New", "Start an empty track.", true, width)) ui.emit(edit::NewTrack{});
+  if (button(ui, "New", with_keys(ui.keys, "Start an empty track.", "New"), true, width)) ui.dialogs.request(ui, {Want::Kind::fresh, {}});
   ImGui::SameLine();
-  if (button(ui, "Open", "Open the file named above.", !ui.file.empty(), width)) ui.emit(edit::Load{ui.file});
+  if (button(ui, "Open", with_keys(ui.keys, "Choose a track file to open.", "Open"), true, width)) ui.dialogs.request(ui, {Want::Kind::browse, {}});
   ImGui::SameLine();
-  if (button(ui, "Save", "Save the track to the file named above. Ctrl+S.", !ui.file.empty(), width)) ui.emit(edit::Save{ui.file});
+  if (button(ui, "Save", with_keys(ui.keys, "Save the track to its file.", "Save"), true, width)) ui.dialogs.save(ui);
 }
 
 }  // namespace

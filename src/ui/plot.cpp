@@ -112,14 +112,14 @@ double snapped(const PlotArea& area, float mouse_x) {
 void draw_cursor(ImDrawList& list, const PlotArea& area, double x, bool hot) {
   const float at = std::floor(area.at(x, area.y.high).x) + 0.5f;
   if (!(at >= area.low.x - 1 && at <= area.high.x + 1)) return;
-  list.AddLine({at, area.low.y}, {at, area.high.y}, packed(kDark.accent, hot ? 1.0f : 0.85f), std::max(1.0f, std::floor(1.5f * area.scale)));
+  list.AddLine({at, area.low.y}, {at, area.high.y}, packed(palette().accent, hot ? 1.0f : 0.85f), std::max(1.0f, std::floor(1.5f * area.scale)));
   const float grip = std::floor(4.5f * area.scale);  // a handle to hold it by
-  list.AddTriangleFilled({at - grip, area.low.y - 1}, {at + grip, area.low.y - 1}, {at, area.low.y + grip * 1.4f}, packed(kDark.accent));
+  list.AddTriangleFilled({at - grip, area.low.y - 1}, {at + grip, area.low.y - 1}, {at, area.low.y + grip * 1.4f}, packed(palette().accent));
 }
 
 void draw_empty(ImDrawList& list, const PlotArea& area, std::string_view words) {
   const ImVec2 size = small_size(area, words);
-  small_text(list, area, {(area.low.x + area.high.x - size.x) / 2, (area.low.y + area.high.y - size.y) / 2}, kDark.dim, words);
+  small_text(list, area, {(area.low.x + area.high.x - size.x) / 2, (area.low.y + area.high.y - size.y) / 2}, palette().dim, words);
 }
 
 void draw_all(ImDrawList& list, const PlotArea& area, const Plot& p, ImVec2 outer_low, bool any) {

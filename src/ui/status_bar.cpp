@@ -42,7 +42,7 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
   ImGui::SetNextWindowPos({area.x, area.y});
   ImGui::SetNextWindowSize({area.width, area.height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(kDark.raised));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
   constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                       ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
   if (ImGui::Begin("##status", nullptr, kFixed)) {
@@ -57,7 +57,7 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
       note(ui, label, "label", kind_tooltip, true, std::move(value), {from, area.y}, {to, area.y + area.height});
     };
     const std::string mark = unsaved ? "\u25CF unsaved" : "saved";
-    draw(mark, unsaved ? kDark.warning : kDark.dim, x);
+    draw(mark, unsaved ? palette().warning : palette().dim, x);
     const float mark_end = x + std::max(text_size(mark).x, text_size("\u25CF unsaved").x);
     place("Unsaved", "Whether the track differs from its file.", unsaved ? "on" : "off", x, mark_end);
     x = mark_end + between;
@@ -65,8 +65,8 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
       const float value_width = std::max(text_size(part.value).x, std::floor(part.cell * ui.scale));
       const float end = x + text_size(part.label).x + gap + value_width;
       if (end > right) break;
-      draw(part.label, kDark.dim, x);
-      draw(part.value, kDark.text, end - text_size(part.value).x);
+      draw(part.label, palette().dim, x);
+      draw(part.value, palette().text, end - text_size(part.value).x);
       place(part.label, part.tooltip, part.value, x, end);
       x = end + between;
     }
@@ -74,7 +74,7 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
     const auto& notices = ui.session().notices;
     if (!notices.empty() && right - x > 60 * ui.scale) {
       const edit::Notice& last = notices.back();
-      const std::uint32_t tint = last.kind == edit::NoticeKind::error ? kDark.error : last.kind == edit::NoticeKind::warning ? kDark.warning : kDark.dim;
+      const std::uint32_t tint = last.kind == edit::NoticeKind::error ? palette().error : last.kind == edit::NoticeKind::warning ? palette().warning : palette().dim;
       std::string words = last.text;
       const float room = right - x;
       if (text_size(words).x > room) {

@@ -5,6 +5,8 @@
 
 #include <imgui.h>
 
+#include "world/settings.h"
+
 namespace coaster::ui {
 
 // Colours as 0xRRGGBB.
@@ -13,8 +15,16 @@ struct Palette {
   std::uint32_t text = 0xE6E9EF, dim = 0x9AA3B2;
   std::uint32_t accent = 0x4C9AFF, warning = 0xF2B84B, error = 0xE5534B, good = 0x4FB477;
   std::uint32_t axis[3] = {0xE5534B, 0x4FB477, 0x4C9AFF};
+  std::uint32_t plot = 0x171B22;  // ground of plots
+  bool light = false;             // dark on light
 };
 inline constexpr Palette kDark{};
+const Palette& palette_of(world::Theme theme);
+// Of the current ImGui context, after apply_theme().
+const Palette& palette();
+
+// A colour of data, which is chosen for dark grounds, as it can be told from the ground and read in the current theme: the same hue.
+std::uint32_t ink(std::uint32_t rgb);
 
 ImVec4 colour(std::uint32_t rgb, float alpha = 1.0f);
 ImU32 packed(std::uint32_t rgb, float alpha = 1.0f);
@@ -22,9 +32,8 @@ ImU32 packed(std::uint32_t rgb, float alpha = 1.0f);
 inline constexpr float kFontPixels = 17.0f;  // line height at scale 1: Inter's em is then 14 px
 
 inline constexpr float kSmallFontPixels = 14.0f;       // ticks and read-outs of plots, notes
-inline constexpr std::uint32_t kPlotBackground = 0x171B22;
 
-// Colours and sizes of the current ImGui context for `scale`.
+// Colours and sizes of the current ImGui context for `scale`; the palette must outlive it.
 void apply_theme(const Palette& palette, float scale);
 
 // Replaces the fonts of the current context by Inter (or the built-in font where Inter was not embedded) at `scale`. Digits all get the

@@ -14,11 +14,11 @@ double lifetime(edit::NoticeKind kind) { return kind == edit::NoticeKind::info ?
 
 std::uint32_t colour_of(edit::NoticeKind kind) {
   switch (kind) {
-    case edit::NoticeKind::info: return kDark.accent;
-    case edit::NoticeKind::warning: return kDark.warning;
-    case edit::NoticeKind::error: return kDark.error;
+    case edit::NoticeKind::info: return palette().accent;
+    case edit::NoticeKind::warning: return palette().warning;
+    case edit::NoticeKind::error: return palette().error;
   }
-  return kDark.accent;
+  return palette().accent;
 }
 
 }  // namespace
@@ -49,10 +49,10 @@ void Toasts::draw(const view::Viewport& viewport, float scale, double seconds, b
   const ImVec2 low(std::floor(viewport.x + (viewport.width - width) * 0.5f), std::floor(viewport.y + viewport.height - height - margin));
   const ImVec2 high(low.x + width, low.y + height);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddRectFilled(low, high, packed(kDark.raised, 0.96f * alpha), 4 * scale);
+  list.AddRectFilled(low, high, packed(palette().raised, 0.96f * alpha), 4 * scale);
   list.AddRectFilled(low, {low.x + bar, high.y}, packed(colour_of(kind), alpha), 4 * scale, ImDrawFlags_RoundCornersLeft);
-  list.AddRect(low, high, packed(kDark.border, alpha), 4 * scale);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + bar + pad, low.y + pad * 0.8f}, packed(kDark.text, alpha), shown.c_str(),
+  list.AddRect(low, high, packed(palette().border, alpha), 4 * scale);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + bar + pad, low.y + pad * 0.8f}, packed(palette().text, alpha), shown.c_str(),
                nullptr, room + 1);
 }
 

@@ -161,8 +161,8 @@ void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
     case What::box: {
       const glm::vec2 low = glm::min(drag_.start, mouse), high = glm::max(drag_.start, mouse);
       ImDrawList& list = *ImGui::GetBackgroundDrawList();
-      list.AddRectFilled({low.x, low.y}, {high.x, high.y}, packed(kDark.accent, 0.14f));
-      list.AddRect({low.x, low.y}, {high.x, high.y}, packed(kDark.accent, 0.9f), 0, 0, std::max(1.0f, ui.scale));
+      list.AddRectFilled({low.x, low.y}, {high.x, high.y}, packed(palette().accent, 0.14f));
+      list.AddRect({low.x, low.y}, {high.x, high.y}, packed(palette().accent, 0.9f), 0, 0, std::max(1.0f, ui.scale));
       break;
     }
     case What::place:

@@ -21,15 +21,14 @@ const ImGuiWindow* window_at(ImVec2 pixel) {
   return nullptr;
 }
 
-// Whether an open popup other than the window's own takes the mouse away from it; the menu bar keeps it.
+// Whether an open popup other than the window's own takes the mouse away from it; the menu bar keeps it, but for a modal one.
 bool behind_popup(const ImGuiWindow* window) {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
-  if ((window->Flags & ImGuiWindowFlags_MenuBar) != 0) return false;
   bool any = false;
   for (const ImGuiPopupData& popup : g.OpenPopupStack) {
     if (popup.Window == nullptr || !popup.Window->Active) continue;
     if (popup.Window == window->RootWindow) return false;
-    any = true;
+    any = any || (popup.Window->Flags & ImGuiWindowFlags_Modal) != 0 || (window->Flags & ImGuiWindowFlags_MenuBar) == 0;
   }
   return any;
 }

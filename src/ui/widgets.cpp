@@ -57,7 +57,7 @@ void begin_row(Ui&, std::string_view label, float needed) {
   const float label_room = std::floor(room * kLabelPart);
   const bool beside = text_size(label).x + ImGui::GetStyle().ItemInnerSpacing.x <= label_room && needed <= room - label_room;
   if (beside) ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.dim));
+  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
   ImGui::TextUnformatted(label.data(), label.data() + label.size());
   ImGui::PopStyleColor();
   if (beside) ImGui::SameLine(start + label_room);
@@ -73,7 +73,7 @@ bool header(Ui& ui, std::string_view name, std::string_view tooltip, bool at_fir
 }
 
 void heading(Ui& ui, std::string_view words, std::string_view tooltip) {
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(kDark.dim));
+  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
   ImGui::TextUnformatted(words.data(), words.data() + words.size());
   ImGui::PopStyleColor();
   note_item(ui, words, "label", tooltip, true);
@@ -130,7 +130,7 @@ std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice>
   std::optional<int> chosen;
   const bool open = ImGui::BeginCombo(hidden(label).c_str(), preview.c_str());
   if (open) {
-    ImGui::PushStyleColor(ImGuiCol_Header, colour(kDark.accent, 0.35f));
+    ImGui::PushStyleColor(ImGuiCol_Header, colour(palette().accent, 0.35f));
     for (std::size_t i = 0; i < choices.size(); ++i) {
       const bool on = static_cast<int>(i) == current;
       if (ImGui::Selectable(choices[i].label.c_str(), on) && !on) chosen = static_cast<int>(i);
@@ -152,19 +152,19 @@ void read_out(Ui& ui, std::string_view label, std::string_view value, std::strin
   const bool stacked = text_size(label).x + gap + value_width > room;
   const bool column = !stacked && text_size(label).x + gap + text_size(value).x + unit_room <= room;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddText(start, packed(kDark.dim), label.data(), label.data() + label.size());
+  list.AddText(start, packed(palette().dim), label.data(), label.data() + label.size());
   const float top = start.y + (stacked ? line : 0);
   const float right = start.x + room;
   const float edge = unit.empty() ? right : column ? right - unit_room : right - text_size(unit).x - gap;
   if (value_width > room) {  // too long for any line: wrapped below its label
     const ImVec2 block = ImGui::CalcTextSize(value.data(), value.data() + value.size(), false, room);
-    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {start.x, top}, packed(kDark.text), value.data(), value.data() + value.size(), room);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {start.x, top}, packed(palette().text), value.data(), value.data() + value.size(), room);
     ImGui::Dummy({room, line + block.y});
     note_item(ui, label, "label", tooltip, true, std::string(value));
     return;
   }
-  list.AddText({std::floor(edge - text_size(value).x), top}, packed(kDark.text), value.data(), value.data() + value.size());
-  if (!unit.empty()) list.AddText({std::floor(edge + gap), top}, packed(kDark.dim), unit.data(), unit.data() + unit.size());
+  list.AddText({std::floor(edge - text_size(value).x), top}, packed(palette().text), value.data(), value.data() + value.size());
+  if (!unit.empty()) list.AddText({std::floor(edge + gap), top}, packed(palette().dim), unit.data(), unit.data() + unit.size());
   ImGui::Dummy({room, stacked ? 2 * line : line});
   note_item(ui, label, "label", tooltip, true, std::string(value) + (unit.empty() ? "" : " " + std::string(unit)));
 }

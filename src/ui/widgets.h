@@ -50,6 +50,8 @@ struct Rest {
 
 struct Toasts;
 struct LabCache;
+class Dialogs;
+class KeyMap;
 
 // What a panel works with during one build.
 struct Ui {
@@ -63,6 +65,8 @@ struct Ui {
   LabCache& lab;
   std::string& file;           // the path in Track/File
   double& radius;              // the number in Shape/Radius, m
+  Dialogs& dialogs;
+  const KeyMap& keys;
   std::string_view renderer;   // GL_RENDERER
   float scale = 1;
   std::string panel;           // first part of the paths

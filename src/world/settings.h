@@ -68,6 +68,10 @@ struct Snapping {
   friend bool operator==(const Snapping&, const Snapping&) = default;
 };
 
+// Colours of panels and scene; by name in scripts and in the settings file.
+enum class Theme : std::uint8_t { dark, light, high_contrast };
+inline constexpr std::array<std::string_view, 3> kThemeNames{"dark", "light", "high_contrast"};
+
 struct Settings {
   curve::EvaluatorId evaluator = curve::kDefaultEvaluator;
   int steps = 64;                            // polyline resolution, steps per segment, 1..4096
@@ -96,6 +100,7 @@ struct Settings {
   Element element = usual_element(ElementKind::curve);  // the palette's
   bool show_element = false;                 // where it would go
   float ui_scale = 1.0f;
+  Theme theme = Theme::dark;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -1,7 +1,13 @@
 #include "base/files.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
 
 #include <fstream>
 #include <iterator>
@@ -100,6 +106,77 @@ TEST_F(files, a_link_to_what_is_not_there_yet_makes_its_target) {
   EXPECT_EQ(content(folder / "deep" / "new"), "x");
   fs::create_symlink("round", folder / "round");
   EXPECT_EQ(io.write_atomic(folder / "round", "x").code, Code::io);
+}
+
+TEST_F(files, a_file_that_may_not_be_written_is_refused) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
+  ASSERT_TRUE(io.write_atomic(folder / "a", "old").ok());
+  fs::permissions(folder / "a", fs::perms(0444));
+  EXPECT_EQ(io.write_atomic(folder / "a", "new").code, Code::io);
+  EXPECT_EQ(content(folder / "a"), "old");
+}
+
+TEST_F(files, a_long_name_can_be_saved_to) {
+  const fs::path file = folder / std::string(255, 'n');
+  ASSERT_TRUE(io.write_atomic(file, "x").ok());
+  EXPECT_EQ(content(file), "x");
+}
+
+// The temporary file that a process with this number would be writing now.
+fs::path temporary_of(const fs::path& target, int pid) {
+  // A child writes one and dies before it can put it in place: its name tells this machine's mark.
+  const pid_t child = ::fork();
+  if (child < 0) std::abort();
+  if (child == 0) {
+    struct rlimit none {};
+    ::setrlimit(RLIMIT_CORE, &none);
+    ::signal(SIGXFSZ, SIG_DFL);
+    none.rlim_cur = none.rlim_max = 1;  // B: the second byte kills it in the middle of its work
+    ::setrlimit(RLIMIT_FSIZE, &none);
+    Files io;
+    (void)io.write_atomic(target, "xy");
+    (void)io.write_atomic(target, "xyz");
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  fs::path found;
+  for (const auto& entry : fs::directory_iterator(target.parent_path()))
+    if (entry.path() != target) found = entry.path();
+  if (pid == 0 || found.empty()) return found;
+  std::string name = found.filename().string();
+  const std::string number = "." + std::to_string(child) + ".";
+  name.replace(name.rfind(number), number.size(), "." + std::to_string(pid) + ".");
+  fs::rename(found, found.parent_path() / name);
+  return found.parent_path() / name;
+}
+
+TEST_F(files, what_a_killed_writer_left_goes_with_the_next_save_of_the_same_file) {
+  const fs::path left = temporary_of(folder / "a", 0);
+  ASSERT_FALSE(left.empty());
+  ASSERT_TRUE(io.write_atomic(folder / "b", "x").ok());
+  EXPECT_TRUE(fs::exists(left)) << "another file's";
+  ASSERT_TRUE(io.write_atomic(folder / "a", "x").ok());
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_EQ(entries(), 2u);
+}
+
+TEST_F(files, what_a_running_writer_is_at_stays) {
+  const fs::path left = temporary_of(folder / "a", ::getppid());
+  ASSERT_FALSE(left.empty());
+  EXPECT_EQ(remove_leftovers(folder / "a"), 0);
+  EXPECT_EQ(remove_leftovers_in(folder), 0);
+  EXPECT_TRUE(fs::exists(left));
+}
+
+TEST_F(files, names_that_look_alike_are_nobody_s_leftovers) {
+  const fs::path left = temporary_of(folder / "a", 0);
+  const std::string name = left.filename().string();
+  fs::remove(left);
+  for (const std::string& other : std::vector<std::string>{name + "x", name.substr(1), ".a.00000000.1.0", ".a.", ".a.json.lock"}) std::ofstream(folder / other) << "mine";
+  EXPECT_EQ(remove_leftovers_in(folder), 0);
+  EXPECT_EQ(entries(), 5u);
 }
 
 TEST_F(files, a_new_file_has_the_mode_that_other_programs_give) {

@@ -27,7 +27,8 @@ TEST(recorder, a_replay_has_the_same_hashes) {
   std::filesystem::create_directories(test_folder());
   base::Files files;
   FakeHost original;
-  ASSERT_TRUE(original.apply(edit::Load{std::string(COASTER_SOURCE_DIR) + "/tracks/loop.json"}).ok());
+  const std::string track = std::string(COASTER_SOURCE_DIR) + "/tracks/loop.json";
+  ASSERT_TRUE(original.apply(edit::Load{track}).ok());
   const std::filesystem::path path = test_folder() / "recorded.coaster";
   {
     auto recorder = Recorder::start(files, path, original.session);

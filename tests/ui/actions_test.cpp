@@ -90,11 +90,17 @@ TEST_F(ActionsTest, f_frames_the_track_so_that_every_knot_is_in_the_viewport) {
   for (std::uint32_t number : {1u, 2u, 3u}) EXPECT_TRUE(host_->view().viewport.contains(pixel_of(number))) << number;
 }
 
-TEST_F(ActionsTest, closing_with_unsaved_changes_asks_once) {
-  ASSERT_TRUE(edit::dirty(session_));
-  EXPECT_FALSE(frame({platform::CloseRequest{}}).quit);
-  EXPECT_NE(host_->toast().find("unsaved"), std::string::npos);
-  EXPECT_TRUE(frame({platform::CloseRequest{}}).quit);
+TEST_F(ActionsTest, a_key_of_the_settings_takes_the_place_of_the_table_s) {
+  const exchange::KeyChoice choices[] = {{"Panels", {"F7"}}};
+  EXPECT_TRUE(host_->set_keys(choices).empty());
+  frames(2);
+  key(platform::Key::tab);
+  EXPECT_TRUE(session_.settings.show_panels);
+  key(platform::Key::f7);
+  EXPECT_FALSE(session_.settings.show_panels);
+  EXPECT_TRUE(host_->set_keys({}).empty());
+  key(platform::Key::tab);
+  EXPECT_TRUE(session_.settings.show_panels);
 }
 
 TEST_F(ActionsTest, f12_asks_for_a_picture) {

@@ -54,7 +54,7 @@ class Stage : public testing::Test {
   Output frame(platform::Events events = {}) {
     events.emplace_back(platform::Tick{1.0 / 60});
     seconds_ += 1.0 / 60;
-    Output out = host_->build(events, {session_, stats_, seconds_, scripted_}, width_, height_);
+    Output out = host_->build(events, {session_, stats_, seconds_, scripted_, nullptr, user_ ? &*user_ : nullptr}, width_, height_);
     for (const edit::Command& command : out.commands) {
       (void)edit::apply(session_, files_, command);
       commands_.push_back(command);
@@ -146,6 +146,7 @@ class Stage : public testing::Test {
   base::Files files_;
   edit::Session session_ = edit::make_session({});
   query::FrameStats stats_;
+  std::optional<UserState> user_;
   std::vector<edit::Command> commands_;
   Output last_;
 };

@@ -70,7 +70,8 @@ def main():
     environment = {**os.environ, "DISPLAY": display}
     environment.pop("WAYLAND_DISPLAY", None)
     log = open(folder / "log.txt", "w")
-    program = subprocess.Popen([coaster, str(track), "--record", str(recording), "--hash-log", "--size", "1280x720"],
+    program = subprocess.Popen([coaster, str(track), "--record", str(recording), "--hash-log", "--size", "1280x720",
+                                "--config", str(folder / "config")],
                                env=environment, stdout=log, stderr=subprocess.STDOUT)
 
     def xdo(*arguments):

@@ -1,0 +1,241 @@
+// Settings and autosaves, frame by frame.
+#include "app/keeper.h"
+
+#include <ctime>
+#include <system_error>
+#include <utility>
+
+#include "app/program.h"
+#include "base/text.h"
+#include "script/paths.h"
+
+namespace coaster::app {
+namespace {
+
+using edit::NoticeKind;
+
+std::filesystem::path settings_file(const Keeper& keeper) { return keeper.folders.config.empty() ? std::filesystem::path() : keeper.folders.config / "settings.json"; }
+std::filesystem::path recovery_folder(const Keeper& keeper) { return keeper.folders.state.empty() ? std::filesystem::path() : keeper.folders.state / "recovery"; }
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string all;
+  for (const std::string& line : lines) all += (all.empty() ? "" : "; ") + line;
+  return all;
+}
+
+// The text of a file that is not there is "".
+base::Result<std::string> read_settings(Program& program, const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (file.empty() || !std::filesystem::exists(file, ignored)) return std::string();
+  return program.files.read(file);
+}
+
+// Settings, or what is wrong in `problems`.
+exchange::UserSettings load_settings(Program& program, Keeper& keeper, std::vector<std::string>& problems) {
+  const std::filesystem::path file = settings_file(keeper);
+  (void)base::remove_leftovers(file);
+  const base::Result<std::string> text = read_settings(program, file);
+  if (!text) {
+    problems.push_back(text.status().message + "; it stays as it is, and this run's settings are not kept");
+    keeper.may_write = false;
+    return {};
+  }
+  if (text->empty()) return {};
+  auto loaded = exchange::parse_settings(*text, file.filename().string());
+  if (loaded) {
+    problems = std::move(loaded->warnings);
+    return std::move(loaded->settings);
+  }
+  std::error_code error;
+  std::filesystem::rename(file, file.string() + ".bad", error);
+  keeper.may_write = !error;
+  problems.push_back(loaded.status().message + (error ? "; it stays as it is, and this run's settings are not kept" : "; set aside as settings.json.bad"));
+  return {};
+}
+
+void show(Program& program, const exchange::UserSettings& settings) {
+  const world::Settings& now = program.session.settings;
+  if (now.ui_scale != settings.ui_scale) (void)apply(program, edit::SetScale{settings.ui_scale});
+  if (now.theme != settings.theme) (void)apply(program, edit::SetTheme{settings.theme});
+  if (now.show_panels != settings.panels) (void)apply(program, edit::SetPanels{settings.panels});
+  if (now.show_laboratory != settings.laboratory) (void)apply(program, edit::ShowLaboratory{settings.laboratory});
+  if (now.feel.reduced_motion != settings.reduced_motion) (void)apply(program, edit::SetReducedMotion{settings.reduced_motion});
+  if (now.feel.head_bob != settings.head_bob) (void)apply(program, edit::SetHeadBob{settings.head_bob});
+  if (now.show_hints != settings.hints) (void)apply(program, edit::SetHints{settings.hints});
+  if (now.show_gizmo != settings.gizmo) (void)apply(program, edit::SetGizmo{settings.gizmo});
+}
+
+// What the session and the window have become is part of the settings.
+void follow_session(const Program& program, exchange::UserSettings& settings) {
+  const world::Settings& now = program.session.settings;
+  settings.ui_scale = now.ui_scale;
+  settings.theme = now.theme;
+  settings.panels = now.show_panels;
+  settings.laboratory = now.show_laboratory;
+  settings.reduced_motion = now.feel.reduced_motion;
+  settings.head_bob = now.feel.head_bob;
+  settings.hints = now.show_hints;
+  settings.gizmo = now.show_gizmo;
+  const auto at = program.surface->placement();
+  if (!at) return;
+  if (at->maximised && settings.window) settings.window->maximised = true;  // its place before is where it goes back to
+  else settings.window = exchange::WindowPlace{at->x, at->y, at->width, at->height, at->maximised};
+}
+
+void write_settings(Program& program, Keeper& keeper) {
+  if (!keeper.may_write || keeper.folders.config.empty() || keeper.state.settings == keeper.written) return;
+  base::Status status = base::make_folders(keeper.folders.config);
+  if (status) status = program.files.write_atomic(settings_file(keeper), exchange::print_settings(keeper.state.settings));
+  if (status) {
+    keeper.written = keeper.state.settings;
+    keeper.settings_failed = false;
+  } else if (!std::exchange(keeper.settings_failed, true)) {
+    edit::notify(program.session, NoticeKind::warning, "settings are not kept: " + status.message);
+  }
+}
+
+// A second after the last change: a slider that is dragged is written once.
+void watch_settings(Program& program, Keeper& keeper) {
+  constexpr double kQuiet = 1, kAgain = 30;  // s
+  follow_session(program, keeper.state.settings);
+  if (!(keeper.state.settings == keeper.seen)) {
+    keeper.seen = keeper.state.settings;
+    keeper.seen_since = program.seconds;
+  } else if (program.seconds - keeper.seen_since >= (keeper.settings_failed ? kAgain : kQuiet)) {
+    keeper.seen_since = program.seconds;
+    write_settings(program, keeper);
+  }
+}
+
+// Whether there is something that neither the file nor the autosave has.
+bool needs_autosave(const Program& program, const Keeper& keeper) {
+  if (!edit::dirty(program.session)) return false;
+  return !keeper.autosave.exists() || keeper.autosaved != world::hash(program.session.document);
+}
+
+void watch_document(Program& program, Keeper& keeper) {
+  if (!edit::dirty(program.session)) {
+    keeper.autosave.remove();
+    keeper.unsaved_since = -1;
+    return;
+  }
+  if (keeper.unsaved_since < 0) {
+    // The hash is known already: dirty() keeps it.
+    if (!keeper.autosave.exists() || keeper.autosaved != *program.session.document_hash) keeper.unsaved_since = program.seconds;
+    return;
+  }
+  if (program.seconds - keeper.unsaved_since < keeper.state.settings.autosave_seconds || program.session.history.in_gesture) return;
+  (void)autosave_now(program);
+  keeper.unsaved_since = -1;
+}
+
+void offer(Keeper& keeper) {
+  keeper.state.recoveries.clear();
+  for (const exchange::FoundAutosave& f : keeper.found) keeper.state.recoveries.push_back({f.info.original, f.info.name, f.file_time, f.info.time});
+}
+
+void answer(Program& program, Keeper& keeper, ui::Recovery what) {
+  if (keeper.found.empty()) return;
+  if (what == ui::Recovery::later) {
+    keeper.found.clear();  // the files stay
+  } else if (what == ui::Recovery::discard) {
+    exchange::discard(keeper.found.front());
+    keeper.found.erase(keeper.found.begin());
+  } else {
+    exchange::FoundAutosave found = std::move(keeper.found.front());
+    keeper.found.erase(keeper.found.begin());
+    // Put aside again before the old one goes: at no time is there none. What cannot be read or written leaves it for the next start.
+    const bool recovered = apply(program, edit::RecoverTrack{found.info.track.string(), found.info.original}).ok();
+    if (recovered && autosave_now(program)) exchange::discard(found);
+  }
+  offer(keeper);
+}
+
+void make_folder(Program& program, const std::string& folder) {
+  base::Status made;
+  if (!program.writable.empty() && !script::lies_below(folder, program.writable))
+    made = {base::Code::refused, "scripts write only below $OUT, found " + base::quoted(folder)};
+  else
+    made = base::make_folders(folder);
+  if (!made) edit::notify(program.session, NoticeKind::error, made.message);
+}
+
+void take_output(Program& program, Keeper& keeper, const ui::Output& output) {
+  if (output.settings) {
+    const bool keys = keeper.state.settings.keys != output.settings->keys;
+    keeper.state.settings = *output.settings;
+    if (keys)
+      if (const auto problems = program.ui->set_keys(keeper.state.settings.keys); !problems.empty()) edit::notify(program.session, NoticeKind::warning, "keys: " + joined(problems));
+  }
+  if (output.recovery) answer(program, keeper, *output.recovery);
+  ui::SystemDialog& system = keeper.state.system;
+  system.answer = keeper.dialog.poll();
+  if (output.system_dialog && !keeper.dialog.start(*output.system_dialog)) system.answer = "";
+  system.running = keeper.dialog.running();
+}
+
+}  // namespace
+
+void start_keeping(Program& program, const base::UserFolders& folders, bool default_layout) {
+  auto made = std::make_unique<Keeper>();
+  Keeper& keeper = *made;
+  keeper.folders = folders;
+  std::vector<std::string> problems;
+  exchange::UserSettings settings = load_settings(program, keeper, problems);
+  keeper.written = settings;
+  if (default_layout) {
+    settings.ui_scale = 1;
+    settings.panels = true;
+    settings.laboratory = false;
+    settings.window.reset();
+    program.ui->reset_layout();
+  }
+  for (std::string& problem : program.ui->set_keys(settings.keys)) problems.push_back("keys: " + std::move(problem));
+  if (settings.window) program.surface->place({settings.window->x, settings.window->y, settings.window->width, settings.window->height, settings.window->maximised});
+  keeper.state.settings = keeper.seen = settings;
+  keeper.state.system.available = keeper.dialog.available();
+  keeper.found = exchange::find_autosaves(program.files, recovery_folder(keeper));
+  offer(keeper);
+  program.keeper = std::move(made);
+  show(program, settings);
+  if (!problems.empty()) edit::notify(program.session, NoticeKind::warning, "settings: " + joined(problems));
+}
+
+void stop_keeping(Program& program, bool clean) {
+  if (!program.keeper) return;
+  Keeper& keeper = *program.keeper;
+  follow_session(program, keeper.state.settings);
+  write_settings(program, keeper);
+  if (clean) keeper.autosave.remove();
+  program.keeper.reset();
+}
+
+base::Status autosave_now(Program& program) {
+  if (!program.keeper || !needs_autosave(program, *program.keeper)) return {};
+  Keeper& keeper = *program.keeper;
+  const std::filesystem::path& path = program.session.path;
+  const std::string original = path.empty() ? std::string() : base::canonical_path(path).string();
+  const base::Status wrote = keeper.autosave.write(program.files, recovery_folder(keeper), program.session.document, original, static_cast<std::int64_t>(std::time(nullptr)));
+  if (wrote) {
+    keeper.autosaved = world::hash(program.session.document);
+    keeper.autosave_failed = false;
+    ++program.stats.keeping.autosaves;
+  } else if (!std::exchange(keeper.autosave_failed, true)) {
+    edit::notify(program.session, NoticeKind::error, "autosave: " + wrote.message + "; save by hand (Save, in the menu File)");
+  }
+  return wrote;
+}
+
+void keep(Program& program, const ui::Output* output) {
+  program.stats.keeping.quits = program.quit;
+  if (output != nullptr && output->new_folder) make_folder(program, *output->new_folder);
+  if (!program.keeper) return;
+  Keeper& keeper = *program.keeper;
+  if (output != nullptr) take_output(program, keeper, *output);
+  watch_document(program, keeper);
+  watch_settings(program, keeper);
+  program.stats.keeping.recoverable = static_cast<int>(keeper.found.size());
+  program.stats.keeping.holder = keeper.state.holder;
+}
+
+}  // namespace coaster::app

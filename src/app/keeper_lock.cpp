@@ -1,0 +1,69 @@
+// The lock on the document's file: taken when a file is opened, moved when it is saved under another name.
+#include <utility>
+
+#include "app/keeper.h"
+#include "app/program.h"
+#include "exchange/formats.h"
+
+namespace coaster::app {
+namespace {
+
+using edit::NoticeKind;
+using Outcome = base::LockAttempt::Outcome;
+
+bool holds_everything(const std::filesystem::path& path) {
+  const exchange::Format* const format = exchange::format_of(path);
+  return format != nullptr && format->whole;
+}
+
+// The session has another file, or none.
+void follow_file(Program& program, Keeper& keeper) {
+  const std::filesystem::path& path = program.session.path;
+  if (path.empty() || keeper.lock.covers(path)) {
+    if (path.empty()) keeper.lock.release();
+    keeper.state.holder.clear();
+    return;
+  }
+  keeper.state.holder.clear();
+  base::LockAttempt attempt = base::try_lock(path);
+  keeper.lock = std::move(attempt.lock);
+  if (attempt.outcome == Outcome::held) {
+    keeper.state.holder = "another coaster (" + attempt.holder + ")";
+    edit::notify(program.session, NoticeKind::warning, path.filename().string() + " is open in " + keeper.state.holder + ": what you change here can be saved under another name.");
+  } else if (attempt.outcome == Outcome::impossible && !keeper.unasked) {
+    edit::notify(program.session, NoticeKind::info, path.filename().string() + " is opened without a lock (" + attempt.reason + "): nothing keeps another program from changing it.");
+  }
+}
+
+}  // namespace
+
+base::Status before_command(Program& program, const edit::Command& command) {
+  const auto* const save = std::get_if<edit::Save>(&command);
+  if (!program.keeper || save == nullptr || !holds_everything(save->path) || program.keeper->lock.covers(save->path)) return {};
+  base::LockAttempt attempt = base::try_lock(save->path);
+  if (attempt.outcome == Outcome::held)
+    return {base::Code::refused, "save: " + save->path + " is open in another coaster (" + attempt.holder + "): save under another name"};
+  program.keeper->next_lock = std::move(attempt.lock);
+  return {};
+}
+
+void after_command(Program& program, const edit::Command& command, const base::Status& applied) {
+  if (!program.keeper) return;
+  Keeper& keeper = *program.keeper;
+  base::FileLock next = std::move(keeper.next_lock);
+  if (!applied) return;
+  if (!edit::dirty(program.session)) keeper.autosave.remove();  // saved, or another document: at once, lest a crash before the next frame offers it
+  std::vector<std::string>& recent = keeper.state.settings.recent;
+  if (const auto* const save = std::get_if<edit::Save>(&command); save != nullptr && holds_everything(save->path)) {
+    if (next.held() || !keeper.lock.covers(save->path)) keeper.lock = std::move(next);
+    keeper.state.holder.clear();
+    exchange::remember(recent, base::canonical_path(save->path).string());
+  } else if (const auto* const load = std::get_if<edit::Load>(&command)) {
+    follow_file(program, keeper);
+    if (!keeper.unasked) exchange::remember(recent, base::canonical_path(load->path).string());
+  } else if (std::holds_alternative<edit::RecoverTrack>(command) || std::holds_alternative<edit::NewTrack>(command)) {
+    follow_file(program, keeper);
+  }
+}
+
+}  // namespace coaster::app

@@ -1,0 +1,36 @@
+// The desktop's own file dialog: zenity or kdialog, where one is installed, in a process of its own that no frame waits for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/host.h"
+
+namespace coaster::app {
+
+class SystemDialogProcess {
+ public:
+  // Looks for the programs in PATH.
+  SystemDialogProcess();
+  ~SystemDialogProcess();
+  SystemDialogProcess(const SystemDialogProcess&) = delete;
+  SystemDialogProcess& operator=(const SystemDialogProcess&) = delete;
+
+  bool available() const { return !program_.empty(); }
+  bool running() const { return pid_ > 0; }
+  // Ends the one before. False when it cannot be started.
+  bool start(const ui::SystemDialogRequest& request);
+  // Asks without waiting: the chosen file once the dialog has ended, "" when it was cancelled.
+  std::optional<std::string> poll();
+
+ private:
+  std::vector<std::string> arguments(const ui::SystemDialogRequest& request) const;
+  void end();
+
+  std::string program_;  // full path
+  int pid_ = 0, pipe_ = -1;
+  std::string output_;
+};
+
+}  // namespace coaster::app

@@ -1,0 +1,91 @@
+#include "base/folders.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <iterator>
+
+namespace coaster::base {
+namespace {
+
+std::filesystem::path from_environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value != nullptr && value[0] == '/' ? std::filesystem::path(value) : std::filesystem::path();
+}
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+}  // namespace
+
+UserFolders user_folders() {
+  const std::filesystem::path home = from_environment("HOME");
+  const auto below = [&](const char* name, const char* otherwise) {
+    const std::filesystem::path named = from_environment(name);
+    if (!named.empty()) return named / "coaster";
+    return home.empty() ? std::filesystem::path() : home / otherwise / "coaster";
+  };
+  return {below("XDG_CONFIG_HOME", ".config"), below("XDG_STATE_HOME", ".local/state")};
+}
+
+Status make_folders(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (std::filesystem::is_directory(folder, error)) return {};
+  if (folder.has_parent_path() && folder.parent_path() != folder)
+    if (const Status above = make_folders(folder.parent_path()); !above) return above;
+  if (::mkdir(folder.c_str(), 0700) == 0 || std::filesystem::is_directory(folder, error)) return {};
+  error = std::error_code(errno, std::generic_category());
+  return {Code::io, folder.string() + ": cannot be made: " + error.message()};
+}
+
+Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& folder, bool hidden) {
+  std::vector<FolderEntry> entries;
+  std::error_code error;
+  std::filesystem::directory_iterator at(folder, error), end;
+  for (; !error && at != end; at.increment(error)) {
+    struct stat info {};
+    const std::string name = at->path().filename().string();
+    if ((!hidden && name.starts_with('.')) || ::stat(at->path().c_str(), &info) != 0) continue;
+    const bool is_folder = S_ISDIR(info.st_mode);
+    if (is_folder || S_ISREG(info.st_mode))
+      entries.push_back({name, is_folder, is_folder ? 0 : static_cast<std::uintmax_t>(info.st_size), static_cast<std::int64_t>(info.st_mtime)});
+  }
+  if (error) return Status{Code::bad_file, folder.string() + ": " + error.message()};
+  std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
+    if (a.folder != b.folder) return a.folder;
+    const std::string left = lower(a.name), right = lower(b.name);
+    return left != right ? left < right : a.name < b.name;
+  });
+  return entries;
+}
+
+std::int64_t change_time(const std::filesystem::path& file) {
+  struct stat info {};
+  return ::stat(file.c_str(), &info) == 0 ? static_cast<std::int64_t>(info.st_mtime) : 0;
+}
+
+std::string local_time(std::int64_t seconds) {
+  const std::time_t time = seconds;
+  std::tm parts{};
+  char text[64] = "";
+  if (::localtime_r(&time, &parts) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &parts);
+  return text;
+}
+
+std::string size_text(std::uintmax_t bytes) {
+  constexpr const char* kUnits[] = {"B", "kB", "MB", "GB", "TB"};
+  double value = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  while (value >= 999.5 && unit + 1 < std::size(kUnits)) value /= 1000, ++unit;
+  char text[32];
+  std::snprintf(text, sizeof text, unit > 0 && value < 9.95 ? "%.1f %s" : "%.0f %s", value, kUnits[unit]);
+  return text;
+}
+
+}  // namespace coaster::base

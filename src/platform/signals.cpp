@@ -1,0 +1,25 @@
+#include "platform/signals.h"
+
+#include <csignal>
+
+namespace coaster::platform {
+namespace {
+
+// A handler may touch nothing but such a flag, and gets no argument of ours: the one global that cannot be avoided.
+volatile std::sig_atomic_t came = 0;
+
+extern "C" void note_signal(int number) { came = number; }
+
+}  // namespace
+
+void watch_signals() {
+  struct sigaction action {};
+  action.sa_handler = note_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  sigemptyset(&action.sa_mask);
+  for (const int number : {SIGTERM, SIGINT, SIGHUP}) (void)::sigaction(number, &action, nullptr);
+}
+
+int pending_signal() { return came; }
+
+}  // namespace coaster::platform

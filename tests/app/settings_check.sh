@@ -1,0 +1,121 @@
+# The settings file: kept from run to run, garbage set aside, keys given away, and none of it in scripts that do not ask.
+. "$(dirname "$0")/lib.sh"
+script() { printf 'coaster-script 1\n%s\n' "$2" >"$OUT/$1.coaster"; }
+run() { expect_code "$1" --headless --script "$OUT/$2.coaster" --config "$OUT/home" --out "$OUT" --size 800x600 "${@:3}"; }
+mkdir -p "$OUT/home"
+settings=$OUT/home/settings.json
+
+# What is changed by hand is there at the next start.
+script change 'ui.menu "View/Light theme"
+key Ctrl+,
+ui.click "Settings/Scale/125 %"
+ui.type "Settings/Autosave every (s)" "12"
+ui.type "Settings/Keys/Undo" "Ctrl+U"
+ui.click "Settings/Close"
+key L
+frames 90'
+run 0 change
+grep -q '"theme": "light"' "$settings" || fail "the theme is not kept: $(cat "$settings")"
+grep -q '"Undo": "Ctrl+U"' "$settings" || fail "the key is not kept"
+script again 'expect theme == "light"
+expect scale == 1.25
+append at 0 5 0
+expect dirty == on
+key Ctrl+Z
+expect dirty == on
+key Ctrl+U
+expect dirty == off'
+run 0 again
+grep -q '"laboratory": true' "$settings" || fail "the laboratory is not kept"
+script reset 'expect scale == 1
+expect theme == "light"
+expect panels == on'
+run 0 reset --reset-layout
+cp "$settings" "$OUT/kept.json"
+
+# Without --config a script knows nothing of it, wherever it is.
+script plain 'expect theme == "dark"
+expect scale == 1'
+cp "$settings" "$OUT/home/coaster.json"
+mkdir -p "$OUT/xdg/coaster" && cp "$settings" "$OUT/xdg/coaster/settings.json"
+XDG_CONFIG_HOME="$OUT/xdg" expect_code 0 --headless --script "$OUT/plain.coaster" --out "$OUT/plain"
+
+# Garbage is set aside, whatever it is; a member that is wrong costs nothing but itself.
+script garbage 'expect theme == "dark"
+expect toast ~ "set aside as settings.json.bad"'
+for garbage in 'no json' '' '{"format": "coaster-track"}' '[]'; do
+  printf '%s' "$garbage" >"$settings"
+  [ -n "$garbage" ] || printf ' ' >"$settings"
+  cp "$settings" "$OUT/garbage"
+  run 0 garbage
+  cmp "$OUT/garbage" "$settings.bad" || fail "garbage is lost: $garbage"
+  rm -f "$settings.bad"
+done
+printf '{"format": "coaster-settings", "version": 1, "theme": 5, "ui_scale": 1.5, "later": {"a": 1}}' >"$settings"
+script partly 'expect toast ~ "theme: expected"
+expect theme == "dark"
+expect scale == 1.5
+panels off
+frames 90'
+run 0 partly
+grep -q '"later"' "$settings" || fail "unknown members are lost"
+grep -q '"panels": false' "$settings" || fail "the panels are not kept"
+
+# Keys: unknown actions and keys, and keys wanted by two, are told in one notice; menus and tooltips show what holds.
+printf '{"format": "coaster-settings", "version": 1, "keys": {"Undo": "Ctrl+U", "Undoo": "F3", "Redo": "Ctrl+U", "Save": "Splat", "Frame all": "R", "Add curve": ""}}' >"$settings"
+script keys 'expect toast ~ "no action \"Undoo\" did you mean \"Undo\"?"
+expect toast ~ "Ctrl+U is wanted by Undo and Redo"
+expect toast ~ "Save: no key \"Splat\""
+expect toast ~ "R is Frame all now, no longer Rotate"
+append at 0 5 0
+append at 20 5 0
+key C
+expect knots == 2
+key Ctrl+U
+expect knots == 1
+key Ctrl+Y
+expect knots == 2'
+run 0 keys
+grep -q '"Undoo"' "$settings" || fail "keys of unknown actions are lost"
+
+# A folder that cannot be written: told once, and the program goes on.
+rm -rf "$OUT/home"
+: >"$OUT/home"
+script unwritable 'theme light
+wait toast ~ "settings are not kept" max 200 frames
+theme dark
+frames 100
+append at 0 5 0
+expect dirty == on'
+run 0 unwritable
+rm "$OUT/home"
+
+# The desktop's own dialog, where there is one: started with the folder, asked without waiting, its answer taken or not.
+mkdir -p "$OUT/bin" "$OUT/home"
+cat >"$OUT/bin/zenity" <<FAKE
+#!/bin/sh
+printf '%s\n' "\$@" >"$OUT/arguments"
+sleep 0.5
+[ -e "$OUT/cancel" ] && exit 1
+echo "$SOURCE/tracks/loop.json"
+FAKE
+chmod +x "$OUT/bin/zenity"
+script dialog 'key Ctrl+O
+ui.click "Open/System dialog"
+frames 1
+expect visible "Open/Waiting"
+wait track_file == "loop.json" max 20000 frames
+expect not visible "Open/Cancel"'
+PATH="$OUT/bin:$PATH" run 0 dialog
+grep -qx -- "--file-selection" "$OUT/arguments" || fail "zenity's arguments: $(cat "$OUT/arguments")"
+: >"$OUT/cancel"
+script cancel 'key Ctrl+O
+ui.click "Open/System dialog"
+frames 200
+expect visible "Open/Show all files"
+expect knots == 0'
+PATH="$OUT/bin:$PATH" run 0 cancel
+script none 'key Ctrl+O
+expect not visible "Open/System dialog"'
+PATH=/nowhere run 0 none
+finish
