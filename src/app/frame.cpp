@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/pictures.h"
 #include "sim/ride.h"
 
 namespace coaster::app {
@@ -28,11 +29,18 @@ std::vector<sim::Pose> cart_poses(const edit::Session& session) {
 
 // Panels and viewport tool see the state before this frame's commands, which are applied here.
 ui::Output build_panels(Program& program, const platform::Events& events, platform::Size size) {
-  const ui::State state{program.session, program.stats, program.seconds, program.stats.hide_times, &program.rig, program.keeper ? &program.keeper->state : nullptr};
+  constexpr double kBarAfter = 0.15;  // s: what is done sooner shows no bar
+  ui::State state{program.session, program.stats, program.seconds, program.stats.hide_times, &program.rig, program.keeper ? &program.keeper->state : nullptr};
+  state.importing = program.import && program.seconds - program.import->since > kBarAfter ? &program.import->progress : nullptr;
   ui::Output output = program.ui->build(events, state, size.width, size.height);
+  if (output.cancel_import && program.import) program.import->progress.cancelled = true;
   program.toast = program.ui->toast();
   program.by_hand = true;
-  for (const edit::Command& command : output.commands) (void)apply(program, command);  // what is refused shows as a notice
+  for (const edit::Command& command : output.commands) {
+    // While a file is read its track is as good as open: nothing else begins that would be lost.
+    if (program.import && edit::info(command).effect != edit::Effect::settings) continue;
+    if (!begin_import(program, command)) (void)apply(program, command);  // what is refused shows as a notice
+  }
   program.by_hand = false;
   program.hovered = output.hovered;
   program.quit = program.quit || output.quit;
@@ -115,6 +123,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   const double began = program.surface->clock();
   const platform::Size size = program.surface->size();
   take_events(program, events, size);
+  finish_import(program);
   if (size.width < 1 || size.height < 1) {
     advance(program, ticks);
     keep(program, nullptr);
@@ -132,6 +141,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   program.surface->present(program.renderer->framebuffer());
   fill_stats(program, drawn, size, began, built, drew);
   set_title(program);
+  if (output.wants_screenshot) take_photo(program);
 }
 
 }  // namespace coaster::app

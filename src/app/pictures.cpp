@@ -1,6 +1,7 @@
 // Writing and comparing pictures.
 #include "app/pictures.h"
 
+#include <cstdlib>
 #include <system_error>
 
 #include "gfx/image.h"
@@ -34,6 +35,43 @@ std::string page(const std::string& file) {
 base::Status write_picture(Program& program, const std::filesystem::path& path) {
   if (program.stats.frame == 0) return {base::Code::refused, "no frame has been drawn"};
   return write(path, program.renderer->read_pixels());
+}
+
+namespace {
+
+std::filesystem::path picture_folder(const Program& program) {
+  if (!program.writable.empty()) return program.writable;
+  std::error_code failed;
+  if (const char* const named = std::getenv("XDG_PICTURES_DIR"); named && std::filesystem::path(named).is_absolute()) return named;
+  if (const char* const home = std::getenv("HOME"))
+    if (const auto pictures = std::filesystem::path(home) / "Pictures"; std::filesystem::is_directory(pictures, failed)) return pictures;
+  return ".";
+}
+
+// Letters and digits of the track's name, in lower case, joined by "-".
+std::string file_stem(const std::string& name) {
+  std::string stem;
+  for (const char c : name) {
+    const bool word = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (word) stem += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    else if (!stem.empty() && stem.back() != '-') stem += '-';
+  }
+  while (stem.ends_with('-')) stem.pop_back();
+  return stem.empty() ? "track" : stem;
+}
+
+}  // namespace
+
+void take_photo(Program& program) {
+  constexpr int kMostNumbers = 10'000;
+  const std::filesystem::path folder = picture_folder(program);
+  const std::string stem = file_stem(program.session.document.name);
+  std::filesystem::path path;
+  std::error_code failed;
+  for (int i = 1; i < kMostNumbers; ++i)
+    if (path = folder / (stem + "-" + std::to_string(i) + ".png"); !std::filesystem::exists(path, failed)) break;
+  const base::Status wrote = write_picture(program, path);
+  edit::notify(program.session, wrote ? edit::NoticeKind::info : edit::NoticeKind::error, wrote ? "saved " + path.string() : wrote.message);
 }
 
 base::Status compare_picture(Program& program, const std::string& name, const std::filesystem::path& golden,

@@ -10,6 +10,10 @@ namespace coaster::app {
 
 base::Status write_picture(Program& program, const std::filesystem::path& path);
 
+// The last frame as NAME-1.png, or the first number that is free, after the track's name: in the user's folder of pictures ($XDG_PICTURES_DIR, else
+// ~/Pictures, else the current folder), a script's in its own. A notice says where it is, or why it is not.
+void take_photo(Program& program);
+
 // By the rule of gfx/image.h. Writes NAME.new.png, NAME.reference.png, NAME.difference.png and NAME.html into `folder` when they differ.
 // `update`: writes the golden instead. Code::expectation when there is no golden or the pictures differ.
 base::Status compare_picture(Program& program, const std::string& name, const std::filesystem::path& golden,

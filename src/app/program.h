@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/keeper.h"
+#include "app/import_job.h"
 #include "app/options.h"
 #include "base/files.h"
 #include "edit/session.h"
@@ -31,6 +32,7 @@ struct Program {
   std::unique_ptr<Keeper> keeper;               // null: nothing is kept for a user
   std::filesystem::path writable;               // scripts: the only folder that may be written to; empty: no limit
 
+  std::unique_ptr<ImportJob> import;  // a file that is being read; null: none
   view::CameraRig rig;             // what pictures are taken with; follows every command and tick
   view::View view;                 // that the last frame was drawn with
   bool by_hand = false;            // commands come from panels, keys and mouse: a change of camera is eased; a script's is a cut

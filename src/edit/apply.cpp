@@ -147,7 +147,9 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
 }
 
 Status files_command(Session& session, base::Files& files, const Load& command) {
-  base::Result<exchange::LoadedTrack> loaded = exchange::load_track(files, command.path);
+  std::optional<ReadAhead> ahead = std::exchange(session.read_ahead, std::nullopt);
+  const bool read = ahead && ahead->path == command.path;
+  base::Result<exchange::LoadedTrack> loaded = read ? std::move(ahead->track) : exchange::load_track(files, command.path);
   if (!loaded) return loaded.status();
   // A format that does not hold everything is imported: the next save is to a file of its own.
   start_over(session, std::move(loaded->document), exchange::format_of(command.path)->whole ? command.path : std::string());

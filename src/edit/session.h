@@ -48,6 +48,12 @@ struct RideCost {
   double ns_per_tick = 0;  // all carts together, a mean that forgets: the newest call counts for a tenth
 };
 
+// A file that a thread has read in advance; the next load of it takes this.
+struct ReadAhead {
+  std::string path;
+  exchange::LoadedTrack track;
+};
+
 struct Session {
   world::Document document;
   world::Settings settings;
@@ -57,6 +63,7 @@ struct Session {
   std::vector<Notice> notices;     // the newest last, at most 32
   std::uint64_t notice_serial = 0;
   std::filesystem::path path;      // of the document; empty when it has none
+  std::optional<ReadAhead> read_ahead;
   std::optional<exchange::ImportReport> import;  // how well the document, as it was loaded, meets the file it was fitted to
   std::uint64_t saved_hash = 0;    // document hash when last loaded, saved or made
   mutable std::optional<std::uint64_t> document_hash;  // a memo for dirty(), which every frame asks; apply() forgets it

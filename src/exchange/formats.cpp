@@ -19,7 +19,7 @@ base::Status check_rows(const world::Document& document) { return check_nl2_csv(
 constexpr std::array kFormats{
     Format{".json", "coaster track", parse_track, print_track, false, true},
     Format{".nltrack", "NoLimits 1 track", parse_nltrack, nullptr, true, false},
-    Format{".csv", "NoLimits 2 track spline", parse_nl2_csv, print_rows, false, false, check_rows},
+    Format{".csv", "NoLimits 2 track spline", parse_nl2_csv, print_rows, false, false, check_rows, parse_nl2_csv_watched},
     Format{".nl2elem", "NoLimits 2 element", parse_nl2elem, print_nl2elem, false, false, check_nl2elem},
     Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false},
     Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false},

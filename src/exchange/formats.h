@@ -18,6 +18,8 @@ struct Format {
   bool binary;              // the bytes are not text
   bool whole;               // holds everything that a document has: saving to it counts as saving
   base::Status (*check)(const world::Document& document) = nullptr;  // whether it can be printed; null: every document can
+  // As parse, where that may take longer than a frame; null elsewhere.
+  base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name, base::Progress* progress) = nullptr;
 };
 
 // The project's own format first.

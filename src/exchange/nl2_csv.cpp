@@ -181,12 +181,15 @@ bool read_rows(Reader& r) {
 
 }  // namespace
 
-base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name) {
+base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name) { return parse_nl2_csv_watched(text, name, nullptr); }
+
+base::Result<LoadedTrack> parse_nl2_csv_watched(std::string_view text, std::string_view name, base::Progress* progress) {
   Reader r{name, Lines(text), {}, {}, 0, 0, {}};
   if (!read_rows(r)) return base::Status{base::Code::bad_file, r.error};
   const bool repeated = r.rows.size() > 4 && glm::distance(r.rows.front().position, r.rows.back().position) <= kSamePlace;
   if (repeated && sim::rows_close(r.rows)) r.rows.pop_back();
-  sim::FittedTrack fitted = sim::fit_track(r.rows, sim::rows_close(r.rows));
+  sim::FittedTrack fitted = sim::fit_track(r.rows, sim::rows_close(r.rows), progress);
+  if (progress && progress->cancelled) return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
   LoadedTrack loaded;
   loaded.document = std::move(fitted.document);
   loaded.document.name = std::filesystem::path(name).stem().string();

@@ -21,6 +21,8 @@ inline constexpr double kNl2Spacing = 0.05;  // m between the rows that are save
 // beyond world::kMaxCoordinate, frames that are not unit, perpendicular and right-handed to 1 % (better ones are made exact), fewer
 // than 2 rows, more than kMaxNl2Rows, a last number that was cut off. Rows at the place of the row before are left out, with a warning.
 base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name);
+// The same, told how far it is; refused once it is cancelled.
+base::Result<LoadedTrack> parse_nl2_csv_watched(std::string_view text, std::string_view name, base::Progress* progress);
 
 // Whether the track can be written: a segment, and at most kMaxNl2Rows rows. `spacing` in m, above 0.
 base::Status check_nl2_csv(const world::Document& document, double spacing);

@@ -17,12 +17,12 @@ std::string unfit_ending(const std::filesystem::path& path, const Format* format
 
 }  // namespace
 
-base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path) {
+base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, base::Progress* progress) {
   const Format* const format = format_of(path);
   if (!format || !format->parse) return base::Status{base::Code::bad_file, unfit_ending(path, format, Direction::read)};
   const base::Result<std::string> bytes = files.read(path);
   if (!bytes) return bytes.status();
-  return format->parse(*bytes, path.string());
+  return progress && format->parse_watched ? format->parse_watched(*bytes, path.string(), progress) : format->parse(*bytes, path.string());
 }
 
 base::Status save_track(base::Files& files, const std::filesystem::path& path,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/progress.h"
 #include "world/document.h"
 
 namespace coaster::exchange {
@@ -39,7 +40,7 @@ base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view na
 std::string print_track(const world::Document& document);
 
 // By the ending of the path (exchange/formats.h); another is refused with the list of those known for that direction.
-base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path);
+base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, base::Progress* progress = nullptr);
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document);
 
 }  // namespace coaster::exchange

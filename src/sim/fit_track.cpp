@@ -36,6 +36,15 @@ struct Work {
   SpanScratch scratch;
   std::vector<Span> spans;
   std::vector<double> rolls;  // additional roll of a knot on each row, radians
+  base::Progress* progress = nullptr;
+  int passes = 0;             // of fit_spans() that are done
+
+  bool cancelled() const { return progress && progress->cancelled; }
+  // Within the present pass, 0..1. The passes take about the same time, what follows them little.
+  void tell(double part) const {
+    constexpr double kAllPasses = 1 + kEvenings + 0.2;
+    if (progress) progress->done = std::max(progress->done.load(), std::min(1.0, (passes + part) / kAllPasses));
+  }
 
   SpanBounds bounds() const {
     SpanBounds b;
@@ -92,7 +101,7 @@ void fit_spans(Work& w) {
   const double most = w.closed ? 0 : w.bounds().angle;
   double low = -most, high = most;
   std::size_t usual = kFirstStride;
-  for (std::size_t first = 0; first < end;) {
+  for (std::size_t first = 0; first < end && !w.cancelled();) {
     Span span = longest_span(w, first, low, high, usual);
     usual = std::max<std::size_t>(2, span.last - first);
     low = 1, high = -1;
@@ -100,7 +109,9 @@ void fit_spans(Work& w) {
     if (low > high) low = high = 0;
     first = span.last;
     w.spans.push_back(std::move(span));
+    w.tell(static_cast<double>(first) / static_cast<double>(end));
   }
+  ++w.passes;
 }
 
 // The longest spans leave an odd short one at the end. As many spans within tighter bounds are alike, and nearer to the rows.
@@ -109,7 +120,7 @@ void even_out(Work& w) {
   std::vector<Span> best = w.spans;
   // A span's length goes with the second to fourth root of the bound: with n spans there is 4 / n to give away at most.
   double low = std::max(kLeastScale, 1 - 4.0 / static_cast<double>(best.size())), high = 1;
-  for (int i = 0; i < kEvenings; ++i) {
+  for (int i = 0; i < kEvenings && !w.cancelled(); ++i) {
     w.scale = 0.5 * (low + high);
     fit_spans(w);
     const bool as_few = w.spans.size() <= best.size();
@@ -211,11 +222,13 @@ Work prepare(std::span<const FitRow> rows, bool closed) {
 
 }  // namespace
 
-FittedTrack fit_track(std::span<const FitRow> rows, bool closed) {
+FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress) {
   COASTER_CHECK(rows.size() >= (closed ? 3u : 2u), "a track needs rows");
   Work w = prepare(rows, closed);
+  w.progress = progress;
   fit_spans(w);
-  even_out(w);
+  if (!w.cancelled()) even_out(w);
+  if (w.cancelled()) return {};
   choose_rolls(w);
   if (closed && w.spans.size() == 1) {
     std::vector<Span> two;
@@ -243,6 +256,7 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed) {
     if (next.size() == w.spans.size()) break;
     w.spans = std::move(next);
   }
+  if (progress) progress->done = 1;
   return fitted;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.h"
 #include "sim/fit_span.h"
 #include "world/document.h"
 
@@ -29,6 +30,7 @@ struct FittedTrack {
 // neighbours apart by more than 1e-6 m, and unit perpendicular frames. On a closed track the first row is not repeated, and is a knot.
 // The bounds are kept whenever rows are 0.03 m apart or more and coordinates within 10 km: two rows that are neighbours always fit, and a
 // span that the finished document misses is halved. Same rows, same bits, on every machine. Deterministic; about 25 us a row.
-FittedTrack fit_track(std::span<const FitRow> rows, bool closed);
+// `progress` (or null) is told how far it is; once it is cancelled, an empty document comes back.
+FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress = nullptr);
 
 }  // namespace coaster::sim

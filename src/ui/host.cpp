@@ -14,6 +14,7 @@
 #include "ui/fly_keys.h"
 #include "ui/hints.h"
 #include "ui/imgui_input.h"
+#include "ui/import_bar.h"
 #include "ui/imgui_renderer.h"
 #include "ui/key_map.h"
 #include "ui/lab_cache.h"
@@ -169,6 +170,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
     build_status_bar(ui, layout.status);
   }
   draw_hints(ui, layout.scene);
+  build_import_bar(ui, layout.scene);
   build_palette(act, palette);
   dialogs.build(ui, events, typing, static_cast<float>(width), static_cast<float>(height));
   settle_gesture(ui);

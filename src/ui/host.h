@@ -57,6 +57,7 @@ struct State {
   bool scripted;                // times and fps read "--"
   const view::CameraRig* rig = nullptr;  // what pictures are taken with; null: settled at the state
   const UserState* kept = nullptr;
+  const base::Progress* importing = nullptr;  // a file that is being read
 };
 
 enum class Recovery { recover, discard, later };  // later: asked again at the next start
@@ -72,6 +73,7 @@ struct Output {
   view::Pick hovered;
   bool quit = false;
   bool wants_screenshot = false;
+  bool cancel_import = false;
   std::optional<exchange::UserSettings> settings;     // to keep instead of the present ones
   std::optional<Recovery> recovery;                   // the answer about the first offer
   std::optional<std::string> new_folder;              // to make

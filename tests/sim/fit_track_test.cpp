@@ -1,5 +1,7 @@
 #include "sim/fit_track.h"
 
+#include <thread>
+
 #include <gtest/gtest.h>
 
 #include "sim/fit_check.h"
@@ -97,6 +99,28 @@ TEST(fit_track, a_helix_and_a_corkscrew_take_a_knot_every_five_metres_or_less_of
   const auto inwards = [=](double s) { return dvec3(0, std::cos(s * step), -std::sin(s * step)); };
   const FittedTrack corkscrew = expect_fit(rows_along(screw, inwards, 0.05, 1200), false);
   EXPECT_LE(corkscrew.report.knots, 60);
+}
+
+TEST(fit_track, progress_changes_nothing_grows_to_the_end_and_can_be_cancelled) {
+  const auto place = [](double s) { return glm::dvec3(20 * std::cos(s / 25), 8 + s / 30, 20 * std::sin(s / 25)); };
+  const auto rows = test::rows_along(place, [](double) { return glm::dvec3(0, 1, 0); }, 0.2, 2000);
+  base::Progress progress;
+  const FittedTrack watched = fit_track(rows, false, &progress), alone = fit_track(rows, false);
+  EXPECT_TRUE(watched.document == alone.document);
+  EXPECT_EQ(progress.done, 1.0);
+  base::Progress cancelled;
+  cancelled.cancelled = true;
+  EXPECT_TRUE(fit_track(rows, false, &cancelled).document.track.knots.empty());
+  EXPECT_EQ(cancelled.done, 0.0);
+  // Cancelled by another thread, while it works.
+  base::Progress halfway;
+  std::thread canceller([&] {
+    while (halfway.done == 0) std::this_thread::yield();
+    halfway.cancelled = true;
+  });
+  const FittedTrack broken_off = fit_track(rows, false, &halfway);
+  canceller.join();
+  EXPECT_TRUE(broken_off.document.track.knots.empty() || halfway.done == 1.0);  // it may have been done by then
 }
 
 TEST(fit_track, a_closed_loop_closes_exactly_whatever_step_is_left) {
