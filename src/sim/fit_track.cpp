@@ -42,8 +42,8 @@ struct Work {
   bool cancelled() const { return progress && progress->cancelled; }
   // Within the present pass, 0..1. The passes take about the same time, what follows them little.
   void tell(double part) const {
-    constexpr double kAllPasses = 1 + kEvenings + 0.2;
-    if (progress) progress->done = std::max(progress->done.load(), std::min(1.0, (passes + part) / kAllPasses));
+    const double all = (rows.size() > kEvenedRows ? 1 : 1 + kEvenings) + 0.2;
+    if (progress) progress->done = std::max(progress->done.load(), std::min(1.0, (passes + part) / all));
   }
 
   SpanBounds bounds() const {

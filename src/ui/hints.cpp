@@ -26,7 +26,8 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
                                        Hint{"Ctrl+P", "find every action and command"}};
   const float width = std::floor(384 * ui.scale), margin = std::floor(14 * ui.scale);
   if (scene.width < width + 2 * margin || scene.height < 300 * ui.scale) return;
-  ImGui::SetNextWindowPos({std::floor(scene.x + margin), std::floor(scene.y + scene.height - margin)}, ImGuiCond_Always, {0, 1});
+  // Below the track, clear of the notices at the foot.
+  ImGui::SetNextWindowPos({std::floor(scene.x + margin), std::floor(scene.y + scene.height - 58 * ui.scale)}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::SetNextWindowBgAlpha(0.88f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * ui.scale, 10 * ui.scale));
