@@ -2,6 +2,9 @@
 # on x86-64 a second copy with AVX2 and FMA, chosen at run time. The rest of the program keeps the baseline's instructions.
 # Vertices are for the display alone, so their kernels may fuse multiplications with additions; those of frames must not.
 set(kernel_options $<IF:$<BOOL:${COASTER_SANITIZE}>,-O1,-O3>)  # sanitized, -O3 takes minutes to compile
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  list(APPEND kernel_options -ftree-slp-vectorize)  # for the display, or without roundings to float and back
+endif()
 set_source_files_properties(src/curve/kernels_baseline.cpp src/curve/kernels_frames_baseline.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)
 set_source_files_properties(src/sim/lap_table.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)  # its loops run on several trains at once
 set_source_files_properties(src/view/sighted_curve.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)  # products of short polynomials
