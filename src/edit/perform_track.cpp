@@ -24,7 +24,7 @@ Status split_at(Session& session, Change& change, Entity segment, double t) {
   const world::SplitResult split = world::split_segment(document, segment, t, up);
   if (!split.knot.valid())
     return refused("a handle would leave the limits of " + base::to_text(world::kMinHandle) + " to " +
-                   base::to_text(world::kMaxHandle) + " m");
+                   base::to_text(world::kMaxHandle) + " m, or the knot the world");
   change.motion = {MotionFollowUp::Kind::split, split.first, split.second, 0, 0};
   change.select = split.knot;
   return {};

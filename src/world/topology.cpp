@@ -102,6 +102,9 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
                              (1 - t) * knot(document, to).in_length};
   for (const double length : lengths)
     if (!(length >= kMinHandle && length <= kMaxHandle)) return {kNone, first, kNone};
+  // Between knots at the border of the world a curve may reach beyond it.
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(std::abs(parts.left.p3[axis]) <= kMaxCoordinate)) return {kNone, first, kNone};
 
   Knot middle;
   middle.position = parts.left.p3;

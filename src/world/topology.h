@@ -19,7 +19,7 @@ struct SplitResult {
 // Splits at t in (0,1) by de Casteljau without changing the shape (to float rounding): the knots at both ends become
 // aligned and get the scaled handle lengths (Paper erratum: the split scales the parametric speed, so uniform C1 becomes G1).
 // `up` is that of the segment's own frame at t, passed by the caller. Carts as designed keep their place.
-// Handles that would leave kMinHandle..kMaxHandle: nothing is changed and knot is kNone. `turns` stay with the first segment: who
+// Handles that would leave kMinHandle..kMaxHandle, or a knot beyond kMaxCoordinate: nothing is changed and knot is kNone. `turns` stay with the first segment: who
 // knows the twist (sim) shares them out.
 SplitResult split_segment(Document& document, Entity segment, double t, glm::vec3 up);
 

@@ -137,5 +137,14 @@ TEST_F(ChangingTrack, commands_over_the_vertex_budget_are_refused_and_name_it) {
   EXPECT_LE(session.derived.vertices, 1600);
 }
 
+TEST_F(ChangingTrack, a_knot_beyond_the_border_of_the_world_is_not_inserted) {
+  world::Document document;
+  world::append_knot(document, test::skew_knot({99'990, 5, 0}, {1, 0, 0}, 200, 200));
+  world::append_knot(document, test::skew_knot({99'990, 5, 50}, {-1, 0, 0}, 200, 200));
+  start_on(document);
+  refused("split @s1 at 0.5", "world");
+  refused("add_curve", "world");
+}
+
 }  // namespace
 }  // namespace coaster::edit
