@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/words.h"
 #include "script/help.h"
-#include "script/words.h"
 
 namespace coaster::app {
 namespace {
@@ -52,7 +52,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   if (help_script) {
     out.exit_code = 0;
     out.text = script::help();
-  } else if (!size.empty() && !script::parse_size(size, o.width, o.height)) {
+  } else if (!size.empty() && !base::parse_size(size, o.width, o.height)) {
     out.exit_code = 2;
     out.text = "coaster: --size: expected WIDTHxHEIGHT such as 1280x720, found " + size + "\n";
   } else if (o.validate && o.file.empty() && o.script.empty()) {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "base/folders.h"
 #include "base/hash.h"
 #include "base/text.h"
 #include "script/paths.h"
@@ -134,13 +135,9 @@ std::string title_of(const edit::Session& session) {
 }
 
 std::filesystem::path default_track() {
+  const std::filesystem::path data = base::data_folder(), track = data / "tracks" / "loop.json";
   std::error_code ignored;
-  const std::filesystem::path name = "loop.json";
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  for (const std::filesystem::path& folder :
-       {std::filesystem::path("tracks"), std::filesystem::path(COASTER_TRACK_DIR), program.parent_path() / "../share/coaster/tracks"})
-    if (std::filesystem::exists(folder / name, ignored)) return folder / name;
-  return {};
+  return !data.empty() && std::filesystem::exists(track, ignored) ? track : std::filesystem::path();
 }
 
 }  // namespace coaster::app

@@ -67,7 +67,7 @@ query::Context context_of(const Program& program);
 // "Red Comet* - coaster": the track's name, and a star when it is not saved.
 std::string title_of(const edit::Session& session);
 
-// The track to open when none is named: tracks/loop.json of the source folder or of the installation; empty when there is neither.
+// The track to open when none is named: tracks/loop.json of base::data_folder(); empty when it is not there.
 std::filesystem::path default_track();
 
 }  // namespace coaster::app

@@ -34,6 +34,15 @@ UserFolders user_folders() {
   return {below("XDG_CONFIG_HOME", ".config"), below("XDG_STATE_HOME", ".local/state")};
 }
 
+std::filesystem::path data_folder() {
+  if (std::filesystem::path named = from_environment("COASTER_DATA"); !named.empty()) return named;
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  for (const std::filesystem::path& folder : {program.parent_path().parent_path() / "share" / "coaster", std::filesystem::path(COASTER_SOURCE_DIR)})
+    if (std::filesystem::is_directory(folder / "tracks", error)) return folder;
+  return {};
+}
+
 Status make_folders(const std::filesystem::path& folder) {
   std::error_code error;
   if (std::filesystem::is_directory(folder, error)) return {};

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <system_error>
 
+#include "base/words.h"
 #include "script/lines.h"
 #include "script/paths.h"
-#include "script/words.h"
 
 namespace coaster::script {
 namespace {
@@ -89,7 +89,7 @@ void Parser::statement(int source, int number, std::span<const base::Token> toke
   const base::Token& first = tokens.front();
   Statement made{source, number, first.column, {}};
   base::TextError problem;
-  Words words(tokens, problem);
+  base::Words words(tokens, problem);
   words.take("a statement");
   if (first.text == "end") return close(source, number, tokens);
   if (first.text == "include") return include(source, number, tokens);

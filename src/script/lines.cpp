@@ -5,11 +5,11 @@
 #include <array>
 #include <limits>
 
+#include "base/words.h"
 #include "edit/codec.h"
-#include "script/condition.h"
+#include "query/condition.h"
 #include "script/grammar.h"
 #include "script/lines_parts.h"
-#include "script/words.h"
 
 namespace coaster::script {
 namespace {
@@ -27,7 +27,7 @@ bool parse_env(Words& words, Action& action) {
       const base::Token* const size = words.take("WIDTHxHEIGHT");
       if (!size) return false;
       int width = 0, height = 0;
-      if (!parse_size(size->text, width, height)) return words.fail(size->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(size->text));
+      if (!base::parse_size(size->text, width, height)) return words.fail(size->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(size->text));
       env.width = width, env.height = height;
     } else if (*name == 1) {
       const auto seed = words.whole("a seed", 0, std::numeric_limits<std::int64_t>::max());

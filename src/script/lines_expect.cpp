@@ -1,5 +1,5 @@
 // Reading expect: a condition, a widget's state, a file, or a statement that must fail.
-#include "script/condition.h"
+#include "query/condition.h"
 #include "script/grammar.h"
 #include "script/lines.h"
 #include "script/lines_parts.h"
@@ -52,7 +52,7 @@ bool parse_error(Words& words, Action& action) {
   if (rest.empty() && expect.contains) {  // expect error ~ "text": what the newest notice says
     Condition notice;
     notice.query = notice.text = "toast";
-    notice.op = Op::contains;
+    notice.op = query::Op::contains;
     notice.values = {words.rest().back()};
     notice.column = words.rest().front().column;
     action = Expect{notice};

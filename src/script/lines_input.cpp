@@ -89,7 +89,7 @@ bool parse_resize(Words& words, Action& action) {
   int width = 0, height = 0;
   std::string text = first->text;
   if (!words.at_end()) text += "x" + words.take("a height")->text;
-  if (!parse_size(text, width, height)) return words.fail(first->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(text));
+  if (!base::parse_size(text, width, height)) return words.fail(first->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(text));
   return finish(words, action, {{{platform::Resize{width, height}}}});
 }
 

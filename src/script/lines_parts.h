@@ -1,10 +1,12 @@
 // Readers of single statements that lines.cpp puts into its table: expect, input, ui.* and aim.*. Private to the grammar.
 #pragma once
 
+#include "base/words.h"
 #include "script/statements.h"
-#include "script/words.h"
 
 namespace coaster::script {
+
+using base::Words;
 
 bool parse_expect(Words& words, Action& action);  // lines_expect.cpp
 

@@ -1,7 +1,7 @@
 // expect and wait.
 #include <algorithm>
 
-#include "script/condition.h"
+#include "query/condition.h"
 #include "script/runner.h"
 #include "script/widgets.h"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "exchange/track_file.h"
-#include "script/condition.h"
+#include "query/condition.h"
 #include "script/output.h"
 #include "script/paths.h"
 #include "script/runner.h"

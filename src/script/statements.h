@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "edit/commands.h"
 #include "platform/events.h"
+#include "query/condition.h"
 #include "script/host.h"
 
 namespace coaster::script {
@@ -47,18 +48,8 @@ struct Include {
   Block body;
 };
 
-enum class Op : std::uint8_t { equal, not_equal, less, less_equal, greater, greater_equal, contains };
+using query::Condition;
 
-// "<query> [argument] <op> <value> [+-tolerance]". Without an operator: that the value is true.
-struct Condition {
-  std::string query, argument;
-  std::optional<Op> op;
-  std::vector<base::Token> values;
-  std::optional<double> tolerance;
-  bool negated = false;
-  std::string text;  // as written
-  int column = 1;
-};
 struct Expect {
   Condition condition;
 };

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "script/words.h"
+#include "base/words.h"
 
 namespace coaster::script {
 namespace {
@@ -16,7 +16,7 @@ std::vector<std::string> parts_of(std::string_view path) {
   std::vector<std::string> parts;
   while (true) {
     const std::size_t slash = path.find('/');
-    parts.push_back(lower(path.substr(0, slash)));
+    parts.push_back(base::lower(path.substr(0, slash)));
     if (slash == std::string_view::npos) return parts;
     path.remove_prefix(slash + 1);
   }
@@ -59,9 +59,9 @@ std::string nearest_path(std::span<const WidgetState> widgets, std::string_view 
 std::vector<std::size_t> find_widgets(std::span<const WidgetState> widgets, std::string_view path) {
   auto found = all(widgets, [&](std::string_view p) { return p == path; });
   if (found.empty()) found = all(widgets, [&](std::string_view p) { return ends_in(p, path); });
-  const std::string low = lower(path);
-  if (found.empty()) found = all(widgets, [&](std::string_view p) { return lower(p) == low; });
-  if (found.empty()) found = all(widgets, [&](std::string_view p) { return ends_in(lower(p), low); });
+  const std::string low = base::lower(path);
+  if (found.empty()) found = all(widgets, [&](std::string_view p) { return base::lower(p) == low; });
+  if (found.empty()) found = all(widgets, [&](std::string_view p) { return ends_in(base::lower(p), low); });
   if (found.empty()) found = all(widgets, [&](std::string_view p) { return has_parts(p, path); });
   return found;
 }

@@ -46,6 +46,17 @@ TEST_F(folders, the_base_directories_are_those_of_the_specification) {
   EXPECT_TRUE(user_folders().config.empty());
 }
 
+TEST_F(folders, data_are_where_the_variable_says_else_in_the_source_tree) {
+  {
+    const Variable named("COASTER_DATA", "/opt/some where/coaster");
+    EXPECT_EQ(data_folder(), "/opt/some where/coaster");
+  }
+  // The test program has no share folder beside its own.
+  const Variable relative("COASTER_DATA", "share");
+  EXPECT_EQ(data_folder(), fs::path(COASTER_SOURCE_DIR)) << "relative paths are ignored";
+  EXPECT_TRUE(fs::exists(data_folder() / "tracks" / "loop.json"));
+}
+
 TEST_F(folders, a_folder_is_made_with_those_above_it) {
   ASSERT_TRUE(make_folders(folder / "a" / "b"));
   EXPECT_EQ(fs::status(folder / "a" / "b").permissions() & fs::perms::all, fs::perms(0700));

@@ -1,12 +1,16 @@
-// Conditions of expect and wait.
-#include "script/condition.h"
+// Conditions of expect and wait, and of challenges.
+#include "query/condition.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace coaster::script {
+namespace coaster::query {
 namespace {
+
+using base::lower;
+using base::parse_switch;
+using base::Words;
 
 struct OpName {
   std::string_view text;
@@ -53,7 +57,7 @@ bool parse_tolerance(Words& words, Condition& condition) {
 
 std::vector<std::string> query_names() {
   std::vector<std::string> names;
-  for (const query::Query& q : query::queries())
+  for (const Query& q : queries())
     if (std::find(names.begin(), names.end(), q.name) == names.end()) names.emplace_back(q.name);
   return names;
 }
@@ -116,10 +120,10 @@ base::Result<bool> holds_text(const Condition& c, const std::string& found) {
   return ordered(*c.op, *a, *b, c.tolerance.value_or(0), true);
 }
 
-base::Result<bool> holds_ranked(const Condition& c, const query::Ranked& found) {
+base::Result<bool> holds_ranked(const Condition& c, const Ranked& found) {
   const std::string wanted = joined(c.values);
   if (*c.op == Op::contains) return lower(found.text).find(lower(wanted)) != std::string::npos;
-  const std::optional<int> rank = query::rank_of(c.query, wanted);
+  const std::optional<int> rank = rank_of(c.query, wanted);
   if (!rank) return mismatch("expected a value such as " + found.text + ", found " + base::quoted(wanted));
   return ordered(*c.op, found.rank, *rank, 0, true);
 }
@@ -136,9 +140,9 @@ base::Result<bool> holds_vector(const Condition& c, glm::dvec3 found) {
   return (*c.op == Op::not_equal) != same;
 }
 
-bool is_true(const query::Value& value) {
+bool is_true(const Value& value) {
   if (const double* const number = std::get_if<double>(&value)) return *number != 0;
-  if (const query::Ranked* const ranked = std::get_if<query::Ranked>(&value)) return ranked->rank != 0;
+  if (const Ranked* const ranked = std::get_if<Ranked>(&value)) return ranked->rank != 0;
   if (const std::string* const text = std::get_if<std::string>(&value)) return parse_switch(*text).value_or(!text->empty());
   return true;
 }
@@ -152,7 +156,7 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
   condition.column = name->column;
   condition.query = name->text;
   condition.text = name->text;
-  const query::Query* const query = query::find_query(name->text);
+  const Query* const query = find_query(name->text);
   if (!query) return words.fail(name->column, "no query " + base::quoted(name->text) + base::suggestion(name->text, query_names()));
   if (!query->argument.empty()) {
     const base::Token* const argument = words.take(query->argument);
@@ -179,12 +183,12 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
   return true;
 }
 
-base::Result<bool> holds(const Condition& condition, const query::Value& value) {
+base::Result<bool> holds(const Condition& condition, const Value& value) {
   struct Visitor {
     const Condition& c;
     base::Result<bool> operator()(double v) const { return holds_number(c, v); }
     base::Result<bool> operator()(const std::string& v) const { return holds_text(c, v); }
-    base::Result<bool> operator()(const query::Ranked& v) const { return holds_ranked(c, v); }
+    base::Result<bool> operator()(const Ranked& v) const { return holds_ranked(c, v); }
     base::Result<bool> operator()(glm::dvec3 v) const { return holds_vector(c, v); }
   };
   const base::Result<bool> result = condition.op ? std::visit(Visitor{condition}, value) : base::Result<bool>(is_true(value));
@@ -192,9 +196,9 @@ base::Result<bool> holds(const Condition& condition, const query::Value& value) 
   return *result != condition.negated;
 }
 
-std::string describe(const query::Query& query, const query::Value& value) {
+std::string describe(const Query& query, const Value& value) {
   const std::string text = std::holds_alternative<std::string>(value) ? base::quoted(query::to_text(value)) : query::to_text(value);
   return query.unit.empty() ? text : text + " " + std::string(query.unit);
 }
 
-}  // namespace coaster::script
+}  // namespace coaster::query

@@ -1,4 +1,4 @@
-// Walks the words of one line for the grammar; the first failure is kept with its place. Private to the script room.
+// Walks the words of one line for a grammar (scripts, conditions); the first failure is kept with its place.
 #pragma once
 
 #include <optional>
@@ -11,19 +11,19 @@
 
 #include "base/text.h"
 
-namespace coaster::script {
+namespace coaster::base {
 
 class Words {
  public:
-  Words(std::span<const base::Token> words, base::TextError& error) : words_(words), error_(error) {}
+  Words(std::span<const Token> words, TextError& error) : words_(words), error_(error) {}
 
   bool at_end() const { return next_ >= words_.size(); }
-  const base::Token* peek() const { return at_end() ? nullptr : &words_[next_]; }
-  std::span<const base::Token> rest() const { return words_.subspan(next_); }
+  const Token* peek() const { return at_end() ? nullptr : &words_[next_]; }
+  std::span<const Token> rest() const { return words_.subspan(next_); }
   // True, and one word further, when the next word is this one, unquoted.
   bool accept(std::string_view word);
   // The next word; fails at the end of the line with "expected WHAT".
-  const base::Token* take(std::string_view what);
+  const Token* take(std::string_view what);
   std::optional<double> number(std::string_view what);
   // A whole number in [low, high].
   std::optional<std::int64_t> whole(std::string_view what, std::int64_t low, std::int64_t high);
@@ -39,8 +39,8 @@ class Words {
   int end_column() const;
 
  private:
-  std::span<const base::Token> words_;
-  base::TextError& error_;
+  std::span<const Token> words_;
+  TextError& error_;
   std::size_t next_ = 0;
   bool failed_ = false;
 };
@@ -51,4 +51,4 @@ std::optional<bool> parse_switch(std::string_view word);
 bool parse_size(std::string_view text, int& width, int& height);
 std::string lower(std::string_view text);
 
-}  // namespace coaster::script
+}  // namespace coaster::base

@@ -1,9 +1,9 @@
 // What holds: operators, tolerances, words for ranks and switches.
-#include "script/condition.h"
+#include "query/condition.h"
 
 #include <gtest/gtest.h>
 
-namespace coaster::script {
+namespace coaster::query {
 namespace {
 
 // The condition "QUERY rest" held against a value; -1: refused.
@@ -11,7 +11,7 @@ int holds_for(const std::string& rest, const query::Value& value, const std::str
   std::vector<base::Token> tokens;
   base::TextError error;
   EXPECT_TRUE(base::tokenise(query + " " + rest, tokens, error));
-  Words words(tokens, error);
+  base::Words words(tokens, error);
   Condition condition;
   EXPECT_TRUE(parse_condition(words, condition)) << rest << ": " << error.message;
   const base::Result<bool> result = holds(condition, value);
@@ -78,4 +78,4 @@ TEST(condition, vectors_compare_by_component) {
 }
 
 }  // namespace
-}  // namespace coaster::script
+}  // namespace coaster::query

@@ -1,9 +1,9 @@
 // Walking the words of a line.
-#include "script/words.h"
+#include "base/words.h"
 
 #include <algorithm>
 
-namespace coaster::script {
+namespace coaster::base {
 
 std::string lower(std::string_view text) {
   std::string out(text);
@@ -22,7 +22,7 @@ std::optional<bool> parse_switch(std::string_view word) {
 bool parse_size(std::string_view text, int& width, int& height) {
   const std::size_t x = text.find_first_of("xX");
   if (x == std::string_view::npos) return false;
-  const auto w = base::parse_int(text.substr(0, x)), h = base::parse_int(text.substr(x + 1));
+  const auto w = parse_int(text.substr(0, x)), h = parse_int(text.substr(x + 1));
   constexpr std::int64_t kMost = 16384;
   if (!w || !h || *w < 1 || *h < 1 || *w > kMost || *h > kMost) return false;
   width = static_cast<int>(*w), height = static_cast<int>(*h);
@@ -30,47 +30,47 @@ bool parse_size(std::string_view text, int& width, int& height) {
 }
 
 bool Words::accept(std::string_view word) {
-  const base::Token* const next = peek();
+  const Token* const next = peek();
   if (!next || next->quoted || next->text != word) return false;
   ++next_;
   return true;
 }
 
-const base::Token* Words::take(std::string_view what) {
+const Token* Words::take(std::string_view what) {
   if (failed_) return nullptr;
-  if (const base::Token* const next = peek()) return ++next_, next;
+  if (const Token* const next = peek()) return ++next_, next;
   fail(end_column(), "expected " + std::string(what) + " at the end of the line");
   return nullptr;
 }
 
 std::optional<double> Words::number(std::string_view what) {
-  const base::Token* const word = take(what);
+  const Token* const word = take(what);
   if (!word) return std::nullopt;
   std::string_view text = word->text;
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-  const auto value = base::parse_double(text);
-  if (!value) fail(word->column, "expected " + std::string(what) + ", found " + base::quoted(word->text));
+  const auto value = parse_double(text);
+  if (!value) fail(word->column, "expected " + std::string(what) + ", found " + quoted(word->text));
   return value;
 }
 
 std::optional<std::int64_t> Words::whole(std::string_view what, std::int64_t low, std::int64_t high) {
-  const base::Token* const word = take(what);
+  const Token* const word = take(what);
   if (!word) return std::nullopt;
-  const auto value = base::parse_int(word->text);
+  const auto value = parse_int(word->text);
   if (value && *value >= low && *value <= high) return value;
   fail(word->column, "expected " + std::string(what) + " (" + std::to_string(low) + ".." + std::to_string(high) + "), found " +
-                         base::quoted(word->text));
+                         quoted(word->text));
   return std::nullopt;
 }
 
 std::optional<glm::vec3> Words::vector(std::string_view what) {
   glm::vec3 v{0};
   for (int axis = 0; axis < 3; ++axis) {
-    const base::Token* const word = take(what);
+    const Token* const word = take(what);
     if (!word) return std::nullopt;
-    const auto value = base::parse_float(word->text);
+    const auto value = parse_float(word->text);
     if (!value) {
-      fail(word->column, "expected " + std::string(what) + ", found " + base::quoted(word->text));
+      fail(word->column, "expected " + std::string(what) + ", found " + quoted(word->text));
       return std::nullopt;
     }
     v[axis] = *value;
@@ -79,27 +79,27 @@ std::optional<glm::vec3> Words::vector(std::string_view what) {
 }
 
 std::optional<bool> Words::on_off() {
-  const base::Token* const word = take("on or off");
+  const Token* const word = take("on or off");
   if (!word) return std::nullopt;
   if (word->text == "1") return true;
   if (word->text == "0") return false;
   const auto value = parse_switch(word->text);
-  if (!value) fail(word->column, "expected on or off, found " + base::quoted(word->text));
+  if (!value) fail(word->column, "expected on or off, found " + quoted(word->text));
   return value;
 }
 
 std::optional<std::size_t> Words::one_of(std::string_view what, std::span<const std::string> names) {
-  const base::Token* const word = take(what);
+  const Token* const word = take(what);
   if (!word) return std::nullopt;
   const auto found = std::find(names.begin(), names.end(), word->text);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  fail(word->column, "expected " + std::string(what) + ", found " + base::quoted(word->text) + base::suggestion(word->text, names));
+  fail(word->column, "expected " + std::string(what) + ", found " + quoted(word->text) + suggestion(word->text, names));
   return std::nullopt;
 }
 
 bool Words::end() {
   if (failed_) return false;
-  if (const base::Token* const extra = peek()) return fail(extra->column, "unexpected " + base::quoted(extra->text) + " after the end of the statement");
+  if (const Token* const extra = peek()) return fail(extra->column, "unexpected " + quoted(extra->text) + " after the end of the statement");
   return true;
 }
 
@@ -111,8 +111,8 @@ bool Words::fail(int column, std::string message) {
 
 int Words::end_column() const {
   if (words_.empty()) return 1;
-  const base::Token& last = words_.back();
-  return last.column + static_cast<int>(last.quoted ? base::quoted(last.text).size() : last.text.size());
+  const Token& last = words_.back();
+  return last.column + static_cast<int>(last.quoted ? quoted(last.text).size() : last.text.size());
 }
 
-}  // namespace coaster::script
+}  // namespace coaster::base
