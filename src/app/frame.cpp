@@ -8,15 +8,6 @@
 #include "sim/ride.h"
 
 namespace coaster::app {
-namespace {
-
-// Time. A request to close is for the panels, which ask back while there are unsaved changes; a window without size cannot ask.
-void take_events(Program& program, const platform::Events& events, platform::Size size) {
-  for (const platform::Event& event : events) {
-    if (const auto* const tick = std::get_if<platform::Tick>(&event)) program.seconds += tick->dt;
-    if (std::holds_alternative<platform::CloseRequest>(event) && size.width < 1 && !edit::dirty(program.session)) program.quit = true;
-  }
-}
 
 std::vector<sim::Pose> cart_poses(const edit::Session& session) {
   std::vector<sim::Pose> poses;
@@ -27,13 +18,34 @@ std::vector<sim::Pose> cart_poses(const edit::Session& session) {
   return poses;
 }
 
+namespace {
+
+// Time. A request to close is for the panels, which ask back while there are unsaved changes; a window without size cannot ask.
+void take_events(Program& program, const platform::Events& events, platform::Size size) {
+  for (const platform::Event& event : events) {
+    if (const auto* const tick = std::get_if<platform::Tick>(&event)) program.seconds += tick->dt;
+    if (std::holds_alternative<platform::CloseRequest>(event) && size.width < 1 && !edit::dirty(program.session)) program.quit = true;
+  }
+}
+
+// One script at a time: a window's player is taught by one.
+void ask_for_tutorial(Program& program) {
+  if (program.options.script.empty() && program.surface->is_window() && !program.lesson) program.wants_tutorial = true;
+  else edit::notify(program.session, edit::NoticeKind::warning, "the tutorial needs a window, and a player whom no script holds by the hand");
+}
+
 // Panels and viewport tool see the state before this frame's commands, which are applied here.
 ui::Output build_panels(Program& program, const platform::Events& events, platform::Size size) {
   constexpr double kBarAfter = 0.15;  // s: what is done sooner shows no bar
   ui::State state{program.session, program.stats, program.seconds, program.stats.hide_times, &program.rig, program.keeper ? &program.keeper->state : nullptr};
   state.importing = program.import && program.seconds - program.import->since > kBarAfter ? &program.import->progress : nullptr;
+  state.lesson = program.lesson ? &*program.lesson : nullptr;
+  state.pictures = &program.pictures.made();
   ui::Output output = program.ui->build(events, state, size.width, size.height);
   if (output.cancel_import && program.import) program.import->progress.cancelled = true;
+  if (output.lesson_answer != query::LessonAnswer::none) program.lesson_answer = output.lesson_answer;
+  if (output.wants_tutorial) ask_for_tutorial(program);
+  program.pictures.update(program.gl, output.wanted_pictures, program.session.settings.style);
   program.toast = program.ui->toast();
   program.by_hand = true;
   for (const edit::Command& command : output.commands) {
@@ -142,6 +154,17 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   fill_stats(program, drawn, size, began, built, drew);
   set_title(program);
   if (output.wants_screenshot) take_photo(program);
+}
+
+void play_frame(Program& program) {
+  constexpr double kWeight = 0.05;  // of the newest frame in the shown rate
+  platform::Events events;
+  program.surface->poll(events);
+  run_frame(program, events, take_ticks(program, events));
+  const double now = program.surface->clock(), taken = now - program.frame_clock;
+  program.frame_clock = now;
+  program.smoothed_frame = program.smoothed_frame == 0 ? taken : program.smoothed_frame + (taken - program.smoothed_frame) * kWeight;
+  program.stats.fps = program.smoothed_frame > 0 ? 1 / program.smoothed_frame : 0;
 }
 
 }  // namespace coaster::app

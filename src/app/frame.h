@@ -1,6 +1,8 @@
 // One frame, for windows, scripts and recordings alike.
 #pragma once
 
+#include <vector>
+
 #include "app/program.h"
 
 namespace coaster::app {
@@ -8,6 +10,12 @@ namespace coaster::app {
 // Events in, picture out. `events` holds what happened, its Ticks being the time that passed; `ticks` is by how much the ride goes on.
 // A frame without area (a minimised window) changes state and draws nothing.
 void run_frame(Program& program, const platform::Events& events, int ticks);
+
+// One frame of a window: what its player does, in real time.
+void play_frame(Program& program);
+
+// Where each car of each train is.
+std::vector<sim::Pose> cart_poses(const edit::Session& session);
 
 // Whole ticks of 1/120 s in the time that passed by `events`; what is left over waits in the program. A pause over 0.25 s counts as that.
 int take_ticks(Program& program, const platform::Events& events);

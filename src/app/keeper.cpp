@@ -57,6 +57,8 @@ void show(Program& program, const exchange::UserSettings& settings) {
   const world::Settings& now = program.session.settings;
   if (now.ui_scale != settings.ui_scale) (void)apply(program, edit::SetScale{settings.ui_scale});
   if (now.theme != settings.theme) (void)apply(program, edit::SetTheme{settings.theme});
+  if (now.style != settings.style) (void)apply(program, edit::SetStyle{settings.style});
+  if (now.sound != settings.sound) (void)apply(program, edit::SetSound{settings.sound});
   if (now.show_panels != settings.panels) (void)apply(program, edit::SetPanels{settings.panels});
   if (now.show_laboratory != settings.laboratory) (void)apply(program, edit::ShowLaboratory{settings.laboratory});
   if (now.feel.reduced_motion != settings.reduced_motion) (void)apply(program, edit::SetReducedMotion{settings.reduced_motion});
@@ -70,6 +72,8 @@ void follow_session(const Program& program, exchange::UserSettings& settings) {
   const world::Settings& now = program.session.settings;
   settings.ui_scale = now.ui_scale;
   settings.theme = now.theme;
+  settings.style = now.style;
+  settings.sound = now.sound;
   settings.panels = now.show_panels;
   settings.laboratory = now.show_laboratory;
   settings.reduced_motion = now.feel.reduced_motion;

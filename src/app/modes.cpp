@@ -3,12 +3,14 @@
 
 #include <cstdio>
 #include <unistd.h>
+#include <utility>
 
 #include "app/frame.h"
 #include "app/pictures.h"
 #include "app/program.h"
 #include "app/ride_summary.h"
 #include "app/script_host.h"
+#include "app/tutorial.h"
 #include "exchange/track_file.h"
 #include "platform/signals.h"
 #include "script/grammar.h"
@@ -192,17 +194,11 @@ int run_window(const Options& options) {
   p.keeper->unasked = false;
   if (const base::Status limits = open_envelope(p.session, p.files, options); !limits) return finish(limits);
   if (const base::Status started = start_recording(p); !started) return finish(started);
-  double last = p.surface->clock();
-  double smoothed = 0;
+  if (options.file.empty() && p.keeper->state.settings.start_screen) p.ui->show_start();
+  p.frame_clock = p.surface->clock();
   for (std::int64_t frame = 0; !p.quit && !platform::pending_signal() && (!options.frames || frame < *options.frames); ++frame) {
-    platform::Events events;
-    p.surface->poll(events);
-    run_frame(p, events, take_ticks(p, events));
-    const double now = p.surface->clock();
-    constexpr double kWeight = 0.05;  // of the newest frame in the shown rate
-    smoothed = smoothed == 0 ? now - last : smoothed + (now - last - smoothed) * kWeight;
-    p.stats.fps = smoothed > 0 ? 1 / smoothed : 0;
-    last = now;
+    play_frame(p);
+    if (std::exchange(p.wants_tutorial, false)) run_tutorial(p);
   }
   if (const int signal = platform::pending_signal()) return leave_by(p, signal);
   stop_keeping(p, p.quit);

@@ -3,11 +3,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/keeper.h"
 #include "app/import_job.h"
 #include "app/options.h"
+#include "app/track_pictures.h"
 #include "base/files.h"
 #include "edit/session.h"
 #include "gfx/renderer.h"
@@ -45,6 +47,12 @@ struct Program {
   double seconds = 0;              // since the start, as the events have it
   double tick_debt = 0;            // s that passed and are not ticked yet
   bool quit = false;
+  double frame_clock = 0;          // of the window's last frame, by the surface's clock
+  double smoothed_frame = 0;       // s, of its frames
+  TrackPictures pictures;          // for the start screen
+  bool wants_tutorial = false;
+  std::optional<query::LessonCard> lesson;
+  query::LessonAnswer lesson_answer = query::LessonAnswer::none;
   std::string title;               // of the window
   std::string toast;
 };

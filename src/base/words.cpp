@@ -49,7 +49,7 @@ std::optional<double> Words::number(std::string_view what) {
   std::string_view text = word->text;
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto value = parse_double(text);
-  if (!value) fail(word->column, "expected " + std::string(what) + ", found " + quoted(word->text));
+  if (!value) fail(word->column, "expected " + std::string(what) + ", found " + base::quoted(word->text));
   return value;
 }
 
@@ -59,7 +59,7 @@ std::optional<std::int64_t> Words::whole(std::string_view what, std::int64_t low
   const auto value = parse_int(word->text);
   if (value && *value >= low && *value <= high) return value;
   fail(word->column, "expected " + std::string(what) + " (" + std::to_string(low) + ".." + std::to_string(high) + "), found " +
-                         quoted(word->text));
+                         base::quoted(word->text));
   return std::nullopt;
 }
 
@@ -70,7 +70,7 @@ std::optional<glm::vec3> Words::vector(std::string_view what) {
     if (!word) return std::nullopt;
     const auto value = parse_float(word->text);
     if (!value) {
-      fail(word->column, "expected " + std::string(what) + ", found " + quoted(word->text));
+      fail(word->column, "expected " + std::string(what) + ", found " + base::quoted(word->text));
       return std::nullopt;
     }
     v[axis] = *value;
@@ -84,7 +84,7 @@ std::optional<bool> Words::on_off() {
   if (word->text == "1") return true;
   if (word->text == "0") return false;
   const auto value = parse_switch(word->text);
-  if (!value) fail(word->column, "expected on or off, found " + quoted(word->text));
+  if (!value) fail(word->column, "expected on or off, found " + base::quoted(word->text));
   return value;
 }
 
@@ -93,13 +93,13 @@ std::optional<std::size_t> Words::one_of(std::string_view what, std::span<const 
   if (!word) return std::nullopt;
   const auto found = std::find(names.begin(), names.end(), word->text);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  fail(word->column, "expected " + std::string(what) + ", found " + quoted(word->text) + suggestion(word->text, names));
+  fail(word->column, "expected " + std::string(what) + ", found " + base::quoted(word->text) + suggestion(word->text, names));
   return std::nullopt;
 }
 
 bool Words::end() {
   if (failed_) return false;
-  if (const Token* const extra = peek()) return fail(extra->column, "unexpected " + quoted(extra->text) + " after the end of the statement");
+  if (const Token* const extra = peek()) return fail(extra->column, "unexpected " + base::quoted(extra->text) + " after the end of the statement");
   return true;
 }
 
@@ -112,7 +112,7 @@ bool Words::fail(int column, std::string message) {
 int Words::end_column() const {
   if (words_.empty()) return 1;
   const Token& last = words_.back();
-  return last.column + static_cast<int>(last.quoted ? quoted(last.text).size() : last.text.size());
+  return last.column + static_cast<int>(last.quoted ? base::quoted(last.text).size() : last.text.size());
 }
 
 }  // namespace coaster::base

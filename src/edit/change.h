@@ -114,6 +114,8 @@ base::Status perform(Session& session, Change& change, const SetPolyline& comman
 base::Status perform(Session& session, Change& change, const SetAppendMode& command);
 base::Status perform(Session& session, Change& change, const SetScale& command);
 base::Status perform(Session& session, Change& change, const SetTheme& command);
+base::Status perform(Session& session, Change& change, const SetStyle& command);
+base::Status perform(Session& session, Change& change, const SetSound& command);
 base::Status perform(Session& session, Change& change, const ShowLayer& command);
 base::Status perform(Session& session, Change& change, const SetColouring& command);
 base::Status perform(Session& session, Change& change, const SetMagnification& command);

@@ -1,4 +1,4 @@
-// Values of the laboratory's commands as text: layers, colourings and pages, and the theme's, by the names of their tables.
+// Values of the laboratory's commands as text: layers, colourings and pages, the theme's and the style's, by the names of their tables.
 #include "edit/codec_values.h"
 
 namespace coaster::edit {
@@ -16,6 +16,9 @@ Names page_names() {
 Names theme_names() {
   return Names(world::kThemeNames.begin(), world::kThemeNames.end());
 }
+Names style_names() {
+  return Names(world::kStyleNames.begin(), world::kStyleNames.end());
+}
 
 }  // namespace
 
@@ -31,6 +34,9 @@ std::string print_value(world::LabPage value) {
 std::string print_value(world::Theme value) {
   return row_name(theme_names(), static_cast<int>(value));
 }
+std::string print_value(world::Style value) {
+  return row_name(style_names(), static_cast<int>(value));
+}
 bool read_value(WordReader& words, world::Layer& value) {
   return read_enum(words, layer_names(), value);
 }
@@ -43,6 +49,9 @@ bool read_value(WordReader& words, world::LabPage& value) {
 bool read_value(WordReader& words, world::Theme& value) {
   return read_enum(words, theme_names(), value);
 }
+bool read_value(WordReader& words, world::Style& value) {
+  return read_enum(words, style_names(), value);
+}
 std::string usage_of(world::Layer) {
   return joined(layer_names());
 }
@@ -54,6 +63,9 @@ std::string usage_of(world::LabPage) {
 }
 std::string usage_of(world::Theme) {
   return joined(theme_names());
+}
+std::string usage_of(world::Style) {
+  return joined(style_names());
 }
 
 }  // namespace coaster::edit

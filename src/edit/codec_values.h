@@ -80,6 +80,7 @@ std::string print_value(world::Colouring value);
 std::string print_value(world::LabPage value);
 std::string print_value(const world::Element& value);  // "loop left height 16 ..."
 std::string print_value(world::Theme value);
+std::string print_value(world::Style value);
 
 bool read_value(WordReader& words, Target& value);
 bool read_value(WordReader& words, HandleTarget& value);
@@ -106,6 +107,7 @@ bool read_value(WordReader& words, world::Colouring& value);
 bool read_value(WordReader& words, world::LabPage& value);
 bool read_value(WordReader& words, world::Element& value);  // to the end of the line; what is not named has its usual value
 bool read_value(WordReader& words, world::Theme& value);
+bool read_value(WordReader& words, world::Style& value);
 
 std::string usage_of(const HandleTarget& value);
 std::string usage_of(const Knots& value);
@@ -131,5 +133,6 @@ std::string usage_of(world::Colouring value);
 std::string usage_of(world::LabPage value);
 std::string usage_of(const world::Element& value);
 std::string usage_of(world::Theme value);
+std::string usage_of(world::Style value);
 
 }  // namespace coaster::edit

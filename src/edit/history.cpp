@@ -27,6 +27,7 @@ std::size_t estimated_bytes(const world::Document& document) {
   bytes += entities.pool<world::Knot>().size() * (sizeof(world::Knot) + kIds);
   bytes += entities.pool<world::Segment>().size() * (sizeof(world::Segment) + kIds);
   bytes += entities.pool<world::Cart>().size() * (sizeof(world::Cart) + kIds);
+  bytes += entities.pool<world::Equipment>().size() * (sizeof(world::Equipment) + kIds);
   for (const world::Extra& extra : entities.pool<world::Extra>().items())
     bytes += sizeof(world::Extra) + kIds + extra.json.size();
   return bytes;

@@ -30,7 +30,7 @@ void follow_reversal(const world::Document& document, const sim::Derived& derive
     const world::Cart* const design = document.entities.find<world::Cart>(motion.carts.entities()[i]);
     if (!index || !design) continue;
     // `s` was measured from what is the segment's end now.
-    const double front = derived.starts[*index + 1] - cart.s, behind = (design->cars - 1) * double{design->spacing};
+    const double front = derived.starts[*index + 1] - cart.s, behind = design->behind();
     cart.track_distance = front + behind;
     if (derived.closed && derived.length > 0 && cart.track_distance >= derived.length) cart.track_distance -= derived.length;
     cart.segment = world::kNone;

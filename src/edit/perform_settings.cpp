@@ -153,6 +153,19 @@ Status perform(Session& session, Change&, const SetTheme& command) {
   return {};
 }
 
+Status perform(Session& session, Change&, const SetStyle& command) {
+  const Status known = known_row(command.to, world::kStyleNames);
+  if (!known) return known;
+  session.settings.style = command.to;
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetSound& command) {
+  if (!std::isfinite(command.to)) return refused("expected a finite number");
+  session.settings.sound = change.clamp("sound", command.to, 0.0f, 1.0f);
+  return {};
+}
+
 Status perform(Session& session, Change& change, const SetScale& command) {
   if (!std::isfinite(command.to)) return refused("expected a finite scale");
   session.settings.ui_scale = change.clamp("scale", command.to, kMinScale, kMaxScale);

@@ -22,7 +22,6 @@ double turned(const sim::Derived& derived, double front, double behind) {
   return std::clamp(place, 0.0, derived.length);
 }
 
-double behind(const world::Cart& cart) { return (cart.cars - 1) * double{cart.spacing}; }
 
 // tangent, up, tangent x up as columns.
 dmat3 frame_of(const Knot& knot) {
@@ -58,7 +57,7 @@ Status perform(Session& session, Change& change, const Reverse&) {
     const world::Cart& cart = carts.items()[i];
     const std::size_t index = *world::index_of(derived.order, cart.segment);
     const double front = derived.starts[index] + cart.fraction * (derived.starts[index + 1] - derived.starts[index]);
-    starts.push_back({carts.entities()[i], turned(derived, front, behind(cart))});
+    starts.push_back({carts.entities()[i], turned(derived, front, cart.behind())});
   }
   world::reverse(document);
   const std::size_t count = derived.order.size();

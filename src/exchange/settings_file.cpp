@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "base/text.h"
 #include "exchange/json_reader.h"
@@ -52,14 +53,29 @@ bool read_scale(const Json& value, UserSettings& to) {
 }
 Json print_scale(const UserSettings& s) { return numbers(std::round(double{s.ui_scale} * 1e4) / 1e4); }
 
-bool read_theme(const Json& value, UserSettings& to) {
+// By the names of an enumeration.
+template <auto member, const auto& names>
+bool read_name(const Json& value, UserSettings& to) {
   if (!value.is_string()) return false;
-  const auto found = std::find(world::kThemeNames.begin(), world::kThemeNames.end(), value.get<std::string>());
-  if (found == world::kThemeNames.end()) return false;
-  to.theme = static_cast<world::Theme>(found - world::kThemeNames.begin());
+  const auto found = std::find(names.begin(), names.end(), value.get<std::string>());
+  if (found == names.end()) return false;
+  to.*member = static_cast<std::remove_reference_t<decltype(to.*member)>>(found - names.begin());
   return true;
 }
-Json print_theme(const UserSettings& s) { return std::string(world::kThemeNames[static_cast<std::size_t>(s.theme)]); }
+template <auto member, const auto& names>
+Json print_name(const UserSettings& s) { return std::string(names[static_cast<std::size_t>(s.*member)]); }
+template <auto member, const auto& names>
+constexpr Member name_row(std::string_view name, std::string_view expected) {
+  return {name, expected, read_name<member, names>, print_name<member, names>};
+}
+
+bool read_sound(const Json& value, UserSettings& to) {
+  double loudness = 0;
+  if (!read(value, 0, 1, loudness)) return false;
+  to.sound = static_cast<float>(loudness);
+  return true;
+}
+Json print_sound(const UserSettings& s) { return numbers(std::round(double{s.sound} * 1e4) / 1e4); }
 
 bool read_autosave(const Json& value, UserSettings& to) { return read(value, kMinAutosave, kMaxAutosave, to.autosave_seconds); }
 Json print_autosave(const UserSettings& s) { return numbers(s.autosave_seconds); }
@@ -107,7 +123,9 @@ Json print_keys(const UserSettings& s) {
 
 constexpr std::array kMembers{
     Member{"ui_scale", "a number from 0.75 to 3", read_scale, print_scale},
-    Member{"theme", "dark, light or high_contrast", read_theme, print_theme},
+    name_row<&UserSettings::theme, world::kThemeNames>("theme", "dark, light or high_contrast"),
+    name_row<&UserSettings::style, world::kStyleNames>("style", "day, dusk or blueprint"),
+    Member{"sound", "a number from 0 to 1", read_sound, print_sound},
     flag_row<&UserSettings::panels>("panels"),
     flag_row<&UserSettings::laboratory>("laboratory"),
     flag_row<&UserSettings::reduced_motion>("reduced_motion"),
@@ -118,6 +136,7 @@ constexpr std::array kMembers{
            [](const UserSettings& s) { return Json(s.recent); }},
     flag_row<&UserSettings::hints>("hints"),
     flag_row<&UserSettings::gizmo>("gizmo"),
+    flag_row<&UserSettings::start_screen>("start_screen"),
     Member{"keys", "names of actions with a key, or a list of two", read_keys, print_keys},
 };
 

@@ -34,12 +34,15 @@ struct KeyChoice {
 struct UserSettings {
   float ui_scale = 1;
   world::Theme theme = world::Theme::dark;
+  world::Style style = world::Style::day;
+  float sound = world::Settings{}.sound;    // 0 (silent) to 1
   bool panels = true, laboratory = false;
   bool reduced_motion = false, head_bob = false;
   double autosave_seconds = 30;             // kMinAutosave..kMaxAutosave
   std::optional<WindowPlace> window;        // none: where the window system puts it
   std::vector<std::string> recent;          // files, the newest first, at most kMaxRecent
   bool hints = true, gizmo = true;          // the first steps, and the arrows on what is selected
+  bool start_screen = true;                 // whether a window without a track opens with it
   std::vector<KeyChoice> keys;              // as written, names that no action has included
   std::string others;                       // members of later versions, the text of a JSON object; "" without any
   friend bool operator==(const UserSettings&, const UserSettings&) = default;

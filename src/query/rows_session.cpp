@@ -36,6 +36,8 @@ Answer title(const Context& c, View) { return text(c.title); }
 Answer append_mode(const Context& c, View) { return yes_no(c.session.settings.append_mode); }
 Answer panels(const Context& c, View) { return yes_no(c.session.settings.show_panels); }
 Answer polyline(const Context& c, View) { return yes_no(c.session.settings.layers.has(world::Layer::polyline)); }
+Answer style(const Context& c, View) { return text(world::kStyleNames[static_cast<std::size_t>(c.session.settings.style)]); }
+Answer sound(const Context& c, View) { return number(c.session.settings.sound); }
 Answer theme(const Context& c, View) { return text(world::kThemeNames[static_cast<std::size_t>(c.session.settings.theme)]); }
 Answer file(const Context& c, View) { return text(c.session.path.filename().string()); }
 Answer locked_by(const Context& c, View) { return text(c.stats.keeping.holder); }
@@ -96,6 +98,8 @@ constexpr std::array kRows{
     Query{"panels", "", "", "on when the panels show.", panels},
     Query{"polyline", "", "", "on when the evaluated polyline shows.", polyline},
     Query{"theme", "", "", "Colours of panels and scene: dark, light or high_contrast.", theme},
+    Query{"style", "", "", "Light of the scene: day, dusk or blueprint.", style},
+    Query{"sound", "", "", "Loudness of the ride in the window, 0 to 1.", sound},
     Query{"track_file", "", "", "Name of the track's file without its folder, empty when it has none.", file},
     Query{"locked_by", "", "", "Who else edits the track's file, empty when nobody does.", locked_by},
     Query{"recoverable", "", "", "Autosaves of other runs that wait for an answer.", recoverable},

@@ -6,6 +6,7 @@
 
 #include "base/words.h"
 #include "script/lines.h"
+#include "script/lines_parts.h"
 #include "script/paths.h"
 
 namespace coaster::script {
@@ -19,7 +20,7 @@ class Parser {
   void file(std::string_view text, const std::string& name, const std::filesystem::path& folder, bool header_required, Block& block);
 
  private:
-  // A repeat or gesture that is still open, with the place where it began.
+  // A block that is still open, with the place where it began.
   struct Open {
     Statement opener;
     Block body;
@@ -77,11 +78,12 @@ void Parser::include(int source, int number, std::span<const base::Token> tokens
 
 void Parser::close(int source, int number, std::span<const base::Token> tokens) {
   if (tokens.size() > 1) error(source, number, tokens[1].column, "unexpected " + base::quoted(tokens[1].text) + " after end");
-  if (open_.empty()) return error(source, number, tokens[0].column, "\"end\" without repeat or gesture");
+  if (open_.empty()) return error(source, number, tokens[0].column, "\"end\" without repeat, gesture or lesson");
   Open closed = std::move(open_.back());
   open_.pop_back();
   if (Repeat* const repeat = std::get_if<Repeat>(&closed.opener.action)) repeat->body = std::move(closed.body);
   if (Gesture* const gesture = std::get_if<Gesture>(&closed.opener.action)) gesture->body = std::move(closed.body);
+  if (Lesson* const lesson = std::get_if<Lesson>(&closed.opener.action)) lesson->body = std::move(closed.body);
   add(std::move(closed.opener));
 }
 
@@ -93,8 +95,10 @@ void Parser::statement(int source, int number, std::span<const base::Token> toke
   words.take("a statement");
   if (first.text == "end") return close(source, number, tokens);
   if (first.text == "include") return include(source, number, tokens);
-  if (first.text == "repeat" || first.text == "gesture") {
-    if (first.text == "repeat") {
+  if (first.text == "repeat" || first.text == "gesture" || first.text == "lesson") {
+    if (first.text == "lesson") {
+      if (!parse_lesson(words, made.action)) return error(source, number, problem.column, problem.message);
+    } else if (first.text == "repeat") {
       const auto count = words.whole("a count", 0, 1'000'000);
       made.action = Repeat{count.value_or(1), {}};
     } else {
@@ -154,7 +158,7 @@ void Parser::file(std::string_view text, const std::string& name, const std::fil
 const std::vector<std::string>& statement_words() {
   static const std::vector<std::string> kWords = [] {
     std::vector<std::string> words = line_words();
-    for (const char* const word : {"coaster-script", "repeat", "gesture", "end", "include"}) words.emplace_back(word);
+    for (const char* const word : {"coaster-script", "repeat", "gesture", "lesson", "end", "include"}) words.emplace_back(word);
     return words;
   }();
   return kWords;

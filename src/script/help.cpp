@@ -22,6 +22,7 @@ constexpr std::array kSession{
     Row{"include \"FILE\"", "The statements of another script."},
     Row{"repeat N ... end", "The lines up to end, N times."},
     Row{"gesture ... end", "The commands up to end are one step of undo."},
+    Row{"lesson \"TEXT\" [at \"WIDGET\"] until CONDITION ... end", "A player does what the text says; without one the lines up to end do it."},
     Row{"frames N", "Draws N frames of 2 ticks (1/60 s) each."},
     Row{"ticks N", "Advances by N ticks of 1/120 s without drawing."},
     Row{"wait QUERY [ARGUMENT] OP VALUE [+-TOLERANCE] [max N ticks|frames|seconds]", "Advances until it is so; exit code 6 when it is not in time."},

@@ -12,6 +12,7 @@
 #include "base/files.h"
 #include "edit/commands.h"
 #include "platform/events.h"
+#include "query/lesson.h"
 #include "query/query.h"
 #include "view/pick.h"
 
@@ -60,6 +61,10 @@ struct Host {
   std::function<void(std::string_view line)> print;                    // to stdout (log, hash log)
   std::function<base::Status(const std::filesystem::path&)> set_home;  // keeps settings and autosaves there, as if just started; may be empty
   std::function<bool()> interrupted;                                   // the system wants the program to end; may be empty
+  // Lessons: shows a card, or takes it away; and one frame of the player's own events, in real time, with what the card's buttons say. Empty: there
+  // is nobody to teach, and scripts do themselves what lessons ask for.
+  std::function<void(const query::LessonCard*)> teach;
+  std::function<base::Result<query::LessonAnswer>()> watch;
   base::Files* files = nullptr;
   bool window = false;                                                 // frames are paced by a screen
 };

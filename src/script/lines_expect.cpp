@@ -1,4 +1,4 @@
-// Reading expect: a condition, a widget's state, a file, or a statement that must fail.
+// Reading expect and lesson: a condition, a widget's state, a file, or a statement that must fail.
 #include "query/condition.h"
 #include "script/grammar.h"
 #include "script/lines.h"
@@ -85,6 +85,22 @@ bool parse_expect(Words& words, Action& action) {
   if (!parse_condition(words, expect.condition)) return false;
   expect.condition.negated = expect.condition.negated != negated;
   action = std::move(expect);
+  return words.end();
+}
+
+bool parse_lesson(Words& words, Action& action) {
+  Lesson lesson;
+  const base::Token* const text = words.take("a text");
+  if (!text) return false;
+  lesson.text = text->text;
+  if (words.accept("at")) {
+    const base::Token* const widget = words.take("a widget's path");
+    if (!widget) return false;
+    lesson.widget = *widget;
+  }
+  if (!words.accept("until")) return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected at or until");
+  if (!parse_condition(words, lesson.until)) return false;
+  action = std::move(lesson);
   return words.end();
 }
 

@@ -10,6 +10,8 @@ using base::Words;
 
 bool parse_expect(Words& words, Action& action);  // lines_expect.cpp
 
+bool parse_lesson(Words& words, Action& action);  // opens a block; lines_expect.cpp
+
 bool parse_key(Words& words, Action& action);  // lines_input.cpp
 bool parse_text(Words& words, Action& action);
 bool parse_wheel(Words& words, Action& action);

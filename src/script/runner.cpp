@@ -22,8 +22,10 @@ base::Status Runner::run() {
 }
 
 Failure Runner::run(const Block& block) {
-  for (const Statement& statement : block)
+  for (const Statement& statement : block) {
+    if (left_) break;
     if (Failure result = run(statement); !result) return result;
+  }
   return {};
 }
 

@@ -52,6 +52,7 @@ class Runner {
   Failure perform(const Repeat& repeat);
   Failure perform(const Gesture& gesture);
   Failure perform(const Include& include);
+  Failure perform(const Lesson& lesson);  // runner_lesson.cpp
   Failure perform(const Input& input);
   Failure perform(const MoveCamera& move);
   Failure perform(const FitCamera& fit);
@@ -82,6 +83,8 @@ class Runner {
   Stage stage_;
   const RunOptions& options_;
   Environment environment_;
+  int lessons_ = 0;                    // begun so far
+  bool left_ = false;                  // the player has had enough of them
   std::vector<std::filesystem::path> homes_;  // that env has named
   int source_ = 0;                     // of the statement that runs
   const Statement* failed_at_ = nullptr;  // the innermost statement that failed

@@ -59,6 +59,13 @@ struct Wait {
   std::int64_t most = 7200;
   bool frames = false;
 };
+// "lesson TEXT [at WIDGET] until CONDITION ... end": the player does what the text says; without a player, or on request, the body does it.
+struct Lesson {
+  std::string text;
+  std::optional<base::Token> widget;
+  Condition until;
+  Block body;
+};
 struct ExpectWidget {
   base::Token path;
   enum class What : std::uint8_t { visible, enabled } what = What::visible;
@@ -136,7 +143,7 @@ struct Fault {
   int nth = 1;
 };
 
-using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, Gesture, Include, Expect, Wait, ExpectWidget, ExpectFile,
+using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, Gesture, Lesson, Include, Expect, Wait, ExpectWidget, ExpectFile,
                             ExpectError, UiAction, Input, AimAction, MoveCamera, FitCamera, Snap, Shot, Dump, Log, Fault>;
 
 struct Statement {

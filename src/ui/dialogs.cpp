@@ -79,6 +79,7 @@ void Dialogs::proceed(Ui& ui) {
     case Want::Kind::fresh: ui.emit(edit::NewTrack{}); break;
     case Want::Kind::browse: browse(ui, FileBrowser::Mode::open); break;
     case Want::Kind::load: ui.emit(edit::Load{want.path}); break;
+    case Want::Kind::tutorial: ui.out.wants_tutorial = true; break;
     case Want::Kind::quit: ui.out.quit = true; break;
   }
 }

@@ -11,7 +11,7 @@ namespace coaster::ui {
 
 // What is to follow once nothing unsaved can be lost.
 struct Want {
-  enum class Kind { nothing, fresh, browse, load, quit } kind = Kind::nothing;
+  enum class Kind { nothing, fresh, browse, load, tutorial, quit } kind = Kind::nothing;
   std::string path;  // of load
 };
 

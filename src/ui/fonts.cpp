@@ -28,7 +28,7 @@ void make_figures_tabular(ImFont& font) {
   }
 }
 
-ImFont* add_font(ImFontAtlas& atlas, float pixels) {
+ImFont* add_font(ImFontAtlas& atlas, float pixels, const ImWchar* ranges = kRanges) {
   const std::span<const unsigned char> inter = inter_font();
   if (!inter.empty()) {
     ImFontConfig config;
@@ -38,7 +38,7 @@ ImFont* add_font(ImFontAtlas& atlas, float pixels) {
     config.PixelSnapH = false;
     config.RasterizerMultiply = 1.1f;  // light text on dark looks thin otherwise
     // The atlas only reads data it does not own.
-    ImFont* font = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(inter.data()), static_cast<int>(inter.size()), pixels, &config, kRanges);
+    ImFont* font = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(inter.data()), static_cast<int>(inter.size()), pixels, &config, ranges);
     if (font != nullptr) return font;
   }
   ImFontConfig config;
@@ -54,10 +54,13 @@ void load_fonts(float scale) {
   atlas.Flags |= ImFontAtlasFlags_NoMouseCursors;
   add_font(atlas, std::round(kFontPixels * scale));
   add_font(atlas, std::max(13.0f, std::round(kSmallFontPixels * scale)));
+  static constexpr ImWchar kAscii[] = {0x0020, 0x007E, 0};
+  add_font(atlas, std::round(kTitleFontPixels * scale), kAscii);
   atlas.Build();
   for (ImFont* font : atlas.Fonts) make_figures_tabular(*font);
 }
 
 ImFont* small_font() { return ImGui::GetIO().Fonts->Fonts[1]; }
+ImFont* title_font() { return ImGui::GetIO().Fonts->Fonts[2]; }
 
 }  // namespace coaster::ui

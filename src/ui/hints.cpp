@@ -5,25 +5,36 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
+#include "ui/key_map.h"
 #include "ui/row.h"
 #include "ui/theme.h"
 
 namespace coaster::ui {
+namespace {
+
+struct Hint {
+  std::string key, text;
+};
+
+// With the keys as the user has them.
+std::array<Hint, 8> first_steps(const KeyMap& keys) {
+  const auto k = [&](std::string_view action) { return keys.shown(action); };
+  return {Hint{"Drag", "turn the view; the wheel zooms, " + k("Frame all") + " shows all"},
+          Hint{"Click", "select a knot, then drag it or its handles"},
+          Hint{k("Move") + " " + k("Rotate") + " " + k("Scale"), "move, rotate, scale; then X, Y, Z or a number"},
+          Hint{k("Append points"), "append knots by clicks; " + k("Add curve") + " adds a curve"},
+          Hint{k("Play or pause"), "ride; " + k("Ride camera") + " looks from the seat, " + k("Orbit camera") + " from afar"},
+          Hint{k("Laboratory"), "the laboratory: curves, errors, forces"},
+          Hint{k("Undo"), "undo, as often as you like"},
+          Hint{k("Command palette"), "find every action and command"}};
+}
+
+}  // namespace
 
 void draw_hints(Ui& ui, const view::Viewport& scene) {
   if (!ui.session().settings.show_hints) return;
-  struct Hint {
-    const char *key, *text;
-  };
-  constexpr std::array<Hint, 8> kHints{Hint{"Drag", "turn the view; the wheel zooms, F shows all"},
-                                       Hint{"Click", "select a knot, then drag it or its handles"},
-                                       Hint{"G R S", "move, rotate, scale; then X, Y, Z or a number"},
-                                       Hint{"A", "append knots by clicks; C adds a curve"},
-                                       Hint{"Space", "ride; 2 looks from the seat, 1 from afar"},
-                                       Hint{"L", "the laboratory: curves, errors, forces"},
-                                       Hint{"Ctrl+Z", "undo, as often as you like"},
-                                       Hint{"Ctrl+P", "find every action and command"}};
   const float width = std::floor(384 * ui.scale), margin = std::floor(14 * ui.scale);
   if (scene.width < width + 2 * margin || scene.height < 300 * ui.scale) return;
   // Below the track, clear of the notices at the foot.
@@ -35,14 +46,14 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
   if (ImGui::Begin("##hints", nullptr, kFlags)) {
     ui.panel = "Hints";
     ImGui::TextUnformatted("First steps");
-    for (const Hint& hint : kHints) {
+    for (const Hint& hint : first_steps(ui.keys)) {
       const float start = ImGui::GetCursorPosX();
       ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().accent));
-      ImGui::TextUnformatted(hint.key);
+      ImGui::TextUnformatted(hint.key.c_str());
       ImGui::PopStyleColor();
       ImGui::SameLine(start + std::floor(58 * ui.scale));
       ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
-      ImGui::TextUnformatted(hint.text);
+      ImGui::TextUnformatted(hint.text.c_str());
       ImGui::PopStyleColor();
     }
     if (button(ui, "Got it", "Dismiss the first steps; View/First steps brings them back.")) ui.emit(edit::SetHints{false});

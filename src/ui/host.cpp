@@ -14,13 +14,15 @@
 #include "ui/fly_keys.h"
 #include "ui/hints.h"
 #include "ui/imgui_input.h"
-#include "ui/import_bar.h"
 #include "ui/imgui_renderer.h"
+#include "ui/import_bar.h"
 #include "ui/key_map.h"
 #include "ui/lab_cache.h"
 #include "ui/layout.h"
 #include "ui/legend.h"
+#include "ui/lesson.h"
 #include "ui/panels.h"
+#include "ui/start_screen.h"
 #include "ui/theme.h"
 #include "ui/toasts.h"
 
@@ -40,16 +42,16 @@ view::View make_view(const State& state, const view::Viewport& scene) {
 }
 
 // What can be done next, at the viewport's foot: what a transform does, or what a newcomer may click on.
-std::string foot_text(const ViewportTool& tool, const edit::Session& session) {
-  if (tool.transform().active()) return tool.transform().status() + "     X Y Z axis \u00B7 Shift plane \u00B7 digits \u00B7 Enter \u00B7 Esc";
-  if (tool.box_waits()) return "Drag a box around knots; Shift adds, Ctrl takes away; Escape ends it";
+std::string foot_text(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys) {
+  if (tool.transform().active()) return tool.transform().status() + "     X Y Z axis \u00B7 Shift plane \u00B7 digits \u00B7 Enter \u00B7 " + keys.shown("Cancel");
+  if (tool.box_waits()) return "Drag a box around knots; Shift adds, Ctrl takes away; " + keys.shown("Cancel") + " ends it";
   if (session.document.track.knots.empty()) return "Click on the ground to place the first knot";
-  if (session.settings.append_mode && !session.document.track.closed) return "Click on the ground to append knots; A or Escape ends it";
+  if (session.settings.append_mode && !session.document.track.closed) return "Click on the ground to append knots; " + keys.shown("Append points") + " or " + keys.shown("Cancel") + " ends it";
   return {};
 }
 
-void draw_foot(const ViewportTool& tool, const edit::Session& session, const view::Viewport& scene) {
-  const std::string hint = foot_text(tool, session);
+void draw_foot(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys, const view::Viewport& scene) {
+  const std::string hint = foot_text(tool, session, keys);
   if (hint.empty()) return;
   const bool empty = session.document.track.knots.empty();
   const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
@@ -78,6 +80,8 @@ struct Host::Parts {
   Toasts toasts;
   LabCache lab;
   Dialogs dialogs;
+  StartScreen start;
+  std::optional<Widget> lessons_widget;  // that the lesson is about, as last drawn
   KeyMap keys;
   std::string file;               // in the field Track/File
   std::filesystem::path file_of;  // the session's path it was taken from
@@ -157,11 +161,11 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   view = ui.out.view = make_view(ui.state, layout.scene);
   if (std::exchange(frame_next, false)) ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
 
-  const bool typing = text_has_keyboard(), asking = dialogs.open();
+  const bool typing = text_has_keyboard(), asking = dialogs.open() || start.open();
   take_files(ui, events);
   Act act{ui, tool, layout.scene, hovered, palette};
   if (!typing && !asking) tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, events);
-  fly_keys.fly(ui, events, typing || dialogs.open());
+  fly_keys.fly(ui, events, typing || asking || dialogs.open());
   if (session.settings.show_panels) {
     build_menu(act);
     build_column(ui, Column::left, layout.left);
@@ -169,17 +173,22 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
     build_laboratory(ui, layout.strip);
     build_status_bar(ui, layout.status);
   }
-  draw_hints(ui, layout.scene);
+  if (ui.state.lesson == nullptr) draw_hints(ui, layout.scene);
+  draw_lesson(ui, layout.scene, lessons_widget ? &*lessons_widget : nullptr);
   build_import_bar(ui, layout.scene);
   build_palette(act, palette);
+  start.build(ui, events, static_cast<float>(width), static_cast<float>(height));
   dialogs.build(ui, events, typing, static_cast<float>(width), static_cast<float>(height));
   settle_gesture(ui);
   hovered = tool.update(ui, view);
-  draw_foot(tool, session, layout.scene);
+  draw_foot(tool, session, ui.keys, layout.scene);
   draw_legend(ui, layout.scene);
   toasts.draw(layout.scene, ui.scale, ui.state.seconds, ui.state.scripted);
   for (const edit::Command& command : ui.out.commands)
-    frame_next = frame_next || std::holds_alternative<edit::Load>(command) || std::holds_alternative<edit::NewTrack>(command);
+    if (std::holds_alternative<edit::Load>(command) || std::holds_alternative<edit::NewTrack>(command)) {
+      frame_next = true;
+      start.hide();
+    }
 }
 
 base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl, float content_scale) {
@@ -217,11 +226,15 @@ Output Host::build(const platform::Events& events, const State& state, int width
   ImGui::NewFrame();
   Output out;
   p.list.clear();
-  Ui ui{state, out, p.list, p.entry, p.gesture, p.rest, p.toasts, p.lab, p.file, p.radius, p.dialogs, p.keys, p.gl.renderer, scale, {}};
+  Ui ui{state, out, p.list, p.entry, p.gesture, p.rest, p.toasts, p.lab, p.file, p.radius, p.dialogs, p.start, p.keys, p.gl.renderer, scale, {}};
   p.lay_out(ui, events, width, height);
   p.count_rest();
   ImGui::Render();
   p.list.finish();  // now the order of the windows and which of them were used is settled
+  p.lessons_widget.reset();
+  if (state.lesson != nullptr)
+    for (const Widget& widget : p.list.widgets())
+      if (widget.path == state.lesson->widget && widget.visible) p.lessons_widget = widget;
   out.view = p.view;
   out.hovered = p.hovered;
   return out;
@@ -238,6 +251,8 @@ std::vector<std::string> Host::set_keys(std::span<const exchange::KeyChoice> cho
   parts_->keys = KeyMap::make(choices, problems);
   return problems;
 }
+
+void Host::show_start() { parts_->start.show(); }
 
 // ImGui keeps which headers are open and how far columns are scrolled with each window.
 void Host::reset_layout() {

@@ -2,6 +2,7 @@
 // tool from const state and returns the commands they want; changes nothing itself.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +13,7 @@
 #include "exchange/settings_file.h"
 #include "gfx/gl.h"
 #include "platform/events.h"
+#include "query/lesson.h"
 #include "query/query.h"
 #include "view/camera_rig.h"
 #include "view/overlay.h"
@@ -49,6 +51,14 @@ struct UserState {
   SystemDialog system;
 };
 
+// Of a track's file, for the start screen.
+struct TrackPicture {
+  unsigned texture = 0;  // GL name, 16:9; 0 when there is none
+  std::string name;      // the track's
+  double length = 0;     // m
+  std::string problem;   // why there is none
+};
+
 // What panels read.
 struct State {
   const edit::Session& session;
@@ -58,6 +68,8 @@ struct State {
   const view::CameraRig* rig = nullptr;  // what pictures are taken with; null: settled at the state
   const UserState* kept = nullptr;
   const base::Progress* importing = nullptr;  // a file that is being read
+  const query::LessonCard* lesson = nullptr;
+  const std::map<std::string, TrackPicture>* pictures = nullptr;  // by path
 };
 
 enum class Recovery { recover, discard, later };  // later: asked again at the next start
@@ -76,6 +88,9 @@ struct Output {
   bool cancel_import = false;
   std::optional<exchange::UserSettings> settings;     // to keep instead of the present ones
   std::optional<Recovery> recovery;                   // the answer about the first offer
+  query::LessonAnswer lesson_answer = query::LessonAnswer::none;
+  bool wants_tutorial = false;
+  std::vector<std::string> wanted_pictures;           // files of tracks, the most wanted first
   std::optional<std::string> new_folder;              // to make
   std::optional<SystemDialogRequest> system_dialog;   // to open
 };
@@ -94,6 +109,8 @@ class Host {
 
   // Keys in place of the table's; returns what could not be done, a line each.
   std::vector<std::string> set_keys(std::span<const exchange::KeyChoice> choices);
+  // The start screen: over everything until something is chosen.
+  void show_start();
   // Columns, headers and the laboratory's strip as at the first start.
   void reset_layout();
 

@@ -2,19 +2,20 @@
 #include <array>
 
 #include "ui/fly_keys.h"
+#include "ui/key_map.h"
 #include "ui/panels.h"
 
 namespace coaster::ui {
 namespace {
 
 struct Row {
-  const char *label, *tooltip;
+  const char *label, *tooltip, *action;
 };
 constexpr std::array<Row, 4> kModes{{
-    {"Orbit", "Turn about a place: drag empty space, middle button to pan, wheel to zoom. Key 1."},
-    {"Ride", "From the first cart's seat, 1.1 m over the rails. Key 2."},
-    {"Chase", "Behind and above the first cart's train; the wheel sets how far. Key 3."},
-    {"Fly", "W A S D along the view and sideways, Q down, E up, Shift faster; drag to look around. Key 4."},
+    {"Orbit", "Turn about a place: drag empty space, middle button to pan, wheel to zoom.", "Orbit camera"},
+    {"Ride", "From the first cart's seat, 1.1 m over the rails.", "Ride camera"},
+    {"Chase", "Behind and above the first cart's train; the wheel sets how far.", "Chase camera"},
+    {"Fly", "W A S D along the view and sideways, Q down, E up, Shift faster; drag to look around.", "Fly camera"},
 }};
 
 }  // namespace
@@ -25,7 +26,7 @@ void camera_panel(Ui& ui) {
   for (std::size_t i = 0; i < kModes.size(); ++i) {
     const auto mode = static_cast<world::CameraMode>(i);
     if (i > 0) (void)beside_last(ui, kModes[i].label);
-    if (radio(ui, kModes[i].label, settings.camera_mode == mode, std::string(kModes[i].tooltip) + " V: the next one.")) choose_camera(ui, mode);
+    if (radio(ui, kModes[i].label, settings.camera_mode == mode, with_keys(ui.keys, kModes[i].tooltip, kModes[i].action))) choose_camera(ui, mode);
   }
   const bool rides = settings.camera_mode == world::CameraMode::ride;
   const double view = rides ? feel.ride_view_deg : settings.camera.field_of_view_deg;

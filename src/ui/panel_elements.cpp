@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/key_map.h"
 #include "ui/panels.h"
 #include "ui/row.h"
 #include "ui/theme.h"
@@ -88,7 +89,7 @@ void elements_panel(Ui& ui) {
     ImGui::TextWrapped("%s", plan.refusal.c_str());
     ImGui::PopStyleColor();
   }
-  if (button(ui, "Place", "Add it at the open end of the track. Key Enter; Escape hides the preview.", possible, ImGui::GetContentRegionAvail().x))
+  if (button(ui, "Place", with_keys(ui.keys, "Add it at the open end of the track; " + ui.keys.shown("Cancel") + " hides the preview.", "Place element"), possible, ImGui::GetContentRegionAvail().x))
     ui.emit(edit::PlaceElement{session.settings.element});
 }
 

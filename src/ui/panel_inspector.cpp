@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "curve/continuity.h"
+#include "ui/key_map.h"
 #include "ui/panels.h"
 #include "world/selection.h"
 #include "world/topology.h"
@@ -172,7 +173,7 @@ void inspector_panel(Ui& ui) {
   }
   constexpr const char* kKinds[] = {"Knot", "Segment", "Cart"};
   if (const std::vector<Entity> knots = world::selected_knots(session.document, session.settings); knots.size() > 1) {
-    read_out(ui, "Selected", std::to_string(knots.size()) + " knots", "", "Shift+click adds and takes away, B draws a box.");
+    read_out(ui, "Selected", std::to_string(knots.size()) + " knots", "", "Shift+click adds and takes away, " + ui.keys.shown("Box select") + " draws a box.");
     ImGui::PushID("several");
     knots_inspector(ui, selected, knots);
     ImGui::PopID();

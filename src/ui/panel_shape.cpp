@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "ui/key_map.h"
 #include "ui/panels.h"
 #include "ui/row.h"
 #include "world/selection.h"
@@ -52,7 +53,7 @@ void snapping(Ui& ui) {
   const world::Snapping& now = ui.session().settings.snapping;
   static const std::array<Choice, 4> kSnaps{Choice{"Nothing", "What is moved goes where the mouse is."}, Choice{"Grid", "Positions are whole steps."},
                                             Choice{"Knots", "A knot under the cursor draws what is moved onto it."}, Choice{"Ground", "What is moved stays on the ground."}};
-  if (const auto to = combo(ui, "Snap to", kSnaps, static_cast<int>(now.to), "What moves by hand snaps to this; Shift+Tab takes the next. Hold Ctrl with G for the other way round."))
+  if (const auto to = combo(ui, "Snap to", kSnaps, static_cast<int>(now.to), "What moves by hand snaps to this; " + ui.keys.shown("Next snapping") + " takes the next. Hold Ctrl while moving for the other way round."))
     ui.emit(edit::SetSnapping{static_cast<world::SnapTo>(*to), now.step, now.angle});
   if (const auto to = number(ui, "Step", {.value = now.step, .unit = "m", .decimals = 3, .step = 0.01, .low = 0.001, .high = 1000}, "Of the grid."))
     ui.emit(edit::SetSnapping{now.to, *to, now.angle});
@@ -80,7 +81,8 @@ void shape_panel(Ui& ui) {
   const bool any = !session.document.track.knots.empty();
   const std::size_t count = knots.which == edit::Knots::Which::all ? session.document.track.knots.size() : knots.names.size();
   read_out(ui, "Acts on", (knots.which == edit::Knots::Which::all ? "all " : "") + std::to_string(count) + (count == 1 ? " knot" : " knots"), "",
-           "The selected knots, or all when none is selected. Shift+click adds a knot, Ctrl+click all up to it, B draws a box, Ctrl+A selects all.");
+           "The selected knots, or all when none is selected. Shift+click adds a knot, Ctrl+click all up to it, " + ui.keys.shown("Box select") + " draws a box, " +
+               ui.keys.shown("Select all") + " selects all.");
   Buttons next{ui, 2};
   if (next("Smooth", "The natural C2 spline through the knots: curvature goes on over every joint.", any && session.document.track.knots.size() > 1)) ui.emit(edit::Smooth{knots});
   if (next("Equalise handles", "Both handles as long as they are on average (C1).", any)) ui.emit(edit::Equalise{knots});

@@ -71,7 +71,7 @@ void building(Ui& ui) {
   if (const auto to = checkbox(ui, "Closed", closed, "Join the last knot to the first (a circuit), or open the track there.", closed || knots >= 2))
     ui.emit(edit::SetClosed{*to});
   if (const auto on = checkbox(ui, "Append points", session.settings.append_mode,
-                               with_keys(ui.keys, "A click on the ground appends a knot to an open track; Escape leaves it.", "Append points")))
+                               with_keys(ui.keys, "A click on the ground appends a knot to an open track; " + ui.keys.shown("Cancel") + " leaves it.", "Append points")))
     ui.emit(edit::SetAppendMode{*on});
 
   const float width = pair_width();

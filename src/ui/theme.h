@@ -31,7 +31,8 @@ ImU32 packed(std::uint32_t rgb, float alpha = 1.0f);
 
 inline constexpr float kFontPixels = 17.0f;  // line height at scale 1: Inter's em is then 14 px
 
-inline constexpr float kSmallFontPixels = 14.0f;       // ticks and read-outs of plots, notes
+inline constexpr float kSmallFontPixels = 14.0f;  // ticks and read-outs of plots, notes
+inline constexpr float kTitleFontPixels = 36.0f;  // of whole pages; ASCII alone
 
 // Colours and sizes of the current ImGui context for `scale`; the palette must outlive it.
 void apply_theme(const Palette& palette, float scale);
@@ -39,6 +40,7 @@ void apply_theme(const Palette& palette, float scale);
 // Replaces the fonts of the current context by Inter (or the built-in font where Inter was not embedded) at `scale`. Digits all get the
 // width of the widest, so that numbers stand still. Call outside a frame; the font texture has to be uploaded again after it.
 void load_fonts(float scale);
+ImFont* title_font();
 ImFont* small_font();  // of the current context, after load_fonts()
 
 }  // namespace coaster::ui

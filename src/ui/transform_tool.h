@@ -26,8 +26,6 @@ class TransformTool {
 
   // "Move along X: 2.50 m", for the viewport's foot; empty when nothing is under way.
   std::string status() const;
-  std::optional<Constraint> constraint() const { return active_ ? std::optional(constraint_) : std::nullopt; }
-  glm::vec3 pivot() const { return pivot_; }
 
  private:
   void finish(Ui& ui);

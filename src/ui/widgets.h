@@ -51,6 +51,7 @@ struct Rest {
 struct Toasts;
 struct LabCache;
 class Dialogs;
+class StartScreen;
 class KeyMap;
 
 // What a panel works with during one build.
@@ -66,6 +67,7 @@ struct Ui {
   std::string& file;           // the path in Track/File
   double& radius;              // the number in Shape/Radius, m
   Dialogs& dialogs;
+  StartScreen& start;
   const KeyMap& keys;
   std::string_view renderer;   // GL_RENDERER
   float scale = 1;

@@ -64,6 +64,7 @@ struct Cart {
   float mass = kCarMass;      // kg of a car with its riders
   // What is drawn, and what collides: cars of one train do not overlap.
   float body() const { return length < spacing ? length : spacing; }
+  double behind() const { return (cars - 1) * double{spacing}; }  // m of rail from the first car's middle to the last one's
   friend bool operator==(const Cart&, const Cart&) = default;
 };
 

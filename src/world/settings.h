@@ -72,6 +72,10 @@ struct Snapping {
 enum class Theme : std::uint8_t { dark, light, high_contrast };
 inline constexpr std::array<std::string_view, 3> kThemeNames{"dark", "light", "high_contrast"};
 
+// Light, sky and ground of the scene; by name in scripts and in the settings file.
+enum class Style : std::uint8_t { day, dusk, blueprint };
+inline constexpr std::array<std::string_view, 3> kStyleNames{"day", "dusk", "blueprint"};
+
 struct Settings {
   curve::EvaluatorId evaluator = curve::kDefaultEvaluator;
   int steps = 64;                            // polyline resolution, steps per segment, 1..4096
@@ -101,6 +105,8 @@ struct Settings {
   bool show_element = false;                 // where it would go
   float ui_scale = 1.0f;
   Theme theme = Theme::dark;
+  Style style = Style::day;
+  float sound = 0.5f;                        // loudness of the ride where there is a device for it, 0 (silent) to 1
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -72,6 +72,7 @@ class RandomCommands {
   void fill(world::Layer& v) { v = static_cast<world::Layer>(below(world::layers().size())); }
   void fill(world::LabPage& v) { v = static_cast<world::LabPage>(below(world::lab_pages().size())); }
   void fill(world::Theme& v) { v = static_cast<world::Theme>(below(world::kThemeNames.size())); }
+  void fill(world::Style& v) { v = static_cast<world::Style>(below(world::kStyleNames.size())); }
   void fill(curve::EvaluatorId& v) { v = static_cast<curve::EvaluatorId>(below(curve::evaluators().size())); }
   void fill(curve::ArcLengthId& v) {
     v = static_cast<curve::ArcLengthId>(below(curve::arc_length_methods().size()));

@@ -9,12 +9,14 @@ UserSettings unusual() {
   UserSettings s;
   s.ui_scale = 1.75f;
   s.theme = world::Theme::high_contrast;
+  s.style = world::Style::blueprint;
+  s.sound = 0.125f;
   s.panels = false;
   s.laboratory = s.reduced_motion = s.head_bob = true;
   s.autosave_seconds = 12.5;
   s.window = WindowPlace{-40, 7, 900, 601, true};
   s.recent = {"/a/b \"c\".json", "/\xc3\xa4.json"};
-  s.hints = s.gizmo = false;
+  s.hints = s.gizmo = s.start_screen = false;
   s.keys = {{"Undo", {"Ctrl+U"}}, {"Redo", {"Ctrl+R", "F4"}}, {"Reset", {}}, {"No such action", {"F9"}}};
   s.others = R"({"later":[1,2]})";
   return s;
@@ -30,13 +32,13 @@ TEST(settings_file, printing_and_parsing_gives_the_same_settings_back) {
 }
 
 TEST(settings_file, a_wrong_member_becomes_its_default_and_is_told_while_the_others_hold) {
-  const auto loaded = parse_settings(R"({"format": "coaster-settings", "version": 1, "ui_scale": 17, "theme": "pink", "panels": "yes", "autosave_seconds": 40,
+  const auto loaded = parse_settings(R"({"format": "coaster-settings", "version": 1, "ui_scale": 17, "theme": "pink", "style": "noon", "sound": -1, "panels": "yes", "autosave_seconds": 40,
     "window": {"x": 1, "y": 2}, "keys": {"Undo": 3}, "recent": "one"})", "s");
   ASSERT_TRUE(loaded);
   UserSettings expected;
   expected.autosave_seconds = 40;
   EXPECT_TRUE(loaded->settings == expected);
-  ASSERT_EQ(loaded->warnings.size(), 6u);
+  ASSERT_EQ(loaded->warnings.size(), 8u);
   EXPECT_EQ(loaded->warnings[0], "ui_scale: expected a number from 0.75 to 3, found 17");
 }
 

@@ -7,6 +7,7 @@
 #include "exchange/nl2_csv.h"
 #include "exchange/nl2elem.h"
 #include "exchange/nltrack.h"
+#include "exchange/settings_file.h"
 #include "exchange/track_file.h"
 #ifdef COASTER_FUZZ_SCRIPTS
 #include "script/grammar.h"
@@ -48,6 +49,13 @@ void envelope(std::string_view bytes) {
   COASTER_CHECK(exchange::parse_envelope(exchange::print_envelope(loaded->envelope, loaded->name), "again").ok(), "an envelope can be saved and read again");
 }
 
+void settings(std::string_view bytes) {
+  const auto loaded = exchange::parse_settings(bytes, "settings");
+  if (!loaded) return check_error(loaded.status());
+  const auto again = exchange::parse_settings(exchange::print_settings(loaded->settings), "again");
+  COASTER_CHECK(again.ok() && again->warnings.empty() && again->settings == loaded->settings, "what is kept of settings is read back the same");
+}
+
 #ifdef COASTER_FUZZ_SCRIPTS
 void script(std::string_view bytes) {
   if (bytes.find("include") != std::string_view::npos) return;  // reads whatever file it names
@@ -58,7 +66,7 @@ void script(std::string_view bytes) {
 
 constexpr std::array kTargets{
     Target{"track", track},       Target{"nl2_csv", nl2_csv},   Target{"nltrack", nltrack}, Target{"nl2elem", nl2elem},
-    Target{"envelope", envelope},
+    Target{"envelope", envelope}, Target{"settings", settings},
 #ifdef COASTER_FUZZ_SCRIPTS
     Target{"script", script},
 #endif

@@ -1,0 +1,75 @@
+// Opening, framing and drawing tracks beside the one that is open.
+#include "app/track_pictures.h"
+
+#include "app/frame.h"
+#include "base/folders.h"
+#include "edit/session.h"
+#include "view/camera.h"
+
+namespace coaster::app {
+namespace {
+
+constexpr int kWidth = 480, kHeight = 270, kSamples = 4;
+
+gfx::Object make_texture(const gfx::Gl& gl, const gfx::Image& image) {
+  GLuint id = 0;
+  gl.GenTextures(1, &id);
+  gfx::Object texture(gl, id, [](const gfx::Gl& table, GLuint name) { table.DeleteTextures(1, &name); });
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D, id);
+  for (const auto& [parameter, value] : {std::pair{GL_TEXTURE_MIN_FILTER, GL_LINEAR}, {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
+                                        {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE}, {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE}})
+    gl.TexParameteri(GL_TEXTURE_2D, GLenum(parameter), value);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  gl.BindTexture(GL_TEXTURE_2D, 0);
+  return texture;
+}
+
+}  // namespace
+
+ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const std::string& path, world::Style style) {
+  ui::TrackPicture picture;
+  edit::Session session = edit::make_session({});
+  base::Files files;
+  if (const base::Status opened = edit::apply(session, files, edit::Load{path}); !opened) {
+    picture.problem = opened.message;
+    return picture;
+  }
+  picture.name = session.document.name;
+  picture.length = session.derived.length;
+  if (!renderer_) {
+    auto made = gfx::Renderer::make(gl, kSamples);
+    if (!made) {
+      picture.problem = made.status().message;
+      return picture;
+    }
+    renderer_ = std::move(*made);
+  }
+  const view::Viewport viewport{0, 0, kWidth, kHeight};
+  const view::View view = view::orbit_view(view::frame_all(session.settings.camera, session.document, viewport), viewport);
+  const view::Overlay nothing_over_it;
+  const std::vector<sim::Pose> cars = cart_poses(session);
+  gfx::Scene scene{session.derived, view, nothing_over_it, cars};
+  scene.show_polyline = false;
+  (void)style;
+  (void)renderer_->draw(scene, kWidth, kHeight);
+  gfx::Object texture = make_texture(gl, renderer_->read_pixels());
+  picture.texture = texture.id();
+  textures_[path] = std::move(texture);
+  return picture;
+}
+
+void TrackPictures::update(const gfx::Gl& gl, std::span<const std::string> wanted, world::Style style) {
+  for (const std::string& path : wanted) {
+    const Source source{base::change_time(path), style};
+    const auto found = sources_.find(path);
+    if (found != sources_.end() && found->second == source) continue;
+    made_[path] = draw(gl, path, style);
+    sources_[path] = source;
+    return;
+  }
+  renderer_.reset();
+}
+
+}  // namespace coaster::app

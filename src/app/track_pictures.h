@@ -1,0 +1,38 @@
+// Small pictures of tracks for the start screen, drawn by the scene's own renderer, one a frame while any is wanted.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gfx/objects.h"
+#include "gfx/renderer.h"
+#include "ui/host.h"
+
+namespace coaster::app {
+
+class TrackPictures {
+ public:
+  // Draws the first wanted file that has no picture yet, or none that is as new as the file. When nothing is wanted any more the renderer for
+  // them is given back; the pictures stay.
+  void update(const gfx::Gl& gl, std::span<const std::string> wanted, world::Style style);
+
+  const std::map<std::string, ui::TrackPicture>& made() const { return made_; }
+
+ private:
+  struct Source {
+    std::int64_t time = 0;
+    world::Style style{};
+    friend bool operator==(const Source&, const Source&) = default;
+  };
+  ui::TrackPicture draw(const gfx::Gl& gl, const std::string& path, world::Style style);
+
+  std::unique_ptr<gfx::Renderer> renderer_;
+  std::map<std::string, Source> sources_;
+  std::map<std::string, gfx::Object> textures_;
+  std::map<std::string, ui::TrackPicture> made_;
+};
+
+}  // namespace coaster::app

@@ -1,0 +1,61 @@
+// Lessons: the player's own hand where there is one, the script's where there is none.
+#include <algorithm>
+
+#include "script/runner.h"
+
+namespace coaster::script {
+namespace {
+
+constexpr int kMostFrames = 3600;  // that a lesson's own lines may take to have their effect
+
+int lessons_in(const Block& block) {
+  int count = 0;
+  for (const Statement& statement : block) {
+    if (std::holds_alternative<Lesson>(statement.action)) ++count;
+    if (const auto* const include = std::get_if<Include>(&statement.action)) count += lessons_in(include->body);
+  }
+  return count;
+}
+
+}  // namespace
+
+Failure Runner::perform(const Lesson& lesson) {
+  const Host& host = stage_.host();
+  const query::LessonCard card{lesson.text, lesson.widget ? lesson.widget->text : "", ++lessons_, std::max(lessons_, lessons_in(script_.statements))};
+  if (host.teach) host.teach(&card);
+  std::string found;
+  bool shown = !host.watch;
+  if (shown) {
+    const base::Result<bool> before = check(lesson.until, found);
+    if (before && *before) return failed("there is nothing to learn: " + lesson.until.text + " before the lesson", lesson.until.column);
+    if (Failure ran = run(lesson.body); !ran) return ran;
+  }
+  Failure result;
+  for (int waited = 0;; ++waited) {
+    const base::Result<bool> done = check(lesson.until, found);
+    if (!done) result = failure(done.status(), lesson.until.column);
+    if (!done || *done) break;
+    if (shown && waited >= kMostFrames) {
+      result = {base::Code::timeout, "the lesson's own lines have not led to " + lesson.until.text + ", found " + found, lesson.until.column};
+      break;
+    }
+    if (!host.watch) {
+      if (const base::Status status = stage_.frame({}); !status) return failure(status);
+      continue;
+    }
+    const base::Result<query::LessonAnswer> answer = host.watch();
+    if (!answer) return failure(answer.status());
+    if (*answer == query::LessonAnswer::leave || (host.interrupted && host.interrupted())) {
+      left_ = true;
+      break;
+    }
+    if (*answer == query::LessonAnswer::show && !shown) {
+      shown = true, waited = 0;
+      if (Failure ran = run(lesson.body); !ran) return ran;
+    }
+  }
+  if (host.teach) host.teach(nullptr);
+  return result;
+}
+
+}  // namespace coaster::script
