@@ -12,6 +12,13 @@ endforeach()
 # The circuit of docs/play.md.
 coaster_script_test(play $<TARGET_FILE:coaster> --headless --script ${CMAKE_SOURCE_DIR}/docs/play.coaster --out ${CMAKE_CURRENT_BINARY_DIR}/out/play)
 
+# What the tutorial asks of a player can be done: its lessons do it themselves where nobody plays.
+file(GLOB tutorials CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tutorials/*.coaster)
+foreach(script ${tutorials})
+  cmake_path(GET script STEM name)
+  coaster_script_test(tutorial_${name} $<TARGET_FILE:coaster> --headless --script ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/out/tutorial_${name})
+endforeach()
+
 # The command line: exit codes, recordings that replay to the same hashes, files checked without running.
 file(GLOB checks CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/*_check.sh)
 foreach(check ${checks})

@@ -74,6 +74,20 @@ void take_photo(Program& program) {
   edit::notify(program.session, wrote ? edit::NoticeKind::info : edit::NoticeKind::error, wrote ? "saved " + path.string() : wrote.message);
 }
 
+base::Status write_sheet(const std::filesystem::path& path, int columns, std::span<const std::filesystem::path> pictures) {
+  constexpr int kGap = 12;  // px
+  base::Files files;
+  std::vector<gfx::Image> images;
+  for (const std::filesystem::path& picture : pictures) {
+    const auto bytes = files.read(picture);
+    if (!bytes) return bytes.status();
+    auto image = gfx::decode_png(*bytes, picture.string());
+    if (!image) return image.status();
+    images.push_back(std::move(*image));
+  }
+  return write(path, gfx::contact_sheet(images, columns, kGap));
+}
+
 base::Status compare_picture(Program& program, const std::string& name, const std::filesystem::path& golden,
                              const std::filesystem::path& folder, bool update) {
   if (program.stats.frame == 0) return {base::Code::refused, "no frame has been drawn"};

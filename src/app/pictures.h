@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "app/program.h"
@@ -13,6 +14,9 @@ base::Status write_picture(Program& program, const std::filesystem::path& path);
 // The last frame as NAME-1.png, or the first number that is free, after the track's name: in the user's folder of pictures ($XDG_PICTURES_DIR, else
 // ~/Pictures, else the current folder), a script's in its own. A notice says where it is, or why it is not.
 void take_photo(Program& program);
+
+// Puts PNG files side by side into one. Code::bad_file for one that is no picture.
+base::Status write_sheet(const std::filesystem::path& path, int columns, std::span<const std::filesystem::path> pictures);
 
 // By the rule of gfx/image.h. Writes NAME.new.png, NAME.reference.png, NAME.difference.png and NAME.html into `folder` when they differ.
 // `update`: writes the golden instead. Code::expectation when there is no golden or the pictures differ.

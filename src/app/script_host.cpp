@@ -128,6 +128,7 @@ script::Host make_script_host(Program& program) {
   host.pixel_of = [p](const AimPoint& aim) { return pixel_of(*p, aim); };
   host.position_of = [p](const AimPoint& aim) { return position_of(*p, aim); };
   host.screenshot = [p](const std::filesystem::path& path) { return write_picture(*p, path); };
+  host.sheet = write_sheet;
   host.snap = [p](const std::string& name, const std::filesystem::path& golden, const std::filesystem::path& folder, bool update) {
     return compare_picture(*p, name, golden, folder, update);
   };

@@ -2,6 +2,7 @@
 #include "gfx/image.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace coaster::gfx {
@@ -50,6 +51,25 @@ Difference compare(const Image& picture, const Image& golden) {
   const double allowed = kPixelTolerance * double(width) * double(height);
   result.acceptable = double(result.pixels) <= allowed && result.worst_block <= kBlockTolerance;
   return result;
+}
+
+Image contact_sheet(std::span<const Image> pictures, int columns, int gap) {
+  COASTER_CHECK(columns >= 1 && gap >= 0, "a sheet has columns");
+  constexpr std::array<std::uint8_t, 4> kGround{0x1B, 0x1F, 0x27, 0xFF};
+  int width = 0, height = 0;
+  for (const Image& picture : pictures) width = std::max(width, picture.width), height = std::max(height, picture.height);
+  const int count = static_cast<int>(pictures.size()), used = std::min(columns, std::max(count, 1)), rows = (count + columns - 1) / columns;
+  Image sheet{used * (width + gap) + gap, rows * (height + gap) + gap, {}};
+  sheet.rgba.resize(std::size_t(sheet.width) * std::size_t(sheet.height) * 4);
+  for (std::size_t i = 0; i < sheet.rgba.size(); ++i) sheet.rgba[i] = kGround[i % 4];
+  for (int i = 0; i < count; ++i) {
+    const Image& picture = pictures[std::size_t(i)];
+    const int left = gap + i % columns * (width + gap) + (width - picture.width) / 2, top = gap + i / columns * (height + gap) + (height - picture.height) / 2;
+    for (int y = 0; y < picture.height; ++y)
+      std::copy_n(&picture.rgba[std::size_t(y) * std::size_t(picture.width) * 4], std::size_t(picture.width) * 4,
+                  &sheet.rgba[(std::size_t(top + y) * std::size_t(sheet.width) + std::size_t(left)) * 4]);
+  }
+  return sheet;
 }
 
 }  // namespace coaster::gfx

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,9 @@ namespace coaster::gfx {
 
 std::string encode_png(const Image& image);
 base::Result<Image> decode_png(std::string_view bytes, std::string_view name);
+
+// Pictures in rows of `columns` (at least 1), each in the middle of a cell as large as the largest of them, with a margin of `gap` px around every cell.
+Image contact_sheet(std::span<const Image> pictures, int columns, int gap);
 
 // The rule of golden pictures: sizes equal; a pixel differs where a channel differs by more than 16; too different when over
 // 0.05 % of the pixels differ or any aligned 8x8 block has more than 8 differing pixels.

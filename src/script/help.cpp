@@ -60,6 +60,7 @@ constexpr std::array kOutput{
     Row{"expect error STATEMENT [~ \"TEXT\"]", "The statement must fail, and say TEXT."},
     Row{"snap \"NAME\"", "Compares the picture with golden/NAME.png."},
     Row{"shot \"$OUT/FILE.png\"", "Writes the picture."},
+    Row{"sheet \"$OUT/FILE.png\" [columns N] \"PICTURE.png\" ...", "Puts pictures side by side into one."},
     Row{"dump \"NAME\"", "Writes picture, widgets, values and document to $OUT/NAME.*."},
     Row{"log QUERY|\"TEXT\" ...", "Prints values and texts to stdout."},
     Row{"fault io.open|read|write|fsync|rename|close fail N", "The Nth such operation from now on fails."},

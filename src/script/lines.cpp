@@ -97,6 +97,25 @@ bool parse_shot(Words& words, Action& action) {
   return path && words.end();
 }
 
+bool parse_sheet(Words& words, Action& action) {
+  Sheet sheet;
+  const base::Token* const path = words.take("a file below $OUT");
+  if (!path) return false;
+  sheet.path = *path;
+  if (words.accept("columns")) {
+    const auto columns = words.whole("a number of columns", 1, 100);
+    if (!columns) return false;
+    sheet.columns = static_cast<int>(*columns);
+  }
+  do {
+    const base::Token* const picture = words.take("a picture's file");
+    if (!picture) return false;
+    sheet.pictures.push_back(*picture);
+  } while (!words.at_end());
+  action = std::move(sheet);
+  return true;
+}
+
 bool parse_dump(Words& words, Action& action) {
   const base::Token* const name = words.take("a name");
   if (!name) return false;
@@ -178,7 +197,7 @@ struct Row {
 };
 constexpr std::array kRows{
     Row{"env", parse_env}, Row{"frames", parse_frames}, Row{"ticks", parse_ticks}, Row{"wait", parse_wait},
-    Row{"expect", parse_expect}, Row{"snap", parse_snap}, Row{"shot", parse_shot}, Row{"dump", parse_dump},
+    Row{"expect", parse_expect}, Row{"snap", parse_snap}, Row{"shot", parse_shot}, Row{"sheet", parse_sheet}, Row{"dump", parse_dump},
     Row{"log", parse_log}, Row{"fault", parse_fault}, Row{"camera", parse_camera},
     Row{"key", parse_key}, Row{"text", parse_text}, Row{"wheel", parse_wheel}, Row{"drop", parse_drop},
     Row{"focus", parse_focus}, Row{"resize", parse_resize}, Row{"minimise", parse_minimise}, Row{"minimize", parse_minimise},

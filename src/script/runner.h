@@ -69,6 +69,7 @@ class Runner {
 
   Failure perform(const Snap& snap);
   Failure perform(const Shot& shot);
+  Failure perform(const Sheet& sheet);
   Failure perform(const Dump& dump);
   Failure perform(const Log& log);
 

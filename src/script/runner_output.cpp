@@ -104,6 +104,20 @@ Failure Runner::perform(const Shot& shot) {
   return failure(stage_.host().screenshot(*path));
 }
 
+Failure Runner::perform(const Sheet& sheet) {
+  if (!stage_.host().sheet) return wrong("there are no pictures");
+  const auto below_out = [&](const base::Token& token) { return find_output(token.text.starts_with("$OUT") ? token.text : "$OUT/" + token.text, options_.out); };
+  const auto path = below_out(sheet.path);
+  if (!path) return failure(path.status(), sheet.path.column);
+  std::vector<std::filesystem::path> pictures;
+  for (const base::Token& token : sheet.pictures) {
+    const auto picture = below_out(token);
+    if (!picture) return failure(picture.status(), token.column);
+    pictures.push_back(*picture);
+  }
+  return failure(stage_.host().sheet(*path, sheet.columns, pictures));
+}
+
 Failure Runner::perform(const Dump& dump) {
   if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
   const auto stem = find_output("$OUT/" + dump.name, options_.out);

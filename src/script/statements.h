@@ -126,6 +126,12 @@ struct Snap {
 struct Shot {
   base::Token path;
 };
+// "sheet FILE columns N PICTURE ...".
+struct Sheet {
+  base::Token path;
+  int columns = 3;
+  std::vector<base::Token> pictures;
+};
 struct Dump {
   std::string name;
 };
@@ -144,7 +150,7 @@ struct Fault {
 };
 
 using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, Gesture, Lesson, Include, Expect, Wait, ExpectWidget, ExpectFile,
-                            ExpectError, UiAction, Input, AimAction, MoveCamera, FitCamera, Snap, Shot, Dump, Log, Fault>;
+                            ExpectError, UiAction, Input, AimAction, MoveCamera, FitCamera, Snap, Shot, Sheet, Dump, Log, Fault>;
 
 struct Statement {
   int source = 0;  // into Script::sources

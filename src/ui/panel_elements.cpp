@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/icons.h"
 #include "ui/key_map.h"
 #include "ui/panels.h"
 #include "ui/row.h"
@@ -29,7 +30,7 @@ void choices(Ui& ui) {
     const auto kind = static_cast<ElementKind>(i);
     const bool chosen = settings.show_element && settings.element.kind == kind;
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    const bool pressed = button(ui, rows[i].label, rows[i].help, true, width);
+    const bool pressed = icon_button(ui, icon_of(kind), rows[i].label, rows[i].help, true, width, true);
     if (chosen) ImGui::PopStyleColor();
     if (!pressed) continue;
     if (chosen) ui.emit(edit::PreviewElement{false});

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include "sim/frame_methods.h"
+#include "ui/icons.h"
 #include "ui/key_map.h"
 #include "ui/panels.h"
 
@@ -15,14 +16,14 @@ void controls(Ui& ui) {
   const bool running = state == world::RideState::running;
   const float width = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemInnerSpacing.x) / 4;
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  if (button(ui, "Play", with_keys(ui.keys, "Let the carts run from where they are.", "Play or pause"), any && !running, width)) ui.emit(edit::RideStart{});
+  if (icon_button(ui, Icon::play, "Play", with_keys(ui.keys, "Let the carts run from where they are.", "Play or pause"), any && !running, width)) ui.emit(edit::RideStart{});
   ImGui::SameLine(0, gap);
-  if (button(ui, "Pause", with_keys(ui.keys, "Hold the carts where they are.", "Play or pause"), any && running, width)) ui.emit(edit::RidePause{});
+  if (icon_button(ui, Icon::pause, "Pause", with_keys(ui.keys, "Hold the carts where they are.", "Play or pause"), any && running, width)) ui.emit(edit::RidePause{});
   ImGui::SameLine(0, gap);
   const bool steppable = any && (state == world::RideState::paused || state == world::RideState::stopped);
-  if (button(ui, "Step", with_keys(ui.keys, "Advance a held ride by one tick of 1/120 s.", "Single step"), steppable, width)) ui.emit(edit::RideStep{1});
+  if (icon_button(ui, Icon::step, "Step", with_keys(ui.keys, "Advance a held ride by one tick of 1/120 s.", "Single step"), steppable, width)) ui.emit(edit::RideStep{1});
   ImGui::SameLine(0, gap);
-  if (button(ui, "Reset", with_keys(ui.keys, "Put the carts back to their start.", "Reset"), any, width)) ui.emit(edit::RideStop{});
+  if (icon_button(ui, Icon::reset, "Reset", with_keys(ui.keys, "Put the carts back to their start.", "Reset"), any, width)) ui.emit(edit::RideStop{});
 }
 
 void read_outs(Ui& ui) {

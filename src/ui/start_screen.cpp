@@ -51,7 +51,6 @@ bool escaped(const platform::Events& events) {
 
 void StartScreen::load(Ui& ui, const std::filesystem::path& file) {
   ui.dialogs.request(ui, {Want::Kind::load, file.string()});
-  open_ = false;
 }
 
 void StartScreen::build_choices(Ui& ui, float width) {
@@ -66,34 +65,30 @@ void StartScreen::build_choices(Ui& ui, float width) {
   ImGui::PopStyleColor();
   ImGui::Dummy({0, std::floor(8 * ui.scale)});
   ui.panel = "Start";
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(8 * ui.scale, 8 * ui.scale));
   const UserState* const kept = ui.state.kept;
   std::error_code ignored;
   const std::filesystem::path last = kept != nullptr && !kept->settings.recent.empty() ? kept->settings.recent.front() : "";
   if (button(ui, "Continue", last.empty() ? "There is no track that was open before." : "Open " + last.string() + ", the track used last.",
              !last.empty() && std::filesystem::exists(last, ignored), width))
     load(ui, last);
-  if (button(ui, "New track", with_keys(ui.keys, "An empty ground; click to place knots.", "New"), true, width)) {
+  if (button(ui, "New track", with_keys(ui.keys, "An empty ground; click to place knots.", "New"), true, width))
     ui.dialogs.request(ui, {Want::Kind::fresh, {}});
-    open_ = false;
-  }
-  if (button(ui, "Open or import", with_keys(ui.keys, "A track file: coaster's own, or one of NoLimits (.csv, .nltrack, .nl2elem).", "Open"), true, width)) {
+  if (button(ui, "Open or import", with_keys(ui.keys, "A track file: coaster's own, or one of NoLimits (.csv, .nltrack, .nl2elem).", "Open"), true, width))
     ui.dialogs.request(ui, {Want::Kind::browse, {}});
-    open_ = false;
-  }
-  if (button(ui, "Tutorial", "Build and ride a first coaster, step by step, with your own hands.", true, width)) {
+  if (button(ui, "Tutorial", "Build and ride a first coaster, step by step, with your own hands.", true, width))
     ui.dialogs.request(ui, {Want::Kind::tutorial, {}});
-    open_ = false;
-  }
   if (button(ui, "Build on", "Close this page and go on with the track behind it. Key Escape.", true, width)) open_ = false;
+  if (button(ui, "Quit", with_keys(ui.keys, "Leave the program.", "Quit"), true, width)) ui.dialogs.request(ui, {Want::Kind::quit, {}});
+  ImGui::PopStyleVar();
   if (kept != nullptr)
     if (const auto on = checkbox(ui, "Show at start", kept->settings.start_screen, "Begin with this page when no track is named.")) {
       ui.out.settings = kept->settings;
       ui.out.settings->start_screen = *on;
     }
-  if (button(ui, "Quit", with_keys(ui.keys, "Leave the program.", "Quit"), true, width)) ui.dialogs.request(ui, {Want::Kind::quit, {}});
 }
 
-bool StartScreen::card(Ui& ui, const std::filesystem::path& file, std::string_view group, float width) {
+bool StartScreen::card(Ui& ui, const std::filesystem::path& file, const std::string& label, float width) {
   const std::string path = file.string();
   const TrackPicture* picture = nullptr;
   if (ui.state.pictures != nullptr)
@@ -101,13 +96,13 @@ bool StartScreen::card(Ui& ui, const std::filesystem::path& file, std::string_vi
   ui.out.wanted_pictures.push_back(path);
   const float height = std::floor(width * 9 / 16), line = ImGui::GetTextLineHeight();
   const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + width, low.y + height);
-  ImGui::PushID(path.c_str());
+  ImGui::PushID(label.c_str());
   const bool clicked = ImGui::InvisibleButton("##card", {width, height + std::floor(1.3f * line)});
   const bool hot = ImGui::IsItemHovered();
   ImGui::PopID();
   const std::string name = picture != nullptr && !picture->name.empty() ? picture->name : file.stem().string();
   const std::string help = picture != nullptr && !picture->problem.empty() ? picture->problem : "Open " + path + ".";
-  note_item(ui, std::string(group) + "/" + file.stem().string(), "button", help, true, name);
+  note_item(ui, label, "button", help, true, name);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float round = 5 * ui.scale;
   if (picture != nullptr && picture->texture != 0)
@@ -132,7 +127,9 @@ void StartScreen::build_tracks(Ui& ui) {
     int place = 0;
     for (const std::filesystem::path& file : files) {
       if (place++ % static_cast<int>(kColumns) != 0) ImGui::SameLine(0, gap);
-      if (card(ui, file, group, width)) load(ui, file);
+      const auto namesakes = std::count_if(files.begin(), files.end(), [&](const std::filesystem::path& other) { return other.stem() == file.stem(); });
+      const std::string name = namesakes > 1 ? (file.parent_path().filename() / file.stem()).string() : file.stem().string();
+      if (card(ui, file, std::string(group) + "/" + name, width)) load(ui, file);
     }
   };
   std::vector<std::filesystem::path> recent;

@@ -21,8 +21,8 @@ class StartScreen {
  private:
   void build_choices(Ui& ui, float width);
   void build_tracks(Ui& ui);
-  // A picture with its name below it, "Tracks/NAME"; true when it was clicked.
-  bool card(Ui& ui, const std::filesystem::path& file, std::string_view group, float width);
+  // A picture with its name below it, a widget with this label; true when it was clicked.
+  bool card(Ui& ui, const std::filesystem::path& file, const std::string& label, float width);
   void load(Ui& ui, const std::filesystem::path& file);
 
   bool open_ = false;

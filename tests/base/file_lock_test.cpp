@@ -11,7 +11,7 @@
 #include "base/files.h"
 
 namespace coaster::base {
-namespace {
+namespace file_lock_test {
 
 namespace fs = std::filesystem;
 using Outcome = LockAttempt::Outcome;
@@ -105,5 +105,5 @@ TEST_F(file_lock, moving_it_lets_go_of_the_one_before) {
   EXPECT_TRUE(lock.covers(folder / "b.json"));
 }
 
-}  // namespace
+}  // namespace file_lock_test
 }  // namespace coaster::base

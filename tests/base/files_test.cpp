@@ -13,7 +13,7 @@
 #include <iterator>
 
 namespace coaster::base {
-namespace {
+namespace files_test {
 
 namespace fs = std::filesystem;
 
@@ -190,5 +190,5 @@ TEST_F(files, a_folder_that_is_missing_is_an_error) {
   EXPECT_EQ(io.write_atomic(folder, "x").code, Code::io);
 }
 
-}  // namespace
+}  // namespace files_test
 }  // namespace coaster::base

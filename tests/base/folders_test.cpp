@@ -7,7 +7,7 @@
 #include <fstream>
 
 namespace coaster::base {
-namespace {
+namespace folders_test {
 
 namespace fs = std::filesystem;
 
@@ -102,5 +102,5 @@ TEST_F(folders, times_are_of_this_place) {
   EXPECT_EQ(change_time(folder / "none"), 0);
 }
 
-}  // namespace
+}  // namespace folders_test
 }  // namespace coaster::base

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace coaster::base {
-namespace {
+namespace hash_test {
 
 TEST(hash, equal_values_hash_equal_and_minus_zero_counts_as_zero) {
   Hasher a, b, c;
@@ -29,5 +29,5 @@ TEST(hash, texts_do_not_run_into_each_other) {
   EXPECT_NE(a.digest(), b.digest());
 }
 
-}  // namespace
+}  // namespace hash_test
 }  // namespace coaster::base

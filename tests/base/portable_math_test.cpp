@@ -7,7 +7,7 @@
 #include <random>
 
 namespace coaster::base {
-namespace {
+namespace portable_math_test {
 
 TEST(portable_math, sine_and_cosine_agree_with_long_double) {
   std::mt19937_64 random(3);
@@ -45,5 +45,5 @@ TEST(portable_math, what_is_not_finite_gives_the_angle_zero) {
   }
 }
 
-}  // namespace
+}  // namespace portable_math_test
 }  // namespace coaster::base

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace coaster::base {
-namespace {
+namespace text_test {
 
 std::vector<Token> tokens_of(std::string_view line) {
   std::vector<Token> tokens;
@@ -84,5 +84,5 @@ TEST(text, the_nearest_word_is_suggested_and_far_ones_are_not) {
   EXPECT_EQ(suggestion("resolutoin", words), " did you mean \"resolution\"?");
 }
 
-}  // namespace
+}  // namespace text_test
 }  // namespace coaster::base

@@ -6,7 +6,7 @@
 #include "curve/random_cubics.h"
 
 namespace coaster::curve {
-namespace {
+namespace arc_length_study_test {
 
 TEST(arc_length_study, reference_agrees_with_tanh_sinh_on_every_kind_of_cubic) {
   for (const CubicSet& set : cubic_sets(200, 81))
@@ -87,5 +87,5 @@ TEST(arc_length_study, curves_of_no_length_and_empty_tracks_have_no_error) {
   for (const LengthComparison& one : compare_lengths(std::span<const Cubic>{}, {})) EXPECT_EQ(one.relative_error, 0);
 }
 
-}  // namespace
+}  // namespace arc_length_study_test
 }  // namespace coaster::curve

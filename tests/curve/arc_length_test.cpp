@@ -9,7 +9,7 @@
 #include "curve/random_cubics.h"
 
 namespace coaster::curve {
-namespace {
+namespace arc_length_test {
 
 // The oracle: composite Simpson in long double on Bernstein's derivative; 4,000 intervals leave 1e-14 on track-like cubics.
 double oracle(const Cubic& c, double t0, double t1, int n = 4000) {
@@ -277,5 +277,5 @@ TEST(arc_length, distances_beyond_the_ends_are_clamped) {
   EXPECT_EQ(map.distance(1.5), map.length());
 }
 
-}  // namespace
+}  // namespace arc_length_test
 }  // namespace coaster::curve

@@ -6,7 +6,7 @@
 #include "curve/random_cubics.h"
 
 namespace coaster::curve {
-namespace {
+namespace bernstein_test {
 
 using glm::dvec3;
 
@@ -107,5 +107,5 @@ TEST(bernstein, fewer_points_become_the_cubic_of_the_same_curve) {
   EXPECT_EQ(as_cubic_controls(one)[2], one[0]);
 }
 
-}  // namespace
+}  // namespace bernstein_test
 }  // namespace coaster::curve

@@ -5,7 +5,7 @@
 #include "curve/random_cubics.h"
 
 namespace coaster::curve {
-namespace {
+namespace continuity_test {
 
 const Cubic kBefore{{1, 2, 3}, {4, 3, 3}, {7, 5, 2}, {11, 6, 2}};  // B'(1) = 3 (4, 1, 0)
 
@@ -51,5 +51,5 @@ TEST(continuity, names_are_those_of_the_field) {
   EXPECT_EQ(name(Parametric::c2), "C2");
 }
 
-}  // namespace
+}  // namespace continuity_test
 }  // namespace coaster::curve

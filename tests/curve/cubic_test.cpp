@@ -7,7 +7,7 @@
 #include "curve/random_cubics.h"
 
 namespace coaster::curve {
-namespace {
+namespace cubic_test {
 
 bool finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -88,5 +88,5 @@ TEST(cubic, the_nearest_point_beats_a_dense_search) {
   }
 }
 
-}  // namespace
+}  // namespace cubic_test
 }  // namespace coaster::curve

@@ -12,7 +12,7 @@
 #include "curve/random_cubics.h"
 
 namespace coaster::curve {
-namespace {
+namespace degenerate_test {
 
 using glm::dvec3;
 
@@ -241,5 +241,5 @@ TEST(degenerate, at_a_hundred_kilometres_the_rounded_control_points_are_measured
   EXPECT_EQ(ArcLengthMap(c).parameter(17.3), ArcLengthMap(home).parameter(17.3));
 }
 
-}  // namespace
+}  // namespace degenerate_test
 }  // namespace coaster::curve

@@ -7,7 +7,7 @@
 #include "curve/arc_length.h"
 
 namespace coaster::curve {
-namespace {
+namespace errata_test {
 
 // Skew and off the origin.
 const Cubic kBend{{3.3f, 7.1f, -2.9f}, {9.7f, 11.3f, -1.1f}, {17.9f, 6.7f, 4.3f}, {21.1f, 2.3f, 13.7f}};
@@ -73,5 +73,5 @@ TEST(curve_errata, degenerate_curves_give_finite_numbers) {
   }
 }
 
-}  // namespace
+}  // namespace errata_test
 }  // namespace coaster::curve

@@ -11,7 +11,7 @@
 #include "curve/random_cubics.h"
 
 namespace coaster::curve {
-namespace {
+namespace evaluators_test {
 
 double extent_of(const Cubic& c) {
   double extent = 0;
@@ -175,5 +175,5 @@ TEST(evaluators, horner_takes_three_additions_and_three_multiplications_a_point)
   EXPECT_EQ(Counting::multiplications, 3);
 }
 
-}  // namespace
+}  // namespace evaluators_test
 }  // namespace coaster::curve

@@ -10,7 +10,7 @@
 #include "curve/random_cubics.h"
 
 namespace coaster::curve {
-namespace {
+namespace frames_batch_test {
 
 struct Chains {
   int count;
@@ -78,5 +78,5 @@ TEST(frames_batch, frames_stay_unit_and_perpendicular) {
   }
 }
 
-}  // namespace
+}  // namespace frames_batch_test
 }  // namespace coaster::curve

@@ -8,7 +8,7 @@
 #include "curve/random_cubics.h"
 
 namespace coaster::curve {
-namespace {
+namespace frames_test {
 
 using glm::dvec3;
 
@@ -99,5 +99,5 @@ TEST(frames, perpendicular_is_unit_for_every_wish) {
     }
 }
 
-}  // namespace
+}  // namespace frames_test
 }  // namespace coaster::curve

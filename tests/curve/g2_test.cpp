@@ -8,7 +8,7 @@
 #include <random>
 
 namespace coaster::curve {
-namespace {
+namespace g2_test {
 
 using glm::dvec3;
 
@@ -182,5 +182,5 @@ TEST(g2, refuses_handles_of_no_length_and_conditions_that_contradict) {
   EXPECT_LE(s.iterations, 61);
 }
 
-}  // namespace
+}  // namespace g2_test
 }  // namespace coaster::curve

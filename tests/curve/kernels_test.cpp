@@ -11,7 +11,7 @@
 #include "curve/random_cubics.h"
 
 namespace coaster::curve {
-namespace {
+namespace kernels_test {
 
 // The oracle, apart from the program's: Bernstein's form in long double.
 glm::dvec3 exact(const Cubic& c, int i, int n) {
@@ -171,5 +171,5 @@ TEST(kernels, the_best_path_is_among_those_available_and_the_baseline_always_is)
   EXPECT_EQ(available.back(), best_processor());
 }
 
-}  // namespace
+}  // namespace kernels_test
 }  // namespace coaster::curve

@@ -6,7 +6,7 @@
 #include "curve/random_cubics.h"
 
 namespace coaster::curve {
-namespace {
+namespace length_oracle_test {
 
 TEST(length_oracle, closed_forms_are_met) {
   const Cubic cusp{{0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}};  // 2 sqrt 2 - 1
@@ -27,5 +27,5 @@ TEST(length_oracle, parts_add_up_on_every_kind_of_cubic) {
     }
 }
 
-}  // namespace
+}  // namespace length_oracle_test
 }  // namespace coaster::curve

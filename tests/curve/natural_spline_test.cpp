@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace coaster::curve {
-namespace {
+namespace natural_spline_test {
 
 using glm::dvec3;
 
@@ -69,5 +69,5 @@ TEST(NaturalSpline, a_straight_line_at_even_steps_stays_one) {
   for (const dvec3 m : spline_derivatives({p, std::vector<double>(3, 0.5), {}, {}, false})) EXPECT_LT(glm::length(m - dvec3(2, 4, 0)), 1e-14);
 }
 
-}  // namespace
+}  // namespace natural_spline_test
 }  // namespace coaster::curve

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace coaster::curve {
-namespace {
+namespace quadrature_test {
 
 // The integral of x^k over [-1,1] by the rule, minus the exact one.
 long double monomial_error(std::span<const long double> nodes, std::span<const long double> weights, int k) {
@@ -58,5 +58,5 @@ TEST(quadrature, known_rules_are_met) {
   EXPECT_DOUBLE_EQ(clenshaw_curtis_rule(2).weights[1], 4.0 / 3);
 }
 
-}  // namespace
+}  // namespace quadrature_test
 }  // namespace coaster::curve

@@ -3,7 +3,7 @@
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {
-namespace {
+namespace append_shape_test {
 
 class ClickingPoints : public test::SessionTest {
  protected:
@@ -63,5 +63,5 @@ TEST_F(ClickingPoints, a_point_straight_above_has_a_level_up) {
   EXPECT_NEAR(knot(2).up.y, 0.0f, 1e-6f);
 }
 
-}  // namespace
+}  // namespace append_shape_test
 }  // namespace coaster::edit

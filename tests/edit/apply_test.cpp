@@ -11,7 +11,7 @@
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {
-namespace {
+namespace apply_test {
 
 // A command of the document kinds, mostly on names and places that make sense for a small track.
 Command document_command(test::RandomCommands& random) {
@@ -189,5 +189,5 @@ TEST_F(Applying, a_drag_on_a_track_of_5000_segments_rebuilds_two) {
   good("gesture.end");
 }
 
-}  // namespace
+}  // namespace apply_test
 }  // namespace coaster::edit

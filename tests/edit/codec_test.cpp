@@ -8,7 +8,7 @@
 #include "edit/random_commands.h"
 
 namespace coaster::edit {
-namespace {
+namespace codec_test {
 
 base::Result<Command> parsed(const std::string& line, base::TextError& error) {
   std::vector<base::Token> tokens;
@@ -122,5 +122,5 @@ TEST(codec, the_table_has_every_command_once_with_usage_and_help) {
     EXPECT_EQ(info(random.of_kind(kind)).name, table[kind].info.name);
 }
 
-}  // namespace
+}  // namespace codec_test
 }  // namespace coaster::edit

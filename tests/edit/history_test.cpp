@@ -3,7 +3,7 @@
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {
-namespace {
+namespace history_test {
 
 class HistoryOfEdits : public test::SessionTest {};
 
@@ -109,5 +109,5 @@ TEST(history, the_oldest_steps_are_dropped_beyond_the_limit_but_never_the_newest
   EXPECT_EQ(history.undo_bytes, 0u);
 }
 
-}  // namespace
+}  // namespace history_test
 }  // namespace coaster::edit

@@ -9,7 +9,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::edit {
-namespace {
+namespace joint_repair_test {
 
 using curve::Geometric;
 using curve::Parametric;
@@ -234,5 +234,5 @@ TEST_F(RepairCommands, refuse_unknown_knots_and_ends) {
   refused("make_g2 @k1", "end of an open track");
 }
 
-}  // namespace
+}  // namespace joint_repair_test
 }  // namespace coaster::edit

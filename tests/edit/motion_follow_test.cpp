@@ -3,7 +3,7 @@
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {
-namespace {
+namespace motion_follow_test {
 
 class EditingUnderCarts : public test::SessionTest {
  protected:
@@ -76,5 +76,5 @@ TEST_F(EditingUnderCarts, a_stopped_ride_shows_carts_as_designed) {
   EXPECT_NEAR(cart("c1").s, 0.37 * session.derived.shape(cart("c1").segment).arc.length(), 1e-9);
 }
 
-}  // namespace
+}  // namespace motion_follow_test
 }  // namespace coaster::edit

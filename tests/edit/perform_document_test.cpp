@@ -3,7 +3,7 @@
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {
-namespace {
+namespace perform_document_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -29,5 +29,5 @@ TEST_F(DocumentMembers, start_speed_and_datum_are_clamped) {
   refused(SetDatum{kNan}, "finite");
 }
 
-}  // namespace
+}  // namespace perform_document_test
 }  // namespace coaster::edit

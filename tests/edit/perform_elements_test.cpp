@@ -6,7 +6,7 @@
 #include "sim/random_elements.h"
 
 namespace coaster::edit {
-namespace {
+namespace perform_elements_test {
 
 class PerformElementsTest : public test::SessionTest {
  protected:
@@ -144,5 +144,5 @@ TEST_F(PerformElementsTest, elements_read_and_print_in_their_own_words) {
   }
 }
 
-}  // namespace
+}  // namespace perform_elements_test
 }  // namespace coaster::edit

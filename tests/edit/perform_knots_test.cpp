@@ -3,7 +3,7 @@
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {
-namespace {
+namespace perform_knots_test {
 
 using world::JointKind;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
@@ -117,5 +117,5 @@ TEST_F(ShapingKnots, names_that_are_not_there_are_refused) {
   refused("turns @k1 to 1", "expected a segment, found @k1");
 }
 
-}  // namespace
+}  // namespace perform_knots_test
 }  // namespace coaster::edit

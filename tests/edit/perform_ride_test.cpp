@@ -3,7 +3,7 @@
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {
-namespace {
+namespace perform_ride_test {
 
 using world::RideState;
 
@@ -111,5 +111,5 @@ TEST_F(Riding, the_selected_cart_is_the_one_that_is_spoken_of_else_the_first) {
   EXPECT_EQ(chosen_cart(session), entity("c1"));
 }
 
-}  // namespace
+}  // namespace perform_ride_test
 }  // namespace coaster::edit

@@ -3,7 +3,7 @@
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {
-namespace {
+namespace perform_settings_test {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
@@ -100,5 +100,5 @@ TEST_F(ChangingSettings, saying_the_same_at_a_limit_renews_the_notice) {
   EXPECT_EQ(session.notices.size(), 32u);
 }
 
-}  // namespace
+}  // namespace perform_settings_test
 }  // namespace coaster::edit

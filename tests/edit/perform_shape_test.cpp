@@ -8,7 +8,7 @@
 #include "world/topology.h"
 
 namespace coaster::edit {
-namespace {
+namespace perform_shape_test {
 
 using glm::dvec3;
 using world::JointKind;
@@ -171,5 +171,5 @@ TEST_F(Shaping, every_one_of_them_is_one_step_of_undo) {
   }
 }
 
-}  // namespace
+}  // namespace perform_shape_test
 }  // namespace coaster::edit

@@ -7,7 +7,7 @@
 #include "world/topology.h"
 
 namespace coaster::edit {
-namespace {
+namespace perform_span_test {
 
 using glm::dvec3;
 using world::Entity;
@@ -148,5 +148,5 @@ TEST_F(Spans, ends_that_are_far_apart_get_a_segment_between) {
   refused("reverse", "no track");
 }
 
-}  // namespace
+}  // namespace perform_span_test
 }  // namespace coaster::edit

@@ -4,7 +4,7 @@
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {
-namespace {
+namespace perform_track_test {
 
 class ChangingTrack : public test::SessionTest {};
 class EmptyTrack : public test::SessionTest {
@@ -146,5 +146,5 @@ TEST_F(ChangingTrack, a_knot_beyond_the_border_of_the_world_is_not_inserted) {
   refused("add_curve", "world");
 }
 
-}  // namespace
+}  // namespace perform_track_test
 }  // namespace coaster::edit

@@ -5,7 +5,7 @@
 #include "world/topology.h"
 
 namespace coaster::edit {
-namespace {
+namespace perform_transform_test {
 
 using glm::dvec3;
 using world::Knot;
@@ -108,5 +108,5 @@ TEST_F(Transforming, nonsense_is_refused_or_cut) {
   clamped("scale_knots all by 9000 9000 9000 about 0 0 0", "limit");
 }
 
-}  // namespace
+}  // namespace perform_transform_test
 }  // namespace coaster::edit

@@ -11,7 +11,7 @@
 #include "exchange/track_file.h"
 
 namespace coaster::exchange {
-namespace {
+namespace autosave_test {
 
 namespace fs = std::filesystem;
 
@@ -145,5 +145,5 @@ TEST_F(autosave, what_it_says_reads_back_and_names_no_other_folder) {
   EXPECT_EQ(parse_autosave_info(evil, "i").status().code, base::Code::bad_file);
 }
 
-}  // namespace
+}  // namespace autosave_test
 }  // namespace coaster::exchange

@@ -6,7 +6,7 @@
 #include <sstream>
 
 namespace coaster::exchange {
-namespace {
+namespace envelope_file_test {
 
 std::string standard() { return print_envelope(sim::default_envelope(), "default"); }
 
@@ -91,5 +91,5 @@ TEST(envelope_file, only_json_files_are_read_and_missing_ones_say_so) {
   EXPECT_FALSE(load_envelope(files, testing::TempDir() + "no_such_envelope.json").ok());
 }
 
-}  // namespace
+}  // namespace envelope_file_test
 }  // namespace coaster::exchange

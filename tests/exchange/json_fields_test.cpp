@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace coaster::exchange {
-namespace {
+namespace json_fields_test {
 
 const Json& sample() {
   static const Json json = Json::parse(
@@ -83,5 +83,5 @@ TEST(json_fields, members_never_asked_for_are_unknown_and_kept) {
   EXPECT_EQ(warnings[0], "knots[7]: unknown member \"zz\" is kept");
 }
 
-}  // namespace
+}  // namespace json_fields_test
 }  // namespace coaster::exchange

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace coaster::exchange {
-namespace {
+namespace json_reader_test {
 
 std::string error_of(std::string_view text) {
   const auto result = read_json(text, "f.json");
@@ -104,5 +104,5 @@ TEST(json_reader, describe_says_what_a_value_is) {
   EXPECT_LT(describe(std::string(10'000, 'x')).size(), 100u);
 }
 
-}  // namespace
+}  // namespace json_reader_test
 }  // namespace coaster::exchange

@@ -14,7 +14,7 @@
 #include "exchange/track_file.h"
 
 namespace coaster::exchange {
-namespace {
+namespace killed_test {
 
 namespace fs = std::filesystem;
 
@@ -116,5 +116,5 @@ TEST_F(killed, an_autosave_is_found_whole_whenever_its_program_was_killed) {
   EXPECT_GT(found_some, 10);
 }
 
-}  // namespace
+}  // namespace killed_test
 }  // namespace coaster::exchange

@@ -11,7 +11,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::exchange {
-namespace {
+namespace nl2_csv_test {
 
 constexpr std::string_view kHeader =
     "\"No.\"\t\"PosX\"\t\"PosY\"\t\"PosZ\"\t\"FrontX\"\t\"FrontY\"\t\"FrontZ\"\t\"LeftX\"\t\"LeftY\"\t\"LeftZ\"\t\"UpX\"\t\"UpY\"\t\"UpZ\"\n";
@@ -246,5 +246,5 @@ TEST(nl2_csv, a_cancelled_import_is_refused_and_one_that_is_watched_is_the_same)
   EXPECT_EQ(cancelled.status().message, "t.csv: the import was cancelled");
 }
 
-}  // namespace
+}  // namespace nl2_csv_test
 }  // namespace coaster::exchange

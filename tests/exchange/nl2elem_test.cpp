@@ -6,7 +6,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::exchange {
-namespace {
+namespace nl2elem_test {
 
 using glm::dvec3;
 
@@ -201,5 +201,5 @@ TEST(nl2elem, bad_files_are_refused_with_line_and_reason) {
   for (std::size_t cut = 0; cut + 8 < whole.size(); ++cut) EXPECT_FALSE(parse_nl2elem(std::string_view(whole).substr(0, cut), "x").ok()) << cut;
 }
 
-}  // namespace
+}  // namespace nl2elem_test
 }  // namespace coaster::exchange

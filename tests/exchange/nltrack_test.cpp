@@ -13,7 +13,7 @@
 #include "world/topology.h"
 
 namespace coaster::exchange {
-namespace {
+namespace nltrack_test {
 
 // An encoder of the test's own.
 struct Vertex {
@@ -226,5 +226,5 @@ TEST(NoLimitsTrack, spoilt_bytes_give_a_document_that_holds_its_promises_or_an_e
   EXPECT_GT(good, 100);
 }
 
-}  // namespace
+}  // namespace nltrack_test
 }  // namespace coaster::exchange

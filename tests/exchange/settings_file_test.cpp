@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace coaster::exchange {
-namespace {
+namespace settings_file_test {
 
 UserSettings unusual() {
   UserSettings s;
@@ -65,5 +65,5 @@ TEST(settings_file, the_newest_recent_file_is_first_once_and_ten_are_kept) {
   EXPECT_EQ(std::count(recent.begin(), recent.end(), "9"), 1);
 }
 
-}  // namespace
+}  // namespace settings_file_test
 }  // namespace coaster::exchange

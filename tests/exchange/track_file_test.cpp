@@ -8,7 +8,7 @@
 #include "world/sample_documents.h"
 
 namespace coaster::exchange {
-namespace {
+namespace track_file_test {
 
 // A folder of the test's own, gone afterwards.
 class TrackFile : public testing::Test {
@@ -68,5 +68,5 @@ TEST_F(TrackFile, a_failing_disk_leaves_the_old_file) {
   }
 }
 
-}  // namespace
+}  // namespace track_file_test
 }  // namespace coaster::exchange

@@ -7,7 +7,7 @@
 #include "world/sample_documents.h"
 
 namespace coaster::exchange {
-namespace {
+namespace track_parse_test {
 
 std::string sample() {
   return print_track(test::sample_document());
@@ -199,5 +199,5 @@ TEST(track_parse, automatic_joints_are_settled) {
             world::knot(test::sample_document(), d.track.knots[1]).tangent);
 }
 
-}  // namespace
+}  // namespace track_parse_test
 }  // namespace coaster::exchange

@@ -5,7 +5,7 @@
 #include "world/sample_documents.h"
 
 namespace coaster::exchange {
-namespace {
+namespace track_print_test {
 
 TEST(track_print, the_layout_is_one_knot_a_line) {
   world::Document d;
@@ -66,5 +66,5 @@ TEST(track_print, floats_of_all_sizes_keep_their_bits) {
               world::knot(d, d.track.knots[i]));
 }
 
-}  // namespace
+}  // namespace track_print_test
 }  // namespace coaster::exchange

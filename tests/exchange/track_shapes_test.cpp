@@ -13,7 +13,7 @@
 #include "world/sample_documents.h"
 
 namespace coaster::exchange {
-namespace {
+namespace track_shapes_test {
 
 using Json = nlohmann::json;
 
@@ -272,5 +272,5 @@ TEST(Shapes, random_tracks_have_finite_numbers_alone) {
   }
 }
 
-}  // namespace
+}  // namespace track_shapes_test
 }  // namespace coaster::exchange

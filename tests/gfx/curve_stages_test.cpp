@@ -6,7 +6,7 @@
 #include "gfx/studio.h"
 
 namespace coaster::gfx {
-namespace {
+namespace curve_stages_test {
 
 using curve::Stage;
 using test::Track;
@@ -231,5 +231,5 @@ TEST_F(Driver, times_the_polyline_some_frames_later) {
   EXPECT_GT(stats.gpu_ms, 0);
 }
 
-}  // namespace
+}  // namespace curve_stages_test
 }  // namespace coaster::gfx

@@ -12,7 +12,7 @@
 #include "platform/surface.h"
 
 namespace coaster::gfx {
-namespace {
+namespace gl_test {
 
 std::unique_ptr<platform::Surface> surface() {
   auto made = platform::make_offscreen({});
@@ -63,5 +63,5 @@ TEST(gl, an_older_version_is_refused_with_both_versions) {
   EXPECT_EXIT(try_old(), testing::ExitedWithCode(0), "");
 }
 
-}  // namespace
+}  // namespace gl_test
 }  // namespace coaster::gfx

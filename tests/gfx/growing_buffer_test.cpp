@@ -8,7 +8,7 @@
 #include "gfx/track_cache.h"
 
 namespace coaster::gfx {
-namespace {
+namespace growing_buffer_test {
 
 using GrowingBuffers = test::Studio;
 
@@ -64,5 +64,5 @@ TEST_F(GrowingBuffers, a_track_that_outgrew_them_looks_as_to_a_fresh_renderer) {
   EXPECT_EQ(renderer_->read_pixels().rgba, picture(*fresh(), track).rgba);
 }
 
-}  // namespace
+}  // namespace growing_buffer_test
 }  // namespace coaster::gfx

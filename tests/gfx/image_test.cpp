@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace coaster::gfx {
-namespace {
+namespace image_test {
 
 // Noise in 32..223, so that every channel can move both ways.
 Image noise(int width, int height) {
@@ -99,5 +99,21 @@ TEST(image, pictures_of_different_sizes_are_different) {
   EXPECT_FALSE(difference.acceptable);
 }
 
-}  // namespace
+TEST(image, a_contact_sheet_has_every_picture_in_its_cell_and_ground_between) {
+  const auto plain = [](int width, int height, std::uint8_t value) { return Image{width, height, std::vector<std::uint8_t>(std::size_t(width * height * 4), value)}; };
+  const std::vector<Image> pictures{plain(4, 3, 10), plain(2, 1, 200), plain(4, 3, 90)};
+  const Image sheet = contact_sheet(pictures, 2, 5);
+  ASSERT_EQ(sheet.width, 2 * 4 + 3 * 5);
+  ASSERT_EQ(sheet.height, 2 * 3 + 3 * 5);
+  const auto red = [&](int x, int y) { return int(sheet.rgba[std::size_t((y * sheet.width + x) * 4)]); };
+  EXPECT_EQ(red(5, 5), 10);
+  EXPECT_EQ(red(8, 7), 10);
+  EXPECT_EQ(red(9, 7), 0x1B);
+  EXPECT_EQ(red(14 + 1, 5 + 1), 200) << "in the middle of its cell";
+  EXPECT_EQ(red(14, 5), 0x1B);
+  EXPECT_EQ(red(5, 13), 90);
+  EXPECT_EQ(red(14, 13), 0x1B) << "the last cell is empty";
+}
+
+}  // namespace image_test
 }  // namespace coaster::gfx

@@ -4,7 +4,7 @@
 #include "gfx/studio.h"
 
 namespace coaster::gfx {
-namespace {
+namespace objects_test {
 
 using Objects = test::Studio;
 
@@ -56,5 +56,5 @@ TEST_F(Objects, a_moved_object_is_deleted_once) {
   EXPECT_EQ(deleted, 7);
 }
 
-}  // namespace
+}  // namespace objects_test
 }  // namespace coaster::gfx

@@ -15,7 +15,7 @@
 #include "platform/surface.h"
 
 namespace coaster::gfx {
-namespace {
+namespace pick_agreement_test {
 
 using test::Id;
 using test::kNothing;
@@ -155,5 +155,5 @@ TEST_F(PickAgreement, the_renderer_shows_at_each_mark_the_mark_that_is_picked_th
   EXPECT_LT(agreement.at_edges, agreement.compared() / 20);
 }
 
-}  // namespace
+}  // namespace pick_agreement_test
 }  // namespace coaster::gfx

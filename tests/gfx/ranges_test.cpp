@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace coaster::gfx {
-namespace {
+namespace ranges_test {
 
 TEST(ranges, what_was_given_back_is_taken_first_fit) {
   Ranges ranges;
@@ -63,5 +63,5 @@ TEST(ranges, no_two_owners_share_an_element) {
   }
 }
 
-}  // namespace
+}  // namespace ranges_test
 }  // namespace coaster::gfx

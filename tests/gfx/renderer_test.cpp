@@ -6,7 +6,7 @@
 #include "gfx/studio.h"
 
 namespace coaster::gfx {
-namespace {
+namespace renderer_test {
 
 using test::colour_at;
 using test::count;
@@ -208,5 +208,5 @@ TEST_F(Pictures, after_any_edits_are_those_of_a_fresh_renderer) {
   }
 }
 
-}  // namespace
+}  // namespace renderer_test
 }  // namespace coaster::gfx

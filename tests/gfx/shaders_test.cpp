@@ -12,7 +12,7 @@
 #include "platform/surface.h"
 
 namespace coaster::gfx {
-namespace {
+namespace shaders_test {
 
 // The compiler's log, empty when the source compiles.
 std::string complaint(const Gl& gl, GLenum stage, const std::string& source) {
@@ -62,5 +62,5 @@ TEST(shaders, all_compile_for_the_desktop_and_for_webgl_2) {
   EXPECT_GE(compiled, 8 * 10);
 }
 
-}  // namespace
+}  // namespace shaders_test
 }  // namespace coaster::gfx

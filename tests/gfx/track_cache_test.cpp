@@ -4,7 +4,7 @@
 #include "gfx/studio.h"
 
 namespace coaster::gfx {
-namespace {
+namespace track_cache_test {
 
 using test::Track;
 using Cache = test::Studio;
@@ -79,5 +79,5 @@ TEST_F(Cache, preparing_is_measured_by_the_clock_that_is_passed) {
   EXPECT_EQ(cache.sync(track.derived, {}).cpu_seconds, 0);
 }
 
-}  // namespace
+}  // namespace track_cache_test
 }  // namespace coaster::gfx

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace coaster::platform {
-namespace {
+namespace events_test {
 
 TEST(events, chords_read_in_any_case_and_print_in_one) {
   EXPECT_EQ(parse_chord("ctrl+shift+z"), (Chord{Key::z, {true, true, false}}));
@@ -26,5 +26,5 @@ TEST(events, unknown_keys_are_refused) {
   for (const char* text : {"", "Hyper+Z", "Ctrl+", "Ctrl", "Nope", "F13", "AB"}) EXPECT_FALSE(parse_chord(text)) << text;
 }
 
-}  // namespace
+}  // namespace events_test
 }  // namespace coaster::platform

@@ -7,7 +7,7 @@
 #include "platform/surface.h"
 
 namespace coaster::platform {
-namespace {
+namespace osmesa_surface_test {
 
 std::unique_ptr<Surface> surface_of(Size size) {
   SurfaceOptions options;
@@ -84,5 +84,5 @@ TEST(osmesa_surface, a_second_context_outlives_the_first) {
   EXPECT_EQ(second->size(), (Size{32, 32}));
 }
 
-}  // namespace
+}  // namespace osmesa_surface_test
 }  // namespace coaster::platform

@@ -5,7 +5,7 @@
 #include <random>
 
 namespace coaster::platform {
-namespace {
+namespace placement_test {
 
 constexpr Screen kLeft{0, 24, 1920, 1056}, kRight{1920, 0, 1280, 1024};
 constexpr Screen kBoth[] = {kLeft, kRight};
@@ -43,5 +43,5 @@ TEST(placement, whatever_was_kept_a_hundred_pixels_of_the_title_are_on_a_screen)
   }
 }
 
-}  // namespace
+}  // namespace placement_test
 }  // namespace coaster::platform

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace coaster::query {
-namespace {
+namespace condition_test {
 
 // The condition "QUERY rest" held against a value; -1: refused.
 int holds_for(const std::string& rest, const query::Value& value, const std::string& query = "length") {
@@ -77,5 +77,5 @@ TEST(condition, vectors_compare_by_component) {
   EXPECT_EQ(holds_for("== 1 2", v), -1);
 }
 
-}  // namespace
+}  // namespace condition_test
 }  // namespace coaster::query

@@ -7,7 +7,7 @@
 #include "exchange/nl2_csv.h"
 
 namespace coaster {
-namespace {
+namespace determinism_test {
 
 std::string sample(const std::string& name) { return std::string(COASTER_SOURCE_DIR) + "/tracks/" + name + ".json"; }
 
@@ -147,5 +147,5 @@ TEST(determinism, shaping_several_knots_gives_one_document_everywhere) {
   EXPECT_EQ(base::hex16(world::hash(session.document)), "2d6f4edfdfcebfa0");
 }
 
-}  // namespace
+}  // namespace determinism_test
 }  // namespace coaster

@@ -8,7 +8,7 @@
 #include "world/topology.h"
 
 namespace coaster::query {
-namespace {
+namespace joints_query_test {
 
 class JointsQueryTest : public test::SessionTest {
  protected:
@@ -100,5 +100,5 @@ TEST_F(JointsQueryTest, errata_are_of_the_selected_segment) {
   EXPECT_NE(unknown.status().message.find("gravesen"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace joints_query_test
 }  // namespace coaster::query

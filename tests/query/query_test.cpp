@@ -6,7 +6,7 @@
 #include "edit/session_fixture.h"
 
 namespace coaster::query {
-namespace {
+namespace query_test {
 
 class QueryTest : public test::SessionTest {
  protected:
@@ -244,5 +244,5 @@ TEST_F(QueryTest, frame_numbers_are_those_of_the_frame_loop) {
   EXPECT_EQ(words("title"), title);
 }
 
-}  // namespace
+}  // namespace query_test
 }  // namespace coaster::query

@@ -8,7 +8,7 @@
 #include "world/topology.h"
 
 namespace coaster {
-namespace {
+namespace ride_resume_test {
 
 constexpr int kEvery = 100, kTicks = 800;
 
@@ -93,5 +93,5 @@ TEST(ride_resume, samples_go_on_with_the_same_bits) {
 
 TEST(ride_resume, trains_with_equipment_and_losses_go_on_with_the_same_bits) { expect_resumable(operated(), "operated"); }
 
-}  // namespace
+}  // namespace ride_resume_test
 }  // namespace coaster

@@ -6,7 +6,7 @@
 #include <fstream>
 
 namespace coaster::script {
-namespace {
+namespace grammar_test {
 
 ParsedScript parse(const std::string& text) {
   base::Files files;
@@ -102,5 +102,5 @@ TEST(grammar, includes_are_read_beside_the_script_and_cycles_are_refused) {
   EXPECT_EQ(parse_lines("include \"not-there.coaster\"\n").errors.size(), 1u);
 }
 
-}  // namespace
+}  // namespace grammar_test
 }  // namespace coaster::script

@@ -6,7 +6,7 @@
 #include "script/fake_host.h"
 
 namespace coaster::script {
-namespace {
+namespace lesson_test {
 
 const char* const kLesson =
     "lesson \"Add a knot\" at \"Track/Add curve\" until knots == 1\n  append at 1 2 3\nend\n"
@@ -95,5 +95,5 @@ TEST(lesson, needs_a_text_and_an_until) {
   }
 }
 
-}  // namespace
+}  // namespace lesson_test
 }  // namespace coaster::script

@@ -8,7 +8,7 @@
 #include "script/fake_host.h"
 
 namespace coaster::script {
-namespace {
+namespace recorder_test {
 
 edit::Command command(const std::string& text) {
   std::vector<base::Token> tokens;
@@ -68,5 +68,5 @@ TEST(recorder, a_folder_that_cannot_be_written_is_an_error) {
   EXPECT_EQ(Recorder::start(files, "/proc/nowhere/a.coaster", edit::make_session({})).status().code, base::Code::io);
 }
 
-}  // namespace
+}  // namespace recorder_test
 }  // namespace coaster::script

@@ -6,7 +6,7 @@
 #include "script/fake_host.h"
 
 namespace coaster::script {
-namespace {
+namespace runner_test {
 
 const char* const kTrack =
     "append at -3.25 1.5 2.75\nappend at 9.5 4.25 -1.125\nappend at 21.75 2.5 6.375\n";
@@ -124,5 +124,5 @@ TEST(runner, snap_looks_for_its_golden_beside_the_script) {
   EXPECT_EQ(fake.snapped["apex"], (test_folder() / "golden" / "apex.png").string());
 }
 
-}  // namespace
+}  // namespace runner_test
 }  // namespace coaster::script

@@ -6,7 +6,7 @@
 #include "script/fake_host.h"
 
 namespace coaster::script {
-namespace {
+namespace ui_driver_test {
 
 WidgetState widget(const std::string& path, const std::string& kind = "button", const std::string& value = "") {
   WidgetState w;
@@ -89,5 +89,5 @@ TEST(ui_driver, typing_opens_the_field_selects_all_types_and_enters) {
   EXPECT_EQ(seen, "ctrl+press Ctrl+A -7.5 Enter ");
 }
 
-}  // namespace
+}  // namespace ui_driver_test
 }  // namespace coaster::script

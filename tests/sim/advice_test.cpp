@@ -6,7 +6,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace advice_test {
 
 struct Excess {
   double g_seconds = 0;  // of all red spans, g beyond the limit times how long
@@ -94,5 +94,5 @@ TEST(advice, changes_nothing_and_has_nothing_to_say_where_there_is_no_track) {
   EXPECT_FALSE(advise(world::Document(), world::kNone, default_envelope(), red.front()));
 }
 
-}  // namespace
+}  // namespace advice_test
 }  // namespace coaster::sim

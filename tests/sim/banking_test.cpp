@@ -5,7 +5,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace banking_test {
 
 constexpr double kG = world::kGravity;
 
@@ -84,5 +84,5 @@ TEST(banking, knots_that_the_ghost_does_not_reach_keep_their_up) {
   EXPECT_LT(kept, 24);
 }
 
-}  // namespace
+}  // namespace banking_test
 }  // namespace coaster::sim

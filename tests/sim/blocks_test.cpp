@@ -10,7 +10,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace blocks_test {
 
 // A flat ring of 16 segments, driven everywhere by tyres, with the given blocks and three trains of 3 cars in different sections.
 world::Document operated_ring(const std::set<std::size_t>& blocks, double station_seconds) {
@@ -94,5 +94,5 @@ TEST(blocks, without_them_the_same_trains_meet) {
   EXPECT_TRUE(seen.failed);
 }
 
-}  // namespace
+}  // namespace blocks_test
 }  // namespace coaster::sim

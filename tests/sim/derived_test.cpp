@@ -5,7 +5,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace derived_test {
 
 TEST(derived, only_what_changed_is_rebuilt) {
   for (const int count : {8, 5000}) {
@@ -186,5 +186,5 @@ TEST(derived, evaluators_on_the_gpu_leave_no_polylines_and_cost_no_rebuild) {
   }
 }
 
-}  // namespace
+}  // namespace derived_test
 }  // namespace coaster::sim

@@ -7,7 +7,7 @@
 #include "sim/element_spans.h"
 
 namespace coaster::sim {
-namespace {
+namespace element_fit_test {
 
 using glm::dvec3;
 
@@ -113,5 +113,5 @@ TEST(element_fit, usual_elements_take_few_spans) {
   }
 }
 
-}  // namespace
+}  // namespace element_fit_test
 }  // namespace coaster::sim

@@ -6,7 +6,7 @@
 #include "sim/random_elements.h"
 
 namespace coaster::sim {
-namespace {
+namespace element_path_test {
 
 TEST(element_path, a_bend_turns_from_its_first_to_its_last_angle_and_its_curvature_is_the_derivative_of_the_angle) {
   for (const auto& [from, to, radius] : {std::tuple{0.0, 0.7, 20.0}, {0.9, -1.2, 7.0}, {-0.2, 6.0, 3.0}, {0.0, 0.01, 100.0}}) {
@@ -101,5 +101,5 @@ TEST(element_path, begins_as_the_track_ends_and_ends_straight) {
   EXPECT_GT(begun, 350);
 }
 
-}  // namespace
+}  // namespace element_path_test
 }  // namespace coaster::sim

@@ -6,7 +6,7 @@
 #include "sim/random_elements.h"
 
 namespace coaster::sim {
-namespace {
+namespace element_shapes_test {
 
 using glm::dvec3;
 using world::ElementKind;
@@ -195,5 +195,5 @@ TEST(element_shapes, an_end_that_bends_sharply_or_is_steep_is_refused_by_what_ne
   }
 }
 
-}  // namespace
+}  // namespace element_shapes_test
 }  // namespace coaster::sim

@@ -8,7 +8,7 @@
 #include "world/topology.h"
 
 namespace coaster::sim {
-namespace {
+namespace elements_test {
 
 using world::ElementKind;
 
@@ -109,5 +109,5 @@ TEST(elements, far_from_the_origin_rounding_to_float_is_allowed_for) {
   EXPECT_NE(plan_element(world::usual_element(ElementKind::straight), far).refusal.find("limit"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace elements_test
 }  // namespace coaster::sim

@@ -5,7 +5,7 @@
 #include <random>
 
 namespace coaster::sim {
-namespace {
+namespace envelope_test {
 
 // A ride of one car at 10 m/s whose riders feel up(t).
 template <class Up>
@@ -100,5 +100,5 @@ TEST(envelope, finds_the_same_red_moments_as_brute_force) {
   }
 }
 
-}  // namespace
+}  // namespace envelope_test
 }  // namespace coaster::sim

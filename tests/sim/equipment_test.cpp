@@ -6,7 +6,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace equipment_test {
 
 constexpr double kG = world::kGravity;
 
@@ -220,5 +220,5 @@ TEST(train_length, trains_collide_where_the_bodies_of_their_cars_touch) {
   EXPECT_EQ(crowded.body(), 1.5f);
 }
 
-}  // namespace
+}  // namespace equipment_test
 }  // namespace coaster::sim

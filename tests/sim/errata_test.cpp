@@ -8,7 +8,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace errata_test {
 
 TEST(errata, every_name_has_its_row_with_texts_and_units) {
   const Derived derived = test::derived_of(test::sample_document());
@@ -63,5 +63,5 @@ TEST(errata, a_segment_of_no_length_is_told_in_finite_numbers) {
   for (const Erratum& e : errata(derived, derived.order[0], 33, 64)) EXPECT_TRUE(std::isfinite(e.right) && std::isfinite(e.wrong)) << e.name;
 }
 
-}  // namespace
+}  // namespace errata_test
 }  // namespace coaster::sim

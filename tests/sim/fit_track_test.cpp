@@ -8,7 +8,7 @@
 #include "sim/rows_along.h"
 
 namespace coaster::sim {
-namespace {
+namespace fit_track_test {
 
 using glm::dvec3;
 using test::rows_along;
@@ -211,5 +211,5 @@ TEST(fit_track, frame_angles_are_those_of_the_rotation) {
   EXPECT_EQ(frame_angle_deg(a, a), 0);
 }
 
-}  // namespace
+}  // namespace fit_track_test
 }  // namespace coaster::sim

@@ -6,7 +6,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace frame_methods_test {
 
 using glm::dvec3;
 using world::FrameMethod;
@@ -163,5 +163,5 @@ TEST(frame_methods, a_segments_place_is_found_from_a_wrong_guess_too) {
   EXPECT_EQ(index_of_segment(derived, world::kNone, 3.3), derived.order.size());
 }
 
-}  // namespace
+}  // namespace frame_methods_test
 }  // namespace coaster::sim

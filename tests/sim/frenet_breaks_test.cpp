@@ -7,7 +7,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace frenet_breaks_test {
 
 using Kind = FrenetBreak::Kind;
 
@@ -114,5 +114,5 @@ TEST(frenet_breaks, degenerate_segments_are_told_and_bounded) {
   }
 }
 
-}  // namespace
+}  // namespace frenet_breaks_test
 }  // namespace coaster::sim

@@ -9,7 +9,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace ghost_test {
 
 constexpr double kG = world::kGravity;
 
@@ -203,5 +203,5 @@ TEST(ghost, no_track_and_no_length_give_a_ghost_that_stands) {
   EXPECT_EQ(memo.from(d, {}, {}).samples.size(), 1u);
 }
 
-}  // namespace
+}  // namespace ghost_test
 }  // namespace coaster::sim

@@ -7,7 +7,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace integrators_test {
 
 TEST(integrators, names_are_unique_and_found) {
   for (std::size_t i = 0; i < integrators().size(); ++i) EXPECT_EQ(find_integrator(integrators()[i].name), static_cast<int>(i));
@@ -75,5 +75,5 @@ TEST(integrators, the_papers_method_takes_the_speed_from_the_energy) {
   EXPECT_EQ(row.advance(too_high.context, {0, 1, 0}, 0.01).x, 0);
 }
 
-}  // namespace
+}  // namespace integrators_test
 }  // namespace coaster::sim

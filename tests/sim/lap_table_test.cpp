@@ -6,7 +6,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace lap_table_test {
 
 struct Lap {
   world::Document document;
@@ -141,5 +141,5 @@ TEST(precomputed, hands_over_to_another_integrator_where_it_is) {
   EXPECT_NEAR(ride.cart().speed, speed, 0.5);
 }
 
-}  // namespace
+}  // namespace lap_table_test
 }  // namespace coaster::sim

@@ -7,7 +7,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace measure_test {
 
 // A clock that counts: each reading is `step` seconds after the one before.
 struct Counter {
@@ -130,5 +130,5 @@ TEST(measure, csv_is_a_header_and_a_line_a_cell) {
   EXPECT_EQ(to_csv(m, "Some processor; gcc"), "# Some processor; gcc\r\nevaluator,steps,ns_per_point,worst_error_m,rounds\r\nhorner,64,3.25,1.5e-06,9\r\n");
 }
 
-}  // namespace
+}  // namespace measure_test
 }  // namespace coaster::sim

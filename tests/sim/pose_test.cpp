@@ -4,7 +4,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace pose_test {
 
 world::CartMotion at_distance(const Derived& derived, double distance, double speed) {
   const TrackPlace place = place_at(derived, distance);
@@ -96,5 +96,5 @@ TEST(pose, where_frenet_is_undefined_the_knots_frame_stands_in) {
   EXPECT_TRUE(knots.defined);
 }
 
-}  // namespace
+}  // namespace pose_test
 }  // namespace coaster::sim

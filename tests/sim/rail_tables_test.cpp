@@ -8,7 +8,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace rail_tables_test {
 
 world::Document hilly() { return test::ring_document(12, 40.3, 7.7); }
 
@@ -119,5 +119,5 @@ TEST(rail_tables, places_wrap_on_a_closed_track_and_stay_on_an_open_one) {
   EXPECT_EQ(hint, 2u);
 }
 
-}  // namespace
+}  // namespace rail_tables_test
 }  // namespace coaster::sim

@@ -5,7 +5,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace ratings_test {
 
 constexpr double kG = world::kGravity, kCutoff = 5.0;
 
@@ -107,5 +107,5 @@ TEST(ratings, a_ride_that_does_not_come_round_is_not_complete) {
   EXPECT_TRUE(std::isfinite(r.excitement));
 }
 
-}  // namespace
+}  // namespace ratings_test
 }  // namespace coaster::sim

@@ -7,7 +7,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace ride_drift_test {
 
 struct Drift {
   double first = 0, last = 0;  // largest in the first and in the last fifth
@@ -105,5 +105,5 @@ TEST(ride_drift, verlet_stops_at_open_ends_and_where_friction_holds) {
   }
 }
 
-}  // namespace
+}  // namespace ride_drift_test
 }  // namespace coaster::sim

@@ -6,7 +6,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace ride_report_test {
 
 struct Reported {
   world::Document document;
@@ -95,5 +95,5 @@ TEST(ride_report, the_values_by_time_are_a_table_of_the_ghost) {
   }
 }
 
-}  // namespace
+}  // namespace ride_report_test
 }  // namespace coaster::sim

@@ -5,7 +5,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace ride_test {
 
 constexpr double kG = 9.81;
 
@@ -289,5 +289,5 @@ TEST(ride_reconcile, a_ride_that_has_not_begun_follows_the_design) {
   EXPECT_EQ(ride.cart().speed, 3.1);
 }
 
-}  // namespace
+}  // namespace ride_test
 }  // namespace coaster::sim

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace coaster::sim {
-namespace {
+namespace rounding_test {
 
 const curve::Evaluator& row(const char* name) { return curve::evaluator(*curve::find_evaluator(name)); }
 
@@ -74,5 +74,5 @@ TEST(rounding, of_a_point_is_nothing) {
   EXPECT_LT(largest(r), 1e-5);
 }
 
-}  // namespace
+}  // namespace rounding_test
 }  // namespace coaster::sim

@@ -5,7 +5,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace segment_tree_test {
 
 class Random {
  public:
@@ -194,5 +194,5 @@ TEST(segment_tree, follows_what_is_derived_and_keeps_its_nodes_while_knots_move)
   EXPECT_TRUE(derived.tree.nodes.empty());
 }
 
-}  // namespace
+}  // namespace segment_tree_test
 }  // namespace coaster::sim

@@ -5,7 +5,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace track_mesh_test {
 
 bool finite(const Mesh& mesh) {
   for (const MeshVertex& v : mesh.vertices)
@@ -186,5 +186,5 @@ TEST(track_mesh, the_cart_fits_its_box_and_is_closed) {
   }
 }
 
-}  // namespace
+}  // namespace track_mesh_test
 }  // namespace coaster::sim

@@ -8,7 +8,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace track_values_test {
 
 using world::Colouring;
 
@@ -126,5 +126,5 @@ TEST(track_values, plain_needs_nothing_and_an_empty_track_has_nothing) {
   }
 }
 
-}  // namespace
+}  // namespace track_values_test
 }  // namespace coaster::sim

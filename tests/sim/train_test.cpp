@@ -5,7 +5,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace {
+namespace train_test {
 
 TEST(train, cars_stand_their_spacing_apart_over_joints_and_the_seam) {
   const world::Document d = test::ring_document(12, 20.3);
@@ -74,5 +74,5 @@ TEST(train, joints_ahead_and_behind_are_the_nearest_of_any_car) {
   EXPECT_EQ(joint_behind(context), back);
 }
 
-}  // namespace
+}  // namespace train_test
 }  // namespace coaster::sim

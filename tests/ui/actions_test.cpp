@@ -3,7 +3,7 @@
 #include "ui/stage.h"
 
 namespace coaster::ui {
-namespace {
+namespace actions_test {
 
 struct ActionsTest : Stage {};
 
@@ -108,5 +108,5 @@ TEST_F(ActionsTest, f12_asks_for_a_picture) {
   EXPECT_FALSE(frame().wants_screenshot);
 }
 
-}  // namespace
+}  // namespace actions_test
 }  // namespace coaster::ui

@@ -4,7 +4,7 @@
 #include "ui/stage.h"
 
 namespace coaster::ui {
-namespace {
+namespace dialogs_test {
 
 using platform::Key;
 
@@ -130,5 +130,5 @@ TEST_F(DialogsTest, the_settings_say_what_to_keep) {
   EXPECT_EQ(out.settings->keys[0], (exchange::KeyChoice{"Undo", {"Ctrl+U", "F2"}}));
 }
 
-}  // namespace
+}  // namespace dialogs_test
 }  // namespace coaster::ui

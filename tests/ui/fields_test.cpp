@@ -3,7 +3,7 @@
 #include "ui/stage.h"
 
 namespace coaster::ui {
-namespace {
+namespace fields_test {
 
 struct FieldsTest : Stage {
   void SetUp() override {
@@ -149,5 +149,5 @@ TEST_F(FieldsTest, the_name_is_text_and_keys_belong_to_it_while_it_is_typed) {
   EXPECT_EQ(session_.document.track.knots.size(), 3u) << "X deletes a knot only outside text";
 }
 
-}  // namespace
+}  // namespace fields_test
 }  // namespace coaster::ui

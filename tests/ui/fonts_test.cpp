@@ -5,7 +5,7 @@
 #include "ui/theme.h"
 
 namespace coaster::ui {
-namespace {
+namespace fonts_test {
 
 TEST(fonts, figures_all_have_one_width_at_every_scale) {
   ImGuiContext* context = ImGui::CreateContext();
@@ -30,5 +30,5 @@ TEST(fonts, formulas_have_their_signs) {
   ImGui::DestroyContext(context);
 }
 
-}  // namespace
+}  // namespace fonts_test
 }  // namespace coaster::ui

@@ -4,7 +4,7 @@
 #include "ui/theme.h"
 
 namespace coaster::ui {
-namespace {
+namespace imgui_renderer_test {
 
 struct ImGuiRendererTest : Stage {
   // The picture after clearing to `clear` and drawing the UI, rows from the bottom.
@@ -61,5 +61,5 @@ TEST_F(ImGuiRendererTest, the_same_state_gives_the_same_picture) {
   EXPECT_TRUE(once == picture(0.5f));
 }
 
-}  // namespace
+}  // namespace imgui_renderer_test
 }  // namespace coaster::ui

@@ -5,7 +5,7 @@
 #include "ui/actions.h"
 
 namespace coaster::ui {
-namespace {
+namespace key_map_test {
 
 using platform::Key;
 
@@ -57,5 +57,5 @@ TEST(key_map, a_key_given_away_leaves_its_owner_and_two_can_change_places) {
   EXPECT_TRUE(problems_of({{"Undo", {"Ctrl+S"}}, {"Save", {"Ctrl+Z"}}}).empty());
 }
 
-}  // namespace
+}  // namespace key_map_test
 }  // namespace coaster::ui

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace coaster::ui {
-namespace {
+namespace lab_shapes_test {
 
 double arbitrary_metres() {
   return *rc::gen::map(rc::gen::inRange(-100000, 100001), [](int v) { return v * 1.37e-3; });
@@ -49,5 +49,5 @@ TEST(lab_shapes, points_on_a_line_or_in_one_place_have_a_sheet) {
   }
 }
 
-}  // namespace
+}  // namespace lab_shapes_test
 }  // namespace coaster::ui

@@ -6,7 +6,7 @@
 #include "ui/stage.h"
 
 namespace coaster::ui {
-namespace {
+namespace laboratory_test {
 
 struct LaboratoryTest : Stage {
   void open(const std::string& page) {
@@ -154,5 +154,5 @@ TEST_F(LaboratoryTest, without_a_segment_pages_say_what_to_do) {
   }
 }
 
-}  // namespace
+}  // namespace laboratory_test
 }  // namespace coaster::ui

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace coaster::ui {
-namespace {
+namespace layout_test {
 
 bool apart(const view::Viewport& a, const view::Viewport& b) {
   constexpr float kRounding = 1e-3f;  // px
@@ -53,5 +53,5 @@ TEST(layout, small_windows_shrink_text_by_a_fifth_at_most) {
   EXPECT_FLOAT_EQ(fitted_scale(2560, 1440, 1.5f, 2), 3);  // a dense screen is no small window
 }
 
-}  // namespace
+}  // namespace layout_test
 }  // namespace coaster::ui

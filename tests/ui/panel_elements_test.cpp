@@ -5,7 +5,7 @@
 #include "ui/stage.h"
 
 namespace coaster::ui {
-namespace {
+namespace panel_elements_test {
 
 struct PanelElementsTest : Stage {
   std::size_t knots() const { return session_.document.track.knots.size(); }
@@ -64,5 +64,5 @@ TEST_F(PanelElementsTest, a_closed_track_has_no_end_to_place_at) {
   EXPECT_EQ(knots(), before);
 }
 
-}  // namespace
+}  // namespace panel_elements_test
 }  // namespace coaster::ui

@@ -6,7 +6,7 @@
 #include "ui/stage.h"
 
 namespace coaster::ui {
-namespace {
+namespace panels_test {
 
 struct PanelsTest : Stage {};
 
@@ -97,5 +97,5 @@ TEST_F(PanelsTest, ride_buttons_start_hold_and_reset) {
   EXPECT_EQ(session_.motion.state, world::RideState::stopped);
 }
 
-}  // namespace
+}  // namespace panels_test
 }  // namespace coaster::ui

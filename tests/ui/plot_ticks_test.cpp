@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace coaster::ui {
-namespace {
+namespace plot_ticks_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -130,5 +130,5 @@ TEST(plot_ticks, significant_digits_are_as_many_as_asked) {
   EXPECT_EQ(significant(1.5e-7, 3, false), "1.5e-7");
 }
 
-}  // namespace
+}  // namespace plot_ticks_test
 }  // namespace coaster::ui

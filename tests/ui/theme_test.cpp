@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace coaster::ui {
-namespace {
+namespace theme_test {
 
 // Contrast by WCAG 2.1, with the curve of sRGB itself: an oracle apart from the program's gamma 2.2.
 double luminance(std::uint32_t rgb) {
@@ -47,5 +47,5 @@ TEST(ink, colours_of_data_can_be_told_from_the_ground_of_light_plots_and_stay_as
   ImGui::DestroyContext(context);
 }
 
-}  // namespace
+}  // namespace theme_test
 }  // namespace coaster::ui

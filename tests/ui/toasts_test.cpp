@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace coaster::ui {
-namespace {
+namespace toasts_test {
 
 TEST(toasts, information_lasts_four_seconds_and_warnings_six) {
   for (const auto& [kind, seconds] : {std::pair{edit::NoticeKind::info, 4.0}, {edit::NoticeKind::warning, 6.0}}) {
@@ -30,5 +30,5 @@ TEST(toasts, stay_until_the_next_one_in_scripts) {
   EXPECT_EQ(toasts.shown, "second");
 }
 
-}  // namespace
+}  // namespace toasts_test
 }  // namespace coaster::ui

@@ -10,7 +10,7 @@
 #include "world/selection.h"
 
 namespace coaster::ui {
-namespace {
+namespace transform_math_test {
 
 constexpr view::Viewport kViewport{0, 0, 800, 600};
 const view::View kView = view::orbit_view({{0, 5, 0}, 25, 20, 60}, kViewport);
@@ -99,5 +99,5 @@ TEST(command_palette, words_are_found_in_any_order_and_names_count_more_than_hel
   EXPECT_GT(match("", "anything", ""), 0);
 }
 
-}  // namespace
+}  // namespace transform_math_test
 }  // namespace coaster::ui

@@ -3,7 +3,7 @@
 #include "ui/stage.h"
 
 namespace coaster::ui {
-namespace {
+namespace viewport_tool_test {
 
 struct ViewportToolTest : Stage {
   void SetUp() override {
@@ -170,5 +170,5 @@ TEST_F(ViewportToolTest, a_press_over_a_panel_is_not_for_the_viewport) {
   EXPECT_TRUE(all<edit::MoveKnot>().empty());
 }
 
-}  // namespace
+}  // namespace viewport_tool_test
 }  // namespace coaster::ui

@@ -3,7 +3,7 @@
 #include "ui/stage.h"
 
 namespace coaster::ui {
-namespace {
+namespace widgets_test {
 
 struct WidgetsTest : Stage {};
 
@@ -82,5 +82,5 @@ TEST(fixed_text, never_shows_a_negative_zero) {
   EXPECT_EQ(fixed(1234.5, 1), "1234.5");
 }
 
-}  // namespace
+}  // namespace widgets_test
 }  // namespace coaster::ui

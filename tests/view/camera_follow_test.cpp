@@ -7,7 +7,7 @@
 #include "view/watch.h"
 
 namespace coaster::view {
-namespace {
+namespace camera_follow_test {
 
 using glm::dvec3;
 using world::CameraMode;
@@ -154,5 +154,5 @@ TEST(head_bob, it_is_small_a_function_of_the_ride_and_off_by_default) {
   EXPECT_EQ(with, run(true));
 }
 
-}  // namespace
+}  // namespace camera_follow_test
 }  // namespace coaster::view

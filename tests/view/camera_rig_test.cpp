@@ -5,7 +5,7 @@
 #include "view/watch.h"
 
 namespace coaster::view {
-namespace {
+namespace camera_rig_test {
 
 using glm::dvec3;
 using world::CameraMode;
@@ -107,5 +107,5 @@ TEST(fly_camera, it_begins_where_the_eye_is_and_looks_there) {
     for (int j = 0; j < 3; ++j) EXPECT_NEAR(again.view[i][j], v.view[i][j], 1e-5f);
 }
 
-}  // namespace
+}  // namespace camera_rig_test
 }  // namespace coaster::view

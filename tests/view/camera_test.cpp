@@ -5,7 +5,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::view {
-namespace {
+namespace camera_test {
 
 const Viewport kViewport{137, 41, 913, 617};
 
@@ -154,5 +154,5 @@ TEST(camera, framing_an_entity_shows_it) {
   ASSERT_TRUE(at && kViewport.contains(glm::vec2(*at)));
 }
 
-}  // namespace
+}  // namespace camera_test
 }  // namespace coaster::view

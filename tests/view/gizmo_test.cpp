@@ -7,7 +7,7 @@
 #include "world/sample_documents.h"
 
 namespace coaster::view {
-namespace {
+namespace gizmo_test {
 
 constexpr Viewport kViewport{100, 20, 900, 600};
 
@@ -79,5 +79,5 @@ TEST(gizmo, knots_and_handles_are_picked_before_it_and_it_before_the_curve) {
   EXPECT_EQ(pick_at(gizmo_place(*gizmo, 1, PickKind::axis_y)), PickKind::axis_y);
 }
 
-}  // namespace
+}  // namespace gizmo_test
 }  // namespace coaster::view

@@ -7,7 +7,7 @@
 #include "view/camera.h"
 
 namespace coaster::view {
-namespace {
+namespace overlay_element_test {
 
 View view_of_all() {
   world::Camera camera;
@@ -64,5 +64,5 @@ TEST(overlay_element, what_is_in_the_ground_is_red_and_what_cannot_be_placed_is_
   EXPECT_TRUE(none.lines.empty() && none.marks.empty());
 }
 
-}  // namespace
+}  // namespace overlay_element_test
 }  // namespace coaster::view

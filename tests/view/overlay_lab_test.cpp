@@ -7,7 +7,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::view {
-namespace {
+namespace overlay_lab_test {
 
 const Viewport kViewport{57, 31, 1280, 720};
 
@@ -228,5 +228,5 @@ TEST(overlay_lab, an_empty_track_shows_nothing) {
   EXPECT_TRUE(overlay == Overlay{});
 }
 
-}  // namespace
+}  // namespace overlay_lab_test
 }  // namespace coaster::view

@@ -5,7 +5,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::view {
-namespace {
+namespace overlay_test {
 
 const Viewport kViewport{57, 31, 640, 480};
 
@@ -213,5 +213,5 @@ TEST(overlay_failure, a_failed_ride_is_marked_where_it_failed_and_one_that_goes_
   EXPECT_LT(glm::distance(glm::dvec3(with.marks[without.marks.size()].position), at), 2.0);
 }
 
-}  // namespace
+}  // namespace overlay_test
 }  // namespace coaster::view

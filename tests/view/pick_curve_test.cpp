@@ -4,7 +4,7 @@
 #include "view/pick.h"
 
 namespace coaster::view {
-namespace {
+namespace pick_curve_test {
 
 using glm::dvec2;
 using glm::dvec3;
@@ -290,5 +290,5 @@ TEST(pick_curve, straights_seen_end_on_and_places_without_extent_are_places_too)
   EXPECT_LT(glm::distance(spot->position, glm::vec3(7, 8, 9)), 0.02f);
 }
 
-}  // namespace
+}  // namespace pick_curve_test
 }  // namespace coaster::view

@@ -7,7 +7,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::view {
-namespace {
+namespace pick_test {
 
 const Viewport kViewport{57, 31, 640, 480};
 
@@ -176,5 +176,5 @@ TEST(pick, five_thousand_segments_take_a_moment) {
   EXPECT_LT(best, 20);  // about 0.5 optimised; room for debug builds and sanitizers
 }
 
-}  // namespace
+}  // namespace pick_test
 }  // namespace coaster::view

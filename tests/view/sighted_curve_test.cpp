@@ -6,7 +6,7 @@
 #include "view/polynomial_roots.h"
 
 namespace coaster::view {
-namespace {
+namespace sighted_curve_test {
 
 double uniform(std::mt19937& bits, double low, double high) { return low + (high - low) * (bits() / 4294967296.0); }
 
@@ -109,5 +109,5 @@ TEST(sighted_curve, what_is_said_to_be_far_is_far) {
   EXPECT_GT(far, 500);
 }
 
-}  // namespace
+}  // namespace sighted_curve_test
 }  // namespace coaster::view

@@ -5,7 +5,7 @@
 #include "world/sample_documents.h"
 
 namespace coaster::world {
-namespace {
+namespace document_test {
 
 TEST(document, find_and_name_are_inverse) {
   const Document d = test::sample_document();
@@ -59,5 +59,5 @@ TEST(document, exact_length_agrees_with_a_fine_chord_sum) {
   EXPECT_NEAR(exact_length(d), chords, 1e-6);
 }
 
-}  // namespace
+}  // namespace document_test
 }  // namespace coaster::world

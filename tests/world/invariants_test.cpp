@@ -5,7 +5,7 @@
 #include "world/sample_documents.h"
 
 namespace coaster::world {
-namespace {
+namespace invariants_test {
 
 TEST(invariants, good_documents_break_none) {
   EXPECT_EQ(broken_invariant(Document{}), std::nullopt);
@@ -56,5 +56,5 @@ TEST(invariants, every_broken_promise_is_noticed) {
       "c1: on no segment");
 }
 
-}  // namespace
+}  // namespace invariants_test
 }  // namespace coaster::world

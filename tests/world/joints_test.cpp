@@ -3,7 +3,7 @@
 #include "world/sample_documents.h"
 
 namespace coaster::world {
-namespace {
+namespace joints_test {
 
 Knot& at(Document& d, std::size_t i) {
   return d.entities.get<Knot>(d.track.knots[i]);
@@ -63,5 +63,5 @@ TEST(joints, coincident_neighbours_keep_the_direction) {
   EXPECT_FALSE(broken_invariant(d));
 }
 
-}  // namespace
+}  // namespace joints_test
 }  // namespace coaster::world

@@ -6,7 +6,7 @@
 #include "world/sample_documents.h"
 
 namespace coaster::world {
-namespace {
+namespace orientation_test {
 
 void expect_orthonormal(const Knot& k) {
   const glm::dvec3 t(k.tangent), u(k.up);
@@ -105,5 +105,5 @@ TEST(orientation, orthonormalise_repairs_and_is_idempotent) {
   expect_orthonormal(k);
 }
 
-}  // namespace
+}  // namespace orientation_test
 }  // namespace coaster::world

@@ -5,7 +5,7 @@
 #include <string>
 
 namespace coaster::world {
-namespace {
+namespace registry_test {
 
 using Sample = Registry<int, std::string>;
 
@@ -54,5 +54,5 @@ TEST(registry, dense_order_does_not_count_for_equality) {
   EXPECT_TRUE(a == b);
 }
 
-}  // namespace
+}  // namespace registry_test
 }  // namespace coaster::world

@@ -5,7 +5,7 @@
 #include "world/sample_documents.h"
 
 namespace coaster::world {
-namespace {
+namespace state_hash_test {
 
 // Built without any arithmetic, so that the constants below depend on the hash alone.
 Document plain_document() {
@@ -86,5 +86,5 @@ TEST(state_hash, the_hash_of_motion_is_fixed_and_takes_carts_by_name) {
   EXPECT_NE(base::hex16(hash(d, a)), "00fcadfca18ae2ea");
 }
 
-}  // namespace
+}  // namespace state_hash_test
 }  // namespace coaster::world

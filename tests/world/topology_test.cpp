@@ -7,7 +7,7 @@
 #include "world/sample_documents.h"
 
 namespace coaster::world {
-namespace {
+namespace topology_test {
 
 const Cart& cart(const Document& d, std::uint32_t number) {
   return d.entities.get<Cart>(find(d, {Kind::cart, number}));
@@ -166,5 +166,5 @@ RC_GTEST_PROP(topology, any_sequence_keeps_every_invariant, ()) {
   }
 }
 
-}  // namespace
+}  // namespace topology_test
 }  // namespace coaster::world
