@@ -85,8 +85,9 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 low, float size, ImU32 colour
 }
 
 bool icon_button(Ui& ui, Icon icon, std::string_view label, std::string_view tooltip, bool enabled, float width, bool above) {
+  if (above) ImGui::PushFont(small_font());
   const ImVec2 padding = ImGui::GetStyle().FramePadding, words = text_size(label);
-  const float small = std::floor(words.y * 0.62f), size = above ? std::floor(words.y * 1.15f) : small, gap = std::floor(words.y * (above ? 0.15f : 0.35f));
+  const float small = std::floor(words.y * 0.62f), size = above ? std::floor(words.y * 1.3f) : small, gap = std::floor(words.y * (above ? 0.15f : 0.35f));
   const float height = words.y + 2 * padding.y + (above ? size + gap : 0);
   ImGui::BeginDisabled(!enabled);
   const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -104,6 +105,7 @@ bool icon_button(Ui& ui, Icon icon, std::string_view label, std::string_view too
   }
   list.PopClipRect();
   ImGui::EndDisabled();
+  if (above) ImGui::PopFont();
   note_item(ui, label, "button", tooltip, enabled);
   return pressed && enabled;
 }

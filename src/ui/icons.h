@@ -20,7 +20,7 @@ Icon icon_of(world::ElementKind kind);
 // Into the square of `size` px below and right of `low`.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 low, float size, ImU32 colour);
 
-// A button as in widgets.h with an icon before its label, or above it. width: px.
+// A button as in widgets.h with an icon before its label, or above it, in the small font. width: px.
 bool icon_button(Ui& ui, Icon icon, std::string_view label, std::string_view tooltip, bool enabled, float width, bool above = false);
 
 }  // namespace coaster::ui

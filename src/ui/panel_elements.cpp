@@ -22,7 +22,9 @@ void choices(Ui& ui) {
   const std::span<const world::ElementRow> rows = world::elements();
   const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
   float widest = 0;
-  for (const world::ElementRow& row : rows) widest = std::max(widest, text_size(row.label).x + 2 * ImGui::GetStyle().FramePadding.x);
+  ImGui::PushFont(small_font());
+  for (const world::ElementRow& row : rows) widest = std::max(widest, text_size(row.label).x + std::floor(4 * ui.scale));
+  ImGui::PopFont();
   const int columns = std::clamp(static_cast<int>((room + gap) / (widest + gap)), 1, 4);
   const float width = std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
   for (std::size_t i = 0; i < rows.size(); ++i) {
