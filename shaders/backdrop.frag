@@ -1,12 +1,11 @@
 // Sky and ground by the ray of each pixel: no geometry, so no far edge. The ground is the plane y = 0.
 uniform vec3 eye;
-uniform vec3 zenith, ground_colour, grid_light;  // the last is linear light, added where lines are
-uniform float glow_strength;                     // of the sky around the sun
+uniform float pixel;  // its side at distance 1
 in vec3 direction;
 out vec4 colour;
 
-// Lines of `width` metres every `spacing` metres, antialiased by the pixel's footprint: where a line is thinner than a pixel it stays a
-// pixel wide and pales instead; where the pattern is finer than pixels it becomes its mean.
+// How much of lines of `width` metres every `spacing` metres a pixel shows: where a line is thinner than a pixel it stays a pixel wide and
+// pales instead; where the pattern grows finer than a few pixels it is gone, before it could shimmer.
 float grid(vec2 place, vec2 footprint, float spacing, float width) {
   vec2 size = footprint / spacing;
   float target = width / spacing;
@@ -14,17 +13,51 @@ float grid(vec2 place, vec2 footprint, float spacing, float width) {
   vec2 blur = 1.5 * size;
   vec2 away = abs(fract(place / spacing - 0.5) - 0.5);
   vec2 line = 1.0 - smoothstep(0.5 * drawn - blur * 0.5, 0.5 * drawn + blur * 0.5, away);
-  line *= clamp(target / drawn, 0.0, 1.0);
-  line = mix(line, vec2(target), clamp(2.0 * size - 1.0, 0.0, 1.0));
-  return mix(line.x, 1.0, line.y);
+  line *= clamp(target / drawn, 0.0, 1.0) * (1.0 - smoothstep(0.12, 0.45, size));
+  return line.x + line.y - line.x * line.y;
 }
 
-vec3 sky(vec3 sight) {
-  float height = clamp(sight.y, 0.0, 1.0);
-  float climb = 1.0 - exp(-3.0 * height * height / (height + 0.05));  // flat at the horizon, where it meets the fog without an edge
-  vec3 light = mix(linear_of(horizon), linear_of(zenith), climb);
-  float glow = max(dot(sight, normalize(vec3(kSun.x, 0.12, kSun.z))), 0.0);
-  return light + glow_strength * vec3(0.07, 0.045, 0.01) * pow(glow, 6.0) * (1.0 - height);
+float random(ivec2 cell) {
+  uint bits = uint(cell.x) * 1597334677u ^ uint(cell.y) * 3812015801u;
+  bits = (bits ^ (bits >> 15)) * 2246822519u;
+  return float(bits >> 8) / 16777216.0;
+}
+// Smooth noise of about -1 to 1 with cells of 1 m.
+float noise(vec2 place) {
+  ivec2 cell = ivec2(floor(place));
+  vec2 t = fract(place);
+  t = t * t * (3.0 - 2.0 * t);
+  float a = random(cell), b = random(cell + ivec2(1, 0)), c = random(cell + ivec2(0, 1)), d = random(cell + ivec2(1, 1));
+  return 2.0 * mix(mix(a, b, t.x), mix(c, d, t.x), t.y) - 1.0;
+}
+
+// Two ridges far away, as tangents of their height: sums of waves round the horizon.
+vec2 ridges(float turn) {
+  float far = 0.62 + 0.22 * sin(3.0 * turn + 1.1) + 0.13 * sin(7.0 * turn + 4.0) + 0.06 * sin(17.0 * turn) + 0.025 * sin(41.0 * turn + 2.0);
+  float near = 0.34 + 0.16 * sin(4.0 * turn + 5.2) + 0.09 * sin(9.0 * turn + 0.7) + 0.05 * sin(23.0 * turn + 3.0) + 0.02 * sin(53.0 * turn);
+  return air.hills.w * vec2(far, near);
+}
+
+vec3 heavens(vec3 sight) {
+  vec3 light = sky(sight);
+  light += air.glow.w * vec3(1.0, 0.93, 0.8) * smoothstep(0.99984, 0.99992, dot(sight, air.sun.xyz));
+  if (air.hills.w <= 0.0) return light;
+  float height = sight.y / max(length(sight.xz), 1e-4);
+  vec2 ridge = ridges(atan(sight.z, sight.x));
+  vec2 under = smoothstep(vec2(-1.0), vec2(1.0), (ridge - height) / pixel);
+  // Mist lies at their feet.
+  vec2 clear = vec2(0.42, 0.62) * smoothstep(vec2(-0.15), vec2(0.9), height / ridge);
+  vec3 air_there = far_air(sight);
+  light = mix(light, mix(air_there, air.hills.rgb, clear.x), under.x);
+  return mix(light, mix(air_there, air.hills.rgb, clear.y), under.y);
+}
+
+vec3 ground_paint(vec2 place, vec2 footprint) {
+  float width = max(footprint.x, footprint.y);
+  float uneven = 0.6 * noise(place / 37.0) + 0.4 * noise(place / 9.0 + 17.0) * (1.0 - smoothstep(3.0, 9.0, width));
+  vec3 paint = air.ground.rgb * (1.0 + air.ground.w * uneven);
+  float one = grid(place, footprint, 1.0, 0.03), ten = grid(place, footprint, 10.0, 0.1);
+  return mix(paint, air.grid.rgb, air.grid.w * max(0.45 * one, ten));
 }
 
 void main() {
@@ -32,15 +65,17 @@ void main() {
   float drop = sight.y < -1e-5 ? sight.y : -1e-5;
   float metres = max(eye.y, 0.0) / -drop;
   vec2 place = eye.xz + sight.xz * metres;
-  vec2 footprint = abs(dFdx(place)) + abs(dFdy(place));  // before any branch: derivatives need their neighbours
-  vec3 light = sky(sight);
+  vec2 along_x = dFdx(place), along_y = dFdy(place);  // before any branch: derivatives need their neighbours
+  vec3 light;
   if (eye.y < 0.0) {
     light = mix(linear_of(vec3(0.36, 0.33, 0.29)), linear_of(vec3(0.52, 0.49, 0.43)), 0.5 + 0.5 * sight.y);  // inside the earth
   } else if (sight.y < 0.0) {
-    vec3 ground = linear_of(ground_colour);
-    float one = grid(place, footprint, 1.0, 0.025), ten = grid(place, footprint, 10.0, 0.09);
-    ground += grid_light * (0.30 * one + 0.42 * ten);
-    light = mix(ground, linear_of(horizon), fog(metres, eye.y));
+    vec3 paint = ground_paint(place, abs(along_x) + abs(along_y));
+    float shade = air.ink.w * ground_shadow(place, along_x, along_y);
+    light = paint * mix(air.sun_light.rgb * air.sun.y * (1.0 - shade) + air.sky_light.rgb, vec3(1.0 - shade), air.sun.w);
+    light = mix(light, far_air(sight), fog(metres, eye.y));
+  } else {
+    light = heavens(sight);
   }
   colour = vec4(encode(light), 1.0);
 }
