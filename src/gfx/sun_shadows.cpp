@@ -5,7 +5,7 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr float kTrackSide = 128, kTrainSide = 16;  // m, the smallest squares
+constexpr float kTrackSide = 256, kTrainSide = 16;  // m, the smallest squares
 
 // Texels a side: more than a picture shows would be wasted, on small pictures above all.
 int texels_for(const view::Viewport& viewport) {

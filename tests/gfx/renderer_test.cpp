@@ -78,8 +78,8 @@ TEST_F(Pictures, the_shadow_is_on_the_ground_and_darkens_once) {
       darkest = std::min(darkest, a.y);
     }
   EXPECT_GT(darker, 80);
-  // One layer of the shadow's alpha 0.58 takes the ground's green 174 to about 107; a second one would take it to 79.
-  EXPECT_GT(darkest, 93);
+  // Without the sun the ground's green 168 is about 117; a second shadow over it would take it to 80.
+  EXPECT_GT(darkest, 100);
 }
 
 TEST_F(Pictures, a_cart_is_blue_and_where_its_pose_is) {
