@@ -89,7 +89,7 @@ void frame(benchmark::State& state, bool drag) {
 void ride_1000(benchmark::State& state) {
   auto program = open_ring(kRiddenSegments, {1280, 720});
   if (!program) return state.SkipWithError("no off-screen OpenGL");
-  (void)app::apply(*program, edit::StartRide{});
+  (void)app::apply(*program, edit::RideStart{});
   app::run_frame(*program, {platform::Tick{1.0 / 60}}, 2);
   double outside = 0, gl = 0, frames = 0, uploads = 0, shadow_maps = 0;
   for (auto _ : state) {

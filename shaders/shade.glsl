@@ -18,7 +18,7 @@ float cover_at(sampler2D cover, mat4 to_map, vec2 texel, vec2 place, vec2 x, vec
   float reach = max(length(major), 1.5 * per_metre);
   vec2 coarse = textureLod(cover, at, log2(reach * size)).rg;
   if (coarse.r <= 0.0) return 0.0;
-  float soft = (0.04 + air.sky_light.w * kHighest * coarse.g / coarse.r) * per_metre;
+  float soft = max((0.04 + air.sky_light.w * kHighest * coarse.g / coarse.r) * per_metre, 1.3 * texel.y);
   float level = log2(max(max(length(minor), 0.3 * length(major)), max(0.55 * soft, texel.y)) * size);
   float sum = 0.0;
   for (int i = 0; i < 4; ++i) {

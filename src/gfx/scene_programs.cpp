@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #define COASTER_SHADERS(X)                                                                                            \
-  X(common_glsl) X(line_glsl) X(shade_glsl) X(backdrop_vert) X(backdrop_frag) X(mesh_vert) X(mesh_frag) X(shadow_frag) X(polyline_vert) \
+  X(common_glsl) X(line_glsl) X(shade_glsl) X(backdrop_vert) X(ground_frag) X(sky_frag) X(coverage_vert) X(mesh_vert) X(mesh_frag) X(shadow_frag) X(polyline_vert) \
   X(coverage_frag) X(line_vert) X(line_frag) X(mark_vert) X(mark_frag)
 
 namespace coaster::embedded {
@@ -35,7 +35,8 @@ struct Row {
 
 base::Result<ScenePrograms> make_scene_programs(const Gl& gl) {
   const Row rows[] = {
-      {"backdrop", &ScenePrograms::backdrop, "", shade_glsl(), backdrop_vert(), backdrop_frag()},
+      {"ground", &ScenePrograms::ground, "", shade_glsl(), backdrop_vert(), ground_frag()},
+      {"sky", &ScenePrograms::sky, "", "", backdrop_vert(), sky_frag()},
       {"mesh", &ScenePrograms::track, "", shade_glsl(), mesh_vert(), mesh_frag()},
       {"mesh (carts)", &ScenePrograms::carts, "#define CARTS\n", shade_glsl(), mesh_vert(), mesh_frag()},
       {"outline", &ScenePrograms::track_outline, "#define OUTLINE\n", shade_glsl(), mesh_vert(), mesh_frag()},
@@ -43,7 +44,7 @@ base::Result<ScenePrograms> make_scene_programs(const Gl& gl) {
       {"shadow", &ScenePrograms::track_shadow, "#define SHADOW\n", "", mesh_vert(), shadow_frag()},
       {"shadow (carts)", &ScenePrograms::cart_shadow, "#define SHADOW\n#define CARTS\n", "", mesh_vert(), shadow_frag()},
       {"polyline", &ScenePrograms::polyline, "", line_glsl(), polyline_vert(), line_frag()},
-      {"coverage", &ScenePrograms::coverage, "", "", backdrop_vert(), coverage_frag()},
+      {"coverage", &ScenePrograms::coverage, "", "", coverage_vert(), coverage_frag()},
       {"line", &ScenePrograms::line, "", line_glsl(), line_vert(), line_frag()},
       {"mark", &ScenePrograms::mark, "", "", mark_vert(), mark_frag()},
   };

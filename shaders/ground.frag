@@ -1,0 +1,50 @@
+// The plane y = 0 by the ray of each pixel: no geometry, so no far edge.
+uniform vec3 eye;  // over it
+in vec3 direction;
+out vec4 colour;
+
+// How much of lines of `width` metres every `spacing` metres a pixel shows: where a line is thinner than a pixel it stays a pixel wide and
+// pales instead; where the pattern grows finer than a few pixels it is gone, before it could shimmer.
+float grid(vec2 place, vec2 footprint, float spacing, float width) {
+  vec2 size = footprint / spacing;
+  float target = width / spacing;
+  vec2 drawn = clamp(vec2(target), size, vec2(0.5));
+  vec2 blur = 1.5 * size;
+  vec2 away = abs(fract(place / spacing - 0.5) - 0.5);
+  vec2 line = 1.0 - smoothstep(0.5 * drawn - blur * 0.5, 0.5 * drawn + blur * 0.5, away);
+  line *= clamp(target / drawn, 0.0, 1.0) * (1.0 - smoothstep(0.12, 0.45, size));
+  return line.x + line.y - line.x * line.y;
+}
+
+float random(ivec2 cell) {
+  uint bits = uint(cell.x) * 1597334677u ^ uint(cell.y) * 3812015801u;
+  bits = (bits ^ (bits >> 15)) * 2246822519u;
+  return float(bits >> 8) / 16777216.0;
+}
+// Smooth noise of about -1 to 1 with cells of 1 m.
+float noise(vec2 place) {
+  ivec2 cell = ivec2(floor(place));
+  vec2 t = fract(place);
+  t = t * t * (3.0 - 2.0 * t);
+  float a = random(cell), b = random(cell + ivec2(1, 0)), c = random(cell + ivec2(0, 1)), d = random(cell + ivec2(1, 1));
+  return 2.0 * mix(mix(a, b, t.x), mix(c, d, t.x), t.y) - 1.0;
+}
+
+vec3 ground_paint(vec2 place, vec2 footprint) {
+  float width = max(footprint.x, footprint.y);
+  float uneven = 0.6 * noise(place / 37.0) + 0.4 * noise(place / 9.0 + 17.0) * (1.0 - smoothstep(3.0, 9.0, width));
+  vec3 paint = air.ground.rgb * (1.0 + air.ground.w * uneven);
+  float one = grid(place, footprint, 1.0, 0.03), ten = grid(place, footprint, 10.0, 0.1);
+  return mix(paint, air.grid.rgb, air.grid.w * max(0.45 * one, ten));
+}
+
+void main() {
+  vec3 sight = normalize(direction);
+  float metres = eye.y / max(-sight.y, 1e-5);
+  vec2 place = eye.xz + sight.xz * metres;
+  vec2 along_x = dFdx(place), along_y = dFdy(place);
+  vec3 paint = ground_paint(place, abs(along_x) + abs(along_y));
+  float shade = air.ink.w * ground_shadow(place, along_x, along_y);
+  vec3 light = paint * mix(air.sun_light.rgb * air.sun.y * (1.0 - shade) + air.sky_light.rgb, vec3(1.0 - shade), air.sun.w);
+  colour = vec4(encode(mix(light, far_air(sight), fog(metres, eye.y))), 1.0);
+}
