@@ -6,7 +6,7 @@ layout(std140) uniform Air {
   vec4 ground_light;  // on what faces down; w: light of lamps, for each part of paint
   vec4 horizon;       // far air, away from the sun; w: metres in which fog grows thick
   vec4 haze;          // far air towards the sun; w: how narrow
-  vec4 middle;        // of the sky
+  vec4 middle;        // of the sky; w: how much of clouds
   vec4 zenith;
   vec4 glow;          // around the sun; w: the sun's own
   vec4 hills;         // w: their height, as a tangent
@@ -41,4 +41,18 @@ vec3 sky(vec3 sight) {
 float fog(float metres, float eye_height) {
   float depth = metres / (air.horizon.w + 5.0 * max(eye_height, 0.0));
   return 1.0 - exp(-depth * sqrt(depth));
+}
+
+float random(ivec2 cell) {
+  uint bits = uint(cell.x) * 1597334677u ^ uint(cell.y) * 3812015801u;
+  bits = (bits ^ (bits >> 15)) * 2246822519u;
+  return float(bits >> 8) / 16777216.0;
+}
+// Smooth noise of about -1 to 1 with cells of 1 m.
+float noise(vec2 place) {
+  ivec2 cell = ivec2(floor(place));
+  vec2 t = fract(place);
+  t = t * t * (3.0 - 2.0 * t);
+  float a = random(cell), b = random(cell + ivec2(1, 0)), c = random(cell + ivec2(0, 1)), d = random(cell + ivec2(1, 1));
+  return 2.0 * mix(mix(a, b, t.x), mix(c, d, t.x), t.y) - 1.0;
 }

@@ -16,20 +16,6 @@ float grid(vec2 place, vec2 footprint, float spacing, float width) {
   return line.x + line.y - line.x * line.y;
 }
 
-float random(ivec2 cell) {
-  uint bits = uint(cell.x) * 1597334677u ^ uint(cell.y) * 3812015801u;
-  bits = (bits ^ (bits >> 15)) * 2246822519u;
-  return float(bits >> 8) / 16777216.0;
-}
-// Smooth noise of about -1 to 1 with cells of 1 m.
-float noise(vec2 place) {
-  ivec2 cell = ivec2(floor(place));
-  vec2 t = fract(place);
-  t = t * t * (3.0 - 2.0 * t);
-  float a = random(cell), b = random(cell + ivec2(1, 0)), c = random(cell + ivec2(0, 1)), d = random(cell + ivec2(1, 1));
-  return 2.0 * mix(mix(a, b, t.x), mix(c, d, t.x), t.y) - 1.0;
-}
-
 vec3 ground_paint(vec2 place, vec2 footprint) {
   float width = max(footprint.x, footprint.y);
   float uneven = 0.6 * noise(place / 37.0) + 0.4 * noise(place / 9.0 + 17.0) * (1.0 - smoothstep(3.0, 9.0, width));

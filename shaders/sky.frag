@@ -11,8 +11,16 @@ vec2 ridges(float turn) {
   return air.hills.w * vec2(far, near);
 }
 
+// Thin clouds, drawn out by the wind, that end over the horizon.
+float clouds(vec3 sight) {
+  vec2 at = sight.xz / (sight.y + 0.14) * vec2(0.9, 2.1) + vec2(3.1, 7.7);
+  float billows = 0.5 * noise(at) + 0.27 * noise(at * 2.3 + 5.0) + 0.15 * noise(at * 5.1 + 11.0) + 0.08 * noise(at * 11.0 + 2.0);
+  return air.middle.w * smoothstep(-0.05, 0.6, billows) * smoothstep(0.04, 0.3, sight.y);
+}
+
 vec3 heavens(vec3 sight) {
   vec3 light = sky(sight);
+  if (air.middle.w > 0.0) light = mix(light, 1.08 * far_air(sight), clouds(sight));
   light += air.glow.w * vec3(1.0, 0.93, 0.8) * smoothstep(0.99984, 0.99992, dot(sight, air.sun.xyz));
   if (air.hills.w <= 0.0) return light;
   float height = sight.y / max(length(sight.xz), 1e-4);

@@ -19,6 +19,7 @@ struct Scenery {
   glm::vec3 horizon{0}, haze{0};     // far air away from the sun, and towards it
   float haze_width = 1;              // exponent: larger is narrower
   glm::vec3 middle{0}, zenith{0};    // of the sky
+  float clouds = 0;                  // how much of the sky behind them they hide
   glm::vec3 glow{0};                 // linear light round the sun
   float disc = 0;                    // the sun's own
   float fog_metres = 480;            // where fog grows thick
