@@ -6,5 +6,5 @@ out vec3 direction;
 void main() {
   vec2 corner = corners[gl_VertexID];
   direction = forward + corner.x * right + corner.y * up;
-  gl_Position = vec4(corner, 1.0, 1.0);
+  gl_Position = vec4(corner, 0.0, 1.0);  // depth 0.5
 }

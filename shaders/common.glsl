@@ -9,7 +9,7 @@ layout(std140) uniform Air {
   vec4 middle;        // of the sky; w: how much of clouds
   vec4 zenith;
   vec4 glow;          // around the sun; w: the sun's own
-  vec4 hills;         // w: their height, as a tangent
+  vec4 hills;         // w: their height, as a tangent; without hills the far air's colour
   vec4 ground;        // paint; w: how uneven
   vec4 grid;          // paint of its lines; w: how much of it
   vec4 ink;           // lines of a drawing; w: how much of the ground's light a full shadow takes away
@@ -30,6 +30,9 @@ vec3 far_air(vec3 sight) {
   float towards = 0.5 + 0.5 * dot(sight.xz, air.sun.xz) / max(length(sight.xz) * length(air.sun.xz), 1e-4);
   return mix(air.horizon.rgb, air.haze.rgb, pow(clamp(towards, 0.0, 1.0), air.haze.w));
 }
+// What far ground and solids fade into: the mist at the feet of the hills.
+const float kFeet = 0.36;
+vec3 mist(vec3 sight) { return mix(far_air(sight), air.hills.rgb, kFeet); }
 // Without the sun's disc; flat at the horizon, where it meets the fog without an edge.
 vec3 sky(vec3 sight) {
   float height = clamp(sight.y, 0.0, 1.0);

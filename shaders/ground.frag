@@ -1,4 +1,4 @@
-// The plane y = 0 by the ray of each pixel: no geometry, so no far edge.
+// The plane y = 0 by the ray of each pixel: no geometry, so no far edge. Its depth marks where ground_shadow.frag has work to do.
 uniform vec3 eye;  // over it
 in vec3 direction;
 out vec4 colour;
@@ -21,7 +21,7 @@ vec3 ground_paint(vec2 place, vec2 footprint) {
   float uneven = 0.6 * noise(place / 37.0) + 0.4 * noise(place / 9.0 + 17.0) * (1.0 - smoothstep(3.0, 9.0, width));
   vec3 paint = air.ground.rgb * (1.0 + air.ground.w * uneven);
   float one = grid(place, footprint, 1.0, 0.03), ten = grid(place, footprint, 10.0, 0.1);
-  return mix(paint, air.grid.rgb, air.grid.w * max(0.45 * one, ten));
+  return mix(paint, air.grid.rgb, air.grid.w * max(0.36 * one, ten));
 }
 
 void main() {
@@ -29,8 +29,7 @@ void main() {
   float metres = eye.y / max(-sight.y, 1e-5);
   vec2 place = eye.xz + sight.xz * metres;
   vec2 along_x = dFdx(place), along_y = dFdy(place);
-  vec3 paint = ground_paint(place, abs(along_x) + abs(along_y));
-  float shade = air.ink.w * ground_shadow(place, along_x, along_y);
-  vec3 light = paint * mix(air.sun_light.rgb * air.sun.y * (1.0 - shade) + air.sky_light.rgb, vec3(1.0 - shade), air.sun.w);
-  colour = vec4(encode(mix(light, far_air(sight), fog(metres, eye.y))), 1.0);
+  vec3 light = ground_paint(place, abs(along_x) + abs(along_y)) * mix(air.sun_light.rgb * air.sun.y + air.sky_light.rgb, vec3(1.0), air.sun.w);
+  colour = vec4(encode(mix(light, mist(sight), fog(metres, eye.y))), 1.0);
+  gl_FragDepth = maybe_shaded(place, along_x, along_y) ? 0.5 : 1.0;
 }

@@ -43,10 +43,8 @@ float gloss(int part) {
   return part == 3 || part == 4 ? 0.9 : 0.6;
 }
 
-// Linear light of a painted surface.
-vec3 lit(vec3 paint_light, float shiny, vec3 normal, vec3 to_eye) {
-  float sun = max(dot(normal, air.sun.xyz), 0.0);
-  if (sun > 0.0) sun *= sun_reaches(world, normal);
+// Linear light of a painted surface; `sun`: how much of the sun falls on it.
+vec3 lit(vec3 paint_light, float shiny, float sun, vec3 normal, vec3 to_eye) {
   vec3 ambient = mix(air.ground_light.rgb, air.sky_light.rgb, 0.5 + 0.5 * normal.y);
   vec3 light = paint_light * (air.sun_light.rgb * sun + ambient);
   float upright = max(dot(normal, to_eye), 0.0);
@@ -54,7 +52,7 @@ vec3 lit(vec3 paint_light, float shiny, vec3 normal, vec3 to_eye) {
   vec3 bounce = reflect(-to_eye, normal);
   vec3 seen = mix(air.ground.rgb * (air.sun_light.rgb * air.sun.y + air.sky_light.rgb), sky(vec3(bounce.x, max(bounce.y, 0.0), bounce.z)), smoothstep(-0.12, 0.12, bounce.y));
   float half_way = max(dot(normal, normalize(air.sun.xyz + to_eye)), 0.0);
-  vec3 shine = air.sun_light.rgb * shiny * (0.45 * pow(half_way, 90.0) + 0.10 * pow(half_way, 14.0)) * min(4.0 * sun, 1.0);
+  vec3 shine = air.sun_light.rgb * shiny * (0.45 * pow(half_way, 90.0) + 0.04 * pow(half_way, 14.0)) * min(4.0 * sun, 1.0);
   return light + mirror * seen + shine * air.sun_light.w;
 }
 
@@ -65,24 +63,22 @@ void main() {
   float metres = length(to_eye);
   to_eye /= metres;
   bool by_value = colouring == 1 && part < 2;
-  vec3 light;
 #ifdef OUTLINE
-  light = air.ink.rgb;
+  vec3 light = air.ink.rgb;
 #else
+  float sun = max(dot(normal, air.sun.xyz), 0.0) * sun_reaches(world, normal);
+  vec3 own = linear_of(by_value ? value_colour() : paint(part)), light;
   if (by_value) {
     // Where colours are numbers, light only models: they stay near those of the legend, whatever the style.
-    float sun = max(dot(normal, normalize(vec3(0.42, 0.78, 0.46))), 0.0) * (air.sun.w > 0.5 ? 1.0 : 0.5 + 0.5 * sun_reaches(world, normal));
-    light = linear_of(value_colour()) * (0.74 + 0.32 * sun + 0.12 * normal.y);
+    light = own * (0.78 + 0.28 * sun + 0.12 * normal.y);
   } else if (air.sun.w > 0.5) {
-    vec3 own = linear_of(paint(part));
     float bright = dot(own, vec3(0.2126, 0.7152, 0.0722));
-    light = mix(air.ground.rgb, air.ink.rgb, (0.10 + 0.5 * bright) * (0.75 + 0.45 * normal.y + 0.2 * dot(normal, to_eye)));
+    light = mix(air.ground.rgb, air.ink.rgb, (0.05 + 0.34 * bright) * (0.75 + 0.45 * normal.y + 0.2 * dot(normal, to_eye)));
   } else {
-    vec3 own = linear_of(paint(part));
-    light = lit(own, gloss(part), normal, to_eye);
+    light = lit(own, gloss(part), sun, normal, to_eye);
     if (part == 4) light += air.ground_light.w * own;
   }
 #endif
-  light = mix(light, far_air(-to_eye), (by_value ? 0.45 : 0.9) * fog(metres, eye.y));
+  light = mix(light, mist(-to_eye), (by_value ? 0.45 : 0.9) * fog(metres, eye.y));
   colour = vec4(encode(light), 1.0);
 }

@@ -14,7 +14,7 @@ uniform mat4 view_projection;
 #ifndef SHADOW
 uniform vec3 eye;
 uniform float least_width;  // radius of tubes in metres, for each metre from the eye; 0: as they are
-uniform float outline;      // width of lines, likewise
+uniform float outline;      // width of lines, likewise, at most 6 cm
 #endif
 out vec3 world;
 out vec3 facing;   // towards the outside
@@ -41,7 +41,7 @@ void main() {
 #endif
   material = part;
 #ifdef OUTLINE
-  world += normalize(facing) * (outline * distance(world, eye));
+  world += normalize(facing) * min(outline * distance(world, eye), 0.06);
 #endif
   gl_Position = view_projection * vec4(world, 1.0);
 }

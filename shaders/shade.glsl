@@ -3,34 +3,53 @@ uniform mat4 track_light, train_light;        // world to 0..1: place in the map
 uniform vec2 track_texel, train_texel;        // a texel's side in metres, and as a part of the map
 uniform highp sampler2DShadow track_depth, train_depth;
 uniform sampler2D track_cover, train_cover;   // r: how much of a texel is covered, g: times the height of what covers it, in kHighest
+uniform int taps;  // 4; told from outside so that loops stay loops, which compilers of software renderers are thankful for
 
-// How much of the light is taken from a place on the ground, by a map's mipmaps: over a pixel's footprint, drawn out along it, and over the
-// penumbra, which grows with the height of what throws the shadow. x and y: the pixel's sides in metres; all in the map's plane.
-float cover_at(sampler2D cover, mat4 to_map, vec2 texel, vec2 place, vec2 x, vec2 y) {
-  vec2 at = (to_map * vec4(place.x, 0.0, place.y, 1.0)).xy;
+// A map about a place on the ground: where in it that is, what the two sides of a pixel (m) become there, and the mipmap about as coarse as
+// the pixel, or a metre and a half.
+struct Spot {
+  vec2 at, major, minor;
+  float level, inside;  // inside: 1, falling to 0 at the map's edges
+};
+Spot spot(mat4 to_map, vec2 texel, vec2 place, vec2 x, vec2 y) {
+  Spot spot;
+  spot.at = (to_map * vec4(place.x, 0.0, place.y, 1.0)).xy;
   mat2 flat_part = mat2(to_map[0].xy, to_map[2].xy);
   vec2 side_x = flat_part * x, side_y = flat_part * y;
-  vec2 edge = 0.5 - abs(at - 0.5);
-  if (min(edge.x, edge.y) <= 0.0) return 0.0;
   bool wide = dot(side_x, side_x) > dot(side_y, side_y);
-  vec2 major = wide ? side_x : side_y, minor = wide ? side_y : side_x;
-  float per_metre = texel.y / texel.x, size = 1.0 / texel.y;
-  float reach = max(length(major), 1.5 * per_metre);
-  vec2 coarse = textureLod(cover, at, log2(reach * size)).rg;
-  if (coarse.r <= 0.0) return 0.0;
-  float soft = max((0.04 + air.sky_light.w * kHighest * coarse.g / coarse.r) * per_metre, 1.3 * texel.y);
-  float level = log2(max(max(length(minor), 0.3 * length(major)), max(0.55 * soft, texel.y)) * size);
-  float sum = 0.0;
-  for (int i = 0; i < 4; ++i) {
-    vec2 corner = vec2(float(i & 1), float(i >> 1)) - 0.5;
-    float step_along = (float(i) - 1.5) * 0.25;
-    sum += textureLod(cover, at + 0.62 * soft * corner + step_along * major, level).r;
-  }
-  return 0.25 * sum * smoothstep(0.0, 0.04, min(edge.x, edge.y));
+  spot.major = wide ? side_x : side_y;
+  spot.minor = wide ? side_y : side_x;
+  spot.level = ceil(log2(max(length(spot.major) / texel.y, 1.6 / texel.x)));
+  vec2 edge = 0.5 - abs(spot.at - 0.5);
+  spot.inside = clamp(25.0 * min(edge.x, edge.y), 0.0, 1.0);
+  return spot;
 }
 
+// Whether there may be any shadow at a place; quick.
+bool maybe_shaded(vec2 place, vec2 x, vec2 y) {
+  Spot track = spot(track_light, track_texel, place, x, y), train = spot(train_light, train_texel, place, x, y);
+  return track.inside * textureLod(track_cover, track.at, track.level).r + train.inside * textureLod(train_cover, train.at, train.level).r > 0.0;
+}
+
+// How much of the light is taken from a place on the ground: coverage over a pixel's footprint, drawn out along it, and over the penumbra, which
+// grows with the height of what throws the shadow.
+float cover_at(sampler2D cover, vec2 texel, Spot spot) {
+  vec2 coarse = textureLod(cover, spot.at, spot.level).rg;
+  float metre = texel.y / texel.x;
+  float soft = max((0.04 + air.sky_light.w * kHighest * coarse.g / max(coarse.r, 0.003)) * metre, 1.3 * texel.y);
+  float level = log2(max(max(length(spot.minor), 0.3 * length(spot.major)), max(0.55 * soft, texel.y)) / texel.y);
+  float sum = 0.0;
+  for (int i = 0; i < taps; ++i) {
+    vec2 corner = vec2(float(i & 1), float(i >> 1)) - 0.5;
+    sum += textureLod(cover, spot.at + 0.62 * soft * corner + (0.25 * float(i) - 0.375) * spot.major, level).r;
+  }
+  float covered = 0.25 * sum;
+  return spot.inside * covered * (1.6 - 0.6 * covered);  // thin rails far off are still told by their shadow
+}
 float ground_shadow(vec2 place, vec2 x, vec2 y) {
-  return max(cover_at(track_cover, track_light, track_texel, place, x, y), cover_at(train_cover, train_light, train_texel, place, x, y));
+  float track = cover_at(track_cover, track_texel, spot(track_light, track_texel, place, x, y));
+  float train = cover_at(train_cover, train_texel, spot(train_light, train_texel, place, x, y));
+  return max(track, train);
 }
 
 // How much of the sun reaches a place of a solid with a normal: depths compared, over about two texels.
@@ -40,9 +59,9 @@ float reached(highp sampler2DShadow depth, mat4 to_map, vec2 texel, vec3 world, 
   vec3 edge = 0.5 - abs(at - 0.5);
   if (min(min(edge.x, edge.y), edge.z) <= 0.0) return 1.0;
   float sum = 0.0;
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < taps; ++i) {
     vec2 corner = vec2(float(i & 1), float(i >> 1)) - 0.5;
-    sum += texture(depth, vec3(at.xy + 1.2 * texel.y * corner, at.z));
+    sum += textureLod(depth, vec3(at.xy + 1.7 * texel.y * corner, at.z), 0.0);
   }
   return 0.25 * sum;
 }

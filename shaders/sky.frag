@@ -26,8 +26,8 @@ vec3 heavens(vec3 sight) {
   float height = sight.y / max(length(sight.xz), 1e-4);
   vec2 ridge = ridges(atan(sight.z, sight.x));
   vec2 under = smoothstep(vec2(-1.0), vec2(1.0), (ridge - height) / pixel);
-  // Mist lies at their feet.
-  vec2 clear = vec2(0.42, 0.62) * smoothstep(vec2(-0.15), vec2(0.9), height / ridge);
+  // Mist lies at their feet, the same as over the far ground.
+  vec2 clear = mix(vec2(kFeet), vec2(0.46, 0.74), smoothstep(vec2(0.0), vec2(1.0), height / ridge));
   vec3 air_there = far_air(sight);
   light = mix(light, mix(air_there, air.hills.rgb, clear.x), under.x);
   return mix(light, mix(air_there, air.hills.rgb, clear.y), under.y);

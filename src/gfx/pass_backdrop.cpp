@@ -43,6 +43,26 @@ void draw_part(const Pass& pass, const Program& program, const Rays& rays, const
   pass.count(part.count - 2);
 }
 
+// Twice: the ground in the sun, whose depth is 0.5 where a shadow may be; then the shadows, there alone. So pixels without cost little.
+void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, const Part& part) {
+  const Gl& gl = pass.gl;
+  pass.programs.ground.use();
+  shadows.bind(pass.programs.ground);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_ALWAYS);
+  draw_part(pass, pass.programs.ground, rays, part);
+  pass.programs.ground_shadow.use();
+  shadows.bind(pass.programs.ground_shadow);
+  gl.DepthFunc(GL_EQUAL);
+  gl.DepthMask(GL_FALSE);
+  gl.Enable(GL_BLEND);
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.BlendFuncSeparate(GL_DST_COLOR, GL_ZERO, GL_ZERO, GL_ONE);
+  draw_part(pass, pass.programs.ground_shadow, rays, part);
+  gl.DepthMask(GL_TRUE);
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
+}
+
 }  // namespace
 
 void draw_backdrop(const Pass& pass, const SunShadows& shadows) {
@@ -62,12 +82,7 @@ void draw_backdrop(const Pass& pass, const SunShadows& shadows) {
     sky.set("pixel", 2.0f / (view.projection[1][1] * std::max(view.viewport.height, 1.0f)));
     draw_part(pass, sky, rays, above);
   }
-  if (below.count > 2) {
-    const Program& ground = pass.programs.ground;
-    ground.use();
-    shadows.bind(ground);
-    draw_part(pass, ground, rays, below);
-  }
+  if (below.count > 2) draw_ground(pass, shadows, rays, below);
 }
 
 }  // namespace coaster::gfx

@@ -9,7 +9,7 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr float kOutline = 1.1f;     // px, of a drawing's lines around solids
+constexpr float kOutline = 0.9f;     // px, of a drawing's lines around solids
 constexpr float kLeastTube = 1.6f;   // px, half the width of coloured rails far off
 
 // Radius in metres, for each metre from the eye, that looks as many pixels wide: the projection scales a metre at a distance of one to as much of

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #define COASTER_SHADERS(X)                                                                                            \
-  X(common_glsl) X(line_glsl) X(shade_glsl) X(backdrop_vert) X(ground_frag) X(sky_frag) X(coverage_vert) X(mesh_vert) X(mesh_frag) X(shadow_frag) X(polyline_vert) \
+  X(common_glsl) X(line_glsl) X(shade_glsl) X(backdrop_vert) X(ground_frag) X(ground_shadow_frag) X(sky_frag) X(coverage_vert) X(mesh_vert) X(mesh_frag) X(shadow_frag) X(polyline_vert) \
   X(coverage_frag) X(line_vert) X(line_frag) X(mark_vert) X(mark_frag)
 
 namespace coaster::embedded {
@@ -36,6 +36,7 @@ struct Row {
 base::Result<ScenePrograms> make_scene_programs(const Gl& gl) {
   const Row rows[] = {
       {"ground", &ScenePrograms::ground, "", shade_glsl(), backdrop_vert(), ground_frag()},
+      {"ground_shadow", &ScenePrograms::ground_shadow, "", shade_glsl(), backdrop_vert(), ground_shadow_frag()},
       {"sky", &ScenePrograms::sky, "", "", backdrop_vert(), sky_frag()},
       {"mesh", &ScenePrograms::track, "", shade_glsl(), mesh_vert(), mesh_frag()},
       {"mesh (carts)", &ScenePrograms::carts, "#define CARTS\n", shade_glsl(), mesh_vert(), mesh_frag()},

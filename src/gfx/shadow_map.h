@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "gfx/objects.h"
 #include "gfx/shadow_fit.h"
 
 namespace coaster::gfx {

@@ -42,6 +42,7 @@ void SunShadows::update(const Pass& pass, const TrackCache& track, const Instanc
 }
 
 void SunShadows::bind(const Program& program) const {
+  program.set("taps", 4);
   track_.bind(program, "track", kTrackShadowUnit);
   trains_.bind(program, "train", kTrainShadowUnit);
 }
