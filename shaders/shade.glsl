@@ -56,8 +56,9 @@ float ground_shadow(vec2 place, vec2 x, vec2 y) {
 float reached(highp sampler2DShadow depth, mat4 to_map, vec2 texel, vec3 world, vec3 normal) {
   // Off the surface by a texel, so that it does not shade itself; the map holds the far sides of what throws shadows.
   vec3 at = (to_map * vec4(world + (0.6 * texel.x) * normal + (0.25 * texel.x) * air.sun.xyz, 1.0)).xyz;
-  vec3 edge = 0.5 - abs(at - 0.5);
-  if (min(min(edge.x, edge.y), edge.z) <= 0.0) return 1.0;
+  vec2 edge = 0.5 - abs(at.xy - 0.5);
+  if (min(min(edge.x, edge.y), at.z) <= 0.0) return 1.0;
+  at.z = min(at.z, 1.0);  // beyond the map's depth everything in it is nearer to the sun
   float sum = 0.0;
   for (int i = 0; i < taps; ++i) {
     vec2 corner = vec2(float(i & 1), float(i >> 1)) - 0.5;

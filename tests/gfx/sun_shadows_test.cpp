@@ -22,7 +22,7 @@ glm::vec3 on_ground(glm::vec3 at, world::Style style) {
 
 TEST_F(Shadows, fall_where_the_light_through_the_track_meets_the_ground) {
   width_ = 320, height_ = 180, show_polyline_ = false;
-  const Track track(test::ring_document(9, 17.3f));
+  const Track track(test::straight_document({-21, 2.6f, 1}, {19, 3.1f, 4}, 4));
   const sim::Derived nothing;
   const view::Overlay overlay;
   for (const world::Style style : {world::Style::day, world::Style::dusk, world::Style::blueprint}) {
@@ -105,6 +105,7 @@ TEST_F(Shadows, a_running_train_uploads_nothing_and_a_larger_track_takes_no_more
     track.derive();
     world::Motion motion;
     sim::reset(track.document, track.derived, motion);
+    renderer_ = fresh();
     for (int i = 0; i < 3; ++i) {
       carts_ = {sim::pose(track.derived, motion.carts.items()[0], world::FrameMethod::knots)};
       carts_[0].position += glm::dvec3(0.2 * i, 0, 0);
