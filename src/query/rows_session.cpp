@@ -99,7 +99,7 @@ constexpr std::array kRows{
     Query{"append_mode", "", "", "on when clicks on the ground append knots.", append_mode},
     Query{"panels", "", "", "on when the panels show.", panels},
     Query{"polyline", "", "", "on when the evaluated polyline shows.", polyline},
-    Query{"theme", "", "", "Colours of panels and scene: dark, light or high_contrast.", theme},
+    Query{"theme", "", "", "Colours of the panels: dark, light or high_contrast.", theme},
     Query{"style", "", "", "Light of the scene: day, dusk or blueprint.", style},
     Query{"sound", "", "", "Loudness of the ride in the window, 0 to 1.", sound},
     Query{"track_file", "", "", "Name of the track's file without its folder, empty when it has none.", file},
