@@ -7,7 +7,7 @@
 #include "gfx/image.h"
 
 namespace coaster::gfx {
-namespace {
+namespace goldens_test {
 
 // Every channel of a square is moved by as much, away from the end it is nearer to.
 void spoil(Image& image, int left, int top, int side, int by) {
@@ -39,5 +39,5 @@ TEST(goldens, show_a_defect_of_ten_by_ten_pixels_anywhere) {
   EXPECT_GE(pictures, 24) << "three styles and eight ways to colour";
 }
 
-}  // namespace
+}  // namespace goldens_test
 }  // namespace coaster::gfx

@@ -9,7 +9,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::gfx {
-namespace {
+namespace shadow_fit_test {
 
 const glm::vec3 kSun = glm::normalize(glm::vec3(0.42f, 0.78f, 0.46f));
 
@@ -110,5 +110,5 @@ RC_GTEST_PROP(shadow_fit, texels_stay_where_they_are_while_the_eye_moves, ()) {
   RC_ASSERT(moved.z == 0);
 }
 
-}  // namespace
+}  // namespace shadow_fit_test
 }  // namespace coaster::gfx

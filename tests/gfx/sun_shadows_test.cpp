@@ -6,7 +6,7 @@
 #include "gfx/studio.h"
 
 namespace coaster::gfx {
-namespace {
+namespace sun_shadows_test {
 
 using test::colour_at;
 using test::Track;
@@ -120,5 +120,5 @@ TEST_F(Shadows, a_running_train_uploads_nothing_and_a_larger_track_takes_no_more
   EXPECT_EQ(calls(9, 17.3), calls(1000, 1600));
 }
 
-}  // namespace
+}  // namespace sun_shadows_test
 }  // namespace coaster::gfx
