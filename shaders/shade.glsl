@@ -44,7 +44,8 @@ float cover_at(sampler2D cover, vec2 texel, Spot spot) {
     sum += textureLod(cover, spot.at + 0.62 * soft * corner + (0.25 * float(i) - 0.375) * spot.major, level).r;
   }
   float covered = 0.25 * sum;
-  return spot.inside * covered * (1.6 - 0.6 * covered);  // thin rails far off are still told by their shadow
+  float far = clamp(0.25 * length(spot.major) / texel.y, 0.0, 1.0);
+  return spot.inside * covered * (1.0 + 0.6 * far * (1.0 - covered));  // thin rails far off are still told by their shadow
 }
 float ground_shadow(vec2 place, vec2 x, vec2 y) {
   float track = cover_at(track_cover, track_texel, spot(track_light, track_texel, place, x, y));
