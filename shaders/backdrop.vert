@@ -1,9 +1,10 @@
-// One triangle that covers the viewport, with the direction of sight for each pixel.
+// A part of the viewport, as a fan, with the direction of sight for each pixel.
+uniform vec2 corners[6];          // -1 to 1
 uniform vec3 forward, right, up;  // right and up: to the viewport's edges at distance 1
 out vec3 direction;
 
 void main() {
-  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  vec2 corner = corners[gl_VertexID];
   direction = forward + corner.x * right + corner.y * up;
-  gl_Position = vec4(corner, 1.0, 1.0);
+  gl_Position = vec4(corner, 0.0, 1.0);  // depth 0.5
 }

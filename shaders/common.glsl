@@ -1,19 +1,61 @@
-// Put before every shader: the palette, light, air and the step from linear light to the screen.
-// Colours are written as they look (sRGB, 0..1) and are linear light from linear_of() to encode(); gamma 2.2 stands for sRGB.
-const vec3 kSun = vec3(0.4216, 0.7792, 0.4638);  // unit, towards the sun: warm light from one side, 51 degrees high
-const vec3 kSunLight = vec3(1.06, 0.97, 0.82);
-const vec3 kSkyLight = vec3(0.40, 0.47, 0.58);    // from above
-const vec3 kGroundLight = vec3(0.20, 0.22, 0.17);  // bounced from below
-uniform vec3 horizon;  // the air's colour far away
+// Put before every shader: light and air of the scene's style, and the step from linear light to the screen. All colours are linear light.
+layout(std140) uniform Air {
+  vec4 sun;           // unit, towards the sun; w: 1 for a drawing in place of light
+  vec4 sun_light;     // w: strength of reflections
+  vec4 sky_light;     // falls on what faces up; w: penumbra in metres for a metre of height
+  vec4 ground_light;  // on what faces down; w: light of lamps, for each part of paint
+  vec4 horizon;       // far air, away from the sun; w: metres in which fog grows thick
+  vec4 haze;          // far air towards the sun; w: how narrow
+  vec4 middle;        // of the sky; w: how much of clouds
+  vec4 zenith;
+  vec4 glow;          // around the sun; w: the sun's own
+  vec4 hills;         // w: their height, as a tangent; without hills the far air's colour
+  vec4 ground;        // paint; w: how uneven
+  vec4 grid;          // paint of its lines; w: how much of it
+  vec4 ink;           // lines of a drawing; w: how much of the ground's light a full shadow takes away
+} air;
+const float kHighest = 128.0;  // m over the ground: shadow maps tell no greater heights apart
 
-vec3 linear_of(vec3 colour) { return pow(colour, vec3(2.2)); }
-// The shoulder keeps highlights below white.
+vec3 linear_of(vec3 colour) { return mix(colour / 12.92, pow((colour + 0.055) / 1.055, vec3(2.4)), step(0.04045, colour)); }
+// To the screen's sRGB. The shoulder keeps highlights below white and the toe shadows above black, as film does; a drawing's colours stay.
 vec3 encode(vec3 light) {
-  vec3 soft = mix(light, 1.0 - 0.22 * exp(-(light - 0.78) / 0.22), step(0.78, light));
-  return pow(max(soft, vec3(0.0)), vec3(1.0 / 2.2));
+  const float kShoulder = 0.58, kRoom = 0.38, kBlack = 0.0035;
+  vec3 soft = min(light, kShoulder) + kRoom * (1.0 - exp(-max(light - kShoulder, 0.0) / kRoom));
+  soft = mix(kBlack + (1.0 - kBlack) * soft, light, air.sun.w);
+  return mix(12.92 * soft, 1.055 * pow(max(soft, 1e-5), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, soft));
+}
+
+// The air's colour far away in a direction.
+vec3 far_air(vec3 sight) {
+  float towards = 0.5 + 0.5 * dot(sight.xz, air.sun.xz) / max(length(sight.xz) * length(air.sun.xz), 1e-4);
+  return mix(air.horizon.rgb, air.haze.rgb, pow(clamp(towards, 0.0, 1.0), air.haze.w));
+}
+// What far ground and solids fade into: the mist at the feet of the hills.
+const float kFeet = 0.36;
+vec3 mist(vec3 sight) { return mix(far_air(sight), air.hills.rgb, kFeet); }
+// Without the sun's disc; flat at the horizon, where it meets the fog without an edge.
+vec3 sky(vec3 sight) {
+  float height = clamp(sight.y, 0.0, 1.0);
+  vec3 low = mix(far_air(sight), air.middle.rgb, 1.0 - exp(-9.0 * height * height / (height + 0.07)));
+  float near = max(dot(sight, air.sun.xyz), 0.0);
+  return mix(low, air.zenith.rgb, 1.0 - exp(-2.2 * height * height / (height + 0.25))) + air.glow.rgb * (0.16 * pow(near, 7.0) + 0.5 * pow(near, 90.0));
 }
 // How much of the air's colour covers what is `metres` away. An eye high up sees a large track whole: the air clears with height.
 float fog(float metres, float eye_height) {
-  float depth = metres / (480.0 + 5.0 * max(eye_height, 0.0));
+  float depth = metres / (air.horizon.w + 5.0 * max(eye_height, 0.0));
   return 1.0 - exp(-depth * sqrt(depth));
+}
+
+float random(ivec2 cell) {
+  uint bits = uint(cell.x) * 1597334677u ^ uint(cell.y) * 3812015801u;
+  bits = (bits ^ (bits >> 15)) * 2246822519u;
+  return float(bits >> 8) / 16777216.0;
+}
+// Smooth noise of about -1 to 1 with cells of 1 m.
+float noise(vec2 place) {
+  ivec2 cell = ivec2(floor(place));
+  vec2 t = fract(place);
+  t = t * t * (3.0 - 2.0 * t);
+  float a = random(cell), b = random(cell + ivec2(1, 0)), c = random(cell + ivec2(0, 1)), d = random(cell + ivec2(1, 1));
+  return 2.0 * mix(mix(a, b, t.x), mix(c, d, t.x), t.y) - 1.0;
 }

@@ -1,11 +1,11 @@
-// Warm sun and sky on painted steel; what lies on the other side of the ground than the eye is hidden by it.
+// Painted steel in the sun under the sky, or the flat faces of a drawing; with OUTLINE the drawing's lines. What lies on the other side of the
+// ground than the eye is hidden by it.
 uniform vec3 eye;
 uniform int colouring;        // 1: rails and spine by the segment's values
 uniform sampler2D values;     // 32 a segment, uniform in arc length; 32 segments a row; over 1e38: unknown
 uniform vec2 value_range;     // from and to
 uniform vec3 stops[10];       // the colour map, uniform from 0 to 1
 uniform vec3 unknown;
-uniform float lift;           // of painted parts, 1 by day
 in vec3 world;
 in vec3 facing;
 flat in float material;
@@ -36,21 +36,49 @@ vec3 value_colour() {
   return mix(stops[stop], stops[stop + 1], part - float(stop));
 }
 
+// How much of a part's surface is varnish: it mirrors sun and sky.
+float gloss(int part) {
+  if (part == 2) return 0.12;
+  if (part == 5) return 0.06;
+  return part == 3 || part == 4 ? 0.9 : 0.6;
+}
+
+// Linear light of a painted surface; `sun`: how much of the sun falls on it.
+vec3 lit(vec3 paint_light, float shiny, float sun, vec3 normal, vec3 to_eye) {
+  vec3 ambient = mix(air.ground_light.rgb, air.sky_light.rgb, 0.5 + 0.5 * normal.y);
+  vec3 light = paint_light * (air.sun_light.rgb * sun + ambient);
+  float upright = max(dot(normal, to_eye), 0.0);
+  float mirror = shiny * air.sun_light.w * (0.04 + 0.5 * pow(1.0 - upright, 5.0));
+  vec3 bounce = reflect(-to_eye, normal);
+  vec3 seen = mix(air.ground.rgb * (air.sun_light.rgb * air.sun.y + air.sky_light.rgb), sky(vec3(bounce.x, max(bounce.y, 0.0), bounce.z)), smoothstep(-0.12, 0.12, bounce.y));
+  float half_way = max(dot(normal, normalize(air.sun.xyz + to_eye)), 0.0);
+  vec3 shine = air.sun_light.rgb * shiny * (0.45 * pow(half_way, 90.0) + 0.04 * pow(half_way, 14.0)) * min(4.0 * sun, 1.0);
+  return light + mirror * seen + shine * air.sun_light.w;
+}
+
 void main() {
   if (world.y * eye.y < 0.0) discard;
   int part = int(material + 0.5);
   vec3 normal = normalize(facing), to_eye = eye - world;
   float metres = length(to_eye);
   to_eye /= metres;
-  float sun = max(dot(normal, kSun), 0.0);
-  vec3 ambient = mix(kGroundLight, kSkyLight, 0.5 + 0.5 * normal.y);
   bool by_value = colouring == 1 && part < 2;
-  // Where colours are numbers, light only models: they stay near those of the legend.
-  vec3 light = by_value ? linear_of(value_colour()) * (0.72 + 0.34 * sun + 0.12 * normal.y)
-                        : lift * linear_of(paint(part)) * (kSunLight * sun + ambient);
-  float shine = pow(max(dot(normal, normalize(kSun + to_eye)), 0.0), 48.0) * sun;
-  float rim = pow(1.0 - max(dot(normal, to_eye), 0.0), 4.0);
-  light += kSunLight * (part == 2 || part == 5 || by_value ? 0.05 : 0.28) * shine + kSkyLight * 0.06 * rim;
-  light = mix(light, linear_of(horizon), (by_value ? 0.4 : 0.8) * fog(metres, eye.y));
+#ifdef OUTLINE
+  vec3 light = air.ink.rgb;
+#else
+  float sun = max(dot(normal, air.sun.xyz), 0.0) * sun_reaches(world, normal);
+  vec3 own = linear_of(by_value ? value_colour() : paint(part)), light;
+  if (by_value) {
+    // Where colours are numbers, light only models: they stay near those of the legend, whatever the style.
+    light = own * (0.78 + 0.28 * sun + 0.12 * normal.y);
+  } else if (air.sun.w > 0.5) {
+    float bright = dot(own, vec3(0.2126, 0.7152, 0.0722));
+    light = mix(air.ground.rgb, air.ink.rgb, (0.05 + 0.34 * bright) * (0.75 + 0.45 * normal.y + 0.2 * dot(normal, to_eye)));
+  } else {
+    light = lit(own, gloss(part), sun, normal, to_eye);
+    if (part == 4) light += air.ground_light.w * own;
+  }
+#endif
+  light = mix(light, mist(-to_eye), (by_value ? 0.45 : 0.9) * fog(metres, eye.y));
   colour = vec4(encode(light), 1.0);
 }

@@ -1,4 +1,4 @@
-// Track and carts, or with SHADOW what they throw on the ground plane.
+// Track and carts; with SHADOW as the sun sees them, with OUTLINE grown by a line's width.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float part;
@@ -11,11 +11,12 @@ layout(location = 6) in vec4 model_origin;
 layout(location = 7) in vec2 place;
 #endif
 uniform mat4 view_projection;
-#if !defined(CARTS) && !defined(SHADOW)
+#ifndef SHADOW
 uniform vec3 eye;
 uniform float least_width;  // radius of tubes in metres, for each metre from the eye; 0: as they are
+uniform float outline;      // width of lines, likewise, at most 6 cm
 #endif
-out vec3 world;    // before projection on the ground
+out vec3 world;
 out vec3 facing;   // towards the outside
 flat out float material;
 out float along;           // of the segment's length, 0..1
@@ -39,9 +40,8 @@ void main() {
   if (part < 1.5) world += normal * max(least_width * distance(world, eye) - (part < 0.5 ? 0.12 : 0.28), 0.0);
 #endif
   material = part;
-  vec3 drawn = world;
-#ifdef SHADOW
-  drawn -= kSun * (world.y / kSun.y);
+#ifdef OUTLINE
+  world += normalize(facing) * min(outline * distance(world, eye), 0.06);
 #endif
-  gl_Position = view_projection * vec4(drawn, 1.0);
+  gl_Position = view_projection * vec4(world, 1.0);
 }

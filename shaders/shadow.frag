@@ -1,6 +1,4 @@
-// The tone of a shadow on the ground; the stencil lets each sample be darkened once.
-uniform vec3 eye;
-uniform vec4 tone;  // and how much of it
+// What a shadow map keeps beside depth: that a texel is covered, and how high what covers it lies over the ground.
 in vec3 world;
 in vec3 facing;
 flat in float material;
@@ -8,6 +6,5 @@ out vec4 colour;
 
 void main() {
   if (world.y < 0.0) discard;
-  vec3 place = world - kSun * (world.y / kSun.y);
-  colour = vec4(tone.rgb, tone.a * (1.0 - fog(distance(eye, place), eye.y)));
+  colour = vec4(1.0, clamp(world.y / kHighest, 0.0, 1.0), 0.0, 1.0);
 }

@@ -74,7 +74,8 @@ gfx::DrawStats draw_scene(Program& program, const ui::Output& output, platform::
   program.stats.colour_low = values.low, program.stats.colour_high = values.high;
   const view::Overlay overlay = view::build_overlay(session.document, session.derived, session.settings, output.view, output.hovered, findings);
   const std::vector<sim::Pose> carts = cart_poses(session);
-  const gfx::Scene scene{session.derived, output.view, overlay, carts, layers.has(world::Layer::polyline), &values, session.settings.theme};
+  const gfx::Scene scene{session.derived, output.view, overlay, carts, layers.has(world::Layer::polyline), &values, session.settings.theme,
+                         {}, session.settings.style};
   return program.renderer->draw(scene, size.width, size.height);
 }
 
@@ -103,6 +104,8 @@ void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size si
   }
   program.rebuilds = 0;
   stats.draw_calls = drawn.draw_calls;
+  stats.triangles = drawn.triangles;
+  stats.shadow_maps = drawn.shadow_maps;
   stats.samples = drawn.samples;
   stats.width = size.width, stats.height = size.height;
   const view::Eye& eye = program.rig.eye;

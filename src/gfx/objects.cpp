@@ -73,10 +73,10 @@ base::Result<Target> make_target(const Gl& gl, int width, int height, int sample
   target.width = width, target.height = height, target.samples = samples;
   target.framebuffer = make_framebuffer(gl);
   target.colour = make_renderbuffer(gl, GL_RGBA8, width, height, samples);
-  target.depth = make_renderbuffer(gl, GL_DEPTH24_STENCIL8, width, height, samples);
+  target.depth = make_renderbuffer(gl, GL_DEPTH_COMPONENT24, width, height, samples);
   gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target.colour.id());
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, target.depth.id());
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth.id());
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     return base::Status{base::Code::graphics, "OpenGL: no framebuffer of " + std::to_string(width) + "x" + std::to_string(height) +
                                                   " with " + std::to_string(samples) + " samples"};

@@ -44,7 +44,7 @@ class Object {
 Object make_buffer(const Gl& gl);
 Object make_vertex_array(const Gl& gl);
 
-// Colour, depth and stencil of one size. samples 0: single-sampled.
+// Colour and depth of one size. samples 0: single-sampled.
 struct Target {
   Object framebuffer, colour, depth;
   int width = 0, height = 0, samples = 0;

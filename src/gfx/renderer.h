@@ -23,8 +23,9 @@ struct Scene {
   std::span<const sim::Pose> carts;
   bool show_polyline = true;
   const sim::TrackValues* values = nullptr;  // what the track is coloured by; null or plain: painted
-  world::Theme theme = world::Theme::dark;
+  world::Theme theme = world::Theme::dark;    // of the picture beside the viewport
   sim::Clock clock = {};  // to measure cpu_ms with; empty: not measured
+  world::Style style = world::Style::day;
 };
 
 // Of the last draw.
@@ -32,6 +33,8 @@ struct DrawStats {
   int uploads = 0;     // segments whose slots were written
   int recolours = 0;   // segments whose values were written, counted apart
   int draw_calls = 0;
+  std::int64_t triangles = 0;  // sent by these calls, in shadow maps too
+  int shadow_maps = 0;         // drawn anew: 0 unless track, trains, light or the part of a large track in sight changed
   int samples = 0;
   double cpu_ms = 0;   // spent by the cache on preparing what is uploaded, outside GL
   double gpu_ms = 0;   // the GPU's work on the polyline in the newest frame that is known (a few frames ago); 0: not measured

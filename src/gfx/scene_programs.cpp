@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #define COASTER_SHADERS(X)                                                                                            \
-  X(common_glsl) X(line_glsl) X(backdrop_vert) X(backdrop_frag) X(mesh_vert) X(mesh_frag) X(shadow_frag) X(polyline_vert) \
+  X(common_glsl) X(line_glsl) X(shade_glsl) X(backdrop_vert) X(ground_frag) X(ground_shadow_frag) X(sky_frag) X(coverage_vert) X(mesh_vert) X(mesh_frag) X(shadow_frag) X(polyline_vert) \
   X(coverage_frag) X(line_vert) X(line_frag) X(mark_vert) X(mark_frag)
 
 namespace coaster::embedded {
@@ -27,7 +27,7 @@ struct Row {
   const char* name;
   Program ScenePrograms::* program;
   const char* defines;
-  bool line;
+  std::string_view shared;  // after common.glsl, in both stages
   std::string_view vertex, fragment;
 };
 
@@ -35,20 +35,23 @@ struct Row {
 
 base::Result<ScenePrograms> make_scene_programs(const Gl& gl) {
   const Row rows[] = {
-      {"backdrop", &ScenePrograms::backdrop, "", false, backdrop_vert(), backdrop_frag()},
-      {"mesh", &ScenePrograms::track, "", false, mesh_vert(), mesh_frag()},
-      {"mesh (carts)", &ScenePrograms::carts, "#define CARTS\n", false, mesh_vert(), mesh_frag()},
-      {"shadow", &ScenePrograms::track_shadow, "#define SHADOW\n", false, mesh_vert(), shadow_frag()},
-      {"shadow (carts)", &ScenePrograms::cart_shadow, "#define SHADOW\n#define CARTS\n", false, mesh_vert(), shadow_frag()},
-      {"polyline", &ScenePrograms::polyline, "", true, polyline_vert(), line_frag()},
-      {"coverage", &ScenePrograms::coverage, "", false, backdrop_vert(), coverage_frag()},
-      {"line", &ScenePrograms::line, "", true, line_vert(), line_frag()},
-      {"mark", &ScenePrograms::mark, "", false, mark_vert(), mark_frag()},
+      {"ground", &ScenePrograms::ground, "", shade_glsl(), backdrop_vert(), ground_frag()},
+      {"ground_shadow", &ScenePrograms::ground_shadow, "", shade_glsl(), backdrop_vert(), ground_shadow_frag()},
+      {"sky", &ScenePrograms::sky, "", "", backdrop_vert(), sky_frag()},
+      {"mesh", &ScenePrograms::track, "", shade_glsl(), mesh_vert(), mesh_frag()},
+      {"mesh (carts)", &ScenePrograms::carts, "#define CARTS\n", shade_glsl(), mesh_vert(), mesh_frag()},
+      {"outline", &ScenePrograms::track_outline, "#define OUTLINE\n", shade_glsl(), mesh_vert(), mesh_frag()},
+      {"outline (carts)", &ScenePrograms::cart_outline, "#define OUTLINE\n#define CARTS\n", shade_glsl(), mesh_vert(), mesh_frag()},
+      {"shadow", &ScenePrograms::track_shadow, "#define SHADOW\n", "", mesh_vert(), shadow_frag()},
+      {"shadow (carts)", &ScenePrograms::cart_shadow, "#define SHADOW\n#define CARTS\n", "", mesh_vert(), shadow_frag()},
+      {"polyline", &ScenePrograms::polyline, "", line_glsl(), polyline_vert(), line_frag()},
+      {"coverage", &ScenePrograms::coverage, "", "", coverage_vert(), coverage_frag()},
+      {"line", &ScenePrograms::line, "", line_glsl(), line_vert(), line_frag()},
+      {"mark", &ScenePrograms::mark, "", "", mark_vert(), mark_frag()},
   };
   ScenePrograms programs;
   for (const Row& row : rows) {
-    std::string common = row.defines + std::string(common_glsl());
-    if (row.line) common += line_glsl();
+    const std::string common = row.defines + std::string(common_glsl()) + std::string(row.shared);
     auto program = make_program(gl, row.name, common, row.vertex, row.fragment);
     if (!program) return program.status();
     programs.*row.program = std::move(*program);

@@ -188,6 +188,7 @@ void TrackCache::write_lines(Range range) {
 }
 
 void TrackCache::write_indices(Range range) {
+  ++mesh_version_;  // no part of the mesh changes without its indices
   if (indices_.reserve(std::size_t(index_ranges_.used()) * sizeof(std::uint32_t))) link_mesh();
   write(indices_, std::size_t(range.first) * sizeof(std::uint32_t), staged_mesh_.indices.data(), range.size * sizeof(std::uint32_t), false);
 }

@@ -40,6 +40,8 @@ class TrackCache {
   // Binds the array of the mesh: locations 0 position, 1 normal, 2 part, 7 place (along the segment, its index). Indices are 32-bit and absolute; gaps are degenerate triangles.
   void bind_mesh() const { gl_->BindVertexArray(mesh_array_.id()); }
   GLsizei index_count() const { return GLsizei(index_ranges_.used()); }
+  // Another number whenever anything of the mesh was written or taken away.
+  std::uint64_t mesh_version() const { return mesh_version_; }
   // Binds the array whose instance i is the line from vertex i to vertex i+1: locations 0 and 1 position and tangent of the one,
   // 2 and 3 of the other.
   void bind_lines() const { gl_->BindVertexArray(line_array_.id()); }
@@ -89,6 +91,7 @@ class TrackCache {
   std::vector<Slot> slots_;  // by the entity's index
   std::size_t live_ = 0;     // slots with a segment
   std::uint64_t stamp_ = 0;  // of the sync in progress
+  std::uint64_t mesh_version_ = 0;
   const sim::Clock* clock_ = nullptr;
   Synced synced_;            // of the sync in progress
   std::int64_t held_polyline_bytes_ = 0;

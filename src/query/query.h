@@ -43,6 +43,8 @@ struct FrameStats {
   double evaluation_ms = 0;  // in evaluators during the last frame that evaluated anything
   std::int64_t evaluated_vertices = 0;
   int draw_calls = 0;
+  std::int64_t triangles = 0;  // sent by these calls
+  int shadow_maps = 0;         // drawn anew in the last frame
   bool hide_times = false;   // scripted: times read "--"
   int samples = 0;           // of multisampling in use
   int width = 0, height = 0;

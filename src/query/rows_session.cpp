@@ -75,6 +75,8 @@ Answer cpu_ms(const Context& c, View) { return number(c.stats.cpu_ms); }
 Answer gl_ms(const Context& c, View) { return number(c.stats.gl_ms); }
 Answer entities(const Context& c, View) { return number(c.session.document.entities.size()); }
 Answer draw_calls(const Context& c, View) { return number(c.stats.draw_calls); }
+Answer triangles(const Context& c, View) { return number(c.stats.triangles); }
+Answer shadow_maps(const Context& c, View) { return number(c.stats.shadow_maps); }
 Answer samples(const Context& c, View) { return number(c.stats.samples); }
 Answer width(const Context& c, View) { return number(c.stats.width); }
 Answer height(const Context& c, View) { return number(c.stats.height); }
@@ -97,7 +99,7 @@ constexpr std::array kRows{
     Query{"append_mode", "", "", "on when clicks on the ground append knots.", append_mode},
     Query{"panels", "", "", "on when the panels show.", panels},
     Query{"polyline", "", "", "on when the evaluated polyline shows.", polyline},
-    Query{"theme", "", "", "Colours of panels and scene: dark, light or high_contrast.", theme},
+    Query{"theme", "", "", "Colours of the panels: dark, light or high_contrast.", theme},
     Query{"style", "", "", "Light of the scene: day, dusk or blueprint.", style},
     Query{"sound", "", "", "Loudness of the ride in the window, 0 to 1.", sound},
     Query{"track_file", "", "", "Name of the track's file without its folder, empty when it has none.", file},
@@ -129,6 +131,8 @@ constexpr std::array kRows{
     Query{"gl_ms", "", "ms", "Time of the last frame inside OpenGL.", gl_ms},
     Query{"entities", "", "", "Knots, segments and carts in the registry.", entities},
     Query{"draw_calls", "", "", "Calls that drew the scene in the last frame.", draw_calls},
+    Query{"triangles", "", "", "Triangles that these calls sent.", triangles},
+    Query{"shadow_maps", "", "", "Shadow maps drawn anew in the last frame; none while neither track, trains nor light change.", shadow_maps},
     Query{"samples", "", "", "Samples a pixel (multisampling).", samples},
     Query{"width", "", "px", "Width of the picture.", width},
     Query{"height", "", "px", "Height of the picture.", height},

@@ -34,8 +34,8 @@ void look(Ui& ui) {
   const world::Settings& settings = ui.session().settings;
   scale(ui);
   std::vector<Choice> themes;
-  for (const std::string_view label : kThemeLabels) themes.push_back({std::string(label), "Colours of panels and scene."});
-  if (const auto to = combo(ui, "Theme", themes, static_cast<int>(settings.theme), "Colours of panels and scene.")) ui.emit(edit::SetTheme{static_cast<world::Theme>(*to)});
+  for (const std::string_view label : kThemeLabels) themes.push_back({std::string(label), "Colours of the panels."});
+  if (const auto to = combo(ui, "Theme", themes, static_cast<int>(settings.theme), "Colours of the panels.")) ui.emit(edit::SetTheme{static_cast<world::Theme>(*to)});
   const std::vector<Choice> styles{{"Day", "The sun high, a clear sky."}, {"Dusk", "The sun low, long shadows."}, {"Blueprint", "Lines on blue, for the laboratory and for print."}};
   if (const auto to = combo(ui, "Scene", styles, static_cast<int>(settings.style), "Light, sky and ground.")) ui.emit(edit::SetStyle{static_cast<world::Style>(*to)});
   if (const auto to = slider(ui, "Sound (%)", static_cast<int>(std::lround(100 * settings.sound)), 0, 100, false, "Loudness of the ride; 0: silent."))

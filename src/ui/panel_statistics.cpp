@@ -16,6 +16,8 @@ void statistics_panel(Ui& ui) {
              {.decimals = 0, .unit = ""});
   read_out(ui, "Entities", std::to_string(ui.session().document.entities.size()), "", "Knots, segments and carts in the registry.");
   read_out(ui, "Draw calls", std::to_string(stats.draw_calls), "", "Calls that drew the scene in the last frame.");
+  read_out(ui, "Triangles", std::to_string(stats.triangles), "", "Triangles that these calls sent.");
+  read_out(ui, "Shadow maps", std::to_string(stats.shadow_maps), "", "Shadow maps drawn anew in the last frame; none while nothing moves.");
   read_out(ui, "Samples", std::to_string(stats.samples), "", "Samples a pixel (multisampling).");
   read_out(ui, "Renderer", ui.renderer, "", "What draws: GL_RENDERER.");
 }

@@ -73,13 +73,13 @@ TEST_F(Pictures, the_shadow_is_on_the_ground_and_darkens_once) {
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x) {
       const glm::ivec3 a = colour_at(with, x, y), b = colour_at(without, x, y);
-      if (a == b || !green(a)) continue;
+      if (a == b || a.y < a.x + 12 || a.y < a.z + 12) continue;  // the track itself
       ++darker;
       darkest = std::min(darkest, a.y);
     }
   EXPECT_GT(darker, 80);
-  // One layer of the shadow's alpha 0.58 takes the ground's green 174 to about 107; a second one would take it to 79.
-  EXPECT_GT(darkest, 93);
+  // Without the sun the ground's green 168 is about 117; a second shadow over it would take it to 80.
+  EXPECT_GT(darkest, 100);
 }
 
 TEST_F(Pictures, a_cart_is_blue_and_where_its_pose_is) {

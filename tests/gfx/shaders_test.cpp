@@ -46,20 +46,20 @@ TEST(shaders, all_compile_for_the_desktop_and_for_webgl_2) {
     return text.ok() ? *text : std::string();
   };
   const std::filesystem::path folder = std::filesystem::path(COASTER_SOURCE_DIR) / "shaders";
-  const std::string common = source(folder / "common.glsl") + source(folder / "line.glsl") + source(folder / "curve.glsl");
+  const std::string common = source(folder / "common.glsl") + source(folder / "shade.glsl") + source(folder / "line.glsl") + source(folder / "curve.glsl");
   int compiled = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string extension = entry.path().extension().string();
     if (extension != ".vert" && extension != ".frag") continue;
     for (const std::string& header : {es, desktop})
-      for (const char* defines : {"", "#define CARTS\n", "#define SHADOW\n", "#define CARTS\n#define SHADOW\n", "#define MEASURE\n"}) {
+      for (const char* defines : {"", "#define CARTS\n", "#define SHADOW\n", "#define CARTS\n#define SHADOW\n", "#define OUTLINE\n", "#define OUTLINE\n#define CARTS\n", "#define MEASURE\n"}) {
         const std::string text = header + defines + common + source(entry.path());
         EXPECT_EQ(complaint(*gl, extension == ".vert" ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER, text), "")
             << entry.path().filename() << " with " << defines << header;
         ++compiled;
       }
   }
-  EXPECT_GE(compiled, 8 * 10);
+  EXPECT_GE(compiled, 14 * 14);
 }
 
 }  // namespace shaders_test

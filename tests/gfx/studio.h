@@ -59,7 +59,7 @@ class Studio : public testing::Test {
   }
   gfx::DrawStats draw(gfx::Renderer& renderer, const Track& track, const view::Overlay& overlay = {}) {
     const view::View view = look(track);
-    const gfx::Scene scene{track.derived, view, overlay, carts_, show_polyline_, values_};
+    const gfx::Scene scene{track.derived, view, overlay, carts_, show_polyline_, values_, {}, {}, style_};
     const gfx::DrawStats stats = renderer.draw(scene, width_, height_);
     EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
     return stats;
@@ -73,6 +73,7 @@ class Studio : public testing::Test {
 
   int width_ = 160, height_ = 90, samples_ = 0;
   bool show_polyline_ = true;
+  world::Style style_{};
   view::Viewport viewport_;
   std::vector<sim::Pose> carts_;
   const sim::TrackValues* values_ = nullptr;

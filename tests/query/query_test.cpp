@@ -228,6 +228,7 @@ TEST_F(QueryTest, the_session_reads_as_it_is) {
 
 TEST_F(QueryTest, frame_numbers_are_those_of_the_frame_loop) {
   stats.frame = 42, stats.uploads = 2, stats.rebuilds = 3, stats.recolours = 4, stats.draw_calls = 17, stats.samples = 8;
+  stats.triangles = 123'456, stats.shadow_maps = 1;
   stats.evaluation_ms = 0.5, stats.evaluated_vertices = 1000, stats.fps = 59.9, stats.cpu_ms = 1.7;
   toast = "At the limit", title = "Skew - coaster";
   EXPECT_EQ(number("frame"), 42);
@@ -235,6 +236,8 @@ TEST_F(QueryTest, frame_numbers_are_those_of_the_frame_loop) {
   EXPECT_EQ(number("rebuilds"), 3);
   EXPECT_EQ(number("recolours"), 4);
   EXPECT_EQ(number("draw_calls"), 17);
+  EXPECT_EQ(number("triangles"), 123'456);
+  EXPECT_EQ(number("shadow_maps"), 1);
   EXPECT_EQ(number("samples"), 8);
   EXPECT_DOUBLE_EQ(number("ns_per_point"), 500);
   EXPECT_EQ(number("evaluation_time"), 0.5);

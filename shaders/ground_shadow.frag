@@ -1,0 +1,16 @@
+// What shadows leave of the ground's colour on the screen, a factor: only where ground.frag has marked that there may be any.
+uniform vec3 eye;
+in vec3 direction;
+out vec4 colour;
+
+void main() {
+  vec3 sight = normalize(direction);
+  float metres = eye.y / max(-sight.y, 1e-5);
+  vec2 place = eye.xz + sight.xz * metres;
+  float shade = air.ink.w * ground_shadow(place, dFdx(place), dFdy(place));
+  vec3 sun = air.sun_light.rgb * air.sun.y, sky_light = air.sky_light.rgb;
+  vec3 lit = air.ground.rgb * mix(sun + sky_light, vec3(1.0), air.sun.w), left = air.ground.rgb * mix(sun * (1.0 - shade) + sky_light, vec3(1.0 - shade), air.sun.w);
+  vec3 far = mist(sight);
+  float much = fog(metres, eye.y);
+  colour = vec4(encode(mix(left, far, much)) / encode(mix(lit, far, much)), 1.0);
+}

@@ -1,0 +1,60 @@
+#include "gfx/frame_targets.h"
+
+#include <algorithm>
+
+#include "base/check.h"
+#include "gfx/draw_state.h"
+
+namespace coaster::gfx {
+
+void FrameTargets::set_samples(int samples) {
+  const int clamped = std::clamp(samples, 0, gl_->max_samples);
+  samples_ = clamped > 1 ? clamped : 0;
+}
+
+void FrameTargets::fit(int width, int height) {
+  const int have = scene_ ? scene_->samples : 0;
+  if (resolved_ && resolved_->width == width && resolved_->height == height && have == samples_) return;
+  scene_.reset();
+  resolved_.reset();
+  auto plain = make_target(*gl_, width, height, 0);
+  COASTER_CHECK(plain.ok(), "the driver has framebuffers of the size of its screens");
+  resolved_ = std::move(*plain);
+  if (samples_ == 0) return;
+  if (auto target = make_target(*gl_, width, height, samples_))
+    scene_ = std::move(*target);
+  else
+    samples_ = 0;
+}
+
+void FrameTargets::begin(const view::Viewport& viewport, glm::vec3 around) {
+  const int width = resolved_->width, height = resolved_->height;
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, scene_ ? scene_->framebuffer.id() : resolved_->framebuffer.id());
+  gl_->Viewport(0, 0, width, height);
+  gl_->Disable(GL_SCISSOR_TEST);
+  gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_->DepthMask(GL_TRUE);
+  gl_->ClearColor(around.x, around.y, around.z, 1);
+  gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  const Rectangle r = pixels_of(viewport, width, height);
+  gl_->Viewport(r.x, r.y, r.width, r.height);
+  gl_->Scissor(r.x, r.y, r.width, r.height);
+  gl_->Enable(GL_SCISSOR_TEST);
+}
+
+void FrameTargets::finish() {
+  const int width = resolved_->width, height = resolved_->height;
+  blend(*gl_, false);
+  gl_->Disable(GL_SCISSOR_TEST);  // it would cut the copy
+  gl_->BindVertexArray(0);
+  gl_->UseProgram(0);
+  if (scene_) {
+    gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, scene_->framebuffer.id());
+    gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_->framebuffer.id());
+    gl_->BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, resolved_->framebuffer.id());
+  gl_->Viewport(0, 0, width, height);
+}
+
+}  // namespace coaster::gfx

@@ -1,0 +1,57 @@
+// Lines meet and cross: their coverage is gathered in the alpha channel by maximum and painted in one go. So the picture depends neither on
+// where in the buffer the segments lie nor on how many lines cover a pixel.
+#include "gfx/passes.h"
+
+namespace coaster::gfx {
+namespace {
+
+constexpr float kPolylineWidth = 1.75f;  // px
+constexpr glm::vec4 kPolylineColour{1, 1, 1, 0.9f};
+
+// The polyline's quads: from cached vertices, or from control points by the stage that evaluates them.
+void draw_lines(const Pass& pass, const TrackCache& track, CurveStages& stages) {
+  const view::View& view = pass.scene.view;
+  const PolylinePen pen{pass.view_projection, view.eye, {view.viewport.width, view.viewport.height}, kPolylineWidth, kPolylineColour};
+  const int steps = pass.scene.derived.steps;
+  if (pass.stats.drawn_by != curve::Stage::processor) {
+    const int slots = static_cast<int>(track.placed().size());
+    pass.count(2LL * slots * steps);
+    return stages.draw(pass.stats.drawn_by, {track.control_buffer(), 0, slots, steps}, pen);
+  }
+  pass.programs.polyline.use();
+  pen.set(pass.programs.polyline);
+  track.bind_lines();
+  pass.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, track.line_count());
+  pass.count(2LL * track.line_count());
+}
+
+}  // namespace
+
+void draw_polyline(const Pass& pass, const TrackCache& track, CurveStages& stages, GpuTimer& timer) {
+  if (!pass.scene.show_polyline || pass.scene.derived.order.empty()) return;
+  const Gl& gl = pass.gl;
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  gl.ClearColor(0, 0, 0, 0);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  gl.Enable(GL_BLEND);
+  gl.BlendEquation(GL_MAX);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LEQUAL);
+  gl.DepthMask(GL_FALSE);
+  timer.begin();
+  draw_lines(pass, track, stages);
+  timer.end();
+  pass.stats.gpu_ms = timer.ms();
+  gl.DepthMask(GL_TRUE);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ZERO);  // leaves the picture opaque
+  pass.programs.coverage.use();
+  pass.programs.coverage.set("paint", glm::vec4(glm::vec3(kPolylineColour), 1));
+  gl.BindVertexArray(pass.no_attributes);
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  pass.count(1);
+}
+
+}  // namespace coaster::gfx

@@ -1,0 +1,96 @@
+// Track and train: into the picture and into shadow maps, from the same buffers.
+#include <string>
+
+#include "gfx/draw_state.h"
+#include "gfx/passes.h"
+#include "gfx/sun_shadows.h"
+#include "view/colour_map.h"
+
+namespace coaster::gfx {
+namespace {
+
+constexpr float kOutline = 0.9f;     // px, of a drawing's lines around solids
+constexpr float kLeastTube = 1.6f;   // px, half the width of coloured rails far off
+
+// Radius in metres, for each metre from the eye, that looks as many pixels wide: the projection scales a metre at a distance of one to as much of
+// half the viewport's height.
+float metres_of_pixels(const view::View& view, float pixels) { return 2 * pixels / (view.projection[1][1] * std::max(view.viewport.height, 1.0f)); }
+
+// With the program in use and its matrix set.
+void draw_track(const Pass& pass, const TrackCache& track) {
+  if (track.index_count() == 0) return;
+  track.bind_mesh();
+  pass.gl.DrawElements(GL_TRIANGLES, track.index_count(), GL_UNSIGNED_INT, nullptr);
+  pass.count(track.index_count() / 3);
+}
+
+void draw_carts(const Pass& pass, const Instances& instances) {
+  const GLsizei carts = instances.bind_carts();
+  if (carts == 0) return;
+  pass.gl.DrawElementsInstanced(GL_TRIANGLES, instances.cart_indices(), GL_UNSIGNED_INT, nullptr, carts);
+  pass.count(std::int64_t(carts) * instances.cart_indices() / 3);
+}
+
+void set_view(const Pass& pass, const Program& program) {
+  program.use();
+  program.set("view_projection", pass.view_projection);
+  program.set("eye", pass.scene.view.eye);
+  program.set("outline", metres_of_pixels(pass.scene.view, kOutline));
+}
+
+// The track by the scene's values, or painted.
+void set_colouring(const Pass& pass, const Program& program) {
+  const sim::TrackValues* const values = pass.scene.values;
+  const bool coloured = values != nullptr && !values->values.empty();
+  program.set("colouring", coloured ? 1 : 0);
+  program.set("values", kValueUnit);
+  program.set("least_width", coloured ? metres_of_pixels(pass.scene.view, kLeastTube) : 0.0f);
+  if (!coloured) return;
+  program.set("value_range", glm::vec2(values->low, values->high));
+  program.set("unknown", view::kUnknownColour);
+  for (std::size_t i = 0; i < view::kColourStops.size(); ++i) program.set(("stops[" + std::to_string(i) + "]").c_str(), view::kColourStops[i]);
+}
+
+void draw_outlines(const Pass& pass, const TrackCache& track, const Instances& instances) {
+  pass.gl.CullFace(GL_FRONT);
+  set_view(pass, pass.programs.track_outline);
+  set_colouring(pass, pass.programs.track_outline);
+  draw_track(pass, track);
+  set_view(pass, pass.programs.cart_outline);
+  draw_carts(pass, instances);
+  pass.gl.CullFace(GL_BACK);
+}
+
+}  // namespace
+
+void cast_track(const Pass& pass, const TrackCache& track, const glm::mat4& light) {
+  pass.programs.track_shadow.use();
+  pass.programs.track_shadow.set("view_projection", light);
+  draw_track(pass, track);
+}
+
+void cast_carts(const Pass& pass, const Instances& instances, const glm::mat4& light) {
+  pass.programs.cart_shadow.use();
+  pass.programs.cart_shadow.set("view_projection", light);
+  draw_carts(pass, instances);
+}
+
+void draw_solids(const Pass& pass, const TrackCache& track, const Instances& instances, ValueTexture& values, const SunShadows& shadows) {
+  blend(pass.gl, false);
+  pass.gl.Enable(GL_DEPTH_TEST);
+  pass.gl.DepthFunc(GL_LESS);
+  pass.gl.Enable(GL_CULL_FACE);
+  values.bind();  // a sampler reads something, asked or not
+  if (pass.scenery.drawing) draw_outlines(pass, track, instances);
+  pass.gl.CullFace(GL_BACK);
+  set_view(pass, pass.programs.track);
+  set_colouring(pass, pass.programs.track);
+  shadows.bind(pass.programs.track);
+  draw_track(pass, track);
+  set_view(pass, pass.programs.carts);
+  shadows.bind(pass.programs.carts);
+  draw_carts(pass, instances);
+  pass.gl.Disable(GL_CULL_FACE);
+}
+
+}  // namespace coaster::gfx

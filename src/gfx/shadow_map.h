@@ -1,0 +1,40 @@
+// A picture of the track or the trains as the sun sees them: depth, for shadows on solids, and coverage with mipmaps, for the ground, which
+// lies under everything and so needs no depth.
+#pragma once
+
+#include <functional>
+
+#include "gfx/objects.h"
+#include "gfx/shadow_fit.h"
+
+namespace coaster::gfx {
+
+class ShadowMap {
+ public:
+  explicit ShadowMap(const Gl& gl) : gl_(&gl) {}
+
+  // Draws the map anew when size (texels a side), place, light or `content` (a number that changes with what is drawn) differ from those it
+  // was drawn with; true when it was. `draw` gets the matrix to clip space, with state and target set. Leaves another framebuffer bound.
+  bool update(int size, const SunAxes& axes, const ShadowFit& fit, std::uint64_t content, const std::function<void(const glm::mat4&)>& draw);
+
+  // Puts the textures into units `unit` (depth) and `unit` + 1 (coverage), and sets PREFIX_depth, PREFIX_cover, PREFIX_light and PREFIX_texel of
+  // the program in use. After an update().
+  void bind(const Program& program, const char* prefix, int unit) const;
+
+ private:
+  void make(int size);
+
+  struct Key {
+    int size = 0;
+    glm::vec3 sun{0};
+    ShadowFit fit;
+    std::uint64_t content = 0;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  const Gl* gl_;
+  Object framebuffer_, depth_, cover_;
+  Key drawn_;
+  glm::mat4 to_map_{1};
+};
+
+}  // namespace coaster::gfx

@@ -1,0 +1,50 @@
+#include "gfx/sun_shadows.h"
+
+#include <algorithm>
+
+namespace coaster::gfx {
+namespace {
+
+constexpr float kTrackSide = 256, kTrainSide = 16;  // m, the smallest squares
+
+// Texels a side: more than a picture shows would be wasted, on small pictures above all.
+int texels_for(const view::Viewport& viewport) {
+  int size = 512;
+  while (size < 2048 && static_cast<float>(size) < 2 * std::max(viewport.width, viewport.height)) size *= 2;
+  return size;
+}
+
+bool same(const sim::Pose& a, const sim::Pose& b) {
+  return a.position == b.position && a.frame.forward == b.frame.forward && a.frame.up == b.frame.up && a.length == b.length;
+}
+
+}  // namespace
+
+void SunShadows::update(const Pass& pass, const TrackCache& track, const Instances& instances) {
+  const Scene& scene = pass.scene;
+  const SunAxes axes(pass.scenery.sun);
+  const glm::mat4& view = scene.view.view;
+  const glm::vec3 eye = scene.view.eye, forward = -glm::vec3(view[0][2], view[1][2], view[2][2]);
+  if (measured_.mesh != track.mesh_version() || measured_.sun != axes.sun) {
+    measured_ = {track.mesh_version(), axes.sun, light_box(axes, scene.derived)};
+  }
+  if (!std::equal(cars_.begin(), cars_.end(), scene.carts.begin(), scene.carts.end(), same)) {
+    cars_.assign(scene.carts.begin(), scene.carts.end());
+    ++cars_version_;
+  }
+  const int texels = texels_for(scene.view.viewport);
+  if (track_.update(texels, axes, fit_shadow(axes, measured_.box, kTrackSide, eye, forward), track.mesh_version(),
+                    [&](const glm::mat4& light) { cast_track(pass, track, light); }))
+    ++pass.stats.shadow_maps;
+  if (trains_.update(texels / 4, axes, fit_shadow(axes, light_box(axes, scene.carts), kTrainSide, eye, forward), cars_version_,
+                     [&](const glm::mat4& light) { cast_carts(pass, instances, light); }))
+    ++pass.stats.shadow_maps;
+}
+
+void SunShadows::bind(const Program& program) const {
+  program.set("taps", 4);
+  track_.bind(program, "track", kTrackShadowUnit);
+  trains_.bind(program, "train", kTrainShadowUnit);
+}
+
+}  // namespace coaster::gfx

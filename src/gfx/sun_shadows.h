@@ -1,0 +1,31 @@
+// The shadow maps of a scene, one of the track and one of the trains: a map is drawn anew only when what throws the shadows, the light or
+// the part of the scene in sight has changed.
+#pragma once
+
+#include <vector>
+
+#include "gfx/passes.h"
+#include "gfx/shadow_map.h"
+
+namespace coaster::gfx {
+
+class SunShadows {
+ public:
+  explicit SunShadows(const Gl& gl) : track_(gl), trains_(gl) {}
+  // Counts the maps drawn in stats.shadow_maps. Call with what `track` and `instances` hold by now; binds framebuffers.
+  void update(const Pass& pass, const TrackCache& track, const Instances& instances);
+  // For the program in use.
+  void bind(const Program& program) const;
+
+ private:
+  ShadowMap track_, trains_;
+  struct {
+    std::uint64_t mesh = ~std::uint64_t{0};  // TrackCache::mesh_version() of the box
+    glm::vec3 sun{0};
+    LightBox box;
+  } measured_;
+  std::vector<sim::Pose> cars_;  // that `trains_` was drawn with
+  std::uint64_t cars_version_ = 1;
+};
+
+}  // namespace coaster::gfx
