@@ -82,5 +82,22 @@ TEST_F(Pool, supports_are_written_where_they_changed_and_go_when_hidden) {
   EXPECT_EQ(cache.sync(&supports, {}).uploads, first);
 }
 
+TEST_F(Pool, trains_take_as_many_draw_calls_however_long_they_are) {
+  Track track(test::ring_document(60, 120.0f));
+  const auto calls = [&](int cars) {
+    carts_.clear();
+    for (int i = 0; i < cars; ++i) {
+      carts_.push_back(sim::pose(track.derived, sim::CarPlace{static_cast<std::size_t>(i), 1.0}, world::FrameMethod::knots));
+      carts_.back().leads = i % 7 == 0;
+    }
+    (void)draw(track);
+    return draw(track).draw_calls;  // without new shadows
+  };
+  const int without = calls(0), few = calls(3), many = calls(40);
+  EXPECT_EQ(few, many);
+  EXPECT_LE(many, without + 3);
+  EXPECT_GT(many, without);
+}
+
 }  // namespace
 }  // namespace coaster::gfx
