@@ -7,7 +7,7 @@
 #include "sim/track_mesh.h"
 
 namespace coaster::gfx {
-namespace {
+namespace mesh_pool_test {
 
 using test::Track;
 using Pool = test::Studio;
@@ -99,5 +99,5 @@ TEST_F(Pool, trains_take_as_many_draw_calls_however_long_they_are) {
   EXPECT_GT(many, without);
 }
 
-}  // namespace
+}  // namespace mesh_pool_test
 }  // namespace coaster::gfx
