@@ -13,15 +13,16 @@ in float along;
 flat in float segment;
 out vec4 colour;
 
-// By sim::Part: rail, spine, tie, body, stripe, wheel.
-vec3 paint(int part) {
-  if (part == 0) return vec3(0.851, 0.271, 0.184);
-  if (part == 1) return vec3(0.659, 0.204, 0.149);
-  if (part == 2) return vec3(0.227, 0.247, 0.278);
-  if (part == 3) return vec3(0.180, 0.369, 0.667);
-  if (part == 4) return vec3(0.957, 0.773, 0.259);
-  return vec3(0.15, 0.16, 0.18);
-}
+// By sim::Part.
+const vec3 kPaints[19] = vec3[19](
+    vec3(0.851, 0.271, 0.184), vec3(0.659, 0.204, 0.149), vec3(0.227, 0.247, 0.278),  // rail, spine, tie
+    vec3(0.180, 0.369, 0.667), vec3(0.957, 0.773, 0.259), vec3(0.150, 0.160, 0.180),  // body, stripe, wheel
+    vec3(0.894, 0.906, 0.922), vec3(0.710, 0.722, 0.706), vec3(0.420, 0.441, 0.471),  // support, concrete, chain
+    vec3(0.788, 0.816, 0.847), vec3(0.165, 0.545, 0.655), vec3(0.545, 0.573, 0.608),  // fin, stator, deck
+    vec3(0.170, 0.185, 0.215), vec3(0.850, 0.660, 0.525), vec3(0.240, 0.560, 0.525),  // seat, skin, teal
+    vec3(0.851, 0.773, 0.560), vec3(0.480, 0.360, 0.600), vec3(0.910, 0.895, 0.860),  // sand, plum, linen
+    vec3(0.260, 0.200, 0.160));                                                      // hair
+vec3 paint(int part) { return kPaints[clamp(part, 0, 18)]; }
 
 vec3 value_colour() {
   int index = int(segment + 0.5);
@@ -40,6 +41,8 @@ vec3 value_colour() {
 float gloss(int part) {
   if (part == 2) return 0.12;
   if (part == 5) return 0.06;
+  if (part == 7 || part >= 11) return 0.04;  // concrete, floors, seats, riders
+  if (part == 8) return 0.3;
   return part == 3 || part == 4 ? 0.9 : 0.6;
 }
 

@@ -74,9 +74,18 @@ gfx::DrawStats draw_scene(Program& program, const ui::Output& output, platform::
   program.stats.colour_low = values.low, program.stats.colour_high = values.high;
   const view::Overlay overlay = view::build_overlay(session.document, session.derived, session.settings, output.view, output.hovered, findings);
   const std::vector<sim::Pose> carts = cart_poses(session);
-  const gfx::Scene scene{session.derived, output.view, overlay, carts, layers.has(world::Layer::polyline), &values, session.settings.theme,
-                         {}, session.settings.style};
-  return program.renderer->draw(scene, size.width, size.height);
+  gfx::Scene scene{session.derived, output.view, overlay, carts, layers.has(world::Layer::polyline), &values, session.settings.theme};
+  scene.style = session.settings.style;
+  scene.clock = [&] { return program.surface->clock(); };
+  const bool held = layers.has(world::Layer::supports);
+  const double before = program.surface->clock();
+  if (held) program.supports.update(session.derived), scene.supports = &program.supports;
+  const double finding = program.surface->clock() - before;
+  program.stats.supports = held ? program.supports.count() : 0;
+  program.stats.support_rebuilds = held ? program.supports.rebuilds() : 0;
+  gfx::DrawStats drawn = program.renderer->draw(scene, size.width, size.height);
+  drawn.cpu_ms += 1e3 * finding;
+  return drawn;
 }
 
 // Numbers of the frame that was just drawn, for the panels of the next one and for scripts.
@@ -86,6 +95,7 @@ void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size si
   ++stats.frame;
   stats.uploads = drawn.uploads;
   stats.recolours = drawn.recolours;
+  stats.support_uploads = drawn.support_uploads;
   stats.upload_bytes = drawn.upload_bytes;
   stats.polyline_upload_bytes = drawn.polyline_upload_bytes;
   stats.polyline_bytes = drawn.polyline_bytes;

@@ -43,6 +43,7 @@ struct Program {
   sim::FrenetBreaks breaks;        // of the track as last drawn with their layer on
   sim::RedSpans red;                    // of the ride, the same
   sim::TrackValueMemo values;      // what the track is coloured by
+  sim::Supports supports;          // what holds the track
   int rebuilds = 0;                // segments evaluated since the last frame was drawn
   double seconds = 0;              // since the start, as the events have it
   double tick_debt = 0;            // s that passed and are not ticked yet

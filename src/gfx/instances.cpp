@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "sim/track_mesh.h"
+#include "sim/train_mesh.h"
 
 namespace coaster::gfx {
 namespace {
@@ -17,30 +17,48 @@ void push_colour(std::vector<float>& out, std::uint32_t rgba) {
   for (int shift = 24; shift >= 0; shift -= 8) out.push_back(float((rgba >> shift) & 0xffu) / 255.0f);
 }
 
-// Columns of the model's matrix: forward +X, up +Y, right +Z.
-void push_pose(std::vector<float>& out, const sim::Pose& pose) {
-  const glm::vec3 forward = pose.frame.forward, up = pose.frame.up;
-  const float stretch = static_cast<float>(pose.length) / world::kCarLength;  // of the model along the rails
-  const glm::vec3 columns[] = {stretch * forward, up, glm::cross(forward, up), glm::vec3(pose.position)};
+// Columns of the model's matrix.
+void push_matrix(std::vector<float>& out, glm::vec3 x, glm::vec3 y, glm::vec3 z, glm::vec3 origin) {
+  const glm::vec3 columns[] = {x, y, z, origin};
   for (int i = 0; i < 4; ++i) {
     push(out, columns[i]);
     out.push_back(i == 3 ? 1.0f : 0.0f);
   }
 }
 
+double stretch(const sim::Pose& pose) { return pose.length / static_cast<double>(world::kCarLength); }  // of the model along the rails
+
+// A car's hitch: in front (+1) or behind (-1).
+glm::dvec3 hitch(const sim::Pose& pose, double way) {
+  return pose.position + way * sim::kHitchBack * stretch(pose) * pose.frame.forward + sim::kHitchHeight * pose.frame.up;
+}
+
 }  // namespace
 
-Instances::Instances(const Gl& gl)
-    : gl_(&gl),
-      line_buffer_(gl), mark_buffer_(gl), pose_buffer_(gl), model_vertices_(gl), model_indices_(gl),
-      line_array_(make_vertex_array(gl)), mark_array_(make_vertex_array(gl)), cart_array_(make_vertex_array(gl)) {
-  const sim::Mesh model = sim::cart_mesh();
-  cart_indices_ = GLsizei(model.indices.size());
-  model_vertices_.reserve(model.vertices.size() * sizeof(sim::MeshVertex));
-  model_vertices_.write(0, model.vertices.data(), model.vertices.size() * sizeof(sim::MeshVertex));
-  model_indices_.reserve(model.indices.size() * sizeof(std::uint32_t));
-  model_indices_.write(0, model.indices.data(), model.indices.size() * sizeof(std::uint32_t));
+Instances::Model::Model(const Gl& gl, const sim::Mesh& mesh)
+    : vertices(gl), indices(gl), poses(gl), array(make_vertex_array(gl)), index_count(GLsizei(mesh.indices.size())) {
+  vertices.reserve(mesh.vertices.size() * sizeof(sim::MeshVertex));
+  vertices.write(0, mesh.vertices.data(), mesh.vertices.size() * sizeof(sim::MeshVertex));
+  indices.reserve(mesh.indices.size() * sizeof(std::uint32_t));
+  indices.write(0, mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
 }
+
+void Instances::Model::link(const Gl& gl) {
+  gl.BindVertexArray(array.id());
+  gl.BindBuffer(GL_ARRAY_BUFFER, vertices.id());
+  constexpr std::size_t kStride = sizeof(sim::MeshVertex);
+  float_attribute(gl, 0, 3, kStride, offsetof(sim::MeshVertex, position));
+  float_attribute(gl, 1, 3, kStride, offsetof(sim::MeshVertex, normal));
+  float_attribute(gl, 2, 1, kStride, offsetof(sim::MeshVertex, part));
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
+  gl.BindBuffer(GL_ARRAY_BUFFER, poses.id());
+  for (std::size_t column = 0; column < 4; ++column)
+    float_attribute(gl, GLuint(3 + column), 4, kPoseFloats * sizeof(float), column * 4 * sizeof(float), 1);
+}
+
+Instances::Instances(const Gl& gl)
+    : gl_(&gl), line_buffer_(gl), mark_buffer_(gl), line_array_(make_vertex_array(gl)), mark_array_(make_vertex_array(gl)),
+      leading_(gl, sim::car_mesh(true)), following_(gl, sim::car_mesh(false)), coupling_(gl, sim::coupling_mesh()) {}
 
 void Instances::upload(const view::Overlay& overlay, std::span<const sim::Pose> carts) {
   const auto send = [&](GrowingBuffer& buffer) {
@@ -64,9 +82,59 @@ void Instances::upload(const view::Overlay& overlay, std::span<const sim::Pose> 
     push_colour(staged_, mark.rgba);
   }
   if (send(mark_buffer_)) link_marks();
-  for (const sim::Pose& pose : carts) push_pose(staged_, pose);
-  if (send(pose_buffer_)) link_carts();
-  lines_ = GLsizei(overlay.lines.size()), marks_ = GLsizei(overlay.marks.size()), carts_ = GLsizei(carts.size());
+  lines_ = GLsizei(overlay.lines.size()), marks_ = GLsizei(overlay.marks.size());
+  stage_cars(carts, true);
+  send_poses(leading_);
+  stage_cars(carts, false);
+  send_poses(following_);
+  stage_couplings(carts);
+  send_poses(coupling_);
+}
+
+void Instances::stage_cars(std::span<const sim::Pose> cars, bool leading) {
+  for (const sim::Pose& car : cars) {
+    if (car.leads != leading) continue;
+    const glm::vec3 forward = car.frame.forward, up = car.frame.up;
+    push_matrix(staged_, static_cast<float>(stretch(car)) * forward, up, glm::cross(forward, up), glm::vec3(car.position));
+  }
+}
+
+// From each car that has one before it to that one's rear; cars that touch have none.
+void Instances::stage_couplings(std::span<const sim::Pose> cars) {
+  constexpr double kShortest = 0.02, kLongest = 25;  // m
+  for (std::size_t i = 1; i < cars.size(); ++i) {
+    if (cars[i].leads) continue;
+    const glm::dvec3 from = hitch(cars[i], 1), way = hitch(cars[i - 1], -1) - from;
+    const double length = glm::length(way);
+    if (!(length > kShortest && length < kLongest)) continue;
+    const glm::dvec3 forward = way / length, up = curve::perpendicular(forward, cars[i].frame.up);
+    push_matrix(staged_, glm::vec3(way), glm::vec3(up), glm::vec3(glm::cross(forward, up)), glm::vec3(from));
+  }
+}
+
+void Instances::send_poses(Model& model) {
+  model.count = GLsizei(staged_.size() / kPoseFloats);
+  const bool moved = model.poses.reserve(staged_.size() * sizeof(float));
+  if (!staged_.empty()) model.poses.write(0, staged_.data(), staged_.size() * sizeof(float));
+  if (moved) model.link(*gl_);
+  staged_.clear();
+}
+
+int Instances::draw_cars() const {
+  int calls = 0;
+  for (const Model* model : {&leading_, &following_, &coupling_}) {
+    if (model->count == 0) continue;
+    gl_->BindVertexArray(model->array.id());
+    gl_->DrawElementsInstanced(GL_TRIANGLES, model->index_count, GL_UNSIGNED_INT, nullptr, model->count);
+    ++calls;
+  }
+  return calls;
+}
+
+std::int64_t Instances::car_triangles() const {
+  std::int64_t indices = 0;
+  for (const Model* model : {&leading_, &following_, &coupling_}) indices += std::int64_t(model->index_count) * model->count;
+  return indices / 3;
 }
 
 void Instances::link_lines() {
@@ -87,19 +155,6 @@ void Instances::link_marks() {
   float_attribute(*gl_, 1, 1, kStride, 3 * kFloat, 1);
   float_attribute(*gl_, 2, 1, kStride, 4 * kFloat, 1);
   float_attribute(*gl_, 3, 4, kStride, 5 * kFloat, 1);
-}
-
-void Instances::link_carts() {
-  gl_->BindVertexArray(cart_array_.id());
-  gl_->BindBuffer(GL_ARRAY_BUFFER, model_vertices_.id());
-  constexpr std::size_t kStride = sizeof(sim::MeshVertex);
-  float_attribute(*gl_, 0, 3, kStride, offsetof(sim::MeshVertex, position));
-  float_attribute(*gl_, 1, 3, kStride, offsetof(sim::MeshVertex, normal));
-  float_attribute(*gl_, 2, 1, kStride, offsetof(sim::MeshVertex, part));
-  gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, model_indices_.id());
-  gl_->BindBuffer(GL_ARRAY_BUFFER, pose_buffer_.id());
-  for (std::size_t column = 0; column < 4; ++column)
-    float_attribute(*gl_, GLuint(3 + column), 4, kPoseFloats * sizeof(float), column * 4 * sizeof(float), 1);
 }
 
 }  // namespace coaster::gfx

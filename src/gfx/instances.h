@@ -1,10 +1,12 @@
-// What is new in every frame: the overlay's lines and marks and the carts' poses, one instance each, in buffers rewritten whole.
+// What is new in every frame: the overlay's lines and marks and the cars' poses, one instance each, in buffers rewritten whole.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "gfx/growing_buffer.h"
+#include "sim/mesh.h"
 #include "sim/ride.h"
 #include "view/overlay.h"
 
@@ -15,12 +17,14 @@ class Instances {
   explicit Instances(const Gl& gl);
   void upload(const view::Overlay& overlay, std::span<const sim::Pose> carts);
 
-  // Each binds an array and returns how many instances to draw. Lines and marks: a strip of 4 corners, in the list's order; carts:
-  // cart_indices() 32-bit indices of the model.
+  // Each binds an array and returns how many instances to draw: a strip of 4 corners, in the list's order.
   GLsizei bind_lines() const { return bind(line_array_, lines_); }
   GLsizei bind_marks() const { return bind(mark_array_, marks_); }
-  GLsizei bind_carts() const { return bind(cart_array_, carts_); }
-  GLsizei cart_indices() const { return cart_indices_; }
+  // Cars of all trains; draw_cars() draws them and what couples them with the program in use (locations 0 position, 1 normal, 2 part, 3 to 6 the
+  // columns of the model's matrix) and returns how many draw calls that took: at most 3, however many cars there are.
+  int cars() const { return int(leading_.count + following_.count); }
+  int draw_cars() const;
+  std::int64_t car_triangles() const;  // of a draw
 
  private:
   GLsizei bind(const Object& array, GLsizei count) const {
@@ -29,12 +33,24 @@ class Instances {
   }
   void link_lines();
   void link_marks();
-  void link_carts();
+
+  // A mesh that stays, drawn once for each pose.
+  struct Model {
+    Model(const Gl& gl, const sim::Mesh& mesh);
+    void link(const Gl& gl);
+    GrowingBuffer vertices, indices, poses;
+    Object array;
+    GLsizei index_count = 0, count = 0;
+  };
+  void stage_cars(std::span<const sim::Pose> cars, bool leading);
+  void stage_couplings(std::span<const sim::Pose> cars);
+  void send_poses(Model& model);
 
   const Gl* gl_;
-  GrowingBuffer line_buffer_, mark_buffer_, pose_buffer_, model_vertices_, model_indices_;
-  Object line_array_, mark_array_, cart_array_;
-  GLsizei lines_ = 0, marks_ = 0, carts_ = 0, cart_indices_ = 0;
+  GrowingBuffer line_buffer_, mark_buffer_;
+  Object line_array_, mark_array_;
+  GLsizei lines_ = 0, marks_ = 0;
+  Model leading_, following_, coupling_;
   std::vector<float> staged_;  // kept for its capacity
 };
 

@@ -4,6 +4,7 @@
 #include "gfx/draw_state.h"
 #include "gfx/passes.h"
 #include "gfx/sun_shadows.h"
+#include "sim/track_mesh.h"
 #include "view/colour_map.h"
 
 namespace coaster::gfx {
@@ -18,17 +19,17 @@ float metres_of_pixels(const view::View& view, float pixels) { return 2 * pixels
 
 // With the program in use and its matrix set.
 void draw_track(const Pass& pass, const TrackCache& track) {
-  if (track.index_count() == 0) return;
-  track.bind_mesh();
-  pass.gl.DrawElements(GL_TRIANGLES, track.index_count(), GL_UNSIGNED_INT, nullptr);
-  pass.count(track.index_count() / 3);
+  for (const MeshPool* pool : {&track.mesh(), &track.supports().mesh()}) {
+    if (pool->index_count() == 0) continue;
+    pass.stats.draw_calls += pool->draw();
+    pass.stats.triangles += pool->triangles();
+  }
 }
 
 void draw_carts(const Pass& pass, const Instances& instances) {
-  const GLsizei carts = instances.bind_carts();
-  if (carts == 0) return;
-  pass.gl.DrawElementsInstanced(GL_TRIANGLES, instances.cart_indices(), GL_UNSIGNED_INT, nullptr, carts);
-  pass.count(std::int64_t(carts) * instances.cart_indices() / 3);
+  if (instances.cars() == 0) return;
+  pass.stats.draw_calls += instances.draw_cars();
+  pass.stats.triangles += instances.car_triangles();
 }
 
 void set_view(const Pass& pass, const Program& program) {
@@ -63,10 +64,22 @@ void draw_outlines(const Pass& pass, const TrackCache& track, const Instances& i
 
 }  // namespace
 
+void choose_detail(const view::View& view, TrackCache& track) {
+  constexpr float kRailPixels = 2;
+  const float near_metres = 2 * static_cast<float>(sim::kRailRadius) / metres_of_pixels(view, kRailPixels);
+  track.mesh().look_from(view.eye, near_metres);
+  track.supports().mesh().look_from(view.eye, near_metres);
+}
+
 void cast_track(const Pass& pass, const TrackCache& track, const glm::mat4& light) {
   pass.programs.track_shadow.use();
   pass.programs.track_shadow.set("view_projection", light);
-  draw_track(pass, track);
+  // In full: a map is kept while the eye moves.
+  for (const MeshPool* pool : {&track.mesh(), &track.supports().mesh()}) {
+    if (pool->index_count() == 0) continue;
+    pool->draw_all();
+    pass.count(pool->index_count() / 3);
+  }
 }
 
 void cast_carts(const Pass& pass, const Instances& instances, const glm::mat4& light) {

@@ -33,6 +33,9 @@ struct Pass {
 // Texture units.
 inline constexpr int kValueUnit = 0, kTrackShadowUnit = 1, kTrainShadowUnit = 3;
 
+// What is so far off that a rail is no wider than two pixels is drawn with fewer triangles from now on.
+void choose_detail(const view::View& view, TrackCache& track);
+
 // Sky and ground with the shadows on it.
 void draw_backdrop(const Pass& pass, const SunShadows& shadows);
 

@@ -35,8 +35,10 @@ struct Renderer::Parts {
 // Brings the buffers up to date with the scene: nothing is written of what has not changed, but for the few bytes of overlay and poses.
 void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
   const TrackCache::Synced synced = track.sync(scene.derived, scene.clock);
+  const SupportCache::Synced held = track.supports().sync(scene.supports, scene.clock);
   stats.uploads = synced.uploads;
-  stats.cpu_ms = 1000 * synced.cpu_seconds;
+  stats.support_uploads = held.uploads;
+  stats.cpu_ms = 1000 * (synced.cpu_seconds + held.cpu_seconds);
   stats.upload_bytes = synced.bytes;
   stats.polyline_upload_bytes = synced.polyline_bytes;
   stats.polyline_bytes = track.held_polyline_bytes();
@@ -72,6 +74,7 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   const Scenery& scenery = scenery_of(scene.style);
   parts.air.bind(scenery);
   parts.upload(scene, stats);
+  choose_detail(scene.view, parts.track);
   parts.targets.fit(width, height);
   stats.samples = parts.targets.samples();
   const Pass pass{parts.gl, parts.programs, scene, scenery, scene.view.projection * scene.view.view, parts.empty_array.id(), stats};

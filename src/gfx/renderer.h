@@ -9,6 +9,7 @@
 
 #include "gfx/gl.h"
 #include "sim/ride.h"
+#include "sim/supports.h"
 #include "sim/track_values.h"
 #include "view/camera.h"
 #include "view/overlay.h"
@@ -26,12 +27,14 @@ struct Scene {
   world::Theme theme = world::Theme::dark;    // of the picture beside the viewport
   sim::Clock clock = {};  // to measure cpu_ms with; empty: not measured
   world::Style style = world::Style::day;
+  const sim::Supports* supports = nullptr;  // what holds the track; null: not drawn
 };
 
 // Of the last draw.
 struct DrawStats {
   int uploads = 0;     // segments whose slots were written
   int recolours = 0;   // segments whose values were written, counted apart
+  int support_uploads = 0;  // segments whose supports were written, counted apart
   int draw_calls = 0;
   std::int64_t triangles = 0;  // sent by these calls, in shadow maps too
   int shadow_maps = 0;         // drawn anew: 0 unless track, trains, light or the part of a large track in sight changed

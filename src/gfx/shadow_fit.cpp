@@ -5,10 +5,12 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "sim/supports.h"
+
 namespace coaster::gfx {
 namespace {
 
-constexpr float kTrackMargin = 3, kCarMargin = 2.5f;  // m
+constexpr float kTrackMargin = sim::kSupportReach + 1, kCarMargin = 2.5f;  // m
 constexpr float kDepthMargin = 1;                     // m
 constexpr float kLargest = 1 << 18;                   // m, more than the world's width
 

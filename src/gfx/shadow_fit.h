@@ -24,7 +24,7 @@ struct LightBox {
   bool empty() const { return low.x > high.x; }
   void add(glm::vec3 light, float margin);
 };
-// Of everything within 3 m of the track, and of the columns from there to the ground. O(segments).
+// Of the track, what stands within sim::kSupportReach of it, and from there to the ground. O(segments).
 LightBox light_box(const SunAxes& axes, const sim::Derived& derived);
 // Of the cars, 2.5 m about their middles and as much as they are longer.
 LightBox light_box(const SunAxes& axes, std::span<const sim::Pose> carts);

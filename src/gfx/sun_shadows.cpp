@@ -15,7 +15,7 @@ int texels_for(const view::Viewport& viewport) {
 }
 
 bool same(const sim::Pose& a, const sim::Pose& b) {
-  return a.position == b.position && a.frame.forward == b.frame.forward && a.frame.up == b.frame.up && a.length == b.length;
+  return a.position == b.position && a.frame.forward == b.frame.forward && a.frame.up == b.frame.up && a.length == b.length && a.leads == b.leads;
 }
 
 }  // namespace

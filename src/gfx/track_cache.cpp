@@ -4,20 +4,18 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "sim/track_mesh.h"
+
 namespace coaster::gfx {
 namespace {
 
-static_assert(sizeof(PolylineVertex) == 24 && sizeof(sim::MeshVertex) == 36, "vertices are uploaded as they lie in memory");
+static_assert(sizeof(PolylineVertex) == 24, "vertices are uploaded as they lie in memory");
 static_assert(sizeof(curve::Cubic) == kControlBytes, "control points, too");
-
-// A mesh has more or fewer rings and ties after each edit: room to spare keeps its place while a knot is dragged.
-std::uint32_t with_room(std::size_t count) { return static_cast<std::uint32_t>(count + count / 4 + 3); }
-bool fits(Range range, std::size_t count) { return count <= range.size && range.size <= 2 * with_room(count); }
 
 }  // namespace
 
 TrackCache::TrackCache(const Gl& gl)
-    : gl_(&gl), lines_(gl), controls_(gl), vertices_(gl), indices_(gl), line_array_(make_vertex_array(gl)), mesh_array_(make_vertex_array(gl)) {}
+    : gl_(&gl), lines_(gl), controls_(gl), mesh_(gl), supports_(gl), line_array_(make_vertex_array(gl)) {}
 
 template <class Work>
 void TrackCache::timed(const Work& work) {
@@ -53,8 +51,8 @@ TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Cloc
 // True when anything of the segment was written.
 bool TrackCache::write_segment(const sim::SegmentShape& shape, bool on_processor, Slot& slot) {
   const bool line = on_processor && slot.polyline_build != shape.polyline_build;
-  const bool mesh = slot.shape_build != shape.shape_build;
-  const bool control = !on_processor && (mesh || slot.control.size == 0);
+  const bool reshaped = slot.shape_build != shape.shape_build, mesh = reshaped || slot.fitted != shape.fitted;
+  const bool control = !on_processor && (reshaped || slot.control.size == 0);
   if (line) write_polyline(shape, slot);
   if (control) write_control(shape, slot);
   if (mesh) write_mesh(shape, slot);
@@ -75,13 +73,11 @@ TrackCache::Slot& TrackCache::slot_of(world::Entity segment) {
 
 void TrackCache::release(Slot& slot) {
   fill_breaks(slot.line);
-  fill_degenerate(slot.indices);
   empty_control(slot.control);
   line_ranges_.give_back(slot.line);
   control_ranges_.give_back(slot.control);
   placed_.resize(control_ranges_.used());
-  vertex_ranges_.give_back(slot.vertices);
-  index_ranges_.give_back(slot.indices);
+  mesh_.release(slot.mesh);
   slot = Slot{};
   --live_;
 }
@@ -145,27 +141,16 @@ void TrackCache::write(GrowingBuffer& buffer, std::size_t offset, const void* da
 }
 
 void TrackCache::write_mesh(const sim::SegmentShape& shape, Slot& slot) {
-  timed([&] { sim::sweep_track(shape, staged_mesh_); });
-  if (!fits(slot.vertices, staged_mesh_.vertices.size())) {
-    vertex_ranges_.give_back(slot.vertices);
-    slot.vertices = vertex_ranges_.take(with_room(staged_mesh_.vertices.size()));
-  }
-  if (!fits(slot.indices, staged_mesh_.indices.size())) {
-    fill_degenerate(slot.indices);
-    index_ranges_.give_back(slot.indices);
-    // Whole triangles, so that every slot and every gap starts with a triangle.
-    slot.indices = index_ranges_.take(with_room(staged_mesh_.indices.size()) / 3 * 3);
-  }
   timed([&] {
+    sim::sweep_track(shape, staged_mesh_);
+    if (shape.fitted) sim::add_fittings(shape, *shape.fitted, staged_mesh_);
     for (sim::MeshVertex& vertex : staged_mesh_.vertices) vertex.segment = static_cast<float>(slot.segment.index);
-    for (std::uint32_t& index : staged_mesh_.indices) index += slot.vertices.first;
-    staged_mesh_.indices.resize(slot.indices.size, slot.vertices.first);
   });
-  if (vertices_.reserve(std::size_t(vertex_ranges_.used()) * sizeof(sim::MeshVertex))) link_mesh();
-  write(vertices_, std::size_t(slot.vertices.first) * sizeof(sim::MeshVertex), staged_mesh_.vertices.data(),
-        staged_mesh_.vertices.size() * sizeof(sim::MeshVertex), false);
-  write_indices(slot.indices);
+  mesh_.fit(staged_mesh_, slot.mesh);
+  timed([&] { mesh_.settle(staged_mesh_, slot.mesh); });
+  synced_.bytes += mesh_.send(staged_mesh_, slot.mesh);
   slot.shape_build = shape.shape_build;
+  slot.fitted = shape.fitted;
 }
 
 void TrackCache::fill_breaks(Range range) {
@@ -174,23 +159,9 @@ void TrackCache::fill_breaks(Range range) {
   write_lines(range);
 }
 
-void TrackCache::fill_degenerate(Range range) {
-  if (range.size == 0) return;
-  std::vector<std::uint32_t> kept(range.size, 0);
-  kept.swap(staged_mesh_.indices);
-  write_indices(range);
-  kept.swap(staged_mesh_.indices);
-}
-
 void TrackCache::write_lines(Range range) {
   if (lines_.reserve(std::size_t(line_ranges_.used()) * sizeof(PolylineVertex))) link_lines();
   write(lines_, std::size_t(range.first) * sizeof(PolylineVertex), staged_line_.data(), range.size * sizeof(PolylineVertex), true);
-}
-
-void TrackCache::write_indices(Range range) {
-  ++mesh_version_;  // no part of the mesh changes without its indices
-  if (indices_.reserve(std::size_t(index_ranges_.used()) * sizeof(std::uint32_t))) link_mesh();
-  write(indices_, std::size_t(range.first) * sizeof(std::uint32_t), staged_mesh_.indices.data(), range.size * sizeof(std::uint32_t), false);
 }
 
 void TrackCache::link_lines() {
@@ -199,18 +170,6 @@ void TrackCache::link_lines() {
   constexpr std::size_t kStride = sizeof(PolylineVertex);
   for (std::size_t attribute = 0; attribute < 4; ++attribute)
     float_attribute(*gl_, GLuint(attribute), 3, kStride, attribute * kStride / 2, 1);
-  gl_->BindVertexArray(0);
-}
-
-void TrackCache::link_mesh() {
-  gl_->BindVertexArray(mesh_array_.id());
-  gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
-  gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-  constexpr std::size_t kStride = sizeof(sim::MeshVertex);
-  float_attribute(*gl_, 0, 3, kStride, offsetof(sim::MeshVertex, position));
-  float_attribute(*gl_, 1, 3, kStride, offsetof(sim::MeshVertex, normal));
-  float_attribute(*gl_, 2, 1, kStride, offsetof(sim::MeshVertex, part));
-  float_attribute(*gl_, 7, 2, kStride, offsetof(sim::MeshVertex, along));
   gl_->BindVertexArray(0);
 }
 

@@ -1,16 +1,18 @@
 // The track on the GPU, like the display lists of old: each segment has a slot in one buffer of polyline vertices and in one mesh, and a
-// slot is written again only when the segment's build numbers differ from those it was written from. No dirty flags. While polylines are
+// slot is written again only when the segment's build numbers or its equipment differ from those it was written from. No dirty flags. While polylines are
 // evaluated on the GPU there are no polyline vertices, and the slots hold the four control points instead.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "gfx/growing_buffer.h"
+#include "gfx/mesh_pool.h"
 #include "gfx/ranges.h"
+#include "gfx/support_cache.h"
 #include "sim/derived.h"
-#include "sim/track_mesh.h"
 
 namespace coaster::gfx {
 
@@ -37,11 +39,15 @@ class TrackCache {
   // Cost for an unchanged track: two comparisons for each segment, no allocation, no GL call.
   Synced sync(const sim::Derived& derived, const sim::Clock& clock);
 
-  // Binds the array of the mesh: locations 0 position, 1 normal, 2 part, 7 place (along the segment, its index). Indices are 32-bit and absolute; gaps are degenerate triangles.
-  void bind_mesh() const { gl_->BindVertexArray(mesh_array_.id()); }
-  GLsizei index_count() const { return GLsizei(index_ranges_.used()); }
-  // Another number whenever anything of the mesh was written or taken away.
-  std::uint64_t mesh_version() const { return mesh_version_; }
+  // The solids of all segments: rails, spine, ties and what equipment adds.
+  MeshPool& mesh() { return mesh_; }
+  const MeshPool& mesh() const { return mesh_; }
+  // What holds them, in buffers and counters of its own.
+  SupportCache& supports() { return supports_; }
+  const SupportCache& supports() const { return supports_; }
+  // Another number whenever anything of these was written or taken away.
+  std::uint64_t mesh_version() const { return mesh_.version() + supports_.mesh().version(); }
+  GLsizei index_count() const { return GLsizei(mesh_.index_count()); }
   // Binds the array whose instance i is the line from vertex i to vertex i+1: locations 0 and 1 position and tangent of the one,
   // 2 and 3 of the other.
   void bind_lines() const { gl_->BindVertexArray(line_array_.id()); }
@@ -62,7 +68,9 @@ class TrackCache {
     world::Entity segment;
     std::uint64_t shape_build = 0, polyline_build = 0;  // 0: never written
     std::uint64_t seen = 0;
-    Range line, control, vertices, indices;
+    std::optional<world::EquipmentKind> fitted;
+    Range line, control;
+    MeshPool::Id mesh = MeshPool::kNone;
   };
   Slot& slot_of(world::Entity segment);
   void release(Slot& slot);
@@ -76,22 +84,20 @@ class TrackCache {
   void write(GrowingBuffer& buffer, std::size_t offset, const void* data, std::size_t bytes, bool polyline);
   void write_mesh(const sim::SegmentShape& shape, Slot& slot);
   void fill_breaks(Range range);
-  void fill_degenerate(Range range);
   void write_lines(Range range);
-  void write_indices(Range range);
   void link_lines();
-  void link_mesh();
   template <class Work>
   void timed(const Work& work);
 
   const Gl* gl_;
-  GrowingBuffer lines_, controls_, vertices_, indices_;
-  Object line_array_, mesh_array_;
-  Ranges line_ranges_, control_ranges_, vertex_ranges_, index_ranges_;
+  GrowingBuffer lines_, controls_;
+  MeshPool mesh_;
+  SupportCache supports_;
+  Object line_array_;
+  Ranges line_ranges_, control_ranges_;
   std::vector<Slot> slots_;  // by the entity's index
   std::size_t live_ = 0;     // slots with a segment
   std::uint64_t stamp_ = 0;  // of the sync in progress
-  std::uint64_t mesh_version_ = 0;
   const sim::Clock* clock_ = nullptr;
   Synced synced_;            // of the sync in progress
   std::int64_t held_polyline_bytes_ = 0;

@@ -35,6 +35,9 @@ struct FrameStats {
   int deviation_pending = 0;               // segments whose deviation on the GPU is still to be measured
   std::array<std::string, 4> stage_refusals;  // by curve::Stage: why the driver cannot evaluate there; empty where it can
   int recolours = 0;      // segments whose values, which the track is coloured by, were uploaded (counted apart)
+  int supports = 0;          // that hold the track in the last frame; 0 while hidden
+  int support_rebuilds = 0;  // segments whose supports were looked for
+  int support_uploads = 0;   // segments whose supports were uploaded (counted apart)
   double colour_low = 0, colour_high = 1;  // ends of the colour legend, in the colouring's unit
   double fps = 0;         // 0: not measured
   double cpu_ms = 0;      // of the last frame, outside GL and waiting

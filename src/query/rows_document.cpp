@@ -154,6 +154,9 @@ Answer gpu_ms(const Context& c, View) { return number(c.stats.gpu_ms); }
 Answer uploads(const Context& c, View) { return number(c.stats.uploads); }
 Answer rebuilds(const Context& c, View) { return number(c.stats.rebuilds); }
 Answer recolours(const Context& c, View) { return number(c.stats.recolours); }
+Answer supports_count(const Context& c, View) { return number(c.stats.supports); }
+Answer supports_rebuilds(const Context& c, View) { return number(c.stats.support_rebuilds); }
+Answer supports_uploads(const Context& c, View) { return number(c.stats.support_uploads); }
 Answer evaluation_time(const Context& c, View) { return number(c.stats.evaluation_ms); }
 Answer ns_per_point(const Context& c, View) {
   return number(c.stats.evaluated_vertices > 0 ? c.stats.evaluation_ms * 1e6 / static_cast<double>(c.stats.evaluated_vertices) : 0.0);
@@ -203,6 +206,9 @@ constexpr std::array kRows{
     Query{"uploads", "", "", "Segments whose vertex buffers were uploaded in the last frame.", uploads},
     Query{"rebuilds", "", "", "Segments evaluated for the last frame.", rebuilds},
     Query{"recolours", "", "", "Segments whose colour values were uploaded in the last frame; counted apart from uploads.", recolours},
+    Query{"supports.count", "", "", "Supports that hold the track; 0 while they are hidden.", supports_count},
+    Query{"supports.rebuilds", "", "", "Segments whose supports were looked for in the last frame.", supports_rebuilds},
+    Query{"supports.uploads", "", "", "Segments whose supports were uploaded in the last frame; counted apart from uploads.", supports_uploads},
     Query{"evaluation_time", "", "ms", "Time in evaluators when anything was evaluated last.", evaluation_time},
     Query{"ns_per_point", "", "ns", "The same for each vertex.", ns_per_point},
 };

@@ -56,7 +56,7 @@ double deviation_of(const SegmentShape& shape) {
 
 ShapeKey key_of(const world::Document& document, const world::Segment& segment) {
   const world::Knot &from = world::knot(document, segment.from), &to = world::knot(document, segment.to);
-  return {{from.position, world::out_handle(from), world::in_handle(to), to.position}, from.up, to.up, segment.turns};
+  return {{from.position, world::out_handle(from), world::in_handle(to), to.position}, from.up, to.up, segment.turns, from.tangent, to.tangent};
 }
 
 void evaluate_polyline(const curve::Evaluator& row, const PolylineKey& key, const Clock& clock, SegmentShape& shape, Derived& derived) {
@@ -138,6 +138,8 @@ void derive(const world::Document& document, const world::Settings& settings, co
       shape->shape_build = ++derived.last_build;
       reshaped.push_back(i);
     }
+    const world::Equipment* const equipment = document.entities.find<world::Equipment>(entity);
+    shape->fitted = equipment ? std::optional(equipment->kind) : std::nullopt;
     if (new_shape || shape->measured_by != settings.arc_length || shape->measured_steps != settings.steps) {
       shape->measured_length = method.length(key.cubic, settings.steps);
       shape->measured_by = settings.arc_length;

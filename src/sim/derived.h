@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct ShapeKey {
   curve::Cubic cubic;
   glm::vec3 up_from{0}, up_to{0};
   std::int32_t turns = 0;
+  glm::vec3 tangent_from{1, 0, 0}, tangent_to{1, 0, 0};  // the knots': the control points' rounding hides a little of them
   friend bool operator==(const ShapeKey&, const ShapeKey&) = default;
 };
 
@@ -40,6 +42,7 @@ struct SegmentShape {
   std::vector<curve::Frame> frames;  // kFrameIntervals+1 frames at uniform t: rotation-minimising plus the spread twist
   double twist = 0;                 // radians spread linearly in arc length (frames include it)
   std::uint64_t shape_build = 0;
+  std::optional<world::EquipmentKind> fitted;  // what stands on the segment; no part of its shape
 
   PolylineKey polyline_key;                 // steps 0: there is no polyline
   std::vector<glm::vec3> points, tangents;  // steps+1 vertices, or none when the evaluator runs on the GPU; tangents are B'(t), not normalised

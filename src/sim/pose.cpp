@@ -51,6 +51,7 @@ std::vector<Pose> car_poses(const world::Document& document, const Derived& deri
   const world::Cart* const design = document.entities.find<world::Cart>(entity);
   for (const CarPlace& place : places_of(document, derived, entity, motion)) {
     poses.push_back(pose(derived, place, method));
+    poses.back().leads = poses.size() == 1;
     if (design) poses.back().length = design->body();
   }
   return poses;

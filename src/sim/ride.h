@@ -63,6 +63,7 @@ struct Pose {
   curve::Frame frame;
   bool defined = true;
   double length = world::kCarLength;  // m, of the car
+  bool leads = true;                  // the first of its train
 };
 Pose pose(const Derived& derived, const world::CartMotion& cart, world::FrameMethod method);
 // Of any place on the track, and of all cars of a train, first to last.

@@ -20,6 +20,9 @@ bool looks(const Act& act) { return act.ui.session().settings.camera_mode == mod
 bool gizmo_shown(const Act& act) { return act.ui.session().settings.show_gizmo; }
 void toggle_gizmo(Act& act) { act.ui.emit(edit::SetGizmo{!gizmo_shown(act)}); }
 
+bool supports_shown(const Act& act) { return act.ui.session().settings.layers.has(world::Layer::supports); }
+void toggle_supports(Act& act) { act.ui.emit(edit::ShowLayer{world::Layer::supports, !supports_shown(act)}); }
+
 void open_palette(Act& act) { toggle_palette(act.palette); }
 bool hints_shown(const Act& act) { return act.ui.session().settings.show_hints; }
 void toggle_hints(Act& act) { act.ui.emit(edit::SetHints{!hints_shown(act)}); }
@@ -94,6 +97,7 @@ constexpr Action kActions[] = {
     {"Frame selection", "View", "Shift+F", shift(Key::f), kNoKey, false, true, "Show what is selected.", any_selected, nullptr, frame_selection},
     {"Command palette", "View", "Ctrl+P", ctrl(Key::p), kNoKey, false, false, "Find an action or a command by typing.", always, nullptr, open_palette},
     {"First steps", "View", "", kNoKey, kNoKey, false, true, "Show or dismiss the first steps.", always, hints_shown, toggle_hints},
+    {"Supports", "View", "", kNoKey, kNoKey, false, true, "Show or hide what holds the track.", always, supports_shown, toggle_supports},
     {"Gizmo", "View", "", kNoKey, kNoKey, false, true, "Show or hide the arrows that move the selected knots.", always, gizmo_shown, toggle_gizmo},
     {"Panels", "View", "Tab", key(Key::tab), kNoKey, false, false, "Show or hide menu, panels and status bar.", always, panels_shown, toggle_panels},
     {"Next track colours", "View", "K", key(Key::k), kNoKey, false, false, "Colour the track by speed, height, each g, curvature, error, or not at all.", always, coloured,

@@ -13,6 +13,7 @@ constexpr LayerRow kLayers[] = {
     {"rounding", "Rounding", "The polyline's float rounding, magnified: each vertex moved by its error times the magnification."},
     {"flips", "Frenet's failures", "Where the Frenet normal flips, or is undefined because there is no curvature."},
     {"limits", "Red spans", "Where some g of the ride lasts longer than it may (not a compliance check)."},
+    {"supports", "Supports", "Columns that hold the track up, found by themselves where they leave the trains' way free."},
 };
 
 constexpr ColouringRow kColourings[] = {

@@ -9,7 +9,7 @@
 namespace coaster::world {
 
 // Rows of layers(), in its order.
-enum class Layer : std::uint8_t { polyline, frames, comb, circle, construction, rounding, flips, limits };
+enum class Layer : std::uint8_t { polyline, frames, comb, circle, construction, rounding, flips, limits, supports };
 
 struct LayerRow {
   std::string_view name;   // in scripts and recordings: "show comb on"
@@ -18,18 +18,18 @@ struct LayerRow {
 };
 std::span<const LayerRow> layers();
 
-// A set of layers. The polyline alone shows at first.
+// A set of layers. The polyline and the supports show at first.
 class Layers {
  public:
   bool has(Layer layer) const { return (bits_ >> static_cast<unsigned>(layer) & 1u) != 0; }
   void set(Layer layer, bool on) {
-    const auto bit = static_cast<std::uint8_t>(1u << static_cast<unsigned>(layer));
-    bits_ = static_cast<std::uint8_t>(on ? bits_ | bit : bits_ & ~bit);
+    const auto bit = static_cast<std::uint16_t>(1u << static_cast<unsigned>(layer));
+    bits_ = static_cast<std::uint16_t>(on ? bits_ | bit : bits_ & ~bit);
   }
   friend bool operator==(const Layers&, const Layers&) = default;
 
  private:
-  std::uint8_t bits_ = 1;
+  std::uint16_t bits_ = 1u << static_cast<unsigned>(Layer::polyline) | 1u << static_cast<unsigned>(Layer::supports);
 };
 
 // What the track is coloured by: rows of colourings(), in its order.

@@ -59,6 +59,27 @@ TEST_F(Cache, the_resolution_sets_how_many_lines_there_are) {
   EXPECT_LE(cache.line_count(), 9 * 98 - 1) << "room is used again";
 }
 
+TEST_F(Cache, equipment_uploads_its_own_segment_and_builds_no_shape_anew) {
+  Track track(test::ring_document(9, 17.3f, 0.3));
+  TrackCache cache(gl_);
+  cache.sync(track.derived, {});
+  const GLsizei plain = cache.index_count();
+  const world::Entity segment = track.document.track.segments[4];
+  track.document.entities.put(segment, world::Equipment{world::EquipmentKind::brake});
+  track.derive();
+  EXPECT_EQ(track.derived.rebuilds, 0);
+  EXPECT_EQ(cache.sync(track.derived, {}).uploads, 1);
+  EXPECT_GT(cache.index_count(), plain);
+  EXPECT_EQ(cache.sync(track.derived, {}).uploads, 0);
+  track.document.entities.put(segment, world::Equipment{world::EquipmentKind::block});  // looks the same, yet may not have
+  track.derive();
+  EXPECT_EQ(cache.sync(track.derived, {}).uploads, 1);
+  track.document.entities.pool<world::Equipment>().erase(segment);
+  track.derive();
+  EXPECT_EQ(cache.sync(track.derived, {}).uploads, 1);
+  EXPECT_EQ(cache.sync(track.derived, {}).uploads, 0);
+}
+
 TEST_F(Cache, an_emptied_track_has_nothing_to_draw) {
   Track track(test::ring_document(9, 17.3f));
   TrackCache cache(gl_);
