@@ -198,6 +198,7 @@ void start_keeping(Program& program, const base::UserFolders& folders, bool defa
   if (settings.window) program.surface->place({settings.window->x, settings.window->y, settings.window->width, settings.window->height, settings.window->maximised});
   keeper.state.settings = keeper.seen = settings;
   keeper.state.system.available = keeper.dialog.available();
+  load_progress(program, keeper, problems);
   keeper.found = exchange::find_autosaves(program.files, recovery_folder(keeper));
   offer(keeper);
   program.keeper = std::move(made);
@@ -210,6 +211,7 @@ void stop_keeping(Program& program, bool clean) {
   Keeper& keeper = *program.keeper;
   follow_session(program, keeper.state.settings);
   write_settings(program, keeper);
+  watch_progress(program, keeper);
   if (clean) keeper.autosave.remove();
   program.keeper.reset();
 }
@@ -238,6 +240,7 @@ void keep(Program& program, const ui::Output* output) {
   if (output != nullptr) take_output(program, keeper, *output);
   watch_document(program, keeper);
   watch_settings(program, keeper);
+  watch_progress(program, keeper);
   program.stats.keeping.recoverable = static_cast<int>(keeper.found.size());
   program.stats.keeping.holder = keeper.state.holder;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 namespace coaster::edit {
 namespace {
@@ -71,6 +72,7 @@ void judge(Session& session, RideResult* result) {
   challenge.last = session.referee.judge(session, result);
   challenge.medal = std::max(challenge.medal, challenge.last.medal);
   ++challenge.judged;
+  if (challenge.last.medal > 0) exchange::merge(session.earned, {std::filesystem::path(challenge.path).stem().string(), challenge.last.medal, challenge.last.values});
   if (result) result->verdict = challenge.last;
   constexpr const char* kMedals[] = {"", "bronze", "silver", "gold"};
   if (challenge.medal > before) notify(session, NoticeKind::info, challenge.file.name + ": passed, " + kMedals[challenge.medal]);

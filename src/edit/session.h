@@ -84,6 +84,7 @@ struct Session {
   std::optional<ActiveChallenge> challenge;
   RideRun run;                       // the ride on its way, for its end
   std::optional<RideResult> result;  // of the last ride that ended
+  exchange::Progress earned;         // in challenges, since the program's start
   bool show_result = false;          // its score card is not closed yet
 };
 
