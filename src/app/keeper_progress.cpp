@@ -14,6 +14,7 @@ std::filesystem::path progress_file(const Keeper& keeper) { return keeper.folder
 
 void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& problems) {
   if (!keeper.folders.config.empty()) keeper.state.challenges = keeper.folders.config / "challenges";
+  program.session.earned = {};
   const std::filesystem::path file = progress_file(keeper);
   std::error_code error;
   if (file.empty() || !std::filesystem::exists(file, error)) return;
