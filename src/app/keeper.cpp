@@ -64,6 +64,7 @@ void show(Program& program, const exchange::UserSettings& settings) {
   if (now.feel.reduced_motion != settings.reduced_motion) (void)apply(program, edit::SetReducedMotion{settings.reduced_motion});
   if (now.feel.head_bob != settings.head_bob) (void)apply(program, edit::SetHeadBob{settings.head_bob});
   if (now.show_hints != settings.hints) (void)apply(program, edit::SetHints{settings.hints});
+  if (now.show_card != settings.card) (void)apply(program, edit::SetCard{settings.card});
   if (now.show_gizmo != settings.gizmo) (void)apply(program, edit::SetGizmo{settings.gizmo});
 }
 
@@ -79,6 +80,7 @@ void follow_session(const Program& program, exchange::UserSettings& settings) {
   settings.reduced_motion = now.feel.reduced_motion;
   settings.head_bob = now.feel.head_bob;
   settings.hints = now.show_hints;
+  settings.card = now.show_card;
   settings.gizmo = now.show_gizmo;
   const auto at = program.surface->placement();
   if (!at) return;

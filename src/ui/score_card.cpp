@@ -118,6 +118,8 @@ void build(Ui& ui, const edit::Session& session) {
 
 }  // namespace
 
+bool card_shows(const edit::Session& session) { return session.settings.show_card && session.show_result && session.result; }
+
 std::optional<double> failed_place(const edit::Session& session) {
   if (!session.result) return std::nullopt;
   if (session.result->verdict && session.result->verdict->place) return session.result->verdict->place;
@@ -142,7 +144,7 @@ void show_place(Ui& ui, double distance) {
 
 void draw_score_card(Ui& ui, const view::Viewport& scene) {
   const edit::Session& session = ui.session();
-  if (!session.settings.show_card || !session.show_result || !session.result) return;
+  if (!card_shows(session)) return;
   const float width = std::floor(288 * ui.scale), margin = std::floor(14 * ui.scale);
   if (scene.width < width + 2 * margin || scene.height < 240 * ui.scale) return;
   ImGui::SetNextWindowPos({std::floor(scene.x + scene.width - margin), std::floor(scene.y + margin)}, ImGuiCond_Always, {1, 0});
