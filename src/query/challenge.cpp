@@ -143,6 +143,12 @@ Finding look_at(const edit::Session& session, const Rule& rule) {
   finding.holds = held && *held;
   finding.found = shown(*rule.query, *value);
   if (const double* const number = std::get_if<double>(&*value)) finding.value = *number;
+  // A train that does not come round is not the fastest of all.
+  if (rule.query->name == "ride.lap_time" && finding.value && !(*finding.value > 0)) {
+    finding = {};
+    finding.found = "no lap";
+    return finding;
+  }
   finding.place = place_of(session, rule.query->name);
   if (!finding.place) finding.place = place_of_joint(session, rule.query->name);
   if (!finding.place && rule.query->argument == "@knot") finding.place = place_of_knot(session, rule.condition.argument.starts_with('@') ? rule.condition.argument.substr(1) : rule.condition.argument);

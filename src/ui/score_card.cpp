@@ -35,6 +35,11 @@ void wrapped(Ui& ui, std::string_view label, const std::string& words, std::uint
   note_item(ui, label, "label", "", true, words);
 }
 
+std::string sentence(std::string words) {
+  if (!words.empty() && words.front() >= 'a' && words.front() <= 'z') words.front() = static_cast<char>(words.front() - 'a' + 'A');
+  return words + ".";
+}
+
 // A name, a bar towards 10 and the number.
 void rating(Ui& ui, const char* name, double value, std::uint32_t rgb, std::string_view tooltip) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -85,15 +90,15 @@ void verdict(Ui& ui, const edit::Verdict& verdict) {
 
 void buttons(Ui& ui, const edit::Session& session) {
   const auto place = failed_place(session);
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x, width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-  if (button(ui, "Ride again", "Let the train run from its start.", true, width)) {
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  if (button(ui, "Ride again", "Let the train run from its start.")) {
     ui.emit(edit::RideStop{});
     ui.emit(edit::RideStart{});
   }
   ImGui::SameLine(0, gap);
-  if (button(ui, "Show where", with_keys(ui.keys, "Look at the place where it failed, and select the segment.", "Show where it failed"), place.has_value(), width)) show_place(ui, *place);
+  if (button(ui, "Show where", with_keys(ui.keys, "Look at the place where it failed, and select the segment.", "Show where it failed"), place.has_value())) show_place(ui, *place);
   ImGui::SameLine(0, gap);
-  if (button(ui, "Close", with_keys(ui.keys, "Close this card.", "Cancel"), true, width)) ui.emit(edit::CloseCard{});
+  if (button(ui, "Close", with_keys(ui.keys, "Close this card.", "Cancel"), true, ImGui::GetContentRegionAvail().x)) ui.emit(edit::CloseCard{});
 }
 
 void build(Ui& ui, const edit::Session& session) {
@@ -104,10 +109,10 @@ void build(Ui& ui, const edit::Session& session) {
   note_item(ui, "Track", "label", "", true, session.document.name);
   const bool failed = result.end == RideEnd::failed;
   wrapped(ui, "Title", title_of(result), failed ? palette().error : palette().text);
-  if (!result.reason.empty()) wrapped(ui, "Reason", result.reason, failed ? palette().warning : palette().dim);
+  if (!result.reason.empty()) wrapped(ui, "Reason", sentence(result.reason), failed ? palette().warning : palette().dim);
   if (result.verdict) {
     verdict(ui, *result.verdict);
-    if (!result.verdict->reason.empty() && result.verdict->reason != result.reason) wrapped(ui, "Why not", result.verdict->reason, palette().warning);
+    if (!result.verdict->reason.empty() && result.verdict->reason != result.reason) wrapped(ui, "Why not", sentence(result.verdict->reason), palette().warning);
   }
   ImGui::Separator();
   numbers(ui, result);
@@ -139,6 +144,7 @@ void show_place(Ui& ui, double distance) {
   camera.distance = std::clamp(camera.distance, kNear, kFar);
   ui.emit(edit::Select{{world::name_of(session.document, derived.order[place.index])}, t});
   ui.emit(edit::SetCamera{camera});
+  if (card_shows(session)) ui.emit(edit::CloseCard{});
   if (session.settings.camera_mode != world::CameraMode::orbit) ui.emit(edit::SetCameraMode{world::CameraMode::orbit});
 }
 
