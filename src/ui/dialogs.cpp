@@ -221,16 +221,6 @@ void Dialogs::build_recovery(Ui& ui) {
   if (button(ui, "Later", "Keep it, and ask again at the next start.")) answer(Recovery::later), asked_later_ = true;
 }
 
-void Dialogs::build_challenges(Ui& ui, const platform::Events& events) {
-  ui.panel = "Challenges";
-  title("Challenges");
-  if (!std::exchange(shelf_is_read_, true)) shelf_.read(ui.state.kept != nullptr ? ui.state.kept->challenges : std::filesystem::path());
-  const float foot = ImGui::GetFrameHeightWithSpacing();
-  const auto chosen = draw_challenge_list(ui, shelf_, challenge_, ImGui::GetContentRegionAvail().y - foot);
-  if (button(ui, "Cancel", "Back to the track. Key Escape.") || pressed(events, Key::escape)) abandon();
-  if (chosen) request(ui, {Want::Kind::challenge, chosen->string()});
-}
-
 std::pair<float, float> Dialogs::wanted_size() const {
   switch (shown_) {
     case Stage::browse: return {680, 470};
@@ -249,7 +239,7 @@ void Dialogs::build_stage(Ui& ui, const platform::Events& events, bool text_had_
     case Stage::overwrite: build_overwrite(ui, events); break;
     case Stage::new_folder: build_new_folder(ui, events, text_had_keyboard); break;
     case Stage::recovery: build_recovery(ui); break;
-    case Stage::challenges: build_challenges(ui, events); break;
+    case Stage::challenges: build_challenges(ui); break;
     case Stage::settings:
       ui.panel = "Settings";
       title("Settings");

@@ -47,7 +47,7 @@ class Dialogs {
   void build_overwrite(Ui& ui, const platform::Events& events);
   void build_new_folder(Ui& ui, const platform::Events& events, bool text_had_keyboard);
   void build_recovery(Ui& ui);
-  void build_challenges(Ui& ui, const platform::Events& events);
+  void build_challenges(Ui& ui);  // dialogs_challenges.cpp
   std::pair<float, float> wanted_size() const;  // design px; a height below 0: at least so much, and as high as what is in it
 
   Stage stage_ = Stage::none, shown_ = Stage::none;
