@@ -39,8 +39,9 @@ void draw_row(const Ui& ui, const ChallengeEntry& entry, int medal, ImVec2 low, 
   list.AddText({left, low.y + pad * 0.75f}, packed(entry.problem.empty() ? palette().text : palette().error), entry.name.c_str());
   const std::string& words = entry.problem.empty() ? entry.teaches : entry.problem;
   const float line = ImGui::GetTextLineHeight();
-  const ImVec4 clip(left, low.y, high.x - pad, high.y - pad * 0.5f);
-  list.AddText(small_font(), small_font()->FontSize, {left, low.y + pad * 0.75f + line + 2 * ui.scale}, packed(palette().dim), words.c_str(), nullptr, high.x - pad - left, &clip);
+  const float top = std::floor(low.y + pad * 0.75f + line + 2 * ui.scale);
+  const ImVec4 clip(left, low.y, high.x - pad, top + 2 * small_font()->FontSize);  // two lines
+  list.AddText(small_font(), small_font()->FontSize, {left, top}, packed(palette().dim), words.c_str(), nullptr, high.x - pad - left, &clip);
 }
 
 }  // namespace

@@ -174,7 +174,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
     build_laboratory(ui, layout.strip);
     build_status_bar(ui, layout.status);
   }
-  if (ui.state.lesson == nullptr) draw_hints(ui, layout.scene);
+  if (ui.state.lesson == nullptr && !card_shows(session)) draw_hints(ui, layout.scene);
   draw_lesson(ui, layout.scene, lessons_widget ? &*lessons_widget : nullptr);
   draw_score_card(ui, layout.scene);
   build_import_bar(ui, layout.scene);

@@ -80,10 +80,12 @@ void verdict(Ui& ui, const edit::Verdict& verdict) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_medal(list, low, size, std::max(1, verdict.medal), verdict.medal > 0);
   const std::string words = verdict.medal > 0 ? std::string(medal_title(verdict.medal)) + " medal" : "Not passed yet";
-  const float x = low.x + size + std::floor(10 * ui.scale), y = std::floor(low.y + size * 0.5f - line);
+  const edit::Session& session = ui.session();
+  const std::string name = session.challenge && session.challenge->file.name != session.document.name ? session.challenge->file.name : std::string();
+  const float x = low.x + size + std::floor(10 * ui.scale), y = std::floor(low.y + (size - (name.empty() ? 1 : 2) * line) * 0.5f);
   list.AddText({x, y}, packed(verdict.medal > 0 ? palette().good : palette().warning), words.c_str());
   const ImVec4 clip(x, low.y, low.x + room, low.y + size);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y + line}, packed(palette().dim), ui.session().challenge ? ui.session().challenge->file.name.c_str() : "", nullptr, 0, &clip);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y + line}, packed(palette().dim), name.c_str(), nullptr, 0, &clip);
   ImGui::Dummy({room, size});
   note(ui, "Verdict", "label", "What the challenge makes of it.", true, words, low, {low.x + room, low.y + size});
 }
