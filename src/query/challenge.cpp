@@ -72,12 +72,16 @@ std::string shown(const Query& query, const Value& value) {
 }
 
 // What an expression compares must go together; that shows on any value of the query.
-base::Status comparable(const Rule& rule) {
-  const edit::Session empty = edit::make_session({});
+base::Status comparable(const Rule& rule, const edit::Session& empty) {
   const base::Result<Value> value = rule.query->evaluate(context_of(empty), rule.condition.argument);
   if (!value) return {};  // names a knot or a segment, which an empty track has none of
   const base::Result<bool> held = holds(rule.condition, *value);
   return held ? base::Status{} : held.status();
+}
+
+base::Status at_rule(std::string_view path, RuleList list, std::size_t index, int column, const std::string& message) {
+  return {base::Code::bad_file, std::string(path) + ": error: " + std::string(exchange::kRuleListNames[static_cast<std::size_t>(list)]) + "[" + std::to_string(index) + "].expect:" +
+                                    std::to_string(column) + ": " + message};
 }
 
 bool in(RuleList list, std::initializer_list<RuleList> lists) { return std::find(lists.begin(), lists.end(), list) != lists.end(); }
@@ -114,10 +118,7 @@ base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challe
   std::vector<Rule> rules;
   for (std::size_t list = 0; list < challenge.rules.size(); ++list)
     for (std::size_t i = 0; i < challenge.rules[list].size(); ++i) {
-      const auto wrong = [&](int column, const std::string& message) {
-        return base::Status{base::Code::bad_file, std::string(path) + ": error: " + std::string(exchange::kRuleListNames[list]) + "[" + std::to_string(i) + "].expect:" +
-                                                      std::to_string(column) + ": " + message};
-      };
+      const auto wrong = [&](int column, const std::string& message) { return at_rule(path, static_cast<RuleList>(list), i, column, message); };
       std::vector<base::Token> tokens;
       base::TextError error;
       Rule rule{static_cast<RuleList>(list), i, {}, nullptr};
@@ -126,10 +127,18 @@ base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challe
       if (!parse_condition(words, rule.condition) || !words.end()) return wrong(error.column, error.message);
       rule.query = find_query(rule.condition.query);
       if (!may_judge(*rule.query)) return wrong(rule.condition.column, base::quoted(rule.condition.query) + " does not speak of track and ride alone: expected another query");
-      if (const base::Status sense = comparable(rule); !sense) return wrong(rule.condition.column, sense.message);
       rules.push_back(std::move(rule));
     }
   return rules;
+}
+
+base::Status check_rules(const exchange::ChallengeFile& challenge, const std::string& path) {
+  const base::Result<std::vector<Rule>> rules = read_rules(challenge, path);
+  if (!rules) return rules.status();
+  const edit::Session empty = edit::make_session({});
+  for (const Rule& rule : *rules)
+    if (const base::Status sense = comparable(rule, empty); !sense) return at_rule(path, rule.list, rule.index, rule.condition.column, sense.message);
+  return {};
 }
 
 Finding look_at(const edit::Session& session, const Rule& rule) {
@@ -195,11 +204,7 @@ edit::Verdict judge(const edit::Session& session, const edit::RideResult* result
 }
 
 edit::Referee referee() {
-  return {[](const exchange::ChallengeFile& challenge, const std::string& path) -> base::Status {
-            const base::Result<std::vector<Rule>> rules = read_rules(challenge, path);
-            return rules ? base::Status{} : rules.status();
-          },
-          judge};
+  return {check_rules, judge};
 }
 
 std::string_view medal_name(int medal) {

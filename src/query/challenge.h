@@ -24,8 +24,11 @@ struct Rule {
 };
 
 // All rules in the order of exchange::RuleList. Code::bad_file with "PATH: error: goals[1].expect:5: ..." (the column counts from 1) for the first that
-// cannot be read, asks what may not be judged, or compares what cannot be compared.
+// cannot be read or asks what may not be judged.
 base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challenge, std::string_view path);
+
+// The same, and for the first that compares what cannot be compared.
+base::Status check_rules(const exchange::ChallengeFile& challenge, const std::string& path);
 
 // A rule against the session as it is.
 struct Finding {

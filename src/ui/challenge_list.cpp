@@ -26,7 +26,7 @@ ChallengeEntry entry_of(const std::filesystem::path& path) {
   }
   entry.name = loaded->challenge.name;
   entry.teaches = loaded->challenge.teaches;
-  if (const auto rules = query::read_rules(loaded->challenge, path.string()); !rules) entry.problem = rules.status().message;
+  if (const base::Status readable = query::check_rules(loaded->challenge, path.string()); !readable) entry.problem = readable.message;
   return entry;
 }
 
