@@ -95,6 +95,19 @@ std::optional<bool> less_is_better(const Condition& condition) {
 
 std::string full_name(const Rule& rule) { return std::string(rule.query->name) + (rule.condition.argument.empty() ? "" : " " + rule.condition.argument); }
 
+// What was found, where, and what was wanted; of a red span what lasts too long.
+std::string words_of(const edit::Session& session, const Rule& rule, const Finding& finding) {
+  char words[160];
+  if (rule.query->name == "ride.envelope" && !edit::chosen_red_spans(session).empty()) {
+    const sim::RedSpan& span = edit::chosen_red_spans(session).front();
+    std::snprintf(words, sizeof words, "%.2f g %s at %.1f m, %.2f g may last that long", span.worst, std::string(sim::label(span.axis)).c_str(), span.from_distance, span.allowed);
+    return words;
+  }
+  char at[32] = "";
+  if (finding.place) std::snprintf(at, sizeof at, " at %.1f m", *finding.place);
+  return finding.found + at + ", " + wanted(rule);
+}
+
 // Why the ride itself does not count; empty when it does.
 std::string unridden(const edit::ActiveChallenge& challenge, const edit::RideResult* result) {
   if (challenge.file.judged == exchange::Judged::build) return {};
@@ -193,9 +206,7 @@ edit::Verdict judge(const edit::Session& session, const edit::RideResult* result
     if (in(rule.list, {RuleList::silver, RuleList::gold})) {
       gold = false;
     } else if (verdict.reason.empty()) {
-      char at[32] = "";
-      if (finding.place) std::snprintf(at, sizeof at, " at %.1f m", *finding.place);
-      verdict.reason = challenge.file.rules[static_cast<std::size_t>(rule.list)][rule.index].text + ": " + finding.found + at + ", " + wanted(rule);
+      verdict.reason = challenge.file.rules[static_cast<std::size_t>(rule.list)][rule.index].text + ": " + words_of(session, rule, finding);
       verdict.place = finding.place;
     }
   }
