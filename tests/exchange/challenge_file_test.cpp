@@ -6,7 +6,7 @@
 #include "world/sample_documents.h"
 
 namespace coaster::exchange {
-namespace {
+namespace challenge_file_test {
 
 // With the start track inside, so that a cut of the text is a cut of the track as well.
 std::string standard() {
@@ -112,5 +112,5 @@ TEST(challenge_file, a_challenge_is_told_from_other_files) {
   EXPECT_FALSE(looks_like_challenge("[\"format\"]"));
 }
 
-}  // namespace
+}  // namespace challenge_file_test
 }  // namespace coaster::exchange

@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace coaster::exchange {
-namespace {
+namespace progress_file_test {
 
 Progress sample() {
   Progress progress;
@@ -62,5 +62,5 @@ RC_GTEST_PROP(progress_file, the_order_of_successes_does_not_matter, (std::vecto
   if (!successes.empty()) RC_ASSERT(forth.challenges[0].medal == medal && forth.challenges[0].best[0].value == least);
 }
 
-}  // namespace
+}  // namespace progress_file_test
 }  // namespace coaster::exchange

@@ -7,7 +7,7 @@
 #include <fstream>
 
 namespace coaster::query {
-namespace {
+namespace challenge_test {
 
 namespace fs = std::filesystem;
 
@@ -218,5 +218,5 @@ TEST_F(ChallengeTest, another_track_ends_the_challenge_and_hints_come_one_by_one
   EXPECT_FALSE(session.challenge);
 }
 
-}  // namespace
+}  // namespace challenge_test
 }  // namespace coaster::query

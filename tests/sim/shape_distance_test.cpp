@@ -8,7 +8,7 @@
 #include "world/sample_documents.h"
 
 namespace coaster::sim {
-namespace {
+namespace shape_distance_test {
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -68,5 +68,5 @@ TEST(shape_distance, what_is_missing_counts) {
   EXPECT_EQ(shape_distance({}, {}), 0.0);
 }
 
-}  // namespace
+}  // namespace shape_distance_test
 }  // namespace coaster::sim

@@ -4,7 +4,7 @@
 #include "ui/stage.h"
 
 namespace coaster::ui {
-namespace {
+namespace score_card_test {
 
 class ScoreCardTest : public Stage {
  protected:
@@ -68,5 +68,5 @@ TEST(medals, titles_go_from_none_to_gold) {
   EXPECT_EQ(medal_title(3), "Gold");
 }
 
-}  // namespace
+}  // namespace score_card_test
 }  // namespace coaster::ui
