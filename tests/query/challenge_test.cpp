@@ -125,7 +125,7 @@ TEST_F(ChallengeTest, a_ride_on_a_track_that_was_changed_meanwhile_does_not_coun
   EXPECT_TRUE(session.challenge) << "undo does not end a challenge";
   good("ride.stop");
   good("ride.start");
-  good("ride.seek to 200");
+  good("ride.seek 200");
   edit::advance(session, 120 * 200);
   EXPECT_EQ(session.challenge->medal, 0) << "a train that was put elsewhere has not ridden";
   good("ride.stop");
@@ -134,8 +134,8 @@ TEST_F(ChallengeTest, a_ride_on_a_track_that_was_changed_meanwhile_does_not_coun
   good("ride.start");
   edit::advance(session, 120 * 200);
   EXPECT_EQ(session.challenge->medal, 3) << "a pause is no cheat: " << session.challenge->last.reason;
+  good("start_speed 4.25");
   good("undo");
-  good("redo");
   EXPECT_EQ(session.challenge->medal, 3) << "what is earned stays";
 }
 
@@ -175,7 +175,7 @@ TEST_F(ChallengeTest, a_train_that_is_too_slow_is_told_how_much_is_missing) {
   // Up a straight slope of 20 m from y = 4 with 12 m/s: it turns round at a height of v^2 / 2g over the start.
   good("new");
   good("append at 0 4 0"), good("append at 40 4 0"), good("append at 80 4 0"), good("append at 120 24 0"), good("append at 160 24 0");
-  good("add_cart @s1 at 0");
+  if (session.document.entities.pool<world::Cart>().size() == 0) good("add_cart @s1 at 0");
   good("start_speed 12");
   good("ride.start");
   edit::advance(session, 120 * 60);
