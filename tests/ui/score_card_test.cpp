@@ -22,8 +22,8 @@ TEST_F(ScoreCardTest, the_card_shows_the_ghosts_numbers_and_closes_by_key) {
   EXPECT_EQ(find("Score/Top speed"), nullptr);
   end_a_ride();
   ASSERT_NE(find("Score/Top speed"), nullptr);
-  EXPECT_EQ(find("Score/Top speed")->value, fixed(edit::chosen_ratings(session_).top_speed.value, 1));
-  EXPECT_EQ(find("Score/Length")->value, fixed(session_.derived.length, 1));
+  EXPECT_EQ(find("Score/Top speed")->value, fixed(edit::chosen_ratings(session_).top_speed.value, 1) + " m/s");
+  EXPECT_EQ(find("Score/Length")->value, fixed(session_.derived.length, 1) + " m");
   key(platform::Key::escape);
   frame();
   EXPECT_EQ(find("Score/Top speed"), nullptr);
@@ -49,8 +49,9 @@ TEST_F(ScoreCardTest, the_card_stays_within_the_viewport_and_gives_way_where_the
 
 TEST_F(ScoreCardTest, where_it_failed_is_selected_and_looked_at) {
   resize(1280, 720);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetLosses{0.5f, 0}));
   end_a_ride();
-  ASSERT_EQ(session_.result->end, edit::RideEnd::failed) << "1 m/s does not reach the hill's top";
+  ASSERT_EQ(session_.result->end, edit::RideEnd::failed) << "that much friction holds it on the slope";
   const auto place = failed_place(session_);
   ASSERT_TRUE(place);
   key(platform::Key::j);
