@@ -225,7 +225,7 @@ std::pair<float, float> Dialogs::wanted_size() const {
   switch (shown_) {
     case Stage::browse: return {680, 470};
     case Stage::settings: return {560, 520};
-    case Stage::challenges: return {620, 560};
+    case Stage::challenges: return {620, 640};
     case Stage::recovery: return {480, -168};
     default: return {440, -96};
   }
