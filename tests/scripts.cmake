@@ -9,6 +9,15 @@ foreach(script ${scripts})
   coaster_script_test(${name} $<TARGET_FILE:coaster> --headless --script ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/out/${name})
 endforeach()
 
+# Each challenge fails on its start track (--validate) and is passed by its solution.
+file(GLOB challenges CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/challenges/*.json)
+foreach(challenge ${challenges})
+  cmake_path(GET challenge STEM name)
+  coaster_script_test(challenge.${name}.fails $<TARGET_FILE:coaster> --validate ${challenge})
+  coaster_script_test(challenge.${name}.solution $<TARGET_FILE:coaster> --headless --script ${CMAKE_SOURCE_DIR}/challenges/solutions/${name}.coaster
+                      --out ${CMAKE_CURRENT_BINARY_DIR}/out/challenge_${name})
+endforeach()
+
 # The circuit of docs/play.md.
 coaster_script_test(play $<TARGET_FILE:coaster> --headless --script ${CMAKE_SOURCE_DIR}/docs/play.coaster --out ${CMAKE_CURRENT_BINARY_DIR}/out/play)
 

@@ -64,6 +64,7 @@ void show(Program& program, const exchange::UserSettings& settings) {
   if (now.feel.reduced_motion != settings.reduced_motion) (void)apply(program, edit::SetReducedMotion{settings.reduced_motion});
   if (now.feel.head_bob != settings.head_bob) (void)apply(program, edit::SetHeadBob{settings.head_bob});
   if (now.show_hints != settings.hints) (void)apply(program, edit::SetHints{settings.hints});
+  if (now.show_card != settings.card) (void)apply(program, edit::SetCard{settings.card});
   if (now.show_gizmo != settings.gizmo) (void)apply(program, edit::SetGizmo{settings.gizmo});
 }
 
@@ -79,6 +80,7 @@ void follow_session(const Program& program, exchange::UserSettings& settings) {
   settings.reduced_motion = now.feel.reduced_motion;
   settings.head_bob = now.feel.head_bob;
   settings.hints = now.show_hints;
+  settings.card = now.show_card;
   settings.gizmo = now.show_gizmo;
   const auto at = program.surface->placement();
   if (!at) return;
@@ -198,6 +200,7 @@ void start_keeping(Program& program, const base::UserFolders& folders, bool defa
   if (settings.window) program.surface->place({settings.window->x, settings.window->y, settings.window->width, settings.window->height, settings.window->maximised});
   keeper.state.settings = keeper.seen = settings;
   keeper.state.system.available = keeper.dialog.available();
+  load_progress(program, keeper, problems);
   keeper.found = exchange::find_autosaves(program.files, recovery_folder(keeper));
   offer(keeper);
   program.keeper = std::move(made);
@@ -210,6 +213,7 @@ void stop_keeping(Program& program, bool clean) {
   Keeper& keeper = *program.keeper;
   follow_session(program, keeper.state.settings);
   write_settings(program, keeper);
+  watch_progress(program, keeper);
   if (clean) keeper.autosave.remove();
   program.keeper.reset();
 }
@@ -238,6 +242,7 @@ void keep(Program& program, const ui::Output* output) {
   if (output != nullptr) take_output(program, keeper, *output);
   watch_document(program, keeper);
   watch_settings(program, keeper);
+  watch_progress(program, keeper);
   program.stats.keeping.recoverable = static_cast<int>(keeper.found.size());
   program.stats.keeping.holder = keeper.state.holder;
 }

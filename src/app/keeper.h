@@ -31,6 +31,8 @@ struct Keeper {
   double unsaved_since = -1;        // s; -1: nothing has changed since the file or the autosave
   bool autosave_failed = false, settings_failed = false;  // told already
   std::vector<exchange::FoundAutosave> found;  // of state.recoveries, in its order
+  exchange::Progress progress_written;  // as the file has it
+  bool may_write_progress = true, progress_failed = false;
   SystemDialogProcess dialog;
 };
 
@@ -48,6 +50,10 @@ void after_command(Program& program, const edit::Command& command, const base::S
 
 // Once a frame: answers to what the panels asked for (null without panels), settings that changed, the autosave when it is time.
 void keep(Program& program, const ui::Output* output);
+
+// What challenges have earned, keeper_progress.cpp: read at the start (what is wrong with the file goes to `problems`), written when it has grown.
+void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& problems);
+void watch_progress(Program& program, Keeper& keeper);
 
 // Puts unsaved changes aside now. Ok, too, when there are none or nothing is kept.
 base::Status autosave_now(Program& program);

@@ -11,8 +11,10 @@
 #include "app/ride_summary.h"
 #include "app/script_host.h"
 #include "app/tutorial.h"
+#include "exchange/challenge_file.h"
 #include "exchange/track_file.h"
 #include "platform/signals.h"
+#include "query/challenge.h"
 #include "script/grammar.h"
 #include "script/paths.h"
 #include "script/runner.h"
@@ -38,16 +40,42 @@ base::Result<script::Script> read_script(const std::string& path) {
   return base::Status{base::Code::usage, all};
 }
 
+// A challenge's start track must not pass it: it is ridden, or looked at, without a picture.
+base::Status validate_challenge(const std::string& path) {
+  base::Files files;
+  edit::Session session = edit::make_session({});
+  session.referee = query::referee();
+  if (const base::Status begun = edit::apply(session, files, edit::StartChallenge{path}); !begun) return begun;
+  for (const edit::Notice& notice : session.notices) std::fprintf(stderr, "%s\n", notice.text.c_str());
+  edit::Verdict verdict = session.referee.judge(session, nullptr);
+  if (session.challenge->file.judged != exchange::Judged::build && edit::apply(session, files, edit::RideStart{})) {
+    const int most = static_cast<int>(exchange::kMaxChallengeSeconds) * world::kTicksPerSecond;
+    edit::advance(session, most);
+    verdict = session.challenge->last;
+    if (session.challenge->judged == 0) verdict.reason = "its ride does not end";
+  }
+  if (verdict.medal > 0) return {base::Code::bad_file, path + ": error: its start track passes it already (" + std::string(query::medal_name(verdict.medal)) + "): expected one that does not"};
+  std::printf("%s: the start track does not pass, as it must: %s\n", path.c_str(), verdict.reason.c_str());
+  return {};
+}
+
+base::Status validate_file(const std::string& path) {
+  base::Files files;
+  if (std::filesystem::path(path).extension() == ".json")
+    if (const auto text = files.read(path); text && exchange::looks_like_challenge(*text)) return validate_challenge(path);
+  const auto track = exchange::load_track(files, path);
+  if (!track) return track.status();
+  for (const std::string& warning : track->warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+  return {};
+}
+
 int validate(const Options& options) {
   for (const std::string& path : {options.file, options.script}) {
     if (path.empty()) continue;
     if (path == options.script || std::filesystem::path(path).extension() == ".coaster") {
       if (const auto script = read_script(path); !script) return finish(script.status());
-    } else {
-      base::Files files;
-      const auto track = exchange::load_track(files, path);
-      if (!track) return finish(track.status());
-      for (const std::string& warning : track->warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+    } else if (const base::Status valid = validate_file(path); !valid) {
+      return finish(valid);
     }
   }
   std::puts("ok");

@@ -33,7 +33,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   cli.add_option("--seed", o.seed, "Seed for scripts that name none");
   cli.add_option("--out", o.out, "Folder that scripts and pictures are written to");
   cli.add_flag("--update-goldens", o.update_goldens, "Make the pictures that snap finds the golden ones");
-  cli.add_flag("--validate", o.validate, "Check FILE (a track or a script) or the script without running it");
+  cli.add_flag("--validate", o.validate, "Check FILE (a track, a challenge or a script) or the script without running it");
   cli.add_flag("--json", o.json, "Print the ride's summary as JSON");
   cli.add_flag("--report", o.report, "Print the report of the whole ride of FILE: times, forces, ratings; no graphics needed");
   cli.add_option("--envelope", o.envelope, "Limits of force by duration (.json); not a compliance check");

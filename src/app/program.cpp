@@ -8,6 +8,7 @@
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/text.h"
+#include "query/challenge.h"
 #include "script/paths.h"
 #include "view/camera.h"
 
@@ -62,6 +63,7 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   program->ui = std::move(*panels);
   program->session = edit::make_session([screen] { return screen->clock(); });
   program->session.machine = machine_line();
+  program->session.referee = query::referee();
   view::follow(program->rig, watched(*program), 0);
   return program;
 }

@@ -9,6 +9,7 @@
 #include "edit/codec.h"
 #include "edit/history.h"
 #include "edit/motion_follow.h"
+#include "edit/ride_watch.h"
 #include "exchange/envelope_file.h"
 #include "exchange/formats.h"
 #include "exchange/track_file.h"
@@ -140,6 +141,10 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
   session.settings.append_mode = false;
   session.path = std::move(path);
   session.import.reset();
+  session.challenge.reset();
+  session.run = {};
+  session.result.reset();
+  session.show_result = false;
   session.saved_hash = world::hash(session.document);
   fit_budget(session);
   derive(session);
@@ -197,6 +202,22 @@ Status files_command(Session& session, base::Files& files, const LoadEnvelope& c
   notify(session, NoticeKind::info, "forces are held against " + session.envelope_name + " (not a compliance check)");
   return {};
 }
+// Its rules must be such that the referee can read them.
+Status files_command(Session& session, base::Files& files, const StartChallenge& command) {
+  base::Result<exchange::LoadedChallenge> loaded = exchange::load_challenge(files, command.path);
+  if (!loaded) return loaded.status();
+  if (session.referee.check)
+    if (const Status readable = session.referee.check(loaded->challenge, command.path); !readable) return readable;
+  start_over(session, loaded->challenge.start, {});
+  session.envelope = sim::default_envelope(), session.envelope_name = "default";
+  ++session.envelope_serial;
+  session.challenge.emplace();
+  session.challenge->shape = sim::trace_of(session.document);
+  session.challenge->file = std::move(loaded->challenge);
+  session.challenge->path = command.path;
+  for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
+  return {};
+}
 Status files_command(Session& session, base::Files& files, const RecoverTrack& command) {
   base::Result<exchange::LoadedTrack> loaded = exchange::load_track(files, command.path);
   if (!loaded) return loaded.status();
@@ -236,6 +257,7 @@ Status apply(Session& session, base::Files& files, const Command& command) {
           return files_command(session, files, c);
       },
       command);
+  if (status && (effect == Effect::document || effect == Effect::history)) watch_built(session);
   const std::string name(info(command).name);
   if (status.code == base::Code::refused) status.message = name + ": " + status.message;
   if (!status)

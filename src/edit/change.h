@@ -126,6 +126,10 @@ base::Status perform(Session& session, Change& change, const Measure& command);
 base::Status perform(Session& session, Change& change, const StopMeasuring& command);
 base::Status perform(Session& session, Change& change, const ChooseElement& command);
 base::Status perform(Session& session, Change& change, const PreviewElement& command);
+base::Status perform(Session& session, Change& change, const LeaveChallenge& command);
+base::Status perform(Session& session, Change& change, const ShowHint& command);
+base::Status perform(Session& session, Change& change, const SetCard& command);
+base::Status perform(Session& session, Change& change, const CloseCard& command);
 
 // Motion.
 base::Status perform(Session& session, Change& change, const RideStart& command);

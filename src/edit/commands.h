@@ -1,7 +1,7 @@
 // The one vocabulary: everything that a person, a script or a recording can make the program do to document, motion and settings.
 // Plain structs with a name, a line of help and a list of fields; from these come printing, parsing, help and completion.
 // Those that shape several knots are in commands_shape.h, those on how things are shown in commands_settings.h, of the cameras in commands_camera.h, of
-// the palette in commands_elements.h, of the laboratory in commands_lab.h, of the ride's operation in commands_operation.h.
+// the game in commands_challenge.h, of the palette in commands_elements.h, of the laboratory in commands_lab.h, of the ride's operation in commands_operation.h.
 // Commands carry names and numbers, never screen coordinates.
 #pragma once
 
@@ -13,6 +13,7 @@
 
 #include "edit/command_fields.h"
 #include "edit/commands_camera.h"
+#include "edit/commands_challenge.h"
 #include "edit/commands_elements.h"
 #include "edit/commands_lab.h"
 #include "edit/commands_operation.h"
@@ -200,7 +201,8 @@ using AnyCommand = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, 
                                 SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring, ChooseElement, PreviewElement,  //
                                 RideStart, RidePause, RideStop, RideStep, RideSeek,                              //
                                 Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save,
-                                SaveMeasurements, SaveReport, LoadEnvelope, RecoverTrack, NewTrack>;
+                                SaveMeasurements, SaveReport, LoadEnvelope, RecoverTrack, NewTrack,
+                                StartChallenge, LeaveChallenge, ShowHint, SetCard, CloseCard>;
 
 // One command. Copies and destructors of so many alternatives are compiled once, in codec.cpp, instead of in every file that holds one.
 struct Command : AnyCommand {

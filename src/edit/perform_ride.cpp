@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "edit/change.h"
+#include "edit/ride_watch.h"
 
 namespace coaster::edit {
 namespace {
@@ -25,7 +26,9 @@ Status rideable(const Session& session) {
 Status perform(Session& session, Change&, const RideStart&) {
   const Status status = rideable(session);
   if (!status) return status;
-  if (session.motion.state == RideState::ended || session.motion.state == RideState::failed) sim::reset(session.document, session.derived, session.motion);
+  const bool over = session.motion.state == RideState::ended || session.motion.state == RideState::failed;
+  watch_start(session, over || session.motion.state == RideState::stopped);
+  if (over) sim::reset(session.document, session.derived, session.motion);
   session.motion.state = RideState::running;
   return {};
 }
@@ -42,6 +45,7 @@ Status perform(Session& session, Change&, const RideStop&) {
   const Status status = rideable(session);
   if (!status) return status;
   sim::reset(session.document, session.derived, session.motion);
+  watch_reset(session);
   return {};
 }
 
@@ -52,8 +56,10 @@ Status perform(Session& session, Change& change, const RideStep& command) {
   if (session.motion.state == RideState::ended || session.motion.state == RideState::failed)
     return refused("the ride has ended: stop or start it first");
   const int ticks = change.clamp("ticks", command.ticks, 1, kMaxStepTicks);
+  if (session.motion.state == RideState::stopped) watch_start(session, true);
   session.motion.state = RideState::running;
   sim::step(session.document, session.derived, session.settings.integrator, ticks, session.ghosts, session.motion);
+  watch_ticks(session, ticks);
   if (session.motion.state == RideState::running) session.motion.state = RideState::paused;
   return {};
 }
@@ -68,6 +74,7 @@ Status perform(Session& session, Change& change, const RideSeek& command) {
   sim::seek(session.document, session.derived, chosen_cart(session), distance, session.motion);
   // Stopped means at the start, ended and failed at some end: a cart put elsewhere is none of these.
   session.motion.failure = {};
+  watch_disturbed(session);
   if (session.motion.state != RideState::running) session.motion.state = RideState::paused;
   return {};
 }

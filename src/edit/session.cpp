@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "edit/ride_watch.h"
 #include "sim/ratings.h"
 
 namespace coaster::edit {
@@ -39,6 +40,17 @@ const sim::Ghost* chosen_ride(const Session& session) {
   return session.ghosts.ride(session.document, session.derived, chosen_cart(session));
 }
 
+const sim::Ratings& chosen_ratings(const Session& session) {
+  static const sim::Ratings kNone;
+  const sim::Ghost* const ghost = chosen_ride(session);
+  return ghost ? session.ratings.update(*ghost, session.ghosts.tables(session.document, session.derived), session.envelope.cutoff) : kNone;
+}
+const std::vector<sim::RedSpan>& chosen_red_spans(const Session& session) {
+  static const std::vector<sim::RedSpan> kNone;
+  const sim::Ghost* const ghost = chosen_ride(session);
+  return ghost ? session.red.update(*ghost, session.envelope) : kNone;
+}
+
 std::string ride_report(const Session& session, const sim::Ghost& ghost) {
   const sim::Envelope& envelope = session.envelope;
   const sim::Ratings ratings = sim::rate(ghost, session.ghosts.tables(session.document, session.derived), envelope.cutoff);
@@ -61,7 +73,15 @@ void advance(Session& session, int ticks) {
   const world::FailureKind before = session.motion.failure.kind;
   const bool timed = session.clock && session.motion.state == world::RideState::running;
   const double start = timed ? session.clock() : 0.0;
-  sim::step(session.document, session.derived, session.settings.integrator, ticks, session.ghosts, session.motion);
+  // A challenge's ride is looked at tick by tick, so that its verdict does not depend on how many are asked for at once.
+  const bool watched = session.challenge && session.run.under_way && session.motion.state == world::RideState::running;
+  for (int done = 0; done < ticks;) {
+    const int some = watched && session.run.under_way ? 1 : ticks - done;
+    const bool running = session.motion.state == world::RideState::running;
+    sim::step(session.document, session.derived, session.settings.integrator, some, session.ghosts, session.motion);
+    if (running) watch_ticks(session, some);
+    done += some;
+  }
   if (timed) {
     constexpr double kNewest = 0.1;
     const double ns = (session.clock() - start) * 1e9 / ticks;

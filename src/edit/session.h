@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "edit/challenge.h"
 #include "edit/commands.h"
 #include "exchange/track_file.h"
 #include "sim/derived.h"
@@ -69,6 +70,8 @@ struct Session {
   mutable std::optional<std::uint64_t> document_hash;  // a memo for dirty(), which every frame asks; apply() forgets it
   std::uint64_t tick = 0;          // ticks since the program's start
   mutable sim::GhostMemo ghosts;   // whole rides of the carts, simulated when something asks: a memo of what document and derived say
+  mutable sim::RatingsMemo ratings;  // of the ride that was asked about last
+  mutable sim::RedSpans red;         // the same
   mutable sim::ElementMemo elements;  // what the palette's element would be, planned when something asks
   sim::Clock clock;                // to measure evaluation with
   std::string machine;             // a line about it, for files of measurements
@@ -77,6 +80,12 @@ struct Session {
   std::string envelope_name = "default";
   std::uint64_t envelope_serial = 0;  // grows with each envelope that is read
   RideCost ride_cost;
+  Referee referee;
+  std::optional<ActiveChallenge> challenge;
+  RideRun run;                       // the ride on its way, for its end
+  std::optional<RideResult> result;  // of the last ride that ended
+  exchange::Progress earned;         // in challenges, since the program's start
+  bool show_result = false;          // its score card is not closed yet
 };
 
 void notify(Session& session, NoticeKind kind, std::string text);
@@ -96,6 +105,10 @@ void advance_measurement(Session& session);
 world::Entity chosen_cart(const Session& session);
 // The ghost of its ride; null without a ride.
 const sim::Ghost* chosen_ride(const Session& session);
+
+// Its ratings and its stretches beyond the envelope; none of either without a ride.
+const sim::Ratings& chosen_ratings(const Session& session);
+const std::vector<sim::RedSpan>& chosen_red_spans(const Session& session);
 
 // The report of a ghost on the present track, to read, and as comma-separated values by time.
 std::string ride_report(const Session& session, const sim::Ghost& ghost);

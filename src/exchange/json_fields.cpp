@@ -121,6 +121,8 @@ bool Fields::vector(std::string_view name, glm::dvec3& value, double limit) {
   return true;
 }
 
+const Json* Fields::value(std::string_view name) { return member(name, "a value"); }
+
 const Json* Fields::list(std::string_view name) {
   const Json* const m = member(name, "an array");
   if (!m) return nullptr;

@@ -135,6 +135,7 @@ constexpr std::array kMembers{
     Member{"recent", "a list of at most 10 files", [](const Json& v, UserSettings& to) { return read(v, to.recent, kMaxRecent); },
            [](const UserSettings& s) { return Json(s.recent); }},
     flag_row<&UserSettings::hints>("hints"),
+    flag_row<&UserSettings::card>("card"),
     flag_row<&UserSettings::gizmo>("gizmo"),
     flag_row<&UserSettings::start_screen>("start_screen"),
     Member{"keys", "names of actions with a key, or a list of two", read_keys, print_keys},

@@ -43,6 +43,7 @@ struct UserSettings {
   std::vector<std::string> recent;          // files, the newest first, at most kMaxRecent
   bool hints = true, gizmo = true;          // the first steps, and the arrows on what is selected
   bool start_screen = true;                 // whether a window without a track opens with it
+  bool card = true;                         // the score card at the end of a ride
   std::vector<KeyChoice> keys;              // as written, names that no action has included
   std::string others;                       // members of later versions, the text of a JSON object; "" without any
   friend bool operator==(const UserSettings&, const UserSettings&) = default;

@@ -21,7 +21,7 @@ std::string to_text(const Value& value) {
 std::span<const Query> queries() {
   static const std::vector<Query> table = [] {
     std::vector<Query> rows;
-    for (const std::span<const Query> part : {document_rows(), ride_rows(), ghost_rows(), session_rows(), joint_rows(), lab_rows(), element_rows()}) rows.insert(rows.end(), part.begin(), part.end());
+    for (const std::span<const Query> part : {document_rows(), ride_rows(), ghost_rows(), session_rows(), joint_rows(), lab_rows(), element_rows(), game_rows()}) rows.insert(rows.end(), part.begin(), part.end());
     return rows;
   }();
   return table;
@@ -47,8 +47,8 @@ std::optional<int> rank_of(std::string_view query_name, std::string_view word) {
     if (rank) --*rank;
     return rank;
   };
-  if (query_name == "geometric") return continuity({"none", "g0", "g1", "g2"});
-  if (query_name == "parametric") return continuity({"none", "c0", "c1", "c2"});
+  if (query_name == "geometric" || query_name == "geometric_min") return continuity({"none", "g0", "g1", "g2"});
+  if (query_name == "parametric" || query_name == "parametric_min") return continuity({"none", "c0", "c1", "c2"});
   if (place(std::array<std::string_view, 4>{"on", "true", "yes", "1"})) return 1;
   if (place(std::array<std::string_view, 4>{"off", "false", "no", "0"})) return 0;
   return std::nullopt;

@@ -85,7 +85,7 @@ std::span<const Query> queries();
 const Query* find_query(std::string_view name);
 
 // The rank that a word stands for when it is compared with the Ranked value of a query, in upper or lower case: none, G0, G1, G2
-// (-1..2) for geometric, none, C0, C1, C2 for parametric; for every other query on, true, yes, 1 (1) and off, false, no, 0 (0).
+// (-1..2) for geometric and geometric_min, none, C0, C1, C2 for parametric and parametric_min; for every other query on, true, yes, 1 (1) and off, false, no, 0 (0).
 // Nothing for other words. Whether the query's values are ranked at all is not looked at.
 std::optional<int> rank_of(std::string_view query_name, std::string_view word);
 

@@ -12,6 +12,7 @@ std::span<const Query> session_rows();
 std::span<const Query> joint_rows();
 std::span<const Query> lab_rows();
 std::span<const Query> element_rows();
+std::span<const Query> game_rows();
 
 // The entity of that kind called `argument` ("@k3" or "k3"), or a Status that says what is wrong and what may be meant.
 base::Result<world::Entity> entity_of(const Context& context, std::string_view argument, world::Kind kind);

@@ -1,4 +1,5 @@
 // Queries about the whole ride of the selected cart, else of the first by name: simulated over the present track when asked, 0 without a ride.
+#include <algorithm>
 #include <array>
 
 #include "query/rows.h"
@@ -14,10 +15,7 @@ const sim::Ghost* ghost_of(const Context& c) { return edit::chosen_ride(c.sessio
 
 template <class Function>
 Answer of_ride(const Context& c, Function function) {
-  const sim::Ghost* const ghost = ghost_of(c);
-  if (!ghost) return number(0.0);
-  const edit::Session& session = c.session;
-  return number(function(sim::rate(*ghost, session.ghosts.tables(session.document, session.derived), session.envelope.cutoff)));
+  return number(function(edit::chosen_ratings(c.session)));
 }
 
 Answer lap_time(const Context& c, View) {
@@ -35,10 +33,11 @@ Answer intensity(const Context& c, View) { return of_ride(c, [](const sim::Ratin
 Answer nausea(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.nausea; }); }
 Answer airtime(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.airtime; }); }
 Answer drops(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.drops; }); }
+Answer drop_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.highest_drop; }); }
+Answer height_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.highest.value; }); }
 Answer inversions(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.inversions; }); }
 Answer envelope(const Context& c, View) {
-  const sim::Ghost* const ghost = ghost_of(c);
-  return number(ghost ? sim::red_spans(*ghost, c.session.envelope).size() : 0);
+  return number(edit::chosen_red_spans(c.session).size());
 }
 Answer envelope_name(const Context& c, View) { return text(c.session.envelope_name); }
 Answer fail(const Context& c, View) {
@@ -66,6 +65,14 @@ Answer equipment(const Context& c, View argument) {
   return text(found ? world::kEquipmentNames[static_cast<std::size_t>(found->kind)] : "none");
 }
 
+// Segments with that equipment.
+Answer equipped(const Context& c, View argument) {
+  const auto kind = std::find(world::kEquipmentNames.begin(), world::kEquipmentNames.end(), argument);
+  if (kind == world::kEquipmentNames.end()) return base::Status{base::Code::usage, "expected station, lift, launch, brake or block, found " + base::quoted(argument)};
+  const auto& all = c.session.document.entities.pool<world::Equipment>().items();
+  return number(std::count_if(all.begin(), all.end(), [&](const world::Equipment& e) { return e.kind == static_cast<world::EquipmentKind>(kind - world::kEquipmentNames.begin()); }));
+}
+
 constexpr std::array kRows{
     Query{"ride.lap_time", "", "s", "How long a lap takes by the ghost; 0 when it does not come round.", lap_time},
     Query{"ride.g_up_max", "", "g", "Largest vertical g of the whole ride, low-passed, of all cars.", g_up_max},
@@ -81,6 +88,8 @@ constexpr std::array kRows{
     Query{"ride.nausea", "", "", "Nausea after OpenRCT2's terms of g and drops.", nausea},
     Query{"ride.airtime", "", "s", "Time of the whole ride with vertical g below 0.", airtime},
     Query{"ride.drops", "", "", "Descents of 3 m or more in the whole ride.", drops},
+    Query{"ride.drop_max", "", "m", "The highest of these descents.", drop_max},
+    Query{"ride.height_max", "", "m", "Largest height of the rails that the whole ride comes to.", height_max},
     Query{"ride.inversions", "", "", "Times that riders are turned upside down in the whole ride.", inversions},
     Query{"ride.ghost_end", "", "", "How the ghost's ride ends before a lap: none, stalled, rolled back, ran off the open end.", ghost_end},
     Query{"ride.fail", "", "", "Why the ride stopped by itself: none, stalled, rolled back, ran off the open end, collided.", fail},
@@ -92,6 +101,7 @@ constexpr std::array kRows{
     Query{"car_length", "@cart", "m", "Length of a car's body.", of_cart<&world::Cart::length>},
     Query{"car_mass", "@cart", "kg", "Mass of a car with its riders.", of_cart<&world::Cart::mass>},
     Query{"equipment", "@segment", "", "What stands on a segment: station, lift, launch, brake, block or none.", equipment},
+    Query{"equipped", "station|lift|launch|brake|block", "", "Segments with that equipment.", equipped},
 };
 
 }  // namespace

@@ -69,6 +69,38 @@ Answer roughest_joint(const Context& c, View) {
   const world::Entity knot = roughest(c.session).knot;
   return text(knot.valid() ? world::label_of(c.session.document, knot) : "none");
 }
+// The joint of the least continuity, the first of several; none without a joint.
+template <class Level>
+struct Weakest {
+  Level level{};
+  world::Entity knot;
+};
+template <class Level, Level curve::Joint::*member>
+Weakest<Level> weakest(const edit::Session& session) {
+  const sim::Derived& derived = session.derived;
+  const std::size_t count = derived.order.size();
+  Weakest<Level> found;
+  for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i) {
+    const curve::Joint joint = curve::joint(derived.shape(derived.order[(i + count - 1) % count]).key.cubic, derived.shape(derived.order[i]).key.cubic);
+    if (!found.knot.valid() || joint.*member < found.level) found = {joint.*member, session.document.track.knots[i]};
+  }
+  return found;
+}
+template <class Level, Level curve::Joint::*member>
+Answer weakest_level(const Context& c, View) {
+  const Level level = weakest<Level, member>(c.session).level;
+  return Value(Ranked{static_cast<int>(level) - 1, std::string(curve::name(level))});
+}
+template <class Level, Level curve::Joint::*member>
+Answer weakest_knot(const Context& c, View) {
+  const world::Entity knot = weakest<Level, member>(c.session).knot;
+  return text(knot.valid() ? world::label_of(c.session.document, knot) : "none");
+}
+Answer roll_max(const Context& c, View) {
+  double most = 0;
+  for (const world::Entity e : c.session.document.track.knots) most = std::max(most, std::abs(world::roll_deg(world::knot(c.session.document, e))));
+  return number(most);
+}
 Answer joints_g2(const Context& c, View) {
   const sim::Derived& derived = c.session.derived;
   const std::size_t count = derived.order.size();
@@ -148,6 +180,11 @@ constexpr std::array kRows{
     Query{"g_step", "@knot", "g", "Jump of the force over a knot, v^2 |dK| / g, at the present speed of the first cart.", g_step},
     Query{"g_step_max", "", "g", "The largest such jump of the track.", g_step_max},
     Query{"roughest_joint", "", "", "The knot with the largest jump of curvature; none when there is no jump.", roughest_joint},
+    Query{"geometric_min", "", "", "The least geometric continuity of all joints: G0 < G1 < G2; none without a joint.", weakest_level<curve::Geometric, &curve::Joint::geometric>},
+    Query{"parametric_min", "", "", "The least parametric continuity of all joints: C0 < C1 < C2; none without a joint.", weakest_level<curve::Parametric, &curve::Joint::parametric>},
+    Query{"weakest_geometric", "", "", "The first knot with that geometric continuity; none without a joint.", weakest_knot<curve::Geometric, &curve::Joint::geometric>},
+    Query{"weakest_parametric", "", "", "The first knot with that parametric continuity; none without a joint.", weakest_knot<curve::Parametric, &curve::Joint::parametric>},
+    Query{"roll_max", "", "deg", "The largest roll of a knot, to either side.", roll_max},
     Query{"joints_g2", "", "", "Joints of the track that are G2.", joints_g2},
     Query{"curvature", "", "1/m", "Curvature at the selected place: a segment's, a knot's, a cart's.", curvature},
     Query{"torsion", "", "1/m", "Torsion at the selected place; 0 where Frenet-Serret is undefined.", torsion},

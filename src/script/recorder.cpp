@@ -3,6 +3,7 @@
 
 #include <system_error>
 
+#include "base/file_lock.h"
 #include "base/text.h"
 #include "edit/codec.h"
 #include "exchange/track_file.h"
@@ -21,7 +22,7 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
       edit::SetRollDamping{s.feel.roll_damping}, edit::SetChaseDistance{s.feel.chase_distance}, edit::SetHeadBob{s.feel.head_bob},
       edit::SetReducedMotion{s.feel.reduced_motion},
       edit::SetPanels{s.show_panels}, edit::SetAppendMode{s.append_mode}, edit::SetScale{s.ui_scale}, edit::SetTheme{s.theme}, edit::SetStyle{s.style}, edit::SetSound{s.sound},
-      edit::SetSnapping{s.snapping.to, s.snapping.step, s.snapping.angle}, edit::SetGizmo{s.show_gizmo}, edit::SetHints{s.show_hints},
+      edit::SetSnapping{s.snapping.to, s.snapping.step, s.snapping.angle}, edit::SetGizmo{s.show_gizmo}, edit::SetHints{s.show_hints}, edit::SetCard{s.show_card},
       edit::SetColouring{s.colouring}, edit::SetMagnification{s.magnification}, edit::SetCombScale{s.comb_scale}, edit::ShowLaboratory{s.show_laboratory}, edit::OpenPage{s.lab_page}};
   for (std::size_t i = 0; i < world::layers().size(); ++i) {
     const auto layer = static_cast<world::Layer>(i);
@@ -82,6 +83,7 @@ base::Status Recorder::command(base::Files& files, const edit::Command& command,
   if (edit::output_path(command) != nullptr || std::holds_alternative<edit::LoadEnvelope>(command)) return {};
   if (const base::Status written = write_ticks(); !written) return written;
   if (std::holds_alternative<edit::Load>(command) || std::holds_alternative<edit::RecoverTrack>(command)) return snapshot(files, after);
+  if (const auto* const challenge = std::get_if<edit::StartChallenge>(&command)) return line(edit::print(edit::StartChallenge{base::canonical_path(challenge->path).string()}));
   return line(edit::print(command));
 }
 

@@ -63,6 +63,11 @@ Failure Runner::perform(const RunCommand& run) {
     const base::Status loaded = stage_.apply(command);
     return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
   }
+  if (edit::StartChallenge* const challenge = std::get_if<edit::StartChallenge>(&command)) {
+    challenge->path = input(challenge->path).string();
+    const base::Status loaded = stage_.apply(command);
+    return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
+  }
   if (const std::string* const written = edit::output_path(command)) {
     const auto path = find_output(*written, options_.out);
     if (!path) return failure(path.status());

@@ -3,6 +3,7 @@
 #include <imgui_internal.h>
 
 #include "ui/actions_parts.h"
+#include "ui/score_card.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -62,6 +63,8 @@ void escape(Act& act) {
   if (cancel_drags(act)) return;
   if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) {
     ImGui::ClosePopupToLevel(0, true);
+  } else if (card_shows(act.ui.session())) {
+    act.ui.emit(edit::CloseCard{});
   } else if (appending(act)) {
     act.ui.emit(edit::SetAppendMode{false});
   } else if (act.ui.session().settings.show_element) {
@@ -111,7 +114,7 @@ constexpr Action kActions[] = {
     {"Place element", "Edit", "Enter", key(Key::enter), kNoKey, false, false, "Add the element that the palette shows at the open end of the track.", placeable, nullptr,
      place_element},
 
-    {"Cancel", "", "Escape", key(Key::escape), kNoKey, false, true, "Take back a drag, close a list, leave append mode, hide the element's preview, or clear the selection.", always, nullptr,
+    {"Cancel", "", "Escape", key(Key::escape), kNoKey, false, true, "Take back a drag, close a list or the score card, leave append mode, hide the element's preview, or clear the selection.", always, nullptr,
      escape},
 };
 

@@ -14,6 +14,9 @@ void save(Act& act) { act.ui.dialogs.save(act.ui); }
 void save_as(Act& act) { act.ui.dialogs.save_as(act.ui); }
 void settings(Act& act) { act.ui.dialogs.show_settings(); }
 void screenshot(Act& act) { act.ui.out.wants_screenshot = true; }
+void challenges(Act& act) { act.ui.dialogs.show_challenges(); }
+bool in_challenge(const Act& act) { return act.ui.session().challenge.has_value(); }
+void leave_challenge(Act& act) { act.ui.emit(edit::LeaveChallenge{}); }
 void show_start(Act& act) { act.ui.start.show(); }
 void tutorial(Act& act) { act.ui.dialogs.request(act.ui, {Want::Kind::tutorial, {}}); }
 void quit(Act& act) { act.ui.dialogs.request(act.ui, {Want::Kind::quit, {}}); }
@@ -26,6 +29,8 @@ constexpr Action kActions[] = {
      "Save the track to another file, or export it: the ending tells the format.", always, nullptr, save_as},
     {"Start screen", "File", "", kNoKey, kNoKey, false, false, "The page with recent tracks, samples and the tutorial.", always, nullptr, show_start},
     {"Tutorial", "File", "", kNoKey, kNoKey, false, false, "Build and ride a first coaster, step by step, with your own hands.", always, nullptr, tutorial},
+    {"Challenges", "File", "Ctrl+H", ctrl(Key::h), kNoKey, false, false, "Choose a challenge: a start track, a goal and three medals.", always, nullptr, challenges},
+    {"Leave challenge", "File", "", kNoKey, kNoKey, false, false, "End the challenge; the track stays as it is.", in_challenge, nullptr, leave_challenge},
     {"Settings", "File", "Ctrl+,", ctrl(Key::comma), kNoKey, false, false, "Scale, colours, autosave, keys.", always, nullptr, settings},
     {"Screenshot", "File", "F12", key(Key::f12), kNoKey, false, true, "Write a picture of the window.", always, nullptr, screenshot},
     {"Quit", "File", "Ctrl+Q", ctrl(Key::q), kNoKey, false, false, "Leave the program.", always, nullptr, quit},

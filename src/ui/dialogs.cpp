@@ -80,6 +80,7 @@ void Dialogs::proceed(Ui& ui) {
     case Want::Kind::browse: browse(ui, FileBrowser::Mode::open); break;
     case Want::Kind::load: ui.emit(edit::Load{want.path}); break;
     case Want::Kind::tutorial: ui.out.wants_tutorial = true; break;
+    case Want::Kind::challenge: ui.emit(edit::StartChallenge{want.path}); break;
     case Want::Kind::quit: ui.out.quit = true; break;
   }
 }
@@ -224,6 +225,7 @@ std::pair<float, float> Dialogs::wanted_size() const {
   switch (shown_) {
     case Stage::browse: return {680, 470};
     case Stage::settings: return {560, 520};
+    case Stage::challenges: return {620, 640};
     case Stage::recovery: return {480, -168};
     default: return {440, -96};
   }
@@ -237,6 +239,7 @@ void Dialogs::build_stage(Ui& ui, const platform::Events& events, bool text_had_
     case Stage::overwrite: build_overwrite(ui, events); break;
     case Stage::new_folder: build_new_folder(ui, events, text_had_keyboard); break;
     case Stage::recovery: build_recovery(ui); break;
+    case Stage::challenges: build_challenges(ui); break;
     case Stage::settings:
       ui.panel = "Settings";
       title("Settings");

@@ -5,14 +5,15 @@
 #include <string>
 #include <utility>
 
+#include "ui/challenge_list.h"
 #include "ui/file_browser.h"
 
 namespace coaster::ui {
 
 // What is to follow once nothing unsaved can be lost.
 struct Want {
-  enum class Kind { nothing, fresh, browse, load, tutorial, quit } kind = Kind::nothing;
-  std::string path;  // of load
+  enum class Kind { nothing, fresh, browse, load, challenge, tutorial, quit } kind = Kind::nothing;
+  std::string path;  // of load and challenge
 };
 
 class Dialogs {
@@ -25,12 +26,14 @@ class Dialogs {
   void save(Ui& ui);
   void save_as(Ui& ui);
   void show_settings() { stage_ = Stage::settings; }
+  // The list of challenges to choose from.
+  void show_challenges() { stage_ = Stage::challenges, shelf_is_read_ = false; }
 
   // `text_had_keyboard`: a field did at the start of the frame. width, height: of the window, px.
   void build(Ui& ui, const platform::Events& events, bool text_had_keyboard, float width, float height);
 
  private:
-  enum class Stage { none, unsaved, browse, overwrite, new_folder, recovery, settings };
+  enum class Stage { none, unsaved, browse, overwrite, new_folder, recovery, settings, challenges };
 
   void proceed(Ui& ui);
   void abandon();
@@ -44,6 +47,7 @@ class Dialogs {
   void build_overwrite(Ui& ui, const platform::Events& events);
   void build_new_folder(Ui& ui, const platform::Events& events, bool text_had_keyboard);
   void build_recovery(Ui& ui);
+  void build_challenges(Ui& ui);  // dialogs_challenges.cpp
   std::pair<float, float> wanted_size() const;  // design px; a height below 0: at least so much, and as high as what is in it
 
   Stage stage_ = Stage::none, shown_ = Stage::none;
@@ -52,6 +56,9 @@ class Dialogs {
   bool asked_later_ = false;  // about recovery
   bool system_ = false;       // the system's dialog is awaited
   FileBrowser browser_;
+  ChallengeShelf shelf_;
+  bool shelf_is_read_ = false;
+  int challenge_ = 0;         // the row that the keys are at
   std::filesystem::path chosen_;
   std::string folder_name_;
 };

@@ -22,6 +22,7 @@
 #include "ui/legend.h"
 #include "ui/lesson.h"
 #include "ui/panels.h"
+#include "ui/score_card.h"
 #include "ui/start_screen.h"
 #include "ui/theme.h"
 #include "ui/toasts.h"
@@ -173,8 +174,9 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
     build_laboratory(ui, layout.strip);
     build_status_bar(ui, layout.status);
   }
-  if (ui.state.lesson == nullptr) draw_hints(ui, layout.scene);
+  if (ui.state.lesson == nullptr && !card_shows(session)) draw_hints(ui, layout.scene);
   draw_lesson(ui, layout.scene, lessons_widget ? &*lessons_widget : nullptr);
+  draw_score_card(ui, layout.scene);
   build_import_bar(ui, layout.scene);
   build_palette(act, palette);
   start.build(ui, events, static_cast<float>(width), static_cast<float>(height));
@@ -185,7 +187,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   draw_legend(ui, layout.scene);
   toasts.draw(layout.scene, ui.scale, ui.state.seconds, ui.state.scripted);
   for (const edit::Command& command : ui.out.commands)
-    if (std::holds_alternative<edit::Load>(command) || std::holds_alternative<edit::NewTrack>(command)) {
+    if (std::holds_alternative<edit::Load>(command) || std::holds_alternative<edit::NewTrack>(command) || std::holds_alternative<edit::StartChallenge>(command)) {
       frame_next = true;
       start.hide();
     }

@@ -2,6 +2,7 @@
 // tool from const state and returns the commands they want; changes nothing itself.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "edit/commands.h"
+#include "exchange/progress_file.h"
 #include "exchange/settings_file.h"
 #include "gfx/gl.h"
 #include "platform/events.h"
@@ -49,6 +51,8 @@ struct UserState {
   std::vector<RecoveryOffer> recoveries;  // the first is asked about
   std::string holder;                     // who else edits the document's file; empty: nobody
   SystemDialog system;
+  exchange::Progress progress;            // in challenges
+  std::filesystem::path challenges;       // folder of the user's own; empty: none
 };
 
 // Of a track's file, for the start screen.

@@ -59,6 +59,8 @@ void keeping(Ui& ui) {
   }
   ImGui::SameLine();
   if (const auto on = checkbox(ui, "Hints", ui.session().settings.show_hints, "Tell the first steps in the viewport.")) ui.emit(edit::SetHints{*on});
+  ImGui::SameLine();
+  if (const auto on = checkbox(ui, "Score cards", ui.session().settings.show_card, "Show a card with the ride's numbers when it ends.")) ui.emit(edit::SetCard{*on});
 }
 
 std::string keys_text(std::span<const platform::Chord> chords) {

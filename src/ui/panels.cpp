@@ -14,6 +14,7 @@ std::span<const Panel> panels() {
       Panel{"Shape", Column::left, "What can be done to the selected knots, or to all, at once; snapping.", shape_panel, false},
       Panel{"Elements", Column::left, "Straights, curves, helices, hills and inversions, placed at the open end of the track.", elements_panel},
       Panel{"Operation", Column::left, "What makes the track a ride: equipment, the train, losses.", operation_panel},
+      Panel{"Challenge", Column::right, "The challenge under way: what it teaches, what must hold, and its medals.", challenge_panel, true, challenge_shown},
       Panel{"Evaluation", Column::right, "How the curve is turned into a polyline, and how exact and fast that is.", evaluation_panel},
       Panel{"Ride", Column::right, "The carts: run them, and read what they do.", ride_panel},
       Panel{"Camera", Column::right, "Where the picture is taken from, and how the camera feels.", camera_panel},
@@ -42,7 +43,7 @@ void build_column(Ui& ui, Column column, const view::Viewport& area) {
                                       ImGuiWindowFlags_NoNav;
   if (ImGui::Begin(column == Column::left ? "##left" : "##right", nullptr, kFixed)) {
     for (const Panel& panel : panels()) {
-      if (panel.column != column) continue;
+      if (panel.column != column || (panel.shown != nullptr && !panel.shown(ui))) continue;
       ui.panel = panel.name;
       ImGui::PushID(panel.name.data(), panel.name.data() + panel.name.size());
       if (header(ui, panel.name, panel.help, panel.open)) panel.build(ui);

@@ -16,9 +16,12 @@ struct Panel {
   std::string_view help;
   void (*build)(Ui& ui);
   bool open = true;       // at first
+  bool (*shown)(const Ui& ui) = nullptr;  // null: always
 };
 std::span<const Panel> panels();
 
+void challenge_panel(Ui& ui);
+bool challenge_shown(const Ui& ui);
 void track_panel(Ui& ui);
 void inspector_panel(Ui& ui);
 void shape_panel(Ui& ui);

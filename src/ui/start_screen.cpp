@@ -78,6 +78,7 @@ void StartScreen::build_choices(Ui& ui, float width) {
     ui.dialogs.request(ui, {Want::Kind::browse, {}});
   if (button(ui, "Tutorial", "Build and ride a first coaster, step by step, with your own hands.", true, width))
     ui.dialogs.request(ui, {Want::Kind::tutorial, {}});
+  if (button(ui, "Challenges", with_keys(ui.keys, "Start tracks with a goal and three medals, one for each thing to learn.", "Challenges"), true, width)) ui.dialogs.show_challenges();
   if (button(ui, "Build on", "Close this page and go on with the track behind it. Key Escape.", true, width)) open_ = false;
   if (button(ui, "Quit", with_keys(ui.keys, "Leave the program.", "Quit"), true, width)) ui.dialogs.request(ui, {Want::Kind::quit, {}});
   ImGui::PopStyleVar();

@@ -101,6 +101,7 @@ struct Settings {
   Snapping snapping;
   bool show_gizmo = true;                    // arrows that move the selected knots
   bool show_hints = false;                   // the first steps, in the viewport; a window shows them until they are dismissed
+  bool show_card = false;                    // the score card at the end of a ride; a window shows it unless told otherwise
   Element element = usual_element(ElementKind::curve);  // the palette's
   bool show_element = false;                 // where it would go
   float ui_scale = 1.0f;

@@ -21,6 +21,23 @@ expect_text stdout "ok"
 expect_code 3 --validate "$SOURCE/tests/tracks/truncated.json"
 expect_text stderr "truncated.json:"
 expect_code 3 --validate "$OUT/no-such-file.json"
+expect_code 0 --validate "$SOURCE/challenges/01_first_hill.json"
+expect_text stdout "does not pass, as it must: rolled back"
+rule() { # what the one goal expects, the start track
+  printf '{"format": "coaster-challenge", "version": 1, "name": "N", "teaches": "T", "judged": "lap", "track": "%s", "goals": [{"expect": "%s", "text": "x"}]}' "$2" "$1" >"$OUT/rule.json"
+}
+rule "knotz == 3" "$SOURCE/tracks/gentle.json"
+expect_code 3 --validate "$OUT/rule.json"
+expect_text stderr 'rule.json: error: goals[0].expect:1: no query "knotz" did you mean "knots"?'
+rule "knots == 3" "no_such_track.json"
+expect_code 3 --validate "$OUT/rule.json"
+expect_text stderr "rule.json: error: track: "
+rule "knots == 24" "$SOURCE/tracks/gentle.json"
+expect_code 3 --validate "$OUT/rule.json"
+expect_text stderr "its start track passes it already (gold)"
+script challenge 'challenge "rule.json"\nchallenge "no_such.json"\n'
+expect_code 3 --headless --script "$OUT/challenge.coaster" --out "$OUT/run"
+expect_text stderr "challenge.coaster:3:1: error:"
 script good 'frames 1\nexpect knots == 99\n'
 expect_code 0 --validate "$OUT/good.coaster"
 script bad 'fraems 1\nexpect knotz == 1\n'

@@ -16,7 +16,7 @@ UserSettings unusual() {
   s.autosave_seconds = 12.5;
   s.window = WindowPlace{-40, 7, 900, 601, true};
   s.recent = {"/a/b \"c\".json", "/\xc3\xa4.json"};
-  s.hints = s.gizmo = s.start_screen = false;
+  s.hints = s.gizmo = s.start_screen = s.card = false;
   s.keys = {{"Undo", {"Ctrl+U"}}, {"Redo", {"Ctrl+R", "F4"}}, {"Reset", {}}, {"No such action", {"F9"}}};
   s.others = R"({"later":[1,2]})";
   return s;

@@ -3,10 +3,12 @@
 #include <array>
 
 #include "base/check.h"
+#include "exchange/challenge_file.h"
 #include "exchange/envelope_file.h"
 #include "exchange/nl2_csv.h"
 #include "exchange/nl2elem.h"
 #include "exchange/nltrack.h"
+#include "exchange/progress_file.h"
 #include "exchange/settings_file.h"
 #include "exchange/track_file.h"
 #ifdef COASTER_FUZZ_SCRIPTS
@@ -56,6 +58,21 @@ void settings(std::string_view bytes) {
   COASTER_CHECK(again.ok() && again->warnings.empty() && again->settings == loaded->settings, "what is kept of settings is read back the same");
 }
 
+void challenge(std::string_view bytes) {
+  base::Files files;  // a start track that the text names is looked for in a folder that is not there
+  const auto loaded = exchange::parse_challenge(bytes, "challenge", "no such folder", files);
+  if (!loaded) return check_error(loaded.status());
+  COASTER_CHECK(!loaded->challenge.list(exchange::RuleList::goals).empty(), "a challenge has a goal");
+  COASTER_CHECK(!world::broken_invariant(loaded->challenge.start), "its start track is a document");
+}
+
+void progress(std::string_view bytes) {
+  const auto loaded = exchange::parse_progress(bytes, "progress");
+  if (!loaded) return check_error(loaded.status());
+  const auto again = exchange::parse_progress(exchange::print_progress(*loaded), "again");
+  COASTER_CHECK(again.ok() && *again == *loaded, "what is kept of progress is read back the same");
+}
+
 #ifdef COASTER_FUZZ_SCRIPTS
 void script(std::string_view bytes) {
   if (bytes.find("include") != std::string_view::npos) return;  // reads whatever file it names
@@ -66,7 +83,7 @@ void script(std::string_view bytes) {
 
 constexpr std::array kTargets{
     Target{"track", track},       Target{"nl2_csv", nl2_csv},   Target{"nltrack", nltrack}, Target{"nl2elem", nl2elem},
-    Target{"envelope", envelope}, Target{"settings", settings},
+    Target{"envelope", envelope}, Target{"settings", settings}, Target{"challenge", challenge}, Target{"progress", progress},
 #ifdef COASTER_FUZZ_SCRIPTS
     Target{"script", script},
 #endif

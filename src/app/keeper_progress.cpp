@@ -1,0 +1,48 @@
+// What challenges have earned, kept from run to run.
+#include <system_error>
+#include <utility>
+
+#include "app/keeper.h"
+#include "app/program.h"
+
+namespace coaster::app {
+namespace {
+
+std::filesystem::path progress_file(const Keeper& keeper) { return keeper.folders.state.empty() ? std::filesystem::path() : keeper.folders.state / "progress.json"; }
+
+}  // namespace
+
+void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& problems) {
+  if (!keeper.folders.config.empty()) keeper.state.challenges = keeper.folders.config / "challenges";
+  program.session.earned = {};
+  const std::filesystem::path file = progress_file(keeper);
+  std::error_code error;
+  if (file.empty() || !std::filesystem::exists(file, error)) return;
+  (void)base::remove_leftovers(file);
+  const base::Result<std::string> text = program.files.read(file);
+  if (!text) {
+    problems.push_back(text.status().message + "; it stays as it is, and medals of this run are not kept");
+    keeper.may_write_progress = false;
+    return;
+  }
+  auto loaded = exchange::parse_progress(*text, file.filename().string());
+  if (loaded) {
+    keeper.state.progress = keeper.progress_written = std::move(*loaded);
+    return;
+  }
+  std::filesystem::rename(file, file.string() + ".bad", error);
+  keeper.may_write_progress = !error;
+  problems.push_back(loaded.status().message + (error ? "; it stays as it is, and medals of this run are not kept" : "; set aside as progress.json.bad"));
+}
+
+void watch_progress(Program& program, Keeper& keeper) {
+  for (const exchange::ChallengeProgress& success : program.session.earned.challenges) (void)exchange::merge(keeper.state.progress, success);
+  if (!keeper.may_write_progress || keeper.folders.state.empty() || keeper.state.progress == keeper.progress_written) return;
+  base::Status status = base::make_folders(keeper.folders.state);
+  if (status) status = program.files.write_atomic(progress_file(keeper), exchange::print_progress(keeper.state.progress));
+  // What cannot be written is told once and tried again with the next success.
+  keeper.progress_written = keeper.state.progress;
+  if (!status && !std::exchange(keeper.progress_failed, true)) edit::notify(program.session, edit::NoticeKind::warning, "medals are not kept: " + status.message);
+}
+
+}  // namespace coaster::app

@@ -1,0 +1,134 @@
+// Challenges from JSON.
+#include "exchange/challenge_file.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "exchange/formats.h"
+#include "exchange/json_fields.h"
+#include "exchange/track_file.h"
+
+namespace coaster::exchange {
+namespace {
+
+struct Parse {
+  LoadedChallenge loaded;
+  std::string error;  // the first thing wrong, without the file's name
+};
+
+// A text of at least one character that fits.
+bool read_text(Fields& fields, std::string_view member, std::string& to) {
+  if (!fields.text(member, to)) return false;
+  if (to.empty()) return fields.fail(member, "expected a text, found \"\"");
+  return to.size() <= kMaxChallengeText || fields.fail(member, "longer than the limit of " + std::to_string(kMaxChallengeText) + " bytes");
+}
+
+bool read_head(Parse& parse, Fields& fields) {
+  ChallengeFile& to = parse.loaded.challenge;
+  std::string format, judged;
+  std::int64_t version = 0;
+  if (!fields.text("format", format)) return false;
+  if (format != kChallengeFormat) return fields.reject("format", "\"" + std::string(kChallengeFormat) + "\"");
+  if (!fields.whole("version", version, 1, std::numeric_limits<std::int32_t>::max())) return false;
+  if (version > kChallengeVersion)
+    return fields.fail("version", "version " + std::to_string(version) + " is newer than this program reads (" + std::to_string(kChallengeVersion) + ")");
+  if (!read_text(fields, "name", to.name) || !read_text(fields, "teaches", to.teaches) || !fields.text("judged", judged)) return false;
+  const auto found = std::find(kJudgedNames.begin(), kJudgedNames.end(), judged);
+  if (found == kJudgedNames.end()) return fields.reject("judged", "\"lap\", \"time\" or \"build\"");
+  to.judged = static_cast<Judged>(found - kJudgedNames.begin());
+  constexpr double kShortest = 1;  // s
+  return to.judged != Judged::time || fields.number("seconds", to.seconds, kShortest, kMaxChallengeSeconds);
+}
+
+bool read_rules(Parse& parse, Fields& fields, RuleList which) {
+  const std::string_view name = kRuleListNames[static_cast<std::size_t>(which)];
+  if (which != RuleList::goals && !fields.has(name)) return true;
+  const Json* const list = fields.list(name);
+  if (!list) return false;
+  if (which == RuleList::goals && list->empty()) return fields.fail(name, "expected one goal at least");
+  if (list->size() > kMaxChallengeRules) return fields.fail(name, "more than the limit of " + std::to_string(kMaxChallengeRules));
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    Fields entry((*list)[i], {name, i}, parse.error);
+    ChallengeRule rule;
+    if (!read_text(entry, "expect", rule.expect) || !read_text(entry, "text", rule.text)) return false;
+    (void)entry.unknown(parse.loaded.warnings);
+    parse.loaded.challenge.rules[static_cast<std::size_t>(which)].push_back(std::move(rule));
+  }
+  return true;
+}
+
+bool read_hints(Parse& parse, Fields& fields) {
+  if (!fields.has("hints")) return true;
+  const Json* const list = fields.list("hints");
+  if (!list) return false;
+  if (list->size() > kMaxChallengeHints) return fields.fail("hints", "more than the limit of " + std::to_string(kMaxChallengeHints));
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const Json& hint = (*list)[i];
+    const bool fits = hint.is_string() && !hint.get_ref<const std::string&>().empty() && hint.get_ref<const std::string&>().size() <= kMaxChallengeText;
+    if (!fits) return fields.fail("hints[" + std::to_string(i) + "]", "expected a text, found " + describe(hint));
+    parse.loaded.challenge.hints.push_back(hint.get<std::string>());
+  }
+  return true;
+}
+
+// The start track: a file beside the challenge, or a whole track as a member. What is wrong inside it is told as for any track.
+bool read_track(Parse& parse, Fields& fields, const Json& tree, const std::filesystem::path& folder, base::Files& files) {
+  ChallengeFile& to = parse.loaded.challenge;
+  const auto inside = tree.find("track");
+  base::Result<LoadedTrack> track = base::Status{base::Code::bad_file, "no track"};
+  if (inside != tree.end() && inside->is_object()) {
+    (void)fields.value("track");
+    track = parse_track(inside->dump(-1, ' ', false, Json::error_handler_t::replace), "track");
+  } else {
+    if (!read_text(fields, "track", to.track)) return false;
+    const std::filesystem::path path = folder / to.track;
+    const Format* const format = format_of(path);
+    if (format == nullptr || !format->parse) return fields.reject("track", "the start track: an object, or a file that ends in " + known_endings(Direction::read));
+    track = load_track(files, path);
+  }
+  if (!track) return fields.fail("track", track.status().message);
+  for (std::string& warning : track->warnings) parse.loaded.warnings.push_back("track: " + std::move(warning));
+  to.start = std::move(track->document);
+  return true;
+}
+
+bool read_all(Parse& parse, const Json& tree, const std::filesystem::path& folder, base::Files& files) {
+  Fields fields(tree, {}, parse.error);
+  if (!parse.error.empty() || !read_head(parse, fields)) return false;
+  for (const RuleList which : {RuleList::goals, RuleList::limits, RuleList::bronze, RuleList::silver, RuleList::gold})
+    if (!read_rules(parse, fields, which)) return false;
+  if (!read_hints(parse, fields) || !read_track(parse, fields, tree, folder, files)) return false;
+  (void)fields.unknown(parse.loaded.warnings);
+  return true;
+}
+
+}  // namespace
+
+base::Result<LoadedChallenge> parse_challenge(std::string_view text, std::string_view name, const std::filesystem::path& folder, base::Files& files) {
+  const base::Result<Json> tree = read_json(text, name);
+  if (!tree) return tree.status();
+  Parse parse;
+  if (!read_all(parse, *tree, folder, files)) return base::Status{base::Code::bad_file, std::string(name) + ": error: " + parse.error};
+  for (std::string& warning : parse.loaded.warnings) {
+    constexpr std::string_view kKept = " is kept";  // as of tracks; a challenge is not written back
+    if (warning.ends_with(kKept)) warning.replace(warning.size() - kKept.size(), kKept.size(), " is ignored");
+    warning = std::string(name) + ": warning: " + warning;
+  }
+  return std::move(parse.loaded);
+}
+
+base::Result<LoadedChallenge> load_challenge(base::Files& files, const std::filesystem::path& path) {
+  if (path.extension() != ".json") return base::Status{base::Code::bad_file, path.string() + ": error: expected a file ending in .json"};
+  const base::Result<std::string> text = files.read(path);
+  if (!text) return text.status();
+  return parse_challenge(*text, path.string(), path.parent_path(), files);
+}
+
+bool looks_like_challenge(std::string_view text) {
+  const base::Result<Json> tree = read_json(text, "");
+  if (!tree || !tree->is_object()) return false;
+  const auto format = tree->find("format");
+  return format != tree->end() && format->is_string() && format->get_ref<const std::string&>() == kChallengeFormat;
+}
+
+}  // namespace coaster::exchange

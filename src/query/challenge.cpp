@@ -1,0 +1,226 @@
+// Rules and verdicts.
+#include "query/challenge.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "query/rows.h"
+
+namespace coaster::query {
+namespace {
+
+using exchange::RuleList;
+
+// Of the rows that speak of track and ride, those that tell of the last picture or of the machine.
+constexpr std::array<std::string_view, 17> kOfThePicture{"evaluator", "resolution", "arc_length", "length", "segment_length", "vertices", "vertex_budget", "deviation",
+                                                         "deviation_pending", "drawn_by", "upload_bytes", "polyline_upload_bytes", "polyline_bytes", "gpu_ms", "ride.cost",
+                                                         "evaluation_time", "ns_per_point"};
+constexpr std::array<std::string_view, 10> kOfTheView{"uploads", "rebuilds", "recolours", "longest", "curvature", "torsion", "frenet", "cart_up", "hash", "frenet_flips"};
+
+bool named(std::span<const Query> rows, std::string_view name) {
+  return std::any_of(rows.begin(), rows.end(), [&](const Query& row) { return row.name == name; });
+}
+
+Context context_of(const edit::Session& session) {
+  static const FrameStats kNothingDrawn;
+  return {session, kNothingDrawn, {}, {}};
+}
+
+std::optional<double> place_of_knot(const edit::Session& session, std::string_view label) {
+  const auto name = world::parse_name(label);
+  if (!name) return std::nullopt;
+  const auto index = world::index_of(session.document.track.knots, world::find(session.document, *name));
+  return index && *index < session.derived.starts.size() ? std::optional(session.derived.starts[*index]) : std::nullopt;
+}
+
+// Where along the track the value of a query is taken.
+std::optional<double> place_of(const edit::Session& session, std::string_view query) {
+  struct Row {
+    std::string_view query;
+    sim::Extreme sim::Ratings::*extreme;
+  };
+  constexpr std::array kRows{Row{"ride.g_up_max", &sim::Ratings::up_most},           Row{"ride.g_up_min", &sim::Ratings::up_least},
+                             Row{"ride.g_side_max", &sim::Ratings::side_most},       Row{"ride.g_forward_max", &sim::Ratings::forward_most},
+                             Row{"ride.g_back_max", &sim::Ratings::back_most},       Row{"ride.speed_max", &sim::Ratings::top_speed},
+                             Row{"ride.height_max", &sim::Ratings::highest}};
+  if (edit::chosen_ride(session) == nullptr) return std::nullopt;
+  for (const Row& row : kRows)
+    if (row.query == query) return (edit::chosen_ratings(session).*row.extreme).distance;
+  if (query == "ride.envelope") {
+    const std::vector<sim::RedSpan>& spans = edit::chosen_red_spans(session);
+    return spans.empty() ? std::nullopt : std::optional(spans.front().from_distance);
+  }
+  return std::nullopt;
+}
+
+// The weakest joint, whose place is a knot's.
+std::optional<double> place_of_joint(const edit::Session& session, std::string_view query) {
+  if (query != "parametric_min" && query != "geometric_min") return std::nullopt;
+  const auto weakest = find_query(query == "parametric_min" ? "weakest_parametric" : "weakest_geometric")->evaluate(context_of(session), {});
+  return weakest ? place_of_knot(session, to_text(*weakest)) : std::nullopt;
+}
+
+std::string shown(const Query& query, const Value& value) {
+  const double* const number = std::get_if<double>(&value);
+  if (number == nullptr) return to_text(value);
+  char text[64];
+  const bool whole = *number == std::round(*number) && std::abs(*number) < 1e9 && query.unit.empty();
+  std::snprintf(text, sizeof text, whole ? "%.0f" : "%.2f", *number);
+  return query.unit.empty() ? text : std::string(text) + " " + std::string(query.unit);
+}
+
+// What an expression compares must go together; that shows on any value of the query.
+base::Status comparable(const Rule& rule, const edit::Session& empty) {
+  const base::Result<Value> value = rule.query->evaluate(context_of(empty), rule.condition.argument);
+  if (!value) return {};  // names a knot or a segment, which an empty track has none of
+  const base::Result<bool> held = holds(rule.condition, *value);
+  return held ? base::Status{} : held.status();
+}
+
+base::Status at_rule(std::string_view path, RuleList list, std::size_t index, int column, const std::string& message) {
+  return {base::Code::bad_file, std::string(path) + ": error: " + std::string(exchange::kRuleListNames[static_cast<std::size_t>(list)]) + "[" + std::to_string(index) + "].expect:" +
+                                    std::to_string(column) + ": " + message};
+}
+
+bool in(RuleList list, std::initializer_list<RuleList> lists) { return std::find(lists.begin(), lists.end(), list) != lists.end(); }
+
+std::optional<bool> less_is_better(const Condition& condition) {
+  if (!condition.op || condition.negated) return std::nullopt;
+  if (*condition.op == Op::less || *condition.op == Op::less_equal) return true;
+  if (*condition.op == Op::greater || *condition.op == Op::greater_equal) return false;
+  return std::nullopt;
+}
+
+std::string full_name(const Rule& rule) { return std::string(rule.query->name) + (rule.condition.argument.empty() ? "" : " " + rule.condition.argument); }
+
+// What was found, where, and what was wanted; of a red span what lasts too long.
+std::string words_of(const edit::Session& session, const Rule& rule, const Finding& finding) {
+  char words[160];
+  if (rule.query->name == "ride.envelope" && !edit::chosen_red_spans(session).empty()) {
+    const sim::RedSpan& span = edit::chosen_red_spans(session).front();
+    std::snprintf(words, sizeof words, "%.2f g %s at %.1f m, %.2f g may last that long", span.worst, std::string(sim::label(span.axis)).c_str(), span.from_distance, span.allowed);
+    return words;
+  }
+  char at[32] = "";
+  if (finding.place) std::snprintf(at, sizeof at, " at %.1f m", *finding.place);
+  return finding.found + at + ", " + wanted(rule);
+}
+
+// Why the ride itself does not count; empty when it does.
+std::string unridden(const edit::ActiveChallenge& challenge, const edit::RideResult* result) {
+  if (challenge.file.judged == exchange::Judged::build) return {};
+  if (result == nullptr) return "not ridden yet";
+  if (result->end == edit::RideEnd::failed) return result->reason;
+  if (!result->whole) return "the track was changed or the train moved by hand during the ride: ride it from the start";
+  if (challenge.file.judged == exchange::Judged::time && result->end != edit::RideEnd::time) return "the ride ended too soon: " + result->reason;
+  return {};
+}
+
+}  // namespace
+
+bool may_judge(const Query& query) {
+  if (query.name == "challenge.deviation") return true;
+  if (std::find(kOfThePicture.begin(), kOfThePicture.end(), query.name) != kOfThePicture.end()) return false;
+  if (std::find(kOfTheView.begin(), kOfTheView.end(), query.name) != kOfTheView.end()) return false;
+  return named(document_rows(), query.name) || named(ride_rows(), query.name) || named(ghost_rows(), query.name) || named(joint_rows(), query.name);
+}
+
+base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challenge, std::string_view path) {
+  std::vector<Rule> rules;
+  for (std::size_t list = 0; list < challenge.rules.size(); ++list)
+    for (std::size_t i = 0; i < challenge.rules[list].size(); ++i) {
+      const auto wrong = [&](int column, const std::string& message) { return at_rule(path, static_cast<RuleList>(list), i, column, message); };
+      std::vector<base::Token> tokens;
+      base::TextError error;
+      Rule rule{static_cast<RuleList>(list), i, {}, nullptr};
+      if (!base::tokenise(challenge.rules[list][i].expect, tokens, error)) return wrong(error.column, error.message);
+      base::Words words(tokens, error);
+      if (!parse_condition(words, rule.condition) || !words.end()) return wrong(error.column, error.message);
+      rule.query = find_query(rule.condition.query);
+      if (!may_judge(*rule.query)) return wrong(rule.condition.column, base::quoted(rule.condition.query) + " does not speak of track and ride alone: expected another query");
+      rules.push_back(std::move(rule));
+    }
+  return rules;
+}
+
+base::Status check_rules(const exchange::ChallengeFile& challenge, const std::string& path) {
+  const base::Result<std::vector<Rule>> rules = read_rules(challenge, path);
+  if (!rules) return rules.status();
+  const edit::Session empty = edit::make_session({});
+  for (const Rule& rule : *rules)
+    if (const base::Status sense = comparable(rule, empty); !sense) return at_rule(path, rule.list, rule.index, rule.condition.column, sense.message);
+  return {};
+}
+
+Finding look_at(const edit::Session& session, const Rule& rule) {
+  Finding finding;
+  const base::Result<Value> value = rule.query->evaluate(context_of(session), rule.condition.argument);
+  if (!value) {
+    finding.found = value.status().message;  // a knot that is no more
+    return finding;
+  }
+  const base::Result<bool> held = holds(rule.condition, *value);
+  finding.holds = held && *held;
+  finding.found = shown(*rule.query, *value);
+  if (const double* const number = std::get_if<double>(&*value)) finding.value = *number;
+  // A train that does not come round is not the fastest of all.
+  if (rule.query->name == "ride.lap_time" && finding.value && !(*finding.value > 0)) {
+    finding = {};
+    finding.found = "no lap";
+    return finding;
+  }
+  finding.place = place_of(session, rule.query->name);
+  if (!finding.place) finding.place = place_of_joint(session, rule.query->name);
+  if (!finding.place && rule.query->argument == "@knot") finding.place = place_of_knot(session, rule.condition.argument.starts_with('@') ? rule.condition.argument.substr(1) : rule.condition.argument);
+  return finding;
+}
+
+std::string wanted(const Rule& rule) {
+  const std::string full = full_name(rule), &text = rule.condition.text;
+  std::string rest = text.size() > full.size() ? text.substr(text.find(rule.condition.query) + full.size()) : " on";
+  const bool unit = !rule.query->unit.empty() && rule.condition.op.has_value();
+  return std::string(rule.condition.negated ? "wanted not" : "wanted") + rest + (unit ? " " + std::string(rule.query->unit) : "");
+}
+
+edit::Verdict judge(const edit::Session& session, const edit::RideResult* result) {
+  COASTER_CHECK(session.challenge, "only a challenge is judged");
+  const edit::ActiveChallenge& challenge = *session.challenge;
+  edit::Verdict verdict;
+  const base::Result<std::vector<Rule>> rules = read_rules(challenge.file, challenge.path);
+  if (!rules) {
+    verdict.reason = rules.status().message;
+    return verdict;
+  }
+  verdict.reason = unridden(challenge, result);
+  if (!verdict.reason.empty() && result != nullptr) verdict.place = result->place;
+  bool silver = true, gold = true;
+  for (const Rule& rule : *rules) {
+    const Finding finding = look_at(session, rule);
+    const auto better = less_is_better(rule.condition);
+    const bool known = std::any_of(verdict.values.begin(), verdict.values.end(), [&](const exchange::BestValue& v) { return v.query == full_name(rule); });
+    if (finding.value && better && !known) verdict.values.push_back({full_name(rule), *finding.value, *better});
+    if (finding.holds) continue;
+    if (rule.list == RuleList::silver) silver = false;
+    if (in(rule.list, {RuleList::silver, RuleList::gold})) {
+      gold = false;
+    } else if (verdict.reason.empty()) {
+      verdict.reason = challenge.file.rules[static_cast<std::size_t>(rule.list)][rule.index].text + ": " + words_of(session, rule, finding);
+      verdict.place = finding.place;
+    }
+  }
+  verdict.medal = !verdict.reason.empty() ? 0 : !silver ? 1 : !gold ? 2 : 3;
+  return verdict;
+}
+
+edit::Referee referee() {
+  return {check_rules, judge};
+}
+
+std::string_view medal_name(int medal) {
+  constexpr std::array<std::string_view, 4> kNames{"", "bronze", "silver", "gold"};
+  return kNames[static_cast<std::size_t>(std::clamp(medal, 0, 3))];
+}
+
+}  // namespace coaster::query
