@@ -179,6 +179,12 @@ std::string last_error() {
 
 }  // namespace
 
+std::string window_library() {
+  int major = 0, minor = 0, revision = 0;
+  glfwGetVersion(&major, &minor, &revision);  // of the library that runs, not of the header
+  return "GLFW " + std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(revision);
+}
+
 base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options) {
   const auto set = [](const char* name) {
     const char* value = std::getenv(name);
