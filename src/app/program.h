@@ -11,6 +11,7 @@
 #include "app/import_job.h"
 #include "app/options.h"
 #include "app/track_pictures.h"
+#include "app/sounds.h"
 #include "base/files.h"
 #include "edit/session.h"
 #include "gfx/renderer.h"
@@ -34,6 +35,7 @@ struct Program {
   std::unique_ptr<script::Recorder> recorder;   // null: nothing is recorded
   std::unique_ptr<Keeper> keeper;               // null: nothing is kept for a user
   std::unique_ptr<Filming> filming;             // a movie that is being made; null: none
+  Sounds sounds;                                // of a window
   std::filesystem::path writable;               // scripts: the only folder that may be written to; empty: no limit
 
   std::unique_ptr<ImportJob> import;  // a file that is being read; null: none

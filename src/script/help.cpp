@@ -46,6 +46,8 @@ constexpr std::array kInput{
     Row{"text \"TEXT\"", "Types a text."},
     Row{"wheel N [at X Y]", "Turns the wheel; positive: up."},
     Row{"drop \"FILE\"", "Drops a file on the window."},
+    Row{"pad [left X Y] [right X Y] [triggers L R]", "Holds a gamepad's sticks (-1..1, right and down positive) and triggers (0..1) so; what is not named is let go."},
+    Row{"pad rest | a | b | x | y", "Lets go of all, or presses and releases a button."},
     Row{"focus on|off", "The window gets or loses the keyboard."},
     Row{"resize WxH", "Changes the picture's size."},
     Row{"minimise", "Hides the window: size 0, nothing is drawn."},

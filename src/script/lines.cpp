@@ -222,7 +222,7 @@ constexpr std::array kRows{
     Row{"movie.start", parse_movie_start}, Row{"movie.stop", parse_movie_stop},
     Row{"log", parse_log}, Row{"fault", parse_fault}, Row{"camera", parse_camera},
     Row{"key", parse_key}, Row{"text", parse_text}, Row{"wheel", parse_wheel}, Row{"drop", parse_drop},
-    Row{"focus", parse_focus}, Row{"resize", parse_resize}, Row{"minimise", parse_minimise}, Row{"minimize", parse_minimise},
+    Row{"pad", parse_pad}, Row{"focus", parse_focus}, Row{"resize", parse_resize}, Row{"minimise", parse_minimise}, Row{"minimize", parse_minimise},
     Row{"raw.move", parse_raw_move}, Row{"raw.press", parse_raw_press}, Row{"raw.release", parse_raw_release},
     Row{"raw.key", parse_raw_key}, Row{"raw.wheel", parse_wheel}, Row{"raw.text", parse_text},
     Row{"ui.click", parse_ui_click}, Row{"ui.doubleclick", parse_ui_doubleclick}, Row{"ui.hover", parse_ui_hover},
