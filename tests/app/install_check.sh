@@ -7,7 +7,7 @@ for file in bin/coaster share/coaster/tracks/loop.json share/coaster/envelopes/d
   share/doc/coaster/docs/script.md share/man/man6/coaster.6 share/bash-completion/completions/coaster; do
   [ -s "$X/$file" ] || fail "$file was not installed"
 done
-[ ! -d "$SOURCE/challenges" ] || [ -d "$X/share/coaster/challenges" ] || fail "no challenges were installed"
+for folder in challenges tutorials; do [ ! -d "$SOURCE/$folder" ] || diff -r "$SOURCE/$folder" "$X/share/coaster/$folder" >/dev/null || fail "$folder were not installed"; done
 for kind in applications/*.desktop metainfo/*.metainfo.xml icons/hicolor/scalable/apps/*.svg; do
   # shellcheck disable=SC2086
   [ "$(cd "$X/share" && ls $kind 2>/dev/null | wc -l)" = 1 ] || fail "not one share/$kind"
