@@ -13,7 +13,7 @@ foreach(data tracks envelopes challenges tutorials)
   endif()
 endforeach()
 install(FILES README.md CHANGELOG.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg")
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.coaster" PATTERN "*.png" PATTERN "*.svg")
 
 # The manual page and the completion are printed by the program itself, from the table that parses its options.
 add_custom_command(

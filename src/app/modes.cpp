@@ -172,7 +172,7 @@ base::Status film_lap(Program& program, RideSummary& summary) {
 int run_headless(const Options& options) {
   const platform::Size size = options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
   const std::filesystem::path out = options.out.empty() ? "out" : options.out;
-  if (const base::Status made = script::make_folder(out); !made) return finish({base::Code::io, made.message});
+  if (const base::Status made = options.movie.empty() ? script::make_folder(out) : base::Status{}; !made) return finish({base::Code::io, made.message});
   constexpr int kSamples = 4;
   auto program = make_program(options, size, kSamples);
   if (!program) return finish(program.status());

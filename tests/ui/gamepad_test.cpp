@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "stage.h"
+#include "ui/stage.h"
 
 namespace coaster::ui {
 namespace {
