@@ -68,7 +68,7 @@ void start_by_hand(Program& program) {
   base::Status begun = begin_lap(program);
   if (begun) begun = start_movie(program, {free_folder(program)}, true);
   if (!begun) return edit::notify(program.session, edit::NoticeKind::error, begun.message);
-  program.filming->one_lap = true;
+  program.filming->by_hand = true;
   program.filming->lap_ticks = ticks_of_lap(program.session);
 }
 
@@ -148,12 +148,12 @@ base::Status finish_movie(Program& program) {
 
 void keep_filming(Program& program, const ui::Output* output) {
   if (output && output->movie == ui::MovieWish::start && !program.filming) start_by_hand(program);
-  if (!program.filming) return;
+  if (!program.filming || !program.filming->by_hand) return;  // a script's is its own affair
   if (output && output->movie == ui::MovieWish::stop) {
     if (recording(program)) (void)stop_movie(program);
     else program.filming.reset();  // the pictures are there; nobody waits for the file
   }
-  if (recording(program) && program.filming->one_lap && lap_is_done(program.session)) (void)stop_movie(program);
+  if (recording(program) && lap_is_done(program.session)) (void)stop_movie(program);
   if (!program.filming || !program.filming->encoder) return;
   Filming& filming = *program.filming;
   filming.shown.done = filming.encoder->done();

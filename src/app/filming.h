@@ -18,7 +18,7 @@ struct Filming {
   std::unique_ptr<Movie> movie;           // null once all pictures are taken
   std::unique_ptr<MovieEncoder> encoder;  // from then on
   bool scene_alone = false;               // without panels and what is selected, as large as the first picture whatever becomes of the window
-  bool one_lap = false;                   // ends by itself with the lap
+  bool by_hand = false;                   // panels show it, and it ends by itself with the lap
   std::int64_t lap_ticks = 0;             // that a lap is expected to take; 0: nobody knows
   base::Status failed;                    // why it ended early
   ui::MovieState shown;                   // what panels see of it

@@ -41,7 +41,7 @@ ui::Output build_panels(Program& program, const platform::Events& events, platfo
   state.importing = program.import && program.seconds - program.import->since > kBarAfter ? &program.import->progress : nullptr;
   state.lesson = program.lesson ? &*program.lesson : nullptr;
   state.pictures = &program.pictures.made();
-  state.movie = program.filming ? &program.filming->shown : nullptr;
+  state.movie = program.filming && program.filming->by_hand ? &program.filming->shown : nullptr;
   ui::Output output = program.ui->build(events, state, size.width, size.height);
   if (output.cancel_import && program.import) program.import->progress.cancelled = true;
   if (output.lesson_answer != query::LessonAnswer::none) program.lesson_answer = output.lesson_answer;
@@ -71,7 +71,7 @@ struct Look {
 
 gfx::DrawStats draw_scene(Program& program, const Look& look, platform::Size size) {
   const edit::Session& session = program.session;
-  const world::Layers& layers = session.settings.layers;
+  const world::Layers& layers = look.settings.layers;
   const bool limits = layers.has(world::Layer::limits), by_ride = world::colourings()[static_cast<std::size_t>(session.settings.colouring)].of_ride;
   const sim::Ghost* const ghost = limits || by_ride ? edit::chosen_ride(session) : nullptr;
   const bool with_train = program.rig.mode == world::CameraMode::ride || program.rig.mode == world::CameraMode::chase;
@@ -193,6 +193,7 @@ void draw_scene_alone(Program& program, const view::View& view, platform::Size s
   settings.selected = world::kNone;
   settings.also.clear();
   settings.show_gizmo = settings.show_element = false;
+  settings.layers.set(world::Layer::polyline, false);
   (void)draw_scene(program, {settings, view, {}, true}, size);
 }
 
