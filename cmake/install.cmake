@@ -1,6 +1,6 @@
 # What is installed where: cmake --install build/release --prefix X; and the packages that CPack makes of it (tools/package).
 include(GNUInstallDirs)
-set(COASTER_ID org.coaster_builder.Coaster CACHE STRING "Name of launcher, icon and AppStream entry")
+set(COASTER_ID org.coaster_builder.coaster CACHE STRING "Name of launcher, icon and AppStream entry")
 set(COASTER_GENERATED ${CMAKE_BINARY_DIR}/generated)
 
 # Beside the program the archive has libraries of its own (cmake/package.cmake).

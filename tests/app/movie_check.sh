@@ -32,7 +32,7 @@ expect_pictures() {
   [ "$found " = "$wanted" ] || fail "$1 has $found, expected $2 pictures"
 }
 size_of() { od -An -tu1 -j16 -N8 "$1" | tr -s ' '; }  # of a PNG: width and height, four bytes each
-script() { printf 'coaster-script 1\nenv size 160x90\nload "%s/tracks/loop.json"\nride.start\n%b' "$SOURCE" "$2" >"$OUT/$1.coaster"; }
+script() { printf 'coaster-script 1\nenv size 160x90\nload "%s/tracks/loop.json"\npanels off\ncamera chase\nride.start\n%b' "$SOURCE" "$2" >"$OUT/$1.coaster"; }
 
 # Time that is drawn and time that is not count alike; 0.4 s are 12 pictures at 30, 10 at 24, 24 at 60 a second.
 script time 'frames 6\nticks 24\nwait tick >= 48\nframes 0\n'
@@ -95,6 +95,31 @@ expect_code 2 --movie "$OUT/m" "$SOURCE/tracks/loop.json"
 expect_code 2 --headless --movie "$OUT/m" --fps 25 "$SOURCE/tracks/loop.json"
 : >"$OUT/file"
 expect_code 5 --headless --movie "$OUT/file/m" "$SOURCE/tracks/loop.json"
+
+# By hand: from the menu until Stop, or until the ride is over; the pictures show the scene alone, not the bar.
+printf 'coaster-script 1
+env size 640x360
+load "%s/tests/tracks/two_knots.json"
+name "By hand"
+ui.menu "File/Record movie"
+frames 12
+expect visible "Movie/Stop"
+expect movie.frames >= 6
+shot "$OUT/bar.png"
+ui.click "Movie/Stop"
+frames 1
+expect not visible "Movie/Stop"
+expect toast ~ "by-hand-movie-1; install ffmpeg"
+expect file "$OUT/by-hand-movie-1/frame-00005.png" exists
+key Shift+F12
+expect ride.state == running
+wait ride.state != running max 14400 ticks
+frames 2
+expect not visible "Movie/Stop"
+expect toast ~ "by-hand-movie-2; install ffmpeg"
+' "$SOURCE" >"$OUT/hand.coaster"
+with_ffmpeg none 0 --headless --script "$OUT/hand.coaster" --out "$OUT/hand"
+[ "$(size_of "$OUT/hand/by-hand-movie-1/frame-00000.png")" = " 0 0 2 128 0 0 1 104" ] || fail "a picture by hand is not as large as the window"
 
 # A movie changes neither document nor motion.
 script hashes 'frames 7\nticks 13\nlog hash document hash motion\n'
