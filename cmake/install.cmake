@@ -6,7 +6,7 @@ set(COASTER_GENERATED ${CMAKE_BINARY_DIR}/generated)
 # Beside the program the archive has libraries of its own (cmake/package.cmake).
 set_target_properties(coaster PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/coaster")
 install(TARGETS coaster RUNTIME_DEPENDENCY_SET coaster_libraries RUNTIME)
-install(RUNTIME_DEPENDENCY_SET coaster_libraries PRE_EXCLUDE_REGEXES "ld-linux|lib(c|m|dl|rt|pthread|gcc_s|stdc\\+\\+)\\.so" LIBRARY DESTINATION lib/coaster COMPONENT libraries EXCLUDE_FROM_ALL)
+install(RUNTIME_DEPENDENCY_SET coaster_libraries PRE_EXCLUDE_REGEXES "ld-linux|lib(c|m|dl|rt|pthread|gcc_s|stdc\\+\\+|asound|X[^.]*|xcb[^.]*|GL[^.]*)[.]so" LIBRARY DESTINATION lib/coaster COMPONENT libraries EXCLUDE_FROM_ALL)
 foreach(data tracks envelopes challenges tutorials)
   if(IS_DIRECTORY ${CMAKE_SOURCE_DIR}/${data})
     install(DIRECTORY ${data} DESTINATION ${CMAKE_INSTALL_DATADIR}/coaster)
