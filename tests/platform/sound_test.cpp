@@ -9,7 +9,7 @@
 #include <thread>
 
 namespace coaster::platform {
-namespace {
+namespace sound_test {
 
 std::unique_ptr<SoundDevice> silent_device() {
   ::setenv("ALSOFT_DRIVERS", "null", 1);
@@ -63,5 +63,5 @@ TEST(sound, can_be_opened_again_and_says_why_when_it_cannot) {
   ::setenv("ALSOFT_DRIVERS", "null", 1);
 }
 
-}  // namespace
+}  // namespace sound_test
 }  // namespace coaster::platform

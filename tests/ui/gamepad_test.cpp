@@ -6,7 +6,7 @@
 #include "ui/stage.h"
 
 namespace coaster::ui {
-namespace {
+namespace gamepad_test {
 
 using platform::GamepadAxes;
 using platform::GamepadButton;
@@ -104,5 +104,5 @@ TEST_F(gamepad, a_pad_that_drives_another_window_moves_nothing_here) {
   EXPECT_NE(session_.motion.state, world::RideState::running);
 }
 
-}  // namespace
+}  // namespace gamepad_test
 }  // namespace coaster::ui

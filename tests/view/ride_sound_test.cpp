@@ -11,7 +11,7 @@
 #include "sim/tracks.h"
 
 namespace coaster::view {
-namespace {
+namespace ride_sound_test {
 
 constexpr int kRate = 44'100;
 
@@ -163,5 +163,5 @@ TEST(ride_sound, hears_the_first_train_and_whether_any_of_its_cars_is_on_a_lift)
   EXPECT_EQ(put(2.1 * segment, -7).speed, 7);
 }
 
-}  // namespace
+}  // namespace ride_sound_test
 }  // namespace coaster::view
