@@ -1,5 +1,6 @@
 # What is installed where: cmake --install build/release --prefix X; and the packages that CPack makes of it (tools/package).
 include(GNUInstallDirs)
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # cpack packs what is built; tools/package builds first
 set(COASTER_ID org.coaster_builder.coaster CACHE STRING "Name of launcher, icon and AppStream entry")
 set(COASTER_GENERATED ${CMAKE_BINARY_DIR}/generated)
 
