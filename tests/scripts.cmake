@@ -33,5 +33,5 @@ file(GLOB checks CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/*_check.sh)
 foreach(check ${checks})
   cmake_path(GET check STEM name)
   coaster_script_test(${name} ${CMAKE_COMMAND} -E env COASTER=$<TARGET_FILE:coaster> OUT=${CMAKE_CURRENT_BINARY_DIR}/out/${name}
-                      SOURCE=${CMAKE_SOURCE_DIR} bash ${check})
+                      SOURCE=${CMAKE_SOURCE_DIR} BUILD=${CMAKE_BINARY_DIR} CMAKE=${CMAKE_COMMAND} bash ${check})
 endforeach()

@@ -41,6 +41,7 @@ ui::Output build_panels(Program& program, const platform::Events& events, platfo
   state.importing = program.import && program.seconds - program.import->since > kBarAfter ? &program.import->progress : nullptr;
   state.lesson = program.lesson ? &*program.lesson : nullptr;
   state.pictures = &program.pictures.made();
+  state.movie = program.filming && program.filming->by_hand ? &program.filming->shown : nullptr;
   ui::Output output = program.ui->build(events, state, size.width, size.height);
   if (output.cancel_import && program.import) program.import->progress.cancelled = true;
   if (output.lesson_answer != query::LessonAnswer::none) program.lesson_answer = output.lesson_answer;
@@ -57,24 +58,32 @@ ui::Output build_panels(Program& program, const platform::Events& events, platfo
   program.hovered = output.hovered;
   program.quit = program.quit || output.quit;
   keep(program, &output);
+  keep_filming(program, &output);
   return output;
 }
 
-gfx::DrawStats draw_scene(Program& program, const ui::Output& output, platform::Size size) {
+struct Look {
+  const world::Settings& settings;  // those of the session, or a copy without what is selected
+  const view::View& view;
+  view::Pick hovered;
+  bool alone = false;
+};
+
+gfx::DrawStats draw_scene(Program& program, const Look& look, platform::Size size) {
   const edit::Session& session = program.session;
-  const world::Layers& layers = session.settings.layers;
+  const world::Layers& layers = look.settings.layers;
   const bool limits = layers.has(world::Layer::limits), by_ride = world::colourings()[static_cast<std::size_t>(session.settings.colouring)].of_ride;
   const sim::Ghost* const ghost = limits || by_ride ? edit::chosen_ride(session) : nullptr;
   const bool with_train = program.rig.mode == world::CameraMode::ride || program.rig.mode == world::CameraMode::chase;
-  view::Findings findings{.failure = session.motion.failure, .riding = with_train && session.motion.state == world::RideState::running};
+  view::Findings findings{.failure = session.motion.failure, .riding = look.alone || (with_train && session.motion.state == world::RideState::running)};
   if (layers.has(world::Layer::flips)) findings.breaks = program.breaks.update(session.derived);
   if (limits && ghost) findings.spans = program.red.update(*ghost, session.envelope);
-  if (session.settings.show_element) findings.element = &session.elements.plan(session.settings.element, session.document);
+  if (look.settings.show_element) findings.element = &session.elements.plan(look.settings.element, session.document);
   const sim::TrackValues& values = program.values.update(session.derived, session.settings, ghost);
   program.stats.colour_low = values.low, program.stats.colour_high = values.high;
-  const view::Overlay overlay = view::build_overlay(session.document, session.derived, session.settings, output.view, output.hovered, findings);
+  const view::Overlay overlay = view::build_overlay(session.document, session.derived, look.settings, look.view, look.hovered, findings);
   const std::vector<sim::Pose> carts = cart_poses(session);
-  gfx::Scene scene{session.derived, output.view, overlay, carts, layers.has(world::Layer::polyline), &values, session.settings.theme};
+  gfx::Scene scene{session.derived, look.view, overlay, carts, layers.has(world::Layer::polyline), &values, session.settings.theme};
   scene.style = session.settings.style;
   scene.clock = [&] { return program.surface->clock(); };
   const bool held = layers.has(world::Layer::supports);
@@ -152,6 +161,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   if (size.width < 1 || size.height < 1) {
     advance(program, ticks);
     keep(program, nullptr);
+    keep_filming(program, nullptr);
     return;
   }
   ui::Output output = build_panels(program, events, size);
@@ -160,12 +170,13 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   output.view = program.view = view::view_of(program.rig.eye, output.view.viewport);
   edit::advance_measurement(program.session);
   const double built = program.surface->clock();
-  const gfx::DrawStats drawn = draw_scene(program, output, size);
+  const gfx::DrawStats drawn = draw_scene(program, {program.session.settings, output.view, output.hovered}, size);
   program.ui->draw(size.width, size.height);
   const double drew = program.surface->clock();
   program.surface->present(program.renderer->framebuffer());
   fill_stats(program, drawn, size, began, built, drew);
   set_title(program);
+  program.drawn_tick = program.session.tick, program.drawn_commands = program.commands;
   if (output.wants_screenshot) take_photo(program);
 }
 
@@ -173,11 +184,30 @@ void play_frame(Program& program) {
   constexpr double kWeight = 0.05;  // of the newest frame in the shown rate
   platform::Events events;
   program.surface->poll(events);
-  run_frame(program, events, take_ticks(program, events));
+  // While a movie is recorded, time goes by its pictures, however long each of them takes.
+  const bool filmed = program.filming && program.filming->movie;
+  film(program, filmed ? program.filming->movie->ticks_a_frame() : take_ticks(program, events), [&](int some) {
+    run_frame(program, events, some);
+    events.clear();
+  });
+  keep_sounding(program);
   const double now = program.surface->clock(), taken = now - program.frame_clock;
   program.frame_clock = now;
   program.smoothed_frame = program.smoothed_frame == 0 ? taken : program.smoothed_frame + (taken - program.smoothed_frame) * kWeight;
   program.stats.fps = program.smoothed_frame > 0 ? 1 / program.smoothed_frame : 0;
+}
+
+bool is_drawn(const Program& program) {
+  return program.stats.frame > 0 && program.drawn_tick == program.session.tick && program.drawn_commands == program.commands;
+}
+
+void draw_scene_alone(Program& program, const view::View& view, platform::Size size) {
+  world::Settings settings = program.session.settings;
+  settings.selected = world::kNone;
+  settings.also.clear();
+  settings.show_gizmo = settings.show_element = false;
+  settings.layers.set(world::Layer::polyline, false);
+  (void)draw_scene(program, {settings, view, {}, true}, size);
 }
 
 }  // namespace coaster::app

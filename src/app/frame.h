@@ -20,4 +20,10 @@ std::vector<sim::Pose> cart_poses(const edit::Session& session);
 // Whole ticks of 1/120 s in the time that passed by `events`; what is left over waits in the program. A pause over 0.25 s counts as that.
 int take_ticks(Program& program, const platform::Events& events);
 
+// Whether the last frame shows the present ticks and commands.
+bool is_drawn(const Program& program);
+
+// The scene as it is, without panels, marks of knots and what is selected, into the renderer's picture; no frame, and no numbers of one.
+void draw_scene_alone(Program& program, const view::View& view, platform::Size size);
+
 }  // namespace coaster::app

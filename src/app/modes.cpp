@@ -1,6 +1,7 @@
 // The program's modes and the order in which each starts up.
 #include "app/modes.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <unistd.h>
 #include <utility>
@@ -103,6 +104,14 @@ base::Status start_recording(Program& program) {
   return {};
 }
 
+MovieOrder movie_order(const Options& options) { return {options.movie, options.fps, options.gif}; }
+
+base::Status choose_camera(Program& program, const std::string& name) {
+  const auto& names = world::kCameraModeNames;
+  const auto at = std::find(names.begin(), names.end(), name);
+  return at == names.end() ? base::Status{} : apply(program, edit::SetCameraMode{static_cast<world::CameraMode>(at - names.begin())});
+}
+
 // What a signal asks for: unsaved changes are put aside, and the exit code tells of the signal, as shells have it.
 int leave_by(Program& program, int signal) {
   const base::Status kept = autosave_now(program);
@@ -135,16 +144,14 @@ int run_script(const Options& options) {
     if (const base::Status opened = open_track(**program, options.file); !opened) return finish(opened);
   if (const base::Status limits = open_envelope((*program)->session, (*program)->files, options); !limits) return finish(limits);
   if (const base::Status started = start_recording(**program); !started) return finish(started);
+  if (!options.movie.empty())
+    if (const base::Status filming = start_movie(**program, movie_order(options)); !filming) return finish(filming);
   script::Host host = make_script_host(**program);
-  const base::Status ran = script::run_script(*script, host, run);
+  base::Status ran = script::run_script(*script, host, run);
+  if (const base::Status filmed = finish_movie(**program); ran && !filmed) ran = filmed;
   if (const int signal = platform::pending_signal()) return leave_by(**program, signal);
   stop_keeping(**program, (*program)->quit);
   return finish(ran);
-}
-
-bool lap_is_done(const edit::Session& session) {
-  if (session.motion.state != world::RideState::running) return true;
-  return session.motion.carts.size() > 0 && session.motion.carts.items()[0].laps != 0;
 }
 
 // With --frames: that many frames, all drawn. Else a lap (two minutes at most) without drawing, and one picture from its middle.
@@ -184,10 +191,16 @@ int run_report(const Options& options) {
   return finish({});
 }
 
+base::Status film_lap(Program& program, RideSummary& summary) {
+  const Options& options = program.options;
+  if (const base::Status chosen = choose_camera(program, options.camera.empty() ? "chase" : options.camera); !chosen) return chosen;
+  return film_ride(program, movie_order(options), options.frames, summary);
+}
+
 int run_headless(const Options& options) {
   const platform::Size size = options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
   const std::filesystem::path out = options.out.empty() ? "out" : options.out;
-  if (const base::Status made = script::make_folder(out); !made) return finish({base::Code::io, made.message});
+  if (const base::Status made = options.movie.empty() ? script::make_folder(out) : base::Status{}; !made) return finish({base::Code::io, made.message});
   constexpr int kSamples = 4;
   auto program = make_program(options, size, kSamples);
   if (!program) return finish(program.status());
@@ -197,6 +210,12 @@ int run_headless(const Options& options) {
   if (const base::Status started = start_recording(**program); !started) return finish(started);
   (*program)->stats.hide_times = true;
   RideSummary summary = begin_summary((*program)->session);
+  if (!options.movie.empty()) {
+    if (const base::Status filmed = film_lap(**program, summary); !filmed) return finish(filmed);
+    std::fputs((options.json ? to_json(summary) : to_text(summary)).c_str(), stdout);
+    return finish({});
+  }
+  if (const base::Status chosen = choose_camera(**program, options.camera); !chosen) return finish(chosen);
   if (summary.segments > 0 && (*program)->session.motion.carts.size() > 0) {
     if (const base::Status rode = ride(**program, summary); !rode) return finish(rode);
   } else {
@@ -221,6 +240,7 @@ int run_window(const Options& options) {
   if (const base::Status opened = open_track(p, track); !opened) return finish(opened);
   p.keeper->unasked = false;
   if (const base::Status limits = open_envelope(p.session, p.files, options); !limits) return finish(limits);
+  if (const base::Status chosen = choose_camera(p, options.camera); !chosen) return finish(chosen);
   if (const base::Status started = start_recording(p); !started) return finish(started);
   if (options.file.empty() && p.keeper->state.settings.start_screen) p.ui->show_start();
   p.frame_clock = p.surface->clock();

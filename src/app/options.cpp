@@ -1,46 +1,106 @@
-// The command line, by CLI11; its exceptions end here.
+// The table of options, and the command line read by CLI11, whose exceptions end here.
 #include "app/options.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+
+#include "app/manual.h"
+#include "app/version.h"
 #include "base/words.h"
+#include "platform/sound.h"
+#include "platform/surface.h"
 #include "script/help.h"
+#include "world/settings.h"
 
 namespace coaster::app {
 namespace {
 
-constexpr const char* kVersion = "coaster 0.1.0";
-constexpr const char* kExitCodes =
-    "Exit codes: 0 ok, 1 an expectation failed, 2 usage or script error, 3 bad file, 4 no graphics,\n"
-    "5 input or output, 6 timeout.";
+constexpr OptionRow kRows[] = {
+    {"FILE", "", Word::track, "Track to open (.json, or another format that its ending tells: docs/track-format.md)", &Options::file},
+    {"--headless", "", Word::nothing, "Draw into memory; without a script: ride FILE, write OUT/ride.png, print a summary", &Options::headless},
+    {"--script", "F", Word::script, "Run a script (.coaster)", &Options::script},
+    {"--record", "F", Word::script, "Record what happens as a script", &Options::record},
+    {"--frames", "N", Word::other, "End after N frames, or N pictures of a movie", &Options::frames},
+    {"--size", "WxH", Word::other, "Size of the picture, WIDTHxHEIGHT", &Options::size},
+    {"--seed", "N", Word::other, "Seed for scripts that name none", &Options::seed},
+    {"--out", "DIR", Word::folder, "Folder that scripts and pictures are written to", &Options::out},
+    {"--camera", "NAME", Word::camera, "Look by the camera orbit, ride, chase or fly; a movie of a ride without a script: chase", &Options::camera},
+    {"--movie", "DIR", Word::folder, "Write numbered pictures of all that a script, or one lap of FILE, shows into this folder, and movie.mp4 where ffmpeg is installed; needs --headless", &Options::movie},
+    {"--fps", "N", Word::rate, "Pictures a second of the movie: 10, 12, 15, 20, 24, 30, 40, 60 or 120; 30 unless given", &Options::fps},
+    {"--gif", "", Word::nothing, "Make movie.gif, too, at most 640 pixels wide", &Options::gif},
+    {"--update-goldens", "", Word::nothing, "Make the pictures that snap finds the golden ones", &Options::update_goldens},
+    {"--validate", "", Word::nothing, "Check FILE (a track, a challenge or a script) or the script without running it", &Options::validate},
+    {"--json", "", Word::nothing, "Print the ride's summary as JSON", &Options::json},
+    {"--report", "", Word::nothing, "Print the report of the whole ride of FILE: times, forces, ratings; no graphics needed", &Options::report},
+    {"--envelope", "F", Word::json, "Limits of force by duration (.json); not a compliance check", &Options::envelope},
+    {"--hash-log", "", Word::nothing, "Print the hashes of document and motion after each tick", &Options::hash_log},
+    {"--config", "DIR", Word::folder, "Keep settings and autosaves in this folder instead of the user's; scripts keep none without it (docs/files.md)", &Options::config},
+    {"--reset-layout", "", Word::nothing, "Start with the window, scale and panels of the first start", &Options::reset_layout},
+    {"--help-script", "", Word::nothing, "Explain the script language and end", &Options::help_script},
+    {"--help-man", "", Word::nothing, "Print the manual page (roff) and end", &Options::help_man},
+    {"--help-completion", "", Word::nothing, "Print the completion for bash and end", &Options::help_completion},
+};
+
+constexpr ExitCodeRow kExitCodes[] = {{"0", "ok"},
+                                      {"1", "an expectation failed"},
+                                      {"2", "usage or script error"},
+                                      {"3", "bad file"},
+                                      {"4", "no graphics"},
+                                      {"5", "input or output"},
+                                      {"6", "timeout"},
+                                      {"128+N", "ended by signal N"}};
+
+std::string exit_code_line() {
+  std::string line = "Exit codes:";
+  for (const ExitCodeRow& row : kExitCodes) line += (row.code == "0" ? " " : ", ") + std::string(row.code) + " " + std::string(row.meaning);
+  return line + ".";
+}
+
+void add(CLI::App& cli, const OptionRow& row, Options& options) {
+  const std::string name(row.name), help(row.help);
+  struct Visitor {
+    CLI::App& cli;
+    const std::string &name, &help;
+    Options& options;
+    CLI::Option* operator()(bool Options::*member) const { return cli.add_flag(name, options.*member, help); }
+    CLI::Option* operator()(std::string Options::*member) const { return cli.add_option(name, options.*member, help); }
+    CLI::Option* operator()(int Options::*member) const { return cli.add_option(name, options.*member, help); }
+    CLI::Option* operator()(std::uint64_t Options::*member) const { return cli.add_option(name, options.*member, help); }
+    CLI::Option* operator()(std::optional<std::int64_t> Options::*member) const { return cli.add_option(name, options.*member, help)->check(CLI::NonNegativeNumber); }
+  };
+  CLI::Option* const option = std::visit(Visitor{cli, name, help, options}, row.member);
+  if (!row.value.empty()) option->option_text(std::string(row.value));
+}
+
+// What words that parse mean together; "" when all is well.
+std::string trouble(Options& o) {
+  if (!o.size.empty() && !base::parse_size(o.size, o.width, o.height)) return "--size: expected WIDTHxHEIGHT such as 1280x720, found " + o.size;
+  if (o.validate && o.file.empty() && o.script.empty()) return "--validate needs a FILE or a --script";
+  if (!script::is_movie_rate(o.fps)) return "--fps: expected " + std::string(script::kMovieRateWords) + ", found " + std::to_string(o.fps);
+  const auto& cameras = world::kCameraModeNames;
+  if (!o.camera.empty() && std::find(cameras.begin(), cameras.end(), o.camera) == cameras.end()) return "--camera: expected orbit, ride, chase or fly, found " + o.camera;
+  if (!o.movie.empty() && !o.headless) return "--movie needs --headless; in a window it is File/Record movie";
+  return {};
+}
 
 }  // namespace
+
+std::span<const OptionRow> option_rows() { return kRows; }
+std::span<const ExitCodeRow> exit_code_rows() { return kExitCodes; }
+
+std::string version_text() {
+  return std::string("coaster ") + kVersion + "\nwindow: " + std::string(platform::window_library()) + "; sound: " + std::string(platform::sound_library()) + "\n";
+}
 
 ParsedOptions parse_options(int argc, const char* const* argv) {
   ParsedOptions out;
   Options& o = out.options;
-  bool help_script = false;
-  std::string size;
-  CLI::App cli("Builds and rides roller coasters made of cubic Bezier curves.", "coaster");
-  cli.footer(kExitCodes);
-  cli.set_version_flag("--version", kVersion);
-  cli.add_option("FILE", o.file, "Track to open (.json, or another format that its ending tells: docs/track-format.md)");
-  cli.add_flag("--headless", o.headless, "Draw into memory; without a script: ride FILE, write OUT/ride.png, print a summary");
-  cli.add_option("--script", o.script, "Run a script (.coaster)");
-  cli.add_option("--record", o.record, "Record what happens as a script");
-  cli.add_option("--frames", o.frames, "End after N frames")->check(CLI::NonNegativeNumber);
-  cli.add_option("--size", size, "Size of the picture, WIDTHxHEIGHT");
-  cli.add_option("--seed", o.seed, "Seed for scripts that name none");
-  cli.add_option("--out", o.out, "Folder that scripts and pictures are written to");
-  cli.add_flag("--update-goldens", o.update_goldens, "Make the pictures that snap finds the golden ones");
-  cli.add_flag("--validate", o.validate, "Check FILE (a track, a challenge or a script) or the script without running it");
-  cli.add_flag("--json", o.json, "Print the ride's summary as JSON");
-  cli.add_flag("--report", o.report, "Print the report of the whole ride of FILE: times, forces, ratings; no graphics needed");
-  cli.add_option("--envelope", o.envelope, "Limits of force by duration (.json); not a compliance check");
-  cli.add_flag("--hash-log", o.hash_log, "Print the hashes of document and motion after each tick");
-  cli.add_option("--config", o.config, "Keep settings and autosaves in this folder instead of the user's; scripts keep none without it (docs/files.md)");
-  cli.add_flag("--reset-layout", o.reset_layout, "Start with the window, scale and panels of the first start");
-  cli.add_flag("--help-script", help_script, "Explain the script language and end");
+  CLI::App cli(std::string(kSummary), "coaster");
+  cli.footer(exit_code_line());
+  bool version = false;
+  cli.add_flag("--version", version, "Print the version and end");
+  for (const OptionRow& row : kRows) add(cli, row, o);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -49,16 +109,12 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     out.text = *out.exit_code == 0 ? text.str() : "coaster: " + errors.str();
     return out;
   }
-  if (help_script) {
-    out.exit_code = 0;
-    out.text = script::help();
-  } else if (!size.empty() && !base::parse_size(size, o.width, o.height)) {
-    out.exit_code = 2;
-    out.text = "coaster: --size: expected WIDTHxHEIGHT such as 1280x720, found " + size + "\n";
-  } else if (o.validate && o.file.empty() && o.script.empty()) {
-    out.exit_code = 2;
-    out.text = "coaster: --validate needs a FILE or a --script\n";
-  }
+  const auto print = [&](std::string text) { out.exit_code = 0, out.text = std::move(text); };
+  if (version) print(version_text());
+  else if (o.help_script) print(script::help());
+  else if (o.help_man) print(manual_page());
+  else if (o.help_completion) print(bash_completion());
+  else if (const std::string wrong = trouble(o); !wrong.empty()) out.exit_code = 2, out.text = "coaster: " + wrong + "\n";
   return out;
 }
 

@@ -1,9 +1,14 @@
-// The command line.
+// The command line: one table from which it is parsed, --help, the manual page and the shell's completion are made.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <variant>
+
+#include "script/movie_rates.h"
 
 namespace coaster::app {
 
@@ -12,12 +17,40 @@ struct Options {
   bool headless = false;
   std::string script, record, out, envelope;
   std::optional<std::int64_t> frames;
+  std::string size;           // as written
   int width = 0, height = 0;  // 0: the default of the mode
   std::uint64_t seed = 0;
+  std::string camera;         // a name of world::kCameraModeNames; empty: the default of the mode
+  std::string movie;          // folder; empty: none
+  int fps = script::kUsualMovieRate;
+  bool gif = false;
   bool update_goldens = false, validate = false, json = false, hash_log = false, report = false;
   std::string config;         // folder of settings and autosaves; empty: the user's, for windows alone
   bool reset_layout = false;
+  bool help_script = false, help_man = false, help_completion = false;
 };
+
+// What a word of the command line is, so that a shell can complete it.
+enum class Word : std::uint8_t { nothing, track, script, json, folder, camera, rate, other };
+
+struct OptionRow {
+  std::string_view name;    // "--script"; "FILE": the word without an option
+  std::string_view value;   // what follows it, as help shows it; "" for a switch
+  Word word;                // what that is; nothing for a switch
+  std::string_view help;    // one sentence, without a full stop
+  std::variant<bool Options::*, std::string Options::*, int Options::*, std::uint64_t Options::*, std::optional<std::int64_t> Options::*> member;
+};
+// In the order of help; --help and --version, which every program has, are not among them.
+std::span<const OptionRow> option_rows();
+
+struct ExitCodeRow {
+  std::string_view code, meaning;
+};
+std::span<const ExitCodeRow> exit_code_rows();
+
+inline constexpr std::string_view kSummary = "Builds and rides roller coasters made of cubic Bezier curves.";
+// "coaster 0.1.0", and what the program was built with.
+std::string version_text();
 
 struct ParsedOptions {
   Options options;

@@ -39,16 +39,29 @@ base::Status write_picture(Program& program, const std::filesystem::path& path) 
 
 namespace {
 
-std::filesystem::path picture_folder(const Program& program) {
-  if (!program.writable.empty()) return program.writable;
+// A folder of the user's by its variable, or below the home folder where it is there; empty when neither.
+std::filesystem::path user_folder(const char* variable, const char* name) {
   std::error_code failed;
-  if (const char* const named = std::getenv("XDG_PICTURES_DIR"); named && std::filesystem::path(named).is_absolute()) return named;
+  if (const char* const named = std::getenv(variable); named && std::filesystem::path(named).is_absolute()) return named;
   if (const char* const home = std::getenv("HOME"))
-    if (const auto pictures = std::filesystem::path(home) / "Pictures"; std::filesystem::is_directory(pictures, failed)) return pictures;
-  return ".";
+    if (const auto folder = std::filesystem::path(home) / name; std::filesystem::is_directory(folder, failed)) return folder;
+  return {};
 }
 
-// Letters and digits of the track's name, in lower case, joined by "-".
+std::filesystem::path picture_folder(const Program& program) {
+  if (!program.writable.empty()) return program.writable;
+  const std::filesystem::path folder = user_folder("XDG_PICTURES_DIR", "Pictures");
+  return folder.empty() ? "." : folder;
+}
+
+}  // namespace
+
+std::filesystem::path movie_folder(const Program& program) {
+  if (!program.writable.empty()) return program.writable;
+  const std::filesystem::path folder = user_folder("XDG_VIDEOS_DIR", "Videos");
+  return folder.empty() ? picture_folder(program) : folder;
+}
+
 std::string file_stem(const std::string& name) {
   std::string stem;
   for (const char c : name) {
@@ -59,8 +72,6 @@ std::string file_stem(const std::string& name) {
   while (stem.ends_with('-')) stem.pop_back();
   return stem.empty() ? "track" : stem;
 }
-
-}  // namespace
 
 void take_photo(Program& program) {
   constexpr int kMostNumbers = 10'000;

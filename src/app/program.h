@@ -6,9 +6,11 @@
 #include <optional>
 #include <string>
 
+#include "app/filming.h"
 #include "app/keeper.h"
 #include "app/import_job.h"
 #include "app/options.h"
+#include "app/sounds.h"
 #include "app/track_pictures.h"
 #include "base/files.h"
 #include "edit/session.h"
@@ -32,6 +34,8 @@ struct Program {
   std::unique_ptr<ui::Host> ui;
   std::unique_ptr<script::Recorder> recorder;   // null: nothing is recorded
   std::unique_ptr<Keeper> keeper;               // null: nothing is kept for a user
+  std::unique_ptr<Filming> filming;             // a movie that is being made; null: none
+  Sounds sounds;                                // of a window
   std::filesystem::path writable;               // scripts: the only folder that may be written to; empty: no limit
 
   std::unique_ptr<ImportJob> import;  // a file that is being read; null: none
@@ -40,6 +44,7 @@ struct Program {
   bool by_hand = false;            // commands come from panels, keys and mouse: a change of camera is eased; a script's is a cut
   view::Pick hovered;              // of the last frame
   std::uint64_t commands = 0;      // applied since the start
+  std::uint64_t drawn_tick = 0, drawn_commands = 0;  // of the session and of `commands`, in the last frame
   sim::FrenetBreaks breaks;        // of the track as last drawn with their layer on
   sim::RedSpans red;                    // of the ride, the same
   sim::TrackValueMemo values;      // what the track is coloured by

@@ -36,8 +36,11 @@ base::Status frame(Program& program, platform::Events events, int ticks) {
     platform::Events ignored;  // the window system is kept answered; the script alone decides what happens
     program.surface->poll(ignored);
   }
-  events.push_back(platform::Tick{ticks * world::kTick});
-  run_frame(program, events, ticks);
+  film(program, ticks, [&](int some) {
+    events.push_back(platform::Tick{some * world::kTick});
+    run_frame(program, events, some);
+    events.clear();
+  });
   return {};
 }
 
@@ -122,7 +125,12 @@ script::Host make_script_host(Program& program) {
   host.set_environment = [p](const script::Environment& environment) { return set_environment(*p, environment); };
   host.apply = [p](const edit::Command& command) { return apply(*p, command); };
   host.frame = [p](const platform::Events& events, int ticks) { return frame(*p, events, ticks); };
-  host.advance = [p](int ticks) { advance(*p, ticks); };
+  host.advance = [p](int ticks) { film(*p, ticks, [p](int some) { advance(*p, some); }); };
+  host.start_movie = [p](const std::filesystem::path& folder, int fps, bool gif) { return start_movie(*p, {folder, fps, gif}); };
+  host.stop_movie = [p] {
+    if (!p->filming) return base::Status{base::Code::refused, "no movie is being recorded"};
+    return finish_movie(*p);
+  };
   host.context = [p]() -> const query::Context { return context_of(*p); };
   host.widgets = [p] { return widgets(*p); };
   host.pixel_of = [p](const AimPoint& aim) { return pixel_of(*p, aim); };

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/process.h"
 #include "ui/host.h"
 
 namespace coaster::app {
@@ -13,12 +14,9 @@ class SystemDialogProcess {
  public:
   // Looks for the programs in PATH.
   SystemDialogProcess();
-  ~SystemDialogProcess();
-  SystemDialogProcess(const SystemDialogProcess&) = delete;
-  SystemDialogProcess& operator=(const SystemDialogProcess&) = delete;
 
   bool available() const { return !program_.empty(); }
-  bool running() const { return pid_ > 0; }
+  bool running() const { return process_.running(); }
   // Ends the one before. False when it cannot be started.
   bool start(const ui::SystemDialogRequest& request);
   // Asks without waiting: the chosen file once the dialog has ended, "" when it was cancelled.
@@ -26,11 +24,9 @@ class SystemDialogProcess {
 
  private:
   std::vector<std::string> arguments(const ui::SystemDialogRequest& request) const;
-  void end();
 
   std::string program_;  // full path
-  int pid_ = 0, pipe_ = -1;
-  std::string output_;
+  Process process_;
 };
 
 }  // namespace coaster::app

@@ -52,7 +52,10 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const std::string& path,
   const std::vector<sim::Pose> cars = cart_poses(session);
   gfx::Scene scene{session.derived, view, nothing_over_it, cars};
   scene.show_polyline = false;
-  (void)style;
+  scene.style = style;
+  sim::Supports supports;
+  supports.update(session.derived);
+  scene.supports = &supports;
   (void)renderer_->draw(scene, kWidth, kHeight);
   gfx::Object texture = make_texture(gl, renderer_->read_pixels());
   picture.texture = texture.id();

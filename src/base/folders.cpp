@@ -38,8 +38,10 @@ std::filesystem::path data_folder() {
   if (std::filesystem::path named = from_environment("COASTER_DATA"); !named.empty()) return named;
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  for (const std::filesystem::path& folder : {program.parent_path().parent_path() / "share" / "coaster", std::filesystem::path(COASTER_SOURCE_DIR)})
-    if (std::filesystem::is_directory(folder / "tracks", error)) return folder;
+  const std::filesystem::path beside = program.empty() ? std::filesystem::path() : program.parent_path().parent_path() / "share" / "coaster";
+  // The last is for places where a program cannot tell where it is: without /proc.
+  for (const std::filesystem::path& folder : {beside, std::filesystem::path(COASTER_SOURCE_DIR), std::filesystem::path("/usr/share/coaster")})
+    if (!folder.empty() && std::filesystem::is_directory(folder / "tracks", error)) return folder;
   return {};
 }
 

@@ -19,7 +19,7 @@ struct UserFolders {
 UserFolders user_folders();
 
 // Where the program's own data are: `tracks`, `challenges` and `envelopes` are folders in it. The first that is there of $COASTER_DATA (an absolute path;
-// it is believed as it is), ../share/coaster beside the program's folder, and the source tree that it was built from. Empty without any.
+// it is believed as it is), ../share/coaster beside the program's folder, the source tree that it was built from, and /usr/share/coaster. Empty without any.
 std::filesystem::path data_folder();
 
 // Makes a folder and those above it, for its owner alone. Code::io with the reason.

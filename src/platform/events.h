@@ -1,6 +1,7 @@
 // Input as plain data, the same from a window, a script and a recording. One funnel: everything that happens to a frame is in its list.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,9 +38,18 @@ struct Drop { std::string path; };         // a file dropped on the window
 struct Resize { int width = 0, height = 0; };  // framebuffer pixels; 0 when minimised
 struct Focus { bool focused = true; };
 struct CloseRequest {};
+// A gamepad, laid out as an Xbox pad is; sent when something has changed. Sticks -1..1, right and down positive; triggers 0 (let go) to 1. As the device has
+// them: without dead zone.
+struct GamepadAxes {
+  float left_x = 0, left_y = 0, right_x = 0, right_y = 0, left_trigger = 0, right_trigger = 0;
+  friend bool operator==(const GamepadAxes&, const GamepadAxes&) = default;
+};
+enum class PadButton : std::uint8_t { a, b, x, y };
+inline constexpr std::array<std::string_view, 4> kPadButtonNames{"a", "b", "x", "y"};  // by PadButton, in scripts
+struct GamepadButton { PadButton button = PadButton::a; bool down = true; };
 struct Tick { double dt = 0; };            // the last event of each poll: seconds since the one before
 
-using Event = std::variant<MouseMove, MouseButton, Wheel, KeyPress, TextInput, Drop, Resize, Focus, CloseRequest, Tick>;
+using Event = std::variant<MouseMove, MouseButton, Wheel, KeyPress, TextInput, Drop, Resize, Focus, CloseRequest, GamepadAxes, GamepadButton, Tick>;
 using Events = std::vector<Event>;
 
 // "F", "Escape", "Ctrl+Z", "Ctrl+Shift+S", "Space", "Delete", "F12", case-insensitive; nothing for unknown names.

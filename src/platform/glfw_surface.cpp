@@ -3,6 +3,7 @@
 #include <GL/glcorearb.h>
 #include <GLFW/glfw3.h>
 
+#include <array>
 #include <cstdlib>
 #include <utility>
 
@@ -84,6 +85,7 @@ class WindowSurface final : public Surface {
   void poll(Events& events) override {
     if (size() == Size{}) glfwWaitEventsTimeout(0.1);  // minimised: nothing to draw, so nothing to hurry for
     else glfwPollEvents();
+    poll_gamepad();
     for (Event& event : std::exchange(pending_, {})) events.push_back(std::move(event));
     const double now = glfwGetTime();
     events.push_back(Tick{now - std::exchange(last_, now)});
@@ -157,6 +159,21 @@ class WindowSurface final : public Surface {
     if (width <= 0 || height <= 0) return {1, 1};
     return {static_cast<double>(pixels_x) / width, static_cast<double>(pixels_y) / height};
   }
+  // The first gamepad that there is: GLFW tells of its state, not of changes. One that is pulled out lets go of everything.
+  void poll_gamepad() {
+    GLFWgamepadstate state{};
+    bool found = false;
+    for (int id = GLFW_JOYSTICK_1; id <= GLFW_JOYSTICK_LAST && !found; ++id) found = glfwJoystickIsGamepad(id) && glfwGetGamepadState(id, &state);
+    const auto trigger = [&](int axis) { return found ? (state.axes[axis] + 1) / 2 : 0.0f; };
+    const GamepadAxes axes{state.axes[GLFW_GAMEPAD_AXIS_LEFT_X], state.axes[GLFW_GAMEPAD_AXIS_LEFT_Y], state.axes[GLFW_GAMEPAD_AXIS_RIGHT_X],
+                           state.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y], trigger(GLFW_GAMEPAD_AXIS_LEFT_TRIGGER), trigger(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER)};
+    if (axes != pad_axes_) pending_.push_back(pad_axes_ = axes);
+    constexpr std::array<int, kPadButtonNames.size()> kButtons{GLFW_GAMEPAD_BUTTON_A, GLFW_GAMEPAD_BUTTON_B, GLFW_GAMEPAD_BUTTON_X, GLFW_GAMEPAD_BUTTON_Y};
+    for (std::size_t i = 0; i < kButtons.size(); ++i) {
+      const bool down = state.buttons[kButtons[i]] == GLFW_PRESS;
+      if (down != std::exchange(pad_down_[i], down)) pending_.push_back(GamepadButton{static_cast<PadButton>(i), down});
+    }
+  }
   template <class F>
   static void load(F& function, const char* name) {
     function = reinterpret_cast<F>(glfwGetProcAddress(name));
@@ -165,6 +182,8 @@ class WindowSurface final : public Surface {
   GLFWwindow* window_;
   double last_;
   Events pending_;
+  GamepadAxes pad_axes_;
+  std::array<bool, kPadButtonNames.size()> pad_down_{};
   std::string title_;
   PFNGLBINDFRAMEBUFFERPROC bind_framebuffer_ = nullptr;
   PFNGLBLITFRAMEBUFFERPROC blit_ = nullptr;
@@ -178,6 +197,12 @@ std::string last_error() {
 }
 
 }  // namespace
+
+std::string window_library() {
+  int major = 0, minor = 0, revision = 0;
+  glfwGetVersion(&major, &minor, &revision);  // of the library that runs, not of the header
+  return "GLFW " + std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(revision);
+}
 
 base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options) {
   const auto set = [](const char* name) {

@@ -52,6 +52,9 @@ struct SurfaceOptions {
 // such context (versions needed and found), or when the program was built without windows.
 base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options);
 
+// "GLFW 3.3.8", or "none" in a program built without windows.
+std::string window_library();
+
 // An off-screen OpenGL core context by OSMesa, loaded at run time from libOSMesa.so.8 (or .6). Code::graphics when missing: the message names the
 // package to install.
 base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options);

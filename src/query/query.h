@@ -54,6 +54,7 @@ struct FrameStats {
   world::CameraMode camera_shown{};                       // orbit where there is no train to go with
   glm::dvec3 eye{0}, eye_forward{0, 0, -1}, eye_up{0, 1, 0};  // of the last frame's picture: m, unit, unit
   double field_of_view_deg = 0;
+  int movie_frames = 0;      // pictures of the movie that is being recorded, or of the last one
   Keeping keeping;
 };
 

@@ -152,6 +152,7 @@ Answer polyline_upload_bytes(const Context& c, View) { return number(c.stats.pol
 Answer polyline_bytes(const Context& c, View) { return number(c.stats.polyline_bytes); }
 Answer gpu_ms(const Context& c, View) { return number(c.stats.gpu_ms); }
 Answer uploads(const Context& c, View) { return number(c.stats.uploads); }
+Answer movie_frames(const Context& c, View) { return number(c.stats.movie_frames); }
 Answer rebuilds(const Context& c, View) { return number(c.stats.rebuilds); }
 Answer recolours(const Context& c, View) { return number(c.stats.recolours); }
 Answer supports_count(const Context& c, View) { return number(c.stats.supports); }
@@ -203,6 +204,7 @@ constexpr std::array kRows{
     Query{"polyline_upload_bytes", "", "B", "The same for polylines alone: vertices, or control points for evaluators on the GPU.", polyline_upload_bytes},
     Query{"polyline_bytes", "", "B", "Bytes held on the GPU for all polylines.", polyline_bytes},
     Query{"gpu_ms", "", "ms", "Time of the GPU on the polylines, a few frames ago; 0 when not measured.", gpu_ms},
+    Query{"movie.frames", "", "", "Pictures taken of the movie that is being recorded, or of the last one.", movie_frames},
     Query{"uploads", "", "", "Segments whose vertex buffers were uploaded in the last frame.", uploads},
     Query{"rebuilds", "", "", "Segments evaluated for the last frame.", rebuilds},
     Query{"recolours", "", "", "Segments whose colour values were uploaded in the last frame; counted apart from uploads.", recolours},

@@ -149,6 +149,27 @@ bool parse_log(Words& words, Action& action) {
   return true;
 }
 
+bool parse_movie_start(Words& words, Action& action) {
+  const base::Token* const folder = words.take("a folder below $OUT");
+  if (!folder) return false;
+  StartMovie start{*folder};
+  if (words.accept("fps")) {
+    const int column = words.at_end() ? words.end_column() : words.peek()->column;
+    const auto fps = words.whole("pictures a second", 1, world::kTicksPerSecond);
+    if (!fps) return false;
+    if (!is_movie_rate(*fps)) return words.fail(column, "expected " + std::string(kMovieRateWords) + " pictures a second, found " + std::to_string(*fps));
+    start.fps = static_cast<int>(*fps);
+  }
+  start.gif = words.accept("gif");
+  action = start;
+  return words.end();
+}
+
+bool parse_movie_stop(Words& words, Action& action) {
+  action = StopMovie{};
+  return words.end();
+}
+
 bool parse_fault(Words& words, Action& action) {
   static const std::vector<std::string> kOperations = [] {
     std::vector<std::string> names;
@@ -198,9 +219,10 @@ struct Row {
 constexpr std::array kRows{
     Row{"env", parse_env}, Row{"frames", parse_frames}, Row{"ticks", parse_ticks}, Row{"wait", parse_wait},
     Row{"expect", parse_expect}, Row{"snap", parse_snap}, Row{"shot", parse_shot}, Row{"sheet", parse_sheet}, Row{"dump", parse_dump},
+    Row{"movie.start", parse_movie_start}, Row{"movie.stop", parse_movie_stop},
     Row{"log", parse_log}, Row{"fault", parse_fault}, Row{"camera", parse_camera},
     Row{"key", parse_key}, Row{"text", parse_text}, Row{"wheel", parse_wheel}, Row{"drop", parse_drop},
-    Row{"focus", parse_focus}, Row{"resize", parse_resize}, Row{"minimise", parse_minimise}, Row{"minimize", parse_minimise},
+    Row{"pad", parse_pad}, Row{"focus", parse_focus}, Row{"resize", parse_resize}, Row{"minimise", parse_minimise}, Row{"minimize", parse_minimise},
     Row{"raw.move", parse_raw_move}, Row{"raw.press", parse_raw_press}, Row{"raw.release", parse_raw_release},
     Row{"raw.key", parse_raw_key}, Row{"raw.wheel", parse_wheel}, Row{"raw.text", parse_text},
     Row{"ui.click", parse_ui_click}, Row{"ui.doubleclick", parse_ui_doubleclick}, Row{"ui.hover", parse_ui_hover},

@@ -77,6 +77,48 @@ bool parse_drop(Words& words, Action& action) {
   return finish(words, action, {{{platform::Drop{path->text}}}});
 }
 
+// "pad left 0 0.5 right 0 0 triggers 0 1": what is not named is let go. "pad a": pressed and released.
+bool parse_pad(Words& words, Action& action) {
+  static const std::vector<std::string> kNames = [] {
+    std::vector<std::string> names{"left", "right", "triggers", "rest"};
+    for (const std::string_view name : platform::kPadButtonNames) names.emplace_back(name);
+    return names;
+  }();
+  constexpr const char* kWanted = "left, right, triggers, rest, a, b, x or y";
+  constexpr std::size_t kButtons = 4;
+  if (words.at_end()) return words.fail(words.end_column(), std::string("expected ") + kWanted);
+  platform::GamepadAxes axes;
+  const auto within = [&](const char* what, double low) -> std::optional<float> {
+    const int column = words.at_end() ? words.end_column() : words.peek()->column;
+    const auto value = words.number(what);
+    if (!value) return std::nullopt;
+    if (!(*value >= low && *value <= 1)) {
+      words.fail(column, std::string("expected ") + what + ", found " + base::to_text(*value));
+      return std::nullopt;
+    }
+    return static_cast<float>(*value);
+  };
+  while (!words.at_end()) {
+    const auto name = words.one_of(kWanted, kNames);
+    if (!name) return false;
+    if (*name >= kButtons) {
+      const auto button = static_cast<platform::PadButton>(*name - kButtons);
+      Input input{{{platform::GamepadButton{button, true}}, {platform::GamepadButton{button, false}}}, true};
+      return finish(words, action, std::move(input));
+    }
+    if (*name == 3) continue;
+    const bool triggers = *name == 2;
+    const char* const what = triggers ? "a trigger, 0 to 1" : "a stick's place, -1 to 1";
+    const auto first = within(what, triggers ? 0 : -1);
+    const auto second = first ? within(what, triggers ? 0 : -1) : std::nullopt;
+    if (!second) return false;
+    if (*name == 0) axes.left_x = *first, axes.left_y = *second;
+    else if (*name == 1) axes.right_x = *first, axes.right_y = *second;
+    else axes.left_trigger = *first, axes.right_trigger = *second;
+  }
+  return finish(words, action, {{{axes}}});
+}
+
 bool parse_focus(Words& words, Action& action) {
   const auto on = words.at_end() ? std::optional<bool>(true) : words.on_off();
   if (!on) return false;

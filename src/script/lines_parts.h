@@ -17,6 +17,7 @@ bool parse_text(Words& words, Action& action);
 bool parse_wheel(Words& words, Action& action);
 bool parse_drop(Words& words, Action& action);
 bool parse_focus(Words& words, Action& action);
+bool parse_pad(Words& words, Action& action);
 bool parse_resize(Words& words, Action& action);
 bool parse_minimise(Words& words, Action& action);
 bool parse_raw_move(Words& words, Action& action);

@@ -72,6 +72,8 @@ class Runner {
   Failure perform(const Sheet& sheet);
   Failure perform(const Dump& dump);
   Failure perform(const Log& log);
+  Failure perform(const StartMovie& start);
+  Failure perform(const StopMovie& stop);
 
   // The condition's value now; `found` gets it as text.
   base::Result<bool> check(const Condition& condition, std::string& found);

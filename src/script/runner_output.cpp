@@ -131,6 +131,18 @@ Failure Runner::perform(const Dump& dump) {
   return failure(files.write_atomic(with(".json"), exchange::print_track(context.session.document)));
 }
 
+Failure Runner::perform(const StartMovie& start) {
+  if (!stage_.host().start_movie) return wrong("there are no pictures to make a movie of");
+  const auto folder = find_output(start.folder.text, options_.out);
+  if (!folder) return failure(folder.status(), start.folder.column);
+  return failure(stage_.host().start_movie(*folder, start.fps, start.gif));
+}
+
+Failure Runner::perform(const StopMovie&) {
+  if (!stage_.host().stop_movie) return wrong("there are no pictures to make a movie of");
+  return failure(stage_.host().stop_movie());
+}
+
 Failure Runner::perform(const Log& log) {
   if (const base::Status status = stage_.settle(); !status) return failure(status);
   std::string line;

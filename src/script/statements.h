@@ -14,6 +14,7 @@
 #include "platform/events.h"
 #include "query/condition.h"
 #include "script/host.h"
+#include "script/movie_rates.h"
 
 namespace coaster::script {
 
@@ -144,13 +145,20 @@ struct Log {
   };
   std::vector<Part> parts;
 };
+// Pictures of all ticks that follow, until StopMovie.
+struct StartMovie {
+  base::Token folder;
+  int fps = kUsualMovieRate;
+  bool gif = false;
+};
+struct StopMovie {};
 struct Fault {
   base::IoOperation operation = base::IoOperation::open;
   int nth = 1;
 };
 
 using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, Gesture, Lesson, Include, Expect, Wait, ExpectWidget, ExpectFile,
-                            ExpectError, UiAction, Input, AimAction, MoveCamera, FitCamera, Snap, Shot, Sheet, Dump, Log, Fault>;
+                            ExpectError, UiAction, Input, AimAction, MoveCamera, FitCamera, Snap, Shot, Sheet, Dump, Log, StartMovie, StopMovie, Fault>;
 
 struct Statement {
   int source = 0;  // into Script::sources

@@ -17,6 +17,9 @@ void screenshot(Act& act) { act.ui.out.wants_screenshot = true; }
 void challenges(Act& act) { act.ui.dialogs.show_challenges(); }
 bool in_challenge(const Act& act) { return act.ui.session().challenge.has_value(); }
 void leave_challenge(Act& act) { act.ui.emit(edit::LeaveChallenge{}); }
+bool filming(const Act& act) { return act.ui.state.movie != nullptr; }
+bool filmable(const Act& act) { return filming(act) || rideable(act); }
+void record_movie(Act& act) { act.ui.out.movie = filming(act) ? MovieWish::stop : MovieWish::start; }
 void show_start(Act& act) { act.ui.start.show(); }
 void tutorial(Act& act) { act.ui.dialogs.request(act.ui, {Want::Kind::tutorial, {}}); }
 void quit(Act& act) { act.ui.dialogs.request(act.ui, {Want::Kind::quit, {}}); }
@@ -33,6 +36,7 @@ constexpr Action kActions[] = {
     {"Leave challenge", "File", "", kNoKey, kNoKey, false, false, "End the challenge; the track stays as it is.", in_challenge, nullptr, leave_challenge},
     {"Settings", "File", "Ctrl+,", ctrl(Key::comma), kNoKey, false, false, "Scale, colours, autosave, keys.", always, nullptr, settings},
     {"Screenshot", "File", "F12", key(Key::f12), kNoKey, false, true, "Write a picture of the window.", always, nullptr, screenshot},
+    {"Record movie", "File", "Shift+F12", shift(Key::f12), kNoKey, false, true, "Record one lap of the ride as pictures and, where ffmpeg is installed, a movie; once more: stop.", filmable, filming, record_movie},
     {"Quit", "File", "Ctrl+Q", ctrl(Key::q), kNoKey, false, false, "Leave the program.", always, nullptr, quit},
 };
 

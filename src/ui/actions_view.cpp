@@ -21,6 +21,8 @@ bool gizmo_shown(const Act& act) { return act.ui.session().settings.show_gizmo; 
 void toggle_gizmo(Act& act) { act.ui.emit(edit::SetGizmo{!gizmo_shown(act)}); }
 
 bool supports_shown(const Act& act) { return act.ui.session().settings.layers.has(world::Layer::supports); }
+bool knots_shown(const Act& act) { return act.ui.session().settings.layers.has(world::Layer::knots); }
+void toggle_knots(Act& act) { act.ui.emit(edit::ShowLayer{world::Layer::knots, !knots_shown(act)}); }
 void toggle_supports(Act& act) { act.ui.emit(edit::ShowLayer{world::Layer::supports, !supports_shown(act)}); }
 
 void open_palette(Act& act) { toggle_palette(act.palette); }
@@ -97,6 +99,7 @@ constexpr Action kActions[] = {
     {"Frame selection", "View", "Shift+F", shift(Key::f), kNoKey, false, true, "Show what is selected.", any_selected, nullptr, frame_selection},
     {"Command palette", "View", "Ctrl+P", ctrl(Key::p), kNoKey, false, false, "Find an action or a command by typing.", always, nullptr, open_palette},
     {"First steps", "View", "", kNoKey, kNoKey, false, true, "Show or dismiss the first steps.", always, hints_shown, toggle_hints},
+    {"Knots", "View", "", kNoKey, kNoKey, false, true, "Show or hide knots that are not selected.", always, knots_shown, toggle_knots},
     {"Supports", "View", "", kNoKey, kNoKey, false, true, "Show or hide what holds the track.", always, supports_shown, toggle_supports},
     {"Gizmo", "View", "", kNoKey, kNoKey, false, true, "Show or hide the arrows that move the selected knots.", always, gizmo_shown, toggle_gizmo},
     {"Panels", "View", "Tab", key(Key::tab), kNoKey, false, false, "Show or hide menu, panels and status bar.", always, panels_shown, toggle_panels},

@@ -12,6 +12,7 @@
 #include "ui/command_palette.h"
 #include "ui/dialogs.h"
 #include "ui/fly_keys.h"
+#include "ui/gamepad.h"
 #include "ui/hints.h"
 #include "ui/imgui_input.h"
 #include "ui/imgui_renderer.h"
@@ -21,6 +22,7 @@
 #include "ui/layout.h"
 #include "ui/legend.h"
 #include "ui/lesson.h"
+#include "ui/movie_bar.h"
 #include "ui/panels.h"
 #include "ui/score_card.h"
 #include "ui/start_screen.h"
@@ -88,6 +90,7 @@ struct Host::Parts {
   std::filesystem::path file_of;  // the session's path it was taken from
   ViewportTool tool;
   FlyKeys fly_keys;
+  Gamepad gamepad;
   CommandPalette palette;
   double radius = 20;             // in Shape/Radius, m
   view::View view;
@@ -167,6 +170,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   Act act{ui, tool, layout.scene, hovered, palette};
   if (!typing && !asking) tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, events);
   fly_keys.fly(ui, events, typing || asking || dialogs.open());
+  gamepad.work(act, events, asking || dialogs.open());
   if (session.settings.show_panels) {
     build_menu(act);
     build_column(ui, Column::left, layout.left);
@@ -178,6 +182,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   draw_lesson(ui, layout.scene, lessons_widget ? &*lessons_widget : nullptr);
   draw_score_card(ui, layout.scene);
   build_import_bar(ui, layout.scene);
+  build_movie_bar(ui, layout.scene);
   build_palette(act, palette);
   start.build(ui, events, static_cast<float>(width), static_cast<float>(height));
   dialogs.build(ui, events, typing, static_cast<float>(width), static_cast<float>(height));

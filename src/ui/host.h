@@ -63,6 +63,16 @@ struct TrackPicture {
   std::string problem;   // why there is none
 };
 
+// A movie that is being made.
+struct MovieState {
+  int frames = 0;             // pictures taken
+  std::int64_t ticks = 0;     // of the ride so far
+  double done = 0;            // 0..1 of the lap, then of the movie file
+  bool encoding = false;      // all pictures are taken, the file is being made
+  int width = 0, height = 0;  // px, of the pictures; 0: as the window
+};
+enum class MovieWish { none, start, stop };
+
 // What panels read.
 struct State {
   const edit::Session& session;
@@ -74,6 +84,7 @@ struct State {
   const base::Progress* importing = nullptr;  // a file that is being read
   const query::LessonCard* lesson = nullptr;
   const std::map<std::string, TrackPicture>* pictures = nullptr;  // by path
+  const MovieState* movie = nullptr;          // null: none is made
 };
 
 enum class Recovery { recover, discard, later };  // later: asked again at the next start
@@ -90,6 +101,7 @@ struct Output {
   bool quit = false;
   bool wants_screenshot = false;
   bool cancel_import = false;
+  MovieWish movie = MovieWish::none;
   std::optional<exchange::UserSettings> settings;     // to keep instead of the present ones
   std::optional<Recovery> recovery;                   // the answer about the first offer
   query::LessonAnswer lesson_answer = query::LessonAnswer::none;

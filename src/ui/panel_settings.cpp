@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/text.h"
+#include "platform/sound.h"
 #include "ui/actions.h"
 #include "ui/dialogs.h"
 #include "ui/key_map.h"
@@ -38,7 +39,9 @@ void look(Ui& ui) {
   if (const auto to = combo(ui, "Theme", themes, static_cast<int>(settings.theme), "Colours of the panels.")) ui.emit(edit::SetTheme{static_cast<world::Theme>(*to)});
   const std::vector<Choice> styles{{"Day", "The sun high, a clear sky."}, {"Dusk", "The sun low, long shadows."}, {"Blueprint", "Lines on blue, for the laboratory and for print."}};
   if (const auto to = combo(ui, "Scene", styles, static_cast<int>(settings.style), "Light, sky and ground.")) ui.emit(edit::SetStyle{static_cast<world::Style>(*to)});
-  if (const auto to = slider(ui, "Sound (%)", static_cast<int>(std::lround(100 * settings.sound)), 0, 100, false, "Loudness of the ride; 0: silent."))
+  const bool built = platform::sound_library() != "none";
+  if (const auto to = slider(ui, "Sound (%)", static_cast<int>(std::lround(100 * settings.sound)), 0, 100, false,
+                             built ? "Loudness of the ride in a window; 0: silent. So it is without a sound device." : "This program was built without sound (OpenAL)."))
     ui.emit(edit::SetSound{static_cast<float>(*to) / 100});
   if (const auto on = checkbox(ui, "Reduced motion", settings.feel.reduced_motion, "Keep the rider's horizon level, cut between cameras, no bobbing, no widening."))
     ui.emit(edit::SetReducedMotion{*on});

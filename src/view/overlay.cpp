@@ -100,7 +100,7 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
   std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
   for (const PlacedMark& placed : marks)
-    if (!findings.riding || world::is_selected(settings, placed.knot) || hovered == Pick{placed.kind, placed.knot}) overlay.marks.push_back(mark_of(placed, settings, hovered));
+    if ((!findings.riding && settings.layers.has(world::Layer::knots)) || world::is_selected(settings, placed.knot) || hovered == Pick{placed.kind, placed.knot}) overlay.marks.push_back(mark_of(placed, settings, hovered));
   add_failure(derived, findings.failure, view, scale, overlay);
   return overlay;
 }

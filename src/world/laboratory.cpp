@@ -14,6 +14,7 @@ constexpr LayerRow kLayers[] = {
     {"flips", "Frenet's failures", "Where the Frenet normal flips, or is undefined because there is no curvature."},
     {"limits", "Red spans", "Where some g of the ride lasts longer than it may (not a compliance check)."},
     {"supports", "Supports", "Columns that hold the track up, found by themselves where they leave the trains' way free."},
+    {"knots", "Knots", "The knots and their handles; hidden ones can be picked all the same."},
 };
 
 constexpr ColouringRow kColourings[] = {

@@ -9,7 +9,7 @@
 namespace coaster::world {
 
 // Rows of layers(), in its order.
-enum class Layer : std::uint8_t { polyline, frames, comb, circle, construction, rounding, flips, limits, supports };
+enum class Layer : std::uint8_t { polyline, frames, comb, circle, construction, rounding, flips, limits, supports, knots };
 
 struct LayerRow {
   std::string_view name;   // in scripts and recordings: "show comb on"
@@ -18,7 +18,7 @@ struct LayerRow {
 };
 std::span<const LayerRow> layers();
 
-// A set of layers. The polyline and the supports show at first.
+// A set of layers. The polyline, the supports and the knots show at first.
 class Layers {
  public:
   bool has(Layer layer) const { return (bits_ >> static_cast<unsigned>(layer) & 1u) != 0; }
@@ -29,7 +29,7 @@ class Layers {
   friend bool operator==(const Layers&, const Layers&) = default;
 
  private:
-  std::uint16_t bits_ = 1u << static_cast<unsigned>(Layer::polyline) | 1u << static_cast<unsigned>(Layer::supports);
+  std::uint16_t bits_ = 1u << static_cast<unsigned>(Layer::polyline) | 1u << static_cast<unsigned>(Layer::supports) | 1u << static_cast<unsigned>(Layer::knots);
 };
 
 // What the track is coloured by: rows of colourings(), in its order.

@@ -83,7 +83,8 @@ TEST(grammar, words_left_over_and_missing_ones_are_errors) {
                                  "wait ride.lap == 1 max", "wait ride.lap == 1 max 3 days", "fault io.sync fail 1", "fault io.read", "snap",
                                  "snap \"../x\"", "dump \"../x\"", "log", "log nothing", "key", "raw.key F sideways", "repeat x\nend", "focus maybe",
                                  "expect error", "expect error laod \"x\"", "expect length == 3 +-", "expect length == 3 +- -1", "camera", "camera roll 3",
-                                 "text \"open", "expect visible", "expect file \"a\" like \"b\""}) {
+                                 "text \"open", "movie.start", "movie.start \"$OUT/m\" fps 25", "movie.start \"$OUT/m\" fps", "movie.start \"$OUT/m\" gif gif", "movie.stop now", "pad", "pad left 1", "pad left 0 1.5",
+                                 "pad triggers -1 0", "pad a b", "pad z", "expect visible", "expect file \"a\" like \"b\""}) {
     const std::string text = line;
     if (text == "expect knots") continue;  // a value alone: that it is true
     EXPECT_EQ(parse_lines(text).errors.size(), 1u) << line;

@@ -1,0 +1,167 @@
+#include "app/movie.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+#include <utility>
+
+#include "base/files.h"
+#include "gfx/image.h"
+#include "script/movie_rates.h"
+#include "script/paths.h"
+
+namespace coaster::app {
+namespace {
+
+constexpr std::string_view kBefore = "frame-", kAfter = ".png";
+constexpr std::size_t kDigits = 5;
+
+bool is_picture_name(const std::string& name) {
+  if (name.size() != kBefore.size() + kDigits + kAfter.size() || !name.starts_with(kBefore) || !name.ends_with(kAfter)) return false;
+  return std::all_of(name.begin() + kBefore.size(), name.begin() + kBefore.size() + kDigits, [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+base::Status remove_pictures(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::vector<std::filesystem::path> old;
+  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+    if (is_picture_name(at->path().filename().string())) old.push_back(at->path());
+  for (const std::filesystem::path& path : old)
+    if (!error) std::filesystem::remove(path, error);
+  if (error) return {base::Code::io, folder.string() + ": " + error.message()};
+  return {};
+}
+
+}  // namespace
+
+std::string Movie::picture_name(int number) {
+  std::string digits = std::to_string(number);
+  if (digits.size() < kDigits) digits.insert(0, kDigits - digits.size(), '0');
+  return std::string(kBefore) + digits + std::string(kAfter);
+}
+
+Movie::Movie(const MovieOrder& order) : order_(order), most_writers_(std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostWriters)) {}
+
+base::Result<std::unique_ptr<Movie>> Movie::start(const MovieOrder& order) {
+  COASTER_CHECK(script::is_movie_rate(order.fps), "a picture of a movie shows a whole tick");
+  if (const base::Status made = script::make_folder(order.folder); !made) return base::Status{base::Code::io, made.message};
+  if (const base::Status removed = remove_pictures(order.folder); !removed) return removed;
+  return std::unique_ptr<Movie>(new Movie(order));
+}
+
+// Waits for the oldest writers until at most `room` are left.
+void Movie::collect(std::size_t room) {
+  while (writers_.size() > room) {
+    const base::Status wrote = writers_.front().get();
+    writers_.pop_front();
+    if (failed_ && !wrote) failed_ = {base::Code::io, wrote.message};
+  }
+}
+
+base::Status Movie::add(gfx::Image picture) {
+  constexpr int kMost = 100'000;  // the names' digits
+  COASTER_CHECK(wait_ == 0, "no picture is due");
+  if (frames_ == 0) width_ = picture.width, height_ = picture.height;
+  const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
+  if (failed_ && (picture.width != width_ || picture.height != height_))
+    failed_ = {base::Code::refused, "a movie's pictures have one size: " + size(width_, height_) + " became " + size(picture.width, picture.height)};
+  if (failed_ && frames_ >= kMost) failed_ = {base::Code::refused, "a movie has at most " + std::to_string(kMost) + " pictures"};
+  if (!failed_) return failed_;
+  collect(most_writers_ - 1);
+  writers_.push_back(std::async(std::launch::async, [path = order_.folder / picture_name(frames_), image = std::move(picture)] {
+    base::Files files;  // pictures go through file handling of their own: injected faults are meant for documents
+    return files.write_atomic(path, gfx::encode_png(image));
+  }));
+  ++frames_;
+  wait_ = ticks_a_frame();
+  return failed_;
+}
+
+base::Status Movie::finish() {
+  collect(0);
+  return failed_;
+}
+
+MovieEncoder::MovieEncoder(const MovieOrder& order, int frames) : order_(order), frames_(frames), program_(find_program("ffmpeg")) {
+  if (program_.empty() || frames < 1) return;
+  files_ = {"movie.mp4"};
+  if (order.gif) files_.push_back("movie.gif");
+  all_ = files_.size();
+  next();
+}
+
+// Names are relative to the folder, where the process runs: a folder with a "%" in its name would be taken for a pattern.
+std::vector<std::string> MovieEncoder::arguments(const std::string& program, const MovieOrder& order, int frames, const std::string& file) {
+  std::vector<std::string> words{program, "-nostdin", "-y", "-loglevel", "error", "-nostats", "-progress", "pipe:1",
+                                 "-framerate", std::to_string(order.fps), "-start_number", "0", "-i", "frame-%05d.png", "-frames:v"};
+  if (file.ends_with(".gif")) {
+    // At most 25 a second, since a GIF counts hundredths, and 640 pixels wide; one palette for the whole movie.
+    const int fps = std::min(order.fps, 25);
+    words.push_back(std::to_string(std::max(1, frames * fps / order.fps)));
+    words.insert(words.end(), {"-filter_complex", "fps=" + std::to_string(fps) + ",scale='min(640,iw)':-2:flags=lanczos,split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4"});
+  } else {
+    words.push_back(std::to_string(frames));
+    // What every player shows: 4:2:0 with even sides.
+    words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"});
+  }
+  words.push_back(file);
+  return words;
+}
+
+void MovieEncoder::next() {
+  while (!files_.empty()) {
+    const base::Status started = process_.start(arguments(program_, order_, frames_, files_.front()), order_.folder, true);
+    if (started) return;
+    error_ = started.message;
+    files_.clear();
+  }
+}
+
+// Lines "frame=12" tell how far it is; other lines with a "=" in their first word are of the same report; the last of the rest is an error.
+void MovieEncoder::read_progress() {
+  std::string& text = process_.output();
+  const bool ended = !process_.running();
+  for (;;) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string::npos && !(ended && !text.empty())) return;
+    std::string line = text.substr(0, end);
+    text.erase(0, end == std::string::npos ? end : end + 1);
+    while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back()))) line.pop_back();
+    if (line.starts_with("frame=")) {
+      const double part = std::clamp(std::atof(line.c_str() + 6) / std::max(1, frames_), 0.0, 1.0);
+      done_ = std::max(done_, (static_cast<double>(made_.size()) + part) / static_cast<double>(all_));
+    } else if (!line.empty() && line.find('=') > line.find(' ')) {
+      error_ = line;
+    }
+  }
+}
+
+std::optional<std::string> MovieEncoder::poll() {
+  const std::string pictures = std::to_string(frames_) + (frames_ == 1 ? " picture in " : " pictures in ") + order_.folder.string();
+  if (program_.empty()) return "movie: " + pictures + "; install ffmpeg for a movie file";
+  if (frames_ < 1) return "movie: no pictures: no time went by";
+  if (process_.running()) {
+    const std::optional<int> status = process_.poll();
+    read_progress();
+    if (!status) return std::nullopt;
+    if (*status == 0) {
+      made_.push_back(files_.front());
+      files_.erase(files_.begin());
+      error_.clear();  // warnings
+      next();
+    } else {
+      if (error_.empty()) error_ = *status > 128 ? "ended by signal " + std::to_string(*status - 128) : "exit code " + std::to_string(*status);
+      error_ = "ffmpeg made no " + files_.front() + ": " + error_;
+      files_.clear();
+    }
+    if (process_.running()) return std::nullopt;
+  }
+  done_ = 1;
+  std::string line = "movie: " + pictures;
+  for (const std::string& name : made_) line += ", " + name;
+  return error_.empty() ? line : line + "; " + error_;
+}
+
+}  // namespace coaster::app

@@ -1,0 +1,82 @@
+// A movie as numbered pictures at a fixed rate of the ride's own time, and from them an MP4 and a GIF where ffmpeg is installed. How pictures come
+// about is told in app/filming.h.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/process.h"
+#include "gfx/renderer.h"
+#include "script/movie_rates.h"
+#include "world/motion.h"
+
+namespace coaster::app {
+
+struct MovieOrder {
+  std::filesystem::path folder;
+  int fps = script::kUsualMovieRate;  // one of script::kMovieRates
+  bool gif = false;  // movie.gif, too
+};
+
+// Takes pictures, in order, and writes them as FOLDER/frame-00000.png and on.
+class Movie {
+ public:
+  // Makes the folder, and removes the pictures of an earlier movie there: files named as its own, no others. Code::io with the reason.
+  static base::Result<std::unique_ptr<Movie>> start(const MovieOrder& order);
+
+  const MovieOrder& order() const { return order_; }
+  int frames() const { return frames_; }        // taken
+  int ticks_a_frame() const { return world::kTicksPerSecond / order_.fps; }
+  int wait() const { return wait_; }            // ticks until the next picture is due; 0: now
+  void pass(int ticks) { wait_ -= ticks; }      // at most wait()
+  // The picture that is due. Written beside what the program does next, by as many threads as there are processors, at most kMostWriters. Code::io when
+  // one before could not be written, Code::refused for a picture of another size than the first: both for good.
+  base::Status add(gfx::Image picture);
+  // Waits until all are written. The first failure, again and again.
+  base::Status finish();
+
+  static constexpr std::size_t kMostWriters = 8;
+  static std::string picture_name(int number);
+
+ private:
+  explicit Movie(const MovieOrder& order);
+  void collect(std::size_t room);
+
+  MovieOrder order_;
+  int frames_ = 0, wait_ = 0, width_ = 0, height_ = 0;
+  std::size_t most_writers_;
+  std::deque<std::future<base::Status>> writers_;
+  base::Status failed_;
+};
+
+// Makes FOLDER/movie.mp4 and FOLDER/movie.gif from the pictures, by ffmpeg in a process of its own.
+class MovieEncoder {
+ public:
+  // Begins. Without ffmpeg, and for a movie without pictures, there is nothing to do.
+  MovieEncoder(const MovieOrder& order, int frames);
+
+  // Without waiting: one line that says what has become of the movie, once all is made or failed.
+  std::optional<std::string> poll();
+  double done() const { return done_; }  // 0..1
+  // The program's arguments for one file; words[0] is `program`.
+  static std::vector<std::string> arguments(const std::string& program, const MovieOrder& order, int frames, const std::string& file);
+
+ private:
+  void read_progress();
+  void next();
+
+  MovieOrder order_;
+  int frames_;
+  std::string program_, error_;
+  std::vector<std::string> files_, made_;  // names in the folder; files_ are still to be made, the first of them now
+  std::size_t all_ = 0;
+  double done_ = 0;
+  Process process_;
+};
+
+}  // namespace coaster::app

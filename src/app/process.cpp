@@ -1,0 +1,88 @@
+#include "app/process.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+extern char** environ;
+
+namespace coaster::app {
+
+std::string find_program(const char* name) {
+  const char* const folders = std::getenv("PATH");
+  const std::string all = folders != nullptr ? folders : "";
+  for (std::size_t from = 0; from <= all.size();) {
+    const std::size_t to = std::min(all.find(':', from), all.size());
+    const std::filesystem::path file = std::filesystem::path(all.substr(from, to - from)) / name;
+    std::error_code failed;
+    if (file.is_absolute() && ::access(file.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(file, failed)) return file.string();
+    from = to + 1;
+  }
+  return {};
+}
+
+Process::~Process() { end(); }
+
+base::Status Process::start(std::vector<std::string> words, const std::filesystem::path& folder, bool errors) {
+  end();
+  output_.clear();
+  int ends[2];
+  if (words.empty() || ::pipe2(ends, O_CLOEXEC) != 0) return {base::Code::io, std::string("no process can be started: ") + std::strerror(errno)};
+  ::fcntl(ends[0], F_SETFL, O_NONBLOCK);  // our end alone
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  if (errors) posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  pid_t pid = 0;
+  const int failed = ::posix_spawn(&pid, argv[0], &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(ends[1]);
+  if (failed != 0) {
+    ::close(ends[0]);
+    return {base::Code::io, words[0] + ": cannot be started: " + std::strerror(failed)};
+  }
+  pid_ = pid;
+  pipe_ = ends[0];
+  return {};
+}
+
+void Process::drain() {
+  char bytes[4096];
+  for (ssize_t got; (got = ::read(pipe_, bytes, sizeof bytes)) > 0;) output_.append(bytes, static_cast<std::size_t>(got));
+}
+
+std::optional<int> Process::poll() {
+  if (!running()) return std::nullopt;
+  drain();
+  int status = 0;
+  const pid_t done = ::waitpid(pid_, &status, WNOHANG);
+  if (done == 0 || (done < 0 && errno == EINTR)) return std::nullopt;
+  drain();  // what it wrote just before it ended
+  ::close(std::exchange(pipe_, -1));
+  pid_ = 0;
+  if (done < 0) return 127;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+void Process::end() {
+  if (!running()) return;
+  ::kill(pid_, SIGKILL);
+  ::waitpid(pid_, nullptr, 0);
+  ::close(std::exchange(pipe_, -1));
+  pid_ = 0;
+}
+
+}  // namespace coaster::app

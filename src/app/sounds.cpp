@@ -1,0 +1,31 @@
+#include "app/sounds.h"
+
+#include "app/program.h"
+
+namespace coaster::app {
+
+void keep_sounding(Program& program) {
+  Sounds& sounds = program.sounds;
+  const edit::Session& session = program.session;
+  const double volume = session.settings.sound;
+  const bool wanted = volume > 0;
+  if (!wanted) {
+    sounds.refused = false;
+    if (sounds.voice.heard.volume < 1e-3) sounds.device.reset();  // else it fades first
+  }
+  if (wanted && !sounds.device && !sounds.refused) {
+    auto device = platform::SoundDevice::open();
+    if (device) {
+      sounds.device = std::move(*device);
+    } else {
+      sounds.refused = true;
+      if (sounds.refusals++ > 0) edit::notify(program.session, edit::NoticeKind::info, "no sound: " + device.status().message);
+    }
+  }
+  if (!sounds.device) return;
+  const bool filmed = program.filming && program.filming->movie;
+  const view::RideNoise noise = filmed ? view::RideNoise{} : view::ride_noise(session.document, session.derived, session.motion, volume);
+  sounds.device->feed([&](std::span<float> block) { view::synthesise(sounds.voice, noise, platform::kSoundRate, block); });
+}
+
+}  // namespace coaster::app

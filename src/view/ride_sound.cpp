@@ -1,0 +1,138 @@
+// Synthesis by filtered noise and struck resonators. Nothing here is hashed: libm may be used.
+#include "view/ride_sound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/equipment.h"
+#include "sim/ride.h"
+#include "sim/train.h"
+
+namespace coaster::view {
+namespace {
+
+constexpr double kTwoPi = 2 * std::numbers::pi;
+
+double finite(double value, double low, double high) { return std::isfinite(value) ? std::clamp(value, low, high) : 0; }
+
+// xorshift32 (Marsaglia 2003, doi 10.18637/jss.v008.i14) as white noise in -1..1.
+double white(std::uint32_t& seed) {
+  seed ^= seed << 13, seed ^= seed >> 17, seed ^= seed << 5;
+  return static_cast<double>(seed) * (2.0 / 4294967296.0) - 1;
+}
+
+struct Ring {
+  double a1, a2, gain;
+};
+// Poles at radius r, so that the ring falls to 1/e in `decay` seconds; the response to an impulse of 1 is a sine that begins at 0 with amplitude 1.
+Ring ring(double hertz, double decay, int rate) {
+  const double r = std::exp(-1 / (decay * rate)), w = kTwoPi * std::min(hertz, 0.45 * rate) / rate;
+  return {2 * r * std::cos(w), -r * r, std::sin(w)};
+}
+double rung(Resonator& resonator, const Ring& ring, double in) {
+  double now = ring.a1 * resonator.last + ring.a2 * resonator.before + ring.gain * in;
+  if (std::abs(now) < 1e-15) now = 0;  // a denormal number is slow, and nobody hears it
+  resonator.before = resonator.last;
+  return resonator.last = now;
+}
+
+// What depends on speed, computed once for some frames.
+struct Tone {
+  Ring wind;
+  double wind_gain, wheel_gain, wheel_pole;
+};
+constexpr int kToneFrames = 32;
+
+Tone tone_of(const RideNoise& heard, int rate) {
+  constexpr double kFast = 35;  // m/s, where the wind is at its loudest
+  const double speed = heard.speed, part = std::min(speed / kFast, 1.3);
+  Tone tone;
+  // A wide resonance that rises with speed: 280 Hz at rest, 1 kHz at 30 m/s, half a wave of it left after one period.
+  const double hertz = 280 + 24 * speed;
+  tone.wind = ring(hertz, 0.6 / hertz, rate);
+  tone.wind_gain = 0.34 * part * part;
+  tone.wheel_pole = 1 - std::exp(-kTwoPi * (70 + 5 * speed) / rate);
+  tone.wheel_gain = 3.2 * std::pow(std::min(speed / kFast, 1.3), 0.8) * (0.55 + 0.45 * std::min(heard.load, 3.0));
+  return tone;
+}
+
+struct Bell {
+  double hertz, decay, gain;
+};
+// A tooth of steel: measured by ear, not after a particular lift.
+constexpr std::array<Bell, 3> kSteel{{{420, 0.028, 0.34}, {1270, 0.016, 0.22}, {2910, 0.008, 0.12}}};
+
+// The frames until the next clack are counted by the way over the rack; each is struck a little differently.
+double clack(RideVoice& voice, const std::array<Ring, 3>& rings, int rate) {
+  double strike = 0;
+  voice.tooth += voice.heard.rack / (kRackPitch * rate);
+  if (voice.tooth >= 1) {
+    voice.tooth -= std::floor(voice.tooth);
+    ++voice.clacks;
+    strike = 1 + 0.25 * white(voice.seeds[2]);
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < kSteel.size(); ++i) sum += kSteel[i].gain * rung(voice.steel[i], rings[i], strike);
+  return sum;
+}
+
+// Bends what is louder than half of full scale, so that the sum stays below 1.
+double bounded(double x) {
+  constexpr double kKnee = 0.5;
+  const double size = std::abs(x);
+  return size <= kKnee ? x : std::copysign(kKnee + (1 - kKnee) * std::tanh((size - kKnee) / (1 - kKnee)), x);
+}
+
+}  // namespace
+
+RideNoise ride_noise(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, double volume) {
+  RideNoise noise;
+  noise.volume = volume;
+  const world::Entity cart = world::first_cart(document);
+  const world::CartMotion* const moving = motion.carts.find(cart);
+  const world::Cart* const design = document.entities.find<world::Cart>(cart);
+  if (!moving || !design || motion.state != world::RideState::running || !derived.segments.contains(moving->segment)) return noise;
+  noise.speed = std::abs(moving->speed);
+  noise.load = std::abs(sim::felt(document, derived, cart, *moving).up);
+  const double front = moving->track_distance, length = (sim::cars_on(derived, *design) - 1) * static_cast<double>(design->spacing);
+  for (const sim::EquipmentSpan& span : sim::equipment_spans(document, derived)) {
+    if (span.equipment.kind != world::EquipmentKind::lift) continue;
+    const auto over = [&](double to) { return to >= span.from && to - length <= span.to; };
+    // On a closed track the rear may still be before the start.
+    if (over(front) || (derived.closed && over(front + derived.length))) noise.rack = std::max(0.0, moving->speed);
+  }
+  return noise;
+}
+
+void synthesise(RideVoice& voice, const RideNoise& noise, int rate, std::span<float> out) {
+  constexpr double kSlow = 0.03, kMostSpeed = 150, kWheelRound = 1.1;  // s, m/s, m
+  const RideNoise wanted{finite(noise.speed, 0, kMostSpeed), finite(noise.rack, 0, kMostSpeed), finite(noise.load, 0, 10), finite(noise.volume, 0, 1)};
+  const double nearer = 1 - std::exp(-1 / (kSlow * rate));
+  std::array<Ring, 3> rings{};
+  for (std::size_t i = 0; i < rings.size(); ++i) rings[i] = ring(kSteel[i].hertz, kSteel[i].decay, rate);
+  RideNoise& heard = voice.heard;
+  Tone tone = tone_of(voice.toned, rate);
+  for (std::size_t frame = 0; 2 * frame + 1 < out.size(); ++frame) {
+    heard.speed += nearer * (wanted.speed - heard.speed);
+    heard.load += nearer * (wanted.load - heard.load);
+    heard.volume += nearer * (wanted.volume - heard.volume);
+    heard.rack = wanted.rack;  // clacks are counted by the way: no need to smooth
+    if (voice.frames++ % kToneFrames == 0) tone = tone_of(voice.toned = heard, rate);
+    voice.turn += heard.speed / (kWheelRound * rate);
+    voice.turn -= std::floor(voice.turn);
+    double in = white(voice.seeds[0]);
+    const double shared = in;
+    for (double& low : voice.low) in = low += tone.wheel_pole * (in - low);
+    const double wheels = tone.wheel_gain * in * (0.8 + 0.2 * std::sin(kTwoPi * voice.turn));
+    const double teeth = clack(voice, rings, rate);
+    const double other = white(voice.seeds[1]);
+    const std::array<double, 2> noises{0.8 * shared + 0.6 * other, 0.8 * shared - 0.6 * other};
+    for (std::size_t side = 0; side < 2; ++side) {
+      const double wind = tone.wind_gain * rung(voice.wind[side], tone.wind, noises[side]);
+      out[2 * frame + side] = static_cast<float>(bounded(heard.volume * (wind + wheels + teeth)));
+    }
+  }
+}
+
+}  // namespace coaster::view

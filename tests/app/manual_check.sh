@@ -1,0 +1,53 @@
+# --help, the manual page and the completion name the same options, as the program takes them.
+. "$(dirname "$0")/lib.sh"
+expect_code 0 --help
+grep -oE '^ +(-h,)?--[a-z-]+' "$OUT/stdout" | grep -oE -- '--[a-z-]+' | sort >"$OUT/help.options"
+expect_code 0 --help-man
+cp "$OUT/stdout" "$OUT/coaster.6"
+expect_code 0 --help-completion
+cp "$OUT/stdout" "$OUT/coaster.bash"
+sed -n 's/^\\fB\(\(\\-\)\{2\}[a-z\\-]*\)\\fR.*/\1/p' "$OUT/coaster.6" | sed 's/\\//g' | sort >"$OUT/man.options"
+cmp -s "$OUT/help.options" "$OUT/man.options" || fail "--help and the manual page differ: $(diff "$OUT/help.options" "$OUT/man.options")"
+[ "$(wc -l <"$OUT/help.options")" -ge 20 ] || fail "only $(wc -l <"$OUT/help.options") options in --help"
+# Every option is taken: an unknown one would be exit code 2 with that word.
+while read -r option; do
+  "$COASTER" "$option" --no-such-option >/dev/null 2>"$OUT/stderr"
+  grep -q -- "not expected: $option" "$OUT/stderr" && fail "$option is told of, and unknown"
+done <"$OUT/help.options"
+
+version=$("$COASTER" --version | head -n 1)
+[ "$version" = "coaster $(sed -n 's/^project(coaster VERSION \([0-9.]*\).*/\1/p' "$SOURCE/CMakeLists.txt")" ] || fail "--version says $version"
+grep -q "\"$version\"" "$OUT/coaster.6" || fail "the manual page is not of $version"
+if command -v groff >/dev/null; then
+  groff -man -Tutf8 -ww "$OUT/coaster.6" >"$OUT/man.txt" 2>"$OUT/man.warnings"
+  [ ! -s "$OUT/man.warnings" ] || fail "groff: $(head -c 400 "$OUT/man.warnings")"
+fi
+
+# The completion, with what it needs of bash-completion in few words.
+_init_completion() { cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]}; }
+_filedir() { asked=${1:-files}; }
+. "$OUT/coaster.bash"
+complete -p coaster | grep -q "_coaster" || fail "no completion for coaster"
+# completed WORDS...: of the last of them, in COMPREPLY; the pattern of files in `asked`.
+completed() {
+  COMP_WORDS=(coaster "$@") COMP_CWORD=$# COMPREPLY=() asked=
+  _coaster
+}
+completed --
+printf '%s\n' "${COMPREPLY[@]}" | sort >"$OUT/bash.options"
+cmp -s "$OUT/help.options" "$OUT/bash.options" || fail "--help and the completion differ: $(diff "$OUT/help.options" "$OUT/bash.options")"
+completed --he
+[ "${COMPREPLY[*]}" = "--help --headless --help-script --help-man --help-completion" ] || fail "--he becomes ${COMPREPLY[*]}"
+completed --camera ""
+[ "${COMPREPLY[*]}" = "orbit ride chase fly" ] || fail "cameras: ${COMPREPLY[*]}"
+completed --fps 1
+[ "${COMPREPLY[*]}" = "10 12 15 120" ] || fail "rates: ${COMPREPLY[*]}"
+completed --script ""
+[ "$asked" = "@(coaster)" ] || fail "scripts: $asked"
+completed --out ""
+[ "$asked" = "-d" ] || fail "folders: $asked"
+completed ""
+case $asked in *json*nltrack*coaster*) ;; *) fail "files: $asked" ;; esac
+completed --seed ""
+[ -z "$asked${COMPREPLY[*]}" ] || fail "a number was completed"
+finish

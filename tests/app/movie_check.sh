@@ -1,0 +1,130 @@
+# Movies: numbered pictures by the script's own time, a file by ffmpeg where there is one, and nothing lost where there is none or it fails.
+. "$(dirname "$0")/lib.sh"
+mkdir -p "$OUT/none" "$OUT/good" "$OUT/bad"
+cat >"$OUT/good/ffmpeg" <<'END'
+#!/bin/sh
+printf '%s\n' "$PWD" "$@" >>"$FFMPEG_LOG"
+echo "frame=3"; echo "progress=continue"
+for last; do :; done
+echo "a movie" >"$last"
+END
+cat >"$OUT/bad/ffmpeg" <<'END'
+#!/bin/sh
+echo "frame=1"
+echo "Unknown encoder 'libx264'" >&2
+exit 3
+END
+chmod +x "$OUT"/good/ffmpeg "$OUT"/bad/ffmpeg
+export FFMPEG_LOG="$OUT/ffmpeg.log"
+# with_ffmpeg WHICH CODE arguments...: the program with that ffmpeg, or none, in PATH. The fake ones need nothing else but sh's own commands.
+with_ffmpeg() {
+  local before=$PATH
+  PATH=$OUT/$1
+  expect_code "${@:2}"
+  PATH=$before
+}
+# expect_pictures DIR N: exactly frame-00000.png to the Nth.
+expect_pictures() {
+  local found
+  found=$(cd "$1" && echo frame-*.png)
+  local wanted
+  wanted=$(for ((i = 0; i < $2; ++i)); do printf 'frame-%05d.png ' "$i"; done)
+  [ "$found " = "$wanted" ] || fail "$1 has $found, expected $2 pictures"
+}
+size_of() { od -An -tu1 -j16 -N8 "$1" | tr -s ' '; }  # of a PNG: width and height, four bytes each
+script() { printf 'coaster-script 1\nenv size 160x90\nload "%s/tracks/loop.json"\npanels off\ncamera chase\nride.start\n%b' "$SOURCE" "$2" >"$OUT/$1.coaster"; }
+
+# Time that is drawn and time that is not count alike; 0.4 s are 12 pictures at 30, 10 at 24, 24 at 60 a second.
+script time 'frames 6\nticks 24\nwait tick >= 48\nframes 0\n'
+for rate in 30:12 24:10 60:24; do
+  with_ffmpeg none 0 --headless --script "$OUT/time.coaster" --out "$OUT/run" --movie "$OUT/m" --fps ${rate%:*}
+  expect_pictures "$OUT/m" ${rate#*:}
+  expect_text stderr "movie: ${rate#*:} pictures in $OUT/m; install ffmpeg"
+  [ ! -e "$OUT/m/movie.mp4" ] || fail "a movie file without ffmpeg"
+done
+[ "$(size_of "$OUT/m/frame-00000.png")" = " 0 0 0 160 0 0 0 90" ] || fail "frame-00000.png is $(size_of "$OUT/m/frame-00000.png")"
+cmp -s "$OUT/m/frame-00000.png" "$OUT/m/frame-00023.png" && fail "the first and the last picture are the same"
+
+# The same pictures again, whatever is drawn in between; 60 a second holds every second picture of 30.
+cp -r "$OUT/m" "$OUT/before"
+script bundled 'ticks 48\n'
+with_ffmpeg none 0 --headless --script "$OUT/bundled.coaster" --out "$OUT/run" --movie "$OUT/m" --fps 30
+for i in 00 01 02 11; do
+  cmp -s "$OUT/m/frame-000$i.png" "$OUT/before/frame-000$(printf %02d $((2 * 10#$i))).png" || fail "picture $i differs between 30 and 60 a second"
+done
+
+# ffmpeg gets its arguments in the folder of the pictures; files of the user's there are left alone.
+echo mine >"$OUT/m/frame-1.png"
+with_ffmpeg good 0 --headless --script "$OUT/time.coaster" --out "$OUT/run" --movie "$OUT/m" --gif
+expect_text stderr "movie: 12 pictures in $OUT/m, movie.mp4, movie.gif"
+[ "$(cat "$OUT/m/frame-1.png")" = mine ] || fail "a file that is no picture of a movie was removed"
+[ -s "$OUT/m/movie.mp4" ] && [ -s "$OUT/m/movie.gif" ] || fail "no movie files"
+[ "$(grep -cx "$OUT/m" "$FFMPEG_LOG")" = 2 ] || fail "ffmpeg did not run in the folder of the pictures"
+for word in frame-%05d.png -framerate 30 12 yuv420p movie.mp4 movie.gif; do grep -qx -- "$word" "$FFMPEG_LOG" || fail "ffmpeg was not told $word"; done
+
+# A failure of ffmpeg is one line, and no failure of the program.
+with_ffmpeg bad 0 --headless --script "$OUT/time.coaster" --out "$OUT/run" --movie "$OUT/m2"
+expect_text stderr "movie: 12 pictures in $OUT/m2; ffmpeg made no movie.mp4: Unknown encoder 'libx264'"
+[ "$(wc -l <"$OUT/stderr")" = 1 ] || fail "more than one line about ffmpeg"
+expect_pictures "$OUT/m2" 12
+
+# One lap of a track, and as many pictures as asked for.
+with_ffmpeg none 0 --headless --movie "$OUT/ride" --frames 3 --size 161x91 --camera ride "$SOURCE/tracks/loop.json"
+expect_pictures "$OUT/ride" 3
+[ "$(size_of "$OUT/ride/frame-00002.png")" = " 0 0 0 161 0 0 0 91" ] || fail "a picture of another size than asked for"
+with_ffmpeg none 0 --headless --movie "$OUT/lap" --fps 10 --size 64x36 --json "$SOURCE/tests/tracks/two_knots.json"
+seconds=$(sed -n 's/.*"time_s": \([0-9]*\).*/\1/p' "$OUT/stdout")
+pictures=$(ls "$OUT/lap" | wc -l)
+[ "$pictures" -ge $((10 * seconds)) ] && [ "$pictures" -le $((10 * seconds + 11)) ] || fail "$pictures pictures of a ride of $seconds s"
+
+# In the language; below $OUT alone, at known rates, one at a time, of one size.
+script said 'movie.start "$OUT/a b" fps 60\nticks 10\nexpect movie.frames == 5\nmovie.stop\nticks 10\nexpect movie.frames == 5\nexpect file "$OUT/a b/frame-00004.png" exists\nexpect not file "$OUT/a b/frame-00005.png" exists\nexpect error movie.stop ~ "no movie"\n'
+with_ffmpeg good 0 --headless --script "$OUT/said.coaster" --out "$OUT/run"
+[ -s "$OUT/run/a b/movie.mp4" ] || fail "no movie in a folder with a blank"
+script outside 'movie.start "elsewhere"\n'
+expect_code 2 --headless --script "$OUT/outside.coaster" --out "$OUT/run"
+script rate 'movie.start "$OUT/m" fps 25\n'
+expect_code 2 --validate "$OUT/rate.coaster"
+expect_text stderr "found 25"
+script twice 'movie.start "$OUT/m"\nexpect error movie.start "$OUT/n" ~ "already"\n'
+with_ffmpeg none 0 --headless --script "$OUT/twice.coaster" --out "$OUT/run"
+script resized 'movie.start "$OUT/m"\nticks 4\nresize 200x90\nticks 8\nmovie.stop\n'
+with_ffmpeg none 2 --headless --script "$OUT/resized.coaster" --out "$OUT/run"
+expect_text stderr "160x90 became 200x90"
+expect_code 2 --movie "$OUT/m" "$SOURCE/tracks/loop.json"
+expect_code 2 --headless --movie "$OUT/m" --fps 25 "$SOURCE/tracks/loop.json"
+: >"$OUT/file"
+expect_code 5 --headless --movie "$OUT/file/m" "$SOURCE/tracks/loop.json"
+
+# By hand: from the menu until Stop, or until the ride is over; the pictures show the scene alone, not the bar.
+printf 'coaster-script 1
+env size 640x360
+load "%s/tests/tracks/two_knots.json"
+name "By hand"
+ui.menu "File/Record movie"
+frames 12
+expect visible "Movie/Stop"
+expect movie.frames >= 6
+shot "$OUT/bar.png"
+ui.click "Movie/Stop"
+frames 1
+expect not visible "Movie/Stop"
+expect toast ~ "by-hand-movie-1; install ffmpeg"
+expect file "$OUT/by-hand-movie-1/frame-00005.png" exists
+key Shift+F12
+expect ride.state == running
+wait ride.state != running max 14400 ticks
+frames 2
+expect not visible "Movie/Stop"
+expect toast ~ "by-hand-movie-2; install ffmpeg"
+' "$SOURCE" >"$OUT/hand.coaster"
+with_ffmpeg none 0 --headless --script "$OUT/hand.coaster" --out "$OUT/hand"
+[ "$(size_of "$OUT/hand/by-hand-movie-1/frame-00000.png")" = " 0 0 2 128 0 0 1 104" ] || fail "a picture by hand is not as large as the window"
+
+# A movie changes neither document nor motion.
+script hashes 'frames 7\nticks 13\nlog hash document hash motion\n'
+expect_code 0 --headless --script "$OUT/hashes.coaster" --out "$OUT/run"
+plain=$(cat "$OUT/stdout")
+with_ffmpeg none 0 --headless --script "$OUT/hashes.coaster" --out "$OUT/run" --movie "$OUT/m" --fps 24
+[ "$plain" = "$(cat "$OUT/stdout")" ] || fail "the motion is another one while a movie is recorded"
+finish

@@ -1,0 +1,167 @@
+#include "view/ride_sound.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "sim/ride.h"
+#include "sim/tracks.h"
+
+namespace coaster::view {
+namespace ride_sound_test {
+
+constexpr int kRate = 44'100;
+
+RideNoise at_speed(double speed, double rack = 0) { return {speed, rack, 1, 1}; }
+
+// `seconds` of it, after half a second in which it settles.
+std::vector<float> sound_of(const RideNoise& noise, double seconds, RideVoice* voice = nullptr) {
+  RideVoice own;
+  RideVoice& v = voice ? *voice : own;
+  std::vector<float> start(kRate), out(2 * static_cast<std::size_t>(seconds * kRate));
+  synthesise(v, noise, kRate, start);
+  synthesise(v, noise, kRate, out);
+  return out;
+}
+
+double rms(const std::vector<float>& samples) {
+  double sum = 0;
+  for (const float s : samples) sum += static_cast<double>(s) * s;
+  return std::sqrt(sum / static_cast<double>(samples.size()));
+}
+
+// The power near a frequency, by Goertzel's recurrence over blocks of 4096 left samples: bins 10.8 Hz wide.
+double power_at(const std::vector<float>& samples, double hertz) {
+  constexpr std::size_t kBlock = 4096;
+  const double c = 2 * std::cos(2 * M_PI * hertz / kRate);
+  double power = 0;
+  std::size_t blocks = 0;
+  for (std::size_t from = 0; 2 * (from + kBlock) <= samples.size(); from += kBlock, ++blocks) {
+    double before = 0, last = 0;
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const double now = samples[2 * (from + i)] + c * last - before;
+      before = last, last = now;
+    }
+    power += before * before + last * last - c * before * last;
+  }
+  return power / static_cast<double>(blocks);
+}
+
+// Where half of the power between 100 Hz and 4 kHz lies below.
+double middle_frequency(const std::vector<float>& samples) {
+  std::vector<double> powers;
+  double all = 0;
+  for (double hertz = 100; hertz <= 4000; hertz += 20) all += powers.emplace_back(power_at(samples, hertz));
+  double below = 0;
+  for (std::size_t i = 0; i < powers.size(); ++i)
+    if ((below += powers[i]) >= all / 2) return 100 + 20 * static_cast<double>(i);
+  return 4000;
+}
+
+TEST(ride_sound, is_louder_and_brighter_the_faster_the_train) {
+  double louder = 0, brighter = 0;
+  for (const double speed : {4.0, 9.3, 17.1, 26.4, 34.9}) {
+    const std::vector<float> samples = sound_of(at_speed(speed), 1);
+    const double loudness = rms(samples), middle = middle_frequency(samples);
+    EXPECT_GT(loudness, 1.15 * louder) << speed;
+    EXPECT_GT(middle, brighter) << speed;
+    louder = loudness, brighter = middle;
+  }
+  EXPECT_GT(louder, 0.05) << "audible at full speed";
+  EXPECT_LT(louder, 0.5) << "and not distorted";
+}
+
+TEST(ride_sound, clacks_at_the_speed_of_the_chain_over_the_pitch_of_its_rack) {
+  for (const double speed : {1.3, 4.0, 7.9}) {
+    RideVoice voice;
+    (void)sound_of(at_speed(speed, speed), 3.5, &voice);
+    EXPECT_NEAR(static_cast<double>(voice.clacks), 4.0 * speed / kRackPitch, 1) << speed;
+  }
+  RideVoice silent;
+  (void)sound_of(at_speed(20), 1, &silent);
+  EXPECT_EQ(silent.clacks, 0u);
+}
+
+TEST(ride_sound, a_clack_stands_out_of_the_noise_of_a_slow_train) {
+  const std::vector<float> plain = sound_of(at_speed(3), 2), lifted = sound_of(at_speed(3, 3), 2);
+  const auto peak = [](const std::vector<float>& samples) {
+    float most = 0;
+    for (const float s : samples) most = std::max(most, std::abs(s));
+    return most;
+  };
+  EXPECT_GT(peak(lifted), 3 * peak(plain));
+}
+
+TEST(ride_sound, is_silent_without_volume_and_at_rest) {
+  EXPECT_LT(rms(sound_of({25, 4, 1, 0}, 1)), 1e-4);
+  EXPECT_LT(rms(sound_of(at_speed(0), 1)), 1e-3);
+}
+
+RC_GTEST_PROP(ride_sound, does_not_depend_on_how_it_is_cut_into_blocks, ()) {
+  const RideNoise noise = at_speed(*rc::gen::inRange(0, 40), *rc::gen::inRange(0, 8));
+  const std::size_t frames = *rc::gen::inRange<std::size_t>(1, 3000), cut = *rc::gen::inRange<std::size_t>(0, frames);
+  RideVoice one, two;
+  std::vector<float> whole(2 * frames), parts(2 * frames);
+  synthesise(one, noise, kRate, whole);
+  synthesise(two, noise, kRate, std::span(parts).first(2 * cut));
+  synthesise(two, noise, kRate, std::span(parts).subspan(2 * cut));
+  RC_ASSERT(whole == parts);
+}
+
+TEST(ride_sound, has_no_step_where_speed_leaps_or_sound_begins) {
+  RideVoice voice;
+  std::vector<float> block(2048);
+  const RideNoise leaps[] = {at_speed(0), at_speed(40), at_speed(3, 3), {}, at_speed(31), {31, 0, 1, 0}};
+  float last = 0, most = 0;
+  for (const RideNoise& noise : leaps) {
+    synthesise(voice, noise, kRate, block);
+    for (std::size_t i = 0; i < block.size(); i += 2) most = std::max(most, std::abs(block[i] - std::exchange(last, block[i])));
+  }
+  // The largest step of steady sound at full speed, which is noise of up to some kHz.
+  const std::vector<float> steady = sound_of(at_speed(40), 1);
+  float usual = 0;
+  for (std::size_t i = 2; i < steady.size(); i += 2) usual = std::max(usual, std::abs(steady[i] - steady[i - 2]));
+  EXPECT_LE(most, 1.2f * usual);
+}
+
+RC_GTEST_PROP(ride_sound, is_finite_and_within_one_for_every_noise, ()) {
+  const auto any = rc::gen::element(0.0, -3.0, 1.0, 50.0, 1e9, -1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN());
+  RideVoice voice;
+  std::vector<float> block(300);
+  for (int i = 0; i < 4; ++i) {
+    synthesise(voice, {*any, *any, *any, *any}, *rc::gen::element(8'000, 44'100, 192'000), block);
+    for (const float s : block) RC_ASSERT(std::abs(s) <= 1.0f);
+  }
+}
+
+TEST(ride_sound, hears_the_first_train_and_whether_any_of_its_cars_is_on_a_lift) {
+  world::Document d = test::straight_document({1.3f, 2.1f, -7.7f}, {121.3f, 32.1f, -7.7f}, 12);
+  d.entities.put(d.track.segments.at(2), world::Equipment{world::EquipmentKind::lift, 4, 3, 0, 0});
+  const world::Entity cart = world::add_cart(d, d.track.segments.at(0), 0.5);
+  d.entities.get<world::Cart>(cart).cars = 3;
+  const sim::Derived derived = test::derived_of(d);
+  world::Motion motion;
+  sim::reset(d, derived, motion);
+  world::CartMotion& train = motion.carts.items().front();
+  const double segment = derived.length / 12;
+  const auto put = [&](double front, double speed) {
+    const sim::TrackPlace place = sim::place_at(derived, front);
+    train.segment = derived.order[place.index], train.s = place.s, train.track_distance = front, train.speed = speed;
+    return ride_noise(d, derived, motion, 0.4);
+  };
+  EXPECT_EQ(put(5, 9), (RideNoise{0, 0, 1, 0.4})) << "nothing runs";
+  motion.state = world::RideState::running;
+  EXPECT_EQ(put(1.9 * segment, 7).rack, 0);
+  EXPECT_EQ(put(1.9 * segment, 7).speed, 7);
+  EXPECT_EQ(put(2.1 * segment, 7).rack, 7) << "the first car";
+  EXPECT_EQ(put(3.0 * segment + 5.9, 7).rack, 7) << "the last one, 6 m behind";
+  EXPECT_EQ(put(3.0 * segment + 6.1, 7).rack, 0);
+  EXPECT_EQ(put(2.1 * segment, -7).rack, 0) << "the ratchet is silent backwards";
+  EXPECT_EQ(put(2.1 * segment, -7).speed, 7);
+}
+
+}  // namespace ride_sound_test
+}  // namespace coaster::view
