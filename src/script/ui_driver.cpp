@@ -90,7 +90,13 @@ Failure UiDriver::find(std::string_view path, WidgetState& widget) {
   return {};
 }
 
-// Turns the wheel over the widget's column: at a widget of it that is in sight.
+// How likely two widgets scroll together: of one group, of one panel, or neither.
+int kinship(std::string_view a, std::string_view b) {
+  if (a.substr(0, a.rfind('/')) == b.substr(0, b.rfind('/'))) return 2;
+  return panel_of(a) == panel_of(b) ? 1 : 0;
+}
+
+// Turns the wheel over the widget's column: at a widget of it that is in sight, of its own group where there is one.
 Failure UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
   float last_y = widget.y;
   int stuck = 0;
@@ -100,8 +106,7 @@ Failure UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
     for (const WidgetState& other : widgets_) {
       if (!other.visible || other.covered || panel_of(other.path) == "Menu" || other.kind == "menu" || other.kind == "item") continue;
       if (x < other.x || x > other.x + other.width) continue;
-      const bool same_panel = panel_of(other.path) == panel_of(widget.path);
-      const bool better = !over || (same_panel && panel_of(over->path) != panel_of(widget.path));
+      const bool better = !over || kinship(other.path, widget.path) > kinship(over->path, widget.path);
       if (better) over = &other;
     }
     if (!over) break;
