@@ -19,6 +19,7 @@ gfx::Image picture(Program& program) {
   Filming& filming = *program.filming;
   if (!filming.scene_alone) {
     if (!is_drawn(program)) run_frame(program, {platform::Tick{0}}, 0);
+    draw_pixels(program);
     return program.renderer->read_pixels();
   }
   platform::Size size{filming.shown.width, filming.shown.height};

@@ -2,6 +2,7 @@
 #include "app/frame.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "app/pictures.h"
@@ -67,6 +68,7 @@ struct Look {
   const view::View& view;
   view::Pick hovered;
   bool alone = false;
+  bool unseen = false;
 };
 
 gfx::DrawStats draw_scene(Program& program, const Look& look, platform::Size size) {
@@ -85,6 +87,7 @@ gfx::DrawStats draw_scene(Program& program, const Look& look, platform::Size siz
   const std::vector<sim::Pose> carts = cart_poses(session);
   gfx::Scene scene{session.derived, look.view, overlay, carts, layers.has(world::Layer::polyline), &values, session.settings.theme};
   scene.style = session.settings.style;
+  scene.unseen = look.unseen;
   scene.clock = [&] { return program.surface->clock(); };
   const bool held = layers.has(world::Layer::supports);
   const double before = program.surface->clock();
@@ -170,14 +173,22 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   output.view = program.view = view::view_of(program.rig.eye, output.view.viewport);
   edit::advance_measurement(program.session);
   const double built = program.surface->clock();
-  const gfx::DrawStats drawn = draw_scene(program, {program.session.settings, output.view, output.hovered}, size);
-  program.ui->draw(size.width, size.height);
+  program.unseen = !program.surface->is_window() && !output.wants_screenshot;
+  const gfx::DrawStats drawn = draw_scene(program, {program.session.settings, output.view, output.hovered, false, program.unseen}, size);
+  if (!program.unseen) program.ui->draw(size.width, size.height);
   const double drew = program.surface->clock();
   program.surface->present(program.renderer->framebuffer());
   fill_stats(program, drawn, size, began, built, drew);
   set_title(program);
   program.drawn_tick = program.session.tick, program.drawn_commands = program.commands;
   if (output.wants_screenshot) take_photo(program);
+}
+
+void draw_pixels(Program& program) {
+  const platform::Size size{program.stats.width, program.stats.height};
+  if (!std::exchange(program.unseen, false) || size.width < 1 || size.height < 1) return;
+  (void)draw_scene(program, {program.session.settings, program.view, program.hovered}, size);
+  program.ui->draw(size.width, size.height);
 }
 
 void play_frame(Program& program) {

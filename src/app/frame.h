@@ -11,6 +11,9 @@ namespace coaster::app {
 // A frame without area (a minimised window) changes state and draws nothing.
 void run_frame(Program& program, const platform::Events& events, int ticks);
 
+// The pixels of the last frame. Without a window nobody looks at most frames, so they are drawn only now; everything else of a frame has happened in it.
+void draw_pixels(Program& program);
+
 // One frame of a window: what its player does, in real time.
 void play_frame(Program& program);
 

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "app/frame.h"
 #include "gfx/image.h"
 
 namespace coaster::app {
@@ -34,6 +35,7 @@ std::string page(const std::string& file) {
 
 base::Status write_picture(Program& program, const std::filesystem::path& path) {
   if (program.stats.frame == 0) return {base::Code::refused, "no frame has been drawn"};
+  draw_pixels(program);
   return write(path, program.renderer->read_pixels());
 }
 
@@ -85,7 +87,7 @@ void take_photo(Program& program) {
   edit::notify(program.session, wrote ? edit::NoticeKind::info : edit::NoticeKind::error, wrote ? "saved " + path.string() : wrote.message);
 }
 
-base::Status write_sheet(const std::filesystem::path& path, int columns, std::span<const std::filesystem::path> pictures) {
+base::Status write_sheet(const std::filesystem::path& path, int columns, bool half, std::span<const std::filesystem::path> pictures) {
   constexpr int kGap = 12;  // px
   base::Files files;
   std::vector<gfx::Image> images;
@@ -94,7 +96,7 @@ base::Status write_sheet(const std::filesystem::path& path, int columns, std::sp
     if (!bytes) return bytes.status();
     auto image = gfx::decode_png(*bytes, picture.string());
     if (!image) return image.status();
-    images.push_back(std::move(*image));
+    images.push_back(half ? gfx::half_size(*image) : std::move(*image));
   }
   return write(path, gfx::contact_sheet(images, columns, kGap));
 }
@@ -102,6 +104,7 @@ base::Status write_sheet(const std::filesystem::path& path, int columns, std::sp
 base::Status compare_picture(Program& program, const std::string& name, const std::filesystem::path& golden,
                              const std::filesystem::path& folder, bool update) {
   if (program.stats.frame == 0) return {base::Code::refused, "no frame has been drawn"};
+  draw_pixels(program);
   const gfx::Image picture = program.renderer->read_pixels();
   if (update) return write(golden, picture);
   base::Files files;

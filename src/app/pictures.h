@@ -15,8 +15,8 @@ base::Status write_picture(Program& program, const std::filesystem::path& path);
 // ~/Pictures, else the current folder), a script's in its own. A notice says where it is, or why it is not.
 void take_photo(Program& program);
 
-// Puts PNG files side by side into one. Code::bad_file for one that is no picture.
-base::Status write_sheet(const std::filesystem::path& path, int columns, std::span<const std::filesystem::path> pictures);
+// Puts PNG files side by side into one, each at half its size if asked to. Code::bad_file for one that is no picture.
+base::Status write_sheet(const std::filesystem::path& path, int columns, bool half, std::span<const std::filesystem::path> pictures);
 
 // Where movies go, each in a folder of its own: the user's of videos ($XDG_VIDEOS_DIR, else ~/Videos, else that of pictures), a script's in its own.
 std::filesystem::path movie_folder(const Program& program);

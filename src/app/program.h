@@ -53,6 +53,7 @@ struct Program {
   double seconds = 0;              // since the start, as the events have it
   double tick_debt = 0;            // s that passed and are not ticked yet
   bool quit = false;
+  bool unseen = false;             // the last frame has no pixels: they are drawn when they are asked for (frame.h)
   double frame_clock = 0;          // of the window's last frame, by the surface's clock
   double smoothed_frame = 0;       // s, of its frames
   TrackPictures pictures;          // for the start screen

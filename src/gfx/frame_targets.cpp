@@ -27,19 +27,19 @@ void FrameTargets::fit(int width, int height) {
     samples_ = 0;
 }
 
-void FrameTargets::begin(const view::Viewport& viewport, glm::vec3 around) {
+void FrameTargets::begin(const view::Viewport& viewport, glm::vec3 around, bool unseen) {
   const int width = resolved_->width, height = resolved_->height;
   gl_->BindFramebuffer(GL_FRAMEBUFFER, scene_ ? scene_->framebuffer.id() : resolved_->framebuffer.id());
   gl_->Viewport(0, 0, width, height);
-  gl_->Disable(GL_SCISSOR_TEST);
+  gl_->Scissor(0, 0, unseen ? 1 : width, unseen ? 1 : height);
+  gl_->Enable(GL_SCISSOR_TEST);
   gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl_->DepthMask(GL_TRUE);
   gl_->ClearColor(around.x, around.y, around.z, 1);
   gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   const Rectangle r = pixels_of(viewport, width, height);
   gl_->Viewport(r.x, r.y, r.width, r.height);
-  gl_->Scissor(r.x, r.y, r.width, r.height);
-  gl_->Enable(GL_SCISSOR_TEST);
+  if (!unseen) gl_->Scissor(r.x, r.y, r.width, r.height);
 }
 
 void FrameTargets::finish() {

@@ -17,8 +17,8 @@ class FrameTargets {
 
   // Makes the framebuffers anew when size or samples changed. A driver that refuses multisampling of this size gets none.
   void fit(int width, int height);
-  // Fills the picture with `around` and limits drawing to the viewport.
-  void begin(const view::Viewport& viewport, glm::vec3 around);
+  // Fills the picture with `around` and limits drawing to the viewport; `unseen`: to one pixel.
+  void begin(const view::Viewport& viewport, glm::vec3 around, bool unseen);
   // Resolves; the resolved framebuffer is bound, the viewport is the whole picture.
   void finish();
 

@@ -53,6 +53,17 @@ Difference compare(const Image& picture, const Image& golden) {
   return result;
 }
 
+Image half_size(const Image& picture) {
+  Image half{picture.width / 2, picture.height / 2, {}};
+  half.rgba.resize(std::size_t(half.width) * std::size_t(half.height) * 4);
+  const auto at = [&](int x, int y, int c) { return int(picture.rgba[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 4 + std::size_t(c)]); };
+  std::size_t next = 0;
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x)
+      for (int c = 0; c < 4; ++c) half.rgba[next++] = std::uint8_t((at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) + at(2 * x, 2 * y + 1, c) + at(2 * x + 1, 2 * y + 1, c) + 2) / 4);
+  return half;
+}
+
 Image contact_sheet(std::span<const Image> pictures, int columns, int gap) {
   COASTER_CHECK(columns >= 1 && gap >= 0, "a sheet has columns");
   constexpr std::array<std::uint8_t, 4> kGround{0x1B, 0x1F, 0x27, 0xFF};

@@ -14,6 +14,9 @@ namespace coaster::gfx {
 std::string encode_png(const Image& image);
 base::Result<Image> decode_png(std::string_view bytes, std::string_view name);
 
+// At half the size: the mean of 2 x 2 pixels. Odd rows and columns at the end are left out.
+Image half_size(const Image& picture);
+
 // Pictures in rows of `columns` (at least 1), each in the middle of a cell as large as the largest of them, with a margin of `gap` px around every cell.
 Image contact_sheet(std::span<const Image> pictures, int columns, int gap);
 

@@ -79,7 +79,7 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   stats.samples = parts.targets.samples();
   const Pass pass{parts.gl, parts.programs, scene, scenery, scene.view.projection * scene.view.view, parts.empty_array.id(), stats};
   parts.shadows.update(pass, parts.track, parts.instances);
-  parts.targets.begin(scene.view.viewport, around_of(scene.theme));
+  parts.targets.begin(scene.view.viewport, around_of(scene.theme), scene.unseen);
   draw_backdrop(pass, parts.shadows);
   draw_solids(pass, parts.track, parts.instances, parts.values, parts.shadows);
   draw_polyline(pass, parts.track, parts.stages, parts.polyline_timer);

@@ -62,7 +62,7 @@ constexpr std::array kOutput{
     Row{"expect error STATEMENT [~ \"TEXT\"]", "The statement must fail, and say TEXT."},
     Row{"snap \"NAME\"", "Compares the picture with golden/NAME.png."},
     Row{"shot \"$OUT/FILE.png\"", "Writes the picture."},
-    Row{"sheet \"$OUT/FILE.png\" [columns N] \"PICTURE.png\" ...", "Puts pictures side by side into one."},
+    Row{"sheet \"$OUT/FILE.png\" [columns N] [half] \"PICTURE.png\" ...", "Puts pictures side by side into one, each at half its size if asked to."},
     Row{"movie.start \"$OUT/FOLDER\" [fps N] [gif]", "Pictures of all ticks from here on, N a second (30): numbered PNG files, and movie.mp4 (movie.gif) where ffmpeg is installed."},
     Row{"movie.stop", "No more pictures; waits for the movie's file."},
     Row{"dump \"NAME\"", "Writes picture, widgets, values and document to $OUT/NAME.*."},

@@ -51,7 +51,7 @@ struct Host {
   std::function<base::Result<glm::vec2>(const AimPoint&)> pixel_of;    // in the last frame's view; refused when not on screen
   std::function<base::Result<glm::vec3>(const AimPoint&)> position_of;
   std::function<base::Status(const std::filesystem::path&)> screenshot;  // PNG of the last frame
-  std::function<base::Status(const std::filesystem::path&, int columns, std::span<const std::filesystem::path>)> sheet;  // one picture of several
+  std::function<base::Status(const std::filesystem::path&, int columns, bool half, std::span<const std::filesystem::path>)> sheet;  // one picture of several
   // Compares the last frame with a golden PNG; writes new/reference/difference and an HTML page below the folder.
   std::function<base::Status(const std::string& name, const std::filesystem::path& golden, const std::filesystem::path& folder, bool update)> snap;
   // The next four may be empty: then what needs them is not checked, or refused.

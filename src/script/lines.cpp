@@ -107,6 +107,7 @@ bool parse_sheet(Words& words, Action& action) {
     if (!columns) return false;
     sheet.columns = static_cast<int>(*columns);
   }
+  sheet.half = words.accept("half");
   do {
     const base::Token* const picture = words.take("a picture's file");
     if (!picture) return false;

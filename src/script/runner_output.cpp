@@ -115,7 +115,7 @@ Failure Runner::perform(const Sheet& sheet) {
     if (!picture) return failure(picture.status(), token.column);
     pictures.push_back(*picture);
   }
-  return failure(stage_.host().sheet(*path, sheet.columns, pictures));
+  return failure(stage_.host().sheet(*path, sheet.columns, sheet.half, pictures));
 }
 
 Failure Runner::perform(const Dump& dump) {

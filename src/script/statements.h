@@ -127,10 +127,11 @@ struct Snap {
 struct Shot {
   base::Token path;
 };
-// "sheet FILE columns N PICTURE ...".
+// "sheet FILE [columns N] [half] PICTURE ...".
 struct Sheet {
   base::Token path;
   int columns = 3;
+  bool half = false;
   std::vector<base::Token> pictures;
 };
 struct Dump {

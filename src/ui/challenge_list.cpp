@@ -17,7 +17,7 @@ namespace coaster::ui {
 namespace {
 
 ChallengeEntry entry_of(const std::filesystem::path& path) {
-  ChallengeEntry entry{path, path.stem().string(), {}, {}};
+  ChallengeEntry entry{path, path.stem().string(), {}, {}, {}};
   base::Files files;
   const base::Result<exchange::LoadedChallenge> loaded = exchange::load_challenge(files, path);
   if (!loaded) {
@@ -26,6 +26,7 @@ ChallengeEntry entry_of(const std::filesystem::path& path) {
   }
   entry.name = loaded->challenge.name;
   entry.teaches = loaded->challenge.teaches;
+  if (!loaded->challenge.track.empty()) entry.track = path.parent_path() / loaded->challenge.track;
   if (const base::Status readable = query::check_rules(loaded->challenge, path.string()); !readable) entry.problem = readable.message;
   return entry;
 }

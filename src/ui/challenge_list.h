@@ -13,6 +13,7 @@ namespace coaster::ui {
 struct ChallengeEntry {
   std::filesystem::path path;
   std::string name, teaches;
+  std::filesystem::path track;  // its start track's file; empty when that is in the challenge itself
   std::string problem;  // why it cannot be begun; empty when it can
 };
 

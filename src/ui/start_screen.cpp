@@ -11,16 +11,17 @@
 #include "base/folders.h"
 #include "ui/dialogs.h"
 #include "ui/key_map.h"
+#include "ui/medals.h"
 #include "ui/row.h"
 #include "ui/theme.h"
 
 namespace coaster::ui {
 namespace {
 
-constexpr float kColumns = 3, kChoices = 230;  // cards in a row; design px of the left part
+constexpr float kColumns = 4, kChoices = 220;  // cards in a row; design px of the left part
 
 // A hill, a loop and a dip in one line: the program's mark.
-void draw_mark(ImVec2 at, float size) {
+void draw_emblem(ImVec2 at, float size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto p = [&](float x, float y) { return ImVec2(at.x + x * size, at.y + y * size); };
   const ImU32 colour = packed(palette().accent);
@@ -55,7 +56,7 @@ void StartScreen::load(Ui& ui, const std::filesystem::path& file) {
 
 void StartScreen::build_choices(Ui& ui, float width) {
   const float size = std::floor(64 * ui.scale);
-  draw_mark(ImGui::GetCursorScreenPos(), size);
+  draw_emblem(ImGui::GetCursorScreenPos(), size);
   ImGui::Dummy({size, size});
   ImGui::PushFont(title_font());
   ImGui::TextUnformatted("coaster");
@@ -89,35 +90,46 @@ void StartScreen::build_choices(Ui& ui, float width) {
     }
 }
 
-bool StartScreen::card(Ui& ui, const std::filesystem::path& file, const std::string& label, float width) {
-  const std::string path = file.string();
+bool StartScreen::draw(Ui& ui, const Card& card, float width) {
   const TrackPicture* picture = nullptr;
   if (ui.state.pictures != nullptr)
-    if (const auto found = ui.state.pictures->find(path); found != ui.state.pictures->end()) picture = &found->second;
-  ui.out.wanted_pictures.push_back(path);
-  const float height = std::floor(width * 9 / 16), line = ImGui::GetTextLineHeight();
+    if (const auto found = ui.state.pictures->find(card.picture); found != ui.state.pictures->end()) picture = &found->second;
+  if (!card.picture.empty()) ui.out.wanted_pictures.push_back(card.picture);
+  ImGui::PushFont(small_font());
+  const float height = std::floor(width * 9 / 16), line = ImGui::GetTextLineHeight(), round = 5 * ui.scale;
   const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + width, low.y + height);
-  ImGui::PushID(label.c_str());
-  const bool clicked = ImGui::InvisibleButton("##card", {width, height + std::floor(1.3f * line)});
+  const bool clicked = ImGui::InvisibleButton(hidden(card.label).c_str(), {width, height + std::floor(1.4f * line)});
   const bool hot = ImGui::IsItemHovered();
-  ImGui::PopID();
-  const std::string name = picture != nullptr && !picture->name.empty() ? picture->name : file.stem().string();
-  const std::string help = picture != nullptr && !picture->problem.empty() ? picture->problem : "Open " + path + ".";
-  note_item(ui, label, "button", help, true, name);
+  const std::string name = !card.name.empty() ? card.name : picture != nullptr ? picture->name : "";
+  note_item(ui, card.label, "button", picture != nullptr && !picture->problem.empty() ? picture->problem : card.help, true, name);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float round = 5 * ui.scale;
   if (picture != nullptr && picture->texture != 0)
     list.AddImageRounded((ImTextureID)(std::uintptr_t)picture->texture, low, high, {0, 0}, {1, 1}, IM_COL32_WHITE, round);
   else
     list.AddRectFilled(low, high, packed(palette().field), round);
   list.AddRect(low, high, packed(hot ? palette().accent : palette().border), round, 0, hot ? 2.5f * ui.scale : 1.0f);
-  const std::string length = picture != nullptr && picture->length > 0 ? fixed(picture->length, 0) + " m" : "";
+  const float medal = std::floor(26 * ui.scale);
+  if (card.medal > 0) draw_medal(list, {high.x - medal - 4 * ui.scale, low.y + 4 * ui.scale}, medal, card.medal, true);
+  const std::string length = card.name.empty() && picture != nullptr && picture->length > 0 ? fixed(picture->length, 0) + " m" : "";
   const float foot = high.y + 0.2f * line, room = text_size(length).x;
-  list.PushClipRect(low, {high.x - room - 6 * ui.scale, high.y + 1.3f * line}, true);
+  list.PushClipRect(low, {high.x - room - 4 * ui.scale, high.y + 1.4f * line}, true);
   list.AddText({low.x + 2, foot}, packed(palette().text), name.c_str());
   list.PopClipRect();
   list.AddText({high.x - room - 2, foot}, packed(palette().dim), length.c_str());
+  ImGui::PopFont();
   return clicked;
+}
+
+void StartScreen::build_challenges(Ui& ui, float width, float gap) {
+  if (shelf_.empty()) shelf_.read(ui.state.kept != nullptr ? ui.state.kept->challenges : std::filesystem::path());
+  heading(ui, "Challenges", "Start tracks with a goal and three medals, one for each thing to learn.");
+  int place = 0;
+  for (const ChallengeEntry& entry : shelf_.entries()) {
+    if (place++ % static_cast<int>(kColumns) != 0) ImGui::SameLine(0, gap);
+    const std::string help = entry.problem.empty() ? entry.teaches : entry.problem;
+    if (draw(ui, {"Challenges/" + entry.name, entry.track.string(), help, entry.name, known_medal(ui, entry.path)}, width) && entry.problem.empty())
+      ui.dialogs.request(ui, {Want::Kind::challenge, entry.path.string()});
+  }
 }
 
 void StartScreen::build_tracks(Ui& ui) {
@@ -130,7 +142,7 @@ void StartScreen::build_tracks(Ui& ui) {
       if (place++ % static_cast<int>(kColumns) != 0) ImGui::SameLine(0, gap);
       const auto namesakes = std::count_if(files.begin(), files.end(), [&](const std::filesystem::path& other) { return other.stem() == file.stem(); });
       const std::string name = namesakes > 1 ? (file.parent_path().filename() / file.stem()).string() : file.stem().string();
-      if (card(ui, file, std::string(group) + "/" + name, width)) load(ui, file);
+      if (draw(ui, {std::string(group) + "/" + name, file.string(), "Open " + file.string() + ".", {}, 0}, width)) load(ui, file);
     }
   };
   std::vector<std::filesystem::path> recent;
@@ -141,10 +153,10 @@ void StartScreen::build_tracks(Ui& ui) {
   if (!recent.empty()) {
     heading(ui, "Recent", "The tracks used last.");
     grid("Recent", recent);
-    ImGui::Dummy({0, gap / 2});
   }
   heading(ui, "Samples", "Tracks that come with the program.");
   grid("Samples", samples_);
+  build_challenges(ui, width, gap);
 }
 
 void StartScreen::build(Ui& ui, const platform::Events& events, float width, float height) {
@@ -155,7 +167,7 @@ void StartScreen::build(Ui& ui, const platform::Events& events, float width, flo
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
   ImGui::Begin("##start", nullptr, kFlags);
   ui.panel = "Start";
-  const float wide = std::min(width - 24 * ui.scale, 1080 * ui.scale), high = std::min(height - 24 * ui.scale, 640 * ui.scale);
+  const float wide = std::min(width - 24 * ui.scale, 1180 * ui.scale), high = std::min(height - 24 * ui.scale, 760 * ui.scale);
   ImGui::SetCursorPos({std::floor((width - wide) / 2), std::floor((height - high) / 2)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24 * ui.scale, 22 * ui.scale));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, colour(palette().background, 0.97f));

@@ -1,10 +1,11 @@
-// The first thing that is seen: what to go on with, and the tracks by their pictures. While it is open keys and mouse are its own.
+// The first thing that is seen: what to go on with, tracks and challenges by their pictures. While it is open keys and mouse are its own.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "ui/challenge_list.h"
 #include "ui/widgets.h"
 
 namespace coaster::ui {
@@ -12,7 +13,7 @@ namespace coaster::ui {
 class StartScreen {
  public:
   bool open() const { return open_; }
-  void show() { open_ = true, samples_.clear(); }
+  void show() { open_ = true, samples_.clear(), shelf_ = {}; }
   void hide() { open_ = false; }
 
   // width, height: of the window, px. Nothing is drawn while it is closed.
@@ -21,12 +22,19 @@ class StartScreen {
  private:
   void build_choices(Ui& ui, float width);
   void build_tracks(Ui& ui);
-  // A picture with its name below it, a widget with this label; true when it was clicked.
-  bool card(Ui& ui, const std::filesystem::path& file, const std::string& label, float width);
+  void build_challenges(Ui& ui, float width, float gap);
+  // A picture of a track with a name below it.
+  struct Card {
+    std::string label, picture, help;  // of the widget; the track's file
+    std::string name;                  // "": the track's own
+    int medal = 0;                     // drawn over the picture
+  };
+  bool draw(Ui& ui, const Card& card, float width);
   void load(Ui& ui, const std::filesystem::path& file);
 
   bool open_ = false;
-  std::vector<std::filesystem::path> samples_;  // found when it was opened
+  std::vector<std::filesystem::path> samples_;  // found when it was opened, and the challenges, too
+  ChallengeShelf shelf_;
 };
 
 }  // namespace coaster::ui

@@ -95,8 +95,8 @@ mkdir -p "$OUT/bin" "$OUT/home"
 cat >"$OUT/bin/zenity" <<FAKE
 #!/bin/sh
 printf '%s\n' "\$@" >"$OUT/arguments"
-sleep 0.5
 [ -e "$OUT/cancel" ] && exit 1
+sleep 0.5
 echo "$SOURCE/tracks/loop.json"
 FAKE
 chmod +x "$OUT/bin/zenity"
@@ -111,7 +111,7 @@ grep -qx -- "--file-selection" "$OUT/arguments" || fail "zenity's arguments: $(c
 : >"$OUT/cancel"
 script cancel 'key Ctrl+O
 ui.click "Open/System dialog"
-frames 200
+frames 1000
 expect visible "Open/Show all files"
 expect knots == 0'
 PATH="$OUT/bin:$PATH" run 0 cancel

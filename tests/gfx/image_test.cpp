@@ -99,6 +99,19 @@ TEST(image, pictures_of_different_sizes_are_different) {
   EXPECT_FALSE(difference.acceptable);
 }
 
+TEST(image, half_the_size_is_the_mean_of_four) {
+  Image picture{5, 2, std::vector<std::uint8_t>(5 * 2 * 4, 0)};
+  const int values[2][5] = {{10, 20, 1, 2, 9}, {30, 41, 3, 5, 9}};
+  for (int y = 0; y < 2; ++y)
+    for (int x = 0; x < 5; ++x) picture.rgba[std::size_t((y * 5 + x) * 4 + 2)] = std::uint8_t(values[y][x]);
+  const Image half = half_size(picture);
+  ASSERT_EQ(half.width, 2);
+  ASSERT_EQ(half.height, 1);
+  EXPECT_EQ(half.rgba[2], 25) << "101 / 4, rounded";
+  EXPECT_EQ(half.rgba[6], 3) << "11 / 4, rounded";
+  EXPECT_EQ(half.rgba[0], 0);
+}
+
 TEST(image, a_contact_sheet_has_every_picture_in_its_cell_and_ground_between) {
   const auto plain = [](int width, int height, std::uint8_t value) { return Image{width, height, std::vector<std::uint8_t>(std::size_t(width * height * 4), value)}; };
   const std::vector<Image> pictures{plain(4, 3, 10), plain(2, 1, 200), plain(4, 3, 90)};

@@ -89,7 +89,7 @@ TEST(lesson, leaving_ends_the_script_without_an_error) {
 
 TEST(lesson, needs_a_text_and_an_until) {
   base::Files files;
-  for (const char* line : {"lesson", "lesson \"a\"", "lesson \"a\" at", "lesson \"a\" at \"b\"", "lesson \"a\" until", "lesson \"a\" until nothing == 3", "lesson \"a\" until knots == 1 2"}) {
+  for (const char* line : {"lesson", "lesson \"a\"", "lesson \"a\" at", "lesson \"a\" at \"b\"", "lesson \"a\" until", "lesson \"a\" until nothing == 3"}) {
     const ParsedScript parsed = parse_script(std::string("coaster-script 1\n") + line + "\nend\n", "t", ".", files);
     EXPECT_FALSE(parsed.errors.empty()) << line;
   }
