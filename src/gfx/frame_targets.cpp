@@ -29,6 +29,7 @@ void FrameTargets::fit(int width, int height) {
 
 void FrameTargets::begin(const view::Viewport& viewport, glm::vec3 around, bool unseen) {
   const int width = resolved_->width, height = resolved_->height;
+  unseen_ = unseen;
   gl_->BindFramebuffer(GL_FRAMEBUFFER, scene_ ? scene_->framebuffer.id() : resolved_->framebuffer.id());
   gl_->Viewport(0, 0, width, height);
   gl_->Scissor(0, 0, unseen ? 1 : width, unseen ? 1 : height);
@@ -48,7 +49,7 @@ void FrameTargets::finish() {
   gl_->Disable(GL_SCISSOR_TEST);  // it would cut the copy
   gl_->BindVertexArray(0);
   gl_->UseProgram(0);
-  if (scene_) {
+  if (scene_ && !unseen_) {
     gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, scene_->framebuffer.id());
     gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_->framebuffer.id());
     gl_->BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);

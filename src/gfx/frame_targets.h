@@ -27,6 +27,7 @@ class FrameTargets {
  private:
   const Gl* gl_;
   int samples_ = 0;
+  bool unseen_ = false;
   // `scene_` exists when multisampled; `resolved_` is drawn to directly otherwise.
   std::optional<Target> scene_, resolved_;
 };

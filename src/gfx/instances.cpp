@@ -121,13 +121,17 @@ void Instances::send_poses(Model& model) {
 }
 
 int Instances::draw_cars() const {
-  int calls = 0;
   for (const Model* model : {&leading_, &following_, &coupling_}) {
     if (model->count == 0) continue;
     gl_->BindVertexArray(model->array.id());
     gl_->DrawElementsInstanced(GL_TRIANGLES, model->index_count, GL_UNSIGNED_INT, nullptr, model->count);
-    ++calls;
   }
+  return car_draw_calls();
+}
+
+int Instances::car_draw_calls() const {
+  int calls = 0;
+  for (const Model* model : {&leading_, &following_, &coupling_}) calls += model->count > 0 ? 1 : 0;
   return calls;
 }
 

@@ -24,6 +24,7 @@ class Instances {
   // columns of the model's matrix) and returns how many draw calls that took: at most 3, however many cars there are.
   int cars() const { return int(leading_.count + following_.count); }
   int draw_cars() const;
+  int car_draw_calls() const;
   std::int64_t car_triangles() const;  // of a draw
 
  private:

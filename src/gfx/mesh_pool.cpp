@@ -144,7 +144,7 @@ int MeshPool::draw() const {
   };
   pass(fine_array_, fine_runs_);
   pass(coarse_array_, coarse_runs_);
-  return int(fine_runs_.size() + coarse_runs_.size());
+  return draw_calls();
 }
 
 void MeshPool::draw_all() const {

@@ -33,6 +33,7 @@ class MeshPool {
   // Draws all solids with the program in use; returns how many draw calls that took. Locations 0 position, 1 normal, 2 part, 7 place (along the
   // segment, its index).
   int draw() const;
+  int draw_calls() const { return int(fine_runs_.size() + coarse_runs_.size()); }
   std::int64_t triangles() const;  // of a draw, gaps included
   // All solids in full, wherever they are looked at from: one draw call.
   void draw_all() const;

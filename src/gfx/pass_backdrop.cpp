@@ -39,7 +39,7 @@ void draw_part(const Pass& pass, const Program& program, const Rays& rays, const
   program.set("up", rays.up);
   program.set("eye", pass.scene.view.eye);
   for (std::size_t i = 0; i < part.corners.size(); ++i) program.set(("corners[" + std::to_string(i) + "]").c_str(), part.corners[i]);
-  pass.gl.DrawArrays(GL_TRIANGLE_FAN, 0, part.count);
+  if (!pass.scene.unseen) pass.gl.DrawArrays(GL_TRIANGLE_FAN, 0, part.count);
   pass.count(part.count - 2);
 }
 

@@ -13,7 +13,7 @@ void draw_overlay(const Pass& pass, const Instances& instances) {
     program.use();
     program.set("view_projection", pass.view_projection);
     program.set("viewport", glm::vec2(viewport.width, viewport.height));
-    pass.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+    if (!pass.scene.unseen) pass.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
     pass.count(2LL * count);
   };
   draw(pass.programs.line, instances.bind_lines());

@@ -16,12 +16,13 @@ void draw_lines(const Pass& pass, const TrackCache& track, CurveStages& stages) 
   if (pass.stats.drawn_by != curve::Stage::processor) {
     const int slots = static_cast<int>(track.placed().size());
     pass.count(2LL * slots * steps);
-    return stages.draw(pass.stats.drawn_by, {track.control_buffer(), 0, slots, steps}, pen);
+    if (!pass.scene.unseen) stages.draw(pass.stats.drawn_by, {track.control_buffer(), 0, slots, steps}, pen);
+    return;
   }
   pass.programs.polyline.use();
   pen.set(pass.programs.polyline);
   track.bind_lines();
-  pass.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, track.line_count());
+  if (!pass.scene.unseen) pass.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, track.line_count());
   pass.count(2LL * track.line_count());
 }
 
@@ -50,7 +51,7 @@ void draw_polyline(const Pass& pass, const TrackCache& track, CurveStages& stage
   pass.programs.coverage.use();
   pass.programs.coverage.set("paint", glm::vec4(glm::vec3(kPolylineColour), 1));
   gl.BindVertexArray(pass.no_attributes);
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  if (!pass.scene.unseen) gl.DrawArrays(GL_TRIANGLES, 0, 3);
   pass.count(1);
 }
 

@@ -21,14 +21,14 @@ float metres_of_pixels(const view::View& view, float pixels) { return 2 * pixels
 void draw_track(const Pass& pass, const TrackCache& track) {
   for (const MeshPool* pool : {&track.mesh(), &track.supports().mesh()}) {
     if (pool->index_count() == 0) continue;
-    pass.stats.draw_calls += pool->draw();
+    pass.stats.draw_calls += pass.scene.unseen ? pool->draw_calls() : pool->draw();
     pass.stats.triangles += pool->triangles();
   }
 }
 
 void draw_carts(const Pass& pass, const Instances& instances) {
   if (instances.cars() == 0) return;
-  pass.stats.draw_calls += instances.draw_cars();
+  pass.stats.draw_calls += pass.scene.unseen ? instances.car_draw_calls() : instances.draw_cars();
   pass.stats.triangles += instances.car_triangles();
 }
 
@@ -77,7 +77,7 @@ void cast_track(const Pass& pass, const TrackCache& track, const glm::mat4& ligh
   // In full: a map is kept while the eye moves.
   for (const MeshPool* pool : {&track.mesh(), &track.supports().mesh()}) {
     if (pool->index_count() == 0) continue;
-    pool->draw_all();
+    if (!pass.scene.unseen) pool->draw_all();
     pass.count(pool->index_count() / 3);
   }
 }

@@ -37,9 +37,12 @@ void ShadowMap::make(int size) {
   COASTER_CHECK(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE, "every driver of OpenGL 3.3 draws into RG8 and 24 bits of depth");
 }
 
-bool ShadowMap::update(int size, const SunAxes& axes, const ShadowFit& fit, std::uint64_t content, const std::function<void(const glm::mat4&)>& draw) {
+bool ShadowMap::update(int size, const SunAxes& axes, const ShadowFit& fit, std::uint64_t content, bool unseen, const std::function<void(const glm::mat4&)>& draw) {
   const Key wanted{size, axes.sun, fit, fit.side > 0 ? content : 0};
-  if (wanted == drawn_) return false;
+  const bool news = wanted != wanted_;
+  wanted_ = wanted;
+  if (unseen && news && fit.side > 0) draw(clip_of(axes, fit));
+  if (unseen || wanted == drawn_) return news;
   const Gl& gl = *gl_;
   if (size != drawn_.size) make(size);
   drawn_ = wanted;
@@ -65,7 +68,7 @@ bool ShadowMap::update(int size, const SunAxes& axes, const ShadowFit& fit, std:
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D, cover_.id());
   gl.GenerateMipmap(GL_TEXTURE_2D);
-  return true;
+  return news;
 }
 
 void ShadowMap::bind(const Program& program, const char* prefix, int unit) const {

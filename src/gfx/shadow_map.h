@@ -14,8 +14,9 @@ class ShadowMap {
   explicit ShadowMap(const Gl& gl) : gl_(&gl) {}
 
   // Draws the map anew when size (texels a side), place, light or `content` (a number that changes with what is drawn) differ from those it
-  // was drawn with; true when it was. `draw` gets the matrix to clip space, with state and target set. Leaves another framebuffer bound.
-  bool update(int size, const SunAxes& axes, const ShadowFit& fit, std::uint64_t content, const std::function<void(const glm::mat4&)>& draw);
+  // was drawn with. `draw` gets the matrix to clip space, with state and target set. Leaves another framebuffer bound. `unseen`: `draw` is to count
+  // alone, and the map itself waits for a picture that is seen. True when what is wanted is something else than in the call before.
+  bool update(int size, const SunAxes& axes, const ShadowFit& fit, std::uint64_t content, bool unseen, const std::function<void(const glm::mat4&)>& draw);
 
   // Puts the textures into units `unit` (depth) and `unit` + 1 (coverage), and sets PREFIX_depth, PREFIX_cover, PREFIX_light and PREFIX_texel of
   // the program in use. After an update().
@@ -33,7 +34,7 @@ class ShadowMap {
   };
   const Gl* gl_;
   Object framebuffer_, depth_, cover_;
-  Key drawn_;
+  Key drawn_, wanted_;
   glm::mat4 to_map_{1};
 };
 

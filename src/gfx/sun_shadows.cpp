@@ -33,10 +33,10 @@ void SunShadows::update(const Pass& pass, const TrackCache& track, const Instanc
     ++cars_version_;
   }
   const int texels = texels_for(scene.view.viewport);
-  if (track_.update(texels, axes, fit_shadow(axes, measured_.box, kTrackSide, eye, forward), track.mesh_version(),
+  if (track_.update(texels, axes, fit_shadow(axes, measured_.box, kTrackSide, eye, forward), track.mesh_version(), scene.unseen,
                     [&](const glm::mat4& light) { cast_track(pass, track, light); }))
     ++pass.stats.shadow_maps;
-  if (trains_.update(texels / 4, axes, fit_shadow(axes, light_box(axes, scene.carts), kTrainSide, eye, forward), cars_version_,
+  if (trains_.update(texels / 4, axes, fit_shadow(axes, light_box(axes, scene.carts), kTrainSide, eye, forward), cars_version_, scene.unseen,
                      [&](const glm::mat4& light) { cast_carts(pass, instances, light); }))
     ++pass.stats.shadow_maps;
 }
