@@ -99,7 +99,7 @@ struct SetScale {
 };
 struct SetTheme {
   world::Theme to{};
-  COASTER_COMMAND("theme", "Choose the colours of panels and scene: dark, light or high_contrast.", Effect::settings);
+  COASTER_COMMAND("theme", "Choose the colours of the panels: dark, light or high_contrast.", Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };
 struct SetStyle {

@@ -1,9 +1,12 @@
 // SoundDevice by OpenAL 1.1: one source, fed by a queue of blocks.
 #include <AL/al.h>
 #include <AL/alc.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdint>
 #include <vector>
 
@@ -35,6 +38,32 @@ struct SoundDevice::Parts {
   }
 };
 
+namespace {
+
+// The libraries below OpenAL tell on stderr of devices that are not there. That none is there is no error here: it is told in the settings.
+class QuietErrors {
+ public:
+  QuietErrors() {
+    std::fflush(stderr);
+    kept_ = dup(STDERR_FILENO);
+    const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (kept_ >= 0 && nothing >= 0) dup2(nothing, STDERR_FILENO);
+    if (nothing >= 0) close(nothing);
+  }
+  ~QuietErrors() {
+    if (kept_ < 0) return;
+    dup2(kept_, STDERR_FILENO);
+    close(kept_);
+  }
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+
+ private:
+  int kept_ = -1;
+};
+
+}  // namespace
+
 std::string sound_library() { return "OpenAL"; }
 
 SoundDevice::SoundDevice(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -42,7 +71,10 @@ SoundDevice::~SoundDevice() = default;
 
 base::Result<std::unique_ptr<SoundDevice>> SoundDevice::open() {
   auto parts = std::make_unique<Parts>();
-  parts->device = alcOpenDevice(nullptr);
+  {
+    const QuietErrors quiet;
+    parts->device = alcOpenDevice(nullptr);
+  }
   if (!parts->device) return base::Status{base::Code::refused, "there is no sound device"};
   parts->context = alcCreateContext(parts->device, nullptr);
   if (!parts->context || !alcMakeContextCurrent(parts->context)) return base::Status{base::Code::refused, "the sound device has no OpenAL context"};

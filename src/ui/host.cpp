@@ -188,7 +188,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   dialogs.build(ui, events, typing, static_cast<float>(width), static_cast<float>(height));
   settle_gesture(ui);
   hovered = tool.update(ui, view);
-  draw_foot(tool, session, ui.keys, layout.scene);
+  if (ui.state.lesson == nullptr || tool.transform().active()) draw_foot(tool, session, ui.keys, layout.scene);  // a lesson says itself what to do
   draw_legend(ui, layout.scene);
   toasts.draw(layout.scene, ui.scale, ui.state.seconds, ui.state.scripted);
   for (const edit::Command& command : ui.out.commands)

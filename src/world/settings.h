@@ -68,7 +68,7 @@ struct Snapping {
   friend bool operator==(const Snapping&, const Snapping&) = default;
 };
 
-// Colours of panels and scene; by name in scripts and in the settings file.
+// Colours of the panels; by name in scripts and in the settings file.
 enum class Theme : std::uint8_t { dark, light, high_contrast };
 inline constexpr std::array<std::string_view, 3> kThemeNames{"dark", "light", "high_contrast"};
 
