@@ -30,6 +30,11 @@ def wait_for(what, condition, seconds=60):
     raise SystemExit(f"waited {seconds} s in vain for {what}")
 
 
+def documents(log):
+    """The document's hash of each whole line of a log of ticks."""
+    return [line.split()[3] for line in log.split("\n")[:-1] if line.startswith("tick")]
+
+
 def start_display():
     read, write = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x720x24", "-nolisten", "tcp"],
@@ -76,7 +81,10 @@ def main():
 
     def xdo(*arguments):
         subprocess.run(["xdotool", *map(str, arguments)], env=environment, check=True)
-        time.sleep(0.25)
+        # However slow the machine, some frames see it before the next thing happens: each writes its ticks to the log.
+        for _ in range(3):
+            size = (folder / "log.txt").stat().st_size
+            wait_for("a frame", lambda: (folder / "log.txt").stat().st_size > size)
 
     def recorded():
         return recording.read_text() if recording.exists() else ""
@@ -97,9 +105,12 @@ def main():
         wait_for("the ride to start", lambda: "ride.start" in recorded())
         xdo("key", "ctrl+z")
         wait_for("the undo to be recorded", lambda: re.search(r"^undo", recorded(), re.M))
-        time.sleep(1)
+        wait_for("the knot to be back", lambda: (d := documents((folder / "log.txt").read_text())) and len(d) > 3 and d[-1] == d[-3] == d[0])
         program.send_signal(signal.SIGTERM)
         program.wait(30)
+    except SystemExit:
+        print("the program", "runs" if program.poll() is None else f"has ended with {program.returncode}", (folder / "log.txt").read_text()[-300:])
+        raise
     finally:
         program.kill()
         server.terminate()
@@ -112,9 +123,9 @@ def main():
     # The window was killed: the last lines of its log may be missing or cut.
     common = min(len(live) - 1, len(again))
     assert live[:common] == again[:common], "the replay's hashes differ"
-    documents = [line.split()[3] for line in again[:common]]
-    assert len(set(documents)) > 3 and documents[-1] == documents[0], "the drag moved the knot step by step, and undo put it back"
-    print(f"{common} ticks replayed to the same hashes; {len(set(documents))} documents on the way")
+    seen = documents("\n".join(again[:common]) + "\n")
+    assert len(set(seen)) > 3 and seen[-1] == seen[0], "the drag moved the knot step by step, and undo put it back"
+    print(f"{common} ticks replayed to the same hashes; {len(set(seen))} documents on the way")
     return 0
 
 
