@@ -4,27 +4,13 @@
 #include "app/frame.h"
 #include "base/folders.h"
 #include "edit/session.h"
+#include "gfx/image.h"
 #include "view/camera.h"
 
 namespace coaster::app {
 namespace {
 
 constexpr int kWidth = 480, kHeight = 270, kSamples = 4;
-
-gfx::Object make_texture(const gfx::Gl& gl, const gfx::Image& image) {
-  GLuint id = 0;
-  gl.GenTextures(1, &id);
-  gfx::Object texture(gl, id, [](const gfx::Gl& table, GLuint name) { table.DeleteTextures(1, &name); });
-  gl.ActiveTexture(GL_TEXTURE0);
-  gl.BindTexture(GL_TEXTURE_2D, id);
-  for (const auto& [parameter, value] : {std::pair{GL_TEXTURE_MIN_FILTER, GL_LINEAR}, {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
-                                        {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE}, {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE}})
-    gl.TexParameteri(GL_TEXTURE_2D, GLenum(parameter), value);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  gl.BindTexture(GL_TEXTURE_2D, 0);
-  return texture;
-}
 
 }  // namespace
 
@@ -57,7 +43,7 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const std::string& path,
   supports.update(session.derived);
   scene.supports = &supports;
   (void)renderer_->draw(scene, kWidth, kHeight);
-  gfx::Object texture = make_texture(gl, renderer_->read_pixels());
+  gfx::Object texture = gfx::make_texture(gl, renderer_->read_pixels());
   picture.texture = texture.id();
   textures_[path] = std::move(texture);
   return picture;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <utility>
 
 namespace coaster::gfx {
 namespace {
@@ -51,6 +52,21 @@ Difference compare(const Image& picture, const Image& golden) {
   const double allowed = kPixelTolerance * double(width) * double(height);
   result.acceptable = double(result.pixels) <= allowed && result.worst_block <= kBlockTolerance;
   return result;
+}
+
+Object make_texture(const Gl& gl, const Image& image) {
+  GLuint id = 0;
+  gl.GenTextures(1, &id);
+  Object texture(gl, id, [](const Gl& table, GLuint name) { table.DeleteTextures(1, &name); });
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D, id);
+  for (const auto& [parameter, value] : {std::pair{GL_TEXTURE_MIN_FILTER, GL_LINEAR}, {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
+                                        {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE}, {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE}})
+    gl.TexParameteri(GL_TEXTURE_2D, GLenum(parameter), value);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  gl.BindTexture(GL_TEXTURE_2D, 0);
+  return texture;
 }
 
 Image half_size(const Image& picture) {

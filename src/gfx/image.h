@@ -7,12 +7,16 @@
 #include <string_view>
 
 #include "base/files.h"
+#include "gfx/objects.h"
 #include "gfx/renderer.h"
 
 namespace coaster::gfx {
 
 std::string encode_png(const Image& image);
 base::Result<Image> decode_png(std::string_view bytes, std::string_view name);
+
+// A texture of it, smoothly filtered, without mipmaps.
+Object make_texture(const Gl& gl, const Image& image);
 
 // At half the size: the mean of 2 x 2 pixels. Odd rows and columns at the end are left out.
 Image half_size(const Image& picture);
