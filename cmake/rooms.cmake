@@ -19,6 +19,13 @@ function(coaster_precompile target)
   target_precompile_headers(${target} REUSE_FROM coaster_headers)
 endfunction()
 
+# Compiles up to `most` sources of a target as one where whole suites are built. So a name in an unnamed namespace is the only one in its room;
+# a local may have the name of another file's constant.
+function(coaster_unity target most)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${most})
+  target_compile_options(${target} PRIVATE -Wno-shadow)
+endfunction()
+
 function(coaster_room name)
   cmake_parse_arguments(room "" "" "USES;LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
@@ -38,4 +45,7 @@ function(coaster_room name)
   list(TRANSFORM room_USES PREPEND coaster_)
   target_link_libraries(coaster_${name} PUBLIC ${room_USES} ${room_LINK})
   coaster_precompile(coaster_${name})
+  if(COASTER_UNITY STREQUAL "all")
+    coaster_unity(coaster_${name} 12)
+  endif()
 endfunction()

@@ -47,7 +47,7 @@ ui::Output build_panels(Program& program, const platform::Events& events, platfo
   if (output.cancel_import && program.import) program.import->progress.cancelled = true;
   if (output.lesson_answer != query::LessonAnswer::none) program.lesson_answer = output.lesson_answer;
   if (output.wants_tutorial) ask_for_tutorial(program);
-  program.pictures.update(program.gl, output.wanted_pictures, program.session.settings.style);
+  program.pictures.update(program.gl, *program.renderer, output.wanted_pictures, program.session.settings.style);
   program.toast = program.ui->toast();
   program.by_hand = true;
   for (const edit::Command& command : output.commands) {

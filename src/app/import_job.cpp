@@ -9,7 +9,7 @@
 namespace coaster::app {
 
 bool begin_import(Program& program, const edit::Command& command) {
-  const auto* const load = std::get_if<edit::Load>(&command);
+  const auto* const load = command.as<edit::Load>();
   if (!load || !program.by_hand || !program.surface->is_window() || program.import) return false;
   const exchange::Format* const format = exchange::format_of(load->path);
   if (!format || !format->parse_watched) return false;

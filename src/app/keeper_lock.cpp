@@ -38,7 +38,7 @@ void follow_file(Program& program, Keeper& keeper) {
 }  // namespace
 
 base::Status before_command(Program& program, const edit::Command& command) {
-  const auto* const save = std::get_if<edit::Save>(&command);
+  const auto* const save = command.as<edit::Save>();
   if (!program.keeper || save == nullptr || !holds_everything(save->path) || program.keeper->lock.covers(save->path)) return {};
   base::LockAttempt attempt = base::try_lock(save->path);
   if (attempt.outcome == Outcome::held)
@@ -54,14 +54,14 @@ void after_command(Program& program, const edit::Command& command, const base::S
   if (!applied) return;
   if (!edit::dirty(program.session)) keeper.autosave.remove();  // saved, or another document: at once, lest a crash before the next frame offers it
   std::vector<std::string>& recent = keeper.state.settings.recent;
-  if (const auto* const save = std::get_if<edit::Save>(&command); save != nullptr && holds_everything(save->path)) {
+  if (const auto* const save = command.as<edit::Save>(); save != nullptr && holds_everything(save->path)) {
     if (next.held() || !keeper.lock.covers(save->path)) keeper.lock = std::move(next);
     keeper.state.holder.clear();
     exchange::remember(recent, base::canonical_path(save->path).string());
-  } else if (const auto* const load = std::get_if<edit::Load>(&command)) {
+  } else if (const auto* const load = command.as<edit::Load>()) {
     follow_file(program, keeper);
     if (!keeper.unasked) exchange::remember(recent, base::canonical_path(load->path).string());
-  } else if (std::holds_alternative<edit::RecoverTrack>(command) || std::holds_alternative<edit::NewTrack>(command)) {
+  } else if (command.is<edit::RecoverTrack>() || command.is<edit::NewTrack>()) {
     follow_file(program, keeper);
   }
 }

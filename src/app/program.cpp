@@ -86,7 +86,7 @@ base::Status apply_one(Program& program, const edit::Command& command) {
   const base::Status applied = edit::apply(program.session, program.files, command);
   after_command(program, command, applied);
   if (program.session.derived.last_build != builds) program.rebuilds += program.session.derived.rebuilds;
-  if (applied && std::holds_alternative<edit::SetEvaluator>(command))
+  if (applied && command.is<edit::SetEvaluator>())
     if (const std::string reason = program.renderer->refusal(program.session.derived.stage); !reason.empty())
       edit::notify(program.session, edit::NoticeKind::warning, "drawn by the vertex shader instead: " + reason);
   view::follow(program.rig, watched(program), 0);
@@ -106,7 +106,7 @@ base::Status apply(Program& program, const edit::Command& command) {
   const std::uint64_t notices = program.session.notice_serial;
   const base::Status applied = apply_one(program, command);
   if (program.session.notice_serial != notices) program.toast = program.session.notices.back().text;  // the panels show it a frame later
-  if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) || std::holds_alternative<edit::LoadEnvelope>(command)) return applied;
+  if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) || command.is<edit::LoadEnvelope>()) return applied;
   // Another track: looked at from where all of it is seen.
   const edit::Session& session = program.session;
   const world::Camera camera = view::frame_all(session.settings.camera, session.document, program.view.viewport);

@@ -14,7 +14,7 @@ constexpr int kWidth = 480, kHeight = 270, kSamples = 4;
 
 }  // namespace
 
-ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const std::string& path, world::Style style) {
+ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& scenes, const std::string& path, world::Style style) {
   ui::TrackPicture picture;
   edit::Session session = edit::make_session({});
   base::Files files;
@@ -24,14 +24,7 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const std::string& path,
   }
   picture.name = session.document.name;
   picture.length = session.derived.length;
-  if (!renderer_) {
-    auto made = gfx::Renderer::make(gl, kSamples);
-    if (!made) {
-      picture.problem = made.status().message;
-      return picture;
-    }
-    renderer_ = std::move(*made);
-  }
+  if (!renderer_) renderer_ = scenes.sibling(kSamples);
   const view::Viewport viewport{0, 0, kWidth, kHeight};
   const view::View view = view::orbit_view(view::frame_all(session.settings.camera, session.document, viewport), viewport);
   const view::Overlay nothing_over_it;
@@ -49,12 +42,12 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const std::string& path,
   return picture;
 }
 
-void TrackPictures::update(const gfx::Gl& gl, std::span<const std::string> wanted, world::Style style) {
+void TrackPictures::update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted, world::Style style) {
   for (const std::string& path : wanted) {
     const Source source{base::change_time(path), style};
     const auto found = sources_.find(path);
     if (found != sources_.end() && found->second == source) continue;
-    made_[path] = draw(gl, path, style);
+    made_[path] = draw(gl, scenes, path, style);
     sources_[path] = source;
     return;
   }

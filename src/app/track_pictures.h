@@ -1,4 +1,4 @@
-// Small pictures of tracks for the start screen, drawn by the scene's own renderer, one a frame while any is wanted.
+// Small pictures of tracks for the start screen, drawn by a sibling of the scene's renderer, one a frame while any is wanted.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ class TrackPictures {
  public:
   // Draws the first wanted file that has no picture yet, or none that is as new as the file. When nothing is wanted any more the renderer for
   // them is given back; the pictures stay.
-  void update(const gfx::Gl& gl, std::span<const std::string> wanted, world::Style style);
+  void update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted, world::Style style);
 
   const std::map<std::string, ui::TrackPicture>& made() const { return made_; }
 
@@ -27,7 +27,7 @@ class TrackPictures {
     world::Style style{};
     friend bool operator==(const Source&, const Source&) = default;
   };
-  ui::TrackPicture draw(const gfx::Gl& gl, const std::string& path, world::Style style);
+  ui::TrackPicture draw(const gfx::Gl& gl, const gfx::Renderer& scenes, const std::string& path, world::Style style);
 
   std::unique_ptr<gfx::Renderer> renderer_;
   std::map<std::string, Source> sources_;

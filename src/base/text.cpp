@@ -104,6 +104,11 @@ bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& erro
   return true;
 }
 
+std::string quoted_start(std::string_view text) {
+  constexpr std::size_t kShownBytes = 40;
+  return base::quoted(text.size() > kShownBytes ? std::string(text.substr(0, kShownBytes)) + "..." : std::string(text));
+}
+
 std::string quoted(std::string_view text) {
   std::string out = "\"";
   for (char c : text) {

@@ -32,6 +32,8 @@ bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& erro
 
 // Puts quotes and escapes around a text so that tokenise gives it back.
 std::string quoted(std::string_view text);
+// The same for messages, where 40 bytes are enough to know a text by: what follows them is "...".
+std::string quoted_start(std::string_view text);
 
 // The whole text as a finite number ("1e39" as float is refused, so are nan and inf, blanks and a leading '+').
 std::optional<double> parse_double(std::string_view text);

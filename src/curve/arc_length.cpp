@@ -31,11 +31,6 @@ constexpr Node kGauss16[] = {{0.095012509837637440185, 0.189450610455068496285},
 
 constexpr int kMaxDepth = 24;
 
-double speed(const CoefficientsD& c, double t) {
-  const dvec3 d = c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3));
-  return std::sqrt(glm::dot(d, d));
-}
-
 template <std::size_t N>
 double gauss(const CoefficientsD& c, double a, double b, const Node (&nodes)[N]) {
   const double half = 0.5 * (b - a), middle = 0.5 * (a + b);

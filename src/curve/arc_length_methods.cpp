@@ -10,11 +10,6 @@ namespace {
 
 using glm::dvec3;
 
-double speed(const CoefficientsD& c, double t) {
-  const dvec3 d = c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3));
-  return std::sqrt(glm::dot(d, d));
-}
-
 LengthEstimate counted(double length, int evaluations) { return {length, -1.0, evaluations}; }
 
 detail::Hodograph whole(const Cubic& cubic) { return detail::hodograph(coefficients_d(cubic), 0.0, 1.0); }
@@ -90,7 +85,7 @@ LengthEstimate simpson_adaptive(const Cubic& cubic, const LengthDemand& demand) 
 }
 
 using enum LengthControl;
-constexpr std::array<ArcLengthMethod, 10> kTable{{
+constexpr std::array<ArcLengthMethod, 10> kMethods{{
     {"gauss_legendre", "Gauss-Legendre, adaptive", "sum of w_i |B'(t_i)|, 16 nodes, halved until 8 nodes agree", tolerance,
      LengthBound::estimated, 1e-12, gauss_legendre},
     {"gravesen", "Gravesen's mean", "(chord + control polygon) / 2", none, LengthBound::guaranteed, 0, gravesen},
@@ -109,17 +104,17 @@ constexpr std::array<ArcLengthMethod, 10> kTable{{
 
 }  // namespace
 
-std::span<const ArcLengthMethod> arc_length_methods() { return kTable; }
+std::span<const ArcLengthMethod> arc_length_methods() { return kMethods; }
 
 const ArcLengthMethod& arc_length_method(ArcLengthId id) {
   const auto row = static_cast<std::size_t>(id);
-  COASTER_CHECK(row < kTable.size(), "the id is a row of the arc-length table");
-  return kTable[row];
+  COASTER_CHECK(row < kMethods.size(), "the id is a row of the arc-length table");
+  return kMethods[row];
 }
 
 std::optional<ArcLengthId> find_arc_length_method(std::string_view name) {
-  for (std::size_t i = 0; i < kTable.size(); ++i)
-    if (kTable[i].name == name) return static_cast<ArcLengthId>(i);
+  for (std::size_t i = 0; i < kMethods.size(); ++i)
+    if (kMethods[i].name == name) return static_cast<ArcLengthId>(i);
   return std::nullopt;
 }
 

@@ -2,6 +2,8 @@
 // The evaluators that are compared with each other live in evaluators.h.
 #pragma once
 
+#include <cmath>
+
 #include <glm/glm.hpp>
 
 namespace coaster::curve {
@@ -28,6 +30,11 @@ struct PreparedCubic {
 
 Coefficients coefficients(const Cubic& cubic);    // in float, as the paper's program has them
 CoefficientsD coefficients_d(const Cubic& cubic);  // exact control points, double arithmetic
+// |B'(t)| from them.
+inline double speed(const CoefficientsD& c, double t) {
+  const glm::dvec3 d = c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3));
+  return std::sqrt(glm::dot(d, d));
+}
 PreparedCubic prepare(const Cubic& cubic);
 
 // B(t), B'(t), B''(t), B'''(t) in double; t in [0,1] (any finite t is allowed). At t = 0 and 1 `point` is exactly p0, p3.

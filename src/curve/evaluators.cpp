@@ -123,7 +123,7 @@ double forward_differences_bound(double extent, double size, int steps) {
 double horner8_bound(double extent, double size, int) { return vector_horner_error_bound(extent, size); }
 double forward_differences8_bound(double extent, double size, int) { return vector_differences_error_bound(extent, size); }
 
-constexpr std::array<Evaluator, 10> kTable{{
+constexpr std::array<Evaluator, 10> kEvaluators{{
     {"bernstein", "Cubic (Bernstein)", "(1-t)^3 p0 + 3t(1-t)^2 p1 + 3t^2(1-t) p2 + t^3 p3",
      "3 vector additions, 4 vector and 12 scalar multiplications", bernstein, bernstein_bound},
     {"de_casteljau", "de Casteljau", "b_i <- (1-t) b_i + t b_(i+1), three rounds", "6 linear interpolations", de_casteljau,
@@ -148,17 +148,17 @@ constexpr std::array<Evaluator, 10> kTable{{
 
 }  // namespace
 
-std::span<const Evaluator> evaluators() { return kTable; }
+std::span<const Evaluator> evaluators() { return kEvaluators; }
 
 const Evaluator& evaluator(EvaluatorId id) {
   const auto row = static_cast<std::size_t>(id);
-  COASTER_CHECK(row < kTable.size(), "the id is a row of the evaluator table");
-  return kTable[row];
+  COASTER_CHECK(row < kEvaluators.size(), "the id is a row of the evaluator table");
+  return kEvaluators[row];
 }
 
 std::optional<EvaluatorId> find_evaluator(std::string_view name) {
-  for (std::size_t i = 0; i < kTable.size(); ++i)
-    if (kTable[i].name == name) return static_cast<EvaluatorId>(i);
+  for (std::size_t i = 0; i < kEvaluators.size(); ++i)
+    if (kEvaluators[i].name == name) return static_cast<EvaluatorId>(i);
   return std::nullopt;
 }
 

@@ -237,26 +237,30 @@ Status files_command(Session& session, base::Files&, const NewTrack&) {
   return {};
 }
 
+using Perform = Status (*)(Session&, base::Files&, Change&, const Command&);
+constexpr auto kPerform = Commands::table([]<class C>() -> Perform {
+  return [](Session& session, [[maybe_unused]] base::Files& files, [[maybe_unused]] Change& change, const Command& command) -> Status {
+    const C& c = *command.as<C>();
+    if constexpr (C::kInfo.effect == Effect::document)
+      return document_command(session, c, change);
+    else if constexpr (C::kInfo.effect == Effect::settings)
+      return settings_command(session, c, change);
+    else if constexpr (C::kInfo.effect == Effect::motion)
+      return perform(session, change, c);
+    else if constexpr (C::kInfo.effect == Effect::history)
+      return steps(session, c);
+    else
+      return files_command(session, files, c);
+  };
+});
+
 }  // namespace
 
 Status apply(Session& session, base::Files& files, const Command& command) {
   Change change;
   const Effect effect = info(command).effect;
   if (effect != Effect::settings && effect != Effect::motion) session.document_hash.reset();
-  Status status = std::visit(
-      [&]<class C>(const C& c) -> Status {
-        if constexpr (C::kInfo.effect == Effect::document)
-          return document_command(session, c, change);
-        else if constexpr (C::kInfo.effect == Effect::settings)
-          return settings_command(session, c, change);
-        else if constexpr (C::kInfo.effect == Effect::motion)
-          return perform(session, change, c);
-        else if constexpr (C::kInfo.effect == Effect::history)
-          return steps(session, c);
-        else
-          return files_command(session, files, c);
-      },
-      command);
+  Status status = kPerform[command.index()](session, files, change, command);
   if (status && (effect == Effect::document || effect == Effect::history)) watch_built(session);
   const std::string name(info(command).name);
   if (status.code == base::Code::refused) status.message = name + ": " + status.message;

@@ -64,29 +64,25 @@ constexpr std::string_view target_usage() {
     return kAnyTarget;
 }
 
-// A kind of command: one row for each alternative of the variant, in its order.
-struct Kind {
+// A kind of command: one row for each, in the order of the list.
+struct CommandKind {
   const CommandInfo* info;
   std::string_view target;
-  void (*make)(AnyCommand& command);
-  void (*fields)(AnyCommand& command, Fields& fields);
+  Command (*make)();
+  void (*fields)(Command& command, Fields& fields);
 };
 template <class C>
-constexpr Kind kind() {
-  return {&C::kInfo, target_usage<C>(), [](AnyCommand& command) { command.emplace<C>(); },
-          [](AnyCommand& command, Fields& fields) {
-            C::fields(*std::get_if<C>(&command), [&]<class T>(std::string_view name, T& value) {
+constexpr CommandKind kind() {
+  return {&C::kInfo, target_usage<C>(), []() -> Command { return C{}; },
+          [](Command& command, Fields& fields) {
+            C::fields(*command.as<C>(), [&]<class T>(std::string_view name, T& value) {
               fields.push_back({Keyword(name), &value, &kFieldType<T>});
             });
           }};
 }
-template <std::size_t... I>
-constexpr std::array<Kind, sizeof...(I)> kinds(std::index_sequence<I...>) {
-  return {kind<std::variant_alternative_t<I, AnyCommand>>()...};
-}
-constexpr auto kKinds = kinds(std::make_index_sequence<std::variant_size_v<AnyCommand>>{});
+constexpr auto kKinds = Commands::table([]<class C>() { return kind<C>(); });
 
-Fields fields_of(AnyCommand& command) {
+Fields fields_of(Command& command) {
   Fields fields;
   kKinds[command.index()].fields(command, fields);
   return fields;
@@ -94,13 +90,12 @@ Fields fields_of(AnyCommand& command) {
 
 std::vector<std::string> command_names() {
   std::vector<std::string> names;
-  for (const Kind& row : kKinds) names.emplace_back(row.info->name);
+  for (const CommandKind& row : kKinds) names.emplace_back(row.info->name);
   return names;
 }
 
-std::string usage(const Kind& row) {
-  AnyCommand command;
-  row.make(command);
+std::string usage(const CommandKind& row) {
+  Command command = row.make();
   std::string text(row.info->name);
   for (const Field& field : fields_of(command)) {
     std::string part = field.keyword.word.empty() ? "" : field.keyword.word + " ";
@@ -127,26 +122,19 @@ bool read_field(WordReader& words, const Field& field) {
 
 }  // namespace
 
-Command::Command() = default;
-Command::Command(const Command& other) = default;
-Command::Command(Command&& other) noexcept = default;
-Command& Command::operator=(const Command& other) = default;
-Command& Command::operator=(Command&& other) noexcept = default;
-Command::~Command() = default;
-
 const CommandInfo& info(const Command& command) { return *kKinds[command.index()].info; }
 
 const std::string* output_path(const Command& command) {
-  if (const Save* const save = std::get_if<Save>(&command)) return &save->path;
-  if (const SaveMeasurements* const save = std::get_if<SaveMeasurements>(&command)) return &save->path;
-  if (const SaveReport* const save = std::get_if<SaveReport>(&command)) return &save->path;
+  if (const Save* const save = command.as<Save>()) return &save->path;
+  if (const SaveMeasurements* const save = command.as<SaveMeasurements>()) return &save->path;
+  if (const SaveReport* const save = command.as<SaveReport>()) return &save->path;
   return nullptr;
 }
 
 void set_output_path(Command& command, std::string path) {
-  if (Save* const save = std::get_if<Save>(&command)) save->path = std::move(path);
-  else if (SaveMeasurements* const table = std::get_if<SaveMeasurements>(&command)) table->path = std::move(path);
-  else if (SaveReport* const report = std::get_if<SaveReport>(&command)) report->path = std::move(path);
+  if (Save* const save = command.as<Save>()) save->path = std::move(path);
+  else if (SaveMeasurements* const table = command.as<SaveMeasurements>()) table->path = std::move(path);
+  else if (SaveReport* const report = command.as<SaveReport>()) report->path = std::move(path);
 }
 
 std::string print(const Command& command) {
@@ -170,7 +158,7 @@ std::string print(const Command& command) {
 const std::vector<CommandHelp>& command_table() {
   static const std::vector<CommandHelp> table = [] {
     std::vector<CommandHelp> rows;
-    for (const Kind& row : kKinds) rows.push_back({*row.info, usage(row)});
+    for (const CommandKind& row : kKinds) rows.push_back({*row.info, usage(row)});
     return rows;
   }();
   return table;
@@ -189,7 +177,7 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
     return failed();
   }
   const auto row = std::find_if(kKinds.begin(), kKinds.end(),
-                                [&](const Kind& kind) { return kind.info->name == tokens[0].text; });
+                                [&](const CommandKind& kind) { return kind.info->name == tokens[0].text; });
   if (row == kKinds.end()) {
     error = {tokens[0].column, "no command " + base::quoted(tokens[0].text) +
                                    base::suggestion(tokens[0].text, command_names())};
@@ -197,8 +185,7 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
   }
   WordReader words(tokens, error);
   words.take("a command");
-  Command result;
-  row->make(result);
+  Command result = row->make();
   for (const Field& field : fields_of(result))
     if (!read_field(words, field)) return failed();
   if (words.peek()) {

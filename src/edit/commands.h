@@ -5,9 +5,12 @@
 // Commands carry names and numbers, never screen coordinates.
 #pragma once
 
+#include <any>
+#include <array>
 #include <string>
 #include <string_view>
-#include <variant>
+#include <type_traits>
+#include <utility>
 
 #include <glm/glm.hpp>
 
@@ -190,31 +193,57 @@ struct NewTrack {
   COASTER_FIELDS()
 };
 
-using AnyCommand = std::variant<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve,
-                                AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2,
-                                Translate, Rotate, Scale, Mirror, Smooth, Equalise, Straighten, SetRadius, DropToGround, Align, Reverse,
-                                Duplicate, CloseExactly,
-                                SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetHeartline, SetRollbackFails, AutoBank, PlaceElement,  //
-                                SetEvaluator, SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera,
-                                SetCameraMode, SetFly, SetFieldOfView, SetRideView, SetWidening, SetRollDamping, SetChaseDistance,
-                                SetHeadBob, SetReducedMotion, Select, SelectKnots, SetSnapping, SetGizmo, SetHints, SetPanels, SetPolyline, SetAppendMode, SetScale, SetTheme, SetStyle, SetSound, ShowLayer, SetColouring, SetMagnification,
-                                SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring, ChooseElement, PreviewElement,  //
-                                RideStart, RidePause, RideStop, RideStep, RideSeek,                              //
-                                Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save,
-                                SaveMeasurements, SaveReport, LoadEnvelope, RecoverTrack, NewTrack,
-                                StartChallenge, LeaveChallenge, ShowHint, SetCard, CloseCard>;
-
-// One command. Copies and destructors of so many alternatives are compiled once, in codec.cpp, instead of in every file that holds one.
-struct Command : AnyCommand {
-  using AnyCommand::AnyCommand;
-  Command();
-  Command(const Command& other);
-  Command(Command&& other) noexcept;
-  Command& operator=(const Command& other);
-  Command& operator=(Command&& other) noexcept;
-  ~Command();
+template <class... C>
+struct CommandList {
+  static constexpr std::size_t size = sizeof...(C);
+  // Where a kind is in the list; size for what is none.
+  template <class Wanted>
+  static consteval std::size_t index_of() {
+    std::size_t at = 0;
+    (void)((std::is_same_v<Wanted, C> || (++at, false)) || ...);
+    return at;
+  }
+  // make.template operator()<C>() of each kind, in order.
+  template <class Make>
+  static constexpr auto table(Make make) {
+    return std::array{make.template operator()<C>()...};
+  }
 };
+using Commands = CommandList<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve, AppendKnot,
+                             RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2, Translate, Rotate, Scale, Mirror,
+                             Smooth, Equalise, Straighten, SetRadius, DropToGround, Align, Reverse, Duplicate, CloseExactly, SetEquipment,
+                             RemoveEquipment, SetTrain, SetLosses, SetHeartline, SetRollbackFails, AutoBank, PlaceElement, SetEvaluator,
+                             SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera, SetCameraMode, SetFly,
+                             SetFieldOfView, SetRideView, SetWidening, SetRollDamping, SetChaseDistance, SetHeadBob, SetReducedMotion, Select,
+                             SelectKnots, SetSnapping, SetGizmo, SetHints, SetPanels, SetPolyline, SetAppendMode, SetScale, SetTheme, SetStyle,
+                             SetSound, ShowLayer, SetColouring, SetMagnification, SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,
+                             ChooseElement, PreviewElement, RideStart, RidePause, RideStop, RideStep, RideSeek, Undo, Redo, BeginGesture, EndGesture,
+                             CancelGesture, Load, Save, SaveMeasurements, SaveReport, LoadEnvelope, RecoverTrack, NewTrack, StartChallenge,
+                             LeaveChallenge, ShowHint, SetCard, CloseCard>;
 
+// One command of any kind. A std::variant of so many kinds would take half a minute to compile.
+class Command {
+ public:
+  Command() : Command(MoveKnot{}) {}
+  template <class C>
+    requires requires { C::kInfo; }
+  Command(C command) : value_(std::move(command)), index_(Commands::index_of<C>()) {
+    static_assert(Commands::index_of<C>() < Commands::size, "the kind stands in the list of commands");
+  }
+
+  std::size_t index() const { return index_; }  // in Commands
+  template <class C>
+  bool is() const { return as<C>() != nullptr; }
+  // Null when it is of another kind.
+  template <class C>
+  const C* as() const { return std::any_cast<C>(&value_); }
+  template <class C>
+  C* as() { return std::any_cast<C>(&value_); }
+
+ private:
+  std::any value_;
+  std::size_t index_;
+};
 
 const CommandInfo& info(const Command& command);
 

@@ -8,7 +8,6 @@ namespace {
 
 using base::Status;
 
-constexpr float kMaxPitch = 89;  // degrees
 constexpr float kMaxWidening = 20, kMaxRollDamping = 2;  // degrees, s
 
 // One number of the settings, cut to its limits.
@@ -32,7 +31,7 @@ Status perform(Session& session, Change& change, const SetFly& command) {
   fly.eye = change.clamp_position("eye", fly.eye);
   fly.eye.y = change.clamp("height", fly.eye.y, world::kLowestFlight, world::kMaxCoordinate, "m");
   fly.yaw_deg = std::remainder(fly.yaw_deg, 360.0f);
-  fly.pitch_deg = change.clamp("pitch", fly.pitch_deg, -kMaxPitch, kMaxPitch, "degrees");
+  fly.pitch_deg = change.clamp("pitch", fly.pitch_deg, -world::kMaxPitch, world::kMaxPitch, "degrees");
   session.settings.fly = fly;
   return {};
 }

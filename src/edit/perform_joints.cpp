@@ -12,12 +12,12 @@ using base::Status;
 
 constexpr std::size_t kMostNamed = 4;  // refused joints named in a notice
 
-std::string metres(double value) {
+std::string as_movement(double value) {
   return value >= 1.0 ? base::to_text(std::round(value * 1e3) / 1e3) + " m" : base::to_text(std::round(value * 1e6) / 1e3) + " mm";
 }
 
 std::string told(const world::Document& document, const RepairReport& report) {
-  std::string text = "made " + std::to_string(report.changed) + (report.changed == 1 ? " joint" : " joints") + " G2 by moving " + metres(report.movement) +
+  std::string text = "made " + std::to_string(report.changed) + (report.changed == 1 ? " joint" : " joints") + " G2 by moving " + as_movement(report.movement) +
                      "; " + std::to_string(report.already) + " were already";
   if (report.refused.empty()) return text;
   text += "; " + std::to_string(report.refused.size()) + " refused: ";
@@ -36,7 +36,7 @@ Status perform(Session& session, Change& change, const MakeG2& command) {
   const world::Document before = session.document;
   const Status status = make_g2(session.document, index, &movement);
   if (!status) return status;
-  change.note = before == session.document ? "the joint is G2 already" : "made the joint G2 by moving " + metres(movement);
+  change.note = before == session.document ? "the joint is G2 already" : "made the joint G2 by moving " + as_movement(movement);
   return {};
 }
 

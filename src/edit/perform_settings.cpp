@@ -12,7 +12,7 @@ namespace {
 using base::Status;
 
 constexpr std::int64_t kMinBudget = 1'000, kMaxBudget = 1'000'000'000;
-constexpr float kMaxPitch = 89, kMinDistance = 0.5f, kMaxDistance = 20'000;
+constexpr float kMinDistance = 0.5f, kMaxDistance = 20'000;
 constexpr double kMinMagnification = 1, kMaxMagnification = 1e7, kMinCombScale = 0.001, kMaxCombScale = 1e6;
 constexpr float kMinScale = 0.75f, kMaxScale = 3;
 
@@ -82,7 +82,7 @@ Status perform(Session& session, Change& change, const SetCamera& command) {
     return refused("expected finite numbers");
   camera.target = change.clamp_position("target", camera.target);
   camera.yaw_deg = std::remainder(camera.yaw_deg, 360.0f);
-  camera.pitch_deg = change.clamp("pitch", camera.pitch_deg, -kMaxPitch, kMaxPitch, "degrees");
+  camera.pitch_deg = change.clamp("pitch", camera.pitch_deg, -world::kMaxPitch, world::kMaxPitch, "degrees");
   camera.distance = change.clamp("distance", camera.distance, kMinDistance, kMaxDistance, "m");
   camera.field_of_view_deg = session.settings.camera.field_of_view_deg;  // has a command of its own
   session.settings.camera = camera;

@@ -32,11 +32,11 @@ std::optional<Shortfall> shortfall(const sim::Ghost& ghost, const sim::RailTable
   if (ghost.samples.empty() || tables.size() == 0) return std::nullopt;
   double furthest = 0;
   for (const sim::GhostSample& sample : ghost.samples) furthest = std::max(furthest, sample.travelled);
-  constexpr double kStep = 0.25, kRise = 0.02;  // m
+  constexpr double kSearchStep = 0.25, kRise = 0.02;  // m
   std::size_t hint = 0;
   const double from = mean_height(ghost, tables, furthest, hint);
   double top = from, top_at = furthest;
-  for (double at = furthest; at < furthest + ghost.track_length; at += kStep) {
+  for (double at = furthest; at < furthest + ghost.track_length; at += kSearchStep) {
     const double height = mean_height(ghost, tables, at, hint);
     if (height < top - kRise) break;
     if (height > top) top = height, top_at = at;

@@ -2,7 +2,6 @@
 #include "exchange/challenge_file.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "exchange/formats.h"
 #include "exchange/json_fields.h"
@@ -11,7 +10,7 @@
 namespace coaster::exchange {
 namespace {
 
-struct Parse {
+struct ChallengeParse {
   LoadedChallenge loaded;
   std::string error;  // the first thing wrong, without the file's name
 };
@@ -23,15 +22,10 @@ bool read_text(Fields& fields, std::string_view member, std::string& to) {
   return to.size() <= kMaxChallengeText || fields.fail(member, "longer than the limit of " + std::to_string(kMaxChallengeText) + " bytes");
 }
 
-bool read_head(Parse& parse, Fields& fields) {
+bool read_challenge_head(ChallengeParse& parse, Fields& fields) {
   ChallengeFile& to = parse.loaded.challenge;
-  std::string format, judged;
-  std::int64_t version = 0;
-  if (!fields.text("format", format)) return false;
-  if (format != kChallengeFormat) return fields.reject("format", "\"" + std::string(kChallengeFormat) + "\"");
-  if (!fields.whole("version", version, 1, std::numeric_limits<std::int32_t>::max())) return false;
-  if (version > kChallengeVersion)
-    return fields.fail("version", "version " + std::to_string(version) + " is newer than this program reads (" + std::to_string(kChallengeVersion) + ")");
+  std::string judged;
+  if (!fields.head(kChallengeFormat, kChallengeVersion)) return false;
   if (!read_text(fields, "name", to.name) || !read_text(fields, "teaches", to.teaches) || !fields.text("judged", judged)) return false;
   const auto found = std::find(kJudgedNames.begin(), kJudgedNames.end(), judged);
   if (found == kJudgedNames.end()) return fields.reject("judged", "\"lap\", \"time\" or \"build\"");
@@ -40,7 +34,7 @@ bool read_head(Parse& parse, Fields& fields) {
   return to.judged != Judged::time || fields.number("seconds", to.seconds, kShortest, kMaxChallengeSeconds);
 }
 
-bool read_rules(Parse& parse, Fields& fields, RuleList which) {
+bool read_rules(ChallengeParse& parse, Fields& fields, RuleList which) {
   const std::string_view name = kRuleListNames[static_cast<std::size_t>(which)];
   if (which != RuleList::goals && !fields.has(name)) return true;
   const Json* const list = fields.list(name);
@@ -57,7 +51,7 @@ bool read_rules(Parse& parse, Fields& fields, RuleList which) {
   return true;
 }
 
-bool read_hints(Parse& parse, Fields& fields) {
+bool read_hints(ChallengeParse& parse, Fields& fields) {
   if (!fields.has("hints")) return true;
   const Json* const list = fields.list("hints");
   if (!list) return false;
@@ -72,7 +66,7 @@ bool read_hints(Parse& parse, Fields& fields) {
 }
 
 // The start track: a file beside the challenge, or a whole track as a member. What is wrong inside it is told as for any track.
-bool read_track(Parse& parse, Fields& fields, const Json& tree, const std::filesystem::path& folder, base::Files& files) {
+bool read_track(ChallengeParse& parse, Fields& fields, const Json& tree, const std::filesystem::path& folder, base::Files& files) {
   ChallengeFile& to = parse.loaded.challenge;
   const auto inside = tree.find("track");
   base::Result<LoadedTrack> track = base::Status{base::Code::bad_file, "no track"};
@@ -92,9 +86,9 @@ bool read_track(Parse& parse, Fields& fields, const Json& tree, const std::files
   return true;
 }
 
-bool read_all(Parse& parse, const Json& tree, const std::filesystem::path& folder, base::Files& files) {
+bool read_all(ChallengeParse& parse, const Json& tree, const std::filesystem::path& folder, base::Files& files) {
   Fields fields(tree, {}, parse.error);
-  if (!parse.error.empty() || !read_head(parse, fields)) return false;
+  if (!parse.error.empty() || !read_challenge_head(parse, fields)) return false;
   for (const RuleList which : {RuleList::goals, RuleList::limits, RuleList::bronze, RuleList::silver, RuleList::gold})
     if (!read_rules(parse, fields, which)) return false;
   if (!read_hints(parse, fields) || !read_track(parse, fields, tree, folder, files)) return false;
@@ -107,7 +101,7 @@ bool read_all(Parse& parse, const Json& tree, const std::filesystem::path& folde
 base::Result<LoadedChallenge> parse_challenge(std::string_view text, std::string_view name, const std::filesystem::path& folder, base::Files& files) {
   const base::Result<Json> tree = read_json(text, name);
   if (!tree) return tree.status();
-  Parse parse;
+  ChallengeParse parse;
   if (!read_all(parse, *tree, folder, files)) return base::Status{base::Code::bad_file, std::string(name) + ": error: " + parse.error};
   for (std::string& warning : parse.loaded.warnings) {
     constexpr std::string_view kKept = " is kept";  // as of tracks; a challenge is not written back

@@ -2,7 +2,6 @@
 #include "exchange/envelope_file.h"
 
 #include <array>
-#include <limits>
 
 #include "base/text.h"
 #include "exchange/json_fields.h"
@@ -10,25 +9,20 @@
 namespace coaster::exchange {
 namespace {
 
-struct Parse {
+struct EnvelopeParse {
   LoadedEnvelope loaded;
   std::string error;  // the first thing wrong, without the file's name
 };
 
-bool read_head(Parse& parse, Fields& fields) {
-  std::string format, note;
-  std::int64_t version = 0;
-  if (!fields.text("format", format)) return false;
-  if (format != kEnvelopeFormat) return fields.reject("format", "\"" + std::string(kEnvelopeFormat) + "\"");
-  if (!fields.whole("version", version, 1, std::numeric_limits<std::int32_t>::max())) return false;
-  if (version > kEnvelopeVersion)
-    return fields.fail("version", "version " + std::to_string(version) + " is newer than this program reads (" + std::to_string(kEnvelopeVersion) + ")");
+bool read_envelope_head(EnvelopeParse& parse, Fields& fields) {
+  std::string note;
+  if (!fields.head(kEnvelopeFormat, kEnvelopeVersion)) return false;
   if (fields.has("note") && !fields.text("note", note)) return false;
   return fields.text("name", parse.loaded.name) && fields.number("shortest", parse.loaded.envelope.shortest, 0, kMaxShortest) &&
          fields.number("cutoff", parse.loaded.envelope.cutoff, kMinCutoff, kMaxCutoff);
 }
 
-bool read_point(Parse& parse, const Json& value, std::string_view axis, std::size_t index, sim::EnvelopeCurve& curve) {
+bool read_point(EnvelopeParse& parse, const Json& value, std::string_view axis, std::size_t index, sim::EnvelopeCurve& curve) {
   Fields fields(value, {axis, index}, parse.error);
   sim::EnvelopePoint point{0, 0};
   if (!fields.number("seconds", point.seconds, 0, kMaxEnvelopeSeconds) || !fields.number("g", point.g, 0, kMaxEnvelopeG)) return false;
@@ -39,7 +33,7 @@ bool read_point(Parse& parse, const Json& value, std::string_view axis, std::siz
   return true;
 }
 
-bool read_curves(Parse& parse, Fields& fields) {
+bool read_curves(EnvelopeParse& parse, Fields& fields) {
   for (std::size_t axis = 0; axis < sim::kForceAxes; ++axis) {
     const std::string_view name = sim::name(static_cast<sim::ForceAxis>(axis));
     const Json* const list = fields.list(name);
@@ -59,9 +53,9 @@ std::string string(std::string_view text) { return Json(std::string(text)).dump(
 base::Result<LoadedEnvelope> parse_envelope(std::string_view text, std::string_view name) {
   const base::Result<Json> tree = read_json(text, name);
   if (!tree) return tree.status();
-  Parse parse;
+  EnvelopeParse parse;
   Fields fields(*tree, {}, parse.error);
-  if (parse.error.empty() && read_head(parse, fields)) read_curves(parse, fields);
+  if (parse.error.empty() && read_envelope_head(parse, fields)) read_curves(parse, fields);
   if (!parse.error.empty()) return base::Status{base::Code::bad_file, std::string(name) + ": error: " + parse.error};
   for (std::string& warning : parse.loaded.warnings) {
     constexpr std::string_view kKept = " is kept";  // as of tracks; an envelope is not written back

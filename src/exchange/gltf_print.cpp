@@ -17,7 +17,7 @@ static_assert(std::endian::native == std::endian::little, "glTF's buffers are li
 // Numbers of the specification.
 constexpr int kFloat = 5126, kUnsigned = 5125, kVertices = 34962, kIndices = 34963, kLineStrip = 3, kTriangles = 4;
 
-struct Builder {
+struct BinaryBuilder {
   Json views = Json::array(), accessors = Json::array();
   std::string bytes;
 
@@ -56,7 +56,7 @@ Json material(std::string_view name, double red, double green, double blue) {
   return {{"name", name}, {"pbrMetallicRoughness", {{"baseColorFactor", {red, green, blue, 1.0}}, {"metallicFactor", 0.6}, {"roughnessFactor", 0.5}}}};
 }
 
-Json track_mesh(Builder& builder, const TrackSolid& solid) {
+Json track_mesh(BinaryBuilder& builder, const TrackSolid& solid) {
   Json primitives = Json::array();
   for (std::size_t i = 0; i < solid.parts.size(); ++i) {
     const SolidPart& part = solid.parts[i];
@@ -76,7 +76,7 @@ std::string print_gltf(const world::Document& document) {
   Json file{{"asset", {{"version", "2.0"}, {"generator", "coaster"}}}, {"scene", 0}};
   Json scene{{"name", document.name}};
   if (!solid.centre_line.empty()) {
-    Builder builder;
+    BinaryBuilder builder;
     const Json track = track_mesh(builder, solid);
     const std::size_t line = builder.positions(solid.centre_line);
     scene["nodes"] = Json::array({0, 1});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/text.h"
 
@@ -43,6 +44,16 @@ bool Fields::reject(std::string_view name, std::string_view expected) {
   const auto it = object_->find(std::string(name));
   const std::string found = it == object_->end() ? "nothing" : describe(*it);
   return fail(name, "expected " + std::string(expected) + ", found " + found);
+}
+
+bool Fields::head(std::string_view format, std::int32_t newest) {
+  std::string found;
+  std::int64_t version = 0;
+  if (!text("format", found)) return false;
+  if (found != format) return reject("format", "\"" + std::string(format) + "\"");
+  if (!whole("version", version, 1, std::numeric_limits<std::int32_t>::max())) return false;
+  return version <= newest ||
+         fail("version", "version " + std::to_string(version) + " is newer than this program reads (" + std::to_string(newest) + ")");
 }
 
 const Json* Fields::member(std::string_view name, std::string_view expected) {

@@ -32,6 +32,8 @@ class Fields {
   bool length(std::string_view member, float& value, float low, float high);
   bool whole(std::string_view member, std::int64_t& value, std::int64_t low, std::int64_t high);
   bool vector(std::string_view member, glm::dvec3& value, double limit);  // |component| <= limit
+  // The first two members of every file of ours: "format", which must be that one, and "version", 1 to `newest`.
+  bool head(std::string_view format, std::int32_t newest);
   // Any value of that name, or null after a failure.
   const Json* value(std::string_view member);
   // The array of that name, or null after a failure.

@@ -17,11 +17,6 @@ using glm::dvec3;
 constexpr auto& kColumns = kNl2Columns;
 constexpr double kSquare = 0.01;        // how far frames may be from unit and perpendicular
 constexpr double kSamePlace = 2e-6;     // m: rounding of printed places
-constexpr std::size_t kShownBytes = 40;  // of what was found, in messages
-
-std::string shown(std::string_view text) {
-  return base::quoted(text.size() > kShownBytes ? std::string(text.substr(0, kShownBytes)) + "..." : std::string(text));
-}
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -105,7 +100,7 @@ bool read_header(Reader& r) {
     std::string_view cell = cells[i];
     if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = trimmed(cell.substr(1, cell.size() - 2));
     if (i == 0 && same_word(cell, "No")) cell = kColumns[0];
-    if (!same_word(cell, kColumns[i])) return r.fail("column " + std::to_string(i + 1) + " of the header to be \"" + std::string(kColumns[i]) + "\"", shown(cells[i]));
+    if (!same_word(cell, kColumns[i])) return r.fail("column " + std::to_string(i + 1) + " of the header to be \"" + std::string(kColumns[i]) + "\"", base::quoted_start(cells[i]));
   }
   if (count != kColumns.size()) return r.fail("a header of 13 columns, separated by tabs", count > kColumns.size() ? "more" : std::to_string(count));
   return true;
@@ -116,8 +111,8 @@ bool read_vector(Reader& r, const std::array<std::string_view, kColumns.size()>&
     const std::size_t i = first + static_cast<std::size_t>(axis);
     const auto number = base::parse_double(cells[i]);
     const auto expected = [&](std::string_view what) { return std::string(what) + " in column " + std::string(kColumns[i]); };
-    if (!number) return r.fail(expected("a finite number"), shown(cells[i]));
-    if (!(std::abs(*number) <= limit)) return r.fail(expected("a number within " + std::to_string(static_cast<int>(limit))), shown(cells[i]));
+    if (!number) return r.fail(expected("a finite number"), base::quoted_start(cells[i]));
+    if (!(std::abs(*number) <= limit)) return r.fail(expected("a number within " + std::to_string(static_cast<int>(limit))), base::quoted_start(cells[i]));
     v[axis] = *number;
   }
   return true;
@@ -148,7 +143,7 @@ bool check_cut(Reader& r, const std::array<std::string_view, kColumns.size()>& c
     for (std::size_t i = 2; i + 1 < cells.size(); ++i) r.first_decimals = std::min(r.first_decimals, decimals(cells[i]));
   }
   if (r.lines.ended() || r.first_decimals != 6 || decimals(cells.back()) >= 6) return true;
-  return r.fail("a last number with 6 decimals", shown(cells.back()) + ": the file is cut off");
+  return r.fail("a last number with 6 decimals", base::quoted_start(cells.back()) + ": the file is cut off");
 }
 
 bool read_row(Reader& r, std::string_view line) {
@@ -158,7 +153,7 @@ bool read_row(Reader& r, std::string_view line) {
   if (r.data_rows >= kMaxNl2Rows) return r.fail("at most " + std::to_string(kMaxNl2Rows) + " rows", "more");
   const auto number = base::parse_int(cells[0]);
   const auto expected = static_cast<std::int64_t>(r.data_rows + 1);
-  if (!number || *number != expected) return r.fail("the row's number " + std::to_string(expected), shown(cells[0]));
+  if (!number || *number != expected) return r.fail("the row's number " + std::to_string(expected), base::quoted_start(cells[0]));
   sim::FitRow row;
   if (!read_vector(r, cells, 1, world::kMaxCoordinate, row.position) || !read_frame(r, cells, row) || !check_cut(r, cells)) return false;
   ++r.data_rows;

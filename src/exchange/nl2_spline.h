@@ -6,6 +6,8 @@
 
 #include <glm/glm.hpp>
 
+#include "curve/cubic.h"
+
 namespace coaster::exchange {
 
 struct SplineVertex {
@@ -29,5 +31,8 @@ class UniformSpline {
   std::vector<glm::dvec3> controls_;
   bool closed_;
 };
+
+// A span as the cubic of the document, rounded to float.
+inline curve::Cubic in_float(const std::array<glm::dvec3, 4>& c) { return {glm::vec3(c[0]), glm::vec3(c[1]), glm::vec3(c[2]), glm::vec3(c[3])}; }
 
 }  // namespace coaster::exchange

@@ -25,8 +25,6 @@ Place place_on(const sim::Derived& derived, double s) {
   return {curve::point(shape.key.cubic, shape.arc.parameter(within)), sim::frame_at(shape, within)};
 }
 
-curve::Cubic in_float(const std::array<dvec3, 4>& c) { return {glm::vec3(c[0]), glm::vec3(c[1]), glm::vec3(c[2]), glm::vec3(c[3])}; }
-
 // Whether the spline is near the place at the same share of the length, which is no nearer than the track, and leads the same way there, and
 // whether roll goes on evenly between the vertices.
 bool is_close(const UniformSpline& spline, const sim::Derived& derived) {

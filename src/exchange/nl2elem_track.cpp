@@ -34,8 +34,6 @@ struct Piece {
   std::optional<dvec3> up;
 };
 
-curve::Cubic in_float(const Controls& c) { return {glm::vec3(c[0]), glm::vec3(c[1]), glm::vec3(c[2]), glm::vec3(c[3])}; }
-
 struct Cut {
   double t = 0;
   std::optional<dvec3> up;

@@ -35,7 +35,7 @@ struct Record {
   std::size_t offset = 0;
 };
 
-struct Reader {
+struct ChunkReader {
   std::string_view bytes;
   std::string name;
 
@@ -57,7 +57,7 @@ struct Chunk {
 
 // The first chunk of that tag at or behind `from` that lies within the file and has at least `least` bytes. What lies before it is of no
 // interest, and may have the tag in a text: then the next one counts, and the first one's fault is told when there is none.
-base::Result<Chunk> find_chunk(const Reader& reader, std::string_view tag, std::size_t from, std::size_t least) {
+base::Result<Chunk> find_chunk(const ChunkReader& reader, std::string_view tag, std::size_t from, std::size_t least) {
   base::Status fault = reader.fail(from, "expected a chunk \"" + std::string(tag) + "\", found none to the end of the file");
   bool found = false;
   for (std::size_t at = reader.bytes.find(tag, from); at != std::string_view::npos; at = reader.bytes.find(tag, at + 1)) {
@@ -84,7 +84,7 @@ base::Result<Chunk> find_chunk(const Reader& reader, std::string_view tag, std::
 
 // Where the closed byte is. Chunk SEGM has a size before its count of segments, which files of some writers lack: the count, which is that of
 // `knots` or one less, tells which it is. Where it is neither, the chunk is taken by its size.
-base::Result<std::size_t> closed_byte(const Reader& reader, std::size_t from, std::size_t knots) {
+base::Result<std::size_t> closed_byte(const ChunkReader& reader, std::size_t from, std::size_t knots) {
   const auto counts = [&](std::size_t at) { return reader.whole(at) == knots || reader.whole(at) + 1 == knots; };
   for (std::size_t at = reader.bytes.find("SEGM", from); at != std::string_view::npos; at = reader.bytes.find("SEGM", at + 1)) {
     const std::size_t left = reader.bytes.size() - at;
@@ -96,7 +96,7 @@ base::Result<std::size_t> closed_byte(const Reader& reader, std::size_t from, st
   return chunk->payload + 4;
 }
 
-base::Result<glm::vec3> read_point(const Reader& reader, std::size_t at, const char* what) {
+base::Result<glm::vec3> read_point(const ChunkReader& reader, std::size_t at, const char* what) {
   glm::vec3 value(0);
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t place = at + 4u * static_cast<std::size_t>(axis);
@@ -108,7 +108,7 @@ base::Result<glm::vec3> read_point(const Reader& reader, std::size_t at, const c
   return value;
 }
 
-base::Result<std::vector<Record>> read_records(const Reader& reader, const Chunk& chunk) {
+base::Result<std::vector<Record>> read_records(const ChunkReader& reader, const Chunk& chunk) {
   const std::size_t count = reader.whole(chunk.payload + 16), room = (chunk.size - kVerticesHead) / kRecordBytes;
   if (count > room || count > world::kMaxKnots)
     return reader.fail(chunk.payload + 16, "expected at most " + std::to_string(std::min(room, world::kMaxKnots)) + " knots, found " + std::to_string(count));
@@ -149,7 +149,7 @@ dvec3 between_neighbours(const std::vector<Record>& records, std::size_t i, bool
   return after - before;
 }
 
-base::Result<world::Knot> make_knot(const Reader& reader, const std::vector<Record>& records, std::size_t i, bool closed, Changes& changes) {
+base::Result<world::Knot> make_knot(const ChunkReader& reader, const std::vector<Record>& records, std::size_t i, bool closed, Changes& changes) {
   const Record& r = records[i];
   const bool comes = i > 0 || closed, goes = i + 1 < records.size() || closed;  // whether a segment uses the handle
   dvec3 in = dvec3(r.point) - dvec3(r.in), out = dvec3(r.out) - dvec3(r.point);
@@ -219,7 +219,7 @@ Twist twist_of(const curve::Cubic& cubic, glm::vec3 up_from, glm::vec3 up_to, do
 }
 
 // Whole turns that the least twist between the knots' `up` lacks.
-base::Status set_turns(const Reader& reader, world::Document& document, std::size_t i, const std::vector<Record>& records) {
+base::Status set_turns(const ChunkReader& reader, world::Document& document, std::size_t i, const std::vector<Record>& records) {
   const Record &from = records[i], &to = records[(i + 1) % records.size()];
   const world::Entity e = document.track.segments[i];
   world::Segment& segment = document.entities.get<world::Segment>(e);
@@ -257,7 +257,7 @@ std::vector<std::string> warnings_of(const Changes& changes) {
 }  // namespace
 
 base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view name) {
-  const Reader reader{bytes, std::string(name)};
+  const ChunkReader reader{bytes, std::string(name)};
   const auto vertices = find_chunk(reader, "BEZR", 0, kVerticesHead);
   if (!vertices) return vertices.status();
   const auto records = read_records(reader, *vertices);

@@ -41,12 +41,7 @@ bool read_entry(const Json& value, std::size_t index, Progress& progress, std::s
 
 bool read_all(const Json& tree, Progress& progress, std::string& error) {
   Fields fields(tree, {}, error);
-  std::string format;
-  std::int64_t version = 0;
-  if (!error.empty() || !fields.text("format", format)) return false;
-  if (format != kProgressFormat) return fields.reject("format", "\"" + std::string(kProgressFormat) + "\"");
-  if (!fields.whole("version", version, 1, std::numeric_limits<std::int32_t>::max())) return false;
-  if (version > kProgressVersion) return fields.fail("version", "version " + std::to_string(version) + " is newer than this program reads (" + std::to_string(kProgressVersion) + ")");
+  if (!error.empty() || !fields.head(kProgressFormat, kProgressVersion)) return false;
   const Json* const list = fields.list("challenges");
   if (!list) return false;
   if (list->size() > kMaxProgressEntries) return fields.fail("challenges", "more than the limit of " + std::to_string(kMaxProgressEntries));

@@ -1,7 +1,6 @@
 // A track file's tree to a document. Checks everything that docs/track-format.md promises.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -23,7 +22,7 @@ constexpr double kShortVector = 1e-9;
 constexpr double kParallel = 1e-6;  // sine of the angle between tangent and up
 
 // What one parse works on. `error` is the first thing wrong, without the file's name.
-struct Parse {
+struct TrackParse {
   Document document;
   std::vector<std::string> warnings;
   std::string error;
@@ -46,7 +45,7 @@ bool read_id(Fields& fields, std::string_view member, Kind kind, std::uint32_t& 
 }
 
 // The entity of an "id" member, with its name.
-bool create(Parse& parse, Fields& fields, Kind kind, Entity& e) {
+bool create(TrackParse& parse, Fields& fields, Kind kind, Entity& e) {
   std::uint32_t number = 0;
   if (!read_id(fields, "id", kind, number)) return false;
   auto& taken = parse.by_number[static_cast<std::size_t>(kind)];
@@ -59,7 +58,7 @@ bool create(Parse& parse, Fields& fields, Kind kind, Entity& e) {
   return true;
 }
 
-void keep_unknown(Parse& parse, const Fields& fields, Entity e) {
+void keep_unknown(TrackParse& parse, const Fields& fields, Entity e) {
   std::string extra = fields.unknown(parse.warnings);
   if (!extra.empty()) parse.document.entities.put(e, world::Extra{std::move(extra)});
 }
@@ -104,7 +103,7 @@ bool read_joint(Fields& fields, world::Knot& knot) {
   return true;
 }
 
-bool read_knot(Parse& parse, const Json& value, std::size_t index) {
+bool read_knot(TrackParse& parse, const Json& value, std::size_t index) {
   Fields fields(value, {"knots", index}, parse.error);
   Entity e;
   world::Knot knot;
@@ -144,7 +143,7 @@ bool read_equipment(Fields& fields, Document& document, Entity segment) {
   return true;
 }
 
-bool read_segment(Parse& parse, const Json& value, std::size_t index) {
+bool read_segment(TrackParse& parse, const Json& value, std::size_t index) {
   Fields fields(value, {"segments", index}, parse.error);
   const auto& knots = parse.document.track.knots;
   world::Segment segment{knots[index], knots[(index + 1) % knots.size()], 0};
@@ -168,7 +167,7 @@ bool read_segment(Parse& parse, const Json& value, std::size_t index) {
   return true;
 }
 
-bool read_cart(Parse& parse, const Json& value, std::size_t index) {
+bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
   Fields fields(value, {"carts", index}, parse.error);
   Entity e;
   std::uint32_t number = 0;
@@ -202,16 +201,8 @@ bool read_operation(Fields& fields, Document& document) {
          (!fields.has("rollback_fails") || fields.flag("rollback_fails", document.rollback_fails));
 }
 
-bool read_head(Parse& parse, Fields& fields) {
-  std::string format;
-  std::int64_t version = 0;
-  if (!fields.text("format", format)) return false;
-  if (format != kTrackFormat) return fields.reject("format", "\"" + std::string(kTrackFormat) + "\"");
-  if (!fields.whole("version", version, 1, std::numeric_limits<std::int32_t>::max())) return false;
-  if (version > kTrackVersion)
-    return fields.fail("version", "version " + std::to_string(version) +
-                                      " is newer than this program reads (" + std::to_string(kTrackVersion) +
-                                      ")");
+bool read_track_head(TrackParse& parse, Fields& fields) {
+  if (!fields.head(kTrackFormat, kTrackVersion)) return false;
   Document& document = parse.document;
   return fields.text("name", document.name) && fields.flag("closed", document.track.closed) &&
          fields.number("start_speed", document.start_speed, -world::kMaxSpeed, world::kMaxSpeed) &&
@@ -220,7 +211,7 @@ bool read_head(Parse& parse, Fields& fields) {
          read_operation(fields, document);
 }
 
-bool read_lists(Parse& parse, Fields& fields) {
+bool read_lists(TrackParse& parse, Fields& fields) {
   const Json *const knots = fields.list("knots"), *const segments = fields.list("segments"),
                     *const carts = fields.list("carts");
   if (!knots || !segments || !carts) return false;
@@ -256,9 +247,9 @@ void shorten(std::vector<std::string>& warnings) {
 base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view name) {
   const base::Result<Json> tree = read_json(text, name);
   if (!tree) return tree.status();
-  Parse parse;
+  TrackParse parse;
   Fields fields(*tree, {}, parse.error);
-  if (parse.error.empty() && read_head(parse, fields) && read_lists(parse, fields)) {
+  if (parse.error.empty() && read_track_head(parse, fields) && read_lists(parse, fields)) {
     world::settle_joints(parse.document);
     if (const auto broken = world::broken_invariant(parse.document)) parse.error = *broken;
   }

@@ -63,7 +63,7 @@ void PolylinePen::set(const Program& program) const {
 std::string CurveStages::refusal(Stage stage) const {
   if (stage == Stage::tessellation_shader && (!gl_->at_least(4, 0) || gl_->PatchParameteri == nullptr))
     return "tessellation shaders need OpenGL 4.0, the driver has " + std::to_string(gl_->major) + "." + std::to_string(gl_->minor);
-  return failures_[static_cast<std::size_t>(stage)];
+  return programs_->failures[static_cast<std::size_t>(stage)];
 }
 
 Stage CurveStages::usable(Stage wanted) {
@@ -74,7 +74,7 @@ Stage CurveStages::usable(Stage wanted) {
 // Null when the driver lacks the stage or its compiler refuses the program; both are told by refusal().
 const Program* CurveStages::program(Stage stage, bool measuring) {
   const auto row = static_cast<std::size_t>(stage);
-  std::optional<Program>& known = programs_[row][measuring ? 1 : 0];
+  std::optional<Program>& known = programs_->compiled[row][measuring ? 1 : 0];
   if (known) return &*known;
   if (!refusal(stage).empty()) return nullptr;
   static constexpr const char* kCaptured[] = {"place", "number", "slot"};
@@ -84,7 +84,7 @@ const Program* CurveStages::program(Stage stage, bool measuring) {
   if (measuring) sources.captured = kCaptured;
   auto made = make_program(*gl_, sources);
   if (!made) {
-    failures_[row] = made.status().message;
+    programs_->failures[row] = made.status().message;
     return nullptr;
   }
   known = std::move(*made);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <glm/glm.hpp>
 
@@ -30,7 +32,9 @@ struct CurveSlots {
 
 class CurveStages {
  public:
-  explicit CurveStages(const Gl& gl) : gl_(&gl), array_(make_vertex_array(gl)) {}
+  explicit CurveStages(const Gl& gl) : CurveStages(gl, std::make_shared<Programs>()) {}
+  // Another one in the same context, with the same programs.
+  CurveStages sibling() const { return CurveStages(*gl_, programs_); }
 
   // Why a stage cannot be used here; empty when it can. The base path needs nothing beyond WebGL 2: the vertex stage always works, the
   // tessellation stage from OpenGL 4.0 on. What a compiler complained of is told after the first use.
@@ -55,13 +59,17 @@ class CurveStages {
 
  private:
   static constexpr std::size_t kStages = 4;
+  struct Programs {
+    std::array<std::array<std::optional<Program>, 2>, kStages> compiled;  // by stage; [1] captures
+    std::array<std::string, kStages> failures;
+  };
+  CurveStages(const Gl& gl, std::shared_ptr<Programs> programs) : gl_(&gl), array_(make_vertex_array(gl)), programs_(std::move(programs)) {}
   const Program* program(curve::Stage stage, bool measuring);
   void run(curve::Stage stage, const CurveSlots& slots, const Program& program, bool measuring);
 
   const Gl* gl_;
   Object array_;
-  std::array<std::array<std::optional<Program>, 2>, kStages> programs_;  // by stage; [1] captures
-  std::array<std::string, kStages> failures_;
+  std::shared_ptr<Programs> programs_;
 };
 
 }  // namespace coaster::gfx

@@ -13,7 +13,7 @@ namespace coaster::gfx {
 
 struct Renderer::Parts {
   const Gl& gl;
-  ScenePrograms programs;
+  std::shared_ptr<const ScenePrograms> programs;
   AirBuffer air;
   TrackCache track;
   Instances instances;
@@ -25,8 +25,8 @@ struct Renderer::Parts {
   Object empty_array;   // for triangles without attributes
   FrameTargets targets;
 
-  Parts(const Gl& table, ScenePrograms compiled)
-      : gl(table), programs(std::move(compiled)), air(table), track(table), instances(table), stages(table), values(table), deviation(table),
+  Parts(const Gl& table, std::shared_ptr<const ScenePrograms> compiled, CurveStages with)
+      : gl(table), programs(std::move(compiled)), air(table), track(table), instances(table), stages(std::move(with)), values(table), deviation(table),
         shadows(table), polyline_timer(table), empty_array(make_vertex_array(table)), targets(table) {}
 
   void upload(const Scene& scene, DrawStats& stats);
@@ -55,7 +55,13 @@ void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
 base::Result<std::unique_ptr<Renderer>> Renderer::make(const Gl& gl, int samples) {
   auto programs = make_scene_programs(gl);
   if (!programs) return programs.status();
-  std::unique_ptr<Renderer> renderer(new Renderer(std::make_unique<Parts>(gl, std::move(*programs))));
+  std::unique_ptr<Renderer> renderer(new Renderer(std::make_unique<Parts>(gl, std::make_shared<const ScenePrograms>(std::move(*programs)), CurveStages(gl))));
+  renderer->set_samples(samples);
+  return renderer;
+}
+
+std::unique_ptr<Renderer> Renderer::sibling(int samples) const {
+  std::unique_ptr<Renderer> renderer(new Renderer(std::make_unique<Parts>(parts_->gl, parts_->programs, parts_->stages.sibling())));
   renderer->set_samples(samples);
   return renderer;
 }
@@ -77,7 +83,7 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   choose_detail(scene.view, parts.track);
   parts.targets.fit(width, height);
   stats.samples = parts.targets.samples();
-  const Pass pass{parts.gl, parts.programs, scene, scenery, scene.view.projection * scene.view.view, parts.empty_array.id(), stats};
+  const Pass pass{parts.gl, *parts.programs, scene, scenery, scene.view.projection * scene.view.view, parts.empty_array.id(), stats};
   parts.shadows.update(pass, parts.track, parts.instances);
   parts.targets.begin(scene.view.viewport, around_of(scene.theme), scene.unseen);
   draw_backdrop(pass, parts.shadows);

@@ -60,6 +60,8 @@ class Renderer {
  public:
   // Compiles the shaders (embedded at build from shaders/). Code::graphics with the compiler's log on failure. `gl` must outlive it.
   static base::Result<std::unique_ptr<Renderer>> make(const Gl& gl, int samples);
+  // Another one in the same context: they share the compiled shaders and nothing else. Either may go first.
+  std::unique_ptr<Renderer> sibling(int samples) const;
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;

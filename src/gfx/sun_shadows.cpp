@@ -23,8 +23,7 @@ bool same(const sim::Pose& a, const sim::Pose& b) {
 void SunShadows::update(const Pass& pass, const TrackCache& track, const Instances& instances) {
   const Scene& scene = pass.scene;
   const SunAxes axes(pass.scenery.sun);
-  const glm::mat4& view = scene.view.view;
-  const glm::vec3 eye = scene.view.eye, forward = -glm::vec3(view[0][2], view[1][2], view[2][2]);
+  const glm::vec3 eye = scene.view.eye, forward = view::line_of_sight(scene.view);
   if (measured_.mesh != track.mesh_version() || measured_.sun != axes.sun) {
     measured_ = {track.mesh_version(), axes.sun, light_box(axes, scene.derived)};
   }

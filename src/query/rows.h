@@ -1,7 +1,9 @@
 // The parts of the table of queries, and what their rows share.
 #pragma once
 
+#include "curve/continuity.h"
 #include "query/query.h"
+#include "world/topology.h"
 
 namespace coaster::query {
 
@@ -17,11 +19,26 @@ std::span<const Query> game_rows();
 // The entity of that kind called `argument` ("@k3" or "k3"), or a Status that says what is wrong and what may be meant.
 base::Result<world::Entity> entity_of(const Context& context, std::string_view argument, world::Kind kind);
 
+// What a row evaluates to, and its argument.
+using Answer = base::Result<Value>;
+using View = std::string_view;
+
 inline Value yes_no(bool on) { return Ranked{on ? 1 : 0, on ? "on" : "off"}; }
 template <class Number>
 Value number(Number n) {
   return static_cast<double>(n);
 }
 inline Value text(std::string_view t) { return std::string(t); }
+
+// What `function` tells of the joint at a knot; `at_an_end` for an end of an open track, which joins nothing.
+template <class Function>
+Answer of_joint(const Context& context, View argument, const Value& at_an_end, Function function) {
+  const auto entity = entity_of(context, argument, world::Kind::knot);
+  if (!entity) return entity.status();
+  const world::Document& document = context.session.document;
+  const world::Neighbours at = world::neighbours(document, *entity);
+  if (!at.before.valid() || !at.after.valid()) return at_an_end;
+  return function(curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after)));
+}
 
 }  // namespace coaster::query

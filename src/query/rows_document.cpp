@@ -10,9 +10,6 @@
 namespace coaster::query {
 namespace {
 
-using Answer = base::Result<Value>;
-using View = std::string_view;
-
 // --- the whole track --------------------------------------------------------------------------------------------------
 Answer knots(const Context& c, View) { return number(c.session.document.track.knots.size()); }
 Answer segments(const Context& c, View) { return number(c.session.document.track.segments.size()); }
@@ -80,16 +77,6 @@ Answer joint(const Context& c, View argument) {
   });
 }
 
-// How the segments at a knot join; an end of an open track joins nothing.
-template <class Function>
-Answer of_joint(const Context& context, View argument, Value at_an_end, Function function) {
-  const auto entity = entity_of(context, argument, world::Kind::knot);
-  if (!entity) return entity.status();
-  const world::Document& document = context.session.document;
-  const world::Neighbours at = world::neighbours(document, *entity);
-  if (!at.before.valid() || !at.after.valid()) return at_an_end;
-  return function(curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after)));
-}
 template <class Continuity>
 Value ranked(Continuity found) {
   return Ranked{static_cast<int>(found) - 1, std::string(curve::name(found))};
@@ -163,7 +150,7 @@ Answer ns_per_point(const Context& c, View) {
   return number(c.stats.evaluated_vertices > 0 ? c.stats.evaluation_ms * 1e6 / static_cast<double>(c.stats.evaluated_vertices) : 0.0);
 }
 
-constexpr std::array kRows{
+constexpr std::array kDocumentRows{
     Query{"knots", "", "", "Knots of the track.", knots},
     Query{"segments", "", "", "Segments of the track.", segments},
     Query{"closed", "", "", "on when the track is closed.", closed},
@@ -217,6 +204,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const Query> document_rows() { return kRows; }
+std::span<const Query> document_rows() { return kDocumentRows; }
 
 }  // namespace coaster::query

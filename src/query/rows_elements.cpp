@@ -7,9 +7,6 @@
 namespace coaster::query {
 namespace {
 
-using Answer = base::Result<Value>;
-using View = std::string_view;
-
 const sim::ElementPlan& plan(const Context& c) { return c.session.elements.plan(c.session.settings.element, c.session.document); }
 
 Answer element(const Context& c, View) { return text(world::element_row(c.session.settings.element.kind).name); }
@@ -35,12 +32,12 @@ Answer error(const Context& c, View) { return number(plan(c).fit.error); }
 Answer roll_error(const Context& c, View) { return number(base::degrees(plan(c).fit.roll_error)); }
 Answer jump(const Context& c, View) { return number(plan(c).fit.jump); }
 Answer spans(const Context& c, View) { return number(plan(c).spans()); }
-Answer length(const Context& c, View) { return number(plan(c).length); }
+Answer element_length(const Context& c, View) { return number(plan(c).length); }
 Answer lead(const Context& c, View) { return number(plan(c).lead); }
 Answer lowest(const Context& c, View) { return number(plan(c).lowest); }
 Answer refusal(const Context& c, View) { return text(plan(c).refusal.empty() ? "none" : plan(c).refusal); }
 
-constexpr std::array kRows{
+constexpr std::array kElementRows{
     Query{"element", "", "", "The palette's element: straight, curve, helix, climb, dive, camelback, loop or corkscrew.", element},
     Query{"element.preview", "", "", "on when it shows where the palette's element would go.", preview},
     Query{"element.side", "", "", "left or right; none for an element without a side.", side},
@@ -49,7 +46,7 @@ constexpr std::array kRows{
     Query{"element.roll_error", "", "deg", "By how much the spans' frames would be turned against the ideal curve's at most.", roll_error},
     Query{"element.jump", "", "1/m", "The largest jump of curvature at the joints of the palette's element, its first one included.", jump},
     Query{"element.spans", "", "", "Bezier spans of the palette's element.", spans},
-    Query{"element.length", "", "m", "Length of the palette's element with what leads into it.", length},
+    Query{"element.length", "", "m", "Length of the palette's element with what leads into it.", element_length},
     Query{"element.lead", "", "m", "Length of what leads into it: easing out the curvature of the track's end, and levelling.", lead},
     Query{"element.lowest", "", "m", "The least height of its rails over the ground.", lowest},
     Query{"element.refusal", "", "", "Why it cannot be placed; none when it can.", refusal},
@@ -57,6 +54,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const Query> element_rows() { return kRows; }
+std::span<const Query> element_rows() { return kElementRows; }
 
 }  // namespace coaster::query

@@ -8,13 +8,10 @@
 namespace coaster::query {
 namespace {
 
-using Answer = base::Result<Value>;
-using View = std::string_view;
-
 bool must_hold(const Rule& rule) { return rule.list != exchange::RuleList::silver && rule.list != exchange::RuleList::gold; }
 
 Answer active(const Context& c, View) { return yes_no(c.session.challenge.has_value()); }
-Answer name(const Context& c, View) { return text(c.session.challenge ? c.session.challenge->file.name : ""); }
+Answer challenge_name(const Context& c, View) { return text(c.session.challenge ? c.session.challenge->file.name : ""); }
 template <class Counts>
 Answer count(const Context& c, Counts counts) {
   if (!c.session.challenge) return number(0);
@@ -30,8 +27,8 @@ Answer medal(const Context& c, View) { return number(c.session.challenge ? c.ses
 Answer passed(const Context& c, View) { return yes_no(c.session.challenge && c.session.challenge->medal > 0); }
 Answer judged(const Context& c, View) { return number(c.session.challenge ? c.session.challenge->judged : 0); }
 Answer failure(const Context& c, View) { return text(c.session.challenge ? c.session.challenge->last.reason : ""); }
-Answer hints(const Context& c, View) { return number(c.session.challenge ? c.session.challenge->hints : 0); }
-Answer deviation(const Context& c, View) {
+Answer challenge_hints(const Context& c, View) { return number(c.session.challenge ? c.session.challenge->hints : 0); }
+Answer challenge_deviation(const Context& c, View) {
   if (!c.session.challenge) return number(0.0);
   const edit::ActiveChallenge& challenge = *c.session.challenge;
   constexpr double kNothingThere = 1e9;  // m, where there is no track
@@ -59,17 +56,17 @@ Answer card_reason(const Context& c, View) { return text(c.session.result ? c.se
 Answer card_rides(const Context& c, View) { return number(c.session.result ? c.session.result->serial : 0); }
 Answer card_seconds(const Context& c, View) { return number(c.session.result ? c.session.result->seconds : 0.0); }
 
-constexpr std::array kRows{
+constexpr std::array kGameRows{
     Query{"challenge.active", "", "", "on while a challenge is under way.", active},
-    Query{"challenge.name", "", "", "The challenge's name, empty without one.", name},
+    Query{"challenge.name", "", "", "The challenge's name, empty without one.", challenge_name},
     Query{"challenge.goals", "", "", "Goals and limits of the challenge.", goals},
     Query{"challenge.met", "", "", "How many of them hold now, by the ghost where they ask about the ride.", met},
     Query{"challenge.passed", "", "", "on once the challenge was passed since it was begun.", passed},
     Query{"challenge.medal", "", "", "The best medal since it was begun: 0 none, 1 bronze, 2 silver, 3 gold.", medal},
     Query{"challenge.judged", "", "", "How often it was judged since it was begun.", judged},
     Query{"challenge.failure", "", "", "Why it was not passed when it was judged last; empty when it was, or never was judged.", failure},
-    Query{"challenge.hints", "", "", "Hints that show.", hints},
-    Query{"challenge.deviation", "", "m", "How far the track and the challenge's start track are apart at most, whatever their knots; 0 without a challenge.", deviation},
+    Query{"challenge.hints", "", "", "Hints that show.", challenge_hints},
+    Query{"challenge.deviation", "", "m", "How far the track and the challenge's start track are apart at most, whatever their knots; 0 without a challenge.", challenge_deviation},
     Query{"card", "", "", "on when a score card shows at the end of a ride.", card},
     Query{"card.shows", "", "", "on while a score card shows.", card_shows},
     Query{"card.end", "", "", "How the last ride ended: lap, open end, time, failed; none before the first.", card_end},
@@ -80,6 +77,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const Query> game_rows() { return kRows; }
+std::span<const Query> game_rows() { return kGameRows; }
 
 }  // namespace coaster::query

@@ -8,9 +8,6 @@
 namespace coaster::query {
 namespace {
 
-using Answer = base::Result<Value>;
-using View = std::string_view;
-
 const sim::Ghost* ghost_of(const Context& c) { return edit::chosen_ride(c.session); }
 
 template <class Function>
@@ -73,7 +70,7 @@ Answer equipped(const Context& c, View argument) {
   return number(std::count_if(all.begin(), all.end(), [&](const world::Equipment& e) { return e.kind == static_cast<world::EquipmentKind>(kind - world::kEquipmentNames.begin()); }));
 }
 
-constexpr std::array kRows{
+constexpr std::array kGhostRows{
     Query{"ride.lap_time", "", "s", "How long a lap takes by the ghost; 0 when it does not come round.", lap_time},
     Query{"ride.g_up_max", "", "g", "Largest vertical g of the whole ride, low-passed, of all cars.", g_up_max},
     Query{"ride.g_up_min", "", "g", "Smallest vertical g of the whole ride.", g_up_min},
@@ -106,6 +103,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const Query> ghost_rows() { return kRows; }
+std::span<const Query> ghost_rows() { return kGhostRows; }
 
 }  // namespace coaster::query

@@ -12,9 +12,6 @@
 namespace coaster::query {
 namespace {
 
-using Answer = base::Result<Value>;
-using View = std::string_view;
-
 // Of the first cart by name, m/s; 0 without one.
 double present_speed(const edit::Session& session) {
   const world::CartMotion* const first = session.motion.carts.find(world::first_cart(session.document));
@@ -22,16 +19,6 @@ double present_speed(const edit::Session& session) {
 }
 
 // --- joints -----------------------------------------------------------------------------------------------------------
-// An end of an open track joins nothing: the answer is then `at_an_end`.
-template <class Function>
-Answer of_joint(const Context& context, View argument, const Value& at_an_end, Function function) {
-  const auto entity = entity_of(context, argument, world::Kind::knot);
-  if (!entity) return entity.status();
-  const world::Document& document = context.session.document;
-  const world::Neighbours at = world::neighbours(document, *entity);
-  if (!at.before.valid() || !at.after.valid()) return at_an_end;
-  return function(curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after)));
-}
 Answer joint_angle(const Context& c, View argument) {
   return of_joint(c, argument, 0.0, [](const curve::Joint& j) { return number(base::degrees(j.angle)); });
 }
@@ -172,7 +159,7 @@ Answer erratum_wrong(const Context& c, View name) { return of_erratum(c, name, &
 
 constexpr View kErratumNames = "gravesen|line|frozen|g_step|frenet_flip|pen";
 
-constexpr std::array kRows{
+constexpr std::array kJointRows{
     Query{"joint_angle", "@knot", "deg", "Angle between the tangents of the segments at a knot.", joint_angle},
     Query{"curvature_before", "@knot", "1/m", "Curvature vector at the end of the segment before a knot, towards the centre.", curvature_before},
     Query{"curvature_after", "@knot", "1/m", "Curvature vector at the start of the segment after a knot, towards the centre.", curvature_after},
@@ -198,6 +185,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const Query> joint_rows() { return kRows; }
+std::span<const Query> joint_rows() { return kJointRows; }
 
 }  // namespace coaster::query

@@ -8,9 +8,6 @@
 namespace coaster::query {
 namespace {
 
-using Answer = base::Result<Value>;
-using View = std::string_view;
-
 // The row of a table that `word` names, or what is wrong with it.
 template <class Rows>
 base::Result<std::size_t> row_named(View word, std::string_view what, const Rows& rows) {
@@ -92,7 +89,7 @@ Answer measure_time(const Context& c, View word) {
   return number(cell->ns_per_point);
 }
 
-constexpr std::array kRows{
+constexpr std::array kLabRows{
     Query{"shown", "polyline|frames|comb|circle|construction|rounding|flips|limits|supports|knots", "", "on when a layer of the laboratory is drawn.", shown},
     Query{"colour", "", "", "What the track is coloured by.", colour},
     Query{"colour.low", "", "", "Lower end of the colours' legend, in their unit.", colour_low},
@@ -113,6 +110,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const Query> lab_rows() { return kRows; }
+std::span<const Query> lab_rows() { return kLabRows; }
 
 }  // namespace coaster::query

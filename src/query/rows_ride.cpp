@@ -6,8 +6,6 @@
 namespace coaster::query {
 namespace {
 
-using Answer = base::Result<Value>;
-
 // A cart and its motion; null where there is none.
 struct Riding {
   world::Entity entity;
@@ -42,7 +40,7 @@ Answer state(const Context& c, std::string_view) { return text(cart_of(c.session
 Answer speed(const Context& c, std::string_view) {
   return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return cart.speed; });
 }
-Answer height(const Context& c, std::string_view) {
+Answer cart_height(const Context& c, std::string_view) {
   return of_cart(c, [&](world::Entity, const world::CartMotion& cart) { return sim::rail_point(c.session.derived.shape(cart.segment), cart.s).height; });
 }
 Answer distance(const Context& c, std::string_view) {
@@ -76,11 +74,11 @@ Answer segment(const Context& c, std::string_view) {
 }
 Answer carts(const Context& c, std::string_view) { return number(c.session.document.entities.pool<world::Cart>().size()); }
 
-constexpr std::array kRows{
+constexpr std::array kRideRows{
     Query{"carts", "", "", "Carts on the track.", carts},
     Query{"ride.state", "", "", "stopped, running, paused, ended or failed; none without a cart.", state},
     Query{"ride.speed", "", "m/s", "Speed along the track, negative backwards.", speed},
-    Query{"ride.height", "", "m", "Height (y) of the rails under the cart.", height},
+    Query{"ride.height", "", "m", "Height (y) of the rails under the cart.", cart_height},
     Query{"ride.distance", "", "m", "Place of the cart along the track, from its start.", distance},
     Query{"ride.travelled", "", "m", "Way since the start, backwards counting negative.", travelled},
     Query{"ride.lap", "", "", "Whole rounds since the start, backwards counting negative.", lap},
@@ -95,6 +93,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const Query> ride_rows() { return kRows; }
+std::span<const Query> ride_rows() { return kRideRows; }
 
 }  // namespace coaster::query

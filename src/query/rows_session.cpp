@@ -9,9 +9,6 @@
 namespace coaster::query {
 namespace {
 
-using Answer = base::Result<Value>;
-using View = std::string_view;
-
 Answer frames_by(const Context& c, View) { return text(sim::frame_methods()[static_cast<std::size_t>(c.session.settings.frames)].name); }
 Answer integrator(const Context& c, View) { return text(sim::integrators()[static_cast<std::size_t>(c.session.settings.integrator)].name); }
 
@@ -81,7 +78,7 @@ Answer samples(const Context& c, View) { return number(c.stats.samples); }
 Answer width(const Context& c, View) { return number(c.stats.width); }
 Answer height(const Context& c, View) { return number(c.stats.height); }
 
-constexpr std::array kRows{
+constexpr std::array kSessionRows{
     Query{"frames_by", "", "", "How carts are turned: knots, rmf, frenet or world_up.", frames_by},
     Query{"integrator", "", "", "How carts move.", integrator},
     Query{"selected", "", "", "What is selected, such as k4; none when nothing is.", selected},
@@ -140,6 +137,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const Query> session_rows() { return kRows; }
+std::span<const Query> session_rows() { return kSessionRows; }
 
 }  // namespace coaster::query

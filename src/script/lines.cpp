@@ -213,30 +213,30 @@ bool parse_camera(Words& words, Action& action) {
   return words.end();
 }
 
-struct Row {
+struct LineRow {
   std::string_view word;
   bool (*parse)(Words& words, Action& action);
 };
 constexpr std::array kRows{
-    Row{"env", parse_env}, Row{"frames", parse_frames}, Row{"ticks", parse_ticks}, Row{"wait", parse_wait},
-    Row{"expect", parse_expect}, Row{"snap", parse_snap}, Row{"shot", parse_shot}, Row{"sheet", parse_sheet}, Row{"dump", parse_dump},
-    Row{"movie.start", parse_movie_start}, Row{"movie.stop", parse_movie_stop},
-    Row{"log", parse_log}, Row{"fault", parse_fault}, Row{"camera", parse_camera},
-    Row{"key", parse_key}, Row{"text", parse_text}, Row{"wheel", parse_wheel}, Row{"drop", parse_drop},
-    Row{"pad", parse_pad}, Row{"focus", parse_focus}, Row{"resize", parse_resize}, Row{"minimise", parse_minimise}, Row{"minimize", parse_minimise},
-    Row{"raw.move", parse_raw_move}, Row{"raw.press", parse_raw_press}, Row{"raw.release", parse_raw_release},
-    Row{"raw.key", parse_raw_key}, Row{"raw.wheel", parse_wheel}, Row{"raw.text", parse_text},
-    Row{"ui.click", parse_ui_click}, Row{"ui.doubleclick", parse_ui_doubleclick}, Row{"ui.hover", parse_ui_hover},
-    Row{"ui.check", parse_ui_check}, Row{"ui.type", parse_ui_type}, Row{"ui.drag", parse_ui_drag},
-    Row{"ui.open", parse_ui_open}, Row{"ui.close", parse_ui_close}, Row{"ui.menu", parse_ui_menu}, Row{"ui.scroll", parse_ui_scroll},
-    Row{"aim.click", parse_aim_click}, Row{"aim.doubleclick", parse_aim_doubleclick}, Row{"aim.hover", parse_aim_hover},
-    Row{"aim.drag", parse_aim_drag}};
+    LineRow{"env", parse_env}, LineRow{"frames", parse_frames}, LineRow{"ticks", parse_ticks}, LineRow{"wait", parse_wait},
+    LineRow{"expect", parse_expect}, LineRow{"snap", parse_snap}, LineRow{"shot", parse_shot}, LineRow{"sheet", parse_sheet}, LineRow{"dump", parse_dump},
+    LineRow{"movie.start", parse_movie_start}, LineRow{"movie.stop", parse_movie_stop},
+    LineRow{"log", parse_log}, LineRow{"fault", parse_fault}, LineRow{"camera", parse_camera},
+    LineRow{"key", parse_key}, LineRow{"text", parse_text}, LineRow{"wheel", parse_wheel}, LineRow{"drop", parse_drop},
+    LineRow{"pad", parse_pad}, LineRow{"focus", parse_focus}, LineRow{"resize", parse_resize}, LineRow{"minimise", parse_minimise}, LineRow{"minimize", parse_minimise},
+    LineRow{"raw.move", parse_raw_move}, LineRow{"raw.press", parse_raw_press}, LineRow{"raw.release", parse_raw_release},
+    LineRow{"raw.key", parse_raw_key}, LineRow{"raw.wheel", parse_wheel}, LineRow{"raw.text", parse_text},
+    LineRow{"ui.click", parse_ui_click}, LineRow{"ui.doubleclick", parse_ui_doubleclick}, LineRow{"ui.hover", parse_ui_hover},
+    LineRow{"ui.check", parse_ui_check}, LineRow{"ui.type", parse_ui_type}, LineRow{"ui.drag", parse_ui_drag},
+    LineRow{"ui.open", parse_ui_open}, LineRow{"ui.close", parse_ui_close}, LineRow{"ui.menu", parse_ui_menu}, LineRow{"ui.scroll", parse_ui_scroll},
+    LineRow{"aim.click", parse_aim_click}, LineRow{"aim.doubleclick", parse_aim_doubleclick}, LineRow{"aim.hover", parse_aim_hover},
+    LineRow{"aim.drag", parse_aim_drag}};
 
 }  // namespace
 
 std::vector<std::string> line_words() {
   std::vector<std::string> words;
-  for (const Row& row : kRows) words.emplace_back(row.word);
+  for (const LineRow& row : kRows) words.emplace_back(row.word);
   for (const edit::CommandHelp& row : edit::command_table())
     if (std::find(words.begin(), words.end(), row.info.name) == words.end()) words.emplace_back(row.info.name);
   return words;
@@ -244,7 +244,7 @@ std::vector<std::string> line_words() {
 
 bool parse_line(std::span<const base::Token> line, base::TextError& error, Action& action) {
   const base::Token& first = line.front();
-  for (const Row& row : kRows) {
+  for (const LineRow& row : kRows) {
     if (row.word != first.text || first.quoted) continue;
     Words words(line, error);
     words.take("a statement");

@@ -8,7 +8,7 @@ namespace coaster::script {
 namespace {
 
 using Kind = AimPoint::Kind;
-using Verb = AimAction::Verb;
+using AimVerb = AimAction::Verb;
 constexpr std::string_view kTargets = "@k3, @k3.in, @k3.out, @s2:0.4, @c1, gizmo.x .. gizmo.xy, ground X Y Z or world X Y Z";
 
 bool refuse(Words& words, const base::Token& word) {
@@ -74,7 +74,7 @@ void take_modifiers(Words& words, platform::Modifiers& modifiers) {
   }
 }
 
-bool begin(Words& words, Verb verb, AimAction& aim) {
+bool begin(Words& words, AimVerb verb, AimAction& aim) {
   aim.verb = verb;
   take_modifiers(words, aim.modifiers);
   if (!parse_point(words, aim.target, aim.target_text, aim.target_column)) return false;
@@ -82,7 +82,7 @@ bool begin(Words& words, Verb verb, AimAction& aim) {
   return true;
 }
 
-bool target_alone(Words& words, Action& action, Verb verb) {
+bool target_alone(Words& words, Action& action, AimVerb verb) {
   AimAction aim;
   if (!begin(words, verb, aim)) return false;
   action = std::move(aim);
@@ -109,13 +109,13 @@ bool parse_destination(Words& words, AimAction& aim) {
 
 }  // namespace
 
-bool parse_aim_click(Words& words, Action& action) { return target_alone(words, action, Verb::click); }
-bool parse_aim_doubleclick(Words& words, Action& action) { return target_alone(words, action, Verb::doubleclick); }
-bool parse_aim_hover(Words& words, Action& action) { return target_alone(words, action, Verb::hover); }
+bool parse_aim_click(Words& words, Action& action) { return target_alone(words, action, AimVerb::click); }
+bool parse_aim_doubleclick(Words& words, Action& action) { return target_alone(words, action, AimVerb::doubleclick); }
+bool parse_aim_hover(Words& words, Action& action) { return target_alone(words, action, AimVerb::hover); }
 
 bool parse_aim_drag(Words& words, Action& action) {
   AimAction aim;
-  if (!begin(words, Verb::drag, aim)) return false;
+  if (!begin(words, AimVerb::drag, aim)) return false;
   if (words.accept("to")) {
     if (!parse_destination(words, aim)) return false;
   } else if (words.accept("by")) {

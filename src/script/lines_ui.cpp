@@ -4,9 +4,9 @@
 namespace coaster::script {
 namespace {
 
-using Verb = UiAction::Verb;
+using UiVerb = UiAction::Verb;
 
-std::optional<UiAction> take_path(Words& words, Verb verb) {
+std::optional<UiAction> take_path(Words& words, UiVerb verb) {
   const base::Token* const path = words.take("a widget's path such as \"Track/Insert point\"");
   if (!path) return std::nullopt;
   if (path->text.empty()) {
@@ -19,7 +19,7 @@ std::optional<UiAction> take_path(Words& words, Verb verb) {
   return ui;
 }
 
-bool path_alone(Words& words, Action& action, Verb verb) {
+bool path_alone(Words& words, Action& action, UiVerb verb) {
   auto ui = take_path(words, verb);
   if (ui) action = *std::move(ui);
   return words.end();
@@ -27,15 +27,15 @@ bool path_alone(Words& words, Action& action, Verb verb) {
 
 }  // namespace
 
-bool parse_ui_click(Words& words, Action& action) { return path_alone(words, action, Verb::click); }
-bool parse_ui_doubleclick(Words& words, Action& action) { return path_alone(words, action, Verb::doubleclick); }
-bool parse_ui_hover(Words& words, Action& action) { return path_alone(words, action, Verb::hover); }
-bool parse_ui_open(Words& words, Action& action) { return path_alone(words, action, Verb::open); }
-bool parse_ui_close(Words& words, Action& action) { return path_alone(words, action, Verb::close); }
-bool parse_ui_menu(Words& words, Action& action) { return path_alone(words, action, Verb::menu); }
+bool parse_ui_click(Words& words, Action& action) { return path_alone(words, action, UiVerb::click); }
+bool parse_ui_doubleclick(Words& words, Action& action) { return path_alone(words, action, UiVerb::doubleclick); }
+bool parse_ui_hover(Words& words, Action& action) { return path_alone(words, action, UiVerb::hover); }
+bool parse_ui_open(Words& words, Action& action) { return path_alone(words, action, UiVerb::open); }
+bool parse_ui_close(Words& words, Action& action) { return path_alone(words, action, UiVerb::close); }
+bool parse_ui_menu(Words& words, Action& action) { return path_alone(words, action, UiVerb::menu); }
 
 bool parse_ui_check(Words& words, Action& action) {
-  auto ui = take_path(words, Verb::check);
+  auto ui = take_path(words, UiVerb::check);
   if (!ui) return false;
   if (!words.at_end()) {
     const auto on = words.on_off();
@@ -47,7 +47,7 @@ bool parse_ui_check(Words& words, Action& action) {
 }
 
 bool parse_ui_type(Words& words, Action& action) {
-  auto ui = take_path(words, Verb::type);
+  auto ui = take_path(words, UiVerb::type);
   if (!ui) return false;
   const base::Token* const text = words.take("the text to type");
   if (!text) return false;
@@ -57,13 +57,13 @@ bool parse_ui_type(Words& words, Action& action) {
 }
 
 bool parse_ui_drag(Words& words, Action& action) {
-  auto ui = take_path(words, Verb::drag_by);
+  auto ui = take_path(words, UiVerb::drag_by);
   if (!ui) return false;
   if (words.accept("to")) {
     const base::Token* const value = words.take("a value");
     if (!value) return false;
     if (!base::parse_double(value->text)) return words.fail(value->column, "expected a number, found " + base::quoted(value->text));
-    ui->verb = Verb::drag_to;
+    ui->verb = UiVerb::drag_to;
     ui->text = value->text;
   } else {
     words.accept("by");
@@ -77,7 +77,7 @@ bool parse_ui_drag(Words& words, Action& action) {
 }
 
 bool parse_ui_scroll(Words& words, Action& action) {
-  auto ui = take_path(words, Verb::scroll);
+  auto ui = take_path(words, UiVerb::scroll);
   if (!ui) return false;
   words.accept("by");
   const auto notches = words.number("notches of the wheel (positive: down)");

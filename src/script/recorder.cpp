@@ -80,10 +80,10 @@ base::Status Recorder::snapshot(base::Files& files, const edit::Session& session
 
 base::Status Recorder::command(base::Files& files, const edit::Command& command, const edit::Session& after) {
   // Neither document nor motion depends on what is written, nor on the limits that forces are held against.
-  if (edit::output_path(command) != nullptr || std::holds_alternative<edit::LoadEnvelope>(command)) return {};
+  if (edit::output_path(command) != nullptr || command.is<edit::LoadEnvelope>()) return {};
   if (const base::Status written = write_ticks(); !written) return written;
-  if (std::holds_alternative<edit::Load>(command) || std::holds_alternative<edit::RecoverTrack>(command)) return snapshot(files, after);
-  if (const auto* const challenge = std::get_if<edit::StartChallenge>(&command)) return line(edit::print(edit::StartChallenge{base::canonical_path(challenge->path).string()}));
+  if (command.is<edit::Load>() || command.is<edit::RecoverTrack>()) return snapshot(files, after);
+  if (const auto* const challenge = command.as<edit::StartChallenge>()) return line(edit::print(edit::StartChallenge{base::canonical_path(challenge->path).string()}));
   return line(edit::print(command));
 }
 

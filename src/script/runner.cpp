@@ -46,24 +46,24 @@ std::filesystem::path Runner::input(std::string_view written) const { return fin
 
 Failure Runner::perform(const RunCommand& run) {
   edit::Command command = run.command;
-  if (edit::Load* const load = std::get_if<edit::Load>(&command)) {
+  if (edit::Load* const load = command.as<edit::Load>()) {
     load->path = input(load->path).string();
     // A file that cannot be opened is a bad file too: the exit code says which kind of thing is wrong, not why.
     const base::Status loaded = stage_.apply(command);
     return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
   }
-  if (edit::RecoverTrack* const recover = std::get_if<edit::RecoverTrack>(&command)) {
+  if (edit::RecoverTrack* const recover = command.as<edit::RecoverTrack>()) {
     recover->path = input(recover->path).string();
     if (!recover->original.empty()) recover->original = input(recover->original).string();
     const base::Status recovered = stage_.apply(command);
     return recovered ? Failure{} : Failure{base::Code::bad_file, recovered.message};
   }
-  if (edit::LoadEnvelope* const limits = std::get_if<edit::LoadEnvelope>(&command)) {
+  if (edit::LoadEnvelope* const limits = command.as<edit::LoadEnvelope>()) {
     limits->path = input(limits->path).string();
     const base::Status loaded = stage_.apply(command);
     return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
   }
-  if (edit::StartChallenge* const challenge = std::get_if<edit::StartChallenge>(&command)) {
+  if (edit::StartChallenge* const challenge = command.as<edit::StartChallenge>()) {
     challenge->path = input(challenge->path).string();
     const base::Status loaded = stage_.apply(command);
     return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};

@@ -6,7 +6,7 @@
 namespace coaster::script {
 namespace {
 
-constexpr int kMostFrames = 3600;  // that a lesson's own lines may take to have their effect
+constexpr int kMostLessonFrames = 3600;  // that a lesson's own lines may take to have their effect
 
 int lessons_in(const Block& block) {
   int count = 0;
@@ -35,7 +35,7 @@ Failure Runner::perform(const Lesson& lesson) {
     const base::Result<bool> done = check(lesson.until, found);
     if (!done) result = failure(done.status(), lesson.until.column);
     if (!done || *done) break;
-    if (shown && waited >= kMostFrames) {
+    if (shown && waited >= kMostLessonFrames) {
       result = {base::Code::timeout, "the lesson's own lines have not led to " + lesson.until.text + ", found " + found, lesson.until.column};
       break;
     }

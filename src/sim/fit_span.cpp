@@ -14,7 +14,7 @@ using glm::dvec2, glm::dvec3;
 
 constexpr std::size_t kFittedRows = 40;    // rows that handle lengths are fitted to; all are checked
 constexpr int kIterations = 12;
-constexpr double kMostRoll = 2 * base::kPi * (world::kMaxTurns - 1);
+constexpr double kMostFitRoll = 2 * base::kPi * (world::kMaxTurns - 1);
 
 // A cubic in double, as monomials.
 struct Curve {
@@ -157,7 +157,7 @@ bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances
   }
   const double whole = std::max(carrier.length(), 1e-12);
   for (double& share : s.shares) share /= whole;
-  return std::abs(s.rolls.back()) < kMostRoll;
+  return std::abs(s.rolls.back()) < kMostFitRoll;
 }
 
 }  // namespace

@@ -80,22 +80,22 @@ TrackFrame world_up(const Derived& derived, std::size_t index, double s) {
   return {{forward, curve::perpendicular(forward, vertical ? dvec3(1, 0, 0) : dvec3(0, 1, 0))}, !vertical};
 }
 
-constexpr std::array<FrameMethodRow, 4> kTable{{
+constexpr std::array<FrameMethodRow, 4> kFrameMethods{{
     {"knots", "Banked by the knots", "The knots' up carried by double reflection; the twist to the next knot's up is spread over the segment.", by_knots},
     {"rmf", "Rotation-minimising", "The first knot's up carried along the whole track by double reflection (Wang et al. 2008); a loop's left-over twist is spread.",
      minimising},
     {"frenet", "Frenet-Serret", "T, N = T'/|T'|, B = T \u00D7 N. Undefined on straights, and flips across an inflection.", frenet_serret},
     {"world_up", "World up", "As upright as can be: left is level. Undefined on a vertical, and turns wildly near one.", world_up},
 }};
-static_assert(static_cast<std::size_t>(world::FrameMethod::world_up) + 1 == kTable.size(), "one row for each enumerator");
+static_assert(static_cast<std::size_t>(world::FrameMethod::world_up) + 1 == kFrameMethods.size(), "one row for each enumerator");
 
 }  // namespace
 
-std::span<const FrameMethodRow> frame_methods() { return kTable; }
+std::span<const FrameMethodRow> frame_methods() { return kFrameMethods; }
 
 TrackFrame track_frame(const Derived& derived, world::FrameMethod method, std::size_t index, double s) {
   COASTER_CHECK(index < derived.order.size(), "a frame is asked for on a segment of the track");
-  return kTable[static_cast<std::size_t>(method)].frame(derived, index, s);
+  return kFrameMethods[static_cast<std::size_t>(method)].frame(derived, index, s);
 }
 
 std::size_t index_of_segment(const Derived& derived, world::Entity segment, double near) {

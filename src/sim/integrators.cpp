@@ -52,7 +52,7 @@ TrainState energy_method(const TrainContext& context, TrainState state, double d
   return {state.x + speed * dt, speed, state.work + context.others(speed) * speed * dt};
 }
 
-constexpr std::array<Integrator, 6> kTable{{
+constexpr std::array<Integrator, 6> kIntegrators{{
     {"rk4", "Runge-Kutta 4", "s'' = -g T_y(s), four slopes, twice a tick", IntegratorKind::stepped, rk4, 2, true},
     {"verlet", "Velocity Verlet", "s += v dt + a dt^2/2, v += (a_old + a_new) dt/2; equal steps, over joints too", IntegratorKind::stepped, verlet, 1, false},
     {"energy", "Energy (the paper's)", "v = sqrt(2 (E - g h)), s += v dt; freezes at v = 0", IntegratorKind::stepped, energy_method, 1, true},
@@ -63,11 +63,11 @@ constexpr std::array<Integrator, 6> kTable{{
 
 }  // namespace
 
-std::span<const Integrator> integrators() { return kTable; }
+std::span<const Integrator> integrators() { return kIntegrators; }
 
 std::optional<int> find_integrator(std::string_view name) {
-  for (std::size_t i = 0; i < kTable.size(); ++i)
-    if (kTable[i].name == name) return static_cast<int>(i);
+  for (std::size_t i = 0; i < kIntegrators.size(); ++i)
+    if (kIntegrators[i].name == name) return static_cast<int>(i);
   return std::nullopt;
 }
 

@@ -8,12 +8,12 @@
 namespace coaster::sim {
 namespace {
 
-// Which round of which number of steps a part is. Rounds go outermost: a first table is there early.
-struct Part {
+// Which round of which number of steps a share is. Rounds go outermost: a first table is there early.
+struct Share {
   std::size_t column;
   int round;
 };
-Part part_of(int next) {
+Share share_of(int next) {
   const int columns = static_cast<int>(kMeasuredSteps.size());
   return {static_cast<std::size_t>(next % columns), next / columns};
 }
@@ -34,7 +34,7 @@ double median(std::span<const double> values) {
   return values.size() % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
 }
 
-void time_row(Measurement& m, MeasuredRow& row, Part part, std::span<glm::vec3> points, const Clock& clock) {
+void time_row(Measurement& m, MeasuredRow& row, Share share, std::span<glm::vec3> points, const Clock& clock) {
   const curve::Evaluator& evaluator = curve::evaluator(row.evaluator);
   const int segments = std::max(1, kMeasuredPoints / static_cast<int>(points.size()));
   const double began = clock ? clock() : 0;
@@ -45,10 +45,10 @@ void time_row(Measurement& m, MeasuredRow& row, Part part, std::span<glm::vec3> 
   }
   const double ended = clock ? clock() : 0;
   m.checksum += checksum_of(points);
-  MeasuredCell& cell = row.cells[part.column];
-  std::array<double, kMeasureRounds>& seconds = row.seconds[part.column];
-  seconds[static_cast<std::size_t>(part.round)] = (ended - began) / (static_cast<double>(segments) * static_cast<double>(points.size()));
-  cell.rounds = part.round + 1;
+  MeasuredCell& cell = row.cells[share.column];
+  std::array<double, kMeasureRounds>& seconds = row.seconds[share.column];
+  seconds[static_cast<std::size_t>(share.round)] = (ended - began) / (static_cast<double>(segments) * static_cast<double>(points.size()));
+  cell.rounds = share.round + 1;
   cell.ns_per_point = 1e9 * median(std::span(seconds).first(static_cast<std::size_t>(cell.rounds)));
 }
 
@@ -83,11 +83,11 @@ Measurement start_measurement(const Derived& derived) {
 
 void measure_next(Measurement& m, const Clock& clock) {
   if (!m.running) return;
-  const Part part = part_of(m.next);
-  std::vector<glm::vec3> points(static_cast<std::size_t>(kMeasuredSteps[part.column]) + 1);
-  if (part.round == 0) find_errors(m, part.column, points);  // and every row's code and data are warm
+  const Share share = share_of(m.next);
+  std::vector<glm::vec3> points(static_cast<std::size_t>(kMeasuredSteps[share.column]) + 1);
+  if (share.round == 0) find_errors(m, share.column, points);  // and every row's code and data are warm
   for (std::size_t i = 0; i < m.rows.size(); ++i)
-    time_row(m, m.rows[(i + static_cast<std::size_t>(part.round)) % m.rows.size()], part, points, clock);
+    time_row(m, m.rows[(i + static_cast<std::size_t>(share.round)) % m.rows.size()], share, points, clock);
   ++m.next;
   m.running = m.next < m.total;
 }

@@ -46,9 +46,9 @@ Bar bar(dvec3 from, dvec3 to, double from_radius, double to_radius, bool grounde
 
 dvec3 on_ground(dvec3 p) { return {p.x, 0, p.z}; }
 
-class Trial {
+class FormTrial {
  public:
-  Trial(const Site& site, const std::function<bool(std::span<const Bar>)>& takes) : site_(site), takes_(takes) {}
+  FormTrial(const Site& site, const std::function<bool(std::span<const Bar>)>& takes) : site_(site), takes_(takes) {}
 
   bool leg(double aside) const {
     return takes_(std::array{bar(site_.top, on_ground(site_.top + aside * site_.side), 0.8 * site_.radius, site_.radius, true)});
@@ -79,7 +79,7 @@ class Trial {
 bool try_forms(const Ring& at, const std::function<bool(std::span<const Bar>)>& takes) {
   const Site site = site_at(at);
   if (site.height < kLowestSupport) return false;
-  const Trial trial(site, takes);
+  const FormTrial trial(site, takes);
   if (site.upright) {
     if (site.height > kHigh && trial.two_legs(std::min(0.15 * site.height, 7.0))) return true;
     if (trial.leg(0)) return true;

@@ -28,13 +28,13 @@ void add_leaning(dvec3 low, dvec3 high, double lean, Part part, Mesh& mesh) {
 }
 
 // A cross-section of the body: a rectangle with round corners, and a stripe on each side and on top.
-struct Section {
+struct BodySection {
   double x, low, high, half_width;
 };
 constexpr int kCorner = 3;  // steps of a round corner
 constexpr double kStripeLow = 0.38, kStripeHigh = 0.60, kTopStripe = 0.16;  // of the height, of the half width
 
-std::vector<dvec3> outline(const Section& s) {
+std::vector<dvec3> outline(const BodySection& s) {
   std::vector<dvec3> out;
   const double round = std::min(0.32 * (s.high - s.low), 0.35 * s.half_width), height = s.high - s.low;
   const auto point = [&](double left, double y) { out.push_back({s.x, y, -left}); };
@@ -55,10 +55,10 @@ std::vector<dvec3> outline(const Section& s) {
   return out;
 }
 
-void add_body(std::span<const Section> sections, Mesh& mesh) {
+void add_body(std::span<const BodySection> sections, Mesh& mesh) {
   constexpr std::size_t kArc = kCorner + 1;
   std::vector<std::vector<dvec3>> rows;
-  for (const Section& section : sections) rows.push_back(outline(section));
+  for (const BodySection& section : sections) rows.push_back(outline(section));
   std::vector<Part> parts(rows[0].size(), Part::body);
   parts[kArc] = parts[2 * kArc + 2] = parts[3 * kArc + 4] = Part::stripe;
   add_loft(rows, parts, mesh);
@@ -66,8 +66,8 @@ void add_body(std::span<const Section> sections, Mesh& mesh) {
 
 // A wheel about an axis along Z or Y, with a hub on the outside.
 void add_wheel(dvec3 middle, dvec3 half_axis, double radius, Mesh& mesh) {
-  constexpr int kSides = 16;
-  add_bar(middle - half_axis, middle + half_axis, radius, radius, kSides, Part::wheel, 0, true, mesh);
+  constexpr int kWheelSides = 16;
+  add_bar(middle - half_axis, middle + half_axis, radius, radius, kWheelSides, Part::wheel, 0, true, mesh);
   add_bar(middle + half_axis, middle + 1.12 * half_axis, 0.5 * radius, 0.45 * radius, 10, Part::fin, 0, false, mesh);
 }
 
@@ -169,10 +169,10 @@ void add_rider(dvec3 hip, Part shirt, Part trousers, Mesh& mesh) {
 
 Mesh car_mesh(bool leading) {
   Mesh mesh;
-  const Section tub[] = {{-1.10, 0.34, 0.54, 0.40}, {-1.06, 0.28, 0.62, 0.49}, {-0.96, 0.24, 0.67, 0.55}, {-0.60, 0.23, 0.68, 0.575}, {0.20, 0.23, 0.68, 0.575}};
-  std::vector<Section> body(std::begin(tub), std::end(tub));
-  const Section plain[] = {{0.60, 0.23, 0.68, 0.575}, {0.96, 0.24, 0.67, 0.55}, {1.06, 0.28, 0.62, 0.49}, {1.10, 0.34, 0.54, 0.40}};
-  const Section nose[] = {{0.36, 0.23, 0.69, 0.575}, {0.50, 0.23, 0.715, 0.565}, {0.64, 0.23, 0.715, 0.54}, {0.80, 0.235, 0.68, 0.48}, {0.93, 0.25, 0.62, 0.40}, {1.02, 0.275, 0.56, 0.31}, {1.075, 0.31, 0.51, 0.22}, {1.10, 0.36, 0.45, 0.12}};
+  const BodySection tub[] = {{-1.10, 0.34, 0.54, 0.40}, {-1.06, 0.28, 0.62, 0.49}, {-0.96, 0.24, 0.67, 0.55}, {-0.60, 0.23, 0.68, 0.575}, {0.20, 0.23, 0.68, 0.575}};
+  std::vector<BodySection> body(std::begin(tub), std::end(tub));
+  const BodySection plain[] = {{0.60, 0.23, 0.68, 0.575}, {0.96, 0.24, 0.67, 0.55}, {1.06, 0.28, 0.62, 0.49}, {1.10, 0.34, 0.54, 0.40}};
+  const BodySection nose[] = {{0.36, 0.23, 0.69, 0.575}, {0.50, 0.23, 0.715, 0.565}, {0.64, 0.23, 0.715, 0.54}, {0.80, 0.235, 0.68, 0.48}, {0.93, 0.25, 0.62, 0.40}, {1.02, 0.275, 0.56, 0.31}, {1.075, 0.31, 0.51, 0.22}, {1.10, 0.36, 0.45, 0.12}};
   if (leading)
     body.insert(body.end(), std::begin(nose), std::end(nose));
   else

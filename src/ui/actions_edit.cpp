@@ -91,7 +91,7 @@ bool placeable(const Act& act) {
 }
 void place_element(Act& act) { act.ui.emit(edit::PlaceElement{act.ui.session().settings.element}); }
 
-constexpr Action kActions[] = {
+constexpr Action kEditActions[] = {
     {"Undo", "Edit", "Ctrl+Z", ctrl(Key::z), kNoKey, true, true, "Undo the last step; during a drag, take the drag back.", can_undo, nullptr, undo},
     {"Redo", "Edit", "Ctrl+Y", ctrl(Key::y), {Key::z, {.shift = true, .ctrl = true}}, true, false, "Redo the step undone last.",
      can_redo, nullptr, redo},
@@ -120,6 +120,6 @@ constexpr Action kActions[] = {
 
 }  // namespace
 
-std::span<const Action> edit_actions() { return kActions; }
+std::span<const Action> edit_actions() { return kEditActions; }
 
 }  // namespace coaster::ui

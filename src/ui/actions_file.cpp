@@ -24,7 +24,7 @@ void show_start(Act& act) { act.ui.start.show(); }
 void tutorial(Act& act) { act.ui.dialogs.request(act.ui, {Want::Kind::tutorial, {}}); }
 void quit(Act& act) { act.ui.dialogs.request(act.ui, {Want::Kind::quit, {}}); }
 
-constexpr Action kActions[] = {
+constexpr Action kFileActions[] = {
     {"New", "File", "Ctrl+N", ctrl(Key::n), kNoKey, false, false, "Start an empty track.", always, nullptr, new_track},
     {"Open", "File", "Ctrl+O", ctrl(Key::o), kNoKey, false, false, "Choose a track file to open.", always, nullptr, open},
     {"Save", "File", "Ctrl+S", ctrl(Key::s), kNoKey, false, false, "Save the track to its file.", always, nullptr, save},
@@ -42,6 +42,6 @@ constexpr Action kActions[] = {
 
 }  // namespace
 
-std::span<const Action> file_actions() { return kActions; }
+std::span<const Action> file_actions() { return kFileActions; }
 
 }  // namespace coaster::ui

@@ -23,7 +23,7 @@ void toggle_card(Act& act) { act.ui.emit(edit::SetCard{!card_wanted(act)}); }
 bool has_failed_place(const Act& act) { return failed_place(act.ui.session()).has_value(); }
 void show_failed_place(Act& act) { show_place(act.ui, *failed_place(act.ui.session())); }
 
-constexpr Action kActions[] = {
+constexpr Action kRideActions[] = {
     {"Play or pause", "Ride", "Space", key(Key::space), kNoKey, false, true, "Let the carts run, or hold them.", rideable, nullptr, play_pause},
     {"Single step", "Ride", ".", key(Key::period), kNoKey, true, true, "Hold the carts and advance one tick of 1/120 s.", rideable, nullptr, single_step},
     {"Reset", "Ride", "Shift+R", shift(Key::r), kNoKey, false, true, "Put the carts back to their start.", rideable, nullptr, reset},
@@ -34,6 +34,6 @@ constexpr Action kActions[] = {
 
 }  // namespace
 
-std::span<const Action> ride_actions() { return kActions; }
+std::span<const Action> ride_actions() { return kRideActions; }
 
 }  // namespace coaster::ui

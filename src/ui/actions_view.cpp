@@ -94,7 +94,7 @@ bool lit(const Act& act) { return act.ui.session().settings.style == style; }
 template <world::Style style>
 void light(Act& act) { act.ui.emit(edit::SetStyle{style}); }
 
-constexpr Action kActions[] = {
+constexpr Action kViewActions[] = {
     {"Frame all", "View", "F", key(Key::f), kNoKey, false, true, "Show the whole track.", always, nullptr, frame_all},
     {"Frame selection", "View", "Shift+F", shift(Key::f), kNoKey, false, true, "Show what is selected.", any_selected, nullptr, frame_selection},
     {"Command palette", "View", "Ctrl+P", ctrl(Key::p), kNoKey, false, false, "Find an action or a command by typing.", always, nullptr, open_palette},
@@ -129,6 +129,6 @@ constexpr Action kActions[] = {
 
 }  // namespace
 
-std::span<const Action> view_actions() { return kActions; }
+std::span<const Action> view_actions() { return kViewActions; }
 
 }  // namespace coaster::ui

@@ -60,9 +60,9 @@ std::vector<PaletteLine> entries(Act& act, const char* words) {
 
 // What replaces the track asks about unsaved changes first, as by any other way.
 void run_command(Ui& ui, const edit::Command& command) {
-  if (const auto* const load = std::get_if<edit::Load>(&command)) ui.dialogs.request(ui, {Want::Kind::load, load->path});
-  else if (std::holds_alternative<edit::NewTrack>(command)) ui.dialogs.request(ui, {Want::Kind::fresh, {}});
-  else if (const auto* const challenge = std::get_if<edit::StartChallenge>(&command)) ui.dialogs.request(ui, {Want::Kind::challenge, challenge->path});
+  if (const auto* const load = command.as<edit::Load>()) ui.dialogs.request(ui, {Want::Kind::load, load->path});
+  else if (command.is<edit::NewTrack>()) ui.dialogs.request(ui, {Want::Kind::fresh, {}});
+  else if (const auto* const challenge = command.as<edit::StartChallenge>()) ui.dialogs.request(ui, {Want::Kind::challenge, challenge->path});
   else ui.out.commands.push_back(command);
 }
 

@@ -54,7 +54,7 @@ void FlyKeys::fly(Ui& ui, const platform::Events& events, bool text_has_keyboard
 
 world::FlyCamera fly_now(const Ui& ui) {
   for (auto command = ui.out.commands.rbegin(); command != ui.out.commands.rend(); ++command)
-    if (const auto* const set = std::get_if<edit::SetFly>(&*command)) return set->to;
+    if (const auto* const set = command->as<edit::SetFly>()) return set->to;
   return ui.session().settings.fly;
 }
 

@@ -15,12 +15,12 @@ constexpr float kTurn = 130, kTilt = 90;   // degrees
 constexpr float kPan = 0.9f;               // heights of the picture
 constexpr float kNotches = 9;              // of the mouse wheel: zoom, chase distance
 constexpr float kFly = 20;                 // m
-constexpr double kLongestFrame = 0.25;     // s
+constexpr double kLongestPadFrame = 0.25;     // s
 
 // The orbit camera as this frame's commands have left it.
 world::Camera camera_now(const Ui& ui) {
   for (auto command = ui.out.commands.rbegin(); command != ui.out.commands.rend(); ++command)
-    if (const auto* const set = std::get_if<edit::SetCamera>(&*command)) return set->to;
+    if (const auto* const set = command->as<edit::SetCamera>()) return set->to;
   return ui.session().settings.camera;
 }
 
@@ -53,7 +53,7 @@ std::string_view action_of(platform::PadButton button, const Act& act) {
 }
 
 void Gamepad::move(Ui& ui, const view::Viewport& scene, double seconds) const {
-  const auto time = static_cast<float>(std::min(seconds, kLongestFrame));
+  const auto time = static_cast<float>(std::min(seconds, kLongestPadFrame));
   const glm::vec2 left = time * shaped_stick({held_.left_x, held_.left_y}), right = time * shaped_stick({held_.right_x, held_.right_y});
   const float pull = time * (shaped_trigger(held_.right_trigger) - shaped_trigger(held_.left_trigger));
   if (left == glm::vec2(0) && right == glm::vec2(0) && pull == 0) return;

@@ -192,7 +192,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   draw_legend(ui, layout.scene);
   toasts.draw(layout.scene, ui.scale, ui.state.seconds, ui.state.scripted);
   for (const edit::Command& command : ui.out.commands)
-    if (std::holds_alternative<edit::Load>(command) || std::holds_alternative<edit::NewTrack>(command) || std::holds_alternative<edit::StartChallenge>(command)) {
+    if (command.is<edit::Load>() || command.is<edit::NewTrack>() || command.is<edit::StartChallenge>()) {
       frame_next = true;
       start.hide();
     }

@@ -25,11 +25,11 @@ Triangle triangle_at(const curve::Cubic& cubic, double t) {
 }
 
 constexpr std::uint32_t kLevelColours[] = {kPolygonColour, kConstructionColour, 0x5AA9E6, kPointColour};
-constexpr int kSamples = 96;
+constexpr int kTraceSamples = 96;
 
 Trace curve_on(const Sheet& sheet, const curve::Cubic& cubic) {
   Trace trace;
-  for (int i = 0; i <= kSamples; ++i) trace.add(sheet.at(curve::point(cubic, double(i) / kSamples)));
+  for (int i = 0; i <= kTraceSamples; ++i) trace.add(sheet.at(curve::point(cubic, double(i) / kTraceSamples)));
   return trace;
 }
 
@@ -44,7 +44,7 @@ double nearest_t(const Trace& curve, PlotDrag place) {
   const glm::dvec2 from(curve.x[a], curve.y[a]), to(curve.x[b], curve.y[b]), way = to - from;
   const double length2 = glm::dot(way, way);
   const double part = length2 > 0 ? std::clamp(glm::dot(glm::dvec2(place.x, place.y) - from, way) / length2, 0.0, 1.0) : 0.5;
-  const double t = (static_cast<double>(a) + part * static_cast<double>(b - a)) / kSamples;
+  const double t = (static_cast<double>(a) + part * static_cast<double>(b - a)) / kTraceSamples;
   return std::round(t * 1000) / 1000;
 }
 

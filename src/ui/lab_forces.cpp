@@ -122,7 +122,7 @@ void side(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study) {
   read_out(ui, "Nausea", fixed(r.nausea, 2), "", "The same.");
 }
 
-constexpr TableColumn kColumns[] = {{"Where", "m", 1.2f, "Along the track. Click to put the train there."},
+constexpr TableColumn kRedColumns[] = {{"Where", "m", 1.2f, "Along the track. Click to put the train there."},
                                     {"Force", "", 1.6f, "Which way riders are pressed."},
                                     {"Is", "g", 0.8f, "Low-passed, where it is furthest beyond."},
                                     {"May", "g", 0.8f, "What may last that long by the envelope (its file: the command envelope). Not a compliance check."}};
@@ -149,7 +149,7 @@ void red_table(Ui& ui, const ForceStudy& study, float height, bool brief) {
     if (!ui.lab.advice.empty()) small_note(ui, ui.lab.advice);
     height -= 2 * ImGui::GetFrameHeightWithSpacing();
   }
-  if (!begin_table(ui, "Red spans", kColumns, height)) return;
+  if (!begin_table(ui, "Red spans", kRedColumns, height)) return;
   for (std::size_t i = 0; i < study.red.size(); ++i) {
     const sim::RedSpan& span = study.red[i];
     const Cell cells[] = {{fixed(span.from_distance, 1) + (brief ? "" : ".." + fixed(span.to_distance, 1))}, {std::string(brief ? sim::name(span.axis) : sim::label(span.axis)), kPlainColour, true},

@@ -47,7 +47,7 @@ void bend_plot(Ui& ui, const Probe& probe, const BendStudy& study, bool torsion,
   if (drag) move_probe(ui, probe, probe.shape->arc.parameter(drag->x));
 }
 
-void methods(Ui& ui) {
+void frame_choice(Ui& ui) {
   std::vector<Choice> choices;
   for (const sim::FrameMethodRow& row : sim::frame_methods()) choices.push_back({std::string(row.label), std::string(row.formula)});
   const int current = static_cast<int>(ui.session().settings.frames);
@@ -58,7 +58,7 @@ void methods(Ui& ui) {
 
 void side(Ui& ui, const Probe& probe) {
   const sim::Derived& derived = ui.session().derived;
-  methods(ui);
+  frame_choice(ui);
   bool alone = false;
   for (const world::Layer layer : {world::Layer::frames, world::Layer::flips, world::Layer::comb, world::Layer::circle}) {
     alone = !(alone && beside_last(ui, world::layers()[static_cast<std::size_t>(layer)].label));

@@ -11,7 +11,7 @@
 namespace coaster::ui {
 namespace {
 
-constexpr int kSamples = 96;
+constexpr int kHodographSamples = 96;
 
 struct Derivative {
   Trace curve;            // B'(t) in its sheet
@@ -26,8 +26,8 @@ Derivative derivative_of(const Probe& probe) {
   const std::array<glm::dvec3, 4> points{glm::dvec3(0), 3.0 * (p1 - p0), 3.0 * (p2 - p1), 3.0 * (p3 - p2)};
   const Sheet sheet = sheet_of(points);
   Derivative result;
-  for (int i = 0; i <= kSamples; ++i) {
-    const double t = double(i) / kSamples;
+  for (int i = 0; i <= kHodographSamples; ++i) {
+    const double t = double(i) / kHodographSamples;
     const glm::dvec3 d = curve::derivative(c, t);
     result.curve.add(sheet.at(d));
     result.t.push_back(t);

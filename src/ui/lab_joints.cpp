@@ -49,7 +49,7 @@ double present_speed(Ui& ui) {
   return speed != nullptr ? std::abs(*speed) : 0;
 }
 
-constexpr TableColumn kColumns[] = {
+constexpr TableColumn kJointColumns[] = {
     {"Knot", "", 1.0f, "The knot of the joint. Click a row to select it."},
     {"Shape", "", 0.9f, "Geometric continuity: G0 meets, G1 one tangent line, G2 one curvature too."},
     {"Param.", "", 0.9f, "Parametric continuity: C1 has equal first derivatives, C2 equal second ones. More than G1, G2."},
@@ -111,7 +111,7 @@ void joints_page(Ui& ui) {
     small_note(ui, "A joint is where two segments meet: this track has none yet.");
     return;
   }
-  if (!begin_table(ui, "Joints table", kColumns, height)) return;
+  if (!begin_table(ui, "Joints table", kJointColumns, height)) return;
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(list.rows.size()));
   while (clipper.Step())

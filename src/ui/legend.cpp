@@ -11,14 +11,14 @@
 namespace coaster::ui {
 namespace {
 
-ImU32 packed(glm::vec3 colour) { return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, 1}); }
+ImU32 opaque(glm::vec3 colour) { return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, 1}); }
 
 // Left to right, as the shader mixes.
 void draw_bar(ImDrawList& list, ImVec2 at, float width, float height) {
   constexpr std::size_t kPieces = view::kColourStops.size() - 1;
   for (std::size_t i = 0; i < kPieces; ++i) {
     const float left = at.x + width * static_cast<float>(i) / kPieces, right = at.x + width * static_cast<float>(i + 1) / kPieces;
-    const ImU32 from = packed(view::kColourStops[i]), to = packed(view::kColourStops[i + 1]);
+    const ImU32 from = opaque(view::kColourStops[i]), to = opaque(view::kColourStops[i + 1]);
     list.AddRectFilledMultiColor({left, at.y}, {right, at.y + height}, from, to, to, from);
   }
 }
@@ -35,9 +35,9 @@ void draw_legend(Ui& ui, const view::Viewport& scene) {
   if (width < 120 * scale || scene.height < height + 2 * (margin + pad)) return;
   const ImVec2 low(scene.x + margin + pad, scene.y + margin + pad);  // notices and hints are at the bottom
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + height + pad}, ui::packed(ui::palette().background, 0.82f), std::floor(6 * scale));
+  list.AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + height + pad}, packed(palette().background, 0.82f), std::floor(6 * scale));
   const std::string title = std::string(row.label) + " (" + std::string(row.unit) + ")";
-  const auto words = [&](ImVec2 at, std::uint32_t rgb, const std::string& value) { list.AddText(small_font(), text, {std::floor(at.x), std::floor(at.y)}, ui::packed(rgb), value.c_str()); };
+  const auto words = [&](ImVec2 at, std::uint32_t rgb, const std::string& value) { list.AddText(small_font(), text, {std::floor(at.x), std::floor(at.y)}, packed(rgb), value.c_str()); };
   words(low, palette().text, title);
   const ImVec2 bar_at(low.x, low.y + text + std::floor(5 * scale));
   draw_bar(list, bar_at, width, bar);
@@ -48,7 +48,7 @@ void draw_legend(Ui& ui, const view::Viewport& scene) {
     const float x = std::floor(low.x + width * static_cast<float>(part_of(axis, value)));
     const std::string number = tick_text(axis, marks, value, true);
     const float wide = small_font()->CalcTextSizeA(text, 1e9f, 0, number.c_str()).x;
-    list.AddLine({x, bar_at.y + bar}, {x, bar_at.y + bar + 4 * scale}, ui::packed(ui::palette().dim));
+    list.AddLine({x, bar_at.y + bar}, {x, bar_at.y + bar + 4 * scale}, packed(palette().dim));
     const float left = std::clamp(x - wide * 0.5f, low.x, low.x + width - wide);
     if (left < free_from) continue;
     words({left, bar_at.y + bar + std::floor(5 * scale)}, palette().dim, number);

@@ -45,7 +45,7 @@ void read_outs(Ui& ui) {
   read_query(ui, "g forward", "ride.g_forward", {}, "Felt acceleration forwards.", {.decimals = 2, .unit = "g"});
 }
 
-void methods(Ui& ui) {
+void ride_methods(Ui& ui) {
   const world::Settings& settings = ui.session().settings;
   heading(ui, "Frame method", "What carts and the ride camera are turned by. The track stays banked by its knots.");
   const auto rows = sim::frame_methods();
@@ -64,7 +64,7 @@ void methods(Ui& ui) {
 void ride_panel(Ui& ui) {
   controls(ui);
   read_outs(ui);
-  methods(ui);
+  ride_methods(ui);
 }
 
 }  // namespace coaster::ui

@@ -18,7 +18,7 @@
 namespace coaster::ui {
 namespace {
 
-constexpr float kColumns = 4, kChoices = 220;  // cards in a row; design px of the left part
+constexpr float kCardsInARow = 4, kChoices = 220;  // cards in a row; design px of the left part
 
 // A hill, a loop and a dip in one line: the program's mark.
 void draw_emblem(ImVec2 at, float size) {
@@ -125,7 +125,7 @@ void StartScreen::build_challenges(Ui& ui, float width, float gap) {
   heading(ui, "Challenges", "Start tracks with a goal and three medals, one for each thing to learn.");
   int place = 0;
   for (const ChallengeEntry& entry : shelf_.entries()) {
-    if (place++ % static_cast<int>(kColumns) != 0) ImGui::SameLine(0, gap);
+    if (place++ % static_cast<int>(kCardsInARow) != 0) ImGui::SameLine(0, gap);
     const std::string help = entry.problem.empty() ? entry.teaches : entry.problem;
     if (draw(ui, {"Challenges/" + entry.name, entry.track.string(), help, entry.name, known_medal(ui, entry.path)}, width) && entry.problem.empty())
       ui.dialogs.request(ui, {Want::Kind::challenge, entry.path.string()});
@@ -135,11 +135,11 @@ void StartScreen::build_challenges(Ui& ui, float width, float gap) {
 void StartScreen::build_tracks(Ui& ui) {
   if (samples_.empty()) samples_ = sample_tracks();
   const float gap = std::floor(12 * ui.scale);
-  const float width = std::floor((ImGui::GetContentRegionAvail().x - (kColumns - 1) * gap) / kColumns);
+  const float width = std::floor((ImGui::GetContentRegionAvail().x - (kCardsInARow - 1) * gap) / kCardsInARow);
   const auto grid = [&](std::string_view group, const std::vector<std::filesystem::path>& files) {
     int place = 0;
     for (const std::filesystem::path& file : files) {
-      if (place++ % static_cast<int>(kColumns) != 0) ImGui::SameLine(0, gap);
+      if (place++ % static_cast<int>(kCardsInARow) != 0) ImGui::SameLine(0, gap);
       const auto namesakes = std::count_if(files.begin(), files.end(), [&](const std::filesystem::path& other) { return other.stem() == file.stem(); });
       const std::string name = namesakes > 1 ? (file.parent_path().filename() / file.stem()).string() : file.stem().string();
       if (draw(ui, {std::string(group) + "/" + name, file.string(), "Open " + file.string() + ".", {}, 0}, width)) load(ui, file);
@@ -149,7 +149,7 @@ void StartScreen::build_tracks(Ui& ui) {
   std::error_code ignored;
   if (ui.state.kept != nullptr)
     for (const std::string& file : ui.state.kept->settings.recent)
-      if (recent.size() < static_cast<std::size_t>(kColumns) && std::filesystem::exists(file, ignored)) recent.emplace_back(file);
+      if (recent.size() < static_cast<std::size_t>(kCardsInARow) && std::filesystem::exists(file, ignored)) recent.emplace_back(file);
   if (!recent.empty()) {
     heading(ui, "Recent", "The tracks used last.");
     grid("Recent", recent);

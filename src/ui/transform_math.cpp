@@ -17,8 +17,6 @@ dvec3 unit(int axis) {
   return v;
 }
 
-dvec3 looking(const view::View& v) { return -dvec3(v.view[0][2], v.view[1][2], v.view[2][2]); }
-
 // On the line through `pivot` along an axis, the place nearest to the ray.
 std::optional<dvec3> meet_axis(const view::Ray& ray, dvec3 pivot, int axis) {
   const dvec3 a = unit(axis), d(ray.direction), off = dvec3(ray.origin) - pivot;
@@ -34,13 +32,13 @@ std::optional<dvec3> meet_axis(const view::Ray& ray, dvec3 pivot, int axis) {
 std::optional<dvec3> meet(const view::View& view, glm::vec2 pixel, glm::vec3 pivot, const Constraint& constraint) {
   const view::Ray ray = view::ray_through(view, pixel);
   if (constraint.kind == Constraint::Kind::axis) return meet_axis(ray, dvec3(pivot), constraint.axis);
-  const glm::vec3 normal(constraint.kind == Constraint::Kind::plane ? unit(constraint.axis) : looking(view));
+  const glm::vec3 normal(constraint.kind == Constraint::Kind::plane ? unit(constraint.axis) : dvec3(view::line_of_sight(view)));
   const auto hit = view::meet_plane(ray, pivot, normal);
   return hit ? std::optional(dvec3(*hit)) : std::nullopt;
 }
 
 glm::vec3 rotation_axis(const view::View& view, const Constraint& constraint) {
-  return constraint.kind == Constraint::Kind::free ? glm::vec3(looking(view)) : glm::vec3(unit(constraint.axis));
+  return constraint.kind == Constraint::Kind::free ? view::line_of_sight(view) : glm::vec3(unit(constraint.axis));
 }
 
 double turned_angle(const view::View& view, glm::vec2 from, glm::vec2 to, glm::vec3 pivot, glm::vec3 axis) {
@@ -50,7 +48,7 @@ double turned_angle(const view::View& view, glm::vec2 from, glm::vec2 to, glm::v
   if (!(glm::length(a) > 1) || !(glm::length(b) > 1)) return 0;
   // Pixels grow downwards: turning clockwise on the screen is right-handed about what points away from the eye.
   const double clockwise = std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
-  return glm::dot(dvec3(axis), looking(view)) >= 0 ? clockwise : -clockwise;
+  return glm::dot(dvec3(axis), dvec3(view::line_of_sight(view))) >= 0 ? clockwise : -clockwise;
 }
 
 dvec3 snapped(const SnapScene& scene, world::SnapTo to, dvec3 position, dvec3 start, const Constraint& constraint) {

@@ -18,8 +18,6 @@ using CKind = Constraint::Kind;
 constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"}, kPlanes{"YZ", "XZ", "XY"};
 constexpr std::size_t kMostTyped = 16;
 
-glm::vec2 mouse_position() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
-
 // The character that a key types into a number, 0 for none.
 char digit_of(Key key) {
   const int code = static_cast<int>(key);

@@ -17,8 +17,6 @@ namespace {
 
 using view::PickKind;
 
-glm::vec2 mouse_position() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
-
 bool is_handle(PickKind kind) { return kind == PickKind::handle_in || kind == PickKind::handle_out; }
 
 // Where a knot or handle is now.
@@ -33,8 +31,6 @@ world::CameraMode shown_camera(const Ui& ui) {
   const edit::Session& s = ui.session();
   return view::shown_mode({s.document, s.derived, s.motion, s.settings});
 }
-
-glm::vec3 looking(const view::View& v) { return -glm::vec3(v.view[0][2], v.view[1][2], v.view[2][2]); }
 
 }  // namespace
 
@@ -182,7 +178,7 @@ void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
   const Along along = io.KeyShift ? Along::vertical : io.KeyCtrl ? Along::ground : Along::screen;
   const auto hit = [&](glm::vec2 pixel) -> std::optional<glm::vec3> {
     const view::Ray ray = view::ray_through(view, pixel);
-    if (along == Along::screen) return view::meet_plane(ray, drag_.anchor, looking(view));
+    if (along == Along::screen) return view::meet_plane(ray, drag_.anchor, view::line_of_sight(view));
     if (along == Along::ground) return view::meet_plane(ray, drag_.anchor, {0, 1, 0});
     const auto height = view::meet_vertical(ray, drag_.anchor);
     return height ? std::optional(glm::vec3(drag_.anchor.x, *height, drag_.anchor.z)) : std::nullopt;

@@ -27,6 +27,8 @@ void show_tooltip(std::string_view text, float scale) {
 
 }  // namespace
 
+glm::vec2 mouse_position() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
+
 std::string path_of(const Ui& ui, std::string_view label) {
   return label.empty() ? ui.panel : ui.panel + "/" + std::string(label);
 }

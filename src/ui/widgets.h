@@ -78,6 +78,8 @@ struct Ui {
   void emit(C command) { out.commands.push_back(edit::Command(std::move(command))); }
 };
 
+glm::vec2 mouse_position();  // px
+
 // Registers the last item of ImGui and shows its tooltip when the mouse rests on it.
 void note_item(Ui& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled, std::string value = {});
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "sim/segment_tree.h"
 #include "view/camera.h"
@@ -13,6 +14,7 @@ namespace coaster::view {
 struct Sighted {
   double u = 0, v = 0, w = 0, z = 0;
 };
+inline constexpr double kNowhere = std::numeric_limits<double>::infinity();  // the distance to what is not met
 inline constexpr double kLeastDepth = 1e-4;  // m: what is not deeper counts as behind the eye
 inline bool is_visible(const Sighted& s) { return s.w > kLeastDepth && s.z <= s.w && -s.z <= s.w; }
 

@@ -78,7 +78,7 @@ View orbit_view(const world::Camera& camera, Viewport viewport) { return view_of
 View ride_view(const sim::Pose& pose, Viewport viewport) { return view_of(ride_eye(pose, world::Camera{}.field_of_view_deg), viewport); }
 
 world::FlyCamera fly_from(const View& view) {
-  const glm::vec3 forward = -glm::vec3(view.view[0][2], view.view[1][2], view.view[2][2]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  const glm::vec3 forward = line_of_sight(view), up(view.view[0][1], view.view[1][1], view.view[2][1]);
   // Straight up or down, what is up in the picture tells the way.
   const glm::vec3 ahead = std::abs(forward.y) < 0.9999f ? forward : -std::copysign(1.0f, forward.y) * up;
   world::FlyCamera fly;

@@ -24,6 +24,8 @@ struct View {
   glm::vec3 eye{0};
   Viewport viewport;
 };
+// Unit, into the picture.
+inline glm::vec3 line_of_sight(const View& v) { return -glm::vec3(v.view[0][2], v.view[1][2], v.view[2][2]); }
 
 struct Ray {
   glm::vec3 origin, direction;  // unit

@@ -10,7 +10,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kHeadingLag = 0.55, kElevationLag = 0.7, kAsideLag = 0.2;  // s
+constexpr double kChaseHeadingLag = 0.55, kElevationLag = 0.7, kAsideLag = 0.2;  // s
 constexpr double kLookOver = 0.9;         // m over the rails
 constexpr double kElevation = 0.30;       // rad over the horizon on the flat; less uphill, more downhill, to see it over a crest
 constexpr double kBySlope = 0.5, kLowest = 0.10, kHighest = 0.95;
@@ -95,7 +95,7 @@ void settle_chase(CameraRig& rig, const Watched& w, const Ridden& ridden) {
 }
 
 Eye chase(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
-  rig.heading.follow(ridden.middle.frame, kHeadingLag, dt);
+  rig.heading.follow(ridden.middle.frame, kChaseHeadingLag, dt);
   rig.elevation.approach(elevation_of(ridden), kElevationLag, dt);
   rig.beside.approach(beside_of(ridden), kElevationLag, dt);
   const dvec3 wanted = place(rig, w, ridden);

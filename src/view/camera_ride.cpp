@@ -9,7 +9,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kHeadingLag = 0.5;        // s
+constexpr double kRiderHeadingLag = 0.5;        // s
 constexpr double kWideningLag = 0.8;       // s
 constexpr double kWideSpeed = 30;          // m/s, at which the view has widened by the setting
 constexpr double kSteepest = 0.8;          // rad, of the calm view's pitch
@@ -97,7 +97,7 @@ Eye ride(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
   const world::CameraFeel& feel = w.settings.feel;
   const curve::Frame& frame = ridden.front.frame;
   roll_after(rig, frame, feel.roll_damping, dt);
-  rig.heading.follow(frame, kHeadingLag, dt);
+  rig.heading.follow(frame, kRiderHeadingLag, dt);
   rig.widening.approach(feel.reduced_motion ? 0.0 : feel.widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed), kWideningLag, dt);
   rig.bob.approach(feel.head_bob && !feel.reduced_motion ? bob_of(w, ridden) : dvec3(0), kBobLag, dt);
   Eye eye;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable_math.h"
 #include "curve/bernstein.h"
 #include "sim/rounding.h"
 #include "view/overlay_lab_parts.h"
@@ -11,12 +12,8 @@
 namespace coaster::view {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr double kMaxOffset = 1e4;  // m, of a magnified error
 
-void line(glm::dvec3 from, glm::dvec3 to, float width_px, std::uint32_t rgba, Overlay& overlay) {
-  overlay.lines.push_back({glm::vec3(from), glm::vec3(to), width_px, rgba});
-}
 void disc(glm::dvec3 at, float radius_px, std::uint32_t rgba, Overlay& overlay) { overlay.marks.push_back({glm::vec3(at), radius_px, rgba, MarkShape::disc}); }
 
 // Segments whose rounding shows, at most as many as have kMaxRoundingVertices together.
@@ -48,20 +45,20 @@ void add_rounding(const sim::SegmentShape& shape, const world::Settings& setting
     moved[i] = r.exact[i] + offset;
   }
   const std::size_t every = last / kWhiskers + 1;
-  for (std::size_t i = every; i < last; i += every) line(r.exact[i], moved[i], 1.0f * scale, faded(kRoundingColour, 0x60), overlay);
-  for (std::size_t i = 0; i + 1 < last; ++i) line(moved[i], moved[i + 1], 1.75f * scale, kRoundingColour, overlay);
-  line(moved[last - 1], moved[last], 3.0f * scale, kSeamColour, overlay);
+  for (std::size_t i = every; i < last; i += every) add_line(r.exact[i], moved[i], 1.0f * scale, faded(kRoundingColour, 0x60), overlay);
+  for (std::size_t i = 0; i + 1 < last; ++i) add_line(moved[i], moved[i + 1], 1.75f * scale, kRoundingColour, overlay);
+  add_line(moved[last - 1], moved[last], 3.0f * scale, kSeamColour, overlay);
   if (last > 1) disc(moved[last - 1], 3.5f * scale, kSeamColour, overlay);
 }
 
 // A layer's lines over a dark rim each, so that they read on sky, ground and rails alike; those in thousands go without.
 void append_rimmed(const Overlay& layer, float scale, Overlay& overlay) {
   constexpr std::size_t kFew = 2500;
-  constexpr std::uint32_t kRimColour = 0x1b1f2778;
-  constexpr float kThin = 1.5f, kRim = 2.0f;  // px at scale 1: rimmed from this width on, and wider by this
+  constexpr std::uint32_t kDiscRimColour = 0x1b1f2778;
+  constexpr float kThin = 1.5f, kDiscRim = 2.0f;  // px at scale 1: rimmed from this width on, and wider by this
   if (layer.lines.size() <= kFew)
     for (const Line& one : layer.lines)
-      if (one.width_px >= kThin * scale && (one.rgba & 0xffu) == 0xffu) overlay.lines.push_back({one.from, one.to, one.width_px + kRim * scale, kRimColour});
+      if (one.width_px >= kThin * scale && (one.rgba & 0xffu) == 0xffu) overlay.lines.push_back({one.from, one.to, one.width_px + kDiscRim * scale, kDiscRimColour});
   overlay.lines.insert(overlay.lines.end(), layer.lines.begin(), layer.lines.end());
   overlay.marks.insert(overlay.marks.end(), layer.marks.begin(), layer.marks.end());
 }
@@ -70,9 +67,9 @@ void append_rimmed(const Overlay& layer, float scale, Overlay& overlay) {
 
 void add_construction(const sim::SegmentShape& shape, double t, const View& view, float scale, Overlay& overlay) {
   const curve::Construction c = curve::construction(shape.key.cubic, t);
-  line(c.first[0], c.first[1], 2.25f * scale, kConstructionColour, overlay);
-  line(c.first[1], c.first[2], 2.25f * scale, kConstructionColour, overlay);
-  line(c.second[0], c.second[1], 2.75f * scale, kConstructionColour, overlay);
+  add_line(c.first[0], c.first[1], 2.25f * scale, kConstructionColour, overlay);
+  add_line(c.first[1], c.first[2], 2.25f * scale, kConstructionColour, overlay);
+  add_line(c.second[0], c.second[1], 2.75f * scale, kConstructionColour, overlay);
   // The last two points span the tangent: B'(t) = 3 (second[1] - second[0]).
   const double third = glm::length(c.second[1] - c.second[0]);
   add_arrow(c.point, curve::unit_tangent(shape.key.cubic, t), third, view, 2.75f * scale, kTangentColour, overlay);
@@ -88,12 +85,12 @@ void add_circle(const sim::SegmentShape& shape, double t, float scale, Overlay& 
   const glm::dvec3 touch = curve::point(shape.key.cubic, t), centre = touch + radius * frame->normal;
   glm::dvec3 before = touch;
   for (int i = 1; i <= kCircleSides; ++i) {
-    const double angle = kTwoPi * i / kCircleSides;
+    const double angle = 2 * base::kPi * i / kCircleSides;
     const glm::dvec3 at = i == kCircleSides ? touch : centre + radius * (std::sin(angle) * frame->tangent - std::cos(angle) * frame->normal);
-    line(before, at, 2.25f * scale, kCircleColour, overlay);
+    add_line(before, at, 2.25f * scale, kCircleColour, overlay);
     before = at;
   }
-  line(centre, touch, 1.25f * scale, faded(kCircleColour, 0xa0), overlay);
+  add_line(centre, touch, 1.25f * scale, faded(kCircleColour, 0xa0), overlay);
   disc(centre, 3.0f * scale, kCircleColour, overlay);
 }
 

@@ -7,7 +7,7 @@ namespace coaster::view {
 
 PixelScale::PixelScale(const View& view)
     : eye_(view.eye),
-      forward_(-glm::dvec3(view.view[0][2], view.view[1][2], view.view[2][2])),
+      forward_(line_of_sight(view)),
       focal_px_(0.5 * static_cast<double>(view.viewport.height) * static_cast<double>(view.projection[1][1])) {}
 
 double PixelScale::operator()(glm::dvec3 at) const {
@@ -31,7 +31,7 @@ std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& 
   constexpr float kNearest = 1;  // m: nearer than this nothing gets more detail
   // Rows of the view matrix are the camera's axes; a sphere is outside when it lies beyond a side plane of the pyramid.
   const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
-  const glm::vec3 forward = -glm::vec3(view.view[0][2], view.view[1][2], view.view[2][2]);
+  const glm::vec3 forward = line_of_sight(view);
   const float fx = view.projection[0][0], fy = view.projection[1][1];
   const float side_x = std::sqrt(1 + fx * fx), side_y = std::sqrt(1 + fy * fy);
   const float focal_px = 0.5f * view.viewport.height * fy;

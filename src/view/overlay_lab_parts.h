@@ -20,6 +20,10 @@ class PixelScale {
 
 inline std::uint32_t faded(std::uint32_t rgba, std::uint32_t alpha) { return (rgba & 0xffffff00u) | alpha; }
 
+inline void add_line(glm::dvec3 from, glm::dvec3 to, float width_px, std::uint32_t rgba, Overlay& overlay) {
+  overlay.lines.push_back({glm::vec3(from), glm::vec3(to), width_px, rgba});
+}
+
 // From `from` along the unit `direction`, `length` metres; the head, two barbs that face the eye, is left out where one looks along it.
 void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px, std::uint32_t rgba, Overlay& overlay);
 

@@ -9,10 +9,6 @@
 namespace coaster::view {
 namespace {
 
-void line(glm::dvec3 from, glm::dvec3 to, float width_px, std::uint32_t rgba, Overlay& overlay) {
-  overlay.lines.push_back({glm::vec3(from), glm::vec3(to), width_px, rgba});
-}
-
 // How many multiples of `step` lie in [from, to).
 int multiples(double from, double to, double step) { return static_cast<int>(std::ceil(to / step) - std::ceil(from / step)); }
 
@@ -68,8 +64,8 @@ void add_comb(const sim::Derived& derived, const world::Settings& settings, cons
     for (int i = 0; i < teeth; ++i) {
       const double t = teeth > 1 ? static_cast<double>(i) / (teeth - 1) : 0;
       const glm::dvec3 root = curve::point(cubic, t), tip = root + tooth_at(cubic, t, settings.comb_scale);
-      line(root, tip, 1.0f * scale, faded(kCombColour, 0xb0), overlay);
-      if (goes_on) line(before, tip, 2.25f * scale, kCombColour, overlay);
+      add_line(root, tip, 1.0f * scale, faded(kCombColour, 0xb0), overlay);
+      if (goes_on) add_line(before, tip, 2.25f * scale, kCombColour, overlay);
       before = tip;
       goes_on = true;
     }
@@ -122,7 +118,7 @@ void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans,
     glm::dvec3 before = at(span.from_distance);
     for (int i = 1; i <= pieces; ++i) {
       const glm::dvec3 next = at(span.from_distance + length * i / pieces);
-      line(before, next, 5.0f * scale, kLimitColour, overlay);
+      add_line(before, next, 5.0f * scale, kLimitColour, overlay);
       before = next;
     }
     if (left <= 0) return;
@@ -146,7 +142,7 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
     if (at.kind == sim::FrenetBreak::Kind::undefined) {
       for (int i = 0; i < kPieces; ++i) {
         const double from = at.t + (at.t_end - at.t) * i / kPieces, to = at.t + (at.t_end - at.t) * (i + 1) / kPieces;
-        line(curve::point(cubic, from), curve::point(cubic, to), 5.0f * scale, faded(kBreakColour, 0xc0), overlay);
+        add_line(curve::point(cubic, from), curve::point(cubic, to), 5.0f * scale, faded(kBreakColour, 0xc0), overlay);
       }
       continue;
     }
@@ -155,8 +151,8 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
       const double t = std::clamp(at.t + beside, 0.0, 1.0);
       if (const auto frame = curve::frenet(cubic, t)) add_arrow(curve::point(cubic, t), frame->normal, length, view, 2.0f * scale, kNormalColour, overlay);
     }
-    line(place - size * (right + up), place + size * (right + up), 3.0f * scale, kBreakColour, overlay);
-    line(place - size * (right - up), place + size * (right - up), 3.0f * scale, kBreakColour, overlay);
+    add_line(place - size * (right + up), place + size * (right + up), 3.0f * scale, kBreakColour, overlay);
+    add_line(place - size * (right - up), place + size * (right - up), 3.0f * scale, kBreakColour, overlay);
   }
 }
 

@@ -16,7 +16,6 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 bool inside(const PlacedMark& mark, dvec2 pixel, double scale) {
   const dvec2 off = pixel - mark.pixel;

@@ -10,7 +10,6 @@
 namespace coaster::view {
 namespace {
 
-constexpr double kNowhere = std::numeric_limits<double>::infinity();
 constexpr double kSameDepth = 1e-3;   // of the depth: places this near to each other hide nothing from each other
 constexpr double kSamePlace = 1e-4;   // px: what a pixel's coordinates in float are good to
 

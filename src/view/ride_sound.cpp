@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/portable_math.h"
 #include "sim/equipment.h"
 #include "sim/ride.h"
 #include "sim/train.h"
@@ -12,7 +12,7 @@
 namespace coaster::view {
 namespace {
 
-constexpr double kTwoPi = 2 * std::numbers::pi;
+constexpr double kTurn = 2 * base::kPi;
 
 double finite(double value, double low, double high) { return std::isfinite(value) ? std::clamp(value, low, high) : 0; }
 
@@ -27,7 +27,7 @@ struct Ring {
 };
 // Poles at radius r, so that the ring falls to 1/e in `decay` seconds; the response to an impulse of 1 is a sine that begins at 0 with amplitude 1.
 Ring ring(double hertz, double decay, int rate) {
-  const double r = std::exp(-1 / (decay * rate)), w = kTwoPi * std::min(hertz, 0.45 * rate) / rate;
+  const double r = std::exp(-1 / (decay * rate)), w = kTurn * std::min(hertz, 0.45 * rate) / rate;
   return {2 * r * std::cos(w), -r * r, std::sin(w)};
 }
 double rung(Resonator& resonator, const Ring& ring, double in) {
@@ -52,7 +52,7 @@ Tone tone_of(const RideNoise& heard, int rate) {
   const double hertz = 280 + 24 * speed;
   tone.wind = ring(hertz, 0.6 / hertz, rate);
   tone.wind_gain = 0.34 * part * part;
-  tone.wheel_pole = 1 - std::exp(-kTwoPi * (70 + 5 * speed) / rate);
+  tone.wheel_pole = 1 - std::exp(-kTurn * (70 + 5 * speed) / rate);
   tone.wheel_gain = 3.2 * std::pow(std::min(speed / kFast, 1.3), 0.8) * (0.55 + 0.45 * std::min(heard.load, 3.0));
   return tone;
 }
@@ -124,7 +124,7 @@ void synthesise(RideVoice& voice, const RideNoise& noise, int rate, std::span<fl
     double in = white(voice.seeds[0]);
     const double shared = in;
     for (double& low : voice.low) in = low += tone.wheel_pole * (in - low);
-    const double wheels = tone.wheel_gain * in * (0.8 + 0.2 * std::sin(kTwoPi * voice.turn));
+    const double wheels = tone.wheel_gain * in * (0.8 + 0.2 * std::sin(kTurn * voice.turn));
     const double teeth = clack(voice, rings, rate);
     const double other = white(voice.seeds[1]);
     const std::array<double, 2> noises{0.8 * shared + 0.6 * other, 0.8 * shared - 0.6 * other};

@@ -9,12 +9,12 @@
 namespace coaster::world {
 namespace {
 
-constexpr double kUnitTolerance = 1e-6;   // of squared length and of the cosine between tangent and up
+constexpr double kAcceptedTolerance = 1e-6;   // of squared length and of the cosine between tangent and up
 constexpr double kShortDirection = 1e-9;  // m, below it a direction is noise
 
 bool unit(glm::vec3 v) {
   const glm::dvec3 d(v);
-  return std::abs(glm::dot(d, d) - 1.0) <= kUnitTolerance;
+  return std::abs(glm::dot(d, d) - 1.0) <= kAcceptedTolerance;
 }
 glm::dvec3 forward_of(const Knot& knot) {
   return glm::normalize(glm::dvec3(knot.tangent));
@@ -29,7 +29,7 @@ void orthonormalise(Knot& knot) {
     knot.tangent = {1, 0, 0};
   else if (!unit(knot.tangent))
     knot.tangent = glm::vec3(tangent / length);
-  const bool right = std::abs(glm::dot(glm::dvec3(knot.tangent), glm::dvec3(knot.up))) <= kUnitTolerance;
+  const bool right = std::abs(glm::dot(glm::dvec3(knot.tangent), glm::dvec3(knot.up))) <= kAcceptedTolerance;
   if (!unit(knot.up) || !right)
     knot.up = glm::vec3(curve::perpendicular(forward_of(knot), glm::dvec3(knot.up)));
 }

@@ -16,8 +16,8 @@
 
 namespace coaster::world {
 
-// Orbit camera: looks at `target` from `distance` metres; yaw about +Y (0 looks along -Z), pitch above the horizon (-89..89; the view
-// keeps it out of the ground). Its vertical field of view is that of the chase and the free camera, too.
+// Orbit camera: looks at `target` from `distance` metres; yaw about +Y (0 looks along -Z), pitch above the horizon (up to kMaxPitch
+// either way; the view keeps it out of the ground). Its vertical field of view is that of the chase and the free camera, too.
 struct Camera {
   glm::vec3 target{0, 5, 0};
   float yaw_deg = 35, pitch_deg = 18, distance = 80;
@@ -29,9 +29,10 @@ struct Camera {
 enum class FrameMethod : std::uint8_t { knots, rmf, frenet, world_up };
 enum class CameraMode : std::uint8_t { orbit, ride, chase, fly };
 inline constexpr std::array<std::string_view, 4> kCameraModeNames{"orbit", "ride", "chase", "fly"};  // by CameraMode, in scripts
+inline constexpr float kMaxPitch = 89;                               // degrees
 inline constexpr float kMinFieldOfView = 30, kMaxFieldOfView = 110;  // degrees, vertical
 
-// The free camera: level, from `eye` (m), yaw as the orbit camera's, pitch of the view above the horizon (-89..89).
+// The free camera: level, from `eye` (m), yaw as the orbit camera's, pitch of the view above the horizon (up to kMaxPitch).
 struct FlyCamera {
   glm::vec3 eye{0, 12, 60};  // at least kLowestFlight over the ground
   float yaw_deg = 0, pitch_deg = -6;

@@ -16,7 +16,7 @@ namespace apply_test {
 // A command of the document kinds, mostly on names and places that make sense for a small track.
 Command document_command(test::RandomCommands& random) {
   for (;;) {
-    Command c = random.of_kind(random.below(std::variant_size_v<AnyCommand>));
+    Command c = random.of_kind(random.below(Commands::size));
     if (info(c).effect == Effect::document) return c;
   }
 }
@@ -136,10 +136,10 @@ TEST_F(Applying, undoing_everything_returns_to_the_first_document_and_redoing_to
 // What costs milliseconds comes less often and in smaller portions: whole rides of up to 900 s (banking, a timetable anew after each edit), steps
 // of up to an hour. Everything still comes: in 100 sessions of 60 commands each of these is done some ten times.
 bool too_costly(Command& command, test::RandomCommands& random) {
-  if (RideStep* const step = std::get_if<RideStep>(&command)) step->ticks = std::min(step->ticks, 1 + static_cast<int>(random.below(120)));
-  const auto* const row = std::get_if<SetIntegrator>(&command);
+  if (RideStep* const step = command.as<RideStep>()) step->ticks = std::min(step->ticks, 1 + static_cast<int>(random.below(120)));
+  const auto* const row = command.as<SetIntegrator>();
   const bool timetable = row && sim::integrators()[static_cast<std::size_t>(row->to.row)].kind == sim::IntegratorKind::timetable;
-  return (std::holds_alternative<AutoBank>(command) || timetable) && random.below(8) != 0;
+  return (command.is<AutoBank>() || timetable) && random.below(8) != 0;
 }
 
 // Whole sessions of any commands, files excepted, with the ride going on: nothing breaks, and the same
@@ -153,7 +153,7 @@ RC_GTEST_PROP(apply, any_session_keeps_every_invariant_and_repeats_to_the_bit, (
     RC_ASSERT(apply(session, files, SetDatum{1.5}).ok());
     test::RandomCommands random(seed);
     for (int i = 0; i < 60; ++i) {
-      Command c = random.of_kind(random.below(std::variant_size_v<AnyCommand>));
+      Command c = random.of_kind(random.below(Commands::size));
       if (info(c).effect == Effect::session || too_costly(c, random)) continue;
       apply(session, files, c);
       advance(session, static_cast<int>(random.below(8)));

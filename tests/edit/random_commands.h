@@ -18,19 +18,13 @@ class RandomCommands {
   std::uint32_t below(std::uint32_t n) { return bits_() % n; }
   double uniform(double low, double high) { return low + (high - low) * (bits_() / 4294967296.0); }
 
-  // A command of the variant's alternative `kind`, with every field set.
-  edit::Command of_kind(std::size_t kind) {
-    edit::Command command;
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      ((I == kind ? void(command = filled(std::variant_alternative_t<I, edit::AnyCommand>{})) : void()), ...);
-    }
-    (std::make_index_sequence<std::variant_size_v<edit::AnyCommand>>{});
-    return command;
-  }
+  // A command of the kind at that place of the list, with every field set.
+  edit::Command of_kind(std::size_t kind);
 
  private:
   template <class C>
-  C filled(C command) {
+  edit::Command made() {
+    C command;
     C::fields(command, [&](std::string_view, auto& value) { fill(value); });
     return command;
   }
@@ -81,5 +75,11 @@ class RandomCommands {
 
   std::mt19937 bits_;
 };
+
+inline edit::Command RandomCommands::of_kind(std::size_t kind) {
+  using Maker = edit::Command (RandomCommands::*)();
+  static constexpr auto kMakers = edit::Commands::table([]<class C>() -> Maker { return &RandomCommands::made<C>; });
+  return (this->*kMakers[kind])();
+}
 
 }  // namespace coaster::test

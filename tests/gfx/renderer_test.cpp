@@ -158,6 +158,7 @@ TEST_F(Pictures, a_resized_picture_is_that_of_a_fresh_renderer) {
     EXPECT_EQ(image.height, height);
     EXPECT_EQ(image.rgba, picture(*fresh(), track).rgba) << width << "x" << height;
   }
+  EXPECT_EQ(picture(track).rgba, picture(*compiled(), track).rgba) << "shaders are as they were";
 }
 
 TEST_F(Pictures, samples_are_clamped_and_can_be_switched) {

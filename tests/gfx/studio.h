@@ -42,11 +42,13 @@ class Studio : public testing::Test {
     auto gl = gfx::load_gl([&](const char* name) { return surface_->gl_proc(name); });
     ASSERT_TRUE(gl.ok()) << gl.status().message;
     gl_ = *gl;
-    renderer_ = fresh();
+    renderer_ = compiled();
   }
   void TearDown() override { renderer_.reset(); }
 
-  std::unique_ptr<gfx::Renderer> fresh() {
+  // A renderer that has drawn nothing; compiling for each takes seconds.
+  std::unique_ptr<gfx::Renderer> fresh() const { return renderer_->sibling(samples_); }
+  std::unique_ptr<gfx::Renderer> compiled() {
     auto renderer = gfx::Renderer::make(gl_, samples_);
     EXPECT_TRUE(renderer.ok()) << renderer.status().message;
     return renderer.ok() ? std::move(*renderer) : nullptr;

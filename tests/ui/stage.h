@@ -133,7 +133,7 @@ class Stage : public testing::Test {
   std::vector<C> all() const {
     std::vector<C> found;
     for (const edit::Command& command : commands_)
-      if (const C* c = std::get_if<C>(&command)) found.push_back(*c);
+      if (const C* c = command.as<C>()) found.push_back(*c);
     return found;
   }
 
