@@ -87,6 +87,7 @@ gfx::DrawStats draw_scene(Program& program, const Look& look, platform::Size siz
   const std::vector<sim::Pose> carts = cart_poses(session);
   gfx::Scene scene{session.derived, look.view, overlay, carts, layers.has(world::Layer::polyline), &values, session.settings.theme};
   scene.style = session.settings.style;
+  scene.shadows = session.settings.shadows;
   scene.unseen = look.unseen;
   scene.clock = [&] { return program.surface->clock(); };
   const bool held = layers.has(world::Layer::supports);

@@ -58,6 +58,7 @@ void show(Program& program, const exchange::UserSettings& settings) {
   if (now.ui_scale != settings.ui_scale) (void)apply(program, edit::SetScale{settings.ui_scale});
   if (now.theme != settings.theme) (void)apply(program, edit::SetTheme{settings.theme});
   if (now.style != settings.style) (void)apply(program, edit::SetStyle{settings.style});
+  if (now.shadows != settings.shadows) (void)apply(program, edit::SetShadows{settings.shadows});
   if (now.sound != settings.sound) (void)apply(program, edit::SetSound{settings.sound});
   if (now.show_panels != settings.panels) (void)apply(program, edit::SetPanels{settings.panels});
   if (now.show_laboratory != settings.laboratory) (void)apply(program, edit::ShowLaboratory{settings.laboratory});
@@ -74,6 +75,7 @@ void follow_session(const Program& program, exchange::UserSettings& settings) {
   settings.ui_scale = now.ui_scale;
   settings.theme = now.theme;
   settings.style = now.style;
+  settings.shadows = now.shadows;
   settings.sound = now.sound;
   settings.panels = now.show_panels;
   settings.laboratory = now.show_laboratory;

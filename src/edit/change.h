@@ -115,6 +115,7 @@ base::Status perform(Session& session, Change& change, const SetAppendMode& comm
 base::Status perform(Session& session, Change& change, const SetScale& command);
 base::Status perform(Session& session, Change& change, const SetTheme& command);
 base::Status perform(Session& session, Change& change, const SetStyle& command);
+base::Status perform(Session& session, Change& change, const SetShadows& command);
 base::Status perform(Session& session, Change& change, const SetSound& command);
 base::Status perform(Session& session, Change& change, const ShowLayer& command);
 base::Status perform(Session& session, Change& change, const SetColouring& command);

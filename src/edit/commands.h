@@ -216,7 +216,7 @@ using Commands = CommandList<MoveKnot, MoveHandle, SetDirection, SetLengths, Set
                              SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera, SetCameraMode, SetFly,
                              SetFieldOfView, SetRideView, SetWidening, SetRollDamping, SetChaseDistance, SetHeadBob, SetReducedMotion, Select,
                              SelectKnots, SetSnapping, SetGizmo, SetHints, SetPanels, SetPolyline, SetAppendMode, SetScale, SetTheme, SetStyle,
-                             SetSound, ShowLayer, SetColouring, SetMagnification, SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,
+                             SetShadows, SetSound, ShowLayer, SetColouring, SetMagnification, SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,
                              ChooseElement, PreviewElement, RideStart, RidePause, RideStop, RideStep, RideSeek, Undo, Redo, BeginGesture, EndGesture,
                              CancelGesture, Load, Save, SaveMeasurements, SaveReport, LoadEnvelope, RecoverTrack, NewTrack, StartChallenge,
                              LeaveChallenge, ShowHint, SetCard, CloseCard>;

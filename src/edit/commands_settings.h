@@ -107,6 +107,11 @@ struct SetStyle {
   COASTER_COMMAND("style", "Choose the light of the scene: day, dusk or blueprint.", Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };
+struct SetShadows {
+  bool on = true;
+  COASTER_COMMAND("shadows", "Show what track and trains take of the sun (on or off); without them frames cost less.", Effect::settings);
+  COASTER_FIELDS(visit("", self.on))
+};
 struct SetSound {
   float to = 0;
   COASTER_COMMAND("sound", "Set the loudness of the ride in the window (0: silent, to 1).", Effect::settings);

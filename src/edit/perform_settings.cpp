@@ -160,6 +160,11 @@ Status perform(Session& session, Change&, const SetStyle& command) {
   return {};
 }
 
+Status perform(Session& session, Change&, const SetShadows& command) {
+  session.settings.shadows = command.on;
+  return {};
+}
+
 Status perform(Session& session, Change& change, const SetSound& command) {
   if (!std::isfinite(command.to)) return refused("expected a finite number");
   session.settings.sound = change.clamp("sound", command.to, 0.0f, 1.0f);

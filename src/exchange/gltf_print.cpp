@@ -52,15 +52,15 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-Json material(std::string_view name, double red, double green, double blue) {
-  return {{"name", name}, {"pbrMetallicRoughness", {{"baseColorFactor", {red, green, blue, 1.0}}, {"metallicFactor", 0.6}, {"roughnessFactor", 0.5}}}};
+Json material(std::string_view name, glm::vec3 colour) {
+  return {{"name", name}, {"pbrMetallicRoughness", {{"baseColorFactor", {colour.x, colour.y, colour.z, 1.0}}, {"metallicFactor", 0.6}, {"roughnessFactor", 0.5}}}};
 }
 
 Json track_mesh(BinaryBuilder& builder, const TrackSolid& solid) {
   Json primitives = Json::array();
   for (std::size_t i = 0; i < solid.parts.size(); ++i) {
     const SolidPart& part = solid.parts[i];
-    if (part.indices.empty()) continue;  // ties: a track may be too short for any
+    if (part.indices.empty()) continue;
     Json attributes{{"POSITION", builder.positions(part.positions)}};
     attributes["NORMAL"] = builder.add(std::span(part.normals), kFloat, kVertices, {{"type", "VEC3"}});
     const std::size_t indices = builder.add(std::span(part.indices), kUnsigned, kIndices, {{"type", "SCALAR"}});
@@ -82,10 +82,12 @@ std::string print_gltf(const world::Document& document) {
     scene["nodes"] = Json::array({0, 1});
     file["nodes"] = Json::array({{{"name", "track"}, {"mesh", 0}}, {{"name", "centre line"}, {"mesh", 1}}});
     const Json attributes{{"POSITION", line}};
-    const Json strip{{"attributes", attributes}, {"material", 3}, {"mode", kLineStrip}};
+    const Json strip{{"attributes", attributes}, {"material", solid.parts.size()}, {"mode", kLineStrip}};
     const Json line_mesh{{"name", "centre line"}, {"primitives", Json::array({strip})}};
     file["meshes"] = Json::array({track, line_mesh});
-    file["materials"] = Json::array({material("rails", 0.75, 0.1, 0.08), material("spine", 0.2, 0.25, 0.35), material("ties", 0.45, 0.47, 0.5), material("centre line", 1, 0.8, 0)});
+    Json& materials = file["materials"] = Json::array();
+    for (const SolidPart& part : solid.parts) materials.push_back(material(part.name, part.colour));
+    materials.push_back(material("centre line", {1, 0.8f, 0}));
     const Json buffer{{"byteLength", builder.bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(builder.bytes)}};
     file["buffers"] = Json::array({buffer});
     file["bufferViews"] = std::move(builder.views);

@@ -26,6 +26,7 @@ std::string print_obj(const world::Document& document) {
   std::string out = "# Track in metres, Y up\no " + one_line(document.name) + "\n";
   std::size_t before = 1;  // numbers count from 1, over all groups
   for (const SolidPart& part : solid.parts) {
+    if (part.indices.empty()) continue;
     out += "g " + std::string(part.name) + "\n";
     for (const glm::vec3 p : part.positions) add_vector(out, "v", p);
     for (const glm::vec3 n : part.normals) add_vector(out, "vn", n);

@@ -125,6 +125,7 @@ constexpr std::array kMembers{
     Member{"ui_scale", "a number from 0.75 to 3", read_scale, print_scale},
     name_row<&UserSettings::theme, world::kThemeNames>("theme", "dark, light or high_contrast"),
     name_row<&UserSettings::style, world::kStyleNames>("style", "day, dusk or blueprint"),
+    flag_row<&UserSettings::shadows>("shadows"),
     Member{"sound", "a number from 0 to 1", read_sound, print_sound},
     flag_row<&UserSettings::panels>("panels"),
     flag_row<&UserSettings::laboratory>("laboratory"),

@@ -35,6 +35,7 @@ struct UserSettings {
   float ui_scale = 1;
   world::Theme theme = world::Theme::dark;
   world::Style style = world::Style::day;
+  bool shadows = true;
   float sound = world::Settings{}.sound;    // 0 (silent) to 1
   bool panels = true, laboratory = false;
   bool reduced_motion = false, head_bob = false;

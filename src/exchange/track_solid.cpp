@@ -1,4 +1,4 @@
-// Sweeps segment after segment and sorts the triangles by part; the centre line with as many chords as its bend asks for.
+// Builds segment after segment and sorts the triangles by part; the centre line with as many chords as its bend asks for.
 #include "exchange/track_solid.h"
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/derived.h"
+#include "sim/supports.h"
 #include "sim/track_mesh.h"
 
 namespace coaster::exchange {
@@ -17,7 +18,10 @@ std::size_t part_of(const sim::MeshVertex& vertex) {
   switch (static_cast<sim::Part>(static_cast<int>(vertex.part))) {
     case sim::Part::rail: return 0;
     case sim::Part::spine: return 1;
-    default: return 2;
+    case sim::Part::tie: return 2;
+    case sim::Part::support: return 4;
+    case sim::Part::concrete: return 5;
+    default: return 3;
   }
 }
 
@@ -44,11 +48,18 @@ TrackSolid track_solid(const world::Document& document) {
   TrackSolid solid;
   sim::Derived derived;
   sim::derive(document, {}, {}, derived);
+  sim::Supports supports;
+  supports.update(derived);
   sim::Mesh mesh;
   for (const world::Entity segment : document.track.segments) {
     const sim::SegmentShape& shape = derived.shape(segment);
     sim::sweep_track(shape, mesh);
+    if (shape.fitted) sim::add_fittings(shape, *shape.fitted, mesh);
     add_mesh(mesh, solid);
+    if (const sim::SegmentSupports* const held = supports.of(segment)) {
+      sim::build_support_mesh(*held, mesh);
+      add_mesh(mesh, solid);
+    }
     const curve::Cubic& cubic = shape.key.cubic;
     if (solid.centre_line.empty()) solid.centre_line.push_back(cubic.p0);
     const int count = chords(cubic);

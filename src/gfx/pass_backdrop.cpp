@@ -51,6 +51,10 @@ void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, 
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_ALWAYS);
   draw_part(pass, pass.programs.ground, rays, part);
+  if (!pass.scene.shadows) {
+    gl.Clear(GL_DEPTH_BUFFER_BIT);
+    return;
+  }
   pass.programs.ground_shadow.use();
   shadows.bind(pass.programs.ground_shadow);
   gl.DepthFunc(GL_EQUAL);

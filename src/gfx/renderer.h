@@ -28,6 +28,7 @@ struct Scene {
   sim::Clock clock = {};  // to measure cpu_ms with; empty: not measured
   world::Style style = world::Style::day;
   const sim::Supports* supports = nullptr;  // what holds the track; null: not drawn
+  bool shadows = true;
   bool unseen = false;  // everything of a picture but its pixels, which nobody is going to look at
 };
 

@@ -31,11 +31,12 @@ void SunShadows::update(const Pass& pass, const TrackCache& track, const Instanc
     cars_.assign(scene.carts.begin(), scene.carts.end());
     ++cars_version_;
   }
-  const int texels = texels_for(scene.view.viewport);
-  if (track_.update(texels, axes, fit_shadow(axes, measured_.box, kTrackSide, eye, forward), track.mesh_version(), scene.unseen,
+  const int texels = scene.shadows ? texels_for(scene.view.viewport) : 4;
+  const auto fit = [&](const LightBox& box, float least) { return fit_shadow(axes, scene.shadows ? box : LightBox{}, least, eye, forward); };
+  if (track_.update(texels, axes, fit(measured_.box, kTrackSide), track.mesh_version(), scene.unseen,
                     [&](const glm::mat4& light) { cast_track(pass, track, light); }))
     ++pass.stats.shadow_maps;
-  if (trains_.update(texels / 4, axes, fit_shadow(axes, light_box(axes, scene.carts), kTrainSide, eye, forward), cars_version_, scene.unseen,
+  if (trains_.update(texels / 4, axes, fit(light_box(axes, scene.carts), kTrainSide), cars_version_, scene.unseen,
                      [&](const glm::mat4& light) { cast_carts(pass, instances, light); }))
     ++pass.stats.shadow_maps;
 }

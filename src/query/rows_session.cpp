@@ -34,6 +34,7 @@ Answer append_mode(const Context& c, View) { return yes_no(c.session.settings.ap
 Answer panels(const Context& c, View) { return yes_no(c.session.settings.show_panels); }
 Answer polyline(const Context& c, View) { return yes_no(c.session.settings.layers.has(world::Layer::polyline)); }
 Answer style(const Context& c, View) { return text(world::kStyleNames[static_cast<std::size_t>(c.session.settings.style)]); }
+Answer shadows(const Context& c, View) { return yes_no(c.session.settings.shadows); }
 Answer sound(const Context& c, View) { return number(c.session.settings.sound); }
 Answer theme(const Context& c, View) { return text(world::kThemeNames[static_cast<std::size_t>(c.session.settings.theme)]); }
 Answer file(const Context& c, View) { return text(c.session.path.filename().string()); }
@@ -98,6 +99,7 @@ constexpr std::array kSessionRows{
     Query{"polyline", "", "", "on when the evaluated polyline shows.", polyline},
     Query{"theme", "", "", "Colours of the panels: dark, light or high_contrast.", theme},
     Query{"style", "", "", "Light of the scene: day, dusk or blueprint.", style},
+    Query{"shadows", "", "", "on while track and trains throw shadows.", shadows},
     Query{"sound", "", "", "Loudness of the ride in the window, 0 to 1.", sound},
     Query{"track_file", "", "", "Name of the track's file without its folder, empty when it has none.", file},
     Query{"locked_by", "", "", "Who else edits the track's file, empty when nobody does.", locked_by},

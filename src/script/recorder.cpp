@@ -21,7 +21,8 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
       edit::SetFly{s.fly}, edit::SetFieldOfView{s.camera.field_of_view_deg}, edit::SetRideView{s.feel.ride_view_deg}, edit::SetWidening{s.feel.widening_deg},
       edit::SetRollDamping{s.feel.roll_damping}, edit::SetChaseDistance{s.feel.chase_distance}, edit::SetHeadBob{s.feel.head_bob},
       edit::SetReducedMotion{s.feel.reduced_motion},
-      edit::SetPanels{s.show_panels}, edit::SetAppendMode{s.append_mode}, edit::SetScale{s.ui_scale}, edit::SetTheme{s.theme}, edit::SetStyle{s.style}, edit::SetSound{s.sound},
+      edit::SetPanels{s.show_panels}, edit::SetAppendMode{s.append_mode}, edit::SetScale{s.ui_scale}, edit::SetTheme{s.theme}, edit::SetStyle{s.style},
+      edit::SetShadows{s.shadows}, edit::SetSound{s.sound},
       edit::SetSnapping{s.snapping.to, s.snapping.step, s.snapping.angle}, edit::SetGizmo{s.show_gizmo}, edit::SetHints{s.show_hints}, edit::SetCard{s.show_card},
       edit::SetColouring{s.colouring}, edit::SetMagnification{s.magnification}, edit::SetCombScale{s.comb_scale}, edit::ShowLaboratory{s.show_laboratory}, edit::OpenPage{s.lab_page}};
   for (std::size_t i = 0; i < world::layers().size(); ++i) {

@@ -43,6 +43,8 @@ void look(Ui& ui) {
   if (const auto to = slider(ui, "Sound (%)", static_cast<int>(std::lround(100 * settings.sound)), 0, 100, false,
                              built ? "Loudness of the ride in a window; 0: silent. So it is without a sound device." : "This program was built without sound (OpenAL)."))
     ui.emit(edit::SetSound{static_cast<float>(*to) / 100});
+  if (const auto on = checkbox(ui, "Shadows", settings.shadows, "What track and trains take of the sun. Without them frames cost less.")) ui.emit(edit::SetShadows{*on});
+  ImGui::SameLine();
   if (const auto on = checkbox(ui, "Reduced motion", settings.feel.reduced_motion, "Keep the rider's horizon level, cut between cameras, no bobbing, no widening."))
     ui.emit(edit::SetReducedMotion{*on});
 }

@@ -89,7 +89,7 @@ glm::vec3 cart_middle(const sim::Pose& pose) {
   return glm::vec3(pose.position + kMiddle * pose.frame.up);
 }
 
-// Distance along the ray to a cart's box (look in sim/track_mesh.h), kNowhere when it misses or starts inside.
+// Distance along the ray to a cart's box (the solid in sim/train_mesh.cpp but for the heads), kNowhere when it misses or starts inside.
 double distance_to_cart(const Ray& ray, const sim::Pose& pose) {
   constexpr std::array<double, 3> kLow{-1.1, 0.0, -0.65}, kHigh{1.1, 1.1, 0.65};
   const std::array<dvec3, 3> axes{pose.frame.forward, pose.frame.up, pose.frame.left()};

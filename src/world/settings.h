@@ -108,6 +108,7 @@ struct Settings {
   float ui_scale = 1.0f;
   Theme theme = Theme::dark;
   Style style = Style::day;
+  bool shadows = true;                       // of track and trains; without them frames cost less
   float sound = 0.5f;                        // loudness of the ride where there is a device for it, 0 (silent) to 1
   friend bool operator==(const Settings&, const Settings&) = default;
 };

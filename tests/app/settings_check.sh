@@ -9,6 +9,7 @@ settings=$OUT/home/settings.json
 script change 'ui.menu "View/Light theme"
 key Ctrl+,
 ui.click "Settings/Scale/125 %"
+ui.check "Settings/Shadows" off
 ui.type "Settings/Autosave every (s)" "12"
 ui.type "Settings/Keys/Undo" "Ctrl+U"
 ui.click "Settings/Close"
@@ -18,6 +19,7 @@ run 0 change
 grep -q '"theme": "light"' "$settings" || fail "the theme is not kept: $(cat "$settings")"
 grep -q '"Undo": "Ctrl+U"' "$settings" || fail "the key is not kept"
 script again 'expect theme == "light"
+expect shadows == off
 expect scale == 1.25
 append at 0 5 0
 expect dirty == on

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "exchange/bad_file.h"
 #include "exchange/track_file.h"
 #include "world/sample_documents.h"
 
@@ -28,15 +29,7 @@ base::Result<LoadedChallenge> parse(const std::string& text, const std::filesyst
   base::Files files;
   return parse_challenge(text, "c.json", folder, files);
 }
-void expect_error(const std::string& text, std::string_view expected) {
-  const auto loaded = parse(text);
-  ASSERT_FALSE(loaded.ok()) << expected;
-  EXPECT_EQ(loaded.status().code, base::Code::bad_file);
-  const std::string& error = loaded.status().message;
-  EXPECT_NE(error.find(expected), std::string::npos) << "expected: " << expected << "\nfound: " << error;
-  EXPECT_EQ(error.rfind("c.json", 0), 0u) << error;
-  EXPECT_EQ(error.find('\n'), std::string::npos) << error;
-}
+void expect_error(const std::string& text, std::string_view expected) { test::expect_bad_file(parse(text), "c.json", expected); }
 
 TEST(challenge_file, all_members_are_read) {
   const auto loaded = parse(standard());

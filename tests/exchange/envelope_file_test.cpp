@@ -1,9 +1,11 @@
 #include "exchange/envelope_file.h"
 
-#include <gtest/gtest.h>
-
 #include <fstream>
 #include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "exchange/bad_file.h"
 
 namespace coaster::exchange {
 namespace envelope_file_test {
@@ -18,15 +20,7 @@ std::string with(const std::string& from, const std::string& to) {
   if (at != std::string::npos) text.replace(at, from.size(), to);
   return text;
 }
-void expect_error(const std::string& text, std::string_view expected) {
-  const auto loaded = parse_envelope(text, "e.json");
-  ASSERT_FALSE(loaded.ok()) << expected;
-  EXPECT_EQ(loaded.status().code, base::Code::bad_file);
-  const std::string& error = loaded.status().message;
-  EXPECT_NE(error.find(expected), std::string::npos) << "expected: " << expected << "\nfound: " << error;
-  EXPECT_EQ(error.rfind("e.json", 0), 0u) << error;
-  EXPECT_EQ(error.find('\n'), std::string::npos) << error;
-}
+void expect_error(const std::string& text, std::string_view expected) { test::expect_bad_file(parse_envelope(text, "e.json"), "e.json", expected); }
 
 TEST(envelope_file, printing_and_parsing_give_the_same_envelope_back) {
   sim::Envelope odd = sim::default_envelope();

@@ -11,7 +11,7 @@ UserSettings unusual() {
   s.theme = world::Theme::high_contrast;
   s.style = world::Style::blueprint;
   s.sound = 0.125f;
-  s.panels = false;
+  s.panels = s.shadows = false;
   s.laboratory = s.reduced_motion = s.head_bob = true;
   s.autosave_seconds = 12.5;
   s.window = WindowPlace{-40, 7, 900, 601, true};

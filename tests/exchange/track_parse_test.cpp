@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "exchange/bad_file.h"
 #include "exchange/track_file.h"
 #include "world/sample_documents.h"
 
@@ -26,12 +27,7 @@ std::string with(const std::string& from, const std::string& to) {
   if (at != std::string::npos) text.replace(at, from.size(), to);
   return text;
 }
-void expect_error(const std::string& text, std::string_view expected) {
-  const std::string error = error_of(text);
-  EXPECT_NE(error.find(expected), std::string::npos) << "expected: " << expected << "\nfound: " << error;
-  EXPECT_EQ(error.rfind("t.json", 0), 0u) << error;
-  EXPECT_EQ(error.find('\n'), std::string::npos) << error;
-}
+void expect_error(const std::string& text, std::string_view expected) { test::expect_bad_file(parse_track(text, "t.json"), "t.json", expected); }
 
 // A knot's line, all of it under the test's control.
 std::string one_knot(const std::string& members) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/supports.h"
 #include "sim/track_mesh.h"
 #include "world/sample_documents.h"
 
@@ -86,7 +87,17 @@ TEST(Obj, has_the_swept_track_and_the_centre_line) {
       sim::sweep_track(derived.shape(s), mesh);
       triangles += mesh.indices.size(), vertices += mesh.vertices.size();
     }
-    EXPECT_EQ(obj.faces.at("rails").size() + obj.faces.at("spine").size() + obj.faces.at("ties").size(), triangles);
+    sim::Supports supports;
+    supports.update(derived);
+    for (const world::Entity s : d.track.segments) {
+      sim::build_support_mesh(*supports.of(s), mesh);
+      triangles += mesh.indices.size(), vertices += mesh.vertices.size();
+    }
+    const auto size_of = [&](const char* group) { return obj.faces.count(group) != 0 ? obj.faces.at(group).size() : 0; };
+    EXPECT_EQ(size_of("rails") + size_of("spine") + size_of("ties") + size_of("supports") + size_of("concrete"), triangles);
+    for (const char* group : {"supports", "concrete"}) EXPECT_GT(volume(obj.v, obj.faces.at(group)), 0);
+    EXPECT_GT(supports.count(), 0);
+    EXPECT_EQ(size_of("equipment"), 0u);
     EXPECT_EQ(obj.vn.size(), vertices);
     EXPECT_EQ(obj.v.size(), vertices + obj.line.size());
     for (const glm::vec3 n : obj.vn) ASSERT_NEAR(glm::length(n), 1, 1e-5);
@@ -162,16 +173,17 @@ struct Gltf {
 };
 
 TEST(Gltf, keeps_the_rules_of_the_format_and_has_the_same_triangles_as_the_obj) {
-  const world::Document d = closed_document();
+  world::Document d = closed_document();
+  d.entities.put(d.track.segments[1], world::Equipment{world::EquipmentKind::brake, 8.0f, 2.0f, 0.5f, 5});
   const Gltf gltf(print_gltf(d));
   const Obj obj = read_obj(print_obj(d));
   EXPECT_EQ(gltf.file["asset"]["version"], "2.0");
   EXPECT_EQ(gltf.file["scenes"].at(gltf.file["scene"].get<std::size_t>())["nodes"].size(), 2u);
   for (const Json& node : gltf.file["nodes"]) EXPECT_LT(node["mesh"].get<std::size_t>(), gltf.file["meshes"].size());
   const Json& primitives = gltf.file["meshes"].at(0)["primitives"];
-  ASSERT_EQ(primitives.size(), 3u);
-  const char* const names[]{"rails", "spine", "ties"};
-  for (std::size_t i = 0; i < 3; ++i) {
+  const char* const names[]{"rails", "spine", "ties", "equipment", "supports", "concrete"};
+  ASSERT_EQ(primitives.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
     const Json& primitive = primitives[i];
     EXPECT_EQ(primitive["mode"], 4);
     EXPECT_EQ(gltf.file["materials"].at(primitive["material"].get<std::size_t>())["name"], names[i]);

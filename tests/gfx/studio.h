@@ -61,7 +61,8 @@ class Studio : public testing::Test {
   }
   gfx::DrawStats draw(gfx::Renderer& renderer, const Track& track, const view::Overlay& overlay = {}) {
     const view::View view = look(track);
-    const gfx::Scene scene{track.derived, view, overlay, carts_, show_polyline_, values_, {}, {}, style_};
+    gfx::Scene scene{track.derived, view, overlay, carts_, show_polyline_, values_, {}, {}, style_};
+    scene.shadows = shadows_;
     const gfx::DrawStats stats = renderer.draw(scene, width_, height_);
     EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
     return stats;
@@ -74,7 +75,7 @@ class Studio : public testing::Test {
   gfx::Image picture(const Track& track, const view::Overlay& overlay = {}) { return picture(*renderer_, track, overlay); }
 
   int width_ = 160, height_ = 90, samples_ = 0;
-  bool show_polyline_ = true;
+  bool show_polyline_ = true, shadows_ = true;
   world::Style style_{};
   view::Viewport viewport_;
   std::vector<sim::Pose> carts_;

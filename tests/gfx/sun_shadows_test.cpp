@@ -98,6 +98,26 @@ TEST_F(Shadows, are_drawn_anew_only_when_something_changed) {
   EXPECT_EQ(renderer_->draw(scene, 160, 90).shadow_maps, 0);
 }
 
+TEST_F(Shadows, switched_off_none_is_drawn_and_on_again_they_are_as_they_were) {
+  Track track(test::ring_document(9, 17.3f), 12);
+  const Image shaded = picture(track);
+  shadows_ = false;
+  const DrawStats stats = draw(track);
+  EXPECT_EQ(stats.shadow_maps, 2) << "both emptied, once";
+  EXPECT_EQ(draw(track).shadow_maps, 0);
+  const Image lit = picture(track);
+  long darker = 0, brighter = 0;
+  for (std::size_t i = 0; i < lit.rgba.size(); ++i) {
+    darker += lit.rgba[i] + 8 < shaded.rgba[i];
+    brighter += lit.rgba[i] > shaded.rgba[i] + 8;
+  }
+  EXPECT_GT(brighter, 500);
+  EXPECT_EQ(darker, 0);
+  EXPECT_TRUE(lit.rgba == picture(*fresh(), track).rgba);
+  shadows_ = true;
+  EXPECT_TRUE(picture(track).rgba == shaded.rgba);
+}
+
 TEST_F(Shadows, a_running_train_uploads_nothing_and_a_larger_track_takes_no_more_calls) {
   const auto calls = [&](int knots, double radius) {
     Track track(test::ring_document(knots, radius), 8);
