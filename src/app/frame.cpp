@@ -37,9 +37,8 @@ void ask_for_tutorial(Program& program) {
 
 // Panels and viewport tool see the state before this frame's commands, which are applied here.
 ui::Output build_panels(Program& program, const platform::Events& events, platform::Size size) {
-  constexpr double kBarAfter = 0.15;  // s: what is done sooner shows no bar
   ui::State state{program.session, program.stats, program.seconds, program.stats.hide_times, &program.rig, program.keeper ? &program.keeper->state : nullptr};
-  state.importing = program.import && program.seconds - program.import->since > kBarAfter ? &program.import->progress : nullptr;
+  state.importing = shown_import(program);
   state.lesson = program.lesson ? &*program.lesson : nullptr;
   state.pictures = &program.pictures.made();
   state.movie = program.filming && program.filming->by_hand ? &program.filming->shown : nullptr;

@@ -1,7 +1,7 @@
 #include "app/import_job.h"
 
 #include <chrono>
-#include <variant>
+#include <utility>
 
 #include "app/program.h"
 #include "exchange/formats.h"
@@ -10,12 +10,14 @@ namespace coaster::app {
 
 bool begin_import(Program& program, const edit::Command& command) {
   const auto* const load = command.as<edit::Load>();
-  if (!load || !program.by_hand || !program.surface->is_window() || program.import) return false;
+  const bool slow = program.import_delay > 0;
+  if (!load || !program.by_hand || (!program.surface->is_window() && !slow) || program.import) return false;
   const exchange::Format* const format = exchange::format_of(load->path);
   if (!format || !format->parse_watched) return false;
   program.import = std::make_unique<ImportJob>();
   ImportJob& job = *program.import;
   job.path = load->path, job.since = program.seconds;
+  job.slow = slow, job.frames_left = std::exchange(program.import_delay, 0);
   job.result = std::async(std::launch::async, [path = load->path, progress = &job.progress] {
     base::Files files;
     return exchange::load_track(files, path, progress);
@@ -23,13 +25,30 @@ bool begin_import(Program& program, const edit::Command& command) {
   return true;
 }
 
+const base::Progress* shown_import(const Program& program) {
+  constexpr double kBarAfter = 0.15;  // s: what is done sooner shows no bar
+  const ImportJob* const job = program.import.get();
+  return job && (job->slow || program.seconds - job->since > kBarAfter) ? &job->progress : nullptr;
+}
+
 void finish_import(Program& program) {
-  if (!program.import || program.import->result.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  if (!program.import) return;
+  ImportJob& running = *program.import;
+  if (running.slow) {
+    // By the count of frames alone, however quick the reader is.
+    if (!running.progress.cancelled && running.frames_left-- > 0) return;
+    running.result.wait();
+  }
+  if (running.result.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   const std::unique_ptr<ImportJob> job = std::move(program.import);
   base::Result<exchange::LoadedTrack> read = job->result.get();
+  // Cancelled is cancelled, even where the reader was quicker.
+  if (job->progress.cancelled) {
+    edit::notify(program.session, edit::NoticeKind::info, job->path + ": the import was cancelled");
+    return;
+  }
   if (!read) {
-    const bool cancelled = job->progress.cancelled;
-    edit::notify(program.session, cancelled ? edit::NoticeKind::info : edit::NoticeKind::error, read.status().message);
+    edit::notify(program.session, edit::NoticeKind::error, read.status().message);
     return;
   }
   program.session.read_ahead = edit::ReadAhead{job->path, std::move(*read)};

@@ -39,6 +39,7 @@ struct Program {
   std::filesystem::path writable;               // scripts: the only folder that may be written to; empty: no limit
 
   std::unique_ptr<ImportJob> import;  // a file that is being read; null: none
+  int import_delay = 0;               // frames that the next one takes longer, as a script wants it
   view::CameraRig rig;             // what pictures are taken with; follows every command and tick
   view::View view;                 // that the last frame was drawn with
   bool by_hand = false;            // commands come from panels, keys and mouse: a change of camera is eased; a script's is a cut

@@ -68,6 +68,7 @@ constexpr std::array kOutput{
     HelpRow{"dump \"NAME\"", "Writes picture, widgets, values and document to $OUT/NAME.*."},
     HelpRow{"log QUERY|\"TEXT\" ...", "Prints values and texts to stdout."},
     HelpRow{"fault io.open|read|write|fsync|rename|close fail N", "The Nth such operation from now on fails."},
+    HelpRow{"fault import slow N", "The next file imported by hand takes N frames longer: time to see its bar, and to cancel."},
 };
 
 template <class Rows>

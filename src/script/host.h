@@ -62,6 +62,7 @@ struct Host {
   std::function<void(std::string_view line)> print;                    // to stdout (log, hash log)
   std::function<base::Status(const std::filesystem::path&)> set_home;  // keeps settings and autosaves there, as if just started; may be empty
   std::function<base::Status(const std::filesystem::path& folder, int fps, bool gif)> start_movie;  // pictures of all ticks from now on; may be empty
+  std::function<void(int frames)> slow_import;                         // the next import by hand takes so much longer; may be empty
   std::function<base::Status()> stop_movie;                            // and waits for the movie's file; may be empty
   std::function<bool()> interrupted;                                   // the system wants the program to end; may be empty
   // Lessons: shows a card, or takes it away; and one frame of the player's own events, in real time, with what the card's buttons say. Empty: there

@@ -175,10 +175,18 @@ bool parse_fault(Words& words, Action& action) {
   static const std::vector<std::string> kOperations = [] {
     std::vector<std::string> names;
     for (const std::string_view name : base::kIoOperationNames) names.push_back("io." + std::string(name));
+    names.emplace_back("import");
     return names;
   }();
-  const auto operation = words.one_of("an operation such as io.fsync", kOperations);
+  const auto operation = words.one_of("an operation such as io.fsync, or import", kOperations);
   if (!operation) return false;
+  if (static_cast<std::size_t>(*operation) + 1 == kOperations.size()) {
+    if (!words.accept("slow")) return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected \"slow\"");
+    const auto frames = words.whole("by how many frames", 1, 10'000);
+    if (!frames) return false;
+    action = SlowImport{static_cast<int>(*frames)};
+    return words.end();
+  }
   if (!words.accept("fail")) return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected \"fail\"");
   const auto nth = words.at_end() ? std::optional<std::int64_t>(1) : words.whole("which call from now on fails", 0, 1'000'000);
   if (!nth) return false;

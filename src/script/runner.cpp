@@ -166,4 +166,10 @@ Failure Runner::perform(const Fault& fault) {
   return {};
 }
 
+Failure Runner::perform(const SlowImport& slow) {
+  if (!stage_.host().slow_import) return wrong("there is nothing to import with");
+  stage_.host().slow_import(slow.frames);
+  return {};
+}
+
 }  // namespace coaster::script

@@ -57,6 +57,7 @@ class Runner {
   Failure perform(const MoveCamera& move);
   Failure perform(const FitCamera& fit);
   Failure perform(const Fault& fault);
+  Failure perform(const SlowImport& slow);
 
   Failure perform(const Expect& expect);
   Failure perform(const Wait& wait);

@@ -158,8 +158,13 @@ struct Fault {
   int nth = 1;
 };
 
+// What is imported by hand next takes so many frames longer, so that a script sees it under way.
+struct SlowImport {
+  int frames = 0;
+};
+
 using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, Gesture, Lesson, Include, Expect, Wait, ExpectWidget, ExpectFile,
-                            ExpectError, UiAction, Input, AimAction, MoveCamera, FitCamera, Snap, Shot, Sheet, Dump, Log, StartMovie, StopMovie, Fault>;
+                            ExpectError, UiAction, Input, AimAction, MoveCamera, FitCamera, Snap, Shot, Sheet, Dump, Log, StartMovie, StopMovie, Fault, SlowImport>;
 
 struct Statement {
   int source = 0;  // into Script::sources

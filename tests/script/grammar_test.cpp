@@ -38,7 +38,7 @@ TEST(grammar, every_statement_of_the_language_is_accepted) {
       "camera target 1 2 3 yaw 10 pitch 20 distance 30\ncamera yaw 5\ncamera all\ncamera selection\ncamera fit\n"
       "ride.start\nride.pause\nride.stop\nride.seek 12\nride.seek to 3\n"
       "snap \"apex\"\nshot \"$OUT/x.png\"\ndump \"x\"\nlog hash document\nlog \"text\"\nlog ride.speed \"m/s\" position @k1\n"
-      "fault io.fsync fail 3\nraw.move 1 2\nraw.press left\nraw.release left\nraw.key F down\nraw.key F up\n");
+      "fault io.fsync fail 3\nfault import slow 30\nraw.move 1 2\nraw.press left\nraw.release left\nraw.key F down\nraw.key F up\n");
   // "ride.seek to 3" is no command: the distance follows at once.
   ASSERT_EQ(parsed.errors.size(), 1u) << parsed.errors.front();
   EXPECT_NE(parsed.errors[0].find("ride.seek to 3"), std::string::npos) << parsed.errors[0];
@@ -80,7 +80,7 @@ TEST(grammar, words_left_over_and_missing_ones_are_errors) {
   for (const char* const line : {"frames 1 2", "frames -1", "ticks x", "env", "env size 640", "env size 0x3", "ui.click", "ui.click \"a\" \"b\"",
                                  "ui.drag \"a\"", "aim.click", "aim.click @z3", "aim.click @s2:1.5", "aim.drag @k1", "aim.drag @k1 by 1 2",
                                  "aim.click @c1.in", "expect", "expect knots", "expect knots ==", "expect knots 3", "expect position == 1 2 3",
-                                 "wait ride.lap == 1 max", "wait ride.lap == 1 max 3 days", "fault io.sync fail 1", "fault io.read", "snap",
+                                 "wait ride.lap == 1 max", "wait ride.lap == 1 max 3 days", "fault io.sync fail 1", "fault io.read", "fault import", "fault import slow", "fault import slow 0", "snap",
                                  "snap \"../x\"", "dump \"../x\"", "log", "log nothing", "key", "raw.key F sideways", "repeat x\nend", "focus maybe",
                                  "expect error", "expect error laod \"x\"", "expect length == 3 +-", "expect length == 3 +- -1", "camera", "camera roll 3",
                                  "text \"open", "movie.start", "movie.start \"$OUT/m\" fps 25", "movie.start \"$OUT/m\" fps", "movie.start \"$OUT/m\" gif gif", "movie.stop now", "pad", "pad left 1", "pad left 0 1.5",
