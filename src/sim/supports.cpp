@@ -45,7 +45,7 @@ SupportRow support_row(const SegmentShape& shape) {
   const double length = shape.arc.length();
   if (!(length > kShortest)) return {};
   double wanted = wanted_spacing(shape) / length;
-  if (wanted <= kMost) return {std::max(1, static_cast<int>(1 / wanted + 0.62)), 1};
+  if (wanted <= kMost) return {static_cast<int>(std::clamp(1 / wanted + 0.62, 1.0, double{kMostSupports})), 1};
   int turns = 1;
   for (; wanted > kMost; wanted /= 2) turns *= 2;
   return {1, turns};

@@ -11,6 +11,7 @@
 namespace coaster::sim {
 
 inline constexpr double kMinSupportSpacing = 8, kMaxSupportSpacing = 12;  // m that are aimed at; closer where the track is bent or high
+inline constexpr int kMostSupports = 400;                                // of a segment: of one of many kilometres they stand further apart
 inline constexpr double kLowestSupport = 0.5;                            // m of the spine's axis over the ground
 inline constexpr float kSupportReach = 8;                                // m, no foot is further off to the side
 

@@ -110,28 +110,31 @@ class Eye {
 std::vector<ByHand> places_by_hand(const world::Document& d, const Eye& eye) {
   constexpr int kSamples = 2000;
   std::vector<ByHand> samples, places;
-  for (std::size_t s = 0; s < d.track.segments.size(); ++s)
+  for (std::size_t s = 0; s < d.track.segments.size(); ++s) {
+    const curve::Cubic cubic = world::cubic_of(d, d.track.segments[s]);
     for (int i = s == 0 && !d.track.closed ? 0 : 1; i <= kSamples; ++i) {
       const double t = i / double(kSamples);
-      const auto [distance, depth] = eye(curve::point(world::cubic_of(d, d.track.segments[s]), t));
+      const auto [distance, depth] = eye(curve::point(cubic, t));
       samples.push_back({s, t, distance, depth});
     }
+  }
   const std::size_t n = samples.size();
   for (std::size_t i = 0; i < n; ++i) {
     const bool first = i == 0 && !d.track.closed, last = i + 1 == n && !d.track.closed;
     if (std::isinf(samples[i].distance)) continue;
     if (!first && samples[(i + n - 1) % n].distance < samples[i].distance) continue;
     if (!last && samples[(i + 1) % n].distance < samples[i].distance) continue;
-    const world::Entity segment = d.track.segments[samples[i].segment];
+    const curve::Cubic cubic = world::cubic_of(d, d.track.segments[samples[i].segment]);
     double low = std::max(0.0, samples[i].t - 1.0 / kSamples), high = std::min(1.0, samples[i].t + 1.0 / kSamples);
-    const auto at = [&](double t) { return eye(curve::point(world::cubic_of(d, segment), t)).first; };
+    const auto at = [&](double t) { return eye(curve::point(cubic, t)).first; };
     for (int k = 0; k < 60; ++k) {
       const double a = low + 0.381966 * (high - low), b = low + 0.618034 * (high - low);
-      (at(a) <= at(b) ? high : low) = at(a) <= at(b) ? b : a;
+      const bool nearer = at(a) <= at(b);
+      (nearer ? high : low) = nearer ? b : a;
     }
     ByHand best = samples[i];
     const double t = (low + high) / 2;
-    if (at(t) < best.distance) best = {samples[i].segment, t, at(t), eye(curve::point(world::cubic_of(d, segment), t)).second};
+    if (at(t) < best.distance) best = {samples[i].segment, t, at(t), eye(curve::point(cubic, t)).second};
     places.push_back(best);
   }
   return places;
