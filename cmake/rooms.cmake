@@ -19,11 +19,9 @@ function(coaster_precompile target)
   target_precompile_headers(${target} REUSE_FROM coaster_headers)
 endfunction()
 
-# Compiles up to `most` sources of a target as one where whole suites are built. So a name in an unnamed namespace is the only one in its room;
-# a local may have the name of another file's constant.
+# Compiles up to `most` sources of a target as one where whole suites are built. So a name in an unnamed namespace is the only one in its room.
 function(coaster_unity target most)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${most})
-  target_compile_options(${target} PRIVATE -Wno-shadow)
 endfunction()
 
 function(coaster_room name)
@@ -47,5 +45,6 @@ function(coaster_room name)
   coaster_precompile(coaster_${name})
   if(COASTER_UNITY STREQUAL "all")
     coaster_unity(coaster_${name} 12)
+    target_compile_options(coaster_${name} PRIVATE -Wno-shadow)  # a local may have the name of another file's constant
   endif()
 endfunction()

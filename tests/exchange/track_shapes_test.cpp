@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "exchange/track_solid.h"
 #include "sim/supports.h"
 #include "sim/track_mesh.h"
 #include "world/sample_documents.h"
@@ -144,11 +143,14 @@ struct Gltf {
   Json file;
   std::string buffer;
 
-  explicit Gltf(const std::string& text) : file(Json::parse(text)) {
+  // The bytes are cut out before the rest is read as JSON, which takes its time with a text of megabytes.
+  explicit Gltf(const std::string& text) {
+    const std::string head = "data:application/octet-stream;base64,";
+    const std::size_t at = text.find(head), from = at == std::string::npos ? text.size() : at + head.size(), to = std::min(text.find('"', from), text.size());
+    file = Json::parse(text.substr(0, from) + text.substr(to));
     if (!file.contains("buffers")) return;
-    const std::string uri = file["buffers"][0]["uri"], head = "data:application/octet-stream;base64,";
-    EXPECT_EQ(uri.substr(0, head.size()), head);
-    buffer = unbase64(uri.substr(head.size()));
+    EXPECT_EQ(file["buffers"][0]["uri"], head);
+    buffer = unbase64(text.substr(from, to - from));
     EXPECT_EQ(buffer.size(), file["buffers"][0]["byteLength"].get<std::size_t>());
   }
   template <class T>
@@ -281,17 +283,12 @@ TEST(Shapes, tracks_without_segments_give_valid_files) {
 }
 
 TEST(Shapes, random_tracks_have_finite_numbers_alone) {
-  const auto finite = [](glm::vec3 p) { return std::isfinite(p.x + p.y + p.z); };
   for (std::uint32_t seed = 0; seed < 4; ++seed) {
     const world::Document d = test::random_document(seed);
-    const TrackSolid solid = track_solid(d);
-    for (const SolidPart& part : solid.parts) {
-      EXPECT_TRUE(std::ranges::all_of(part.positions, finite)) << part.name;
-      EXPECT_TRUE(std::ranges::all_of(part.normals, finite)) << part.name;
-    }
-    EXPECT_TRUE(std::ranges::all_of(solid.centre_line, finite));
-    const std::string gltf = print_gltf(d);
-    EXPECT_EQ(gltf.substr(gltf.find("\"accessors\"")).find("null"), std::string::npos) << "what is no number is null in JSON";
+    const Gltf gltf(print_gltf(d));
+    for (const Json& mesh : gltf.file.value("meshes", Json::array()))
+      for (const Json& primitive : mesh["primitives"])
+        EXPECT_TRUE(std::ranges::all_of(gltf.positions(primitive), [](glm::vec3 p) { return std::isfinite(p.x + p.y + p.z); }));
     for (const std::string& text : {print_obj(d), print_svg(d)}) EXPECT_EQ(text.find("inf"), std::string::npos);
   }
 }

@@ -198,7 +198,7 @@ using Driver = test::Studio;
 
 TEST_F(Driver, without_tessellation_the_vertex_shader_draws_and_the_reason_is_told) {
   gl_.PatchParameteri = nullptr;
-  renderer_ = compiled();
+  renderer_ = fresh();
   EXPECT_TRUE(renderer_->supports(Stage::vertex_shader));
   EXPECT_TRUE(renderer_->supports(Stage::geometry_shader));
   EXPECT_NE(renderer_->refusal(Stage::tessellation_shader).find("need OpenGL 4.0"), std::string::npos);
@@ -215,7 +215,7 @@ TEST_F(Driver, without_tessellation_the_vertex_shader_draws_and_the_reason_is_to
 TEST_F(Driver, without_feedback_or_timers_nothing_is_measured) {
   gl_.BeginTransformFeedback = nullptr;
   gl_.GenQueries = nullptr;
-  renderer_ = compiled();
+  renderer_ = fresh();
   Track track(test::ring_document(9, 17.3f));
   track.settings.evaluator = row_of(Stage::vertex_shader);
   track.derive();

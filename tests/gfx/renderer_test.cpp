@@ -158,7 +158,6 @@ TEST_F(Pictures, a_resized_picture_is_that_of_a_fresh_renderer) {
     EXPECT_EQ(image.height, height);
     EXPECT_EQ(image.rgba, picture(*fresh(), track).rgba) << width << "x" << height;
   }
-  EXPECT_EQ(picture(track).rgba, picture(*compiled(), track).rgba) << "shaders are as they were";
 }
 
 TEST_F(Pictures, samples_are_clamped_and_can_be_switched) {
@@ -194,6 +193,20 @@ void edit(std::mt19937& bits, Track& track) {
   }
   if (track.document.track.knots.size() < 4) track.document = test::ring_document(9, 17.3f);
   track.derive();
+}
+
+TEST_F(Pictures, of_siblings_are_alike_and_each_has_buffers_of_its_own) {
+  Track first = ring(), second(test::ring_document(5, 11.7f));
+  const Image one = picture(first);
+  auto sibling = renderer_->sibling(samples_);
+  const DrawStats stats = draw(*sibling, first);
+  EXPECT_EQ(stats.uploads, static_cast<int>(first.document.track.segments.size()));
+  EXPECT_EQ(sibling->read_pixels().rgba, one.rgba);
+  const Image other = picture(*sibling, second);
+  EXPECT_EQ(draw(first).uploads, 0) << "what the sibling draws is not this one's";
+  EXPECT_EQ(renderer_->read_pixels().rgba, one.rgba);
+  renderer_.reset();
+  EXPECT_EQ(picture(*sibling, second).rgba, other.rgba) << "either may go first";
 }
 
 TEST_F(Pictures, after_any_edits_are_those_of_a_fresh_renderer) {

@@ -42,13 +42,11 @@ class Studio : public testing::Test {
     auto gl = gfx::load_gl([&](const char* name) { return surface_->gl_proc(name); });
     ASSERT_TRUE(gl.ok()) << gl.status().message;
     gl_ = *gl;
-    renderer_ = compiled();
+    renderer_ = fresh();
   }
   void TearDown() override { renderer_.reset(); }
 
-  // A renderer that has drawn nothing; compiling for each takes seconds.
-  std::unique_ptr<gfx::Renderer> fresh() const { return renderer_->sibling(samples_); }
-  std::unique_ptr<gfx::Renderer> compiled() {
+  std::unique_ptr<gfx::Renderer> fresh() {
     auto renderer = gfx::Renderer::make(gl_, samples_);
     EXPECT_TRUE(renderer.ok()) << renderer.status().message;
     return renderer.ok() ? std::move(*renderer) : nullptr;

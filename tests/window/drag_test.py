@@ -75,8 +75,6 @@ def main():
     environment = {**os.environ, "DISPLAY": display}
     environment.pop("WAYLAND_DISPLAY", None)
     environment.pop("GALLIVM_PERF", None)  # large pictures, and many: shaders are better compiled well
-    (folder / "config").mkdir()
-    (folder / "config" / "settings.json").write_text('{"format": "coaster-settings", "version": 1, "shadows": false, "style": "blueprint"}')
     log = open(folder / "log.txt", "w")
     program = subprocess.Popen([coaster, str(track), "--record", str(recording), "--hash-log", "--size", "1280x720",
                                 "--config", str(folder / "config")],
