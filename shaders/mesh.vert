@@ -1,15 +1,13 @@
-// Track and carts; with SHADOW as the sun sees them, with OUTLINE grown by a line's width.
+// Track and carts; with SHADOW as the sun sees them, with OUTLINE grown by a line's width. One program for both: compiling is what a first frame
+// waits for. The track has the unit matrix for its model, carts no place along a segment.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float part;
-#ifdef CARTS
 layout(location = 3) in vec4 model_x;
 layout(location = 4) in vec4 model_y;
 layout(location = 5) in vec4 model_z;
 layout(location = 6) in vec4 model_origin;
-#else
 layout(location = 7) in vec2 place;
-#endif
 uniform mat4 view_projection;
 #ifndef SHADOW
 uniform vec3 eye;
@@ -23,20 +21,13 @@ out float along;           // of the segment's length, 0..1
 flat out float segment;    // index
 
 void main() {
-  along = 0.0;
-  segment = 0.0;
-  world = position;
-  facing = normal;
-#ifdef CARTS
   mat4 model = mat4(model_x, model_y, model_z, model_origin);
   world = (model * vec4(position, 1.0)).xyz;
   facing = mat3(model) * normal;
-#else
   along = place.x;
   segment = place.y;
-#endif
-#if !defined(CARTS) && !defined(SHADOW)
-  // Colours that mean something can be seen from afar.
+#ifndef SHADOW
+  // Colours that mean something can be seen from afar. No part of a cart is a rail or a spine.
   if (part < 1.5) world += normal * max(least_width * distance(world, eye) - (part < 0.5 ? 0.12 : 0.28), 0.0);
 #endif
   material = part;

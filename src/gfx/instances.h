@@ -21,7 +21,7 @@ class Instances {
   GLsizei bind_lines() const { return bind(line_array_, lines_); }
   GLsizei bind_marks() const { return bind(mark_array_, marks_); }
   // Cars of all trains; draw_cars() draws them and what couples them with the program in use (locations 0 position, 1 normal, 2 part, 3 to 6 the
-  // columns of the model's matrix) and returns how many draw calls that took: at most 3, however many cars there are.
+  // columns of the model's matrix, 7 zero) and returns how many draw calls that took: at most 3, however many cars there are.
   int cars() const { return int(leading_.count + following_.count); }
   int draw_cars() const;
   int car_draw_calls() const;

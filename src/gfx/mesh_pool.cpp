@@ -135,10 +135,15 @@ void MeshPool::look_from(glm::vec3 eye, float near_metres) {
   gather(&Solid::coarse, true, coarse_order_, coarse_runs_);
 }
 
+void MeshPool::bind(const Object& array) const {
+  gl_->BindVertexArray(array.id());
+  for (GLuint column = 0; column < 4; ++column) gl_->VertexAttrib4f(3 + column, column == 0, column == 1, column == 2, column == 3);
+}
+
 int MeshPool::draw() const {
   const auto pass = [&](const Object& array, const std::vector<Run>& runs) {
     if (runs.empty()) return;
-    gl_->BindVertexArray(array.id());
+    bind(array);
     for (const Run& run : runs)
       gl_->DrawElements(GL_TRIANGLES, GLsizei(run.count), GL_UNSIGNED_INT, reinterpret_cast<const void*>(std::size_t(run.first) * sizeof(std::uint32_t)));
   };
@@ -148,7 +153,7 @@ int MeshPool::draw() const {
 }
 
 void MeshPool::draw_all() const {
-  gl_->BindVertexArray(fine_array_.id());
+  bind(fine_array_);
   gl_->DrawElements(GL_TRIANGLES, GLsizei(index_ranges_.used()), GL_UNSIGNED_INT, nullptr);
 }
 

@@ -30,8 +30,8 @@ class MeshPool {
   // What is nearer to `eye` than `near_metres` is drawn in full from now on. Linear in the solids; nothing while neither these nor the eye
   // changed.
   void look_from(glm::vec3 eye, float near_metres);
-  // Draws all solids with the program in use; returns how many draw calls that took. Locations 0 position, 1 normal, 2 part, 7 place (along the
-  // segment, its index).
+  // Draws all solids with the program in use; returns how many draw calls that took. Locations 0 position, 1 normal, 2 part, 3 to 6 the unit
+  // matrix, 7 place (along the segment, its index).
   int draw() const;
   int draw_calls() const { return int(fine_runs_.size() + coarse_runs_.size()); }
   std::int64_t triangles() const;  // of a draw, gaps included
@@ -57,6 +57,7 @@ class MeshPool {
   void write_indices(GrowingBuffer& buffer, const Ranges& ranges, Range range, const std::vector<std::uint32_t>& indices);
   void empty(GrowingBuffer& buffer, const Ranges& ranges, Range range);
   void link();
+  void bind(const Object& array) const;
   void gather(Range Solid::* range, bool far, const std::vector<Id>& order, std::vector<Run>& runs) const;
 
   const Gl* gl_;

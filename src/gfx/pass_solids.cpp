@@ -54,10 +54,9 @@ void set_colouring(const Pass& pass, const Program& program) {
 
 void draw_outlines(const Pass& pass, const TrackCache& track, const Instances& instances) {
   pass.gl.CullFace(GL_FRONT);
-  set_view(pass, pass.programs.track_outline);
-  set_colouring(pass, pass.programs.track_outline);
+  set_view(pass, pass.programs.outline);
+  set_colouring(pass, pass.programs.outline);
   draw_track(pass, track);
-  set_view(pass, pass.programs.cart_outline);
   draw_carts(pass, instances);
   pass.gl.CullFace(GL_BACK);
 }
@@ -72,8 +71,8 @@ void choose_detail(const view::View& view, TrackCache& track) {
 }
 
 void cast_track(const Pass& pass, const TrackCache& track, const glm::mat4& light) {
-  pass.programs.track_shadow.use();
-  pass.programs.track_shadow.set("view_projection", light);
+  pass.programs.shadow.use();
+  pass.programs.shadow.set("view_projection", light);
   // In full: a map is kept while the eye moves.
   for (const MeshPool* pool : {&track.mesh(), &track.supports().mesh()}) {
     if (pool->index_count() == 0) continue;
@@ -83,8 +82,8 @@ void cast_track(const Pass& pass, const TrackCache& track, const glm::mat4& ligh
 }
 
 void cast_carts(const Pass& pass, const Instances& instances, const glm::mat4& light) {
-  pass.programs.cart_shadow.use();
-  pass.programs.cart_shadow.set("view_projection", light);
+  pass.programs.shadow.use();
+  pass.programs.shadow.set("view_projection", light);
   draw_carts(pass, instances);
 }
 
@@ -96,12 +95,10 @@ void draw_solids(const Pass& pass, const TrackCache& track, const Instances& ins
   values.bind();  // a sampler reads something, asked or not
   if (pass.scenery.drawing) draw_outlines(pass, track, instances);
   pass.gl.CullFace(GL_BACK);
-  set_view(pass, pass.programs.track);
-  set_colouring(pass, pass.programs.track);
-  shadows.bind(pass.programs.track);
+  set_view(pass, pass.programs.solid);
+  set_colouring(pass, pass.programs.solid);
+  shadows.bind(pass.programs.solid);
   draw_track(pass, track);
-  set_view(pass, pass.programs.carts);
-  shadows.bind(pass.programs.carts);
   draw_carts(pass, instances);
   pass.gl.Disable(GL_CULL_FACE);
 }

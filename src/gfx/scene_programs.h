@@ -6,7 +6,7 @@
 namespace coaster::gfx {
 
 struct ScenePrograms {
-  Program ground, ground_shadow, sky, track, carts, track_outline, cart_outline, track_shadow, cart_shadow, polyline, coverage, line, mark;
+  Program ground, ground_shadow, sky, solid, outline, shadow, polyline, coverage, line, mark;
 };
 
 // Code::graphics with the compiler's log when one does not compile.
