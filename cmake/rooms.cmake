@@ -44,7 +44,7 @@ function(coaster_room name)
   target_link_libraries(coaster_${name} PUBLIC ${room_USES} ${room_LINK})
   coaster_precompile(coaster_${name})
   if(COASTER_UNITY STREQUAL "all")
-    coaster_unity(coaster_${name} 12)
+    coaster_unity(coaster_${name} 24)
     target_compile_options(coaster_${name} PRIVATE -Wno-shadow)  # a local may have the name of another file's constant
   endif()
 endfunction()

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <nlohmann/json.hpp>
-
+#include "exchange/json_text.h"
 #include "sim/ride.h"
 
 namespace coaster::app {
@@ -54,22 +53,22 @@ std::string to_text(const RideSummary& s) {
 }
 
 std::string to_json(const RideSummary& s) {
-  const nlohmann::ordered_json json{{"name", s.name},
-                                    {"knots", s.knots},
-                                    {"segments", s.segments},
-                                    {"closed", s.closed},
-                                    {"length_m", s.length},
-                                    {"time_s", static_cast<double>(s.ticks) * world::kTick},
-                                    {"laps", s.laps},
-                                    {"distance_m", s.distance},
-                                    {"top_speed_m_s", s.top_speed},
-                                    {"highest_m", s.highest},
-                                    {"lowest_m", s.lowest},
-                                    {"most_up_g", s.most_up},
-                                    {"least_up_g", s.least_up},
-                                    {"most_side_g", s.most_side},
-                                    {"energy_drift", s.worst_drift}};
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  const exchange::Json json{{"name", s.name},
+                            {"knots", s.knots},
+                            {"segments", s.segments},
+                            {"closed", s.closed},
+                            {"length_m", s.length},
+                            {"time_s", static_cast<double>(s.ticks) * world::kTick},
+                            {"laps", s.laps},
+                            {"distance_m", s.distance},
+                            {"top_speed_m_s", s.top_speed},
+                            {"highest_m", s.highest},
+                            {"lowest_m", s.lowest},
+                            {"most_up_g", s.most_up},
+                            {"least_up_g", s.least_up},
+                            {"most_side_g", s.most_side},
+                            {"energy_drift", s.worst_drift}};
+  return exchange::json_file(json);
 }
 
 }  // namespace coaster::app

@@ -66,7 +66,7 @@ std::string print_autosave_info(const AutosaveInfo& info) {
   tree["time"] = info.time;
   tree["pid"] = info.pid;
   tree["hash"] = info.hash;
-  return tree.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_file(tree);
 }
 
 base::Status Autosave::write(base::Files& files, const std::filesystem::path& folder, const world::Document& document, const std::string& original,

@@ -72,7 +72,7 @@ bool read_track(ChallengeParse& parse, Fields& fields, const Json& tree, const s
   base::Result<LoadedTrack> track = base::Status{base::Code::bad_file, "no track"};
   if (inside != tree.end() && inside->is_object()) {
     (void)fields.value("track");
-    track = parse_track(inside->dump(-1, ' ', false, Json::error_handler_t::replace), "track");
+    track = parse_track(json_line(*inside), "track");
   } else {
     if (!read_text(fields, "track", to.track)) return false;
     const std::filesystem::path path = folder / to.track;

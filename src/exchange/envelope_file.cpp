@@ -46,8 +46,6 @@ bool read_curves(EnvelopeParse& parse, Fields& fields) {
   return true;
 }
 
-std::string string(std::string_view text) { return Json(std::string(text)).dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 }  // namespace
 
 base::Result<LoadedEnvelope> parse_envelope(std::string_view text, std::string_view name) {
@@ -66,11 +64,11 @@ base::Result<LoadedEnvelope> parse_envelope(std::string_view text, std::string_v
 }
 
 std::string print_envelope(const sim::Envelope& envelope, std::string_view name) {
-  std::string out = "{\n  \"format\": " + string(kEnvelopeFormat) + ",\n  \"version\": " + std::to_string(kEnvelopeVersion) + ",\n  \"name\": " + string(name) +
-                    ",\n  \"note\": " + string(kEnvelopeNote) + ",\n  \"shortest\": " + base::to_text(envelope.shortest) +
+  std::string out = "{\n  \"format\": " + json_string(kEnvelopeFormat) + ",\n  \"version\": " + std::to_string(kEnvelopeVersion) + ",\n  \"name\": " + json_string(name) +
+                    ",\n  \"note\": " + json_string(kEnvelopeNote) + ",\n  \"shortest\": " + base::to_text(envelope.shortest) +
                     ",\n  \"cutoff\": " + base::to_text(envelope.cutoff);
   for (std::size_t axis = 0; axis < sim::kForceAxes; ++axis) {
-    out += ",\n  " + string(sim::name(static_cast<sim::ForceAxis>(axis))) + ": [";
+    out += ",\n  " + json_string(sim::name(static_cast<sim::ForceAxis>(axis))) + ": [";
     const char* before = "\n";
     for (const sim::EnvelopePoint& point : envelope.curves[axis]) {
       out += before + ("    {\"seconds\": " + base::to_text(point.seconds)) + ", \"g\": " + base::to_text(point.g) + "}";

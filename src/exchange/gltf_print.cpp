@@ -2,15 +2,12 @@
 #include <bit>
 #include <span>
 
-#include <nlohmann/json.hpp>
-
+#include "exchange/json_text.h"
 #include "exchange/track_shapes.h"
 #include "exchange/track_solid.h"
 
 namespace coaster::exchange {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "glTF's buffers are little-endian");
 
@@ -94,7 +91,7 @@ std::string print_gltf(const world::Document& document) {
     file["accessors"] = std::move(builder.accessors);
   }
   file["scenes"] = Json::array({scene});
-  return file.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_file(file, 1);
 }
 
 }  // namespace coaster::exchange

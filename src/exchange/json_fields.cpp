@@ -153,7 +153,7 @@ std::string Fields::unknown(std::vector<std::string>& warnings) const {
     warnings.push_back(where + (where.empty() ? "" : ": ") + "unknown member " + describe(Json(key)) +
                        " is kept");
   }
-  return members.empty() ? std::string() : extra.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return members.empty() ? std::string() : json_line(extra);
 }
 
 }  // namespace coaster::exchange

@@ -4,13 +4,10 @@
 
 #include <string_view>
 
-#include <nlohmann/json.hpp>
-
 #include "base/status.h"
+#include "exchange/json_text.h"
 
 namespace coaster::exchange {
-
-using Json = nlohmann::ordered_json;  // members keep their order
 
 inline constexpr std::size_t kMaxNesting = 32;
 

@@ -13,12 +13,12 @@ namespace {
 
 using glm::dvec3;
 
-struct Place {
+struct PlaceOnTrack {
   dvec3 position;
   curve::Frame frame;
 };
 
-Place place_on(const sim::Derived& derived, double s) {
+PlaceOnTrack place_on(const sim::Derived& derived, double s) {
   const sim::TrackPlace at = sim::place_at(derived, s);
   const sim::SegmentShape& shape = derived.shape(derived.order[at.index]);
   const double within = std::min(at.s, shape.arc.length());
@@ -33,7 +33,7 @@ bool is_close(const UniformSpline& spline, const sim::Derived& derived) {
     const curve::Cubic cubic = in_float(spline.span(i));
     const dvec3 from = place(static_cast<double>(i)).frame.up, to = place(static_cast<double>(i + 1)).frame.up;
     for (const double t : {0.0, 0.25, 0.5, 0.75}) {
-      const Place wanted = place(static_cast<double>(i) + t);
+      const PlaceOnTrack wanted = place(static_cast<double>(i) + t);
       if (glm::distance(curve::point(cubic, t), wanted.position) > kNl2ElemError) return false;
       if (glm::length(curve::unit_tangent(cubic, t) - wanted.frame.forward) > kNl2ElemTurn) return false;
       const dvec3 up = curve::perpendicular(wanted.frame.forward, (1 - t) * from + t * to);

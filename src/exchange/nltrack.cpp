@@ -7,10 +7,9 @@
 #include <filesystem>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "base/portable_math.h"
 #include "base/text.h"
+#include "base/utf8.h"
 #include "curve/frames.h"
 #include "world/topology.h"
 
@@ -237,11 +236,7 @@ base::Status set_turns(const ChunkReader& reader, world::Document& document, std
 
 // The file's name without folder and ending, as UTF-8 without control characters.
 std::string title(std::string_view name) {
-  std::string stem = std::filesystem::path(name).stem().string().substr(0, 200);
-  for (char& c : stem)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '_';
-  using Json = nlohmann::json;
-  return Json::parse(Json(stem).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+  return base::printable_utf8(std::filesystem::path(name).stem().string().substr(0, 200));
 }
 
 std::vector<std::string> warnings_of(const Changes& changes) {

@@ -69,7 +69,7 @@ std::string print_progress(const Progress& progress) {
     list.push_back({{"challenge", entry.challenge}, {"medal", entry.medal}, {"best", std::move(best)}});
   }
   const Json file{{"format", std::string(kProgressFormat)}, {"version", kProgressVersion}, {"challenges", std::move(list)}};
-  return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_file(file);
 }
 
 const ChallengeProgress* find(const Progress& progress, std::string_view challenge) {

@@ -164,7 +164,7 @@ base::Result<LoadedSettings> parse_settings(std::string_view text, std::string_v
   Json others = Json::object();
   for (const auto& [key, value] : tree->items())
     if (!is_known(key)) others[key] = value;
-  if (!others.empty()) loaded.settings.others = others.dump();
+  if (!others.empty()) loaded.settings.others = json_line(others);
   return loaded;
 }
 
@@ -174,12 +174,11 @@ std::string print_settings(const UserSettings& settings) {
   tree["version"] = kSettingsVersion;
   for (const Member& member : kMembers) tree[std::string(member.name)] = member.print(settings);
   if (!settings.others.empty()) {
-    const Json others = Json::parse(settings.others, nullptr, false);
-    if (others.is_object())
-      for (const auto& [key, value] : others.items())
+    if (const base::Result<Json> others = read_json(settings.others, "others"); others && others->is_object())
+      for (const auto& [key, value] : others->items())
         if (!is_known(key)) tree[key] = value;
   }
-  return tree.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_file(tree);
 }
 
 void remember(std::vector<std::string>& recent, std::string file) {

@@ -28,12 +28,8 @@ std::string vector(glm::vec3 v) {
   return "[" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + "]";
 }
 
-std::string string(const std::string& text) {
-  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 std::string id(const Document& document, Entity e) {
-  return string(world::label_of(document, e));
+  return json_string(world::label_of(document, e));
 }
 
 std::string_view name_of_joint(world::JointKind joint) {
@@ -52,7 +48,7 @@ void for_each_extra(const world::Extra& extra, Write write) {
   const auto tree = read_json(extra.json, "extra");
   COASTER_CHECK(tree && tree->is_object(), "what is kept is the text of a JSON object");
   for (const auto& [key, value] : tree->items())
-    write(string(key), value.dump(-1, ' ', false, Json::error_handler_t::replace));
+    write(json_string(key), json_line(value));
 }
 
 std::string extra_members(const Document& document, Entity e) {
@@ -131,7 +127,7 @@ void print_list(std::string& out, std::string_view key, const Document& document
 std::string print_track(const Document& document) {
   std::string out = "{\n  \"format\": \"" + std::string(kTrackFormat) +
                     "\",\n  \"version\": " + std::to_string(kTrackVersion);
-  out += ",\n  \"name\": " + string(document.name);
+  out += ",\n  \"name\": " + json_string(document.name);
   out += std::string(",\n  \"closed\": ") + (document.track.closed ? "true" : "false");
   out += ",\n  \"start_speed\": " + number(document.start_speed);
   out += ",\n  \"datum\": " + number(document.datum);

@@ -1,32 +1,14 @@
 // Programs and draw calls of the evaluators on the GPU. A segment of many steps is taken in pieces, as the stages' limits want.
 #include "gfx/curve_stages.h"
 
-#include <cstddef>
-
 #include "base/check.h"
+#include "gfx/shader_sources.h"
 #include "gfx/track_cache.h"
-
-#define COASTER_SHADERS(X)                                                                                                     \
-  X(common_glsl) X(line_glsl) X(curve_glsl) X(gpu_vertex_vert) X(gpu_geometry_vert) X(gpu_geometry_geom) X(gpu_tessellation_vert) \
-  X(gpu_tessellation_tesc) X(gpu_tessellation_tese) X(gpu_tessellation_geom) X(line_frag) X(coverage_frag)
-
-namespace coaster::embedded {
-#define X(symbol)                      \
-  extern const unsigned char symbol[]; \
-  extern const std::size_t symbol##_size;
-COASTER_SHADERS(X)
-#undef X
-}  // namespace coaster::embedded
 
 namespace coaster::gfx {
 namespace {
 
 using curve::Stage;
-
-#define X(symbol) \
-  std::string_view symbol() { return {reinterpret_cast<const char*>(embedded::symbol), embedded::symbol##_size}; }
-COASTER_SHADERS(X)
-#undef X
 
 // Lines a point of the geometry shader makes (kLines there) and a patch of the tessellator (kLevel there).
 constexpr int kGeometryLines = 16, kTessellationLines = 64;

@@ -1,27 +1,10 @@
 // Compiles the scene's programs.
 #include "gfx/scene_programs.h"
 
-#include <cstddef>
-
-#define COASTER_SHADERS(X)                                                                                            \
-  X(common_glsl) X(line_glsl) X(shade_glsl) X(backdrop_vert) X(ground_frag) X(ground_shadow_frag) X(sky_frag) X(coverage_vert) X(mesh_vert) X(mesh_frag) X(shadow_frag) X(polyline_vert) \
-  X(coverage_frag) X(line_vert) X(line_frag) X(mark_vert) X(mark_frag)
-
-namespace coaster::embedded {
-#define X(symbol)                        \
-  extern const unsigned char symbol[];   \
-  extern const std::size_t symbol##_size;
-COASTER_SHADERS(X)
-#undef X
-}  // namespace coaster::embedded
+#include "gfx/shader_sources.h"
 
 namespace coaster::gfx {
 namespace {
-
-#define X(symbol) \
-  std::string_view symbol() { return {reinterpret_cast<const char*>(embedded::symbol), embedded::symbol##_size}; }
-COASTER_SHADERS(X)
-#undef X
 
 struct Row {
   const char* name;

@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
+#include "exchange/json_text.h"
 #include "exchange/track_file.h"
 #include "query/condition.h"
 #include "script/output.h"
@@ -13,7 +12,7 @@
 namespace coaster::script {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using exchange::Json;
 
 Json to_json(const query::Value& value) {
   struct Visitor {
@@ -61,7 +60,7 @@ std::string state_json(const query::Context& context) {
       if (value) all[name + " " + argument] = to_json(*value);
     }
   }
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return exchange::json_file(all);
 }
 
 std::string widgets_text(std::span<const WidgetState> widgets) {

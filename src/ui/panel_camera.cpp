@@ -8,10 +8,10 @@
 namespace coaster::ui {
 namespace {
 
-struct Row {
+struct CameraRow {
   const char *label, *tooltip, *action;
 };
-constexpr std::array<Row, 4> kModes{{
+constexpr std::array<CameraRow, 4> kModes{{
     {"Orbit", "Turn about a place: drag empty space, middle button to pan, wheel to zoom.", "Orbit camera"},
     {"Ride", "From the first cart's seat, 1.1 m over the rails.", "Ride camera"},
     {"Chase", "Behind and above the first cart's train; the wheel sets how far.", "Chase camera"},

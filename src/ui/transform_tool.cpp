@@ -15,7 +15,7 @@ namespace {
 using platform::Key;
 using CKind = Constraint::Kind;
 
-constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"}, kPlanes{"YZ", "XZ", "XY"};
+constexpr std::array<const char*, 3> kAxisNames{"X", "Y", "Z"}, kPlanes{"YZ", "XZ", "XY"};
 constexpr std::size_t kMostTyped = 16;
 
 // The character that a key types into a number, 0 for none.
@@ -113,7 +113,7 @@ glm::vec3 TransformTool::movement(const Ui& ui, const view::View& view) {
 edit::Command TransformTool::command(const Ui& ui, const view::View& view) {
   const world::Settings& settings = ui.session().settings;
   const glm::vec2 mouse = mouse_position();
-  const std::string along = constraint_.kind == CKind::axis    ? std::string(" along ") + kAxes[static_cast<std::size_t>(constraint_.axis)]
+  const std::string along = constraint_.kind == CKind::axis    ? std::string(" along ") + kAxisNames[static_cast<std::size_t>(constraint_.axis)]
                             : constraint_.kind == CKind::plane ? std::string(" in ") + kPlanes[static_cast<std::size_t>(constraint_.axis)]
                                                                : "";
   if (kind_ == TransformKind::move) {
@@ -131,7 +131,7 @@ edit::Command TransformTool::command(const Ui& ui, const view::View& view) {
     double degrees = base::degrees(angle_);
     if (snap_now(settings) != world::SnapTo::off) degrees = rounded_to(degrees, settings.snapping.angle);
     degrees = typed(0).value_or(degrees);
-    shown_ = "Rotate" + (constraint_.kind == CKind::free ? std::string() : std::string(" about ") + kAxes[static_cast<std::size_t>(constraint_.axis)]) + ": " +
+    shown_ = "Rotate" + (constraint_.kind == CKind::free ? std::string() : std::string(" about ") + kAxisNames[static_cast<std::size_t>(constraint_.axis)]) + ": " +
              fixed(degrees, 2) + "\u00B0";
     return edit::Rotate{knots_, degrees, pivot_, axis, true};
   }

@@ -7,18 +7,17 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "exchange/json_reader.h"
 #include "sim/supports.h"
 #include "sim/track_mesh.h"
 #include "world/sample_documents.h"
 
 namespace coaster::exchange {
 namespace track_shapes_test {
-
-using Json = nlohmann::json;
 
 world::Document closed_document() {
   world::Document d = test::sample_document();
@@ -147,9 +146,11 @@ struct Gltf {
   explicit Gltf(const std::string& text) {
     const std::string head = "data:application/octet-stream;base64,";
     const std::size_t at = text.find(head), from = at == std::string::npos ? text.size() : at + head.size(), to = std::min(text.find('"', from), text.size());
-    file = Json::parse(text.substr(0, from) + text.substr(to));
+    base::Result<Json> tree = read_json(text.substr(0, from) + text.substr(to), "glTF");
+    if (!tree) throw std::runtime_error(tree.status().message);
+    file = std::move(*tree);
     if (!file.contains("buffers")) return;
-    EXPECT_EQ(file["buffers"][0]["uri"], head);
+    EXPECT_EQ(file["buffers"][0]["uri"].get<std::string>(), head);
     buffer = unbase64(text.substr(from, to - from));
     EXPECT_EQ(buffer.size(), file["buffers"][0]["byteLength"].get<std::size_t>());
   }
@@ -157,8 +158,8 @@ struct Gltf {
   std::vector<T> items(std::size_t accessor, const std::string& type, int component) const {
     const Json& a = file["accessors"].at(accessor);
     const Json& view = file["bufferViews"].at(a["bufferView"].get<std::size_t>());
-    EXPECT_EQ(a["type"], type);
-    EXPECT_EQ(a["componentType"], component);
+    EXPECT_EQ(a["type"].get<std::string>(), type);
+    EXPECT_EQ(a["componentType"].get<int>(), component);
     const std::size_t count = a["count"], offset = view["byteOffset"], length = view["byteLength"];
     EXPECT_GT(count, 0u);
     EXPECT_EQ(offset % 4, 0u);
@@ -186,7 +187,7 @@ TEST(Gltf, keeps_the_rules_of_the_format_and_has_the_same_triangles_as_the_obj) 
   d.entities.put(d.track.segments[1], world::Equipment{world::EquipmentKind::brake, 8.0f, 2.0f, 0.5f, 5});
   const Gltf gltf(print_gltf(d));
   const Obj obj = read_obj(print_obj(d));
-  EXPECT_EQ(gltf.file["asset"]["version"], "2.0");
+  EXPECT_EQ(gltf.file["asset"]["version"].get<std::string>(), "2.0");
   EXPECT_EQ(gltf.file["scenes"].at(gltf.file["scene"].get<std::size_t>())["nodes"].size(), 2u);
   for (const Json& node : gltf.file["nodes"]) EXPECT_LT(node["mesh"].get<std::size_t>(), gltf.file["meshes"].size());
   const Json& primitives = gltf.file["meshes"].at(0)["primitives"];
@@ -194,8 +195,8 @@ TEST(Gltf, keeps_the_rules_of_the_format_and_has_the_same_triangles_as_the_obj) 
   ASSERT_EQ(primitives.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
     const Json& primitive = primitives[i];
-    EXPECT_EQ(primitive["mode"], 4);
-    EXPECT_EQ(gltf.file["materials"].at(primitive["material"].get<std::size_t>())["name"], names[i]);
+    EXPECT_EQ(primitive["mode"].get<int>(), 4);
+    EXPECT_EQ(gltf.file["materials"].at(primitive["material"].get<std::size_t>())["name"].get<std::string>(), names[i]);
     const auto positions = gltf.positions(primitive);
     const auto normals = gltf.items<glm::vec3>(primitive["attributes"]["NORMAL"], "VEC3", 5126);
     const auto indices = gltf.items<std::uint32_t>(primitive["indices"], "SCALAR", 5125);
@@ -208,7 +209,7 @@ TEST(Gltf, keeps_the_rules_of_the_format_and_has_the_same_triangles_as_the_obj) 
     }
   }
   const Json& strip = gltf.file["meshes"].at(1)["primitives"].at(0);
-  EXPECT_EQ(strip["mode"], 3);
+  EXPECT_EQ(strip["mode"].get<int>(), 3);
   const auto line = gltf.positions(strip);
   ASSERT_EQ(line.size(), obj.line.size());
   for (std::size_t i = 0; i < line.size(); ++i) ASSERT_EQ(line[i], obj.v.at(obj.line[i]));
