@@ -128,6 +128,7 @@ void advance(Program& program, int ticks) {
     const std::string motion = base::hex16(world::hash(program.session.document, program.session.motion));
     std::printf("tick %llu document %s motion %s\n", static_cast<unsigned long long>(program.session.tick), document.c_str(), motion.c_str());
   }
+  if (program.options.hash_log) std::fflush(stdout);  // whoever reads along sees every frame at once
 }
 
 query::Context context_of(const Program& program) { return {program.session, program.stats, program.toast, program.title}; }
