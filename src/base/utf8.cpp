@@ -45,4 +45,10 @@ std::string printable_utf8(std::string_view text) {
   return printable;
 }
 
+std::string_view utf8_start(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80) --most;
+  return text.substr(0, most);
+}
+
 }  // namespace coaster::base

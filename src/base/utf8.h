@@ -15,4 +15,7 @@ bool is_printable_utf8(std::string_view text);
 // The text with U+FFFD for each byte that belongs to no well-formed character, and '_' for control characters.
 std::string printable_utf8(std::string_view text);
 
+// The longest start of at most `most` bytes that does not end within a character.
+std::string_view utf8_start(std::string_view text, std::size_t most);
+
 }  // namespace coaster::base

@@ -9,13 +9,11 @@ namespace {
 
 using base::Status;
 
-constexpr std::size_t kMaxNameBytes = 200;
-
 }  // namespace
 
 Status perform(Session& session, Change&, const SetName& command) {
-  if (command.to.size() > kMaxNameBytes)
-    return refused("the name is over the limit of " + std::to_string(kMaxNameBytes) + " bytes");
+  if (command.to.size() > world::kMaxNameBytes)
+    return refused("the name is over the limit of " + std::to_string(world::kMaxNameBytes) + " bytes");
   if (!base::is_printable_utf8(command.to)) return refused("expected a name in UTF-8 without control characters");
   session.document.name = command.to;
   return {};

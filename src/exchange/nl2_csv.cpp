@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include "base/text.h"
 #include "sim/fit_track.h"
@@ -187,7 +186,7 @@ base::Result<LoadedTrack> parse_nl2_csv_watched(std::string_view text, std::stri
   if (progress && progress->cancelled) return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
   LoadedTrack loaded;
   loaded.document = std::move(fitted.document);
-  loaded.document.name = std::filesystem::path(name).stem().string();
+  loaded.document.name = name_of_file(name);
   world::add_cart(loaded.document, loaded.document.track.segments[0], 0);
   loaded.warnings = std::move(r.warnings);
   loaded.import = ImportReport{fitted.report.max_error, fitted.report.frame_error, fitted.report.knots};

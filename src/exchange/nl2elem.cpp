@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include <tinyxml2.h>
 
@@ -130,7 +129,7 @@ base::Result<LoadedTrack> parse_nl2elem(std::string_view text, std::string_view 
     } else {
       loaded.document = track.document;
       loaded.import = track.report;
-      loaded.document.name = std::filesystem::path(r.name).stem().string();
+      loaded.document.name = name_of_file(r.name);
       return loaded;
     }
   }

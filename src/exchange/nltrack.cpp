@@ -4,12 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <vector>
 
 #include "base/portable_math.h"
 #include "base/text.h"
-#include "base/utf8.h"
 #include "curve/frames.h"
 #include "world/topology.h"
 
@@ -234,11 +232,6 @@ base::Status set_turns(const ChunkReader& reader, world::Document& document, std
   return {};
 }
 
-// The file's name without folder and ending, as UTF-8 without control characters.
-std::string title(std::string_view name) {
-  return base::printable_utf8(std::filesystem::path(name).stem().string().substr(0, 200));
-}
-
 std::vector<std::string> warnings_of(const Changes& changes) {
   std::vector<std::string> warnings;
   if (changes.lengthened > 0)
@@ -267,7 +260,7 @@ base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view
 
   LoadedTrack track;
   world::Document& document = track.document;
-  document.name = title(name);
+  document.name = name_of_file(name);
   Changes changes;
   for (std::size_t i = 0; i < records->size(); ++i) {
     const auto knot = make_knot(reader, *records, i, closed, changes);

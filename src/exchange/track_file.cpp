@@ -1,6 +1,7 @@
 // Track files on disk: the format by the path's ending, whole-file reading, atomic writing.
 #include "exchange/track_file.h"
 
+#include "base/utf8.h"
 #include "exchange/formats.h"
 
 namespace coaster::exchange {
@@ -16,6 +17,11 @@ std::string unfit_ending(const std::filesystem::path& path, const Format* format
 }
 
 }  // namespace
+
+std::string name_of_file(std::string_view path) {
+  const std::string printable = base::printable_utf8(std::filesystem::path(path).stem().string());
+  return std::string(base::utf8_start(printable, world::kMaxNameBytes));
+}
 
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, base::Progress* progress) {
   const Format* const format = format_of(path);

@@ -39,6 +39,9 @@ base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view na
 // parse_track(print_track(d)) equals d by hash, and printing that again gives the same bytes.
 std::string print_track(const world::Document& document);
 
+// What a track is called that was read from a file which tells no name: the file's, without folder and ending, as a name may be.
+std::string name_of_file(std::string_view path);
+
 // By the ending of the path (exchange/formats.h); another is refused with the list of those known for that direction.
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, base::Progress* progress = nullptr);
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document);

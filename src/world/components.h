@@ -16,6 +16,7 @@ namespace coaster::world {
 inline constexpr float kMaxCoordinate = 100'000.0f;  // m, of positions
 inline constexpr float kMinHandle = 0.01f;           // m
 inline constexpr float kMaxHandle = 10'000.0f;       // m
+inline constexpr std::size_t kMaxNameBytes = 200;    // of a track's name
 inline constexpr int kMaxTurns = 16;                 // whole turns of roll within a segment
 inline constexpr double kMaxSpeed = 150.0;           // m/s, of the start speed
 inline constexpr std::size_t kMaxKnots = 1'000'000;

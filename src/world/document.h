@@ -24,7 +24,7 @@ struct Track {
 struct Document {
   Registry<Name, Knot, Segment, Cart, Equipment, Extra> entities;  // equipment stands on segments
   Track track;
-  std::string name = "Untitled";
+  std::string name = "Untitled";  // UTF-8
   double start_speed = 1.0;  // m/s along the track, may be negative; |start_speed| <= kMaxSpeed
   double datum = 0.0;        // m, the height whose potential energy is 0
   Resistance resistance;     // none by default: the frictionless circuit of the paper

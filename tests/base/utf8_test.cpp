@@ -39,6 +39,12 @@ TEST(utf8, a_printable_text_stays_and_any_other_becomes_printable) {
   EXPECT_TRUE(is_printable_utf8(""));
 }
 
+TEST(utf8, a_start_ends_with_a_whole_character) {
+  const std::string text = "a\xc3\xa4\xe2\x82\xac";
+  const std::size_t whole[] = {0, 1, 1, 3, 3, 3, 6, 6};
+  for (std::size_t most = 0; most < std::size(whole); ++most) EXPECT_EQ(utf8_start(text, most), text.substr(0, whole[most])) << most;
+}
+
 RC_GTEST_PROP(Utf8, any_bytes_become_printable_once_and_for_all, (const std::string& bytes)) {
   const std::string printable = printable_utf8(bytes);
   RC_ASSERT(is_printable_utf8(printable));

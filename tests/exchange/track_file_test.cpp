@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "sim/tracks.h"
 #include "world/sample_documents.h"
 
 namespace coaster::exchange {
@@ -46,6 +47,24 @@ TEST_F(TrackFile, either_case_of_an_ending_will_do) {
   const auto loaded = load_track(files_, folder_ / "A.JSON");
   ASSERT_TRUE(loaded) << loaded.status().message;
   EXPECT_EQ(world::hash(loaded->document), world::hash(d));
+}
+
+TEST_F(TrackFile, a_name_from_a_files_name_can_be_kept_in_any_file) {
+  EXPECT_EQ(name_of_file("/a.b/Stra\xc3\x9f" "e 7.nl2elem"), "Stra\xc3\x9f" "e 7");
+  const world::Document line = test::straight_document({0, 10, 0}, {30, 10, 0}, 3);
+  for (const std::string odd : {"a\tb\x7f", "a\xff", "\xc3", "\x80\x80"}) {
+    for (const char* const ending : {".csv", ".nl2elem"}) {
+      const base::Status saved = save_track(files_, folder_ / (odd + ending), line);
+      ASSERT_TRUE(saved) << saved.message;
+      const auto loaded = load_track(files_, folder_ / (odd + ending));
+      ASSERT_TRUE(loaded) << loaded.status().message;
+      const auto again = parse_track(print_track(loaded->document), "again");
+      ASSERT_TRUE(again) << again.status().message;
+      EXPECT_EQ(world::hash(again->document), world::hash(loaded->document)) << loaded->document.name;
+    }
+  }
+  const std::string most(world::kMaxNameBytes, '\xff');
+  EXPECT_EQ(name_of_file(most).size(), world::kMaxNameBytes / 3 * 3) << "each byte became three";
 }
 
 TEST_F(TrackFile, a_missing_file_is_a_bad_file) {
