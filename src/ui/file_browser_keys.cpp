@@ -3,6 +3,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/utf8.h"
 #include "ui/file_browser.h"
 
 namespace coaster::ui {
@@ -11,8 +12,7 @@ namespace {
 using platform::Key;
 
 void pop_character(std::string& text) {
-  while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();  // within a UTF-8 character
-  if (!text.empty()) text.pop_back();
+  if (!text.empty()) text.resize(base::utf8_start(text, text.size() - 1).size());
 }
 
 }  // namespace

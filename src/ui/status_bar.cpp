@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/utf8.h"
 #include "ui/panels.h"
 #include "ui/row.h"
 #include "ui/theme.h"
@@ -78,10 +79,7 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
       std::string words = last.text;
       const float room = right - x;
       if (text_size(words).x > room) {
-        while (!words.empty() && text_size(words).x + text_size("\u2026").x > room) {
-          while (words.size() > 1 && (static_cast<unsigned char>(words.back()) & 0xC0) == 0x80) words.pop_back();  // within a UTF-8 character
-          words.pop_back();
-        }
+        while (!words.empty() && text_size(words).x + text_size("\u2026").x > room) words.resize(base::utf8_start(words, words.size() - 1).size());
         words += "\u2026";
       }
       draw(words, tint, right - text_size(words).x);
