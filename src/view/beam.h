@@ -50,9 +50,9 @@ class Beam {
 };
 
 // Calls visit(i) for every segment i of the track that may come within limit() pixels of the beam's pixel, and for some more; about the closest
-// first. A visit may lower the limit: what is only within the old one may be left out from then on.
+// first. A visit may lower the limit: what is only within the old one may be left out from then on. Returns how many of the tree's nodes it looked into.
 template <class Limit, class Visit>
-void visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit limit, Visit visit);
+std::size_t visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit limit, Visit visit);
 
 }  // namespace coaster::view
 

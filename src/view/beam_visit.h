@@ -93,8 +93,8 @@ class Waiting {
 };
 
 template <class Limit, class Visit>
-void visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit limit, Visit visit) {
-  if (tree.nodes.empty() || !beam.has_eye()) return;
+std::size_t visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit limit, Visit visit) {
+  if (tree.nodes.empty() || !beam.has_eye()) return 0;
   const Beam::Coarse& coarse = beam.coarse();
   // Metres that the reach has at depth 1; with what float makes of sums of some terms.
   const auto slope_of = [&] { return static_cast<float>(std::min(limit() / coarse.least_pixels, 1e6) * 1.000001 + 4e-6); };
@@ -108,12 +108,13 @@ void visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit limit, Vis
   constexpr std::size_t kAtOnce = 4;
   std::array<std::int32_t, kAtOnce*(3 * sim::kMaxTreeDepth + 4)> nodes;
   std::array<std::int32_t, 4 * kAtOnce + 4> blocks;
-  std::size_t node_count = 1;
+  std::size_t node_count = 1, tested = 0;
   nodes[0] = 0;
   while (node_count > 0) {
     const std::size_t batch = std::min(node_count, kAtOnce);
     std::array<std::int32_t, kAtOnce> at;
     node_count -= batch;
+    tested += batch;
     for (std::size_t i = 0; i < batch; ++i) at[i] = nodes[node_count + i];
     std::size_t block_count = 0;
     COASTER_CHECK(node_count + 4 * kAtOnce <= nodes.size(), "the tree is no deeper than it is built");
@@ -147,6 +148,7 @@ void visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit limit, Vis
     }
   }
   look_at_waiting();
+  return tested;
 }
 
 }  // namespace coaster::view

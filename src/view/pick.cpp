@@ -77,7 +77,7 @@ std::optional<Pick> pick_mark(const world::Document& document, const sim::Derive
   } else {
     // Segment i goes from knot i to the next one.
     const double reach = 1.001 * static_cast<double>(kKnotRadius * settings.ui_scale);
-    visit_near(derived.tree, Beam(view, pixel), [reach] { return reach; }, [&](std::size_t i) {
+    (void)visit_near(derived.tree, Beam(view, pixel), [reach] { return reach; }, [&](std::size_t i) {
       if (i < count) marks.try_knot(i), marks.try_knot((i + 1) % count);
     });
   }

@@ -88,7 +88,7 @@ std::optional<Pick> picked(const sim::Derived& derived, const Candidate* place) 
 std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach) {
   const Beam beam(view, pixel);
   Search search(derived, beam, reach);
-  visit_near(derived.tree, beam, [&] { return search.limit(); }, [&](std::size_t index) { search.look_at(index); });
+  (void)visit_near(derived.tree, beam, [&] { return search.limit(); }, [&](std::size_t index) { search.look_at(index); });
   return picked(derived, search.meant());
 }
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <limits>
+
 namespace coaster::exchange {
 namespace progress_file_test {
 
@@ -54,7 +56,7 @@ TEST(progress_file, the_better_of_each_stays) {
 
 RC_GTEST_PROP(progress_file, the_order_of_successes_does_not_matter, (std::vector<std::pair<int, int>> successes)) {
   Progress forth, back;
-  int medal = 0, least = 1 << 30;
+  int medal = 0, least = std::numeric_limits<int>::max();
   const auto of = [](const std::pair<int, int>& s) { return ChallengeProgress{"c", std::abs(s.first % 4), {{"knots", double(s.second), true}}}; };
   for (const auto& s : successes) (void)merge(forth, of(s)), medal = std::max(medal, std::abs(s.first % 4)), least = std::min(least, s.second);
   for (auto s = successes.rbegin(); s != successes.rend(); ++s) (void)merge(back, of(*s));
