@@ -89,24 +89,41 @@ glm::vec3 cart_middle(const sim::Pose& pose) {
   return glm::vec3(pose.position + kMiddle * pose.frame.up);
 }
 
-// Distance along the ray to a cart's box (the solid in sim/train_mesh.cpp but for the heads), kNowhere when it misses or starts inside.
-double distance_to_cart(const Ray& ray, const sim::Pose& pose) {
-  constexpr std::array<double, 3> kLow{-1.1, 0.0, -0.65}, kHigh{1.1, 1.1, 0.65};
-  const std::array<dvec3, 3> axes{pose.frame.forward, pose.frame.up, pose.frame.left()};
-  const dvec3 origin = dvec3(ray.origin) - pose.position, direction(ray.direction);
+// What stands for a car (sim/train_mesh.cpp), m ahead, up and to the left of its place on the rails.
+struct CarBox {
+  std::array<double, 3> low, high;
+};
+constexpr CarBox kCarBoxes[] = {{{-1.1, 0.0, -0.65}, {1.1, 1.1, 0.65}},    // body, wheels, riders up to their chins
+                                {{-1.1, 1.1, -0.4}, {0.25, 1.45, 0.4}}};  // heads and head-rests
+
+// Distances along the ray at which it enters a box and leaves it again; the first is the greater where it misses.
+std::pair<double, double> through_box(const CarBox& box, const dvec3& origin, const dvec3& direction) {
   double enter = -kNowhere, leave = kNowhere;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double o = glm::dot(origin, axes[i]), d = glm::dot(direction, axes[i]);
-    if (std::abs(d) < 1e-12) {
-      if (o < kLow[i] || o > kHigh[i]) return kNowhere;
+  for (int i = 0; i < 3; ++i) {
+    const double low = box.low[static_cast<std::size_t>(i)] - origin[i], high = box.high[static_cast<std::size_t>(i)] - origin[i];
+    if (std::abs(direction[i]) < 1e-12) {
+      if (low > 0 || high < 0) return {kNowhere, -kNowhere};
       continue;
     }
-    const double a = (kLow[i] - o) / d, b = (kHigh[i] - o) / d;
+    const double a = low / direction[i], b = high / direction[i];
     enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
   }
-  // The rider's own eye is at the upper face of the box: that near, it is inside.
-  constexpr double kInside = 0.05;
-  return enter <= leave && enter > kInside ? enter : kNowhere;
+  return {enter, leave};
+}
+
+// Distance along the ray to a car, kNowhere when it misses or starts inside.
+double distance_to_car(const Ray& ray, const sim::Pose& pose) {
+  constexpr double kInside = 0.05;  // m: the riders' own eye is where the two boxes meet, and that near is inside
+  const auto in_car = [&](const dvec3& v) { return dvec3(glm::dot(v, pose.frame.forward), glm::dot(v, pose.frame.up), glm::dot(v, pose.frame.left())); };
+  const dvec3 origin = in_car(dvec3(ray.origin) - pose.position), direction = in_car(dvec3(ray.direction));
+  double nearest = kNowhere;
+  for (const CarBox& box : kCarBoxes) {
+    const auto [enter, leave] = through_box(box, origin, direction);
+    if (enter > leave || leave < 0) continue;
+    if (enter <= kInside) return kNowhere;
+    nearest = std::min(nearest, enter);
+  }
+  return nearest;
 }
 
 // Calls visit(cart, pose) for every car of every train.
@@ -126,7 +143,7 @@ std::optional<Pick> pick_cart(const world::Document& document, const sim::Derive
   double nearest = kNowhere;
   Pick best;
   for_each_car(document, derived, motion, settings, [&](world::Entity cart, const sim::Pose& car) {
-    const double distance = distance_to_cart(ray, car);
+    const double distance = distance_to_car(ray, car);
     if (!(distance < nearest)) return;
     nearest = distance;
     best = {PickKind::cart, cart, 0, ray.origin + static_cast<float>(distance) * ray.direction};

@@ -71,10 +71,10 @@ inline void look_around(std::mt19937& bits, Sight& sight) {
   sight.view = view::orbit_view(camera, {13, 7, kIdWidth, kIdHeight});
 }
 
-// The box of a cart: 2.2 x 1.3 x 1.1 m, standing on the rails' plane.
-inline glm::vec3 corner_of(const sim::Pose& pose, int i) {
-  const double x = i & 1 ? 1.1 : -1.1, y = i & 2 ? 1.1 : 0.0, left = i & 4 ? 0.65 : -0.65;
-  return glm::vec3(pose.position + x * pose.frame.forward + y * pose.frame.up + left * pose.frame.left());
+// The boxes of a cart, low and high corner, m ahead, up, left: the body stands on the rails' plane, the riders' heads on the body.
+inline constexpr double kCartBoxes[2][2][3] = {{{-1.1, 0, -0.65}, {1.1, 1.1, 0.65}}, {{-1.1, 1.1, -0.4}, {0.25, 1.45, 0.4}}};
+inline glm::vec3 corner_of(const sim::Pose& pose, const double (&box)[2][3], int i) {
+  return glm::vec3(pose.position + box[i & 1][0] * pose.frame.forward + box[i >> 1 & 1][1] * pose.frame.up + box[i >> 2][2] * pose.frame.left());
 }
 // Nearer than this the near plane and the rider's own cart play a part, which is not this test's.
 inline bool near_a_cart(const Sight& sight) {
@@ -128,7 +128,7 @@ class IdPicture {
     }
     flush(corners);
     for (std::size_t i = 0; i < sight.motion.carts.size(); ++i)
-      add_box(sight, sight.carts()[i], id_of(PickKind::cart, sight.motion.carts.entities()[i]), corners);
+      for (const auto& box : kCartBoxes) add_box(sight, sight.carts()[i], box, id_of(PickKind::cart, sight.motion.carts.entities()[i]), corners);
     flush(corners);
     for (const world::Entity e : sight.document.track.knots)
       add_mark(sight, world::knot(sight.document, e).position, view::kKnotRadius, false, id_of(PickKind::knot, e), corners);
@@ -156,12 +156,12 @@ class IdPicture {
     glm::vec4 place;
     glm::vec3 middle, paint;
   };
-  static void add_box(const Sight& sight, const sim::Pose& pose, Id id, std::vector<Corner>& corners) {
+  static void add_box(const Sight& sight, const sim::Pose& pose, const double (&box)[2][3], Id id, std::vector<Corner>& corners) {
     constexpr std::array<std::array<int, 4>, 6> kFaces{
         {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
     for (const auto& face : kFaces)
       for (const int i : {0, 1, 2, 0, 2, 3}) {
-        const glm::vec4 place = sight.view.projection * sight.view.view * glm::vec4(corner_of(pose, face[std::size_t(i)]), 1);
+        const glm::vec4 place = sight.view.projection * sight.view.view * glm::vec4(corner_of(pose, box, face[std::size_t(i)]), 1);
         corners.push_back({place, glm::vec3(0), glm::vec3(id[0], id[1], 0)});
       }
   }

@@ -110,16 +110,20 @@ TEST(pick, handles_can_be_picked_of_the_selection_alone) {
 }
 
 TEST(pick, carts_are_boxes_on_the_rails) {
-  // Seen from the side (along -Z): the rails run along X, so the box covers 2.2 m by 1.1 m of the picture.
+  // Seen from the side (along -Z): the rails run along X, so the body's box covers 2.2 m by 1.1 m of the picture, the heads' 1.35 m by 0.35 m.
   world::Document d = test::straight_document({-20, 5, 1}, {20, 5, 1});
   world::add_cart(d, d.track.segments[0], 0.6);  // at x = 4
   const Scene scene(d, {{4, 5.5f, 1}, 0, 0, 20});
   const world::Entity cart = d.entities.pool<world::Cart>().entities()[0];
   // On the near side, z = 1 + 0.65.
   for (const auto& [x, y, hit] : {std::tuple(4.0f, 5.55f, true), std::tuple(5.05f, 6.05f, true), std::tuple(2.95f, 5.05f, true),
-                                  std::tuple(5.15f, 5.55f, false), std::tuple(2.85f, 5.55f, false), std::tuple(4.0f, 6.15f, false), std::tuple(4.0f, 4.7f, false)})
+                                  std::tuple(5.15f, 5.55f, false), std::tuple(2.85f, 5.55f, false), std::tuple(5.0f, 6.15f, false), std::tuple(4.0f, 4.7f, false)})
     EXPECT_EQ(scene.at({x, y, 1.65f}) == (Pick{PickKind::cart, cart}), hit) << x << " " << y;
   EXPECT_NEAR(scene.at({4.2f, 5.55f, 1.65f}).position.z, 1.65, 1e-3);
+  // Heads, z = 1 + 0.4.
+  for (const auto& [x, y, hit] : {std::tuple(4.2f, 6.4f, true), std::tuple(2.95f, 6.4f, true), std::tuple(4.3f, 6.4f, false), std::tuple(4.2f, 6.5f, false)})
+    EXPECT_EQ(scene.at({x, y, 1.4f}) == (Pick{PickKind::cart, cart}), hit) << x << " " << y;
+  EXPECT_NEAR(scene.at({4.2f, 6.3f, 1.4f}).position.z, 1.4, 1e-3);
 }
 
 TEST(pick, the_nearer_cart_wins_and_knots_beat_carts) {
