@@ -62,4 +62,18 @@ void reshape_end(world::Document& document, bool last, glm::vec3 beyond) {
     shape_smooth(knot, &beyond, beside);
 }
 
+void close_by_segment(world::Document& document, double longest) {
+  const world::Entity first = document.track.knots.front(), last = document.track.knots.back();
+  reshape_end(document, true, world::knot(document, first).position);
+  reshape_end(document, false, world::knot(document, last).position);
+  world::set_closed(document, true);
+  Knot &start = document.entities.get<Knot>(first), &end = document.entities.get<Knot>(last);
+  const double gap = glm::distance(glm::dvec3(end.position), glm::dvec3(start.position));
+  const auto third = static_cast<float>(std::clamp(gap / 3, double{world::kMinHandle}, double{world::kMaxHandle}));
+  for (float* const handle : {&start.in_length, &end.out_length})
+    if (double{*handle} > longest * gap) *handle = third;
+  for (Knot* const knot : {&start, &end})
+    if (knot->in_length != knot->out_length && knot->joint == world::JointKind::smooth) knot->joint = world::JointKind::aligned;
+}
+
 }  // namespace coaster::edit

@@ -14,4 +14,10 @@ world::Knot appended_knot(const world::Document& document, glm::vec3 position);
 // before appending, with the coming position, and for both ends before closing.
 void reshape_end(world::Document& document, bool last, glm::vec3 beyond);
 
+// Closes an open track of two knots or more by a segment from its last knot to its first. Their handles on it that are longer than `longest` times
+// the gap become a third of it, which frees them from the other ones; those of both ends that were never touched bend towards each other first.
+void close_by_segment(world::Document& document, double longest);
+// Handles longer than this share of the gap make a segment that folds back, or nearly so; a half circle has 2/3.
+inline constexpr double kLongestClosing = 0.7;
+
 }  // namespace coaster::edit

@@ -113,15 +113,7 @@ Status perform(Session& session, Change& change, const CloseExactly& command) {
     return {};
   }
   if (const Status room = room_for(session, track.knots.size(), track.knots.size()); !room) return room;
-  reshape_end(document, true, world::knot(document, first).position);
-  reshape_end(document, false, world::knot(document, last).position);
-  world::set_closed(document, true);
-  // Handles that suit the way between them, whatever the ends had.
-  const float third = static_cast<float>(std::clamp(gap / 3, double{world::kMinHandle}, double{world::kMaxHandle}));
-  Knot &start = document.entities.get<Knot>(first), &end = document.entities.get<Knot>(last);
-  start.in_length = third, end.out_length = third;
-  for (Knot* const knot : {&start, &end})
-    if (knot->in_length != knot->out_length && knot->joint == world::JointKind::smooth) knot->joint = world::JointKind::aligned;
+  close_by_segment(document, 0);  // handles that suit the way between them, whatever the ends had
   return {};
 }
 

@@ -108,12 +108,10 @@ Status perform(Session& session, Change&, const SetClosed& command) {
     if (track.knots.size() < 2) return refused("a closed track needs at least 2 knots");
     const Status room = room_for(session, track.knots.size(), track.knots.size());
     if (!room) return room;
-    const glm::vec3 first = world::knot(document, track.knots.front()).position,
-                    last = world::knot(document, track.knots.back()).position;
-    reshape_end(document, true, first);
-    reshape_end(document, false, last);
+    close_by_segment(document, kLongestClosing);
+  } else {
+    world::set_closed(document, false);
   }
-  world::set_closed(document, command.to);
   return {};
 }
 
