@@ -78,8 +78,12 @@ gfx::DrawStats draw_scene(Program& program, const Look& look, platform::Size siz
   const bool with_train = program.rig.mode == world::CameraMode::ride || program.rig.mode == world::CameraMode::chase;
   view::Findings findings{.failure = session.motion.failure, .riding = look.alone || (with_train && session.motion.state == world::RideState::running)};
   if (layers.has(world::Layer::flips)) findings.breaks = program.breaks.update(session.derived);
+  if (layers.has(world::Layer::conflicts) && !findings.riding) findings.conflicts = edit::conflicts(session);
   if (limits && ghost) findings.spans = program.red.update(*ghost, session.envelope);
-  if (look.settings.show_element) findings.element = &session.elements.plan(look.settings.element, session.document);
+  if (look.settings.show_element) {
+    findings.element = &session.elements.plan(look.settings.element, session.document);
+    findings.narrow = edit::narrow_parts(session, look.settings.element);
+  }
   const sim::TrackValues& values = program.values.update(session.derived, session.settings, ghost);
   program.stats.colour_low = values.low, program.stats.colour_high = values.high;
   const view::Overlay overlay = view::build_overlay(session.document, session.derived, look.settings, look.view, look.hovered, findings);

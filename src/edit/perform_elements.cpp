@@ -20,9 +20,10 @@ Status well_formed(const world::Element& element) {
 // To the tenth of a millimetre, which is all that is worth reading.
 std::string metres(double value, double step) { return base::to_text(std::round(value / step) * step); }
 
-void report(const sim::ElementPlan& plan, Change& change) {
+void report(const sim::ElementPlan& plan, double missing, Change& change) {
   change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
   if (plan.lowest < 0) change.clamped.push_back("goes " + metres(-plan.lowest, 0.125) + " m below the ground");
+  if (missing > 0) change.clamped.push_back("comes " + metres(missing, 0.125) + " m too near to other track: a train would not get by");
   const std::string shape = " of its shape";
   if (!plan.fit.within) change.clamped.push_back("so far from the origin it keeps within " + base::to_text(static_cast<float>(plan.fit.error)) + " m" + shape);
   if (!change.clamped.empty()) return;  // the warning is to be the newest notice
@@ -51,12 +52,13 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
   const std::size_t knots = std::max<std::size_t>(document.track.knots.size(), 1) + plan.spans();
   if (knots > world::kMaxKnots) return refused("the track is at the limit of " + std::to_string(world::kMaxKnots) + " knots");
   if (const Status room = within_budget(knots - 1, session.settings.steps, session.settings.vertex_budget); !room) return room;
+  const double missing = sim::worst(narrow_parts(session, command.what));
   open_out(document, plan.fit.knots.front());
   for (std::size_t k = 1; k < plan.fit.knots.size(); ++k) change.select = world::append_knot(document, plan.fit.knots[k]);
   // As for the first appended segment: without a cart there would be nothing to watch.
   if (document.track.segments.size() == plan.spans() && document.entities.pool<world::Cart>().size() == 0)
     world::add_cart(document, document.track.segments.front(), 0.0);
-  report(plan, change);
+  report(plan, missing, change);
   return {};
 }
 

@@ -51,6 +51,13 @@ const std::vector<sim::RedSpan>& chosen_red_spans(const Session& session) {
   return ghost ? session.red.update(*ghost, session.envelope) : kNone;
 }
 
+const std::vector<sim::Conflict>& conflicts(const Session& session) { return session.conflicts.update(session.derived); }
+
+const std::vector<sim::Narrow>& narrow_parts(const Session& session, const world::Element& element) {
+  (void)conflicts(session);
+  return session.element_room.update(session.elements.plan(element, session.document), session.conflicts, session.derived);
+}
+
 std::string ride_report(const Session& session, const sim::Ghost& ghost) {
   const sim::Envelope& envelope = session.envelope;
   const sim::Ratings ratings = sim::rate(ghost, session.ghosts.tables(session.document, session.derived), envelope.cutoff);

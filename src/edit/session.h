@@ -12,7 +12,9 @@
 #include "edit/challenge.h"
 #include "edit/commands.h"
 #include "exchange/track_file.h"
+#include "sim/conflicts.h"
 #include "sim/derived.h"
+#include "sim/element_room.h"
 #include "sim/elements.h"
 #include "sim/envelope.h"
 #include "sim/measure.h"
@@ -72,7 +74,9 @@ struct Session {
   mutable sim::GhostMemo ghosts;   // whole rides of the carts, simulated when something asks: a memo of what document and derived say
   mutable sim::RatingsMemo ratings;  // of the ride that was asked about last
   mutable sim::RedSpans red;         // the same
+  mutable sim::Conflicts conflicts;  // of the track with itself, looked for when something asks
   mutable sim::ElementMemo elements;  // what the palette's element would be, planned when something asks
+  mutable sim::ElementRoom element_room;  // where that would be in the way of track
   sim::Clock clock;                // to measure evaluation with
   std::string machine;             // a line about it, for files of measurements
   sim::Measurement measurement;    // of the evaluators; advanced by advance_measurement()
@@ -109,6 +113,10 @@ const sim::Ghost* chosen_ride(const Session& session);
 // Its ratings and its stretches beyond the envelope; none of either without a ride.
 const sim::Ratings& chosen_ratings(const Session& session);
 const std::vector<sim::RedSpan>& chosen_red_spans(const Session& session);
+
+// Where the track is in its own way, and where `element`, placed at its open end, would be in the way of it or of itself.
+const std::vector<sim::Conflict>& conflicts(const Session& session);
+const std::vector<sim::Narrow>& narrow_parts(const Session& session, const world::Element& element);
 
 // The report of a ghost on the present track, to read, and as comma-separated values by time.
 std::string ride_report(const Session& session, const sim::Ghost& ghost);

@@ -1,4 +1,5 @@
 // Queries about the track: its knots, joints and segments, and how the curve was evaluated.
+#include <algorithm>
 #include <array>
 
 #include "base/hash.h"
@@ -27,6 +28,23 @@ Answer longest(const Context& c, View) {
   for (const world::Entity e : derived.order)
     if (const double one = derived.shape(e).arc.length(); one > most) most = one, found = e;
   return text(found.valid() ? world::label_of(c.session.document, found) : "none");
+}
+
+// --- where it is in its own way ---------------------------------------------------------------------------------------
+const sim::Conflict* worst_conflict(const Context& c) {
+  const auto& found = edit::conflicts(c.session);
+  const auto worst = std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.missing < b.missing; });
+  return worst == found.end() ? nullptr : &*worst;
+}
+Answer conflicts(const Context& c, View) { return number(edit::conflicts(c.session).size()); }
+Answer conflict_missing(const Context& c, View) {
+  const sim::Conflict* const worst = worst_conflict(c);
+  return number(worst ? worst->missing : 0.0);
+}
+template <double sim::Conflict::*distance>
+Answer conflict_place(const Context& c, View) {
+  const sim::Conflict* const worst = worst_conflict(c);
+  return worst ? number(worst->*distance) : text("none");
 }
 
 Answer hash(const Context& c, View argument) {
@@ -160,6 +178,10 @@ constexpr std::array kDocumentRows{
     Query{"start_speed", "", "m/s", "Speed at which carts start.", start_speed},
     Query{"datum", "", "m", "Height at which potential energy is zero.", datum},
     Query{"longest", "", "", "The longest segment; none without a segment.", longest},
+    Query{"conflicts", "", "", "Places where the track is in its own way: a train on one stretch has too little room beside, under or over another.", conflicts},
+    Query{"conflict.missing", "", "m", "By how much the room is too little at the worst of them; 0 without any.", conflict_missing},
+    Query{"conflict.at", "", "m", "How far along the track the worst of them is; none without any.", conflict_place<&sim::Conflict::at>},
+    Query{"conflict.other", "", "m", "How far along the track the other stretch is there; none without any.", conflict_place<&sim::Conflict::other>},
     Query{"hash", "document|motion", "", "Hash of the document or of the motion, 16 hexadecimal digits.", hash},
     Query{"position", "@knot", "m", "A knot's place.", position},
     Query{"tangent", "@knot", "", "A knot's direction of travel, a unit vector.", tangent},

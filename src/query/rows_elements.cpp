@@ -35,6 +35,7 @@ Answer spans(const Context& c, View) { return number(plan(c).spans()); }
 Answer element_length(const Context& c, View) { return number(plan(c).length); }
 Answer lead(const Context& c, View) { return number(plan(c).lead); }
 Answer lowest(const Context& c, View) { return number(plan(c).lowest); }
+Answer missing(const Context& c, View) { return number(sim::worst(edit::narrow_parts(c.session, c.session.settings.element))); }
 Answer refusal(const Context& c, View) { return text(plan(c).refusal.empty() ? "none" : plan(c).refusal); }
 
 constexpr std::array kElementRows{
@@ -49,6 +50,7 @@ constexpr std::array kElementRows{
     Query{"element.length", "", "m", "Length of the palette's element with what leads into it.", element_length},
     Query{"element.lead", "", "m", "Length of what leads into it: easing out the curvature of the track's end, and levelling.", lead},
     Query{"element.lowest", "", "m", "The least height of its rails over the ground.", lowest},
+    Query{"element.missing", "", "m", "By how much a train on it or on other track would lack room; 0 where there is enough.", missing},
     Query{"element.refusal", "", "", "Why it cannot be placed; none when it can.", refusal},
 };
 

@@ -90,7 +90,7 @@ Answer measure_time(const Context& c, View word) {
 }
 
 constexpr std::array kLabRows{
-    Query{"shown", "polyline|frames|comb|circle|construction|rounding|flips|limits|supports|knots", "", "on when a layer of the laboratory is drawn.", shown},
+    Query{"shown", "polyline|frames|comb|circle|construction|rounding|flips|limits|supports|knots|conflicts", "", "on when a layer of the laboratory is drawn.", shown},
     Query{"colour", "", "", "What the track is coloured by.", colour},
     Query{"colour.low", "", "", "Lower end of the colours' legend, in their unit.", colour_low},
     Query{"colour.high", "", "", "Upper end of the colours' legend.", colour_high},

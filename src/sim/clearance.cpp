@@ -20,31 +20,6 @@ double nearest_place(dvec3 p, dvec3 a, dvec3 d) {
   return length > 0 ? std::clamp(glm::dot(p - a, d) / length, 0.0, 1.0) : 0.0;
 }
 
-// Calls visit(place in the track) for segments in blocks whose box meets `box`, until one returns false.
-template <class Visit>
-bool all_near(const SegmentTree& tree, const curve::Box& box, const Visit& visit) {
-  if (tree.nodes.empty()) return true;
-  std::array<std::int32_t, 4 * kMaxTreeDepth> stack;
-  std::size_t waiting = 0;
-  stack[waiting++] = 0;
-  while (waiting > 0) {
-    const TreeNode& node = tree.nodes[static_cast<std::size_t>(stack[--waiting])];
-    for (std::size_t lane = 0; lane < 4 && (node.lanes >> lane & 1u) != 0; ++lane) {
-      bool apart = false;
-      for (std::size_t a = 0; a < 3; ++a) apart = apart || node.bounds[a][lane] > box.high[static_cast<int>(a)] || node.bounds[3 + a][lane] < box.low[static_cast<int>(a)];
-      if (apart) continue;
-      if (node.child[lane] >= 0) {
-        stack[waiting++] = node.child[lane];
-        continue;
-      }
-      const SegmentBlock& block = tree.blocks[static_cast<std::size_t>(~node.child[lane])];
-      for (std::int32_t i = 0; i < block.count; ++i)
-        if (!visit(static_cast<std::size_t>(block.first + i))) return false;
-    }
-  }
-  return true;
-}
-
 // Metres along the rails from the held place to one of another segment, the shorter way round.
 double along_rails(const Derived& derived, Held held, std::size_t index, float along) {
   const double start = derived.starts[index], ring = start + static_cast<double>(along) * (derived.starts[index + 1] - start);

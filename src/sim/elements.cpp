@@ -90,7 +90,9 @@ ElementPlan plan_element(const world::Element& element, const world::Document& d
 const ElementPlan& ElementMemo::plan(const world::Element& element, const world::Document& document) {
   const std::optional<TrackEnd> end = open_end(document);
   if (element_ == element && end_ == end) return plan_;
+  const std::uint64_t serial = plan_.serial + 1;
   plan_ = plan_element(element, document);
+  plan_.serial = serial;
   element_ = element, end_ = end;
   return plan_;
 }

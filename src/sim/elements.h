@@ -2,6 +2,7 @@
 // Formulas and sources: docs/elements.md.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct ElementPlan {
   double length = 0;               // m, of the ideal curve with what leads into it
   double lead = 0;                 // m, of what leads into it: easing and levelling
   double lowest = 0;               // m, the rails' least height over the ground; below 0 they are in it
+  std::uint64_t serial = 0;        // a fresh number for each plan that an ElementMemo makes
   std::size_t spans() const { return fit.knots.empty() ? 0 : fit.knots.size() - 1; }
 };
 

@@ -44,6 +44,31 @@ void build_tree(std::vector<curve::Cubic> cubics, SegmentTree& tree);
 // segment, or all of them in one sweep when that is less work. The boxes are those of a tree built anew; which ones share a node is not.
 void refit_tree(std::span<const std::size_t> changed, SegmentTree& tree);
 
+// Calls visit(place in the track) for the segments of all blocks whose box meets `box`, until one returns false: whether none did.
+template <class Visit>
+bool all_near(const SegmentTree& tree, const curve::Box& box, const Visit& visit) {
+  if (tree.nodes.empty()) return true;
+  std::array<std::int32_t, 4 * kMaxTreeDepth> stack;
+  std::size_t waiting = 0;
+  stack[waiting++] = 0;
+  while (waiting > 0) {
+    const TreeNode& node = tree.nodes[static_cast<std::size_t>(stack[--waiting])];
+    for (std::size_t lane = 0; lane < 4 && (node.lanes >> lane & 1u) != 0; ++lane) {
+      bool apart = false;
+      for (std::size_t a = 0; a < 3; ++a) apart = apart || node.bounds[a][lane] > box.high[static_cast<int>(a)] || node.bounds[3 + a][lane] < box.low[static_cast<int>(a)];
+      if (apart) continue;
+      if (node.child[lane] >= 0) {
+        stack[waiting++] = node.child[lane];
+        continue;
+      }
+      const SegmentBlock& block = tree.blocks[static_cast<std::size_t>(~node.child[lane])];
+      for (std::int32_t i = 0; i < block.count; ++i)
+        if (!visit(static_cast<std::size_t>(block.first + i))) return false;
+    }
+  }
+  return true;
+}
+
 // The box that a curve's control points fill after two halvings: contains the curve, and is larger than need be by a few
 // thousandths of it.
 curve::Box tight_box(const curve::Cubic& cubic);

@@ -3,6 +3,7 @@
 
 #include "ui/actions_parts.h"
 #include "ui/command_palette.h"
+#include "ui/conflict_tour.h"
 #include "ui/fly_keys.h"
 #include "ui/key_map.h"
 
@@ -24,6 +25,11 @@ bool supports_shown(const Act& act) { return act.ui.session().settings.layers.ha
 bool knots_shown(const Act& act) { return act.ui.session().settings.layers.has(world::Layer::knots); }
 void toggle_knots(Act& act) { act.ui.emit(edit::ShowLayer{world::Layer::knots, !knots_shown(act)}); }
 void toggle_supports(Act& act) { act.ui.emit(edit::ShowLayer{world::Layer::supports, !supports_shown(act)}); }
+
+bool conflicts_shown(const Act& act) { return act.ui.session().settings.layers.has(world::Layer::conflicts); }
+bool in_conflict(const Act& act) { return !edit::conflicts(act.ui.session()).empty(); }
+void next_conflict(Act& act) { show_next_conflict(act.ui); }
+void toggle_conflicts(Act& act) { act.ui.emit(edit::ShowLayer{world::Layer::conflicts, !conflicts_shown(act)}); }
 
 void open_palette(Act& act) { toggle_palette(act.palette); }
 bool hints_shown(const Act& act) { return act.ui.session().settings.show_hints; }
@@ -101,6 +107,8 @@ constexpr Action kViewActions[] = {
     {"First steps", "View", "", kNoKey, kNoKey, false, true, "Show or dismiss the first steps.", always, hints_shown, toggle_hints},
     {"Knots", "View", "", kNoKey, kNoKey, false, true, "Show or hide knots that are not selected.", always, knots_shown, toggle_knots},
     {"Supports", "View", "", kNoKey, kNoKey, false, true, "Show or hide what holds the track.", always, supports_shown, toggle_supports},
+    {"Conflicts", "View", "", kNoKey, kNoKey, false, true, "Show or hide where the track is in its own way.", always, conflicts_shown, toggle_conflicts},
+    {"Next conflict", "View", "", kNoKey, kNoKey, false, true, "Look at the next place where the track is in its own way.", in_conflict, nullptr, next_conflict},
     {"Gizmo", "View", "", kNoKey, kNoKey, false, true, "Show or hide the arrows that move the selected knots.", always, gizmo_shown, toggle_gizmo},
     {"Panels", "View", "Tab", key(Key::tab), kNoKey, false, false, "Show or hide menu, panels and status bar.", always, panels_shown, toggle_panels},
     {"Next track colours", "View", "K", key(Key::k), kNoKey, false, false, "Colour the track by speed, height, each g, curvature, error, or not at all.", always, coloured,

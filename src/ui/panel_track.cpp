@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/equipment.h"
+#include "ui/conflict_tour.h"
 #include "ui/dialogs.h"
 #include "ui/key_map.h"
 #include "ui/lab.h"
@@ -60,6 +61,23 @@ void size(Ui& ui) {
   colouring_box(ui);
 }
 
+void conflicts(Ui& ui) {
+  const std::vector<sim::Conflict>& found = edit::conflicts(ui.session());
+  if (found.empty()) return;
+  read_query(ui, "Conflicts", "conflicts", {}, "Places where the track is in its own way: a train has too little room beside, under or over other track.",
+             {.decimals = 0, .warns = true});
+  if (button(ui, "Next conflict", "Look at the next place where the track is in its own way.", true, ImGui::GetContentRegionAvail().x)) show_next_conflict(ui);
+}
+
+// Ends that meet, or nearly so, become one knot.
+edit::Command closing(const edit::Session& session) {
+  const auto& knots = session.document.track.knots;
+  const edit::CloseExactly exactly;
+  const auto place = [&](world::Entity knot) { return glm::dvec3(world::knot(session.document, knot).position); };
+  if (knots.size() >= 3 && glm::distance(place(knots.front()), place(knots.back())) <= exactly.within) return exactly;
+  return edit::SetClosed{true};
+}
+
 void building(Ui& ui) {
   const edit::Session& session = ui.session();
   const world::Name* selected = selected_name(session);
@@ -69,7 +87,7 @@ void building(Ui& ui) {
   const bool closed = session.document.track.closed;
 
   if (const auto to = checkbox(ui, "Closed", closed, "Join the last knot to the first (a circuit), or open the track there.", closed || knots >= 2))
-    ui.emit(edit::SetClosed{*to});
+    ui.emit(*to ? closing(session) : edit::SetClosed{false});
   if (const auto on = checkbox(ui, "Append points", session.settings.append_mode,
                                with_keys(ui.keys, "A click on the ground appends a knot to an open track; " + ui.keys.shown("Cancel") + " leaves it.", "Append points")))
     ui.emit(edit::SetAppendMode{*on});
@@ -111,6 +129,7 @@ void file(Ui& ui) {
 void track_panel(Ui& ui) {
   if (auto name = text(ui, "Name", ui.session().document.name, "The track's name.")) ui.emit(edit::SetName{std::move(*name)});
   size(ui);
+  conflicts(ui);
   building(ui);
   start(ui);
   file(ui);

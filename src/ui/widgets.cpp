@@ -145,7 +145,7 @@ std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice>
   return chosen;
 }
 
-void read_out(Ui& ui, std::string_view label, std::string_view value, std::string_view unit, std::string_view tooltip) {
+void read_out(Ui& ui, std::string_view label, std::string_view value, std::string_view unit, std::string_view tooltip, bool warns) {
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, gap = std::floor(5 * ui.scale), line = ImGui::GetTextLineHeight();
   const float value_width = text_size(value).x + (unit.empty() ? 0 : gap + text_size(unit).x);
@@ -154,18 +154,19 @@ void read_out(Ui& ui, std::string_view label, std::string_view value, std::strin
   const bool stacked = text_size(label).x + gap + value_width > room;
   const bool column = !stacked && text_size(label).x + gap + text_size(value).x + unit_room <= room;
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 ink = packed(warns ? palette().warning : palette().text);
   list.AddText(start, packed(palette().dim), label.data(), label.data() + label.size());
   const float top = start.y + (stacked ? line : 0);
   const float right = start.x + room;
   const float edge = unit.empty() ? right : column ? right - unit_room : right - text_size(unit).x - gap;
   if (value_width > room) {  // too long for any line: wrapped below its label
     const ImVec2 block = ImGui::CalcTextSize(value.data(), value.data() + value.size(), false, room);
-    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {start.x, top}, packed(palette().text), value.data(), value.data() + value.size(), room);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {start.x, top}, ink, value.data(), value.data() + value.size(), room);
     ImGui::Dummy({room, line + block.y});
     note_item(ui, label, "label", tooltip, true, std::string(value));
     return;
   }
-  list.AddText({std::floor(edge - text_size(value).x), top}, packed(palette().text), value.data(), value.data() + value.size());
+  list.AddText({std::floor(edge - text_size(value).x), top}, ink, value.data(), value.data() + value.size());
   if (!unit.empty()) list.AddText({std::floor(edge + gap), top}, packed(palette().dim), unit.data(), unit.data() + unit.size());
   ImGui::Dummy({room, stacked ? 2 * line : line});
   note_item(ui, label, "label", tooltip, true, std::string(value) + (unit.empty() ? "" : " " + std::string(unit)));
@@ -198,7 +199,7 @@ void read_query(Ui& ui, std::string_view label, std::string_view name, std::stri
       words = real != nullptr ? fixed(*real * shown.factor, shown.decimals) : query::to_text(*value);
     }
   }
-  read_out(ui, label, words, unit, tooltip);
+  read_out(ui, label, words, unit, tooltip, shown.warns);
 }
 
 }  // namespace coaster::ui

@@ -122,14 +122,15 @@ std::optional<double> real_slider(Ui& ui, std::string_view label, double value, 
 // A line of text; returns it when Enter is pressed or the field is left changed.
 std::optional<std::string> text(Ui& ui, std::string_view label, const std::string& value, std::string_view tooltip);
 
-// Label left, value with its unit right.
-void read_out(Ui& ui, std::string_view label, std::string_view value, std::string_view unit, std::string_view tooltip);
+// Label left, value with its unit right; in the colour of warnings where it `warns`.
+void read_out(Ui& ui, std::string_view label, std::string_view value, std::string_view unit, std::string_view tooltip, bool warns = false);
 // The same for a query's value, with `decimals`; "--" where it has none or (times) where a script runs. `factor` converts units.
 struct Shown {
   int decimals = 2;
   const char* unit = nullptr;  // null: the query's
   double factor = 1;
   bool is_time = false;
+  bool warns = false;
 };
 void read_query(Ui& ui, std::string_view label, std::string_view query, std::string_view argument, std::string_view tooltip, Shown shown = {});
 

@@ -2,6 +2,7 @@
 #include "view/overlay.h"
 
 #include <algorithm>
+#include <array>
 
 #include "view/gizmo.h"
 #include "view/marks.h"
@@ -63,23 +64,16 @@ Mark mark_of(const PlacedMark& placed, const world::Settings& settings, const Pi
   return {placed.position, kKnotRadius * growth, placed.knot == settings.selected ? kSelectedColour : world::is_selected(settings, placed.knot) ? kAlsoColour : kKnotColour, MarkShape::disc};
 }
 
-// A red disc with a white cross on the rails.
+// A red disc with a cross over the rails.
 void add_failure(const sim::Derived& derived, const world::Failure& failure, const View& view, float scale, Overlay& overlay) {
   if (failure.kind == world::FailureKind::none || derived.order.empty()) return;
   const sim::TrackPlace place = sim::place_at(derived, failure.distance);
   const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
   const glm::dvec3 at = curve::point(shape.key.cubic, shape.arc.parameter(place.s)) + kFailureHeight * sim::frame_at(shape, place.s).up;
-  const double px_per_metre = PixelScale(view)(at);
-  if (!(px_per_metre > 0)) return;
-  overlay.marks.push_back({glm::vec3(at), 11 * scale, 0xffffffff, MarkShape::disc});
-  overlay.marks.push_back({glm::vec3(at), 9.5f * scale, kFailureColour, MarkShape::disc});
-  // A cross of small squares: marks are drawn over lines.
-  const glm::dvec3 right(view.view[0][0], view.view[1][0], view.view[2][0]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
-  for (int i = -3; i <= 3; ++i)
-    for (const double side : {-1.0, 1.0}) {
-      const glm::dvec3 off = (1.35 * i * static_cast<double>(scale) / px_per_metre) * (right + side * up);
-      overlay.marks.push_back({glm::vec3(at + off), 1.4f * scale, 0xffffffff, MarkShape::disc});
-    }
+  std::array<glm::dvec2, 14> cross;
+  for (int i = 0; i < 7; ++i)
+    for (const int side : {0, 1}) cross[static_cast<std::size_t>(2 * i + side)] = 1.35 * (i - 3) * glm::dvec2(1, 2 * side - 1);
+  add_sign(at, kFailureColour, cross, view, scale, overlay);
 }
 
 }  // namespace
@@ -89,7 +83,7 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   Overlay overlay;
   add_laboratory(document, derived, settings, view, findings, overlay);
   const float scale = settings.ui_scale;
-  if (findings.element) add_element(*findings.element, view, scale, overlay);
+  if (findings.element) add_element(*findings.element, findings.narrow, view, scale, overlay);
   add_polygons(document, settings, overlay);
   // Places on the curve cannot be picked as marks, so they lie under all that can.
   if (const sim::SegmentShape* const shape = derived.segments.find(settings.selected))

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/elements.h"
+#include "sim/element_room.h"
 #include "sim/envelope.h"
 #include "sim/frame_methods.h"
 #include "view/pick.h"
@@ -41,8 +41,10 @@ struct Overlay {
 struct Findings {
   std::span<const sim::FrenetBreak> breaks;  // read for Layer::flips
   std::span<const sim::RedSpan> spans;       // read for Layer::limits
+  std::span<const sim::Conflict> conflicts;  // read for Layer::conflicts
   world::Failure failure;                    // of the ride; kind none: none
   const sim::ElementPlan* element = nullptr;  // of the palette, where it would go; null: not shown
+  std::span<const sim::Narrow> narrow;        // parts of it that lack room
   bool riding = false;                       // the eye goes with a running train: knots that are neither chosen nor under the cursor would hide the ride
 };
 

@@ -49,12 +49,21 @@ struct Sketch {
   }
 };
 
-std::uint32_t colour_at(const sim::ElementPlan& plan, const ElementPoint& p) { return p.position.y < 0 ? kBuriedColour : p.s < plan.lead ? kLeadColour : kElementColour; }
+struct Shown {
+  const sim::ElementPlan& plan;
+  std::span<const sim::Narrow> narrow;
+};
+
+std::uint32_t colour_at(const Shown& shown, const ElementPoint& p) {
+  const bool lacks_room = std::any_of(shown.narrow.begin(), shown.narrow.end(), [&](const sim::Narrow& part) { return part.from <= p.s && p.s <= part.to; });
+  return p.position.y < 0 || lacks_room ? kBuriedColour : p.s < shown.plan.lead ? kLeadColour : kElementColour;
+}
 
 dvec3 rail(const ElementPoint& p, double side) { return p.position + (0.5 * side * sim::kGauge) * glm::cross(p.up, p.tangent); }
 
 // Rails in short lines, a tie at every other step, plumb lines.
-void add_rails(const sim::ElementPlan& plan, const Sketch& sketch) {
+void add_rails(const Shown& shown, const Sketch& sketch) {
+  const sim::ElementPlan& plan = shown.plan;
   const double step = std::max(sim::kTieSpacing / 2, plan.length / kMaxElementSteps);
   const int steps = std::max(1, static_cast<int>(std::ceil(plan.length / step)));
   const int plumb = std::max(1, static_cast<int>(std::max(kPlumbSpacing, plan.length / 60) / step));
@@ -62,7 +71,7 @@ void add_rails(const sim::ElementPlan& plan, const Sketch& sketch) {
   ElementPoint before = sample(0);
   for (int i = 1; i <= steps; ++i) {
     const ElementPoint here = sample(plan.length * i / steps);
-    const std::uint32_t colour = colour_at(plan, here);
+    const std::uint32_t colour = colour_at(shown, here);
     for (const double side : {-1.0, 1.0}) sketch.rimmed(rail(before, side), rail(here, side), 2.0f, faded(colour, 0xd0));
     if (i % 2 == 0) sketch.line(rail(here, -1), rail(here, 1), 1.25f, faded(colour, 0x70));
     if ((i % plumb == 0 || i == steps) && here.position.y > kLeastPlumb)
@@ -72,7 +81,8 @@ void add_rails(const sim::ElementPlan& plan, const Sketch& sketch) {
 }
 
 // Dashes of about constant length on screen, in a power of two of metres.
-void add_dashes(const sim::ElementPlan& plan, const View& view, const Sketch& sketch) {
+void add_dashes(const Shown& shown, const View& view, const Sketch& sketch) {
+  const sim::ElementPlan& plan = shown.plan;
   const std::vector<ElementPoint>& points = plan.ideal.points;
   double px_per_metre = 0;
   const PixelScale scale(view);
@@ -83,17 +93,17 @@ void add_dashes(const sim::ElementPlan& plan, const View& view, const Sketch& sk
   Sampler sample(points);
   for (double s = 0; s < plan.length; s += 2 * dash) {
     const ElementPoint from = sample(s), to = sample(std::min(s + dash, plan.length));
-    sketch.line(from.position, to.position, 2.5f, colour_at(plan, from));
+    sketch.line(from.position, to.position, 2.5f, colour_at(shown, from));
   }
 }
 
 }  // namespace
 
-void add_element(const sim::ElementPlan& plan, const View& view, float scale, Overlay& overlay) {
+void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, const View& view, float scale, Overlay& overlay) {
   if (!plan.refusal.empty() || plan.ideal.points.size() < 2) return;
   const Sketch sketch{overlay, scale};
-  add_rails(plan, sketch);
-  add_dashes(plan, view, sketch);
+  add_rails({plan, narrow}, sketch);
+  add_dashes({plan, narrow}, view, sketch);
   const ElementPoint& end = plan.ideal.points.back();
   add_arrow(end.position, end.tangent, std::clamp(0.05 * plan.length, 3.0, 12.0), view, 3.0f * scale, kElementColour, overlay);
   constexpr std::size_t kMostKnots = 400;

@@ -13,12 +13,14 @@ namespace coaster::view {
 inline constexpr std::uint32_t kConstructionColour = 0x7fd1b9ff, kCombColour = 0xb39ddbff, kCircleColour = 0xf4e9a6ff;
 inline constexpr std::uint32_t kTangentColour = 0xe5534bff, kNormalColour = 0x4fb477ff, kBinormalColour = 0x4c9affff;
 inline constexpr std::uint32_t kRoundingColour = 0xff8ac4ff, kLimitColour = 0xff3b30ff, kSeamColour = 0xe5534bff, kBreakColour = 0xf2b84bff;
+inline constexpr std::uint32_t kConflictColour = 0xffdd33ff;
 
 inline constexpr int kMaxFrames = 200;             // three arrows each
 inline constexpr int kMaxTeeth = 3000;
 inline constexpr int kMaxRoundingVertices = 8200;  // two segments at the highest resolution
 inline constexpr int kMaxBreaks = 500;
 inline constexpr int kMaxSpanPieces = 4000;        // of all red spans
+inline constexpr int kMaxConflicts = 300;
 inline constexpr int kCircleSides = 96;
 inline constexpr double kMaxRadius = 1e4;          // m; a flatter curve has no circle worth drawing
 inline constexpr double kMaxTooth = 1e3;           // m; at a cusp the curvature has no bound
@@ -48,6 +50,9 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
 
 // What of the ride lasts longer than it may: a broad line over the rails, each span about the car that feels it.
 void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans, float scale, Overlay& overlay);
+
+// Where the track is in its own way: a broad line over both stretches, and a sign between their narrowest places.
+void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> conflicts, const View& view, float scale, Overlay& overlay);
 
 // The layers that are on, the wide-spread ones first, over dark rims. What they show is read of `findings` while they are on alone.
 void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,

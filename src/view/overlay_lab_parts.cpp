@@ -27,6 +27,32 @@ void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View&
   overlay.lines.push_back({glm::vec3(tip), glm::vec3(back - out), width_px, rgba});
 }
 
+void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> glyph, const View& view, float scale, Overlay& overlay) {
+  constexpr std::uint32_t kInk = 0x1b1f27ff;
+  const double px_per_metre = PixelScale(view)(at);
+  if (!(px_per_metre > 0)) return;
+  overlay.marks.push_back({glm::vec3(at), 11 * scale, rgba, MarkShape::disc});
+  // Dots, since marks are drawn over lines.
+  const glm::dvec3 right(view.view[0][0], view.view[1][0], view.view[2][0]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  const double metres = static_cast<double>(scale) / px_per_metre;
+  for (const glm::dvec2 dot : glyph) overlay.marks.push_back({glm::vec3(at + metres * (dot.x * right + dot.y * up)), 1.5f * scale, kInk, MarkShape::disc});
+}
+
+void add_band(const sim::Derived& derived, double from, double to, int pieces, float width_px, std::uint32_t rgba, Overlay& overlay) {
+  constexpr double kOver = 0.35;  // m over the rails
+  const auto at = [&](double distance) {
+    const sim::TrackPlace place = sim::place_at(derived, distance);
+    const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
+    return curve::point(shape.key.cubic, shape.arc.parameter(place.s)) + kOver * sim::frame_at(shape, place.s).up;
+  };
+  glm::dvec3 before = at(from);
+  for (int i = 1; i <= pieces; ++i) {
+    const glm::dvec3 next = at(from + (to - from) * i / pieces);
+    add_line(before, next, width_px, rgba, overlay);
+    before = next;
+  }
+}
+
 std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& view) {
   constexpr float kNearest = 1;  // m: nearer than this nothing gets more detail
   // Rows of the view matrix are the camera's axes; a sphere is outside when it lies beyond a side plane of the pyramid.

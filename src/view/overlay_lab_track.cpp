@@ -1,6 +1,7 @@
 // The pictures along the whole track: frames, comb, Frenet's failures. Only what is in the picture is looked at, in steps that are some pixels
 // long, so that the work does not grow with the detail that nobody sees.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "view/overlay_lab.h"
@@ -105,22 +106,12 @@ void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans,
   constexpr double kPiece = 1.0;  // m
   if (derived.order.empty()) return;
   int left = kMaxSpanPieces;
-  const auto at = [&](double distance) {
-    const sim::TrackPlace place = sim::place_at(derived, distance);
-    const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
-    return curve::point(shape.key.cubic, shape.arc.parameter(place.s)) + 0.35 * sim::frame_at(shape, place.s).up;
-  };
   for (const sim::RedSpan& span : spans) {
     double length = span.to_distance - span.from_distance;
     if (length < 0 && derived.closed) length += derived.length;  // over the closing joint
     const int pieces = std::min(left, std::max(1, static_cast<int>(std::ceil(std::abs(length) / kPiece))));
     left -= pieces;
-    glm::dvec3 before = at(span.from_distance);
-    for (int i = 1; i <= pieces; ++i) {
-      const glm::dvec3 next = at(span.from_distance + length * i / pieces);
-      add_line(before, next, 5.0f * scale, kLimitColour, overlay);
-      before = next;
-    }
+    add_band(derived, span.from_distance, span.from_distance + length, pieces, 5.0f * scale, kLimitColour, overlay);
     if (left <= 0) return;
   }
 }
@@ -154,6 +145,19 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
     add_line(place - size * (right + up), place + size * (right + up), 3.0f * scale, kBreakColour, overlay);
     add_line(place - size * (right - up), place + size * (right - up), 3.0f * scale, kBreakColour, overlay);
   }
+}
+
+void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> conflicts, const View& view, float scale, Overlay& overlay) {
+  constexpr int kPieces = 24;     // of a stretch
+  constexpr double kOver = 1.6;  // m
+  constexpr std::array<glm::dvec2, 6> kExclamation{{{0, 4.8}, {0, 3.5}, {0, 2.2}, {0, 0.9}, {0, -0.4}, {0, -4.2}}};  // px
+  const auto shown = conflicts.first(std::min(conflicts.size(), static_cast<std::size_t>(kMaxConflicts)));
+  for (const sim::Conflict& conflict : shown) {
+    add_band(derived, conflict.from, conflict.to, kPieces, 5.0f * scale, kConflictColour, overlay);
+    add_band(derived, conflict.other_from, conflict.other_to, kPieces, 5.0f * scale, kConflictColour, overlay);
+    add_line(conflict.at_place, conflict.other_place, 3.0f * scale, kConflictColour, overlay);
+  }
+  for (const sim::Conflict& conflict : shown) add_sign(0.5 * (glm::dvec3(conflict.at_place) + glm::dvec3(conflict.other_place)) + glm::dvec3(0, kOver, 0), kConflictColour, kExclamation, view, scale, overlay);
 }
 
 }  // namespace coaster::view

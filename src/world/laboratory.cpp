@@ -15,6 +15,7 @@ constexpr LayerRow kLayers[] = {
     {"limits", "Red spans", "Where some g of the ride lasts longer than it may (not a compliance check)."},
     {"supports", "Supports", "Columns that hold the track up, found by themselves where they leave the trains' way free."},
     {"knots", "Knots", "The knots and their handles; hidden ones can be picked all the same."},
+    {"conflicts", "Conflicts", "Where the track is in its own way: a train on one stretch has too little room beside, under or over another."},
 };
 
 constexpr ColouringRow kColourings[] = {

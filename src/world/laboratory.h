@@ -9,7 +9,7 @@
 namespace coaster::world {
 
 // Rows of layers(), in its order.
-enum class Layer : std::uint8_t { polyline, frames, comb, circle, construction, rounding, flips, limits, supports, knots };
+enum class Layer : std::uint8_t { polyline, frames, comb, circle, construction, rounding, flips, limits, supports, knots, conflicts };
 
 struct LayerRow {
   std::string_view name;   // in scripts and recordings: "show comb on"
@@ -18,18 +18,16 @@ struct LayerRow {
 };
 std::span<const LayerRow> layers();
 
-// A set of layers. The polyline, the supports and the knots show at first.
+// A set of layers. The polyline, the supports, the knots and the conflicts show at first.
 class Layers {
  public:
-  bool has(Layer layer) const { return (bits_ >> static_cast<unsigned>(layer) & 1u) != 0; }
-  void set(Layer layer, bool on) {
-    const auto bit = static_cast<std::uint16_t>(1u << static_cast<unsigned>(layer));
-    bits_ = static_cast<std::uint16_t>(on ? bits_ | bit : bits_ & ~bit);
-  }
+  bool has(Layer layer) const { return (bits_ & bit(layer)) != 0; }
+  void set(Layer layer, bool on) { bits_ = static_cast<std::uint16_t>(on ? bits_ | bit(layer) : bits_ & ~bit(layer)); }
   friend bool operator==(const Layers&, const Layers&) = default;
 
  private:
-  std::uint16_t bits_ = 1u << static_cast<unsigned>(Layer::polyline) | 1u << static_cast<unsigned>(Layer::supports) | 1u << static_cast<unsigned>(Layer::knots);
+  static constexpr std::uint16_t bit(Layer layer) { return static_cast<std::uint16_t>(1u << static_cast<unsigned>(layer)); }
+  std::uint16_t bits_ = bit(Layer::polyline) | bit(Layer::supports) | bit(Layer::knots) | bit(Layer::conflicts);
 };
 
 // What the track is coloured by: rows of colourings(), in its order.

@@ -63,5 +63,32 @@ TEST_F(ClickingPoints, a_point_straight_above_has_a_level_up) {
   EXPECT_NEAR(knot(2).up.y, 0.0f, 1e-6f);
 }
 
+TEST_F(ClickingPoints, a_gap_shorter_than_the_ends_handles_is_closed_without_folding_back) {
+  for (const char* line : {"element straight length 40", "element curve left radius 15 angle 180", "element straight length 90", "element curve left radius 15 angle 180",
+                           "element straight length 40"})
+    good(line);
+  const double open = session.derived.length;
+  const world::Knot& end = world::knot(session.document, session.document.track.knots.back());
+  const float gap = glm::distance(end.position, knot(1).position);
+  ASSERT_NEAR(gap, 10, 0.1);
+  ASSERT_GT(end.out_length, gap);
+  ASSERT_GT(knot(1).in_length, gap);
+  good("closed on");
+  EXPECT_NEAR(session.derived.length, open + double{gap}, 0.01);
+  EXPECT_TRUE(edit::conflicts(session).empty());
+  const double length = session.derived.length;
+  good("closed off"), good("closed on");
+  EXPECT_EQ(session.derived.length, length);
+}
+
+TEST_F(ClickingPoints, handles_that_suit_the_gap_stay_as_they_are) {
+  for (const char* line : {"element straight length 40", "element curve left radius 15 angle 180", "element straight length 40"}) good(line);
+  const world::Entity last = session.document.track.knots.back();
+  good("lengths @k1 in 19 out 13"), good("lengths @" + world::label_of(session.document, last) + " in 13 out 17");
+  good("closed on");
+  EXPECT_EQ(knot(1).in_length, 19);
+  EXPECT_EQ(world::knot(session.document, last).out_length, 17);
+}
+
 }  // namespace append_shape_test
 }  // namespace coaster::edit

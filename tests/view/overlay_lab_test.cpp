@@ -228,5 +228,35 @@ TEST(overlay_lab, an_empty_track_shows_nothing) {
   EXPECT_TRUE(overlay == Overlay{});
 }
 
+TEST(overlay_lab, a_conflict_has_a_band_over_both_stretches_and_a_sign_above_while_nobody_rides) {
+  Scene scene;
+  const sim::Conflict conflict{.at = 12, .other = 110, .from = 10, .to = 15, .other_from = 107, .other_to = 113, .missing = 1, .at_place = {3, 4, 5}, .other_place = {5, 6, 7}};
+  Findings findings;
+  findings.conflicts = {&conflict, 1};
+  Overlay overlay;
+  add_laboratory(scene.document, scene.derived, scene.settings, scene.view, findings, overlay);
+  const auto ends_at = [&](double distance) {
+    const sim::TrackPlace place = sim::place_at(scene.derived, distance);
+    const glm::dvec3 rails = curve::point(scene.shape(place.index).key.cubic, scene.shape(place.index).arc.parameter(place.s));
+    return std::any_of(overlay.lines.begin(), overlay.lines.end(), [&](const Line& line) {
+      return line.rgba == kConflictColour && (glm::distance(glm::dvec3(line.from), rails) < 0.36 || glm::distance(glm::dvec3(line.to), rails) < 0.36);
+    });
+  };
+  for (const double distance : {10.0, 12.5, 15.0, 107.0, 110.0, 113.0}) EXPECT_TRUE(ends_at(distance)) << distance;
+  for (const double distance : {5.0, 20.0, 100.0, 120.0}) EXPECT_FALSE(ends_at(distance)) << distance;
+  ASSERT_FALSE(overlay.marks.empty());
+  EXPECT_EQ(overlay.marks[0].rgba, kConflictColour);
+  EXPECT_EQ(overlay.marks[0].position.x, 4);
+  EXPECT_GT(overlay.marks[0].position.y, 6);
+
+  for (const bool riding : {true, false}) {
+    findings.riding = riding;
+    scene.settings.layers.set(world::Layer::conflicts, riding);
+    Overlay none;
+    add_laboratory(scene.document, scene.derived, scene.settings, scene.view, findings, none);
+    EXPECT_TRUE(none == Overlay{}) << riding;
+  }
+}
+
 }  // namespace overlay_lab_test
 }  // namespace coaster::view
