@@ -16,13 +16,22 @@ layout(std140) uniform Air {
 } air;
 const float kHighest = 128.0;  // m over the ground: shadow maps tell no greater heights apart
 
-vec3 linear_of(vec3 colour) { return mix(colour / 12.92, pow((colour + 0.055) / 1.055, vec3(2.4)), step(0.04045, colour)); }
+// sRGB and back for 0..1, by roots in place of powers, which software renderers take long to compile and to compute: minimax fits that are off by at
+// most a quarter of one of 255 steps of the screen.
+vec3 linear_of(vec3 colour) {
+  vec3 root = sqrt(colour);
+  return colour * (0.0948205 - 0.2462515 * root + colour * (0.6949750 + 0.4546535 * root));
+}
+vec3 srgb_of(vec3 light) {
+  vec3 root = sqrt(light);
+  return mix(12.92 * light, 0.8337491 * root + 0.2981106 * sqrt(root) - 0.0553147 * light - 0.0769040, step(0.0031308, light));
+}
 // To the screen's sRGB. The shoulder keeps highlights below white and the toe shadows above black, as film does; a drawing's colours stay.
 vec3 encode(vec3 light) {
   const float kShoulder = 0.58, kRoom = 0.38, kBlack = 0.0035;
   vec3 soft = min(light, kShoulder) + kRoom * (1.0 - exp(-max(light - kShoulder, 0.0) / kRoom));
   soft = mix(kBlack + (1.0 - kBlack) * soft, light, air.sun.w);
-  return mix(12.92 * soft, 1.055 * pow(max(soft, 1e-5), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, soft));
+  return srgb_of(max(soft, 0.0));
 }
 
 // The air's colour far away in a direction.
@@ -33,12 +42,21 @@ vec3 far_air(vec3 sight) {
 // What far ground and solids fade into: the mist at the feet of the hills.
 const float kFeet = 0.36;
 vec3 mist(vec3 sight) { return mix(far_air(sight), air.hills.rgb, kFeet); }
+// Powers, by products for the same reason.
+float to_7(float x) {
+  float square = x * x;
+  return square * square * (square * x);
+}
+float to_90(float x) {
+  float square = x * x, to_10 = square * square * (square * square) * square, to_30 = to_10 * to_10 * to_10;
+  return to_30 * to_30 * to_30;
+}
 // Without the sun's disc; flat at the horizon, where it meets the fog without an edge.
 vec3 sky(vec3 sight) {
   float height = clamp(sight.y, 0.0, 1.0);
   vec3 low = mix(far_air(sight), air.middle.rgb, 1.0 - exp(-9.0 * height * height / (height + 0.07)));
   float near = max(dot(sight, air.sun.xyz), 0.0);
-  return mix(low, air.zenith.rgb, 1.0 - exp(-2.2 * height * height / (height + 0.25))) + air.glow.rgb * (0.16 * pow(near, 7.0) + 0.5 * pow(near, 90.0));
+  return mix(low, air.zenith.rgb, 1.0 - exp(-2.2 * height * height / (height + 0.25))) + air.glow.rgb * (0.16 * to_7(near) + 0.5 * to_90(near));
 }
 // How much of the air's colour covers what is `metres` away. An eye high up sees a large track whole: the air clears with height.
 float fog(float metres, float eye_height) {

@@ -51,11 +51,12 @@ vec3 lit(vec3 paint_light, float shiny, float sun, vec3 normal, vec3 to_eye) {
   vec3 ambient = mix(air.ground_light.rgb, air.sky_light.rgb, 0.5 + 0.5 * normal.y);
   vec3 light = paint_light * (air.sun_light.rgb * sun + ambient);
   float upright = max(dot(normal, to_eye), 0.0);
-  float mirror = shiny * air.sun_light.w * (0.04 + 0.5 * pow(1.0 - upright, 5.0));
+  float grazing = (1.0 - upright) * (1.0 - upright);
+  float mirror = shiny * air.sun_light.w * (0.04 + 0.5 * grazing * grazing * (1.0 - upright));
   vec3 bounce = reflect(-to_eye, normal);
   vec3 seen = mix(air.ground.rgb * (air.sun_light.rgb * air.sun.y + air.sky_light.rgb), sky(vec3(bounce.x, max(bounce.y, 0.0), bounce.z)), smoothstep(-0.12, 0.12, bounce.y));
   float half_way = max(dot(normal, normalize(air.sun.xyz + to_eye)), 0.0);
-  vec3 shine = air.sun_light.rgb * shiny * (0.45 * pow(half_way, 90.0) + 0.04 * pow(half_way, 14.0)) * min(4.0 * sun, 1.0);
+  vec3 shine = air.sun_light.rgb * shiny * (0.45 * to_90(half_way) + 0.04 * to_7(half_way * half_way)) * min(4.0 * sun, 1.0);
   return light + mirror * seen + shine * air.sun_light.w;
 }
 

@@ -86,7 +86,7 @@ void building(Ui& ui) {
   const std::size_t knots = session.document.track.knots.size();
   const bool closed = session.document.track.closed;
 
-  if (const auto to = checkbox(ui, "Closed", closed, "Join the last knot to the first (a circuit), or open the track there.", closed || knots >= 2))
+  if (const auto to = checkbox(ui, "Closed", closed, "Join the last knot to the first (a circuit; ends that meet become one knot), or open the track there.", closed || knots >= 2))
     ui.emit(*to ? closing(session) : edit::SetClosed{false});
   if (const auto on = checkbox(ui, "Append points", session.settings.append_mode,
                                with_keys(ui.keys, "A click on the ground appends a knot to an open track; " + ui.keys.shown("Cancel") + " leaves it.", "Append points")))
