@@ -45,7 +45,7 @@ double worst(std::span<const Narrow> parts);
 
 class Conflicts {
  public:
-  // Brings them up to date: all conflicts in the track's order. Cost while nothing changed: a comparison for each segment; else some microseconds for
+  // Brings them up to date with the same Derived as before: all conflicts in the track's order. Cost while nothing changed: a comparison for each segment; else some microseconds for
   // each that changed and for what is within kSameStretch of it. Where a great many places are in each other's way, not all are
   // found: no more than kMostHits for each chord of a segment.
   const std::vector<Conflict>& update(const Derived& derived);

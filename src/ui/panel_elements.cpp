@@ -70,7 +70,7 @@ void outcome(Ui& ui, const sim::ElementPlan& plan) {
   read_query(ui, "Fit error", "element.error", {}, "The largest distance between the ideal curve and the spans.", {.decimals = 1, .unit = "mm", .factor = 1000});
   if (plan.lowest < 0) read_out(ui, "In the ground", fixed(-plan.lowest, 1), "m", "It goes below the ground: the red part.", true);
   if (const double missing = sim::worst(edit::narrow_parts(ui.session(), ui.session().settings.element)); missing > 0)
-    read_out(ui, "Lacks room", fixed(missing, 1), "m", "A train on it or on other track would be in the way: the red part.", true);
+    read_out(ui, "Lacks room", fixed(missing, 1), "m", "A train on it or on other track would be in the way: the yellow part.", true);
   for (const std::string& line : plan.lines) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().warning));
     ImGui::TextWrapped("%s", line.c_str());

@@ -56,7 +56,7 @@ struct Shown {
 
 std::uint32_t colour_at(const Shown& shown, const ElementPoint& p) {
   const bool lacks_room = std::any_of(shown.narrow.begin(), shown.narrow.end(), [&](const sim::Narrow& part) { return part.from <= p.s && p.s <= part.to; });
-  return p.position.y < 0 || lacks_room ? kBuriedColour : p.s < shown.plan.lead ? kLeadColour : kElementColour;
+  return p.position.y < 0 ? kBuriedColour : lacks_room ? kNarrowColour : p.s < shown.plan.lead ? kLeadColour : kElementColour;
 }
 
 dvec3 rail(const ElementPoint& p, double side) { return p.position + (0.5 * side * sim::kGauge) * glm::cross(p.up, p.tangent); }

@@ -6,8 +6,8 @@
 
 namespace coaster::view {
 
-// 0xRRGGBBAA: the element, what leads into it, and what of it is in the ground or lacks room.
-inline constexpr std::uint32_t kElementColour = 0x66d9e8ff, kLeadColour = 0xffc078ff, kBuriedColour = 0xff6b6bff;
+// 0xRRGGBBAA: the element, what leads into it, and what of it is in the ground or lacks room (as conflicts).
+inline constexpr std::uint32_t kElementColour = 0x66d9e8ff, kLeadColour = 0xffc078ff, kBuriedColour = 0xff6b6bff, kNarrowColour = 0xffdd33ff;
 inline constexpr int kMaxElementSteps = 900;  // of each rail, whatever the length
 
 // Nothing for an element that cannot be placed. At most 9 lines a step.

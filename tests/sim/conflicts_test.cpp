@@ -1,6 +1,7 @@
 #include "sim/conflicts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <random>
 
@@ -183,6 +184,21 @@ TEST(conflicts, track_in_a_heap_is_looked_at_in_bounds) {
   const auto found = conflicts_of(test::derived_of(d));
   EXPECT_GT(found.size(), 10u);
   for (const Conflict& conflict : found) EXPECT_TRUE(conflict.missing > 0 && conflict.missing <= kTrainRadius + kTrackRadius && conflict.at < conflict.other);
+}
+
+TEST(conflicts, of_degenerate_and_random_tracks_are_within_the_track) {
+  Derived derived;  // of one document after the other
+  Conflicts kept;
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    derive(test::random_document(seed), {}, {}, derived);
+    const auto found = kept.update(derived);
+    EXPECT_EQ(found, conflicts_of(derived)) << seed;
+    for (const Conflict& c : found) {
+      EXPECT_TRUE(0 <= c.from && c.from <= c.at && c.at <= c.to && c.to <= derived.length) << seed;
+      EXPECT_TRUE(0 <= c.other_from && c.other_from <= c.other && c.other <= c.other_to && c.other_to <= derived.length) << seed;
+      EXPECT_TRUE(c.missing > 0 && std::isfinite(glm::length(c.at_place)) && std::isfinite(glm::length(c.other_place)) && derived.segments.contains(c.segment)) << seed;
+    }
+  }
 }
 
 TEST(conflicts, what_comes_with_the_game_has_none) {

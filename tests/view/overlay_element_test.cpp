@@ -51,22 +51,22 @@ TEST(overlay_element, a_long_element_is_drawn_with_as_few_lines_as_a_short_one_m
   EXPECT_LT(drawn(plan).lines.size(), 9u * kMaxElementSteps);
 }
 
-TEST(overlay_element, what_lacks_room_is_red) {
+TEST(overlay_element, what_lacks_room_is_yellow) {
   sim::TrackEnd end;
   end.position.y = 30;
   const sim::ElementPlan plan = sim::plan_element(world::usual_element(world::ElementKind::straight), end);
   const sim::Narrow part{0.25 * plan.length, 0.5 * plan.length, 1};
   const Overlay overlay = drawn(plan, {&part, 1});
-  int red = 0;
+  int yellow = 0;
   for (const Line& line : overlay.lines) {
     if (line.width_px != 2.0f) continue;
     const double s = glm::distance(glm::dvec3(line.to), plan.ideal.points.front().position) / plan.length;
-    const bool is_red = (line.rgba | 0xffu) == kBuriedColour;
+    const bool is_yellow = (line.rgba | 0xffu) == kNarrowColour;
     const bool at_an_end = std::abs(s - 0.25) < 0.02 || std::abs(s - 0.5) < 0.02;
-    EXPECT_TRUE(at_an_end || is_red == (s > 0.25 && s < 0.5)) << s;
-    red += is_red;
+    EXPECT_TRUE(at_an_end || is_yellow == (s > 0.25 && s < 0.5)) << s;
+    yellow += is_yellow;
   }
-  EXPECT_GT(red, 4);
+  EXPECT_GT(yellow, 4);
 }
 
 TEST(overlay_element, what_is_in_the_ground_is_red_and_what_cannot_be_placed_is_not_drawn) {
