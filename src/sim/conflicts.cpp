@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "sim/clearance.h"
 #include "sim/track_mesh.h"
@@ -28,6 +29,17 @@ double missing_between(const LinePoint& p, const LinePoint& q, const LinePoint& 
     return distance_between(lifted(p.position, p.up, one), lifted(q.position, q.up, one), lifted(r.position, r.up, other), lifted(t.position, t.up, other));
   };
   return kNeeded - std::min(distance(kTrainLift, -kTrackDrop), distance(-kTrackDrop, kTrainLift));
+}
+
+// Segments that may have other neighbours than before: those between a common start and a common end of both orders, one on each side of them, and both
+// ends of the track, which may have been joined or cut.
+void mark_rearranged(const std::vector<world::Entity>& before, const std::vector<world::Entity>& now, std::vector<bool>& stale) {
+  if (now.empty()) return;
+  const auto [was, is] = std::mismatch(before.begin(), before.end(), now.begin(), now.end());
+  const auto last = std::mismatch(before.rbegin(), std::make_reverse_iterator(was), now.rbegin(), std::make_reverse_iterator(is)).second;
+  const auto first = is - now.begin(), end = last.base() - now.begin();
+  for (auto i = std::max<std::ptrdiff_t>(first - 1, 0); i < std::min<std::ptrdiff_t>(end + 1, std::ssize(now)); ++i) stale[static_cast<std::size_t>(i)] = true;
+  stale.front() = stale.back() = true;
 }
 
 }  // namespace
@@ -146,16 +158,8 @@ const std::vector<Conflict>& Conflicts::update(const Derived& derived) {
   if (last_build_ == derived.last_build && closed_ == derived.closed && order_ == derived.order) return found_;
   std::vector<bool> stale(derived.order.size());
   if (order_ != derived.order || closed_ != derived.closed) {
-    // Segments that have other neighbours than before lie in between a common start and a common end.
-    const auto [was, is] = std::mismatch(order_.begin(), order_.end(), derived.order.begin(), derived.order.end());
-    const auto [was_last, is_last] = std::mismatch(order_.rbegin(), std::make_reverse_iterator(was), derived.order.rbegin(), std::make_reverse_iterator(is));
-    const std::size_t first = static_cast<std::size_t>(is - derived.order.begin()), end = static_cast<std::size_t>(is_last.base() - derived.order.begin());
-    for (std::size_t i = first == 0 ? 0 : first - 1; i < std::min(end + 1, stale.size()); ++i) stale[i] = true;
-    if (!stale.empty()) stale.front() = stale.back() = true;
-    std::vector<world::Entity> vanished;
-    for (const world::Entity entity : entries_.entities())
-      if (!derived.segments.contains(entity)) vanished.push_back(entity);
-    for (const world::Entity entity : vanished) entries_.erase(entity);
+    mark_rearranged(order_, derived.order, stale);
+    entries_.keep_those_of(derived.segments);
   }
   last_build_ = derived.last_build;
   closed_ = derived.closed;

@@ -80,14 +80,6 @@ void drop_polyline(SegmentShape& shape) {
   shape.deviation = 0;
 }
 
-// Erases what belongs to segments that are gone.
-void drop_vanished(const world::Document& document, Derived& derived) {
-  std::vector<world::Entity> vanished;
-  for (const world::Entity e : derived.segments.entities())
-    if (!document.entities.find<world::Segment>(e)) vanished.push_back(e);
-  for (const world::Entity e : vanished) derived.segments.erase(e);
-}
-
 // `reshaped`: places in the order of segments whose cubics are new. Other segments, or most of them elsewhere, and the old tree is of no use.
 void update_tree(bool reordered, std::span<const std::size_t> reshaped, Derived& derived) {
   if (!reordered && reshaped.empty()) return;
@@ -108,7 +100,7 @@ void derive(const world::Document& document, const world::Settings& settings, co
   std::vector<std::size_t> reshaped;
   if (reordered) {
     derived.order = document.track.segments;
-    drop_vanished(document, derived);
+    derived.segments.keep_those_of(document.entities.pool<world::Segment>());
   }
   derived.closed = document.track.closed;
   derived.rebuilds = 0;

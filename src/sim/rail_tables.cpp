@@ -64,10 +64,7 @@ void RailTables::update(const Derived& derived, double heartline) {
   }
   if (!changed) return;
   ++serial_;
-  std::vector<world::Entity> gone;
-  for (const world::Entity e : tables_.entities())
-    if (!derived.segments.contains(e)) gone.push_back(e);
-  for (const world::Entity e : gone) tables_.erase(e);
+  tables_.keep_those_of(derived.segments);
   order_ = derived.order;
   starts_ = derived.starts;
   closed_ = derived.closed;

@@ -88,10 +88,7 @@ void reset(const world::Document& document, const Derived& derived, world::Motio
 
 void reconcile(const world::Document& document, const Derived& derived, world::Motion& motion) {
   const auto& designed = document.entities.pool<world::Cart>();
-  std::vector<world::Entity> gone;
-  for (const world::Entity e : motion.carts.entities())
-    if (!designed.contains(e)) gone.push_back(e);
-  for (const world::Entity e : gone) motion.carts.erase(e);
+  motion.carts.keep_those_of(designed);
   for (std::size_t i = 0; i < designed.size(); ++i) {
     const world::Entity e = designed.entities()[i];
     world::CartMotion* const cart = motion.carts.find(e);

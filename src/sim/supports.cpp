@@ -52,14 +52,9 @@ SupportRow support_row(const SegmentShape& shape) {
 }
 
 void Supports::drop_vanished(const Derived& derived) {
-  std::vector<world::Entity> vanished;
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const world::Entity entity = entries_.entities()[i];
-    if (derived.segments.contains(entity)) continue;
-    vanished.push_back(entity);
-    moved_.push_back(entries_.items()[i].lane.box);
-  }
-  for (const world::Entity entity : vanished) entries_.erase(entity);
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    if (!derived.segments.contains(entries_.entities()[i])) moved_.push_back(entries_.items()[i].lane.box);
+  entries_.keep_those_of(derived.segments);
 }
 
 void Supports::take_shapes(const Derived& derived) {

@@ -57,6 +57,14 @@ class Pool {
     entities_.pop_back();
     sparse_[e.index] = kAbsent;
   }
+  // Erases what belongs to entities that `others` has nothing of.
+  template <class Other>
+  void keep_those_of(const Pool<Other>& others) {
+    std::vector<Entity> gone;
+    for (const Entity e : entities_)
+      if (!others.contains(e)) gone.push_back(e);
+    for (const Entity e : gone) erase(e);
+  }
   std::size_t size() const { return items_.size(); }
   const std::vector<Entity>& entities() const { return entities_; }  // dense order, as items()
   const std::vector<T>& items() const { return items_; }

@@ -35,6 +35,18 @@ TEST(registry, erasing_keeps_all_other_components) {
   EXPECT_EQ(r.size(), 7u);
 }
 
+TEST(registry, a_pool_can_be_cut_down_to_another_ones_entities) {
+  Pool<int> numbers;
+  Pool<char> letters;
+  for (std::uint32_t i = 0; i < 7; ++i) {
+    numbers.put({i, 0}, static_cast<int>(i));
+    if (i % 3 != 0) letters.put({i, i == 4 ? 1u : 0u}, 'a');  // of a later entity in the same slot
+  }
+  numbers.keep_those_of(letters);
+  EXPECT_EQ(numbers.size(), 3u);
+  for (const std::uint32_t i : {1u, 2u, 5u}) EXPECT_EQ(numbers.get({i, 0}), static_cast<int>(i));
+}
+
 TEST(registry, a_copy_is_a_snapshot) {
   Sample r;
   const Entity e = r.create();
