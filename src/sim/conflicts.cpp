@@ -19,12 +19,20 @@ double between_stretches(const Derived& derived, double from, double to, double 
   return derived.closed ? std::min(onward, from + derived.length - other_to) : onward;
 }
 
+// How many of the chords after r to t, which are all as long along the curve, are sure to come no nearer than by `metres`.
+std::size_t chords_within(double metres, const LinePoint& r, const LinePoint& t) { return static_cast<std::size_t>(metres / std::max(double{t.s} - double{r.s}, 1e-6)); }
+
 glm::dvec3 lifted(glm::vec3 position, glm::vec3 up, double by) { return glm::dvec3(position) + by * glm::dvec3(up); }
 
-// By how much a train on one of two chords, p to q and r to t, lacks room for the other; 0 or less where it has enough.
-double missing_between(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t) {
+// By how much two chords, p to q and r to t, are farther apart than can matter, m; below 0 they may matter to each other.
+double beyond_reach(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t) {
+  constexpr double kRounding = 0.05;  // m, of coordinates in float at the border of the world
   const double apart = 0.5 * static_cast<double>(glm::distance(p.position + q.position, r.position + t.position));
-  if (apart > 0.5 * (double{q.s} - double{p.s} + double{t.s} - double{r.s}) + kReach) return 0;
+  return apart - 0.5 * (double{q.s} - double{p.s} + double{t.s} - double{r.s}) - kReach - kRounding;
+}
+
+// By how much a train on one of them lacks room for the other; 0 or less where it has enough.
+double missing_between(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t) {
   const auto distance = [&](double one, double other) {
     return distance_between(lifted(p.position, p.up, one), lifted(q.position, q.up, one), lifted(r.position, r.up, other), lifted(t.position, t.up, other));
   };
@@ -95,6 +103,10 @@ std::size_t Conflicts::look_at(const Derived& derived, world::Entity a, world::E
     for (std::size_t k = a == b ? i + 1 : 0; k + 1 < second.places.size(); ++k) {
       const LinePoint &r = second.places[k], &t = second.places[k + 1];
       if (between_stretches(derived, first_start + double{p.s}, first_start + double{q.s}, second_start + double{r.s}, second_start + double{t.s}) < kSameStretch) continue;
+      if (const double beyond = beyond_reach(p, q, r, t); beyond > 0) {
+        k += chords_within(beyond, r, t);
+        continue;
+      }
       const double missing = missing_between(p, q, r, t);
       if (!(missing > 0)) continue;
       hits_.push_back({a, b, i, k, missing});
@@ -181,13 +193,16 @@ std::vector<Narrow> Conflicts::against(const Derived& derived, std::span<const L
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const LinePoint &p = line[i], &q = line[i + 1];
     double missing = 0;
-    for (std::size_t k = 0; k < i && double{p.s} - double{line[k + 1].s} >= kSameStretch; ++k) missing = std::max(missing, missing_between(line[k], line[k + 1], p, q));
+    for (std::size_t k = 0; k < i && double{p.s} - double{line[k + 1].s} >= kSameStretch; ++k)
+      if (beyond_reach(line[k], line[k + 1], p, q) <= 0) missing = std::max(missing, missing_between(line[k], line[k + 1], p, q));
     const curve::Box box = widened({glm::min(p.position, q.position), glm::max(p.position, q.position)}, static_cast<float>(kReach));
     all_near(derived.tree, box, [&](std::size_t index) {
       const Entry& entry = entries_.get(derived.order[index]);
       for (std::size_t k = 0; k + 1 < entry.places.size(); ++k) {
         const LinePoint &r = entry.places[k], &t = entry.places[k + 1];
-        if (derived.length - derived.starts[index] - double{t.s} + double{p.s} >= kSameStretch) missing = std::max(missing, missing_between(r, t, p, q));
+        if (derived.length - derived.starts[index] - double{t.s} + double{p.s} < kSameStretch) continue;
+        if (const double beyond = beyond_reach(r, t, p, q); beyond > 0) k += chords_within(beyond, r, t);
+        else missing = std::max(missing, missing_between(r, t, p, q));
       }
       return true;
     });
