@@ -161,7 +161,6 @@ void Conflicts::gather(const Derived& derived) {
     conflict.other = 0.5 * (other + other_to);
     conflict.at_place = 0.5f * (place(hit.a, hit.i).position + place(hit.a, hit.i + 1).position);
     conflict.other_place = 0.5f * (place(hit.b, hit.k).position + place(hit.b, hit.k + 1).position);
-    conflict.segment = hit.a;
   }
 }
 

@@ -24,7 +24,6 @@ struct Conflict {
   double other_from = 0, other_to = 0;    // m, the same of the other
   double missing = 0;               // m of room that a train lacks there, above 0, at most kTrainRadius + kTrackRadius
   glm::vec3 at_place{0}, other_place{0};  // m, on the rails' line
-  world::Entity segment;            // that `at` is on
   friend bool operator==(const Conflict&, const Conflict&) = default;
 };
 
@@ -45,9 +44,9 @@ double worst(std::span<const Narrow> parts);
 
 class Conflicts {
  public:
-  // Brings them up to date with the same Derived as before: all conflicts in the track's order. Cost while nothing changed: a comparison for each segment; else some microseconds for
-  // each that changed and for what is within kSameStretch of it. Where a great many places are in each other's way, not all are
-  // found: no more than kMostHits for each chord of a segment.
+  // Brings them up to date with the same Derived as before: all conflicts in the track's order. Cost while nothing changed: a comparison for each
+  // segment; else some microseconds for each that changed and for what is within kSameStretch of it. Where a great many places are in each other's
+  // way, not all are found: no more than kMostHits for each chord of a segment.
   const std::vector<Conflict>& update(const Derived& derived);
   // Where the line would be in the way of the track as last brought up to date, or in its own, if it went on from the track's end, which is open.
   std::vector<Narrow> against(const Derived& derived, std::span<const LinePoint> line) const;

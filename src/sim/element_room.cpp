@@ -1,6 +1,6 @@
 #include "sim/element_room.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace coaster::sim {
 namespace {

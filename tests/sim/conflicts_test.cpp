@@ -71,7 +71,6 @@ TEST(conflicts, track_over_track_needs_room_for_heads) {
     EXPECT_NEAR(found[0].other, derived.length - 25, kConflictStep);
     EXPECT_LT(glm::distance(dvec3(found[0].at_place), dvec3(30, 5, 0)), kConflictStep);
     EXPECT_LT(glm::distance(dvec3(found[0].other_place), dvec3(30, 5 + over, 0)), kConflictStep);
-    EXPECT_EQ(found[0].segment, derived.order[0]);
     EXPECT_LT(found[0].from, 30);
     EXPECT_GT(found[0].to, 30);
   }
@@ -196,7 +195,7 @@ TEST(conflicts, of_degenerate_and_random_tracks_are_within_the_track) {
     for (const Conflict& c : found) {
       EXPECT_TRUE(0 <= c.from && c.from <= c.at && c.at <= c.to && c.to <= derived.length) << seed;
       EXPECT_TRUE(0 <= c.other_from && c.other_from <= c.other && c.other <= c.other_to && c.other_to <= derived.length) << seed;
-      EXPECT_TRUE(c.missing > 0 && std::isfinite(glm::length(c.at_place)) && std::isfinite(glm::length(c.other_place)) && derived.segments.contains(c.segment)) << seed;
+      EXPECT_TRUE(c.missing > 0 && std::isfinite(glm::length(c.at_place)) && std::isfinite(glm::length(c.other_place))) << seed;
     }
   }
 }
