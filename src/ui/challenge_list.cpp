@@ -9,6 +9,7 @@
 #include "exchange/challenge_file.h"
 #include "exchange/progress_file.h"
 #include "query/challenge.h"
+#include "ui/imgui_compat.h"
 #include "ui/medals.h"
 #include "ui/row.h"
 #include "ui/theme.h"
@@ -91,7 +92,7 @@ std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, const Challenge
     if (i == current && step != 0) ImGui::SetScrollHereY();
     note(ui, entry.name, "button", entry.problem.empty() ? entry.teaches : entry.problem, entry.problem.empty(), std::string(medal_title(medal)), low, {low.x + width, low.y + tall});
     if (pressed) current = i;
-    const bool by_key = i == current && (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeyPadEnter, false));
+    const bool by_key = i == current && (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(kKeypadEnter, false));
     if ((pressed || by_key) && entry.problem.empty()) chosen = entry.path;
   }
   ImGui::EndChild();

@@ -6,6 +6,8 @@
 
 #include <imgui.h>
 
+#include "ui/imgui_compat.h"
+
 namespace coaster::ui {
 namespace {
 
@@ -36,11 +38,7 @@ ImGuiKey imgui_key(Key key) {
     case Key::space: return ImGuiKey_Space;
     case Key::enter: return ImGuiKey_Enter;
     case Key::escape: return ImGuiKey_Escape;
-#if IMGUI_VERSION_NUM >= 18700
-    case Key::keypad_enter: return ImGuiKey_KeypadEnter;
-#else
-    case Key::keypad_enter: return ImGuiKey_KeyPadEnter;
-#endif
+    case Key::keypad_enter: return kKeypadEnter;
     case Key::a: return ImGuiKey_A;
     case Key::c: return ImGuiKey_C;
     case Key::v: return ImGuiKey_V;
