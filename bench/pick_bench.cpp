@@ -5,7 +5,7 @@
 #include <random>
 
 #include "paired.h"
-#include "sim/derived.h"
+#include "sim/shape/derived.h"
 #include "view/pick.h"
 #include "world/topology.h"
 

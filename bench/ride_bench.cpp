@@ -4,7 +4,7 @@
 #include <random>
 
 #include "paired.h"
-#include "sim/ride.h"
+#include "sim/ride/ride.h"
 #include "world/topology.h"
 
 namespace coaster::bench {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "exchange/track_file.h"
-#include "sim/ride.h"
+#include "exchange/own/track_file.h"
+#include "sim/ride/ride.h"
 
 namespace coaster::bench {
 namespace {

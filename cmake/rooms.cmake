@@ -1,5 +1,5 @@
 # coaster_room(NAME [USES room ...] [LINK library ...])
-# One static library coaster_NAME from src/NAME/*.cpp. Rooms include each other's headers as "room/file.h"; which room may
+# One static library coaster_NAME from the .cpp files in and below src/NAME. Rooms include each other's headers as "room/file.h"; which room may
 # include which is checked by tools/check_layers.
 # Headers of the standard library and GLM, parsed once for all rooms: a third of the time that a file takes to compile. Sources include what
 # they need all the same; the core's clang build is made without, and would miss it.
@@ -26,7 +26,7 @@ endfunction()
 
 function(coaster_room name)
   cmake_parse_arguments(room "" "" "USES;LINK" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/app/main\\.cpp$")
   if(COASTER_WINDOW)
     list(FILTER sources EXCLUDE REGEX "/platform/no_window\\.cpp$")

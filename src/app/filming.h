@@ -8,7 +8,7 @@
 #include "app/movie.h"
 #include "app/ride_summary.h"
 #include "base/status.h"
-#include "ui/host.h"
+#include "ui/host/host.h"
 
 namespace coaster::app {
 

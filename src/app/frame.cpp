@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/pictures.h"
-#include "sim/ride.h"
+#include "sim/ride/ride.h"
 
 namespace coaster::app {
 

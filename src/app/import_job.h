@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/progress.h"
-#include "edit/session.h"
+#include "edit/session/session.h"
 
 namespace coaster::app {
 

@@ -9,8 +9,8 @@
 #include "app/system_dialog.h"
 #include "base/file_lock.h"
 #include "base/folders.h"
-#include "exchange/autosave.h"
-#include "ui/host.h"
+#include "exchange/own/autosave.h"
+#include "ui/host/host.h"
 
 namespace coaster::app {
 

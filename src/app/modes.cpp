@@ -13,7 +13,7 @@
 #include "app/script_host.h"
 #include "app/tutorial.h"
 #include "exchange/challenge_file.h"
-#include "exchange/track_file.h"
+#include "exchange/own/track_file.h"
 #include "platform/signals.h"
 #include "query/challenge.h"
 #include "script/grammar.h"

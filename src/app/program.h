@@ -13,12 +13,12 @@
 #include "app/sounds.h"
 #include "app/track_pictures.h"
 #include "base/files.h"
-#include "edit/session.h"
+#include "edit/session/session.h"
 #include "gfx/renderer.h"
 #include "platform/surface.h"
 #include "query/query.h"
 #include "script/recorder.h"
-#include "ui/host.h"
+#include "ui/host/host.h"
 #include "view/camera_rig.h"
 
 namespace coaster::app {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "exchange/json_text.h"
-#include "sim/ride.h"
+#include "exchange/own/json_text.h"
+#include "sim/ride/ride.h"
 
 namespace coaster::app {
 

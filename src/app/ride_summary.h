@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "edit/session.h"
+#include "edit/session/session.h"
 
 namespace coaster::app {
 

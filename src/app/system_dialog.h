@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/process.h"
-#include "ui/host.h"
+#include "ui/host/host.h"
 
 namespace coaster::app {
 

@@ -3,7 +3,7 @@
 
 #include "app/frame.h"
 #include "base/folders.h"
-#include "edit/session.h"
+#include "edit/session/session.h"
 #include "gfx/image.h"
 #include "view/camera.h"
 

@@ -1,4 +1,4 @@
-// Numbers of the paper's wrong claims about curves beside the right ones, for one cubic. What needs a track or a ride is in sim/errata.h.
+// Numbers of the paper's wrong claims about curves beside the right ones, for one cubic. What needs a track or a ride is in sim/study/live_errata.h.
 #pragma once
 
 #include "curve/cubic.h"

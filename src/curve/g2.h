@@ -1,5 +1,5 @@
 // The smallest change that gives a joint of two cubics one curvature (G2): a constrained least-squares problem in the control points.
-// Knows no documents: edit/joint_repair.h maps knots to it, keeps the limits and checks the rounded result.
+// Knows no documents: edit/perform/joint_repair.h maps knots to it, keeps the limits and checks the rounded result.
 #pragma once
 
 #include <cstdint>

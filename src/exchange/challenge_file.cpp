@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "exchange/formats.h"
-#include "exchange/json_fields.h"
-#include "exchange/track_file.h"
+#include "exchange/own/json_fields.h"
+#include "exchange/own/track_file.h"
 
 namespace coaster::exchange {
 namespace {

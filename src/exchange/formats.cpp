@@ -5,10 +5,10 @@
 #include <array>
 #include <vector>
 
-#include "exchange/nl2_csv.h"
-#include "exchange/nl2elem.h"
-#include "exchange/nltrack.h"
-#include "exchange/track_shapes.h"
+#include "exchange/nolimits/nl2_csv.h"
+#include "exchange/nolimits/nl2elem.h"
+#include "exchange/nolimits/nltrack.h"
+#include "exchange/export/track_shapes.h"
 
 namespace coaster::exchange {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "exchange/track_file.h"
+#include "exchange/own/track_file.h"
 
 namespace coaster::exchange {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "sim/train_mesh.h"
+#include "sim/solids/train_mesh.h"
 
 namespace coaster::gfx {
 namespace {

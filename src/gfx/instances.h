@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "gfx/growing_buffer.h"
-#include "sim/mesh.h"
-#include "sim/ride.h"
+#include "sim/solids/mesh.h"
+#include "sim/ride/ride.h"
 #include "view/overlay.h"
 
 namespace coaster::gfx {

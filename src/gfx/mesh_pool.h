@@ -7,7 +7,7 @@
 
 #include "gfx/growing_buffer.h"
 #include "gfx/ranges.h"
-#include "sim/mesh.h"
+#include "sim/solids/mesh.h"
 
 namespace coaster::gfx {
 

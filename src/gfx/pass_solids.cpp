@@ -4,7 +4,7 @@
 #include "gfx/draw_state.h"
 #include "gfx/passes.h"
 #include "gfx/sun_shadows.h"
-#include "sim/track_mesh.h"
+#include "sim/solids/track_mesh.h"
 #include "view/colour_map.h"
 
 namespace coaster::gfx {

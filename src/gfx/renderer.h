@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "gfx/gl.h"
-#include "sim/ride.h"
-#include "sim/supports.h"
-#include "sim/track_values.h"
+#include "sim/ride/ride.h"
+#include "sim/solids/supports.h"
+#include "sim/study/track_values.h"
 #include "view/camera.h"
 #include "view/overlay.h"
 

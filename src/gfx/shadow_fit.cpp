@@ -5,7 +5,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "sim/supports.h"
+#include "sim/solids/supports.h"
 
 namespace coaster::gfx {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <glm/glm.hpp>
 
-#include "sim/derived.h"
-#include "sim/ride.h"
+#include "sim/shape/derived.h"
+#include "sim/ride/ride.h"
 
 namespace coaster::gfx {
 

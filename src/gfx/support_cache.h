@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gfx/mesh_pool.h"
-#include "sim/supports.h"
+#include "sim/solids/supports.h"
 
 namespace coaster::gfx {
 

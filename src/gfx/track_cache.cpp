@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "sim/track_mesh.h"
+#include "sim/solids/track_mesh.h"
 
 namespace coaster::gfx {
 namespace {

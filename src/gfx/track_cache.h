@@ -12,7 +12,7 @@
 #include "gfx/mesh_pool.h"
 #include "gfx/ranges.h"
 #include "gfx/support_cache.h"
-#include "sim/derived.h"
+#include "sim/shape/derived.h"
 
 namespace coaster::gfx {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gfx/objects.h"
-#include "sim/track_values.h"
+#include "sim/study/track_values.h"
 
 namespace coaster::gfx {
 

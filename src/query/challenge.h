@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "edit/session.h"
+#include "edit/session/session.h"
 #include "query/condition.h"
 
 namespace coaster::query {

@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "base/text.h"
-#include "edit/session.h"
+#include "edit/session/session.h"
 
 namespace coaster::query {
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "query/rows.h"
-#include "sim/ratings.h"
+#include "sim/study/ratings.h"
 
 namespace coaster::query {
 namespace {

@@ -5,8 +5,8 @@
 #include "base/portable_math.h"
 #include "curve/continuity.h"
 #include "query/rows.h"
-#include "sim/errata.h"
-#include "sim/frame_methods.h"
+#include "sim/study/live_errata.h"
+#include "sim/shape/frame_methods.h"
 #include "world/topology.h"
 
 namespace coaster::query {

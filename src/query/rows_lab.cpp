@@ -2,7 +2,7 @@
 #include <array>
 
 #include "query/rows.h"
-#include "sim/rounding.h"
+#include "sim/study/rounding.h"
 #include "world/laboratory.h"
 
 namespace coaster::query {

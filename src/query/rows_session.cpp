@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "query/rows.h"
-#include "sim/frame_methods.h"
+#include "sim/shape/frame_methods.h"
 #include "world/selection.h"
 
 namespace coaster::query {

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "edit/codec.h"
+#include "edit/commands/codec.h"
 #include "query/query.h"
 
 namespace coaster::script {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/files.h"
-#include "edit/commands.h"
+#include "edit/commands/commands.h"
 #include "platform/events.h"
 #include "query/lesson.h"
 #include "query/query.h"

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/words.h"
-#include "edit/codec.h"
+#include "edit/commands/codec.h"
 #include "query/condition.h"
 #include "script/grammar.h"
 #include "script/lines_parts.h"

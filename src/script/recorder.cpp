@@ -5,8 +5,8 @@
 
 #include "base/file_lock.h"
 #include "base/text.h"
-#include "edit/codec.h"
-#include "exchange/track_file.h"
+#include "edit/commands/codec.h"
+#include "exchange/own/track_file.h"
 #include "world/selection.h"
 
 namespace coaster::script {

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "base/files.h"
-#include "edit/session.h"
+#include "edit/session/session.h"
 
 namespace coaster::script {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exchange/json_text.h"
-#include "exchange/track_file.h"
+#include "exchange/own/json_text.h"
+#include "exchange/own/track_file.h"
 #include "query/condition.h"
 #include "script/output.h"
 #include "script/paths.h"

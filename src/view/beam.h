@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "sim/segment_tree.h"
+#include "sim/shape/segment_tree.h"
 #include "view/camera.h"
 
 namespace coaster::view {

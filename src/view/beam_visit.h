@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "base/check.h"
-#include "view/four.h"
+#include "view/float4.h"
 
 namespace coaster::view {
 

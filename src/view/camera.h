@@ -6,8 +6,8 @@
 
 #include <glm/glm.hpp>
 
-#include "sim/derived.h"
-#include "sim/ride.h"
+#include "sim/shape/derived.h"
+#include "sim/ride/ride.h"
 #include "world/settings.h"
 
 namespace coaster::view {

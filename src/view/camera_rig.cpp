@@ -5,8 +5,8 @@
 #include <cmath>
 
 
-#include "sim/frame_methods.h"
-#include "sim/train.h"
+#include "sim/shape/frame_methods.h"
+#include "sim/ride/train.h"
 
 namespace coaster::view {
 namespace {

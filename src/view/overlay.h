@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "sim/element_room.h"
-#include "sim/envelope.h"
-#include "sim/frame_methods.h"
+#include "sim/study/element_room.h"
+#include "sim/study/envelope.h"
+#include "sim/shape/frame_methods.h"
 #include "view/pick.h"
 
 namespace coaster::view {

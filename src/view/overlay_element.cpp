@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/track_mesh.h"
+#include "sim/solids/track_mesh.h"
 #include "view/overlay_lab_parts.h"
 
 namespace coaster::view {

@@ -1,7 +1,7 @@
 // Where the palette's element would go: rails and ties in outline, a dashed line through its middle, its knots, plumb lines to the ground.
 #pragma once
 
-#include "sim/element_room.h"
+#include "sim/study/element_room.h"
 #include "view/overlay.h"
 
 namespace coaster::view {

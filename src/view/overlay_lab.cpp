@@ -6,7 +6,7 @@
 
 #include "base/portable_math.h"
 #include "curve/bernstein.h"
-#include "sim/rounding.h"
+#include "sim/study/rounding.h"
 #include "view/overlay_lab_parts.h"
 
 namespace coaster::view {

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "sim/frame_methods.h"
+#include "sim/shape/frame_methods.h"
 #include "view/overlay.h"
 
 namespace coaster::view {

@@ -90,7 +90,7 @@ glm::vec3 cart_middle(const sim::Pose& pose) {
   return glm::vec3(pose.position + kMiddle * pose.frame.up);
 }
 
-// What stands for a car (sim/train_mesh.cpp), m ahead, up and to the left of its place on the rails.
+// What stands for a car (sim/solids/train_mesh.cpp), m ahead, up and to the left of its place on the rails.
 struct CarBox {
   std::array<double, 3> low, high;
 };

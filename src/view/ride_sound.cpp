@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/portable_math.h"
-#include "sim/equipment.h"
-#include "sim/ride.h"
-#include "sim/train.h"
+#include "sim/ride/equipment.h"
+#include "sim/ride/ride.h"
+#include "sim/ride/train.h"
 
 namespace coaster::view {
 namespace {

@@ -1,5 +1,5 @@
 // The elements of the palette as plain data: which there are, and their parameters with units, defaults and limits. Their geometry is in
-// sim/elements.h.
+// sim/plan/elements.h.
 #pragma once
 
 #include <array>

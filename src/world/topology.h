@@ -1,5 +1,5 @@
 // The only functions that change which knots, segments and carts there are and in which order. They keep every
-// invariant of Document; they do no undo and no checking of user input (edit/apply.cpp does).
+// invariant of Document; they do no undo and no checking of user input (edit/perform/apply.cpp does).
 #pragma once
 
 #include "world/document.h"

@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "edit/commands.h"
-#include "sim/ride.h"
+#include "edit/commands/commands.h"
+#include "sim/ride/ride.h"
 
 namespace coaster::test {
 

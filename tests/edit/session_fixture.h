@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "edit/codec.h"
-#include "edit/session.h"
-#include "exchange/track_file.h"
+#include "edit/commands/codec.h"
+#include "edit/session/session.h"
+#include "exchange/own/track_file.h"
 #include "world/sample_documents.h"
 
 namespace coaster::test {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "exchange/bad_file.h"
-#include "exchange/track_file.h"
+#include "exchange/own/track_file.h"
 #include "world/sample_documents.h"
 
 namespace coaster::exchange {

@@ -4,13 +4,13 @@
 
 #include "base/check.h"
 #include "exchange/challenge_file.h"
-#include "exchange/envelope_file.h"
-#include "exchange/nl2_csv.h"
-#include "exchange/nl2elem.h"
-#include "exchange/nltrack.h"
-#include "exchange/progress_file.h"
-#include "exchange/settings_file.h"
-#include "exchange/track_file.h"
+#include "exchange/own/envelope_file.h"
+#include "exchange/nolimits/nl2_csv.h"
+#include "exchange/nolimits/nl2elem.h"
+#include "exchange/nolimits/nltrack.h"
+#include "exchange/own/progress_file.h"
+#include "exchange/own/settings_file.h"
+#include "exchange/own/track_file.h"
 #ifdef COASTER_FUZZ_SCRIPTS
 #include "script/grammar.h"
 #endif

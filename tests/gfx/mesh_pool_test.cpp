@@ -4,7 +4,7 @@
 #include "gfx/studio.h"
 #include "gfx/support_cache.h"
 #include "gfx/track_cache.h"
-#include "sim/track_mesh.h"
+#include "sim/solids/track_mesh.h"
 
 namespace coaster::gfx {
 namespace mesh_pool_test {

@@ -1,7 +1,7 @@
 #include "query/challenge.h"
 
 #include "edit/session_fixture.h"
-#include "exchange/track_file.h"
+#include "exchange/own/track_file.h"
 
 #include <filesystem>
 #include <fstream>

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "base/hash.h"
-#include "edit/codec.h"
-#include "edit/session.h"
-#include "exchange/nl2_csv.h"
+#include "edit/commands/codec.h"
+#include "edit/session/session.h"
+#include "exchange/nolimits/nl2_csv.h"
 
 namespace coaster {
 namespace determinism_test {

@@ -4,7 +4,7 @@
 #include "curve/continuity.h"
 #include "edit/session_fixture.h"
 #include "query/query.h"
-#include "sim/errata.h"
+#include "sim/study/live_errata.h"
 #include "world/topology.h"
 
 namespace coaster::query {

@@ -2,9 +2,9 @@
 // motion kept, nothing else, gives the bits of a ride that was never interrupted.
 #include <gtest/gtest.h>
 
-#include "edit/session.h"
-#include "exchange/track_file.h"
-#include "sim/ride.h"
+#include "edit/session/session.h"
+#include "exchange/own/track_file.h"
+#include "sim/ride/ride.h"
 #include "world/topology.h"
 
 namespace coaster {

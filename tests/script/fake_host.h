@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "edit/session.h"
+#include "edit/session/session.h"
 #include "script/grammar.h"
 #include "script/runner.h"
 

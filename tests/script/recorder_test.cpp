@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/hash.h"
-#include "edit/codec.h"
+#include "edit/commands/codec.h"
 #include "script/fake_host.h"
 
 namespace coaster::script {

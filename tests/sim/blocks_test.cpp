@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "sim/equipment.h"
-#include "sim/ride.h"
+#include "sim/ride/equipment.h"
+#include "sim/ride/ride.h"
 #include "sim/tracks.h"
 
 namespace coaster::sim {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "sim/elements.h"
+#include "sim/plan/elements.h"
 
 namespace coaster::test {
 

@@ -2,8 +2,8 @@
 // takes minutes: tools/bench --drift.
 #include <gtest/gtest.h>
 
-#include "exchange/track_file.h"
-#include "sim/ride.h"
+#include "exchange/own/track_file.h"
+#include "sim/ride/ride.h"
 #include "sim/tracks.h"
 
 namespace coaster::sim {

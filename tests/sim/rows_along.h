@@ -1,12 +1,12 @@
-// Rows along known curves, and a check of a fitted track against rows that shares nothing with the one in sim/fit_check.
+// Rows along known curves, and a check of a fitted track against rows that shares nothing with the one in sim/plan/fit_check.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "sim/derived.h"
-#include "sim/fit_track.h"
+#include "sim/shape/derived.h"
+#include "sim/plan/fit_track.h"
 
 namespace coaster::test {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "sim/mesh.h"
+#include "sim/solids/mesh.h"
 
 namespace coaster::test {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sim/derived.h"
+#include "sim/shape/derived.h"
 #include "world/sample_documents.h"
 
 namespace coaster::test {

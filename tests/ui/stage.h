@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "base/files.h"
-#include "edit/session.h"
+#include "edit/session/session.h"
 #include "platform/surface.h"
-#include "ui/host.h"
+#include "ui/host/host.h"
 
 namespace coaster::ui {
 

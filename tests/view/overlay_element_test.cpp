@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/random_elements.h"
-#include "sim/track_mesh.h"
+#include "sim/solids/track_mesh.h"
 #include "view/camera.h"
 
 namespace coaster::view {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "curve/bernstein.h"
-#include "sim/rounding.h"
+#include "sim/study/rounding.h"
 #include "sim/tracks.h"
 
 namespace coaster::view {

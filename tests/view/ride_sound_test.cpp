@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/ride.h"
+#include "sim/ride/ride.h"
 #include "sim/tracks.h"
 
 namespace coaster::view {

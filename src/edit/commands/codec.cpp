@@ -1,0 +1,199 @@
+// Printing, parsing and describing commands, all from their lists of fields. The values' text is in
+// codec_values.cpp.
+#include "edit/commands/codec.h"
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <utility>
+
+#include "edit/commands/codec_values.h"
+
+namespace coaster::edit {
+namespace {
+
+// "at?" is the keyword "at" of a field that may be left out. Where a command takes entities of any kind it makes sense for segments alone and is
+// printed for them alone.
+struct Keyword {
+  std::string word;
+  bool optional = false;
+  explicit Keyword(std::string_view text) : word(text), optional(text.ends_with('?')) {
+    if (optional) word.pop_back();
+  }
+};
+
+// What a type of field can do, so that all that follows is written once and not for each command.
+struct FieldType {
+  std::string (*print)(const void* value);
+  bool (*read)(WordReader& words, void* value);
+  std::string (*usage)(const void* value);  // null: a target, whose words depend on the command
+};
+template <class T>
+constexpr FieldType field_type() {
+  FieldType type{};
+  type.print = [](const void* value) { return print_value(*static_cast<const T*>(value)); };
+  type.read = [](WordReader& words, void* value) { return read_value(words, *static_cast<T*>(value)); };
+  if constexpr (!std::is_same_v<T, Target>)
+    type.usage = [](const void* value) { return usage_of(*static_cast<const T*>(value)); };
+  return type;
+}
+template <class T>
+constexpr FieldType kFieldType = field_type<T>();
+
+struct Field {
+  Keyword keyword;
+  void* value;  // in a command that outlives the field
+  const FieldType* type;
+  bool is_target() const { return !type->usage; }
+};
+using Fields = std::vector<Field>;
+
+constexpr std::string_view kAnyTarget = "@knot|@segment|@cart|none";
+
+template <class C>
+constexpr std::string_view target_usage() {
+  if constexpr (requires(C c) { c.segment; })
+    return "@segment";
+  else if constexpr (requires(C c) { c.cart; })
+    return "@cart";
+  else if constexpr (std::is_same_v<C, RemoveKnot>)
+    return "@knot|@cart";
+  else if constexpr (requires(C c) { c.knot; })
+    return "@knot";
+  else
+    return kAnyTarget;
+}
+
+// A kind of command: one row for each, in the order of the list.
+struct CommandKind {
+  const CommandInfo* info;
+  std::string_view target;
+  Command (*make)();
+  void (*fields)(Command& command, Fields& fields);
+};
+template <class C>
+constexpr CommandKind kind() {
+  return {&C::kInfo, target_usage<C>(), []() -> Command { return C{}; },
+          [](Command& command, Fields& fields) {
+            C::fields(*command.as<C>(), [&]<class T>(std::string_view name, T& value) {
+              fields.push_back({Keyword(name), &value, &kFieldType<T>});
+            });
+          }};
+}
+constexpr auto kKinds = Commands::table([]<class C>() { return kind<C>(); });
+
+Fields fields_of(Command& command) {
+  Fields fields;
+  kKinds[command.index()].fields(command, fields);
+  return fields;
+}
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const CommandKind& row : kKinds) names.emplace_back(row.info->name);
+  return names;
+}
+
+std::string usage(const CommandKind& row) {
+  Command command = row.make();
+  std::string text(row.info->name);
+  for (const Field& field : fields_of(command)) {
+    std::string part = field.keyword.word.empty() ? "" : field.keyword.word + " ";
+    part += field.is_target() ? std::string(row.target) : field.type->usage(field.value);
+    text += field.keyword.optional ? " [" + part + "]" : " " + part;
+  }
+  return text;
+}
+
+// Reads one field; true unless it failed through `words`.
+bool read_field(WordReader& words, const Field& field) {
+  const Keyword& keyword = field.keyword;
+  if (!keyword.word.empty()) {
+    if (keyword.optional && (!words.peek() || words.peek()->text != keyword.word)) return true;
+    const base::Token* const word = words.take("\"" + keyword.word + "\"");
+    if (!word) return false;
+    if (word->text != keyword.word) {
+      const std::vector<std::string> candidates{keyword.word};
+      return words.reject("\"" + keyword.word + "\"", base::suggestion(word->text, candidates));
+    }
+  }
+  return field.type->read(words, field.value);
+}
+
+}  // namespace
+
+const CommandInfo& info(const Command& command) { return *kKinds[command.index()].info; }
+
+const std::string* output_path(const Command& command) {
+  if (const Save* const save = command.as<Save>()) return &save->path;
+  if (const SaveMeasurements* const save = command.as<SaveMeasurements>()) return &save->path;
+  if (const SaveReport* const save = command.as<SaveReport>()) return &save->path;
+  return nullptr;
+}
+
+void set_output_path(Command& command, std::string path) {
+  if (Save* const save = command.as<Save>()) save->path = std::move(path);
+  else if (SaveMeasurements* const table = command.as<SaveMeasurements>()) table->path = std::move(path);
+  else if (SaveReport* const report = command.as<SaveReport>()) report->path = std::move(path);
+}
+
+std::string print(const Command& command) {
+  Command copy = command;  // fields are read and written through the same list
+  std::string text(info(copy).name);
+  const Fields fields = fields_of(copy);
+  const bool of_anything = kKinds[copy.index()].target == kAnyTarget && std::any_of(fields.begin(), fields.end(), [](const Field& f) { return f.is_target(); });
+  bool on_segment = false;
+  for (const Field& field : fields) {
+    if (field.is_target()) {
+      const world::Name& name = static_cast<const Target*>(field.value)->name;
+      on_segment = name.number != 0 && name.kind == world::Kind::segment;
+    }
+    if (field.keyword.optional && of_anything && !on_segment) continue;
+    if (!field.keyword.word.empty()) text += " " + field.keyword.word;
+    text += " " + field.type->print(field.value);
+  }
+  return text;
+}
+
+const std::vector<CommandHelp>& command_table() {
+  static const std::vector<CommandHelp> table = [] {
+    std::vector<CommandHelp> rows;
+    for (const CommandKind& row : kKinds) rows.push_back({*row.info, usage(row)});
+    return rows;
+  }();
+  return table;
+}
+
+bool is_command(std::string_view word) {
+  for (const CommandHelp& row : command_table())
+    if (row.info.name == word) return true;
+  return false;
+}
+
+base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError& error) {
+  const auto failed = [&] { return base::Status{base::Code::usage, error.message}; };
+  if (tokens.empty()) {
+    error = {1, "expected a command"};
+    return failed();
+  }
+  const auto row = std::find_if(kKinds.begin(), kKinds.end(),
+                                [&](const CommandKind& kind) { return kind.info->name == tokens[0].text; });
+  if (row == kKinds.end()) {
+    error = {tokens[0].column, "no command " + base::quoted(tokens[0].text) +
+                                   base::suggestion(tokens[0].text, command_names())};
+    return failed();
+  }
+  WordReader words(tokens, error);
+  words.take("a command");
+  Command result = row->make();
+  for (const Field& field : fields_of(result))
+    if (!read_field(words, field)) return failed();
+  if (words.peek()) {
+    const base::Token& extra = *words.peek();
+    words.fail(extra.column, "unexpected " + base::quoted(extra.text) + "; usage: " + usage(*row));
+    return failed();
+  }
+  return result;
+}
+
+}  // namespace coaster::edit

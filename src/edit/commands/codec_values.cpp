@@ -1,0 +1,270 @@
+// Printing and reading the values of command fields. Names of methods come from the tables of curve and sim.
+#include "edit/commands/codec_values.h"
+
+#include <limits>
+#include <vector>
+
+#include "sim/shape/frame_methods.h"
+#include "sim/ride/ride.h"
+
+namespace coaster::edit {
+namespace {
+
+// In the order of the enumerators.
+Names joint_names() {
+  return {"smooth", "aligned", "automatic"};
+}
+Names mode_names() {
+  return Names(world::kCameraModeNames.begin(), world::kCameraModeNames.end());
+}
+
+Names evaluator_names() {
+  return names_of(curve::evaluators());
+}
+Names arc_length_names() {
+  return names_of(curve::arc_length_methods());
+}
+Names frame_names() {
+  return names_of(sim::frame_methods());
+}
+Names integrator_names() {
+  return names_of(sim::integrators());
+}
+
+template <class T, class Parse>
+bool read_number(WordReader& words, std::string_view what, Parse parse, T& value) {
+  const base::Token* const word = words.take(what);
+  if (!word) return false;
+  const auto number = parse(word->text);
+  if (!number) return words.reject(what);
+  value = static_cast<T>(*number);
+  return true;
+}
+
+}  // namespace
+
+std::string joined(const Names& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : "|") + name;
+  return text;
+}
+
+std::string row_name(const Names& names, int row) {
+  COASTER_CHECK(row >= 0 && static_cast<std::size_t>(row) < names.size(),
+                "a command names a row of its table");
+  return names[static_cast<std::size_t>(row)];
+}
+
+// The row that the next word names.
+bool read_name(WordReader& words, const Names& names, int& row) {
+  const std::string expected = joined(names);
+  const base::Token* const word = words.take(expected);
+  if (!word) return false;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == word->text) return row = static_cast<int>(i), true;
+  return words.reject(expected, base::suggestion(word->text, names));
+}
+
+const base::Token* WordReader::take(std::string_view what) {
+  if (const base::Token* const word = peek()) return ++next_, word;
+  fail(end_column(), "expected " + std::string(what) + " at the end of the line");
+  return nullptr;
+}
+
+bool WordReader::reject(std::string_view what, std::string_view hint) {
+  const base::Token& word = words_[next_ - 1];
+  return fail(word.column,
+              "expected " + std::string(what) + ", found " + base::quoted(word.text) + std::string(hint));
+}
+
+bool WordReader::fail(int column, std::string message) {
+  error_ = {column, std::move(message)};
+  return false;
+}
+
+int WordReader::end_column() const {
+  if (words_.empty()) return 1;
+  const base::Token& last = words_.back();
+  return last.column + static_cast<int>(last.quoted ? base::quoted(last.text).size() : last.text.size());
+}
+
+std::string print_value(const Target& value) {
+  return value.name.number == 0 ? "none" : "@" + world::to_text(value.name);
+}
+std::string print_value(const HandleTarget& value) {
+  return "@" + world::to_text(value.knot) + (value.end == HandleEnd::in ? ".in" : ".out");
+}
+std::string print_value(glm::vec3 v) {
+  return base::to_text(v.x) + " " + base::to_text(v.y) + " " + base::to_text(v.z);
+}
+std::string print_value(float value) {
+  return base::to_text(value);
+}
+std::string print_value(double value) {
+  return base::to_text(value);
+}
+std::string print_value(int value) {
+  return std::to_string(value);
+}
+std::string print_value(std::int64_t value) {
+  return std::to_string(value);
+}
+std::string print_value(bool value) {
+  return value ? "on" : "off";
+}
+std::string print_value(const std::string& value) {
+  return base::quoted(value);
+}
+std::string print_value(world::JointKind value) {
+  return row_name(joint_names(), static_cast<int>(value));
+}
+std::string print_value(world::FrameMethod value) {
+  return row_name(frame_names(), static_cast<int>(value));
+}
+std::string print_value(world::EquipmentKind value) {
+  return std::string(world::kEquipmentNames[static_cast<std::size_t>(value)]);
+}
+std::string print_value(world::CameraMode value) {
+  return row_name(mode_names(), static_cast<int>(value));
+}
+std::string print_value(curve::EvaluatorId value) {
+  return row_name(evaluator_names(), static_cast<int>(value));
+}
+std::string print_value(curve::ArcLengthId value) {
+  return row_name(arc_length_names(), static_cast<int>(value));
+}
+std::string print_value(IntegratorId value) {
+  return row_name(integrator_names(), value.row);
+}
+
+bool read_value(WordReader& words, Target& value) {
+  constexpr std::string_view kExpected = "an entity such as @k3, @s2 or @c1";
+  const base::Token* const word = words.take(kExpected);
+  if (!word) return false;
+  if (word->text == "none") return value = {}, true;
+  const auto name =
+      word->text.starts_with('@') ? world::parse_name(std::string_view(word->text).substr(1)) : std::nullopt;
+  if (!name) return words.reject(kExpected);
+  value.name = *name;
+  return true;
+}
+
+bool read_value(WordReader& words, HandleTarget& value) {
+  constexpr std::string_view kExpected = "a handle such as @k3.in or @k3.out";
+  const base::Token* const word = words.take(kExpected);
+  if (!word) return false;
+  std::string_view text = word->text;
+  const bool in = text.ends_with(".in"), out = text.ends_with(".out");
+  if (!text.starts_with('@') || (!in && !out)) return words.reject(kExpected);
+  text.remove_prefix(1), text.remove_suffix(in ? 3 : 4);
+  const auto name = world::parse_name(text);
+  if (!name || name->kind != world::Kind::knot) return words.reject(kExpected);
+  value = {*name, in ? HandleEnd::in : HandleEnd::out};
+  return true;
+}
+
+bool read_value(WordReader& words, glm::vec3& value) {
+  for (const auto& [axis, what] :
+       {std::pair{0, "a number (x of three)"}, std::pair{1, "a number (y of three)"},
+        std::pair{2, "a number (z of three)"}})
+    if (!read_number(words, what, base::parse_float, value[axis])) return false;
+  return true;
+}
+bool read_value(WordReader& words, float& value) {
+  return read_number(words, "a number", base::parse_float, value);
+}
+bool read_value(WordReader& words, double& value) {
+  return read_number(words, "a number", base::parse_double, value);
+}
+bool read_value(WordReader& words, std::int64_t& value) {
+  return read_number(words, "a whole number", base::parse_int, value);
+}
+bool read_value(WordReader& words, int& value) {
+  const auto parse = [](std::string_view text) {
+    auto number = base::parse_int(text);
+    if (number && (*number > std::numeric_limits<int>::max() || *number < std::numeric_limits<int>::min()))
+      number.reset();
+    return number;
+  };
+  return read_number(words, "a whole number", parse, value);
+}
+bool read_value(WordReader& words, bool& value) {
+  int row = 0;
+  if (!read_name(words, {"off", "on"}, row)) return false;
+  value = row == 1;
+  return true;
+}
+bool read_value(WordReader& words, std::string& value) {
+  const base::Token* const word = words.take("a text");
+  if (word) value = word->text;
+  return word != nullptr;
+}
+bool read_value(WordReader& words, world::JointKind& value) {
+  return read_enum(words, joint_names(), value);
+}
+bool read_value(WordReader& words, world::FrameMethod& value) {
+  return read_enum(words, frame_names(), value);
+}
+bool read_value(WordReader& words, world::EquipmentKind& value) {
+  return read_enum(words, Names(world::kEquipmentNames.begin(), world::kEquipmentNames.end()), value);
+}
+bool read_value(WordReader& words, world::CameraMode& value) {
+  return read_enum(words, mode_names(), value);
+}
+bool read_value(WordReader& words, curve::EvaluatorId& value) {
+  return read_enum(words, evaluator_names(), value);
+}
+bool read_value(WordReader& words, curve::ArcLengthId& value) {
+  return read_enum(words, arc_length_names(), value);
+}
+bool read_value(WordReader& words, IntegratorId& value) {
+  return read_name(words, integrator_names(), value.row);
+}
+
+std::string usage_of(const HandleTarget&) {
+  return "@knot.in|@knot.out";
+}
+std::string usage_of(glm::vec3) {
+  return "X Y Z";
+}
+std::string usage_of(float) {
+  return "NUMBER";
+}
+std::string usage_of(double) {
+  return "NUMBER";
+}
+std::string usage_of(int) {
+  return "N";
+}
+std::string usage_of(std::int64_t) {
+  return "N";
+}
+std::string usage_of(bool) {
+  return "on|off";
+}
+std::string usage_of(const std::string&) {
+  return "\"TEXT\"";
+}
+std::string usage_of(world::JointKind) {
+  return joined(joint_names());
+}
+std::string usage_of(world::FrameMethod) {
+  return joined(frame_names());
+}
+std::string usage_of(world::EquipmentKind) {
+  return joined(Names(world::kEquipmentNames.begin(), world::kEquipmentNames.end()));
+}
+std::string usage_of(world::CameraMode) {
+  return joined(mode_names());
+}
+std::string usage_of(curve::EvaluatorId) {
+  return joined(evaluator_names());
+}
+std::string usage_of(curve::ArcLengthId) {
+  return joined(arc_length_names());
+}
+std::string usage_of(IntegratorId) {
+  return joined(integrator_names());
+}
+
+}  // namespace coaster::edit

@@ -1,0 +1,33 @@
+// The commands of the game: challenges and the score card. See commands.h.
+#pragma once
+
+#include <string>
+
+#include "edit/commands/command_fields.h"
+
+namespace coaster::edit {
+
+struct StartChallenge {
+  std::string path;
+  COASTER_COMMAND("challenge", "Begin a challenge: opens its start track, which has no file then. Forces are held against the built-in limits.", Effect::session);
+  COASTER_FIELDS(visit("", self.path))
+};
+struct LeaveChallenge {
+  COASTER_COMMAND("challenge.leave", "Leave the challenge; the track stays as it is.", Effect::settings);
+  COASTER_FIELDS()
+};
+struct ShowHint {
+  COASTER_COMMAND("challenge.hint", "Show the challenge's next hint.", Effect::settings);
+  COASTER_FIELDS()
+};
+struct SetCard {
+  bool to = true;
+  COASTER_COMMAND("card", "Show the score card when a ride ends (on, off).", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+struct CloseCard {
+  COASTER_COMMAND("card.close", "Close the score card of the last ride.", Effect::settings);
+  COASTER_FIELDS()
+};
+
+}  // namespace coaster::edit

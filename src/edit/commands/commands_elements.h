@@ -1,0 +1,25 @@
+// The palette's commands: elements placed at the open end of the track. See commands.h.
+#pragma once
+
+#include "edit/commands/command_fields.h"
+#include "world/element.h"
+
+namespace coaster::edit {
+
+struct PlaceElement {
+  world::Element what;
+  COASTER_COMMAND("element", "Add an element at the open end of the track, e.g. element loop right height 20; what is not named has its usual value.", Effect::document);
+  COASTER_FIELDS(visit("", self.what))
+};
+struct ChooseElement {
+  world::Element what;
+  COASTER_COMMAND("element.choose", "Choose the palette's element and its parameters, and show where it would go.", Effect::settings);
+  COASTER_FIELDS(visit("", self.what))
+};
+struct PreviewElement {
+  bool to = true;
+  COASTER_COMMAND("element.preview", "Show or hide where the palette's element would go (on, off).", Effect::settings);
+  COASTER_FIELDS(visit("", self.to))
+};
+
+}  // namespace coaster::edit

@@ -1,0 +1,275 @@
+// apply(): every command's way into the session, and what follows from it: joints, derived data, carts,
+// history, notices.
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "base/portable_math.h"
+#include "edit/perform/perform.h"
+#include "edit/commands/codec.h"
+#include "edit/session/history.h"
+#include "edit/perform/motion_follow.h"
+#include "edit/session/ride_watch.h"
+#include "exchange/own/envelope_file.h"
+#include "exchange/formats.h"
+#include "exchange/own/track_file.h"
+#include "world/selection.h"
+#include "world/topology.h"
+
+namespace coaster::edit {
+namespace {
+
+using base::Status;
+
+void derive(Session& session) {
+  sim::derive(session.document, session.settings, session.clock, session.derived);
+}
+
+// A ride that has not started shows the carts as designed (so does one without carts: nothing is left that
+// could go on); any other keeps them where they are.
+void settle_motion(Session& session) {
+  if (session.motion.state == world::RideState::stopped ||
+      session.document.entities.pool<world::Cart>().size() == 0)
+    sim::reset(session.document, session.derived, session.motion);
+  else
+    sim::reconcile(session.document, session.derived, session.motion);
+}
+
+// A split knows only `up` at the new knot, which fixes the twist of both halves up to whole turns: those
+// follow from the twist that the segment had, shared out by length.
+void share_turns(Session& session, const MotionFollowUp& split, double twist) {
+  const double left = session.derived.shape(split.first).arc.length(),
+               right = session.derived.shape(split.second).arc.length();
+  bool changed = false;
+  for (const auto& [e, share] : {std::pair{split.first, left}, std::pair{split.second, right}}) {
+    if (!(left + right > 0)) continue;
+    const double missing = twist * (share / (left + right)) - session.derived.shape(e).twist;
+    const auto turns = static_cast<std::int32_t>(std::lround(missing / (2 * base::kPi)));
+    if (turns == 0) continue;
+    session.document.entities.get<world::Segment>(e).turns += turns;
+    changed = true;
+  }
+  if (changed) derive(session);
+}
+
+// Everything that must hold again after the document has changed.
+void follow_document(Session& session, const Change& change, double twist_before) {
+  world::settle_joints(session.document);
+  derive(session);
+  if (change.motion.kind == MotionFollowUp::Kind::split) share_turns(session, change.motion, twist_before);
+  follow(change.motion, session.document, session.derived, session.motion);
+  settle_motion(session);
+  if (change.select) session.settings.selected = *change.select, session.settings.also = change.also;
+  world::drop_dead(session.document, session.settings);
+}
+
+template <class C>
+Status document_command(Session& session, const C& command, Change& change) {
+  History& history = session.history;
+  std::optional<world::Document> before;  // inside a gesture its start is the snapshot
+  if (!history.in_gesture) before = session.document;
+  const Status status = perform(session, change, command);
+  if (!status) return status;
+  // The derived data are still those of the document before.
+  const sim::SegmentShape* const split = session.derived.segments.find(change.motion.first);
+  follow_document(session, change, split ? split->twist : 0.0);
+  if (history.in_gesture)
+    history.gesture_label = print(command);
+  else if (!(*before == session.document))
+    record(history, print(command), std::move(*before));
+  return {};
+}
+
+template <class C>
+Status settings_command(Session& session, const C& command, Change& change) {
+  const Status status = perform(session, change, command);
+  if (status && change.remeasure) derive(session);
+  return status;
+}
+
+// Exchanges the whole document by `exchange` (which returns false when there is nothing to exchange) and
+// brings the rest in line.
+template <class Exchange>
+bool exchange_document(Session& session, Exchange exchange) {
+  world::Document next = session.document;
+  if (!exchange(next)) return false;
+  follow_by_distance(session.document, next, session.derived, session.motion);
+  session.document = std::move(next);
+  fit_budget(session);
+  derive(session);
+  settle_motion(session);
+  world::drop_dead(session.document, session.settings);
+  return true;
+}
+
+Status cancel(Session& session) {
+  exchange_document(session, [&](world::Document& d) { return cancel_gesture(session.history, d), true; });
+  return {};
+}
+
+Status steps(Session& session, const Undo&) {
+  if (session.history.in_gesture) return cancel(session);
+  if (exchange_document(session, [&](world::Document& d) { return undo(session.history, d); })) return {};
+  return refused("there is nothing to undo");
+}
+Status steps(Session& session, const Redo&) {
+  if (session.history.in_gesture) return refused("a gesture is open");
+  if (exchange_document(session, [&](world::Document& d) { return redo(session.history, d); })) return {};
+  return refused("there is nothing to redo");
+}
+Status steps(Session& session, const BeginGesture&) {
+  if (session.history.in_gesture) return refused("a gesture is open already");
+  begin_gesture(session.history, session.document);
+  return {};
+}
+Status steps(Session& session, const EndGesture&) {
+  if (!session.history.in_gesture) return refused("no gesture is open");
+  end_gesture(session.history, session.document);
+  return {};
+}
+Status steps(Session& session, const CancelGesture&) {
+  if (!session.history.in_gesture) return refused("no gesture is open");
+  return cancel(session);
+}
+
+// Another document: nothing of the old one stays, but settings do (other than what was under way).
+void start_over(Session& session, world::Document document, std::filesystem::path path) {
+  session.document = std::move(document);
+  session.history = {};
+  session.motion = {};
+  session.settings.selected = world::kNone, session.settings.also.clear();
+  session.settings.append_mode = false;
+  session.path = std::move(path);
+  session.import.reset();
+  session.challenge.reset();
+  session.run = {};
+  session.result.reset();
+  session.show_result = false;
+  session.saved_hash = world::hash(session.document);
+  fit_budget(session);
+  derive(session);
+  sim::reset(session.document, session.derived, session.motion);
+}
+
+Status files_command(Session& session, base::Files& files, const Load& command) {
+  std::optional<ReadAhead> ahead = std::exchange(session.read_ahead, std::nullopt);
+  const bool read = ahead && ahead->path == command.path;
+  base::Result<exchange::LoadedTrack> loaded = read ? std::move(ahead->track) : exchange::load_track(files, command.path);
+  if (!loaded) return loaded.status();
+  // A format that does not hold everything is imported: the next save is to a file of its own.
+  start_over(session, std::move(loaded->document), exchange::format_of(command.path)->whole ? command.path : std::string());
+  session.import = loaded->import;
+  for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
+  return {};
+}
+Status files_command(Session& session, base::Files& files, const Save& command) {
+  if (command.path.empty()) return refused("expected a file to save to");
+  const Status status = exchange::save_track(files, command.path, session.document);
+  if (!status) return status;
+  // Exporting to a format that does not hold everything is no saving: the document stays as unsaved as it was.
+  if (!exchange::format_of(command.path)->whole) {
+    notify(session, NoticeKind::info, "exported " + command.path);
+    return {};
+  }
+  session.path = command.path;
+  session.saved_hash = world::hash(session.document);
+  notify(session, NoticeKind::info, "saved " + command.path);
+  return {};
+}
+Status files_command(Session& session, base::Files& files, const SaveMeasurements& command) {
+  if (command.path.empty()) return refused("expected a file to write to");
+  if (session.measurement.next == 0) return refused("nothing is measured yet");
+  const Status status = files.write_atomic(command.path, sim::to_csv(session.measurement, session.machine));
+  if (!status) return status;
+  notify(session, NoticeKind::info, "saved " + command.path);
+  return {};
+}
+Status files_command(Session& session, base::Files& files, const SaveReport& command) {
+  if (command.path.empty()) return refused("expected a file to write to");
+  const sim::Ghost* const ghost = chosen_ride(session);
+  if (!ghost) return refused("a report needs a track with a cart");
+  const Status status = files.write_atomic(command.path, command.path.ends_with(".csv") ? ride_csv(session, *ghost) : ride_report(session, *ghost));
+  if (!status) return status;
+  notify(session, NoticeKind::info, "saved " + command.path);
+  return {};
+}
+Status files_command(Session& session, base::Files& files, const LoadEnvelope& command) {
+  base::Result<exchange::LoadedEnvelope> loaded = exchange::load_envelope(files, command.path);
+  if (!loaded) return loaded.status();
+  session.envelope = std::move(loaded->envelope), session.envelope_name = std::move(loaded->name);
+  ++session.envelope_serial;
+  for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
+  notify(session, NoticeKind::info, "forces are held against " + session.envelope_name + " (not a compliance check)");
+  return {};
+}
+// Its rules must be such that the referee can read them.
+Status files_command(Session& session, base::Files& files, const StartChallenge& command) {
+  base::Result<exchange::LoadedChallenge> loaded = exchange::load_challenge(files, command.path);
+  if (!loaded) return loaded.status();
+  if (session.referee.check)
+    if (const Status readable = session.referee.check(loaded->challenge, command.path); !readable) return readable;
+  start_over(session, loaded->challenge.start, {});
+  session.envelope = sim::default_envelope(), session.envelope_name = "default";
+  ++session.envelope_serial;
+  session.challenge.emplace();
+  session.challenge->shape = sim::trace_of(session.document);
+  session.challenge->file = std::move(loaded->challenge);
+  session.challenge->path = command.path;
+  for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
+  return {};
+}
+Status files_command(Session& session, base::Files& files, const RecoverTrack& command) {
+  base::Result<exchange::LoadedTrack> loaded = exchange::load_track(files, command.path);
+  if (!loaded) return loaded.status();
+  // What its own file holds now is what it is compared with: another document, or none, and then it is unsaved whatever it says.
+  const exchange::Format* const format = command.original.empty() ? nullptr : exchange::format_of(command.original);
+  std::uint64_t saved = ~world::hash(loaded->document);
+  if (format != nullptr && format->whole)
+    if (const base::Result<exchange::LoadedTrack> old = exchange::load_track(files, command.original)) saved = world::hash(old->document);
+  start_over(session, std::move(loaded->document), format != nullptr && format->whole ? command.original : std::string());
+  session.saved_hash = saved;
+  for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
+  notify(session, NoticeKind::info, "recovered " + (command.original.empty() ? std::string("a track that had no file") : command.original));
+  return {};
+}
+Status files_command(Session& session, base::Files&, const NewTrack&) {
+  start_over(session, {}, {});
+  return {};
+}
+
+using Perform = Status (*)(Session&, base::Files&, Change&, const Command&);
+constexpr auto kPerform = Commands::table([]<class C>() -> Perform {
+  return [](Session& session, [[maybe_unused]] base::Files& files, [[maybe_unused]] Change& change, const Command& command) -> Status {
+    const C& c = *command.as<C>();
+    if constexpr (C::kInfo.effect == Effect::document)
+      return document_command(session, c, change);
+    else if constexpr (C::kInfo.effect == Effect::settings)
+      return settings_command(session, c, change);
+    else if constexpr (C::kInfo.effect == Effect::motion)
+      return perform(session, change, c);
+    else if constexpr (C::kInfo.effect == Effect::history)
+      return steps(session, c);
+    else
+      return files_command(session, files, c);
+  };
+});
+
+}  // namespace
+
+Status apply(Session& session, base::Files& files, const Command& command) {
+  Change change;
+  const Effect effect = info(command).effect;
+  if (effect != Effect::settings && effect != Effect::motion) session.document_hash.reset();
+  Status status = kPerform[command.index()](session, files, change, command);
+  if (status && (effect == Effect::document || effect == Effect::history)) watch_built(session);
+  const std::string name(info(command).name);
+  if (status.code == base::Code::refused) status.message = name + ": " + status.message;
+  if (!status)
+    notify(session, NoticeKind::error, status.message);
+  else
+    for (const std::string& line : change.clamped) notify(session, NoticeKind::warning, name + ": " + line);
+  if (status && !change.note.empty()) notify(session, NoticeKind::info, name + ": " + change.note);
+  return status;
+}
+
+}  // namespace coaster::edit

@@ -1,0 +1,33 @@
+// Commands of the game; beginning a challenge is apply.cpp's, which opens tracks.
+#include "edit/perform/perform.h"
+
+namespace coaster::edit {
+
+using base::Status;
+
+Status perform(Session& session, Change&, const LeaveChallenge&) {
+  if (!session.challenge) return refused("there is no challenge to leave");
+  session.challenge.reset();
+  if (session.result) session.result->verdict.reset();
+  return {};
+}
+
+Status perform(Session& session, Change&, const ShowHint&) {
+  if (!session.challenge) return refused("there is no challenge");
+  ActiveChallenge& challenge = *session.challenge;
+  if (challenge.hints >= static_cast<int>(challenge.file.hints.size())) return refused("there is no further hint");
+  ++challenge.hints;
+  return {};
+}
+
+Status perform(Session& session, Change&, const SetCard& command) {
+  session.settings.show_card = command.to;
+  return {};
+}
+
+Status perform(Session& session, Change&, const CloseCard&) {
+  session.show_result = false;
+  return {};
+}
+
+}  // namespace coaster::edit

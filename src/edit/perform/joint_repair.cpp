@@ -1,0 +1,263 @@
+#include "edit/perform/joint_repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/text.h"
+#include "curve/continuity.h"
+#include "curve/g2.h"
+#include "world/topology.h"
+
+namespace coaster::edit {
+namespace {
+
+using curve::G2Side;
+using glm::dvec3;
+using world::Document;
+using world::JointKind;
+using world::Knot;
+
+base::Status refusal(std::string reason) { return {base::Code::refused, std::move(reason)}; }
+
+// The places in track order that a joint is about.
+struct Joint {
+  std::size_t before, at, after;
+};
+bool joins(const Document& document, std::size_t index) {
+  const std::size_t count = document.track.knots.size();
+  return document.track.closed ? count > 1 : index > 0 && index + 1 < count;
+}
+Joint joint_at(const Document& document, std::size_t index) {
+  const std::size_t count = document.track.knots.size();
+  return {(index + count - 1) % count, index, (index + 1) % count};
+}
+
+const Knot& knot_at(const Document& document, std::size_t index) { return world::knot(document, document.track.knots[index]); }
+Knot& knot_at(Document& document, std::size_t index) { return document.entities.get<Knot>(document.track.knots[index]); }
+curve::Cubic cubic_from(const Document& document, std::size_t index) { return world::cubic_of(document, document.track.segments[index]); }
+
+curve::Joint class_at(const Document& document, std::size_t index) {
+  return curve::joint(cubic_from(document, joint_at(document, index).before), cubic_from(document, index));
+}
+
+dvec3 forward(const Knot& knot) { return glm::normalize(dvec3(knot.tangent)); }
+
+// The far end of one side. `strict` keeps a G2 joint there G2; a C2 joint stays C2 either way.
+G2Side side_of(const Document& document, std::size_t far, bool out, bool strict, bool one_neighbour) {
+  const Knot& knot = knot_at(document, far);
+  G2Side side;
+  side.anchor = dvec3(knot.position);
+  side.direction = out ? forward(knot) : -forward(knot);
+  side.length = out ? knot.out_length : knot.in_length;
+  if (!joins(document, far)) {
+    side.length_fixed = knot.joint == JointKind::automatic;
+    return side;
+  }
+  const curve::Joint joint = class_at(document, far);
+  side.length_fixed = one_neighbour || knot.joint != JointKind::aligned || joint.parametric >= curve::Parametric::c1;
+  if (joint.parametric == curve::Parametric::c2) {
+    side.keep = G2Side::Keep::handle;
+  } else if (strict && joint.geometric == curve::Geometric::g2) {
+    side.keep = G2Side::Keep::curvature;
+    // What the other side of that joint has: it does not move, unless both sides are this joint's.
+    side.curvature = one_neighbour ? 0.5 * (joint.curvature_before + joint.curvature_after) : out ? joint.curvature_before : joint.curvature_after;
+    side.curvature -= glm::dot(side.curvature, side.direction) * side.direction;
+  }
+  return side;
+}
+
+curve::G2Problem problem_of(const Document& document, const Joint& j, bool strict) {
+  const Knot& knot = knot_at(document, j.at);
+  const bool one_neighbour = j.before == j.after;
+  const dvec3 t = forward(knot), p(knot.position);
+  curve::G2Problem problem;
+  problem.position = p;
+  problem.in_handle = p - t * double{knot.in_length};
+  problem.out_handle = p + t * double{knot.out_length};
+  problem.equal_lengths = knot.joint == JointKind::smooth || class_at(document, j.at).parametric >= curve::Parametric::c1;
+  problem.position_fixed = knot_at(document, j.before).joint == JointKind::automatic || knot_at(document, j.after).joint == JointKind::automatic;
+  problem.before = side_of(document, j.before, true, strict, one_neighbour);
+  problem.after = side_of(document, j.after, false, strict, one_neighbour);
+  return problem;
+}
+
+double polygon(const curve::Cubic& c) {
+  return glm::length(dvec3(c.p1) - dvec3(c.p0)) + glm::length(dvec3(c.p2) - dvec3(c.p1)) + glm::length(dvec3(c.p3) - dvec3(c.p2));
+}
+
+double farthest(const curve::G2Problem& problem, const curve::G2Solution& s) {
+  return std::max({glm::length(s.in_handle - problem.in_handle), glm::length(s.position - problem.position),
+                   glm::length(s.out_handle - problem.out_handle), std::abs(s.before_length - problem.before.length),
+                   std::abs(s.after_length - problem.after.length)});
+}
+
+std::string metres(double value) { return base::to_text(std::round(value * 1000.0) / 1000.0) + " m"; }
+
+// Within what a knot can be, and near enough to be called a repair?
+base::Status acceptable(const Document& document, const Joint& j, const curve::G2Problem& problem, const curve::G2Solution& s) {
+  if (s.outcome == curve::G2Outcome::degenerate) return refusal("a handle has no length");
+  if (s.outcome == curve::G2Outcome::no_convergence)
+    return refusal("there is no G2 shape nearby that leaves the neighbouring joints as they are");
+  const double most = 0.5 * std::min(polygon(cubic_from(document, j.before)), polygon(cubic_from(document, j.at))), far = farthest(problem, s);
+  if (far > most) return refusal("a control point would move " + metres(far) + ", more than half a segment (" + metres(most) + ")");
+  for (const double length : {glm::length(s.position - s.in_handle), glm::length(s.out_handle - s.position), s.before_length, s.after_length})
+    if (!(length >= double{world::kMinHandle} && length <= double{world::kMaxHandle}))
+      return refusal("a handle would leave the limits of " + base::to_text(world::kMinHandle) + " to " + base::to_text(world::kMaxHandle) + " m");
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(s.position[axis]) > double{world::kMaxCoordinate}) return refusal("the knot would leave the limit of coordinates");
+  return {};
+}
+
+void set_length(Knot& knot, bool out, double to) {
+  (out ? knot.out_length : knot.in_length) = static_cast<float>(to);
+  if (knot.joint == JointKind::smooth) knot.in_length = knot.out_length = static_cast<float>(to);
+}
+
+void put(Document& document, const Joint& j, const curve::G2Problem& problem, const curve::G2Solution& s) {
+  Knot& knot = knot_at(document, j.at);
+  if (knot.joint == JointKind::automatic) knot.joint = JointKind::aligned;
+  if (!problem.position_fixed) knot.position = glm::vec3(s.position);
+  world::set_tangent(knot, glm::vec3(s.out_handle - s.in_handle));
+  knot.in_length = static_cast<float>(glm::length(s.position - s.in_handle));
+  knot.out_length = problem.equal_lengths ? knot.in_length : static_cast<float>(glm::length(s.out_handle - s.position));
+  if (!problem.before.length_fixed) set_length(knot_at(document, j.before), true, s.before_length);
+  if (!problem.after.length_fixed) set_length(knot_at(document, j.after), false, s.after_length);
+}
+
+struct Classes {
+  curve::Geometric geometric;
+  curve::Parametric parametric;
+};
+std::optional<Classes> classes_at(const Document& document, std::size_t index) {
+  if (!joins(document, index)) return std::nullopt;
+  const curve::Joint joint = class_at(document, index);
+  return Classes{joint.geometric, joint.parametric};
+}
+bool lowered(const std::optional<Classes>& before, const std::optional<Classes>& now) {
+  return before && (now->geometric < before->geometric || now->parametric < before->parametric);
+}
+
+// One repair. Not strict: the neighbours' joints may lose G2 (but not C1 or C2), to get it back later.
+base::Status repair(Document& document, std::size_t index, bool strict) {
+  const Joint j = joint_at(document, index);
+  const curve::G2Problem problem = problem_of(document, j, strict);
+  const curve::G2Solution solution = curve::solve_g2(problem);
+  if (const base::Status status = acceptable(document, j, problem, solution); !status) return status;
+  const Knot was[] = {knot_at(document, j.before), knot_at(document, j.at), knot_at(document, j.after)};
+  const std::optional<Classes> before = classes_at(document, j.before), after = classes_at(document, j.after);
+  const curve::Parametric own = class_at(document, index).parametric;
+  put(document, j, problem, solution);
+  const curve::Joint now = class_at(document, index);
+  std::string reason;
+  if (now.geometric != curve::Geometric::g2)
+    reason = "rounding the coordinates leaves a jump of curvature of " + base::to_text(now.curvature_jump) + " 1/m";
+  else if (problem.equal_lengths && now.parametric < std::min(own, curve::Parametric::c1))
+    reason = "rounding the coordinates would cost the joint C1";
+  else if (strict && (lowered(before, classes_at(document, j.before)) || lowered(after, classes_at(document, j.after))))
+    reason = "a neighbouring joint would lose its class";
+  if (reason.empty()) return {};
+  knot_at(document, j.before) = was[0];
+  knot_at(document, j.after) = was[2];
+  knot_at(document, j.at) = was[1];
+  return refusal(std::move(reason));
+}
+
+double movement_between(const Document& a, const Document& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.track.knots.size(); ++i) {
+    const Knot &from = knot_at(a, i), &to = knot_at(b, i);
+    for (const dvec3 d : {dvec3(to.position) - dvec3(from.position), dvec3(world::in_handle(to)) - dvec3(world::in_handle(from)),
+                          dvec3(world::out_handle(to)) - dvec3(world::out_handle(from))})
+      sum += glm::dot(d, d);
+  }
+  return std::sqrt(sum);
+}
+
+// Along the track once; what is G2 stays G2. Returns the last reason for each joint that was refused.
+void pass_along(Document& document, std::vector<std::string>& reasons) {
+  for (std::size_t i = 0; i < document.track.knots.size(); ++i) {
+    reasons[i].clear();
+    if (!joins(document, i) || class_at(document, i).geometric == curve::Geometric::g2) continue;
+    if (const base::Status status = repair(document, i, true); !status) reasons[i] = status.message;
+  }
+}
+
+// To and fro, each repair free to disturb its neighbours, until every jump is well below the tolerance or nothing gets better.
+void sweeps(Document& document, std::vector<std::string>& reasons) {
+  constexpr double kWellBelow = 2e-4;  // 1/m
+  const std::size_t count = document.track.knots.size();
+  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    bool any = false;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = sweep % 2 == 0 ? k : count - 1 - k;
+      reasons[i].clear();
+      if (!joins(document, i) || class_at(document, i).curvature_jump < kWellBelow) continue;
+      const base::Status status = repair(document, i, false);
+      if (!status) reasons[i] = status.message;
+      any |= static_cast<bool>(status);
+    }
+    if (!any) break;
+  }
+}
+
+// What became of a document by one of the two ways.
+RepairReport report(const Document& before, const Document& now, const std::vector<std::string>& reasons, bool& spoilt) {
+  RepairReport result;
+  for (std::size_t i = 0; i < now.track.knots.size(); ++i) {
+    if (!joins(now, i)) continue;
+    const std::optional<Classes> was = classes_at(before, i), is = classes_at(now, i);
+    if (lowered(was, is)) spoilt = true;
+    if (was->geometric == curve::Geometric::g2)
+      ++result.already;
+    else if (is->geometric == curve::Geometric::g2)
+      ++result.changed;
+    else
+      result.refused.push_back({now.track.knots[i], reasons[i].empty() ? "the sweeps did not settle" : reasons[i]});
+  }
+  result.movement = movement_between(before, now);
+  return result;
+}
+
+}  // namespace
+
+base::Status make_g2(Document& document, std::size_t index, double* movement) {
+  if (movement) *movement = 0;
+  if (!joins(document, index)) return refusal("an end of an open track joins nothing");
+  if (class_at(document, index).geometric == curve::Geometric::g2) return {};
+  const Joint j = joint_at(document, index);
+  const Knot was[] = {knot_at(document, j.before), knot_at(document, j.at), knot_at(document, j.after)};
+  const base::Status status = repair(document, index, true);
+  if (!status || !movement) return status;
+  double sum = 0;
+  for (const auto& [from, at] : {std::pair{&was[0], j.before}, std::pair{&was[1], j.at}, std::pair{&was[2], j.after}}) {
+    const Knot& to = knot_at(document, at);
+    for (const dvec3 d : {dvec3(to.position) - dvec3(from->position), dvec3(world::in_handle(to)) - dvec3(world::in_handle(*from)),
+                          dvec3(world::out_handle(to)) - dvec3(world::out_handle(*from))})
+      sum += glm::dot(d, d);
+  }
+  *movement = std::sqrt(sum);
+  return status;
+}
+
+RepairReport make_all_g2(Document& document) {
+  std::vector<std::string> reasons(document.track.knots.size());
+  Document once = document;
+  pass_along(once, reasons);
+  bool spoilt = false;
+  RepairReport best = report(document, once, reasons, spoilt);
+  Document settled = document;
+  sweeps(settled, reasons);
+  bool lost = false;
+  RepairReport other = report(document, settled, reasons, lost);
+  const bool better = other.changed > best.changed || (other.changed == best.changed && other.movement < best.movement);
+  if (!lost && (spoilt || better)) {
+    document = std::move(settled);
+    return other;
+  }
+  if (spoilt) return report(document, document, std::vector<std::string>(reasons.size(), "a neighbouring joint would lose its class"), spoilt);
+  document = std::move(once);
+  return best;
+}
+
+}  // namespace coaster::edit

@@ -1,0 +1,75 @@
+// From names in a command to knots in the track.
+#include "edit/perform/knot_runs.h"
+
+#include <algorithm>
+#include <map>
+
+#include "world/selection.h"
+
+namespace coaster::edit {
+namespace {
+
+// Names to entities. One look through the pool serves many names.
+base::Result<std::vector<world::Entity>> named(const Session& session, const std::vector<world::Name>& names) {
+  std::vector<world::Entity> found;
+  std::map<std::uint32_t, world::Entity> numbers;
+  if (names.size() > 4)
+    for (const world::Entity e : session.document.track.knots) numbers.emplace(world::name_of(session.document, e).number, e);
+  for (const world::Name name : names) {
+    const auto place = name.kind == world::Kind::knot ? numbers.find(name.number) : numbers.end();
+    if (place != numbers.end()) {
+      found.push_back(place->second);
+      continue;
+    }
+    const auto e = require(session, {name}, world::Kind::knot);
+    if (!e) return e.status();
+    found.push_back(*e);
+  }
+  return found;
+}
+
+}  // namespace
+
+base::Result<std::vector<world::Entity>> knots_of(const Session& session, const Knots& knots) {
+  const world::Document& document = session.document;
+  std::vector<world::Entity> chosen;
+  switch (knots.which) {
+    case Knots::Which::all: chosen = document.track.knots; break;
+    case Knots::Which::selected: chosen = world::selected_knots(document, session.settings); break;
+    case Knots::Which::named: {
+      auto found = named(session, knots.names);
+      if (!found) return found.status();
+      chosen = std::move(*found);
+    }
+  }
+  chosen = world::in_track_order(document, chosen);
+  if (!chosen.empty()) return chosen;
+  return refused(knots.which == Knots::Which::selected ? "no knot is selected" : knots.which == Knots::Which::all ? "the track has no knots" : "expected a knot, found none");
+}
+
+std::vector<KnotRun> runs_of(const world::Document& document, const std::vector<world::Entity>& in_track_order) {
+  const world::Track& track = document.track;
+  const std::size_t count = track.knots.size();
+  std::vector<KnotRun> runs;
+  if (track.closed && in_track_order.size() == count) {
+    runs.emplace_back().whole = true;
+    for (std::size_t i = 0; i < count; ++i) runs[0].places.push_back(i);
+    return runs;
+  }
+  auto next = in_track_order.begin();
+  for (std::size_t i = 0; i < count && next != in_track_order.end(); ++i) {
+    if (track.knots[i] != *next) continue;
+    ++next;
+    if (runs.empty() || runs.back().places.back() + 1 != i) runs.emplace_back();
+    runs.back().places.push_back(i);
+  }
+  // One that ends where another begins at the track's joint goes on there.
+  if (track.closed && runs.size() > 1 && runs.front().places.front() == 0 && runs.back().places.back() + 1 == count) {
+    std::vector<std::size_t>& into = runs.back().places;
+    into.insert(into.end(), runs.front().places.begin(), runs.front().places.end());
+    runs.erase(runs.begin());
+  }
+  return runs;
+}
+
+}  // namespace coaster::edit

@@ -1,0 +1,91 @@
+// Commands on equipment, trains, losses and banking.
+#include <cmath>
+
+#include "edit/perform/perform.h"
+#include "sim/plan/banking.h"
+#include "world/topology.h"
+
+namespace coaster::edit {
+namespace {
+
+using base::Status;
+
+bool finite(std::initializer_list<double> values) {
+  for (const double value : values)
+    if (!std::isfinite(value)) return false;
+  return true;
+}
+
+}  // namespace
+
+Status perform(Session& session, Change& change, const SetEquipment& command) {
+  const auto segment = require(session, command.segment, world::Kind::segment);
+  if (!segment) return segment.status();
+  if (!finite({command.speed, command.acceleration, command.hysteresis, command.seconds})) return refused("expected finite numbers");
+  world::Equipment equipment{command.to};
+  const auto fastest = static_cast<float>(world::kMaxSpeed);
+  equipment.speed = change.clamp("speed", command.speed, 0.0f, fastest, "m/s");
+  equipment.acceleration = change.clamp("acceleration", command.acceleration, world::kMinAcceleration, world::kMaxAcceleration, "m/s^2");
+  equipment.hysteresis = change.clamp("hysteresis", command.hysteresis, 0.0f, fastest, "m/s");
+  equipment.seconds = change.clamp("seconds", command.seconds, 0.0f, world::kMaxDwell, "s");
+  session.document.entities.put(*segment, equipment);
+  return {};
+}
+
+Status perform(Session& session, Change&, const RemoveEquipment& command) {
+  const auto segment = require(session, command.segment, world::Kind::segment);
+  if (!segment) return segment.status();
+  if (!session.document.entities.find<world::Equipment>(*segment)) return refused("there is no equipment on @" + world::label_of(session.document, *segment));
+  session.document.entities.pool<world::Equipment>().erase(*segment);
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetTrain& command) {
+  const auto cart = require(session, command.cart, world::Kind::cart);
+  if (!cart) return cart.status();
+  if (!finite({command.spacing, command.length, command.mass})) return refused("expected finite numbers");
+  world::Cart& design = session.document.entities.get<world::Cart>(*cart);
+  design.cars = change.clamp("cars", command.cars, 1, world::kMaxCars);
+  if (command.spacing != 0) design.spacing = change.clamp("spacing", command.spacing, world::kMinSpacing, world::kMaxSpacing, "m");
+  if (command.length != 0) design.length = change.clamp("length", command.length, world::kMinCarLength, world::kMaxCarLength, "m");
+  if (command.mass != 0) design.mass = change.clamp("mass", command.mass, world::kMinCarMass, world::kMaxCarMass, "kg");
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetLosses& command) {
+  if (!finite({command.rolling, command.drag})) return refused("expected finite numbers");
+  session.document.resistance.rolling = change.clamp("rolling friction", command.rolling, 0.0f, world::kMaxRolling);
+  session.document.resistance.drag = change.clamp("drag", command.drag, 0.0f, world::kMaxDrag, "1/m");
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetHeartline& command) {
+  if (!std::isfinite(command.to)) return refused("expected a finite height");
+  session.document.heartline = change.clamp("heartline", command.to, -world::kMaxHeartline, world::kMaxHeartline, "m");
+  return {};
+}
+
+Status perform(Session& session, Change&, const SetRollbackFails& command) {
+  session.document.rollback_fails = command.to;
+  return {};
+}
+
+// The ride depends on the banking of its heartline alone by what riders feel, not by its speeds, so one pass is enough.
+Status perform(Session& session, Change& change, const AutoBank&) {
+  const world::Entity cart = chosen_cart(session);
+  const sim::Ghost* const ghost = cart.valid() ? session.ghosts.ride(session.document, session.derived, cart) : nullptr;
+  if (!ghost) return refused("banking needs a track with a cart");
+  const std::vector<glm::vec3> ups = sim::banked_ups(session.document, session.derived, *ghost);
+  int turned = 0;
+  for (std::size_t i = 0; i < ups.size(); ++i) {
+    world::Knot& knot = session.document.entities.get<world::Knot>(session.document.track.knots[i]);
+    if (knot.up == ups[i]) continue;
+    knot.up = ups[i];
+    world::orthonormalise(knot);
+    ++turned;
+  }
+  change.note = "banked " + std::to_string(turned) + (turned == 1 ? " knot" : " knots");
+  return {};
+}
+
+}  // namespace coaster::edit

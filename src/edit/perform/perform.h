@@ -1,0 +1,142 @@
+// One command on its way through apply(): what every perform() may report besides its status. Private to this room.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/text.h"
+#include "edit/session/session.h"
+
+namespace coaster::edit {
+
+// How carts in motion follow a change of the track's segments: they stay where they are on the rails.
+struct MotionFollowUp {
+  enum class Kind : std::uint8_t { none, split, merged, reversed } kind = Kind::none;
+  world::Entity first, second;               // the new halves, or survivor and removed
+  double first_length = 0, second_length = 0;  // m, merged: before the change
+};
+
+struct Change {
+  std::vector<std::string> clamped;     // one line for each number that was cut to its limit
+  std::string note;                     // what was done, where that is not plain to see; shown when all went well
+  MotionFollowUp motion;
+  std::optional<world::Entity> select;  // what becomes selected when all went well
+  std::vector<world::Entity> also;      // and further knots with it
+  bool remeasure = false;               // a setting that derived data depend on has changed
+
+  // `value` cut to [low,high]; a line about "WHAT" and the limit is kept when that changed it. Finite values only.
+  double clamp(std::string_view what, double value, double low, double high, std::string_view unit = {});
+  float clamp(std::string_view what, float value, float low, float high, std::string_view unit = {});
+  int clamp(std::string_view what, int value, int low, int high, std::string_view unit = {});
+  std::int64_t clamp(std::string_view what, std::int64_t value, std::int64_t low, std::int64_t high);
+  glm::vec3 clamp_position(std::string_view what, glm::vec3 position);
+};
+
+base::Status refused(std::string message);
+bool finite(glm::vec3 v);
+// The living entity that a target names, of the kind wanted; else says what is missing.
+base::Result<world::Entity> require(const Session& session, Target target, world::Kind kind);
+
+// Refuses when `segments` polylines of `steps` steps have more than `budget` vertices.
+base::Status within_budget(std::size_t segments, int steps, std::int64_t budget);
+// Room for that many knots and segments?
+base::Status room_for(const Session& session, std::size_t knots, std::size_t segments);
+// Lowers the resolution until the document fits the budget, with a warning notice.
+void fit_budget(Session& session);
+
+// perform() checks first and changes nothing when it fails. Document commands change the document, nothing else of the session.
+base::Status perform(Session& session, Change& change, const MoveKnot& command);
+base::Status perform(Session& session, Change& change, const MoveHandle& command);
+base::Status perform(Session& session, Change& change, const SetDirection& command);
+base::Status perform(Session& session, Change& change, const SetLengths& command);
+base::Status perform(Session& session, Change& change, const SetRoll& command);
+base::Status perform(Session& session, Change& change, const SetJoint& command);
+base::Status perform(Session& session, Change& change, const SetTurns& command);
+base::Status perform(Session& session, Change& change, const SplitSegment& command);
+base::Status perform(Session& session, Change& change, const AddCurve& command);
+base::Status perform(Session& session, Change& change, const AppendKnot& command);
+base::Status perform(Session& session, Change& change, const RemoveKnot& command);
+base::Status perform(Session& session, Change& change, const SetClosed& command);
+base::Status perform(Session& session, Change& change, const AddCart& command);
+base::Status perform(Session& session, Change& change, const SetName& command);
+base::Status perform(Session& session, Change& change, const SetStartSpeed& command);
+base::Status perform(Session& session, Change& change, const SetDatum& command);
+base::Status perform(Session& session, Change& change, const SetEquipment& command);
+base::Status perform(Session& session, Change& change, const RemoveEquipment& command);
+base::Status perform(Session& session, Change& change, const SetTrain& command);
+base::Status perform(Session& session, Change& change, const SetLosses& command);
+base::Status perform(Session& session, Change& change, const SetHeartline& command);
+base::Status perform(Session& session, Change& change, const SetRollbackFails& command);
+base::Status perform(Session& session, Change& change, const AutoBank& command);
+base::Status perform(Session& session, Change& change, const PlaceElement& command);
+base::Status perform(Session& session, Change& change, const MakeG2& command);
+base::Status perform(Session& session, Change& change, const MakeAllG2& command);
+base::Status perform(Session& session, Change& change, const Translate& command);
+base::Status perform(Session& session, Change& change, const Rotate& command);
+base::Status perform(Session& session, Change& change, const Scale& command);
+base::Status perform(Session& session, Change& change, const Mirror& command);
+base::Status perform(Session& session, Change& change, const Align& command);
+base::Status perform(Session& session, Change& change, const Smooth& command);
+base::Status perform(Session& session, Change& change, const Equalise& command);
+base::Status perform(Session& session, Change& change, const Straighten& command);
+base::Status perform(Session& session, Change& change, const SetRadius& command);
+base::Status perform(Session& session, Change& change, const DropToGround& command);
+base::Status perform(Session& session, Change& change, const Reverse& command);
+base::Status perform(Session& session, Change& change, const Duplicate& command);
+base::Status perform(Session& session, Change& change, const CloseExactly& command);
+
+// Settings.
+base::Status perform(Session& session, Change& change, const SetEvaluator& command);
+base::Status perform(Session& session, Change& change, const SetResolution& command);
+base::Status perform(Session& session, Change& change, const SetVertexBudget& command);
+base::Status perform(Session& session, Change& change, const SetArcLength& command);
+base::Status perform(Session& session, Change& change, const SetFrames& command);
+base::Status perform(Session& session, Change& change, const SetIntegrator& command);
+base::Status perform(Session& session, Change& change, const SetCamera& command);
+base::Status perform(Session& session, Change& change, const SetCameraMode& command);
+base::Status perform(Session& session, Change& change, const SetFly& command);
+base::Status perform(Session& session, Change& change, const SetFieldOfView& command);
+base::Status perform(Session& session, Change& change, const SetRideView& command);
+base::Status perform(Session& session, Change& change, const SetWidening& command);
+base::Status perform(Session& session, Change& change, const SetRollDamping& command);
+base::Status perform(Session& session, Change& change, const SetChaseDistance& command);
+base::Status perform(Session& session, Change& change, const SetHeadBob& command);
+base::Status perform(Session& session, Change& change, const SetReducedMotion& command);
+base::Status perform(Session& session, Change& change, const Select& command);
+base::Status perform(Session& session, Change& change, const SelectKnots& command);
+base::Status perform(Session& session, Change& change, const SetSnapping& command);
+base::Status perform(Session& session, Change& change, const SetGizmo& command);
+base::Status perform(Session& session, Change& change, const SetHints& command);
+base::Status perform(Session& session, Change& change, const SetPanels& command);
+base::Status perform(Session& session, Change& change, const SetPolyline& command);
+base::Status perform(Session& session, Change& change, const SetAppendMode& command);
+base::Status perform(Session& session, Change& change, const SetScale& command);
+base::Status perform(Session& session, Change& change, const SetTheme& command);
+base::Status perform(Session& session, Change& change, const SetStyle& command);
+base::Status perform(Session& session, Change& change, const SetShadows& command);
+base::Status perform(Session& session, Change& change, const SetSound& command);
+base::Status perform(Session& session, Change& change, const ShowLayer& command);
+base::Status perform(Session& session, Change& change, const SetColouring& command);
+base::Status perform(Session& session, Change& change, const SetMagnification& command);
+base::Status perform(Session& session, Change& change, const SetCombScale& command);
+base::Status perform(Session& session, Change& change, const ShowLaboratory& command);
+base::Status perform(Session& session, Change& change, const OpenPage& command);
+base::Status perform(Session& session, Change& change, const Measure& command);
+base::Status perform(Session& session, Change& change, const StopMeasuring& command);
+base::Status perform(Session& session, Change& change, const ChooseElement& command);
+base::Status perform(Session& session, Change& change, const PreviewElement& command);
+base::Status perform(Session& session, Change& change, const LeaveChallenge& command);
+base::Status perform(Session& session, Change& change, const ShowHint& command);
+base::Status perform(Session& session, Change& change, const SetCard& command);
+base::Status perform(Session& session, Change& change, const CloseCard& command);
+
+// Motion.
+base::Status perform(Session& session, Change& change, const RideStart& command);
+base::Status perform(Session& session, Change& change, const RidePause& command);
+base::Status perform(Session& session, Change& change, const RideStop& command);
+base::Status perform(Session& session, Change& change, const RideStep& command);
+base::Status perform(Session& session, Change& change, const RideSeek& command);
+
+}  // namespace coaster::edit

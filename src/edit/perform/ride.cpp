@@ -1,0 +1,82 @@
+// Commands on the ride.
+#include <algorithm>
+#include <cmath>
+
+#include "edit/perform/perform.h"
+#include "edit/session/ride_watch.h"
+
+namespace coaster::edit {
+namespace {
+
+using base::Status;
+using world::RideState;
+
+constexpr int kMaxStepTicks = 100'000;
+
+Status rideable(const Session& session) {
+  if (session.document.track.segments.empty())
+    return refused("the track has no segments: append knots first");
+  if (session.document.entities.pool<world::Cart>().size() == 0)
+    return refused("there is no cart: add one first");
+  return {};
+}
+
+}  // namespace
+
+Status perform(Session& session, Change&, const RideStart&) {
+  const Status status = rideable(session);
+  if (!status) return status;
+  const bool over = session.motion.state == RideState::ended || session.motion.state == RideState::failed;
+  watch_start(session, over || session.motion.state == RideState::stopped);
+  if (over) sim::reset(session.document, session.derived, session.motion);
+  session.motion.state = RideState::running;
+  return {};
+}
+
+Status perform(Session& session, Change&, const RidePause&) {
+  const Status status = rideable(session);
+  if (!status) return status;
+  if (session.motion.state != RideState::running && session.motion.state != RideState::paused) return refused("the ride is not running");
+  session.motion.state = RideState::paused;
+  return {};
+}
+
+Status perform(Session& session, Change&, const RideStop&) {
+  const Status status = rideable(session);
+  if (!status) return status;
+  sim::reset(session.document, session.derived, session.motion);
+  watch_reset(session);
+  return {};
+}
+
+Status perform(Session& session, Change& change, const RideStep& command) {
+  const Status status = rideable(session);
+  if (!status) return status;
+  if (session.motion.state == RideState::running) return refused("the ride is running: pause it first");
+  if (session.motion.state == RideState::ended || session.motion.state == RideState::failed)
+    return refused("the ride has ended: stop or start it first");
+  const int ticks = change.clamp("ticks", command.ticks, 1, kMaxStepTicks);
+  if (session.motion.state == RideState::stopped) watch_start(session, true);
+  session.motion.state = RideState::running;
+  sim::step(session.document, session.derived, session.settings.integrator, ticks, session.ghosts, session.motion);
+  watch_ticks(session, ticks);
+  if (session.motion.state == RideState::running) session.motion.state = RideState::paused;
+  return {};
+}
+
+Status perform(Session& session, Change& change, const RideSeek& command) {
+  const Status status = rideable(session);
+  if (!status) return status;
+  if (!std::isfinite(command.to)) return refused("expected a finite distance");
+  const double distance = session.derived.closed
+                              ? command.to
+                              : change.clamp("distance", command.to, 0.0, session.derived.length, "m");
+  sim::seek(session.document, session.derived, chosen_cart(session), distance, session.motion);
+  // Stopped means at the start, ended and failed at some end: a cart put elsewhere is none of these.
+  session.motion.failure = {};
+  watch_disturbed(session);
+  if (session.motion.state != RideState::running) session.motion.state = RideState::paused;
+  return {};
+}
+
+}  // namespace coaster::edit

@@ -1,0 +1,177 @@
+// Commands that give several knots a better shape: smooth, equalise, straighten, radius, drop.
+#include <algorithm>
+#include <cmath>
+
+#include "curve/natural_spline.h"
+#include "edit/perform/knot_runs.h"
+#include "world/topology.h"
+
+namespace coaster::edit {
+namespace {
+
+using base::Status;
+using glm::dvec3;
+using world::Entity;
+using world::JointKind;
+using world::Knot;
+
+constexpr double kShortChord = 1e-4;  // m; a spline's step is never shorter
+
+float handle(double length) { return static_cast<float>(std::clamp(length, double{world::kMinHandle}, double{world::kMaxHandle})); }
+
+// Track order by place, with the neighbours over the joint of a closed track.
+struct Places {
+  world::Document& document;
+  std::size_t count = document.track.knots.size();
+  Knot& knot(std::size_t place) const { return document.entities.get<Knot>(document.track.knots[place % count]); }
+  dvec3 position(std::size_t place) const { return dvec3(knot(place).position); }
+  bool has_before(std::size_t place) const { return document.track.closed || place > 0; }
+  bool has_after(std::size_t place) const { return document.track.closed || place + 1 < count; }
+  std::size_t before(std::size_t place) const { return (place + count - 1) % count; }
+};
+
+// A run with the knots beside it, which stay as they are.
+void smooth_run(const Places& at, const KnotRun& run, world::SplineSteps by) {
+  std::vector<std::size_t> places = run.places;
+  const bool before = !run.whole && at.has_before(places.front()), after = !run.whole && at.has_after(places.back());
+  if (before) places.insert(places.begin(), at.before(places.front()));
+  if (after) places.push_back((places.back() + 1) % at.count);
+  const bool closed = run.whole && places.size() >= 3;
+  if (places.size() < 2) return;
+  std::vector<dvec3> points;
+  for (const std::size_t place : places) points.push_back(at.position(place));
+  std::vector<double> steps;
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i)
+    steps.push_back(by == world::SplineSteps::uniform ? 1.0 : std::max(kShortChord, glm::length(points[(i + 1) % points.size()] - points[i])));
+  curve::SplinePoints spline{points, steps, {}, {}, closed};
+  if (before) spline.first = dvec3(at.knot(places.front()).tangent) * (3.0 * at.knot(places.front()).out_length / steps.front());
+  if (after) spline.last = dvec3(at.knot(places.back()).tangent) * (3.0 * at.knot(places.back()).in_length / steps.back());
+  const std::vector<dvec3> derivative = curve::spline_derivatives(spline);
+  for (std::size_t i = before ? 1 : 0; i + (after ? 1 : 0) < places.size(); ++i) {
+    Knot& knot = at.knot(places[i]);
+    const double speed = glm::length(derivative[i]);
+    world::set_tangent(knot, glm::vec3(derivative[i]));
+    const bool first = i == 0 && !closed, last = i + 1 == places.size() && !closed;
+    const double in = steps[first ? 0 : (i + steps.size() - 1) % steps.size()], out = steps[last ? steps.size() - 1 : i];
+    knot.in_length = handle(speed * in / 3), knot.out_length = handle(speed * out / 3);
+    knot.joint = knot.in_length == knot.out_length ? JointKind::smooth : JointKind::aligned;
+  }
+}
+
+// Knots of a run onto its chord, each at its share of the way; handles a third of what lies between.
+Status straighten_run(const Places& at, const KnotRun& run) {
+  const std::vector<std::size_t>& places = run.places;
+  const dvec3 start = at.position(places.front()), way = at.position(places.back()) - start;
+  const double length = glm::length(way);
+  if (!(length >= places.size() * 3.0 * world::kMinHandle)) return refused("the ends of the straight are too near to each other");
+  std::vector<double> share{0};
+  for (std::size_t i = 1; i < places.size(); ++i) share.push_back(share.back() + std::max(kShortChord, glm::length(at.position(places[i]) - at.position(places[i - 1]))));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Knot& knot = at.knot(places[i]);
+    const bool first = i == 0, last = i + 1 == places.size();
+    if (!first && !last) knot.position = glm::vec3(start + way * (share[i] / share.back()));
+    world::set_tangent(knot, glm::vec3(way));
+    if (!first) knot.in_length = handle(length * (share[i] - share[i - 1]) / share.back() / 3);
+    if (!last) knot.out_length = handle(length * (share[i + 1] - share[i]) / share.back() / 3);
+    if (knot.joint == JointKind::automatic || knot.in_length != knot.out_length) knot.joint = JointKind::aligned;
+  }
+  return {};
+}
+
+// The handle length with which a segment leaves a knot at curvature 1 / radius: kappa = 2/3 h / a^2, with h the distance of the segment's
+// next control point from the tangent line. Nothing where that is none: the track runs straight there, whatever the length.
+std::optional<double> length_for(double radius, dvec3 position, dvec3 tangent, dvec3 control) {
+  const dvec3 off = control - position;
+  const double h = glm::length(off - glm::dot(off, tangent) * tangent);
+  if (!(h > 1e-6)) return std::nullopt;
+  return std::sqrt(2.0 / 3.0 * h * radius);
+}
+
+}  // namespace
+
+Status perform(Session& session, Change& change, const Smooth& command) {
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
+  const Places at{session.document};
+  if (at.count < 2) return refused("a spline needs two knots");
+  for (const KnotRun& run : runs_of(session.document, *knots)) smooth_run(at, run, command.by);
+  change.note = "smoothed " + std::to_string(knots->size()) + (knots->size() == 1 ? " knot" : " knots");
+  return {};
+}
+
+Status perform(Session& session, Change&, const Equalise& command) {
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
+  for (const Entity e : *knots) {
+    Knot& knot = session.document.entities.get<Knot>(e);
+    if (knot.joint == JointKind::automatic && knot.in_length == knot.out_length) continue;
+    knot.in_length = knot.out_length = static_cast<float>((double{knot.in_length} + double{knot.out_length}) / 2);
+    knot.joint = JointKind::smooth;
+  }
+  return {};
+}
+
+Status perform(Session& session, Change&, const Straighten& command) {
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
+  world::Document next = session.document;
+  const Places at{next};
+  bool any = false;
+  for (const KnotRun& run : runs_of(session.document, *knots)) {
+    if (run.whole) return refused("a closed track has no straight way from its first knot to its last");
+    if (run.places.size() < 2) continue;
+    if (const Status done = straighten_run(at, run); !done) return done;
+    any = true;
+  }
+  if (!any) return refused("a straight needs two neighbouring knots");
+  session.document = std::move(next);
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetRadius& command) {
+  constexpr double kLeast = 0.1, kMost = 1e5;  // m
+  constexpr int kSweeps = 30;                   // neighbours that are both set depend on each other
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
+  if (!std::isfinite(command.to)) return refused("expected a finite radius");
+  const double radius = change.clamp("radius", command.to, kLeast, kMost, "m");
+  world::Document next = session.document;
+  const Places at{next};
+  std::size_t bent = 0;
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    bent = 0;
+    const auto set = [&](std::size_t place, bool before) {
+      Knot& knot = at.knot(place);
+      if (before ? !at.has_before(place) : !at.has_after(place)) return;
+      const Knot& other = at.knot(before ? at.before(place) : place + 1);
+      const auto length = length_for(radius, dvec3(knot.position), dvec3(knot.tangent), dvec3(before ? world::out_handle(other) : world::in_handle(other)));
+      if (!length) return;
+      (before ? knot.in_length : knot.out_length) = handle(*length);
+      knot.joint = JointKind::aligned;
+      ++bent;
+    };
+    for (std::size_t place = 0, chosen = 0; place < at.count && chosen < knots->size(); ++place) {
+      if (next.track.knots[place] != (*knots)[chosen]) continue;
+      ++chosen;
+      set(place, true), set(place, false);
+    }
+  }
+  if (bent == 0) return refused("the track runs straight there");
+  session.document = std::move(next);
+  return {};
+}
+
+Status perform(Session& session, Change& change, const DropToGround& command) {
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
+  if (!std::isfinite(command.to)) return refused("expected a finite height");
+  const float to = static_cast<float>(change.clamp("height", command.to, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}, "m"));
+  for (const Entity e : *knots) {
+    Knot& knot = session.document.entities.get<Knot>(e);
+    knot.position.y = to;
+    world::set_tangent(knot, {knot.tangent.x, 0, knot.tangent.z});  // one that is vertical stays
+  }
+  return {};
+}
+
+}  // namespace coaster::edit

@@ -1,0 +1,126 @@
+// Commands that change which knots, segments and carts there are.
+#include <algorithm>
+#include <cmath>
+
+#include "edit/perform/append_shape.h"
+#include "edit/perform/perform.h"
+#include "world/topology.h"
+
+namespace coaster::edit {
+namespace {
+
+using base::Status;
+using world::Entity;
+using world::Kind;
+
+constexpr float kStep = 10;                   // m, how far ahead a knot goes when there is nothing to split
+constexpr glm::vec3 kFirstPosition{0, 2, 0};  // m, clear of the ground
+
+Status split_at(Session& session, Change& change, Entity segment, double t) {
+  world::Document& document = session.document;
+  const Status room = room_for(session, document.track.knots.size() + 1, document.track.segments.size() + 1);
+  if (!room) return room;
+  const glm::vec3 up(sim::frame_of(document, segment, t).up);
+  const world::SplitResult split = world::split_segment(document, segment, t, up);
+  if (!split.knot.valid())
+    return refused("a handle would leave the limits of " + base::to_text(world::kMinHandle) + " to " +
+                   base::to_text(world::kMaxHandle) + " m, or the knot the world");
+  change.motion = {MotionFollowUp::Kind::split, split.first, split.second, 0, 0};
+  change.select = split.knot;
+  return {};
+}
+
+Status append_at(Session& session, Change& change, glm::vec3 position) {
+  world::Document& document = session.document;
+  const std::size_t knots = document.track.knots.size();
+  if (document.track.closed) return refused("the track is closed: open it first");
+  const Status room = room_for(session, knots + 1, knots);
+  if (!room) return room;
+  const world::Knot knot = appended_knot(document, position);
+  reshape_end(document, true, position);
+  change.select = world::append_knot(document, knot);
+  // A first segment without a cart would leave nothing to watch.
+  if (document.track.segments.size() == 1 && document.entities.pool<world::Cart>().size() == 0)
+    world::add_cart(document, document.track.segments.front(), 0.0);
+  return {};
+}
+
+Entity longest_segment(const sim::Derived& derived) {
+  Entity longest = world::kNone;
+  double most = -1;
+  for (const Entity e : derived.order)
+    if (const double length = derived.shape(e).arc.length(); length > most) most = length, longest = e;
+  return longest;
+}
+
+}  // namespace
+
+Status perform(Session& session, Change& change, const SplitSegment& command) {
+  const auto e = require(session, command.segment, Kind::segment);
+  if (!e) return e.status();
+  if (!(command.at > 0 && command.at < 1)) return refused("expected a parameter between 0 and 1");
+  return split_at(session, change, *e, command.at);
+}
+
+Status perform(Session& session, Change& change, const AddCurve&) {
+  const world::Track& track = session.document.track;
+  if (track.segments.empty()) {
+    if (track.knots.empty()) return append_at(session, change, kFirstPosition);
+    const world::Knot& last = world::knot(session.document, track.knots.back());
+    return append_at(session, change,
+                     change.clamp_position("position", last.position + last.tangent * kStep));
+  }
+  const Entity longest = longest_segment(session.derived);
+  const curve::ArcLengthMap& arc = session.derived.shape(longest).arc;
+  return split_at(session, change, longest, arc.parameter(arc.length() / 2));
+}
+
+Status perform(Session& session, Change& change, const AppendKnot& command) {
+  if (!finite(command.at)) return refused("expected 3 finite numbers");
+  return append_at(session, change, change.clamp_position("position", command.at));
+}
+
+Status perform(Session& session, Change& change, const RemoveKnot& command) {
+  world::Document& document = session.document;
+  if (command.knot.name.kind == Kind::cart) {
+    const auto cart = require(session, command.knot, Kind::cart);
+    if (!cart) return cart.status();
+    document.entities.destroy(*cart);
+    return {};
+  }
+  const auto e = require(session, command.knot, Kind::knot);
+  if (!e) return e.status();
+  const world::Neighbours sides = world::neighbours(document, *e);
+  const bool merge = sides.before.valid() && sides.after.valid() && document.track.knots.size() > 2;
+  if (merge)
+    change.motion = {MotionFollowUp::Kind::merged, sides.before, sides.after,
+                     session.derived.shape(sides.before).arc.length(),
+                     session.derived.shape(sides.after).arc.length()};
+  world::remove_knot(document, *e);
+  return {};
+}
+
+Status perform(Session& session, Change&, const SetClosed& command) {
+  world::Document& document = session.document;
+  const world::Track& track = document.track;
+  if (command.to == track.closed) return {};
+  if (command.to) {
+    if (track.knots.size() < 2) return refused("a closed track needs at least 2 knots");
+    const Status room = room_for(session, track.knots.size(), track.knots.size());
+    if (!room) return room;
+    close_by_segment(document, kLongestClosing);
+  } else {
+    world::set_closed(document, false);
+  }
+  return {};
+}
+
+Status perform(Session& session, Change& change, const AddCart& command) {
+  const auto e = require(session, command.segment, Kind::segment);
+  if (!e) return e.status();
+  if (!std::isfinite(command.at)) return refused("expected a finite fraction");
+  change.select = world::add_cart(session.document, *e, change.clamp("fraction", command.at, 0.0, 1.0));
+  return {};
+}
+
+}  // namespace coaster::edit

@@ -1,0 +1,140 @@
+// How rides end, in numbers and in words.
+#include "edit/session/ride_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+namespace coaster::edit {
+namespace {
+
+using world::FailureKind;
+using world::RideState;
+
+// Mean height of a train's cars (m) whose first car has come `travelled` metres from its start.
+double mean_height(const sim::Ghost& ghost, const sim::RailTables& tables, double travelled, std::size_t& hint) {
+  double sum = 0;
+  for (int car = 0; car < ghost.start.cars; ++car) {
+    double at = ghost.start.front + travelled - car * ghost.start.spacing;
+    if (ghost.closed && ghost.track_length > 0) at -= ghost.track_length * std::floor(at / ghost.track_length);
+    const double s = tables.locate(at, hint);
+    sum += sim::rail_at(tables.segment(hint), s).height;
+  }
+  return sum / ghost.start.cars;
+}
+
+// The train's next top after its furthest place: how much higher, and where its first car would be; nothing where the rails do not go up from there.
+struct Shortfall {
+  double height = 0, distance = 0, furthest = 0;  // m; m along the track, both of them
+};
+std::optional<Shortfall> shortfall(const sim::Ghost& ghost, const sim::RailTables& tables) {
+  if (ghost.samples.empty() || tables.size() == 0) return std::nullopt;
+  double furthest = 0;
+  for (const sim::GhostSample& sample : ghost.samples) furthest = std::max(furthest, sample.travelled);
+  constexpr double kSearchStep = 0.25, kRise = 0.02;  // m
+  std::size_t hint = 0;
+  const double from = mean_height(ghost, tables, furthest, hint);
+  double top = from, top_at = furthest;
+  for (double at = furthest; at < furthest + ghost.track_length; at += kSearchStep) {
+    const double height = mean_height(ghost, tables, at, hint);
+    if (height < top - kRise) break;
+    if (height > top) top = height, top_at = at;
+  }
+  if (top - from < kRise) return std::nullopt;
+  const auto along = [&](double travelled) {
+    const double at = ghost.start.front + travelled;
+    return ghost.closed && ghost.track_length > 0 ? at - ghost.track_length * std::floor(at / ghost.track_length) : std::min(at, ghost.track_length);
+  };
+  return Shortfall{top - from, along(top_at), along(furthest)};
+}
+
+std::string failure_words(const Session& session, const sim::Ghost* ghost, double& place) {
+  const world::Failure& failure = session.motion.failure;
+  place = failure.distance;
+  char words[256];
+  const bool climbed = failure.kind == FailureKind::stall || failure.kind == FailureKind::rollback;
+  const auto missing = ghost && climbed ? shortfall(*ghost, session.ghosts.tables(session.document, session.derived)) : std::nullopt;
+  if (!missing) {
+    std::snprintf(words, sizeof words, "%s at %.1f m, %.1f m/s", std::string(sim::text(failure.kind)).c_str(), failure.distance, std::abs(failure.speed));
+    return words;
+  }
+  place = missing->furthest;
+  std::snprintf(words, sizeof words, "%s at %.1f m, %.1f m below the top at %.1f m: %.1f m/s more would take it over", std::string(sim::text(failure.kind)).c_str(), missing->furthest,
+                missing->height, missing->distance, std::sqrt(2 * world::kGravity * missing->height));
+  return words;
+}
+
+void judge(Session& session, RideResult* result) {
+  if (!session.challenge || !session.referee.judge) return;
+  ActiveChallenge& challenge = *session.challenge;
+  const int before = challenge.medal;
+  challenge.last = session.referee.judge(session, result);
+  challenge.medal = std::max(challenge.medal, challenge.last.medal);
+  ++challenge.judged;
+  if (challenge.last.medal > 0) exchange::merge(session.earned, {std::filesystem::path(challenge.path).stem().string(), challenge.last.medal, challenge.last.values});
+  if (result) result->verdict = challenge.last;
+  constexpr const char* kMedals[] = {"", "bronze", "silver", "gold"};
+  if (challenge.medal > before) notify(session, NoticeKind::info, challenge.file.name + ": passed, " + kMedals[challenge.medal]);
+}
+
+// The ride is over: told once.
+void end_ride(Session& session, RideEnd end) {
+  RideRun& run = session.run;
+  run.under_way = false;
+  RideResult result;
+  result.end = end;
+  result.serial = session.result ? session.result->serial + 1 : 1;
+  result.whole = run.whole && run.document == world::hash(session.document);
+  result.seconds = static_cast<double>(run.ticks) * world::kTick;
+  const sim::Ghost* const ghost = chosen_ride(session);
+  if (ghost) result.ratings = chosen_ratings(session);
+  if (end == RideEnd::failed || end == RideEnd::open_end) {
+    double place = 0;
+    result.reason = failure_words(session, result.whole ? ghost : nullptr, place);
+    result.place = place;
+  }
+  judge(session, &result);
+  session.result = std::move(result);
+  session.show_result = true;
+}
+
+bool came_round(const Session& session) {
+  const world::CartMotion* const cart = session.motion.carts.find(chosen_cart(session));
+  return cart != nullptr && cart->laps != 0;
+}
+
+}  // namespace
+
+void watch_start(Session& session, bool from_start) {
+  session.show_result = false;
+  if (from_start) session.run = {true, true, world::hash(session.document), 0};
+}
+
+void watch_disturbed(Session& session) {
+  session.run.whole = false;
+  session.run.under_way = session.run.under_way && session.motion.state != RideState::failed && session.motion.state != RideState::ended;
+}
+
+void watch_reset(Session& session) {
+  session.run = {};
+  session.show_result = false;
+}
+
+void watch_ticks(Session& session, int ticks) {
+  RideRun& run = session.run;
+  if (!run.under_way) return;
+  run.ticks += static_cast<std::uint64_t>(ticks);
+  const bool timed = session.challenge && session.challenge->file.judged == exchange::Judged::time;
+  if (session.motion.state == RideState::failed) return end_ride(session, RideEnd::failed);
+  if (timed && static_cast<double>(run.ticks) * world::kTick >= session.challenge->file.seconds) return end_ride(session, RideEnd::time);
+  if (session.motion.state == RideState::ended) return end_ride(session, RideEnd::open_end);
+  if (!timed && came_round(session)) end_ride(session, RideEnd::lap);
+}
+
+void watch_built(Session& session) {
+  if (!session.challenge || session.challenge->file.judged != exchange::Judged::build || session.history.in_gesture) return;
+  judge(session, nullptr);
+}
+
+}  // namespace coaster::edit

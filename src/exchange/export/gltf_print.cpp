@@ -1,0 +1,97 @@
+// A track's solid as glTF 2.0 with its buffer as base64.
+#include <bit>
+#include <span>
+
+#include "exchange/own/json_text.h"
+#include "exchange/export/track_shapes.h"
+#include "exchange/export/track_solid.h"
+
+namespace coaster::exchange {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "glTF's buffers are little-endian");
+
+// Numbers of the specification.
+constexpr int kFloat = 5126, kUnsigned = 5125, kVertices = 34962, kIndices = 34963, kLineStrip = 3, kTriangles = 4;
+
+struct BinaryBuilder {
+  Json views = Json::array(), accessors = Json::array();
+  std::string bytes;
+
+  // A view of its own for each accessor; all are multiples of 4 bytes, so all are aligned. Returns the accessor's number.
+  template <class T>
+  std::size_t add(std::span<const T> items, int component, int target, Json accessor) {
+    static_assert(sizeof(T) % 4 == 0);
+    views.push_back({{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", items.size_bytes()}, {"target", target}});
+    bytes.append(reinterpret_cast<const char*>(items.data()), items.size_bytes());
+    accessor["bufferView"] = views.size() - 1;
+    accessor["componentType"] = component;
+    accessor["count"] = items.size();
+    accessors.push_back(std::move(accessor));
+    return accessors.size() - 1;
+  }
+  std::size_t positions(std::span<const glm::vec3> points) {
+    glm::vec3 low = points[0], high = points[0];
+    for (const glm::vec3 p : points) low = glm::min(low, p), high = glm::max(high, p);
+    return add(points, kFloat, kVertices, {{"type", "VEC3"}, {"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}});
+  }
+};
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+Json material(std::string_view name, glm::vec3 colour) {
+  return {{"name", name}, {"pbrMetallicRoughness", {{"baseColorFactor", {colour.x, colour.y, colour.z, 1.0}}, {"metallicFactor", 0.6}, {"roughnessFactor", 0.5}}}};
+}
+
+Json track_mesh(BinaryBuilder& builder, const TrackSolid& solid) {
+  Json primitives = Json::array();
+  for (std::size_t i = 0; i < solid.parts.size(); ++i) {
+    const SolidPart& part = solid.parts[i];
+    if (part.indices.empty()) continue;
+    Json attributes{{"POSITION", builder.positions(part.positions)}};
+    attributes["NORMAL"] = builder.add(std::span(part.normals), kFloat, kVertices, {{"type", "VEC3"}});
+    const std::size_t indices = builder.add(std::span(part.indices), kUnsigned, kIndices, {{"type", "SCALAR"}});
+    primitives.push_back({{"attributes", std::move(attributes)}, {"indices", indices}, {"material", i}, {"mode", kTriangles}});
+  }
+  return {{"name", "track"}, {"primitives", std::move(primitives)}};
+}
+
+}  // namespace
+
+std::string print_gltf(const world::Document& document) {
+  const TrackSolid solid = track_solid(document);
+  Json file{{"asset", {{"version", "2.0"}, {"generator", "coaster"}}}, {"scene", 0}};
+  Json scene{{"name", document.name}};
+  if (!solid.centre_line.empty()) {
+    BinaryBuilder builder;
+    const Json track = track_mesh(builder, solid);
+    const std::size_t line = builder.positions(solid.centre_line);
+    scene["nodes"] = Json::array({0, 1});
+    file["nodes"] = Json::array({{{"name", "track"}, {"mesh", 0}}, {{"name", "centre line"}, {"mesh", 1}}});
+    const Json attributes{{"POSITION", line}};
+    const Json strip{{"attributes", attributes}, {"material", solid.parts.size()}, {"mode", kLineStrip}};
+    const Json line_mesh{{"name", "centre line"}, {"primitives", Json::array({strip})}};
+    file["meshes"] = Json::array({track, line_mesh});
+    Json& materials = file["materials"] = Json::array();
+    for (const SolidPart& part : solid.parts) materials.push_back(material(part.name, part.colour));
+    materials.push_back(material("centre line", {1, 0.8f, 0}));
+    const Json buffer{{"byteLength", builder.bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(builder.bytes)}};
+    file["buffers"] = Json::array({buffer});
+    file["bufferViews"] = std::move(builder.views);
+    file["accessors"] = std::move(builder.accessors);
+  }
+  file["scenes"] = Json::array({scene});
+  return json_file(file, 1);
+}
+
+}  // namespace coaster::exchange

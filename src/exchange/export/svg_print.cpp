@@ -1,0 +1,122 @@
+// Plan and elevation of a track as SVG, one above the other at the same scale.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/text.h"
+#include "exchange/export/track_shapes.h"
+
+namespace coaster::exchange {
+namespace {
+
+constexpr double kLeastExtent = 1.0;  // m of a drawing
+constexpr double kPaperWidth = 800;   // px of the whole
+
+struct Extent {
+  double left = 0, top = 0, right = 0, bottom = 0;
+  double width() const { return std::max(right - left, kLeastExtent); }
+  double height() const { return std::max(bottom - top, kLeastExtent); }
+};
+
+using Project = glm::vec2 (*)(glm::vec3);
+glm::vec2 plan(glm::vec3 p) { return {p.x, p.z}; }
+glm::vec2 elevation(glm::vec3 p) { return {p.x, 0.0f - p.y}; }  // never -0
+
+// Sizes that go with the whole drawing, m on the ground.
+struct Style {
+  double margin, text, line;
+};
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&') out += "&amp;";
+    else if (c == '<') out += "&lt;";
+    else if (c == '>') out += "&gt;";
+    else if (static_cast<unsigned char>(c) < 0x20) out += ' ';  // no XML has them
+    else out += c;
+  }
+  return out;
+}
+
+std::string attribute(const char* name, double value) { return std::string(" ") + name + "=\"" + base::to_text(static_cast<float>(value)) + "\""; }
+
+// The control points' box: contains the curve.
+Extent extent_of(const std::vector<curve::Cubic>& cubics, Project project) {
+  if (cubics.empty()) return {};
+  const glm::vec2 first = project(cubics[0].p0);
+  Extent e{first.x, first.y, first.x, first.y};
+  for (const curve::Cubic& c : cubics)
+    for (const glm::vec3 p : {c.p0, c.p1, c.p2, c.p3}) {
+      const glm::dvec2 at(project(p));
+      e = {std::min(e.left, at.x), std::min(e.top, at.y), std::max(e.right, at.x), std::max(e.bottom, at.y)};
+    }
+  return e;
+}
+
+std::string path(const std::vector<curve::Cubic>& cubics, Project project, bool closed) {
+  const auto pair = [&](glm::vec3 p) {
+    const glm::vec2 at = project(p);
+    return base::to_text(at.x) + " " + base::to_text(at.y);
+  };
+  std::string d;
+  for (const curve::Cubic& c : cubics) {
+    if (d.empty()) d = "M" + pair(c.p0);
+    d += " C" + pair(c.p1) + " " + pair(c.p2) + " " + pair(c.p3);
+  }
+  return closed ? d + " Z" : d;
+}
+
+// The longest of 1, 2, 5 times a power of ten that is at most a third of the drawing.
+double bar_length(double width) {
+  double length = 0.1;
+  for (double decade = 0.1; decade <= width; decade *= 10)
+    for (const double digit : {1.0, 2.0, 5.0})
+      if (digit * decade <= width / 3) length = digit * decade;
+  return length;
+}
+
+struct Drawing {
+  const char *id, *label;
+  Project project;
+  Extent extent;
+};
+
+// The label above, the drawing, the bar with its length below. `top` is where it starts on the sheet.
+std::string print_drawing(const Drawing& drawing, const std::vector<curve::Cubic>& cubics, bool closed, const Style& style, double top) {
+  const Extent& e = drawing.extent;
+  const double x = style.margin, y = top + 2 * style.text, below = y + e.height() + style.text, bar = bar_length(e.width());
+  const std::string font = attribute("font-size", style.text) + " font-family=\"sans-serif\"";
+  std::string out = "<text" + attribute("x", x) + attribute("y", top + style.text) + font + ">" + drawing.label + "</text>\n";
+  out += std::string("<g id=\"") + drawing.id + "\" transform=\"translate(" + base::to_text(x - e.left) + " " + base::to_text(y - e.top) +
+         ")\" fill=\"none\" stroke=\"#1f4e79\"" + attribute("stroke-width", style.line) + ">\n";
+  if (!cubics.empty()) out += "<path d=\"" + path(cubics, drawing.project, closed) + "\"/>\n";
+  out += "</g>\n";
+  out += std::string("<path id=\"") + drawing.id + "-bar\" d=\"M" + base::to_text(x) + " " + base::to_text(below) + " h" + base::to_text(bar) + "\" stroke=\"black\"" +
+         attribute("stroke-width", 2 * style.line) + "/>\n";
+  out += "<text" + attribute("x", x + bar + 0.5 * style.text) + attribute("y", below + 0.35 * style.text) + font + ">" + base::to_text(static_cast<float>(bar)) + " m</text>\n";
+  return out;
+}
+
+}  // namespace
+
+std::string print_svg(const world::Document& document) {
+  std::vector<curve::Cubic> cubics;
+  for (const world::Entity segment : document.track.segments) cubics.push_back(world::cubic_of(document, segment));
+  const Drawing above{"plan", "Plan (x to the right, z down)", plan, extent_of(cubics, plan)};
+  const Drawing beside{"elevation", "Elevation (x to the right, y up)", elevation, extent_of(cubics, elevation)};
+  const double size = std::max({above.extent.width(), above.extent.height(), beside.extent.height()});
+  const Style style{size * 0.05, size * 0.025, size * 0.003};
+  const double extra = 5 * style.text;  // label and bar
+  const double width = std::max(above.extent.width(), 20 * style.text) + 2 * style.margin;
+  const double second = style.margin + above.extent.height() + extra, height = second + beside.extent.height() + extra + style.margin;
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", kPaperWidth) +
+                    attribute("height", kPaperWidth * height / width) + " viewBox=\"0 0 " + base::to_text(static_cast<float>(width)) + " " +
+                    base::to_text(static_cast<float>(height)) + "\">\n<title>" + escaped(document.name) + "</title>\n<desc>1 unit is 1 metre</desc>\n" +
+                    "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+  out += print_drawing(above, cubics, document.track.closed, style, style.margin);
+  out += print_drawing(beside, cubics, document.track.closed, style, second);
+  return out + "</svg>\n";
+}
+
+}  // namespace coaster::exchange

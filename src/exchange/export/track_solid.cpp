@@ -1,0 +1,71 @@
+// Builds segment after segment and sorts the triangles by part; the centre line with as many chords as its bend asks for.
+#include "exchange/export/track_solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/shape/derived.h"
+#include "sim/solids/supports.h"
+#include "sim/solids/track_mesh.h"
+
+namespace coaster::exchange {
+namespace {
+
+constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
+
+std::size_t part_of(const sim::MeshVertex& vertex) {
+  switch (static_cast<sim::Part>(static_cast<int>(vertex.part))) {
+    case sim::Part::rail: return 0;
+    case sim::Part::spine: return 1;
+    case sim::Part::tie: return 2;
+    case sim::Part::support: return 4;
+    case sim::Part::concrete: return 5;
+    default: return 3;
+  }
+}
+
+void add_mesh(const sim::Mesh& mesh, TrackSolid& solid) {
+  std::vector<std::uint32_t> moved(mesh.vertices.size(), kNowhere);
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    SolidPart& part = solid.parts[part_of(mesh.vertices[i])];
+    moved[i] = static_cast<std::uint32_t>(part.positions.size());
+    part.positions.push_back(mesh.vertices[i].position);
+    part.normals.push_back(mesh.vertices[i].normal);
+  }
+  for (const std::uint32_t i : mesh.indices) solid.parts[part_of(mesh.vertices[i])].indices.push_back(moved[i]);
+}
+
+// A chord over h of the parameter is off by at most h^2/8 of the largest second derivative, which is at one of the ends.
+int chords(const curve::Cubic& cubic) {
+  const double bend = std::max(glm::length(curve::second_derivative(cubic, 0)), glm::length(curve::second_derivative(cubic, 1)));
+  return static_cast<int>(std::clamp(std::ceil(std::sqrt(bend / (8 * kLineTolerance))), 1.0, 1000.0));
+}
+
+}  // namespace
+
+TrackSolid track_solid(const world::Document& document) {
+  TrackSolid solid;
+  sim::Derived derived;
+  sim::derive(document, {}, {}, derived);
+  sim::Supports supports;
+  supports.update(derived);
+  sim::Mesh mesh;
+  for (const world::Entity segment : document.track.segments) {
+    const sim::SegmentShape& shape = derived.shape(segment);
+    sim::sweep_track(shape, mesh);
+    if (shape.fitted) sim::add_fittings(shape, *shape.fitted, mesh);
+    add_mesh(mesh, solid);
+    if (const sim::SegmentSupports* const held = supports.of(segment)) {
+      sim::build_support_mesh(*held, mesh);
+      add_mesh(mesh, solid);
+    }
+    const curve::Cubic& cubic = shape.key.cubic;
+    if (solid.centre_line.empty()) solid.centre_line.push_back(cubic.p0);
+    const int count = chords(cubic);
+    for (int i = 1; i <= count; ++i) solid.centre_line.push_back(glm::vec3(curve::point(cubic, static_cast<double>(i) / count)));
+  }
+  return solid;
+}
+
+}  // namespace coaster::exchange

@@ -1,0 +1,68 @@
+// A document as the rows of a NoLimits 2 CSV.
+#include <array>
+#include <charconv>
+
+#include "base/check.h"
+#include "base/text.h"
+#include "exchange/nolimits/nl2_csv.h"
+#include "sim/shape/derived.h"
+
+namespace coaster::exchange {
+namespace {
+
+using glm::dvec3;
+
+// Six decimals, as %.6f in the C locale.
+void print_number(std::string& out, double value) {
+  std::array<char, 64> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, 6).ptr;
+  out += '\t';
+  out.append(buffer.data(), end);
+}
+
+void print_row(std::string& out, std::size_t number, dvec3 position, const curve::Frame& frame) {
+  out += std::to_string(number);
+  for (const dvec3& v : {position, frame.forward, frame.left(), frame.up})
+    for (int axis = 0; axis < 3; ++axis) print_number(out, v[axis]);
+  out += '\n';
+}
+
+sim::Derived shapes_of(const world::Document& document) {
+  world::Settings settings;
+  settings.steps = 1;  // no polylines are looked at
+  sim::Derived derived;
+  sim::derive(document, settings, {}, derived);
+  return derived;
+}
+
+}  // namespace
+
+base::Status check_nl2_csv(const world::Document& document, double spacing) {
+  if (document.track.segments.empty()) return {base::Code::refused, "error: expected a track with segments, found none"};
+  const double length = world::exact_length(document);
+  if (!(length / spacing < static_cast<double>(kMaxNl2Rows - 1)))
+    return {base::Code::refused, "error: expected at most " + std::to_string(kMaxNl2Rows) + " rows, found " + base::to_text(length) + " m of track"};
+  return {};
+}
+
+std::string print_nl2_csv(const world::Document& document, double spacing) {
+  COASTER_CHECK(spacing > 0 && check_nl2_csv(document, spacing).ok(), "callers check what can be written");
+  const sim::Derived derived = shapes_of(document);
+  std::string out;
+  for (const std::string_view column : kNl2Columns) out += (out.empty() ? "\"" : "\t\"") + std::string(column) + "\"";
+  out += '\n';
+  std::size_t index = 0, number = 0;
+  const auto row_at = [&](double s) {
+    while (index + 1 < derived.order.size() && s >= derived.starts[index + 1]) ++index;
+    const sim::SegmentShape& shape = derived.shape(derived.order[index]);
+    const double within = std::min(s - derived.starts[index], shape.arc.length());
+    print_row(out, ++number, curve::point(shape.key.cubic, shape.arc.parameter(within)), sim::frame_at(shape, within));
+  };
+  // What is left at the end and would print as the same place is no row of its own.
+  constexpr double kShortest = 1e-5;  // m
+  for (double s = 0; s < derived.length - kShortest; s = static_cast<double>(number) * spacing) row_at(s);
+  if (!derived.closed) row_at(derived.length);
+  return out;
+}
+
+}  // namespace coaster::exchange

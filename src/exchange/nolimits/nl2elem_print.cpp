@@ -1,0 +1,109 @@
+// A document as a NoLimits 2 element.
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "base/text.h"
+#include "exchange/nolimits/nl2_spline.h"
+#include "exchange/nolimits/nl2elem.h"
+#include "sim/shape/derived.h"
+
+namespace coaster::exchange {
+namespace {
+
+using glm::dvec3;
+
+struct PlaceOnTrack {
+  dvec3 position;
+  curve::Frame frame;
+};
+
+PlaceOnTrack place_on(const sim::Derived& derived, double s) {
+  const sim::TrackPlace at = sim::place_at(derived, s);
+  const sim::SegmentShape& shape = derived.shape(derived.order[at.index]);
+  const double within = std::min(at.s, shape.arc.length());
+  return {curve::point(shape.key.cubic, shape.arc.parameter(within)), sim::frame_at(shape, within)};
+}
+
+// Whether the spline is near the place at the same share of the length, which is no nearer than the track, and leads the same way there, and
+// whether roll goes on evenly between the vertices.
+bool is_close(const UniformSpline& spline, const sim::Derived& derived) {
+  const auto place = [&](double spans) { return place_on(derived, derived.length * spans / static_cast<double>(spline.spans())); };
+  for (std::size_t i = 0; i < spline.spans(); ++i) {
+    const curve::Cubic cubic = in_float(spline.span(i));
+    const dvec3 from = place(static_cast<double>(i)).frame.up, to = place(static_cast<double>(i + 1)).frame.up;
+    for (const double t : {0.0, 0.25, 0.5, 0.75}) {
+      const PlaceOnTrack wanted = place(static_cast<double>(i) + t);
+      if (glm::distance(curve::point(cubic, t), wanted.position) > kNl2ElemError) return false;
+      if (glm::length(curve::unit_tangent(cubic, t) - wanted.frame.forward) > kNl2ElemTurn) return false;
+      const dvec3 up = curve::perpendicular(wanted.frame.forward, (1 - t) * from + t * to);
+      if (glm::length(up - wanted.frame.up) > kNl2ElemTurn) return false;
+    }
+  }
+  return true;
+}
+
+std::vector<SplineVertex> vertices_of(const sim::Derived& derived, std::size_t spans) {
+  std::vector<SplineVertex> vertices;
+  for (std::size_t i = 0; i < spans + (derived.closed ? 0 : 1); ++i)
+    vertices.push_back({place_on(derived, derived.length * static_cast<double>(i) / static_cast<double>(spans)).position, true});
+  return vertices;
+}
+
+void print_line(std::string& out, int depth, const char* tag, const std::string& value) {
+  out.append(static_cast<std::size_t>(depth), '\t');
+  out += std::string("<") + tag + ">" + value + "</" + tag + ">\r\n";
+}
+
+void print_vertex(std::string& out, dvec3 p) {
+  out += "\t\t<vertex>\r\n";
+  print_line(out, 3, "x", base::to_text(p.x)), print_line(out, 3, "y", base::to_text(p.y)), print_line(out, 3, "z", base::to_text(p.z));
+  print_line(out, 3, "strict", "true");
+  out += "\t\t</vertex>\r\n";
+}
+
+void print_roll(std::string& out, const curve::Frame& frame, double coord) {
+  const dvec3 up = frame.up, right = -frame.left();
+  out += "\t\t<roll>\r\n";
+  print_line(out, 3, "ux", base::to_text(up.x)), print_line(out, 3, "uy", base::to_text(up.y)), print_line(out, 3, "uz", base::to_text(up.z));
+  print_line(out, 3, "rx", base::to_text(right.x)), print_line(out, 3, "ry", base::to_text(right.y)), print_line(out, 3, "rz", base::to_text(right.z));
+  print_line(out, 3, "coord", base::to_text(std::min(coord, 1.0)));
+  print_line(out, 3, "strict", "true");
+  out += "\t\t</roll>\r\n";
+}
+
+}  // namespace
+
+base::Status check_nl2elem(const world::Document& document) {
+  if (document.track.segments.empty()) return {base::Code::refused, "error: expected a track with segments, found none"};
+  if (const double length = world::exact_length(document); !(length <= kMaxNl2ElemLength && length > 0.01))
+    return {base::Code::refused, "error: expected a track of 0.01 to " + base::to_text(kMaxNl2ElemLength) + " m, found " + base::to_text(length) + " m"};
+  return {};
+}
+
+std::string print_nl2elem(const world::Document& document) {
+  COASTER_CHECK(check_nl2elem(document).ok(), "callers check what can be written");
+  world::Settings settings;
+  settings.steps = 1;
+  sim::Derived derived;
+  sim::derive(document, settings, {}, derived);
+  double spacing = 1;
+  const auto spans_at = [&](double m) { return std::max<std::size_t>(4, static_cast<std::size_t>(std::ceil(derived.length / m))); };
+  std::vector<SplineVertex> vertices = vertices_of(derived, spans_at(spacing));
+  while (spacing > 0.125 && !is_close(UniformSpline(vertices, derived.closed), derived)) vertices = vertices_of(derived, spans_at(spacing /= 2));
+
+  const UniformSpline spline(vertices, derived.closed);
+  std::vector<double> starts{0};
+  for (std::size_t i = 0; i < spline.spans(); ++i) starts.push_back(starts.back() + curve::ArcLengthMap(in_float(spline.span(i))).length());
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"no\" ?>\r\n<root>\r\n\t<element>\r\n";
+  print_line(out, 2, "description", "coaster");
+  for (const SplineVertex& v : vertices) print_vertex(out, v.position);
+  if (derived.closed) print_vertex(out, vertices.front().position);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const double s = derived.length * static_cast<double>(i) / static_cast<double>(spline.spans());
+    print_roll(out, place_on(derived, s).frame, starts[i] / starts.back());
+  }
+  return out + "\t</element>\r\n</root>\r\n";
+}
+
+}  // namespace coaster::exchange

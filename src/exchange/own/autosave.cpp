@@ -1,0 +1,148 @@
+#include "exchange/own/autosave.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "base/folders.h"
+#include "base/hash.h"
+#include "base/text.h"
+#include "exchange/own/json_fields.h"
+#include "exchange/own/track_file.h"
+
+namespace coaster::exchange {
+namespace {
+
+constexpr std::string_view kInfoEnding = ".info.json", kTrackEnding = ".track.json";
+
+void remove_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!file.empty()) std::filesystem::remove(file, ignored);
+}
+
+// The first name that no file has: "4711-1".
+std::filesystem::path free_info(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (int i = 1;; ++i) {
+    std::filesystem::path info = folder / (std::to_string(::getpid()) + "-" + std::to_string(i) + std::string(kInfoEnding));
+    if (!std::filesystem::exists(info, ignored)) return info;
+  }
+}
+
+std::string stem_of(const std::filesystem::path& info) {
+  const std::string name = info.filename().string();
+  return name.substr(0, name.size() - kInfoEnding.size());
+}
+
+}  // namespace
+
+base::Result<AutosaveInfo> parse_autosave_info(std::string_view text, std::string_view name) {
+  const base::Result<Json> tree = read_json(text, name);
+  if (!tree) return tree.status();
+  std::string error, format, track;
+  std::int64_t version = 0, pid = 0;
+  AutosaveInfo info;
+  Fields fields(*tree, {}, error);
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / 2;
+  const bool read = fields.text("format", format) && (format == kAutosaveFormat || fields.reject("format", "\"" + std::string(kAutosaveFormat) + "\"")) &&
+                    fields.whole("version", version, 1, kAutosaveVersion) && fields.text("track", track) && fields.text("original", info.original) &&
+                    fields.text("name", info.name) && fields.whole("time", info.time, 0, kMost) &&
+                    fields.whole("pid", pid, 0, std::numeric_limits<int>::max()) && fields.text("hash", info.hash);
+  if (read && std::filesystem::path(track).filename() != track) fields.reject("track", "a name without a folder");
+  if (!error.empty()) return base::Status{base::Code::bad_file, std::string(name) + ": error: " + error};
+  info.track = track;
+  info.pid = static_cast<int>(pid);
+  return info;
+}
+
+std::string print_autosave_info(const AutosaveInfo& info) {
+  Json tree = Json::object();
+  tree["format"] = kAutosaveFormat;
+  tree["version"] = kAutosaveVersion;
+  tree["track"] = info.track.filename().string();
+  tree["original"] = info.original;
+  tree["name"] = info.name;
+  tree["time"] = info.time;
+  tree["pid"] = info.pid;
+  tree["hash"] = info.hash;
+  return json_file(tree);
+}
+
+base::Status Autosave::write(base::Files& files, const std::filesystem::path& folder, const world::Document& document, const std::string& original,
+                             std::int64_t time) {
+  if (folder.empty()) return {base::Code::io, "there is no folder for autosaves: HOME is not set"};
+  if (const base::Status made = base::make_folders(folder); !made) return made;
+  if (info_.empty() || info_.parent_path() != folder) {
+    remove();
+    info_ = free_info(folder);
+    lock_ = base::try_lock(info_).lock;
+  }
+  std::filesystem::path track = folder / (stem_of(info_) + "." + std::to_string(++serial_) + std::string(kTrackEnding));
+  if (const base::Status wrote = files.write_atomic(track, print_track(document)); !wrote) {
+    remove_file(track);  // in place already when the folder's fsync failed
+    return wrote;
+  }
+  const AutosaveInfo info{track, original, document.name, time, ::getpid(), base::hex16(world::hash(document))};
+  if (const base::Status told = files.write_atomic(info_, print_autosave_info(info)); !told) {
+    // Which of the two the small file names now is known only by reading it.
+    base::Files plain;
+    const auto now = plain.read(info_);
+    const auto named = now ? parse_autosave_info(*now, "") : base::Result<AutosaveInfo>(now.status());
+    const bool names_new = named && folder / named->track == track;
+    if (names_new) std::swap(track_, track);
+    remove_file(track);  // the one that is not named
+    return told;
+  }
+  if (track_ != track) remove_file(track_);
+  track_ = track;
+  return {};
+}
+
+void Autosave::remove() {
+  remove_file(info_);
+  remove_file(track_);
+  lock_.release();
+  info_.clear();
+  track_.clear();
+}
+
+std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesystem::path& folder) {
+  std::vector<FoundAutosave> found;
+  (void)base::remove_leftovers_in(folder);
+  const auto entries = base::list_folder(folder, true);
+  if (!entries) return found;
+  std::vector<std::string> spared;  // stems of live programs, and of what cannot be read
+  for (const base::FolderEntry& entry : *entries) {
+    if (entry.folder || !entry.name.ends_with(kInfoEnding) || entry.name.starts_with('.')) continue;
+    const std::filesystem::path file = folder / entry.name;
+    spared.push_back(stem_of(file));
+    base::LockAttempt attempt = base::try_lock(file);
+    if (attempt.outcome == base::LockAttempt::Outcome::held) continue;
+    const base::Result<std::string> text = files.read(file);
+    base::Result<AutosaveInfo> info = text ? parse_autosave_info(*text, entry.name) : base::Result<AutosaveInfo>(text.status());
+    if (!info) continue;
+    if (attempt.outcome == base::LockAttempt::Outcome::impossible && base::process_runs(info->pid)) continue;
+    info->track = folder / info->track;
+    const std::int64_t file_time = info->original.empty() ? 0 : base::change_time(info->original);
+    found.push_back({std::move(*info), file, std::move(attempt.lock), file_time});
+  }
+  for (const base::FolderEntry& entry : *entries) {
+    if (entry.folder || !entry.name.ends_with(kTrackEnding) || entry.name.starts_with('.')) continue;
+    const std::string stem = entry.name.substr(0, entry.name.find('.'));
+    if (std::find(spared.begin(), spared.end(), stem) != spared.end()) continue;
+    const auto pid = base::parse_int(stem.substr(0, stem.find('-')));
+    if (pid && base::process_runs(static_cast<int>(*pid))) continue;
+    remove_file(folder / entry.name);
+  }
+  std::sort(found.begin(), found.end(), [](const FoundAutosave& a, const FoundAutosave& b) { return a.info.time > b.info.time; });
+  return found;
+}
+
+void discard(FoundAutosave& found) {
+  remove_file(found.info_file);
+  remove_file(found.info.track);
+  found.lock.release();
+}
+
+}  // namespace coaster::exchange

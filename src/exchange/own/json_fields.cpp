@@ -1,0 +1,159 @@
+// Checked getters.
+#include "exchange/own/json_fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/text.h"
+
+namespace coaster::exchange {
+namespace {
+
+// Whole limits in full: 100000, not 1e+05.
+template <class T>
+std::string limit_text(T limit) {
+  const bool plain = std::abs(limit) < 1e9 && limit == std::trunc(limit);
+  return plain ? std::to_string(static_cast<std::int64_t>(limit)) : base::to_text(limit);
+}
+
+}  // namespace
+
+std::string Place::text() const {
+  return list.empty() ? std::string() : std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+Fields::Fields(const Json& value, Place place, std::string& error) : place_(place), error_(error) {
+  if (value.is_object())
+    object_ = &value;
+  else
+    fail({}, "expected an object, found " + describe(value));
+}
+
+bool Fields::fail(std::string_view member, std::string_view message) {
+  if (!error_.empty()) return false;  // the first one tells most
+  error_ = place_.text();
+  if (!error_.empty() && !member.empty()) error_ += ".";
+  error_ += member;
+  if (!error_.empty()) error_ += ": ";
+  error_ += message;
+  return false;
+}
+
+bool Fields::reject(std::string_view name, std::string_view expected) {
+  const auto it = object_->find(std::string(name));
+  const std::string found = it == object_->end() ? "nothing" : describe(*it);
+  return fail(name, "expected " + std::string(expected) + ", found " + found);
+}
+
+bool Fields::head(std::string_view format, std::int32_t newest) {
+  std::string found;
+  std::int64_t version = 0;
+  if (!text("format", found)) return false;
+  if (found != format) return reject("format", "\"" + std::string(format) + "\"");
+  if (!whole("version", version, 1, std::numeric_limits<std::int32_t>::max())) return false;
+  return version <= newest ||
+         fail("version", "version " + std::to_string(version) + " is newer than this program reads (" + std::to_string(newest) + ")");
+}
+
+const Json* Fields::member(std::string_view name, std::string_view expected) {
+  if (!object_) return nullptr;
+  known_.push_back(name);
+  const auto it = object_->find(std::string(name));
+  if (it != object_->end()) return &*it;
+  fail(name, "missing; expected " + std::string(expected));
+  return nullptr;
+}
+
+bool Fields::has(std::string_view name) const { return object_ && object_->contains(std::string(name)); }
+
+bool Fields::text(std::string_view name, std::string& value) {
+  const Json* const m = member(name, "a text");
+  if (!m) return false;
+  if (!m->is_string()) return reject(name, "a text");
+  value = m->get_ref<const std::string&>();
+  return true;
+}
+
+bool Fields::flag(std::string_view name, bool& value) {
+  const Json* const m = member(name, "true or false");
+  if (!m) return false;
+  if (!m->is_boolean()) return reject(name, "true or false");
+  value = m->get<bool>();
+  return true;
+}
+
+bool Fields::number(std::string_view name, double& value, double low, double high) {
+  const std::string expected = "a number from " + limit_text(low) + " to " + limit_text(high);
+  const Json* const m = member(name, expected);
+  if (!m) return false;
+  if (!m->is_number()) return reject(name, expected);
+  value = m->get<double>();
+  return (value >= low && value <= high) || reject(name, expected);
+}
+
+bool Fields::length(std::string_view name, float& value, float low, float high) {
+  const std::string expected = "a length from " + limit_text(low) + " to " + limit_text(high) + " m";
+  const Json* const m = member(name, expected);
+  if (!m) return false;
+  if (!m->is_number()) return reject(name, expected);
+  // Compared as float: 0.01 in the file means the float that 0.01f is.
+  const double wide = m->get<double>();
+  if (!(wide >= 0 && wide <= 2 * double{high})) return reject(name, expected);
+  value = static_cast<float>(wide);
+  return (value >= low && value <= high) || reject(name, expected);
+}
+
+bool Fields::whole(std::string_view name, std::int64_t& value, std::int64_t low, std::int64_t high) {
+  const std::string expected = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+  const Json* const m = member(name, expected);
+  if (!m) return false;
+  if (!m->is_number_integer()) return reject(name, expected);
+  // Unsigned values beyond the signed range would turn negative.
+  if (m->is_number_unsigned() && m->get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX))
+    return reject(name, expected);
+  value = m->get<std::int64_t>();
+  return (value >= low && value <= high) || reject(name, expected);
+}
+
+bool Fields::vector(std::string_view name, glm::dvec3& value, double limit) {
+  const Json* const m = member(name, "3 finite numbers");
+  if (!m) return false;
+  if (!m->is_array() || m->size() != 3) return reject(name, "3 finite numbers");
+  for (int axis = 0; axis < 3; ++axis) {
+    const Json& component = (*m)[static_cast<std::size_t>(axis)];
+    const std::string at = std::string(name) + "[" + std::to_string(axis) + "]";
+    if (!component.is_number()) return fail(at, "expected a finite number, found " + describe(component));
+    value[axis] = component.get<double>();
+    if (!(std::abs(value[axis]) <= limit))
+      return fail(at, "expected a number from " + limit_text(-limit) + " to " + limit_text(limit) +
+                          ", found " + describe(component));
+  }
+  return true;
+}
+
+const Json* Fields::value(std::string_view name) { return member(name, "a value"); }
+
+const Json* Fields::list(std::string_view name) {
+  const Json* const m = member(name, "an array");
+  if (!m) return nullptr;
+  if (m->is_array()) return m;
+  reject(name, "an array");
+  return nullptr;
+}
+
+std::string Fields::unknown(std::vector<std::string>& warnings) const {
+  if (!object_) return {};
+  Json extra = Json::object();
+  auto& members = static_cast<Json::object_t::Container&>(extra.get_ref<Json::object_t&>());
+  for (const auto& [key, value] : object_->items()) {
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    members.emplace_back(key, value);
+    const std::string where = place_.text();
+    warnings.push_back(where + (where.empty() ? "" : ": ") + "unknown member " + describe(Json(key)) +
+                       " is kept");
+  }
+  return members.empty() ? std::string() : json_line(extra);
+}
+
+}  // namespace coaster::exchange

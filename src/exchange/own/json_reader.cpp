@@ -1,0 +1,144 @@
+// JSON text to tree through the library's event interface, which does not recurse: a million brackets are
+// refused at the 33rd.
+#include "exchange/own/json_reader.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/text.h"
+
+namespace coaster::exchange {
+namespace {
+
+constexpr std::size_t kClip = 60;  // bytes of foreign text in a message
+
+// Foreign text for a message: printable ASCII, not too much of it.
+std::string clipped(std::string text, std::size_t most) {
+  const bool long_text = text.size() > most;
+  if (long_text) text.resize(most);
+  for (char& c : text)
+    if (c < 0x20 || c > 0x7e) c = '?';
+  return long_text ? text + "..." : text;
+}
+
+// Line and column of a byte.
+std::string at_byte(std::string_view text, std::size_t offset, std::string_view name,
+                    std::string_view message) {
+  offset = std::min(offset, text.size());
+  const std::string_view before = text.substr(0, offset);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t newline = before.rfind('\n');
+  const std::size_t column = newline == std::string_view::npos ? offset + 1 : offset - newline;
+  return base::at_place(name, static_cast<int>(line), static_cast<int>(column), message);
+}
+
+// Receives the parser's events and builds the tree. Every function returns whether to go on.
+class Builder {
+ public:
+  Builder(std::string_view text, std::string_view name) : text_(text), name_(name) {}
+
+  Json root;
+  std::string error;
+
+  bool null() { return add(nullptr); }
+  bool boolean(bool value) { return add(value); }
+  bool number_integer(std::int64_t value) { return add(value); }
+  bool number_unsigned(std::uint64_t value) { return add(value); }
+  bool number_float(double value, const std::string&) { return add(value); }
+  bool string(std::string& value) { return add(std::move(value)); }
+  bool binary(Json::binary_t&) { return false; }  // not in text
+  bool start_object(std::size_t) { return open(Json::object()); }
+  bool start_array(std::size_t) { return open(Json::array()); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool key(std::string& key) {
+    if (!open_.back().keys.insert(key).second)
+      return fail("member \"" + clipped(key, kClip) + "\" appears twice");
+    open_.back().key = std::move(key);
+    return true;
+  }
+  bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& e) {
+    constexpr int kNumberOverflow = 406;
+    std::string message = e.what();  // "[json.exception...] parse error at line 1, column 2: what we want"
+    if (e.id == kNumberOverflow) {
+      message = "number " + clipped(token, kClip) + " is out of range";
+    } else if (const std::size_t colon = message.find(": "); colon != std::string::npos) {
+      message.erase(0, colon + 2);
+    }
+    error = at_byte(text_, position > 0 ? position - 1 : 0, name_, clipped(message, 200));
+    return false;
+  }
+
+ private:
+  struct Open {
+    Json* node;
+    std::set<std::string> keys;  // of an object so far
+    std::string key;             // of the value to come
+  };
+
+  // Appends behind all others; looking for an equal key again would make large objects quadratic.
+  Json* append(Json value) {
+    if (open_.empty()) return root = std::move(value), &root;
+    Json& parent = *open_.back().node;
+    if (parent.is_array()) return parent.push_back(std::move(value)), &parent.back();
+    auto& members = static_cast<Json::object_t::Container&>(parent.get_ref<Json::object_t&>());
+    members.emplace_back(std::move(open_.back().key), std::move(value));
+    return &members.back().second;
+  }
+  bool add(Json value) { return append(std::move(value)), true; }
+  bool open(Json value) {
+    if (open_.size() == kMaxNesting)
+      return fail("nesting deeper than the limit of " + std::to_string(kMaxNesting));
+    // The pointer stays good: nothing is appended to the parent before this one closes.
+    Json* const node = append(std::move(value));
+    open_.push_back({node, {}, {}});
+    return true;
+  }
+  bool close() { return open_.pop_back(), true; }
+
+  // "knots[3].tangent" from the open objects and arrays.
+  std::string place() const {
+    std::string path;
+    for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
+      const Json& parent = *open_[i].node;
+      if (parent.is_array()) {
+        path += "[" + std::to_string(parent.size() - 1) + "]";
+      } else {
+        const auto& members =
+            static_cast<const Json::object_t::Container&>(parent.get_ref<const Json::object_t&>());
+        path += (path.empty() ? "" : ".") + clipped(members.back().first, kClip);
+      }
+    }
+    return clipped(path, 2 * kClip);
+  }
+  bool fail(const std::string& message) {
+    const std::string where = place();
+    error = std::string(name_) + ": error: " + where + (where.empty() ? "" : ": ") + message;
+    return false;
+  }
+
+  std::string_view text_, name_;
+  std::vector<Open> open_;
+};
+
+}  // namespace
+
+base::Result<Json> read_json(std::string_view text, std::string_view name) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    return base::Status{base::Code::bad_file,
+                        at_byte(text, text.size(), name, "the file is empty; expected a JSON object")};
+  Builder builder(text, name);
+  if (!Json::sax_parse(text.begin(), text.end(), &builder))
+    return base::Status{base::Code::bad_file, std::move(builder.error)};
+  return std::move(builder.root);
+}
+
+std::string describe(const Json& value) {
+  if (value.is_array()) return "an array of " + std::to_string(value.size());
+  if (value.is_object()) return "an object";
+  return clipped(value.dump(-1, ' ', true, Json::error_handler_t::replace), kClip);
+}
+
+}  // namespace coaster::exchange

@@ -1,0 +1,48 @@
+// Track files on disk: the format by the path's ending, whole-file reading, atomic writing.
+#include "exchange/own/track_file.h"
+
+#include "base/utf8.h"
+#include "exchange/formats.h"
+
+namespace coaster::exchange {
+namespace {
+
+// "a.txt: error: expected a file ending in .json"; a format that goes the other way alone is named.
+std::string unfit_ending(const std::filesystem::path& path, const Format* format, Direction direction) {
+  std::string text = path.string() + ": error: ";
+  if (format)
+    text += std::string(format->ending) + " (" + std::string(format->label) + ") can only be " +
+            (direction == Direction::read ? "written" : "read") + "; ";
+  return text + "expected a file ending in " + known_endings(direction);
+}
+
+}  // namespace
+
+std::string name_of_file(std::string_view path) {
+  const std::string printable = base::printable_utf8(std::filesystem::path(path).stem().string());
+  return std::string(base::utf8_start(printable, world::kMaxNameBytes));
+}
+
+base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, base::Progress* progress) {
+  const Format* const format = format_of(path);
+  if (!format || !format->parse) return base::Status{base::Code::bad_file, unfit_ending(path, format, Direction::read)};
+  const base::Result<std::string> bytes = files.read(path);
+  if (!bytes) return bytes.status();
+  return progress && format->parse_watched ? format->parse_watched(*bytes, path.string(), progress) : format->parse(*bytes, path.string());
+}
+
+base::Status save_track(base::Files& files, const std::filesystem::path& path,
+                        const world::Document& document) {
+  const Format* const format = format_of(path);
+  if (!format || !format->print) return {base::Code::refused, unfit_ending(path, format, Direction::write)};
+  if (format->check)
+    if (const base::Status fit = format->check(document); !fit) return {fit.code, path.string() + ": " + fit.message};
+  const std::string bytes = format->print(document);
+  // What could not be read again is not written.
+  if (format->parse && bytes.size() > base::kMaxFileBytes)
+    return {base::Code::refused, path.string() + ": error: " + std::to_string(bytes.size()) +
+                                     " bytes are over the limit of " + std::to_string(base::kMaxFileBytes)};
+  return files.write_atomic(path, bytes);
+}
+
+}  // namespace coaster::exchange

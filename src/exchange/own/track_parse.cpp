@@ -1,0 +1,263 @@
+// A track file's tree to a document. Checks everything that docs/track-format.md promises.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/text.h"
+#include "exchange/own/json_fields.h"
+#include "exchange/own/track_file.h"
+#include "world/topology.h"
+
+namespace coaster::exchange {
+namespace {
+
+using world::Document;
+using world::Entity;
+using world::Kind;
+
+constexpr std::uint32_t kMaxIdNumber = 1'000'000'000;  // leaves room for the numbers that edits give
+constexpr double kShortVector = 1e-9;
+constexpr double kParallel = 1e-6;  // sine of the angle between tangent and up
+
+// What one parse works on. `error` is the first thing wrong, without the file's name.
+struct TrackParse {
+  Document document;
+  std::vector<std::string> warnings;
+  std::string error;
+  std::array<std::map<std::uint32_t, Entity>, 3> by_number;  // by Kind
+};
+
+std::string quoted_id(Kind kind, std::uint32_t number) {
+  return "\"" + world::to_text(world::Name{kind, number}) + "\"";
+}
+
+// A member that names an entity: "k3".
+bool read_id(Fields& fields, std::string_view member, Kind kind, std::uint32_t& number) {
+  std::string text;
+  if (!fields.text(member, text)) return false;
+  const auto name = world::parse_name(text);
+  if (!name || name->kind != kind || name->number > kMaxIdNumber)
+    return fields.reject(member, "an id such as " + quoted_id(kind, 3));
+  number = name->number;
+  return true;
+}
+
+// The entity of an "id" member, with its name.
+bool create(TrackParse& parse, Fields& fields, Kind kind, Entity& e) {
+  std::uint32_t number = 0;
+  if (!read_id(fields, "id", kind, number)) return false;
+  auto& taken = parse.by_number[static_cast<std::size_t>(kind)];
+  if (taken.contains(number)) return fields.fail("id", quoted_id(kind, number) + " is taken already");
+  e = parse.document.entities.create();
+  parse.document.entities.put(e, world::Name{kind, number});
+  taken.emplace(number, e);
+  std::uint32_t& last = parse.document.last_number[static_cast<std::size_t>(kind)];
+  last = std::max(last, number);
+  return true;
+}
+
+void keep_unknown(TrackParse& parse, const Fields& fields, Entity e) {
+  std::string extra = fields.unknown(parse.warnings);
+  if (!extra.empty()) parse.document.entities.put(e, world::Extra{std::move(extra)});
+}
+
+// Unit vectors keep their bits, others are normalised before they are rounded to float.
+glm::vec3 direction(glm::dvec3 v) {
+  const double square = glm::dot(v, v);
+  return glm::vec3(std::abs(square - 1.0) <= 1e-6 ? v : v / std::sqrt(square));
+}
+
+bool read_orientation(Fields& fields, world::Knot& knot) {
+  constexpr double kAny = 1e30;  // squares stay finite
+  glm::dvec3 tangent, up;
+  if (!fields.vector("tangent", tangent, kAny)) return false;
+  if (!(glm::length(tangent) >= kShortVector)) return fields.reject("tangent", "a vector with a direction");
+  if (!fields.vector("up", up, kAny)) return false;
+  const double length = glm::length(up);
+  if (!(length >= kShortVector)) return fields.reject("up", "a vector with a direction");
+  if (glm::length(glm::cross(glm::normalize(tangent), up / length)) < kParallel)
+    return fields.fail("up", "expected a vector that is not parallel to the tangent");
+  knot.tangent = direction(tangent);
+  knot.up = direction(up);
+  world::orthonormalise(knot);
+  return true;
+}
+
+bool read_joint(Fields& fields, world::Knot& knot) {
+  std::string joint;
+  if (!fields.text("joint", joint)) return false;
+  if (joint == "smooth")
+    knot.joint = world::JointKind::smooth;
+  else if (joint == "aligned")
+    knot.joint = world::JointKind::aligned;
+  else if (joint == "automatic")
+    knot.joint = world::JointKind::automatic;
+  else
+    return fields.reject("joint", R"("smooth", "aligned" or "automatic")");
+  if (knot.joint == world::JointKind::smooth && knot.in_length != knot.out_length)
+    return fields.fail("joint", "a smooth joint has equal handle lengths, found in " +
+                                    base::to_text(knot.in_length) + " and out " +
+                                    base::to_text(knot.out_length));
+  return true;
+}
+
+bool read_knot(TrackParse& parse, const Json& value, std::size_t index) {
+  Fields fields(value, {"knots", index}, parse.error);
+  Entity e;
+  world::Knot knot;
+  glm::dvec3 position;
+  if (!create(parse, fields, Kind::knot, e) || !fields.vector("position", position, world::kMaxCoordinate) ||
+      !read_orientation(fields, knot) ||
+      !fields.length("in", knot.in_length, world::kMinHandle, world::kMaxHandle) ||
+      !fields.length("out", knot.out_length, world::kMinHandle, world::kMaxHandle) ||
+      !read_joint(fields, knot))
+    return false;
+  knot.position = glm::vec3(position);
+  parse.document.entities.put(e, knot);
+  parse.document.track.knots.push_back(e);
+  keep_unknown(parse, fields, e);
+  return true;
+}
+
+// Optional members keep their defaults.
+bool optional_length(Fields& fields, std::string_view member, float& value, float low, float high) {
+  return !fields.has(member) || fields.length(member, value, low, high);
+}
+
+bool read_equipment(Fields& fields, Document& document, Entity segment) {
+  if (!fields.has("equipment")) return true;
+  std::string kind;
+  if (!fields.text("equipment", kind)) return false;
+  const auto found = std::find(world::kEquipmentNames.begin(), world::kEquipmentNames.end(), kind);
+  if (found == world::kEquipmentNames.end()) return fields.reject("equipment", R"("station", "lift", "launch", "brake" or "block")");
+  world::Equipment equipment;
+  equipment.kind = static_cast<world::EquipmentKind>(found - world::kEquipmentNames.begin());
+  if (!optional_length(fields, "speed", equipment.speed, 0, static_cast<float>(world::kMaxSpeed)) ||
+      !optional_length(fields, "acceleration", equipment.acceleration, world::kMinAcceleration, world::kMaxAcceleration) ||
+      !optional_length(fields, "hysteresis", equipment.hysteresis, 0, static_cast<float>(world::kMaxSpeed)) ||
+      !optional_length(fields, "seconds", equipment.seconds, 0, world::kMaxDwell))
+    return false;
+  document.entities.put(segment, equipment);
+  return true;
+}
+
+bool read_segment(TrackParse& parse, const Json& value, std::size_t index) {
+  Fields fields(value, {"segments", index}, parse.error);
+  const auto& knots = parse.document.track.knots;
+  world::Segment segment{knots[index], knots[(index + 1) % knots.size()], 0};
+  Entity e;
+  if (!create(parse, fields, Kind::segment, e)) return false;
+  for (const auto& [member, knot] : {std::pair{"from", segment.from}, std::pair{"to", segment.to}}) {
+    std::uint32_t number = 0;
+    const std::uint32_t expected = world::name_of(parse.document, knot).number;
+    if (!read_id(fields, member, Kind::knot, number)) return false;
+    if (number != expected)
+      return fields.reject(member,
+                           quoted_id(Kind::knot, expected) + " (segments follow the order of the knots)");
+  }
+  std::int64_t turns = 0;
+  if (!fields.whole("turns", turns, -world::kMaxTurns, world::kMaxTurns)) return false;
+  segment.turns = static_cast<std::int32_t>(turns);
+  if (!read_equipment(fields, parse.document, e)) return false;
+  parse.document.entities.put(e, segment);
+  parse.document.track.segments.push_back(e);
+  keep_unknown(parse, fields, e);
+  return true;
+}
+
+bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
+  Fields fields(value, {"carts", index}, parse.error);
+  Entity e;
+  std::uint32_t number = 0;
+  world::Cart cart;
+  if (!create(parse, fields, Kind::cart, e) || !read_id(fields, "segment", Kind::segment, number))
+    return false;
+  const auto& segments = parse.by_number[static_cast<std::size_t>(Kind::segment)];
+  const auto found = segments.find(number);
+  if (found == segments.end())
+    return fields.fail("segment", "there is no segment " + quoted_id(Kind::segment, number));
+  cart.segment = found->second;
+  if (!fields.number("fraction", cart.fraction, 0.0, 1.0)) return false;
+  if (cart.fraction == 1.0)
+    return fields.fail("fraction", "expected a number below 1 (1 is the next segment's 0)");
+  std::int64_t cars = cart.cars;
+  if (fields.has("cars") && !fields.whole("cars", cars, 1, world::kMaxCars)) return false;
+  cart.cars = static_cast<std::int32_t>(cars);
+  if (!optional_length(fields, "spacing", cart.spacing, world::kMinSpacing, world::kMaxSpacing)) return false;
+  if (!optional_length(fields, "length", cart.length, world::kMinCarLength, world::kMaxCarLength)) return false;
+  if (!optional_length(fields, "mass", cart.mass, world::kMinCarMass, world::kMaxCarMass)) return false;
+  parse.document.entities.put(e, cart);
+  keep_unknown(parse, fields, e);
+  return true;
+}
+
+// How the track is operated: plain tracks have none of these members.
+bool read_operation(Fields& fields, Document& document) {
+  return optional_length(fields, "rolling", document.resistance.rolling, 0, world::kMaxRolling) &&
+         optional_length(fields, "drag", document.resistance.drag, 0, world::kMaxDrag) &&
+         (!fields.has("heartline") || fields.number("heartline", document.heartline, -world::kMaxHeartline, world::kMaxHeartline)) &&
+         (!fields.has("rollback_fails") || fields.flag("rollback_fails", document.rollback_fails));
+}
+
+bool read_track_head(TrackParse& parse, Fields& fields) {
+  if (!fields.head(kTrackFormat, kTrackVersion)) return false;
+  Document& document = parse.document;
+  return fields.text("name", document.name) && fields.flag("closed", document.track.closed) &&
+         fields.number("start_speed", document.start_speed, -world::kMaxSpeed, world::kMaxSpeed) &&
+         fields.number("datum", document.datum, -double{world::kMaxCoordinate},
+                       double{world::kMaxCoordinate}) &&
+         read_operation(fields, document);
+}
+
+bool read_lists(TrackParse& parse, Fields& fields) {
+  const Json *const knots = fields.list("knots"), *const segments = fields.list("segments"),
+                    *const carts = fields.list("carts");
+  if (!knots || !segments || !carts) return false;
+  if (knots->size() > world::kMaxKnots)
+    return fields.fail("knots", "more than the limit of " + std::to_string(world::kMaxKnots));
+  const bool closed = parse.document.track.closed;
+  if (closed && knots->size() < 2) return fields.fail("closed", "a closed track has at least 2 knots");
+  const std::size_t expected = closed ? knots->size() : knots->empty() ? 0 : knots->size() - 1;
+  for (std::size_t i = 0; i < knots->size(); ++i)
+    if (!read_knot(parse, (*knots)[i], i)) return false;
+  if (segments->size() != expected)
+    return fields.reject("segments", std::to_string(expected) + " for " + std::to_string(knots->size()) +
+                                         (closed ? " knots of a closed track" : " knots of an open track"));
+  for (std::size_t i = 0; i < segments->size(); ++i)
+    if (!read_segment(parse, (*segments)[i], i)) return false;
+  for (std::size_t i = 0; i < carts->size(); ++i)
+    if (!read_cart(parse, (*carts)[i], i)) return false;
+  parse.document.extra.json = fields.unknown(parse.warnings);
+  return true;
+}
+
+// A foreign file may have something unknown on every knot.
+void shorten(std::vector<std::string>& warnings) {
+  constexpr std::size_t kMost = 20;
+  if (warnings.size() <= kMost) return;
+  const std::size_t left_out = warnings.size() - kMost;
+  warnings.resize(kMost);
+  warnings.push_back("and " + std::to_string(left_out) + " more unknown members, kept");
+}
+
+}  // namespace
+
+base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view name) {
+  const base::Result<Json> tree = read_json(text, name);
+  if (!tree) return tree.status();
+  TrackParse parse;
+  Fields fields(*tree, {}, parse.error);
+  if (parse.error.empty() && read_track_head(parse, fields) && read_lists(parse, fields)) {
+    world::settle_joints(parse.document);
+    if (const auto broken = world::broken_invariant(parse.document)) parse.error = *broken;
+  }
+  if (!parse.error.empty())
+    return base::Status{base::Code::bad_file, std::string(name) + ": error: " + parse.error};
+  shorten(parse.warnings);
+  for (std::string& warning : parse.warnings) warning = std::string(name) + ": warning: " + warning;
+  return LoadedTrack{std::move(parse.document), std::move(parse.warnings)};
+}
+
+}  // namespace coaster::exchange

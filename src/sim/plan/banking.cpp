@@ -1,0 +1,59 @@
+#include "sim/plan/banking.h"
+
+#include <cmath>
+#include <optional>
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec3;
+
+// r'' in 1/m where segment `index` begins (t = 0) or ends (t = 1).
+dvec3 bend_at(const Derived& derived, std::size_t index, double t) {
+  const curve::Cubic& c = derived.shape(derived.order[index]).key.cubic;
+  const dvec3 d = curve::derivative(c, t), dd = curve::second_derivative(c, t);
+  const double square = glm::dot(d, d);
+  return square > 1e-18 ? (dd - d * (glm::dot(dd, d) / square)) / square : dvec3(0);
+}
+
+// The mean of the curvatures on both sides of knot i.
+dvec3 mean_bend(const Derived& derived, std::size_t i) {
+  const std::size_t count = derived.order.size();
+  dvec3 sum(0);
+  int sides = 0;
+  if (i > 0 || derived.closed) sum += bend_at(derived, i > 0 ? i - 1 : count - 1, 1.0), ++sides;
+  if (i < count) sum += bend_at(derived, i, 0.0), ++sides;
+  return sides > 0 ? sum / static_cast<double>(sides) : sum;
+}
+
+// The first sample at which the middle car is past `distance` (m from the track's start).
+std::optional<std::size_t> passing(const Ghost& ghost, double distance) {
+  double ahead = distance - (ghost.start.front - 0.5 * (ghost.start.cars - 1) * ghost.start.spacing);
+  if (ghost.closed) ahead -= ghost.track_length * std::floor(ahead / ghost.track_length);
+  if (ahead < 0) return std::nullopt;
+  for (std::size_t k = 0; k < ghost.samples.size(); ++k)
+    if (ghost.samples[k].travelled >= ahead) return k;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<glm::vec3> banked_ups(const world::Document& document, const Derived& derived, const Ghost& ghost) {
+  std::vector<glm::vec3> ups;
+  for (std::size_t i = 0; i < document.track.knots.size(); ++i) {
+    const world::Knot& knot = world::knot(document, document.track.knots[i]);
+    ups.push_back(knot.up);
+    if (i >= derived.starts.size()) continue;
+    const auto sample = passing(ghost, derived.starts[i]);
+    if (!sample) continue;
+    const double speed = ghost.samples[*sample].speed;
+    const dvec3 tangent(knot.tangent), felt = speed * speed * mean_bend(derived, i) + dvec3(0, world::kGravity, 0);
+    dvec3 across = felt - tangent * glm::dot(felt, tangent);
+    if (glm::length(across) < kLeastFelt * world::kGravity) continue;
+    if (glm::dot(across, dvec3(knot.up)) < 0) across = -across;
+    ups.back() = glm::vec3(glm::normalize(across));
+  }
+  return ups;
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,139 @@
+#include "sim/plan/element_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/portable_math.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+constexpr double kShortPiece = 1e-9, kShortestSpan = 1.5;  // m
+constexpr int kFewestSteps = 12;
+constexpr double kMostRampAngle = base::kPi / 6;
+
+// Gauss-Legendre on [0, 1].
+constexpr double kNodes[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
+constexpr double kWeights[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693};
+
+}  // namespace
+
+dvec2 integral(double length, int steps, const std::function<dvec2(double)>& f) {
+  dvec2 sum(0);
+  const double step = length / steps;
+  for (int i = 0; i < steps; ++i)
+    for (int k = 0; k < 4; ++k) sum += kWeights[k] * f((i + kNodes[k]) * step);
+  return sum * step;
+}
+
+Bend::Bend(double from_angle, double to_angle, double least_radius) : from(from_angle), to(to_angle), radius(least_radius) {
+  const double angle = std::abs(to - from);
+  if (angle > 0 && length() < kShortest) radius *= kShortest / length();
+}
+double Bend::ramp_angle() const { return std::min(0.25 * std::abs(to - from), kMostRampAngle); }
+double Bend::arc() const { return radius * std::max(0.0, std::abs(to - from) - 2.0 * ramp_angle()); }
+
+double Bend::bend(double u) const {
+  const double l = ramp(), whole = length(), most = (to < from ? -1.0 : 1.0) / radius;
+  if (!(l > 0)) return 0;
+  return most * std::clamp(std::min(u, whole - u) / l, 0.0, 1.0);
+}
+
+double Bend::angle(double u) const {
+  const double l = ramp(), whole = length(), sign = to < from ? -1.0 : 1.0;
+  if (!(l > 0)) return to;
+  if (u <= l) return from + sign * u * u / (2.0 * radius * l);
+  if (u < whole - l) return from + sign * (ramp_angle() + (u - l) / radius);
+  const double back = whole - u;
+  return to - sign * back * back / (2.0 * radius * l);
+}
+
+dvec2 Bend::run_and_rise() const {
+  constexpr int kSteps = 24;  // of each part, at most 0.13 rad in a bend of half a turn
+  const auto part = [&](double begin, double length) {
+    return integral(length, kSteps, [&](double u) {
+      const auto [sin, cos] = base::sin_cos(angle(begin + u));
+      return dvec2(cos, sin);
+    });
+  };
+  return part(0, ramp()) + part(ramp(), arc()) + part(ramp() + arc(), ramp());
+}
+
+ElementPath::ElementPath(dvec3 position, dvec3 tangent, dvec3 curvature, dvec3 up) : start_up_(curve::perpendicular(tangent, up)) {
+  curve_.points.push_back({0, position, tangent, curvature, start_up_});
+  curve_.breaks.push_back(0);
+}
+
+ElementPoint ElementPath::point(const ElementRate& rate) const {
+  ElementPoint p;
+  const dvec3 d1 = world(rate.d1), d2 = world(rate.d2);
+  const double square = glm::dot(d1, d1);
+  p.tangent = d1 / std::sqrt(square);
+  p.curvature = (d2 - p.tangent * glm::dot(d2, p.tangent)) / square;
+  p.up = curve::perpendicular(p.tangent, rate.up == dvec3(0) ? dvec3(0, 1, 0) : world(rate.up));
+  if (rate.roll != 0) p.up = curve::perpendicular(p.tangent, curve::rotate(p.up, p.tangent, rate.roll));
+  return p;
+}
+
+void ElementPath::add(double length, const ElementPiece& piece) {
+  if (!(length > kShortPiece)) return;
+  const int steps = std::clamp(static_cast<int>(length / kStep) + 1, kFewestSteps, kMaxSteps);
+  const double step = length / steps;
+  if (curve_.points.size() == 1) {
+    const ElementPoint first = point(piece(0));
+    start_roll_ = curve::signed_angle(first.up, start_up_, first.tangent);
+    curve_.points[0].up = first.up;
+  }
+  for (int i = 0; i < steps; ++i) {
+    dvec3 way(0);
+    double distance = 0;
+    for (int k = 0; k < 4; ++k) {
+      const dvec3 d1 = world(piece((i + kNodes[k]) * step).d1);
+      way += kWeights[k] * d1;
+      distance += kWeights[k] * std::sqrt(glm::dot(d1, d1));
+    }
+    ElementPoint next = point(piece((i + 1) * step));
+    next.position = end().position + way * step;
+    next.s = end().s + distance * step;
+    curve_.points.push_back(next);
+  }
+  curve_.breaks.push_back(curve_.points.size() - 1);
+}
+
+void ElementPath::add(const Bend& bend) {
+  const auto piece = [bend](double begin) {
+    return [bend, begin](double u) {
+      const auto [sin, cos] = base::sin_cos(bend.angle(begin + u));
+      const double k = bend.bend(begin + u);
+      return ElementRate{{cos, sin, 0}, {-sin * k, cos * k, 0}, {-sin, cos, 0}, 0};
+    };
+  };
+  add(bend.ramp(), piece(0));
+  add(bend.arc(), piece(bend.ramp()));
+  add(bend.ramp(), piece(bend.ramp() + bend.arc()));
+}
+
+ElementCurve ElementPath::finish(double reach) {
+  double fade = curve_.length();
+  for (const std::size_t at : curve_.breaks)
+    if (const double s = curve_.points[at].s; s >= reach) {
+      fade = s;
+      break;
+    }
+  for (ElementPoint& p : curve_.points) {
+    if (!(p.s < fade) || start_roll_ == 0) break;
+    p.up = curve::perpendicular(p.tangent, curve::rotate(p.up, p.tangent, start_roll_ * (1.0 - p.s / fade)));
+  }
+  // A piece too short for a span of its own goes with a neighbour.
+  std::vector<std::size_t> breaks{0};
+  for (const std::size_t at : curve_.breaks)
+    if (curve_.points[at].s - curve_.points[breaks.back()].s >= kShortestSpan && curve_.length() - curve_.points[at].s >= kShortestSpan) breaks.push_back(at);
+  breaks.push_back(curve_.points.size() - 1);
+  curve_.breaks = std::move(breaks);
+  return std::move(curve_);
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,100 @@
+#include "sim/plan/elements.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "curve/continuity.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kLongestElement = 20'000;  // m
+
+// Within the limits of the table, with a line for each value that was not.
+void clamp_values(world::Element& element, std::vector<std::string>& lines) {
+  const world::ElementRow& row = world::element_row(element.kind);
+  element.right = element.right && row.sided;
+  for (std::size_t i = 0; i < element.values.size(); ++i) {
+    double& value = element.values[i];
+    if (i >= row.parameters.size()) {
+      value = 0;
+      continue;
+    }
+    const world::ElementParameter& p = row.parameters[i];
+    if (!std::isfinite(value)) value = p.usual;
+    const double cut = std::clamp(value, p.low, p.high);
+    if (cut == value) continue;
+    const std::string unit = p.unit.empty() ? "" : " " + std::string(p.unit);
+    lines.push_back(std::string(p.name) + " " + base::to_text(value) + unit + " is beyond the limit of " + base::to_text(cut) + unit);
+    value = cut;
+  }
+}
+
+bool within_world(const ElementCurve& curve) {
+  const double most = world::kMaxCoordinate;
+  for (const ElementPoint& p : curve.points)
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(std::abs(p.position[axis]) <= most)) return false;
+  return true;
+}
+
+}  // namespace
+
+std::optional<TrackEnd> open_end(const world::Document& document) {
+  const world::Track& track = document.track;
+  if (track.closed) return std::nullopt;
+  TrackEnd end;
+  if (track.knots.empty()) return end;
+  const world::Knot& last = world::knot(document, track.knots.back());
+  end.position = dvec3(last.position);
+  end.forward = glm::normalize(dvec3(last.tangent));
+  end.up = curve::perpendicular(end.forward, dvec3(last.up));
+  if (!track.segments.empty()) {
+    const dvec3 bend = curve::curvature_vector(world::cubic_of(document, track.segments.back()), 1.0);
+    end.curvature = bend - end.forward * glm::dot(bend, end.forward);
+  }
+  return end;
+}
+
+ElementPlan plan_element(const world::Element& element, const TrackEnd& end) {
+  ElementPlan plan;
+  plan.element = element;
+  clamp_values(plan.element, plan.lines);
+  ElementShape shape = element_shape(plan.element, end, plan.lines);
+  plan.refusal = std::move(shape.refusal);
+  if (!plan.refusal.empty()) return plan;
+  plan.ideal = std::move(shape.curve);
+  plan.length = plan.ideal.length();
+  plan.lead = plan.ideal.points[plan.ideal.lead].s;
+  if (plan.length > kLongestElement) plan.refusal = "it would be longer than the limit of " + base::to_text(kLongestElement) + " m";
+  else if (!within_world(plan.ideal)) plan.refusal = "it would leave the limit of coordinates, " + base::to_text(double{world::kMaxCoordinate}) + " m";
+  if (!plan.refusal.empty()) return plan;
+  plan.fit = fit_element(plan.ideal);
+  plan.lowest = plan.ideal.points.front().position.y;
+  for (const ElementPoint& p : plan.ideal.points) plan.lowest = std::min(plan.lowest, p.position.y);
+  return plan;
+}
+
+ElementPlan plan_element(const world::Element& element, const world::Document& document) {
+  if (const std::optional<TrackEnd> end = open_end(document)) return plan_element(element, *end);
+  ElementPlan plan;
+  plan.element = element;
+  clamp_values(plan.element, plan.lines);
+  plan.refusal = "the track is closed: open it first";
+  return plan;
+}
+
+const ElementPlan& ElementMemo::plan(const world::Element& element, const world::Document& document) {
+  const std::optional<TrackEnd> end = open_end(document);
+  if (element_ == element && end_ == end) return plan_;
+  const std::uint64_t serial = plan_.serial + 1;
+  plan_ = plan_element(element, document);
+  plan_.serial = serial;
+  element_ = element, end_ = end;
+  return plan_;
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,51 @@
+#include "sim/plan/fit_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec3;
+
+// The nearest parameter by Newton's method from `t`; where that ends badly, by searching the whole segment.
+curve::NearestPoint nearest_from(const curve::Cubic& cubic, const curve::CoefficientsD& c, dvec3 target, double t) {
+  for (int i = 0; i < 4; ++i) {
+    const dvec3 off = c.c0 + t * (c.c1 + t * (c.c2 + t * c.c3)) - target, d = c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3));
+    const double slope = glm::dot(d, d) + glm::dot(off, 2.0 * c.c2 + t * (6.0 * c.c3));
+    if (!(slope > 0)) break;
+    t = std::clamp(t - glm::dot(off, d) / slope, 0.0, 1.0);
+  }
+  const double distance = glm::distance(curve::point(cubic, t), target);
+  return distance <= 0.5 * kFitDistance ? curve::NearestPoint{t, distance} : curve::nearest_point(cubic, target);
+}
+
+}  // namespace
+
+std::vector<FitReport> measure_spans(const Derived& derived, std::span<const FitRow> rows, std::span<const std::size_t> ends,
+                                     std::span<const char> free) {
+  COASTER_CHECK(ends.size() == derived.order.size() + 1, "every segment covers a span of rows");
+  std::vector<FitReport> reports(derived.order.size());
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    const SegmentShape& shape = derived.shape(derived.order[i]);
+    const curve::CoefficientsD c = curve::coefficients_d(shape.key.cubic);
+    double guess = 0;
+    for (std::size_t k = ends[i]; k <= ends[i + 1]; ++k) {
+      const std::size_t r = k < rows.size() ? k : 0;
+      // From where the row before it is: a step of the mean size further.
+      const double mean = 1.0 / static_cast<double>(ends[i + 1] - ends[i]);
+      const double start = k == ends[i] ? 0.0 : k == ends[i + 1] ? 1.0 : std::min(1.0, guess + mean);
+      const curve::NearestPoint near = nearest_from(shape.key.cubic, c, rows[r].position, start);
+      guess = near.t;
+      reports[i].max_error = std::max(reports[i].max_error, near.distance);
+      if (free[r]) continue;
+      const curve::Frame frame = frame_at(shape, shape.arc.distance(near.t));
+      reports[i].frame_error = std::max(reports[i].frame_error, frame_angle_deg(frame, {rows[r].forward, rows[r].up}));
+    }
+  }
+  return reports;
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,57 @@
+#include "sim/plan/fit_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/portable_math.h"
+
+namespace coaster::sim {
+
+using glm::dvec3;
+
+double frame_angle_deg(const curve::Frame& a, const curve::Frame& b) {
+  // The squared distances of the three axes add up to 8 sin^2(angle / 2).
+  const dvec3 f = a.forward - b.forward, u = a.up - b.up, l = a.left() - b.left();
+  const double sine = std::sqrt(std::min(1.0, (glm::dot(f, f) + glm::dot(u, u) + glm::dot(l, l)) / 8));
+  return base::degrees(2 * base::arc_tangent(sine, std::sqrt(1 - sine * sine)));
+}
+
+std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double reach) {
+  const std::size_t count = rows.size();
+  std::vector<char> near(count, 0), jumps(count, 0);  // jumps: from row i to the one after it
+  std::vector<double> steps(count, 0);
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
+    const FitRow &a = rows[i], &b = rows[(i + 1) % count];
+    steps[i] = glm::distance(a.position, b.position);
+    const double angle = frame_angle_deg({a.forward, a.up}, {b.forward, b.up});
+    jumps[i] = angle > kJumpAngle && angle > kJumpRate * steps[i];
+  }
+  // How far the last jump is behind, on the way forward, then how far the next is ahead, on the way back; from the middle of its step. A
+  // closed track is gone round twice: the second time knows of the jumps of the first.
+  const std::size_t laps = closed ? 2 * count : count;
+  double gone = 2 * reach + 1;
+  for (std::size_t n = 1; n < laps; ++n) {
+    const std::size_t k = n % count, before = (n - 1) % count;
+    gone = jumps[before] ? 0.5 * steps[before] : gone + steps[before];
+    if (gone <= reach) near[k] = 1;
+  }
+  gone = 2 * reach + 1;
+  for (std::size_t n = laps - (closed ? 0 : 1); n-- > 0;) {
+    const std::size_t k = n % count;
+    gone = jumps[k] ? 0.5 * steps[k] : gone + steps[k];
+    if (gone <= reach) near[k] = 1;
+  }
+  return near;
+}
+
+bool rows_close(std::span<const FitRow> rows) {
+  if (rows.size() < 4) return false;
+  const FitRow &first = rows.front(), &last = rows.back();
+  double longest = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) longest = std::max(longest, glm::distance(rows[i - 1].position, rows[i].position));
+  const dvec3 gap = first.position - last.position;
+  constexpr double kRounding = 1e-5, kSameWay = 0.5;  // m, of printed places; cosine
+  return glm::length(gap) <= 1.01 * longest + kRounding && glm::dot(gap, last.forward) >= -kRounding && glm::dot(first.forward, last.forward) > kSameWay;
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,192 @@
+#include "sim/plan/fit_span.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/portable_math.h"
+#include "curve/frames.h"
+#include "world/components.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec2, glm::dvec3;
+
+constexpr std::size_t kFittedRows = 40;    // rows that handle lengths are fitted to; all are checked
+constexpr int kIterations = 12;
+constexpr double kMostFitRoll = 2 * base::kPi * (world::kMaxTurns - 1);
+
+// A cubic in double, as monomials.
+struct Curve {
+  dvec3 c0, c1, c2, c3;
+  dvec3 point(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
+  dvec3 derivative(double t) const { return c1 + t * (2.0 * c2 + t * (3.0 * c3)); }
+  dvec3 second(double t) const { return 2.0 * c2 + t * (6.0 * c3); }
+};
+
+struct Ends {
+  dvec3 p0, t0, p3, t3;
+};
+
+Curve curve_of(const Ends& e, double out, double in) {
+  const dvec3 d0 = out * e.t0, p1 = e.p0 + d0, p2 = e.p3 - in * e.t3, d1 = p2 - p1, d2 = e.p3 - p2;
+  return {e.p0, 3.0 * d0, 3.0 * (d1 - d0), (d2 - d1) - (d1 - d0)};
+}
+
+// The parameter nearest to `target` by Newton's method from t, kept in [0,1].
+double nearer(const Curve& c, dvec3 target, double t, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    const dvec3 d = c.derivative(t), off = c.point(t) - target;
+    const double speed = glm::dot(d, d), slope = speed + glm::dot(off, c.second(t));
+    const double step = glm::dot(off, d) / (slope > 0.1 * speed ? slope : std::max(speed, 1e-30));
+    t = std::clamp(t - std::clamp(step, -0.2, 0.2), 0.0, 1.0);
+    if (std::abs(step) < 1e-9) break;
+  }
+  return t;
+}
+
+struct Handles {
+  double out, in;
+};
+
+// Gauss-Newton on the distances across the curve: a row's place along it does not count, so that sliding parameters do not slow it down.
+Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last, const Ends& ends,
+                    std::vector<double>& parameters, std::vector<double>& stations) {
+  const double length = std::max(distances[last] - distances[first], 1e-9);
+  const std::size_t inner = std::min(last - first - 1, kFittedRows);
+  parameters.resize(inner + 2), stations.resize(inner + 2);
+  const auto row_of = [&](std::size_t k) { return first + (last - first) * k / (inner + 1); };
+  for (std::size_t k = 0; k < inner + 2; ++k) parameters[k] = stations[k] = (distances[row_of(k)] - distances[first]) / length;
+  const double low = std::max(0.02 * length, double{world::kMinHandle}), high = std::clamp(2.0 * length, low, double{world::kMaxHandle});
+  Handles h{std::clamp(length / 3, low, high), std::clamp(length / 3, low, high)};
+  for (int iteration = 0; iteration < kIterations && inner > 0; ++iteration) {
+    const Curve c = curve_of(ends, h.out, h.in);
+    double a00 = 0, a01 = 0, a11 = 0, x0 = 0, x1 = 0, weight = 0;
+    for (std::size_t k = 1; k <= inner; ++k) {
+      const double t = parameters[k] = nearer(c, rows[row_of(k)].position, parameters[k], 2), u = 1 - t;
+      const dvec3 d = c.derivative(t), off = rows[row_of(k)].position - c.point(t);
+      const double speed = std::max(glm::dot(d, d), 1e-30);
+      const auto across = [&](dvec3 v) { return v - (glm::dot(v, d) / speed) * d; };
+      const dvec3 g0 = across(3 * t * u * u * ends.t0), g1 = across(-3 * t * t * u * ends.t3);
+      a00 += glm::dot(g0, g0), a01 += glm::dot(g0, g1), a11 += glm::dot(g1, g1);
+      x0 += glm::dot(g0, off), x1 += glm::dot(g1, off);
+      weight += 9 * t * t * u * u;
+    }
+    // A little of the identity: on a straight the lengths make no difference and stay.
+    const double damping = 1e-7 * weight + 1e-12;
+    a00 += damping, a11 += damping;
+    const double determinant = a00 * a11 - a01 * a01;
+    const double limit = 0.2 * length;
+    const double out = std::clamp((a11 * x0 - a01 * x1) / determinant, -limit, limit), in = std::clamp((a00 * x1 - a01 * x0) / determinant, -limit, limit);
+    h = {std::clamp(h.out + out, low, high), std::clamp(h.in + in, low, high)};
+    if (std::max(std::abs(out), std::abs(in)) < 1e-4 * length) break;
+  }
+  return h;
+}
+
+// Keeps what of the polygon has normal . x <= limit.
+void clip(RollWindow& polygon, dvec2 normal, double limit, RollWindow& spare) {
+  bool all = true;
+  for (const dvec2 p : polygon) all = all && glm::dot(normal, p) <= limit;
+  if (all) return;
+  spare.clear();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const dvec2 a = polygon[i], b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+    const double x = glm::dot(normal, a) - limit, y = glm::dot(normal, b) - limit;
+    if (x <= 0) spare.push_back(a);
+    if ((x < 0 && y > 0) || (x > 0 && y < 0)) spare.push_back(a + (x / (x - y)) * (b - a));
+  }
+  polygon.swap(spare);
+}
+
+// The frame carried along the curve from row to row, in steps of at most 1/32, and the length travelled.
+class Carrier {
+ public:
+  Carrier(const Curve& c, const curve::Frame& start) : c_(c), frame_(start), place_(c.point(0)), speed_(glm::length(c.derivative(0))) {}
+  void go_to(double t) {
+    const int steps = std::max(1, static_cast<int>(std::ceil((t - t_) * 32)));
+    const double from = t_;
+    for (int i = 1; i <= steps && t > from; ++i) step(from + (t - from) * i / steps);
+  }
+  const curve::Frame& frame() const { return frame_; }
+  double length() const { return length_; }
+
+ private:
+  void step(double t) {
+    const dvec3 place = c_.point(t), d = c_.derivative(t);
+    const double speed = glm::length(d);
+    length_ += (t - t_) / 6 * (speed_ + 4 * glm::length(c_.derivative(0.5 * (t + t_))) + speed);  // Simpson
+    if (speed > 1e-12) frame_ = curve::transport(frame_, place_, place, d / speed);
+    t_ = t, place_ = place, speed_ = speed;
+  }
+  const Curve& c_;
+  curve::Frame frame_;
+  dvec3 place_;
+  double speed_, t_ = 0, length_ = 0;
+};
+
+// Follows all rows along the curve: false when one is too far off or looks elsewhere. Fills rolls, shares of the length, and squared sines
+// between the directions, by row from `first`.
+bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last, const Curve& c, const Ends& ends,
+                 const SpanBounds& bounds, SpanScratch& s) {
+  const std::size_t count = last - first + 1;
+  s.rolls.assign(count, 0), s.shares.assign(count, 0), s.fronts.assign(count, 0);
+  Carrier carrier(c, {ends.t0, curve::perpendicular(ends.t0, rows[first].up)});
+  const double length = std::max(distances[last] - distances[first], 1e-9);
+  double before = 0;
+  std::size_t knot = 1;
+  for (std::size_t i = 1; i < count; ++i) {
+    const FitRow& row = rows[first + i];
+    const double station = (distances[first + i] - distances[first]) / length;
+    while (knot + 1 < s.stations.size() && s.stations[knot] < station) ++knot;
+    const double gap = std::max(s.stations[knot] - s.stations[knot - 1], 1e-12), part = std::clamp((station - s.stations[knot - 1]) / gap, 0.0, 1.0);
+    const double guess = s.parameters[knot - 1] + part * (s.parameters[knot] - s.parameters[knot - 1]);
+    const double t = i + 1 == count ? 1.0 : std::max(before, nearer(c, row.position, guess, 3));
+    before = t;
+    if (i + 1 < count && glm::distance(c.point(t), row.position) > bounds.distance) return false;
+    carrier.go_to(t);
+    const curve::Frame& frame = carrier.frame();
+    const double front = glm::length(glm::cross(frame.forward, row.forward));
+    const bool free = bounds.free[first + i] != 0;
+    if (!free && (front > bounds.angle || glm::dot(frame.forward, row.forward) < 0)) return false;
+    s.fronts[i] = front;
+    s.shares[i] = carrier.length();
+    const dvec3 up = curve::perpendicular(frame.forward, row.up);
+    const double roll = curve::signed_angle(frame.up, up, frame.forward);
+    s.rolls[i] = s.rolls[i - 1] + std::remainder(roll - s.rolls[i - 1], 2 * base::kPi);
+  }
+  const double whole = std::max(carrier.length(), 1e-12);
+  for (double& share : s.shares) share /= whole;
+  return std::abs(s.rolls.back()) < kMostFitRoll;
+}
+
+}  // namespace
+
+SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last, double roll_low, double roll_high,
+                 const SpanBounds& bounds, SpanScratch& s) {
+  const FitRow &from = rows[first], &to = rows[last];
+  const Ends ends{dvec3(glm::vec3(from.position)), from.forward, dvec3(glm::vec3(to.position)), to.forward};
+  const Handles h = fit_handles(rows, distances, first, last, ends, s.parameters, s.stations);
+  SpanFit fit;
+  fit.out_length = h.out, fit.in_length = h.in;
+  const Curve c = curve_of(ends, h.out, h.in);
+  const bool near = follow_rows(rows, distances, first, last, c, ends, bounds, s);
+  fit.roll = s.rolls.empty() ? 0 : s.rolls.back();
+  if (!near && last > first + 1) return fit;
+  const double most = bounds.angle;
+  fit.window = {{roll_low, -most}, {roll_high, -most}, {roll_high, most}, {roll_low, most}};
+  RollWindow spare;
+  for (std::size_t i = 1; first + i < last && !fit.window.empty(); ++i) {
+    if (bounds.free[first + i]) continue;
+    // The angle of the whole rotation is that of its two parts, as sides of a right angle, for small ones.
+    const double room = std::sqrt(std::max(0.0, most * most - s.fronts[i] * s.fronts[i]));
+    const double share = s.shares[i], error = fit.roll * share - s.rolls[i];
+    const dvec2 normal(1 - share, share);
+    clip(fit.window, normal, room - error, spare);
+    clip(fit.window, -normal, room + error, spare);
+  }
+  fit.within = !fit.window.empty();
+  return fit;
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,263 @@
+#include "sim/plan/fit_track.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "base/portable_math.h"
+#include "sim/plan/fit_check.h"
+#include "world/topology.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kInnerReach = 0.45;  // m: rows whose frames are not fitted; less than what is left out of the report
+constexpr int kMaxRounds = 12;        // of halving what the finished document misses
+constexpr std::size_t kFirstStride = 32;  // rows that the first span is tried with
+constexpr double kShortSpan = 0.06;       // m: handles, which have a least length, would be long for a shorter one
+constexpr int kEvenings = 3;              // bisections for the least bounds that the same number of knots keeps
+constexpr double kLeastScale = 0.4;       // of the bounds
+constexpr std::size_t kEvenedRows = 60'000;  // more rows are not evened out: that takes four times as long
+
+struct Span {
+  std::size_t first = 0, last = 0;
+  SpanFit fit;
+};
+
+// What a fit works on. `rows` has the first row once more at the end of a closed track.
+struct Work {
+  std::vector<FitRow> rows;
+  std::vector<double> distances;
+  std::vector<char> free;
+  bool closed = false;
+  double scale = 1;  // of the bounds
+  SpanScratch scratch;
+  std::vector<Span> spans;
+  std::vector<double> rolls;  // additional roll of a knot on each row, radians
+  base::Progress* progress = nullptr;
+  int passes = 0;             // of fit_spans() that are done
+
+  bool cancelled() const { return progress && progress->cancelled; }
+  // Within the present pass, 0..1. The passes take about the same time, what follows them little.
+  void tell(double part) const {
+    const double all = (rows.size() > kEvenedRows ? 1 : 1 + kEvenings) + 0.2;
+    if (progress) progress->done = std::max(progress->done.load(), std::min(1.0, (passes + part) / all));
+  }
+
+  SpanBounds bounds() const {
+    SpanBounds b;
+    b.distance *= scale, b.angle *= scale;
+    b.free = free;
+    return b;
+  }
+  SpanFit fit(std::size_t first, std::size_t last, double low, double high) {
+    SpanFit f = fit_span(rows, distances, first, last, low, high, bounds(), scratch);
+    if (f.within && closed && last + 1 == rows.size()) {  // ends where it began: without additional roll
+      double least = 1, most = -1;
+      for (const glm::dvec2 p : f.window) least = std::min(least, p.y), most = std::max(most, p.y);
+      f.within = least <= 0 && most >= 0;
+    }
+    return f;
+  }
+};
+
+// The longest span from `first`: doubling from the last one's length, then bisection. What fits is taken to fit when shorter, too.
+Span longest_span(Work& w, std::size_t first, double low, double high, std::size_t usual) {
+  const std::size_t end = w.rows.size() - 1;
+  Span good{first, first + 1, w.fit(first, first + 1, low, high)};
+  const auto beyond = std::lower_bound(w.distances.begin() + static_cast<std::ptrdiff_t>(first), w.distances.end(), w.distances[first] + kShortSpan);
+  const auto short_rows = static_cast<std::size_t>(beyond - w.distances.begin()) - first;
+  std::size_t bad = end + 1, length = std::max<std::size_t>({usual, 2, short_rows});
+  while (good.last < end) {
+    const std::size_t last = std::min(first + length, end);
+    if (last <= good.last || last >= bad) break;
+    SpanFit fit = w.fit(first, last, low, high);
+    if (fit.within) good.last = last, good.fit = std::move(fit);
+    else bad = last;
+    length = fit.within || good.last == last ? length + std::max<std::size_t>(1, length / 2) : length;
+    if (bad <= end) break;
+  }
+  while (bad > good.last + 1 + (good.last - first) / 64) {
+    const std::size_t last = good.last + (bad - good.last) / 2;
+    SpanFit fit = w.fit(first, last, low, high);
+    if (fit.within) good.last = last, good.fit = std::move(fit);
+    else bad = last;
+  }
+  // A knot just before the end goes back a little: the step that closes a track is shorter than the others.
+  if (good.last < end && w.distances[end] - w.distances[good.last] < kShortSpan) {
+    std::size_t last = good.last;
+    while (last > first + 1 && w.distances[end] - w.distances[last] < kShortSpan) --last;
+    SpanFit fit = w.fit(first, last, low, high);
+    if (fit.within) good.last = last, good.fit = std::move(fit);
+  }
+  return good;
+}
+
+void fit_spans(Work& w) {
+  const std::size_t end = w.rows.size() - 1;
+  w.spans.clear();
+  const double most = w.closed ? 0 : w.bounds().angle;
+  double low = -most, high = most;
+  std::size_t usual = kFirstStride;
+  for (std::size_t first = 0; first < end && !w.cancelled();) {
+    Span span = longest_span(w, first, low, high, usual);
+    usual = std::max<std::size_t>(2, span.last - first);
+    low = 1, high = -1;
+    for (const glm::dvec2 p : span.fit.window) low = std::min(low, p.y), high = std::max(high, p.y);
+    if (low > high) low = high = 0;
+    first = span.last;
+    w.spans.push_back(std::move(span));
+    w.tell(static_cast<double>(first) / static_cast<double>(end));
+  }
+  ++w.passes;
+}
+
+// The longest spans leave an odd short one at the end. As many spans within tighter bounds are alike, and nearer to the rows.
+void even_out(Work& w) {
+  if (w.spans.size() < 2 || w.rows.size() > kEvenedRows) return;
+  std::vector<Span> best = w.spans;
+  // A span's length goes with the second to fourth root of the bound: with n spans there is 4 / n to give away at most.
+  double low = std::max(kLeastScale, 1 - 4.0 / static_cast<double>(best.size())), high = 1;
+  for (int i = 0; i < kEvenings && !w.cancelled(); ++i) {
+    w.scale = 0.5 * (low + high);
+    fit_spans(w);
+    const bool as_few = w.spans.size() <= best.size();
+    (as_few ? high : low) = w.scale;
+    if (as_few) best = std::move(w.spans);
+  }
+  w.scale = 1;
+  w.spans = std::move(best);
+}
+
+// The middle of what the window leaves for the first knot when the second has `second`.
+double middle_of_first(const RollWindow& window, double second) {
+  double low = 1, high = -1;
+  const auto take = [&](double x) { low = std::min(low, x), high = std::max(high, x); };
+  const glm::dvec2* nearest = nullptr;
+  for (std::size_t i = 0; i < window.size(); ++i) {
+    const glm::dvec2 &a = window[i], &b = window[i + 1 < window.size() ? i + 1 : 0];
+    if (!nearest || std::abs(a.y - second) < std::abs(nearest->y - second)) nearest = &a;
+    if (a.y == second) take(a.x);
+    if ((a.y < second && b.y > second) || (a.y > second && b.y < second)) take(a.x + (second - a.y) / (b.y - a.y) * (b.x - a.x));
+  }
+  if (low > high) return nearest ? nearest->x : 0;  // rounding has left `second` just outside
+  return 0.5 * (low + high);
+}
+
+// Chooses a roll for every knot, from the last one back, so that each span keeps its frames.
+void choose_rolls(Work& w) {
+  w.rolls.assign(w.rows.size(), 0);
+  if (w.spans.empty()) return;
+  const RollWindow& window = w.spans.back().fit.window;
+  double low = 1, high = -1;
+  for (const glm::dvec2 p : window) low = std::min(low, p.y), high = std::max(high, p.y);
+  double roll = w.closed || low > high ? 0 : 0.5 * (low + high);
+  w.rolls[w.spans.back().last] = roll;
+  for (std::size_t i = w.spans.size(); i-- > 0;) {
+    roll = i == 0 && w.closed ? 0 : middle_of_first(w.spans[i].fit.window, roll);
+    w.rolls[w.spans[i].first] = roll;
+  }
+}
+
+world::Knot knot_of(const FitRow& row, double roll, double in, double out) {
+  world::Knot k;
+  const auto handle = [](double length) { return std::clamp(static_cast<float>(length), world::kMinHandle, world::kMaxHandle); };
+  k.position = glm::vec3(row.position);
+  k.tangent = glm::vec3(row.forward);
+  k.up = glm::vec3(curve::perpendicular(row.forward, curve::rotate(row.up, row.forward, roll)));
+  k.in_length = handle(in), k.out_length = handle(out);
+  k.joint = k.in_length == k.out_length ? world::JointKind::smooth : world::JointKind::aligned;
+  world::orthonormalise(k);
+  return k;
+}
+
+world::Document document_of(const Work& w, Derived& derived) {
+  world::Document document;
+  const std::size_t count = w.spans.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double in = i > 0 ? w.spans[i - 1].fit.in_length : w.closed ? w.spans.back().fit.in_length : w.spans[i].fit.out_length;
+    world::append_knot(document, knot_of(w.rows[w.spans[i].first], w.rolls[w.spans[i].first], in, w.spans[i].fit.out_length));
+  }
+  const Span& last = w.spans.back();
+  if (w.closed) world::set_closed(document, true);
+  else world::append_knot(document, knot_of(w.rows[last.last], w.rolls[last.last], last.fit.in_length, last.fit.in_length));
+  world::Settings settings;
+  settings.steps = 1;  // no polylines are looked at
+  derived = {};
+  derive(document, settings, {}, derived);
+  // Whole turns: what the rows turn, less what the knots' frames say by themselves.
+  bool turned = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double wanted = w.spans[i].fit.roll + w.rolls[w.spans[i].last] - w.rolls[w.spans[i].first];
+    const double turns = std::round((wanted - derived.shape(derived.order[i]).twist) / (2 * base::kPi));
+    if (turns == 0) continue;
+    document.entities.get<world::Segment>(derived.order[i]).turns = static_cast<std::int32_t>(std::clamp<double>(turns, -world::kMaxTurns, world::kMaxTurns));
+    turned = true;
+  }
+  if (turned) derive(document, settings, {}, derived);
+  return document;
+}
+
+// Halves the span: the new knot has its row's own frame.
+void halve(Work& w, const Span& span, std::vector<Span>& out) {
+  const std::size_t middle = span.first + (span.last - span.first) / 2;
+  const double most = w.bounds().angle;
+  w.rolls[middle] = 0;
+  out.push_back({span.first, middle, w.fit(span.first, middle, -most, most)});
+  out.push_back({middle, span.last, w.fit(middle, span.last, -most, most)});
+}
+
+Work prepare(std::span<const FitRow> rows, bool closed) {
+  Work w;
+  w.closed = closed;
+  w.rows.assign(rows.begin(), rows.end());
+  w.free = near_jumps(rows, closed, kInnerReach);
+  if (closed) w.rows.push_back(rows[0]), w.free.push_back(w.free[0]);
+  w.distances.resize(w.rows.size());
+  for (std::size_t i = 1; i < w.rows.size(); ++i) w.distances[i] = w.distances[i - 1] + glm::distance(w.rows[i - 1].position, w.rows[i].position);
+  return w;
+}
+
+}  // namespace
+
+FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress) {
+  COASTER_CHECK(rows.size() >= (closed ? 3u : 2u), "a track needs rows");
+  Work w = prepare(rows, closed);
+  w.progress = progress;
+  fit_spans(w);
+  if (!w.cancelled()) even_out(w);
+  if (w.cancelled()) return {};
+  choose_rolls(w);
+  if (closed && w.spans.size() == 1) {
+    std::vector<Span> two;
+    halve(w, w.spans[0], two);
+    w.spans = std::move(two);
+  }
+  const std::vector<char> free = near_jumps(rows, closed, kJumpReach);
+  FittedTrack fitted;
+  Derived derived;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    fitted.document = document_of(w, derived);
+    std::vector<std::size_t> ends;
+    for (const Span& span : w.spans) ends.push_back(span.first);
+    ends.push_back(w.spans.back().last);
+    const std::vector<FitReport> reports = measure_spans(derived, rows, ends, free);
+    fitted.report = {0, 0, static_cast<int>(fitted.document.track.knots.size())};
+    std::vector<Span> next;
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+      fitted.report.max_error = std::max(fitted.report.max_error, reports[i].max_error);
+      fitted.report.frame_error = std::max(fitted.report.frame_error, reports[i].frame_error);
+      const bool missed = reports[i].max_error > kFitDistance || reports[i].frame_error > kFitAngle;
+      if (missed && w.spans[i].last > w.spans[i].first + 1) halve(w, w.spans[i], next);
+      else next.push_back(w.spans[i]);
+    }
+    if (next.size() == w.spans.size()) break;
+    w.spans = std::move(next);
+  }
+  if (progress) progress->done = 1;
+  return fitted;
+}
+
+}  // namespace coaster::sim

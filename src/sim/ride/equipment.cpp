@@ -1,0 +1,167 @@
+#include "sim/ride/equipment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coaster::sim {
+namespace {
+
+using world::EquipmentKind;
+
+constexpr double kStopWithin = 0.02;    // m from the stopping place
+constexpr double kStopSpeed = 0.05;     // m/s, slow enough to be stopped
+constexpr double kCreep = 0.3;          // m/s, at which tyres push a train that stopped short
+
+double car_place(const Rails& rails, const TrainPlace& train, int car) {
+  double at = train.front - car * train.spacing;
+  if (rails.closed && rails.length > 0) at -= rails.length * std::floor(at / rails.length);
+  return at;
+}
+
+bool inside(const EquipmentSpan& span, double at) { return at >= span.from && at < span.to; }
+
+// The part of a train's cars that is on a span.
+double share_on(const EquipmentSpan& span, const Rails& rails, const TrainPlace& train) {
+  int on = 0;
+  for (int i = 0; i < train.cars; ++i) on += inside(span, car_place(rails, train, i));
+  return static_cast<double>(on) / train.cars;
+}
+
+struct Moment {
+  double speed, free, dt;
+  // The acceleration by equipment after which the speed is `to`, and what gravity and losses leave of it.
+  double towards(double to) const { return (to - speed) / dt - free; }
+};
+
+// Net acceleration towards a speed, within -brake..push.
+double steer(const Moment& now, double to, double push, double brake) {
+  return std::clamp((to - now.speed) / now.dt, -brake, push) - now.free;
+}
+
+double lift(const world::Equipment& e, const Moment& now) {
+  const double ratchet = now.towards(0.0);  // what keeps it from rolling back
+  const double pull = std::min(now.towards(e.speed), e.acceleration - now.free);
+  return std::max({pull, ratchet, 0.0});
+}
+
+double launch(const world::Equipment& e, const Moment& now, double share) {
+  return std::clamp(now.towards(e.speed), 0.0, e.acceleration * share);
+}
+
+double brake(const world::Equipment& e, const Moment& now, double share, ControlState& state) {
+  const double speed = std::abs(now.speed);
+  if (speed > e.speed + e.hysteresis) state.braking = true;
+  if (speed < e.speed - e.hysteresis) state.braking = false;
+  if (!state.braking) return 0.0;
+  const double most = e.acceleration * share, to_rest = now.towards(0.0);
+  return now.speed > 0 ? -std::min(most, std::max(-to_rest, 0.0)) : std::min(most, std::max(to_rest, 0.0));
+}
+
+// Brings a train to stand with its first car at the span's end, waits, and sends it off.
+Drive stop_and_go(const EquipmentSpan& span, const Moment& now, double left, bool way_free, ControlState& state) {
+  const world::Equipment& e = span.equipment;
+  const double push = e.acceleration;
+  if (state.dwell < 0) return {std::max(steer(now, std::max<double>(e.speed, kCreep), push, 0.0), now.towards(0.0)), false};
+  if (state.dwell > 0) {
+    if (state.dwell > 1) --state.dwell;
+    else if (way_free) state.dwell = -1;
+    return {now.towards(0.0), true};
+  }
+  if (left <= kStopWithin && now.speed < kStopSpeed) {
+    state.dwell = 1 + static_cast<std::int32_t>(e.kind == EquipmentKind::station ? e.seconds * world::kTicksPerSecond : 0);
+    return {now.towards(0.0), true};
+  }
+  // Down along v^2 = 2 a d to the stopping place, with twice that much in reserve; never past it.
+  const double allowed = std::sqrt(2.0 * push * std::max(left - 0.5 * kStopWithin, 0.0));
+  const double target = std::min(std::max<double>(e.speed, kCreep), allowed);
+  const double last_step = std::max(left, 0.0) / now.dt;
+  return {steer(now, std::min(target, last_step), push, 3.0 * push), false};
+}
+
+}  // namespace
+
+std::vector<EquipmentSpan> equipment_spans(const world::Document& document, const Derived& derived) {
+  std::vector<EquipmentSpan> spans;
+  if (document.entities.pool<world::Equipment>().size() == 0) return spans;
+  for (std::size_t i = 0; i < derived.order.size(); ++i)
+    if (const auto* const found = document.entities.find<world::Equipment>(derived.order[i]))
+      spans.push_back({derived.starts[i], derived.starts[i + 1], derived.order[i], *found});
+  return spans;
+}
+
+Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, double speed, double free, bool way_free,
+               double dt, ControlState& state) {
+  Drive drive;
+  bool on_stop = false, on_brake = false;
+  const double front = car_place(rails, train, 0);
+  for (const EquipmentSpan& span : spans) {
+    const double share = share_on(span, rails, train);
+    const EquipmentKind kind = span.equipment.kind;
+    const bool stops = kind == EquipmentKind::station || kind == EquipmentKind::block;
+    // The stopping place is the span's very end: a first car that stands there belongs to it.
+    const bool front_on = inside(span, front) || (stops && state.dwell > 0 && std::abs(front - span.to) < 2 * kStopWithin);
+    if (share == 0 && !front_on) continue;
+    const Moment now{speed, free + drive.acceleration, dt};  // what other spans do counts: a train on two lifts is pulled once
+    if (stops) {
+      on_stop = true;
+      if (front_on && (kind == EquipmentKind::station || !way_free || state.dwell > 0)) {
+        const Drive stop = stop_and_go(span, now, span.to - front, way_free, state);
+        drive.acceleration += stop.acceleration, drive.held |= stop.held;
+      } else if (state.dwell < 0) {
+        drive.acceleration += std::max(steer(now, std::max<double>(span.equipment.speed, kCreep), span.equipment.acceleration, 0.0), 0.0);
+      } else if (kind == EquipmentKind::block) {
+        on_brake = true;
+        drive.acceleration += brake(span.equipment, now, share, state);
+      }
+      continue;
+    }
+    switch (kind) {
+      case EquipmentKind::lift: drive.acceleration += lift(span.equipment, now); break;
+      case EquipmentKind::launch: drive.acceleration += launch(span.equipment, now, share); break;
+      case EquipmentKind::brake:
+        on_brake = true;
+        drive.acceleration += brake(span.equipment, now, share, state);
+        break;
+      case EquipmentKind::station:
+      case EquipmentKind::block: break;
+    }
+  }
+  if (!on_stop) state.dwell = 0;
+  if (!on_brake) state.braking = false;
+  return drive;
+}
+
+bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, std::span<const TrainPlace> others) {
+  std::vector<const EquipmentSpan*> stops;
+  for (const EquipmentSpan& span : spans)
+    if (span.equipment.kind == EquipmentKind::station || span.equipment.kind == EquipmentKind::block) stops.push_back(&span);
+  const double front = car_place(rails, train, 0);
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    if (!(front >= stops[i]->from && front <= stops[i]->to + 2 * kStopWithin)) continue;
+    const bool last = i + 1 == stops.size();
+    if (last && !rails.closed) {  // to the end of the track
+      return std::none_of(others.begin(), others.end(), [&](const TrainPlace& t) { return t.front > stops[i]->to; });
+    }
+    const double from = stops[i]->to, to = stops[last ? 0 : i + 1]->to;
+    for (const TrainPlace& other : others)
+      for (int car = 0; car < other.cars; ++car) {
+        const double at = car_place(rails, other, car);
+        if (from < to ? at > from && at <= to : at > from || at <= to) return false;
+      }
+    return true;
+  }
+  return true;
+}
+
+bool collide(const Rails& rails, const TrainPlace& a, const TrainPlace& b) {
+  const double clear = 0.5 * (a.length + b.length);
+  for (int i = 0; i < a.cars; ++i)
+    for (int j = 0; j < b.cars; ++j) {
+      double apart = std::abs(car_place(rails, a, i) - car_place(rails, b, j));
+      if (rails.closed) apart = std::min(apart, rails.length - apart);
+      if (apart < clear) return true;
+    }
+  return false;
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,241 @@
+#include "sim/ride/ghost.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/ride/ride_rules.h"
+#include "sim/ride/train.h"
+
+namespace coaster::sim {
+namespace {
+
+// The train's mean slope over the place of its first car, on a uniform grid: a train is a point in this landscape. Within a cell the slope is the
+// derivative of a cubic Hermite height, so that what the ride gains and loses by it adds up to the heights.
+class Landscape {
+ public:
+  Landscape(const RailTables& tables, std::span<const SegmentTable* const> segments, const GhostStart& start)
+      : closed_(tables.closed()), length_(tables.length()) {
+    const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(length_ / kTableStep)));
+    step_ = length_ / static_cast<double>(n), per_metre_ = 1.0 / step_;
+    std::vector<TableRail> sums(n + 1, TableRail{0, 0});
+    for (int car = 0; car < start.cars; ++car) add_car(tables, segments, car * start.spacing, sums);
+    const double share = 1.0 / start.cars;
+    cells_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double m0 = share * sums[i].slope, m1 = share * sums[i + 1].slope, rise = share * (sums[i + 1].height - sums[i].height) * per_metre_;
+      cells_[i] = {m0, 2.0 * (3.0 * rise - 2.0 * m0 - m1), 3.0 * (m0 + m1 - 2.0 * rise)};
+    }
+  }
+
+  // On a closed track at most one round before or after it.
+  double slope(double at) const {
+    if (closed_ && at >= length_) at -= length_;
+    if (closed_ && at < 0) at += length_;
+    const double place = at * per_metre_;
+    const std::size_t i = place > 0 ? std::min(static_cast<std::size_t>(place), cells_.size() - 1) : 0;
+    const double u = std::clamp(place - static_cast<double>(i), 0.0, 1.0);
+    return cells_[i].a + u * (cells_[i].b + u * cells_[i].c);
+  }
+
+ private:
+  struct Cell {
+    double a, b, c;
+  };
+  // Walks the segments in their order, as the grid does.
+  void add_car(const RailTables& tables, std::span<const SegmentTable* const> segments, double back, std::vector<TableRail>& sums) const {
+    std::size_t index = segments.size();
+    const double first = tables.locate(-back, index);
+    double offset = first;  // the place in the segment is step * i + offset
+    double left = tables.start(index + 1) - tables.start(index);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      double s = step_ * static_cast<double>(i) + offset;
+      for (std::size_t joints = 0; s > left && (closed_ || index + 1 < segments.size()) && joints < segments.size(); ++joints) {
+        offset -= left;
+        index = index + 1 < segments.size() ? index + 1 : 0;
+        left = tables.start(index + 1) - tables.start(index);
+        s = step_ * static_cast<double>(i) + offset;
+      }
+      const TableRail rail = rail_at(*segments[index], s);
+      sums[i].height += rail.height, sums[i].slope += rail.slope;
+    }
+  }
+
+  bool closed_;
+  double length_, step_ = 0, per_metre_ = 0;
+  std::vector<Cell> cells_;
+};
+
+std::vector<const SegmentTable*> segments_of(const RailTables& tables) {
+  std::vector<const SegmentTable*> segments;
+  for (std::size_t i = 0; i < tables.size(); ++i) segments.push_back(&tables.segment(i));
+  return segments;
+}
+
+struct Moving {
+  double at, speed, work;  // m from the track's start (unwrapped), m/s, J/kg
+};
+
+class Simulation {
+ public:
+  Simulation(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document, const GhostStart& start)
+      : tables_(tables), equipment_(equipment), document_(document), resistance_(resistance_of(document, start.mass)), start_(start), segments_(segments_of(tables)),
+        landscape_(tables, segments_, start),        rails_{tables.length(), tables.closed()}, control_(start.control), moving_{start.front, start.speed, 0} {
+    settle();
+  }
+
+  // `ghost` gives its memory.
+  Ghost run(const GhostLimits& limits, Ghost ghost) {
+    std::vector<GhostSample> samples = std::move(ghost.samples);
+    std::vector<Force> forces = std::move(ghost.forces);
+    samples.clear(), forces.clear();
+    ghost = Ghost{start_, rails_.length, rails_.closed, std::move(samples), std::move(forces)};
+    const auto most = static_cast<std::size_t>(std::max(0.0, limits.seconds) * world::kTicksPerSecond);
+    const std::size_t usual = std::min<std::size_t>(most + 1, 20'000);
+    ghost.samples.reserve(usual), ghost.forces.reserve(usual / kForceEvery * static_cast<std::size_t>(start_.cars));
+    add_sample(ghost, acceleration(0));
+    while (ghost.samples.size() <= most && ghost.end == world::FailureKind::none) {
+      const double before = moving_.at - start_.front;
+      double drive = 0;
+      const bool held = control(drive);
+      if (!held) advance(drive, ghost);
+      add_sample(ghost, held ? 0.0 : acceleration(drive));
+      if (ghost.end == world::FailureKind::none) ghost.end = failure(held, ghost);
+      const double after = moving_.at - start_.front;
+      if (rails_.closed && !ghost.lap && after >= rails_.length) {
+        const double part = after > before ? (rails_.length - before) / (after - before) : 1.0;
+        ghost.lap = true;
+        ghost.lap_time = (static_cast<double>(ghost.samples.size() - 2) + part) * world::kTick;
+        if (limits.stop_after_lap) break;
+      }
+    }
+    return ghost;
+  }
+
+ private:
+  double others(double speed, double direction, double drive) const {
+    return drive - direction * (world::kGravity * resistance_.rolling + resistance_.drag * speed * speed);
+  }
+  double gravity(double at) const { return -world::kGravity * landscape_.slope(at - round_); }
+  // After each move: the gravity there, which is asked for several times, and the start of the round that the train is in.
+  void settle() {
+    if (rails_.closed && !(moving_.at >= round_ && moving_.at < round_ + rails_.length)) round_ = rails_.length * std::floor(moving_.at / rails_.length);
+    gravity_here_ = gravity(moving_.at);
+  }
+  double direction(double drive) const {
+    if (moving_.speed != 0) return moving_.speed > 0 ? 1.0 : -1.0;
+    const double pull = gravity_here_ + drive;
+    if (std::abs(pull) <= world::kGravity * resistance_.rolling) return 0.0;
+    return pull > 0 ? 1.0 : -1.0;
+  }
+  double acceleration(double drive) const { return gravity_here_ + others(moving_.speed, direction(drive), drive); }
+
+  bool control(double& drive) {
+    if (equipment_.empty()) return false;
+    const double free = acceleration(0);
+    const Drive now = drive_of(equipment_, rails_, {moving_.at, start_.cars, start_.spacing, start_.length}, moving_.speed, free, true, world::kTick, control_);
+    drive = now.acceleration;
+    if (now.held) {
+      moving_.work -= 0.5 * moving_.speed * moving_.speed;
+      moving_.speed = 0;
+    }
+    return now.held;
+  }
+
+  void advance(double drive, Ghost& ghost) {
+    const double sign = direction(drive), dt = world::kTick;
+    if (moving_.speed == 0 && sign == 0 && resistance_.rolling > 0) return;  // at rest, and friction holds it
+    const auto with = [&](const Moving& m, double pull) {
+      const double by_others = others(m.speed, sign, drive);
+      return Moving{m.speed, pull + by_others, by_others * m.speed};
+    };
+    const auto slope = [&](const Moving& m) { return with(m, gravity(m.at)); };
+    const auto moved = [&](const Moving& k, double h) {
+      return Moving{moving_.at + h * k.at, moving_.speed + h * k.speed, moving_.work + h * k.work};
+    };
+    const Moving k1 = with(moving_, gravity_here_), k2 = slope(moved(k1, 0.5 * dt)), k3 = slope(moved(k2, 0.5 * dt)), k4 = slope(moved(k3, dt));
+    const auto mean = [](double a, double b, double c, double d) { return (a + 2.0 * b + 2.0 * c + d) / 6.0; };
+    Moving next = moved({mean(k1.at, k2.at, k3.at, k4.at), mean(k1.speed, k2.speed, k3.speed, k4.speed), mean(k1.work, k2.work, k3.work, k4.work)}, dt);
+    const bool losses = !(resistance_ == world::Resistance{});
+    if (losses && sign != 0 && next.speed * sign < 0) {  // friction brings it to rest, not beyond
+      const double part = moving_.speed / (moving_.speed - next.speed);
+      next = {moving_.at + part * (next.at - moving_.at), 0.0, moving_.work + part * (next.work - moving_.work)};
+    }
+    moving_ = next;
+    if (!rails_.closed && !(next.at >= 0 && next.at <= rails_.length)) {
+      moving_.at = std::clamp(next.at, 0.0, rails_.length);
+      ghost.end = world::FailureKind::off_end;
+    }
+    settle();
+  }
+
+  world::FailureKind failure(bool held, const Ghost& ghost) {
+    const double travelled = ghost.samples.back().travelled;
+    furthest_ = std::max(furthest_, travelled);
+    if (document_.rollback_fails && furthest_ > kRollback && moving_.speed < 0 && travelled < furthest_ - kRollback) return world::FailureKind::rollback;
+    still_ = std::abs(moving_.speed) < kStillSpeed && !held ? still_ + 1 : 0;
+    return still_ >= kStillTicks ? world::FailureKind::stall : world::FailureKind::none;
+  }
+
+  void add_sample(Ghost& ghost, double along) {
+    const double speed = moving_.speed;
+    ghost.samples.push_back({moving_.at - start_.front, speed, along, moving_.work});
+    if ((ghost.samples.size() - 1) % kForceEvery != 0) return;
+    const auto a = static_cast<float>(along / world::kGravity), v2 = static_cast<float>(speed * speed / world::kGravity);
+    hints_.resize(static_cast<std::size_t>(start_.cars), 0);
+    for (int car = 0; car < start_.cars; ++car) {
+      std::size_t& hint = hints_[static_cast<std::size_t>(car)];
+      double at = moving_.at - round_ - car * start_.spacing;
+      if (rails_.closed && at < 0) at += rails_.length;
+      const double s = tables_.locate(at, hint);
+      const glm::vec3 g = felt_at(*segments_[hint], s, a, v2);
+      ghost.forces.push_back({g.x, g.y, g.z});
+    }
+  }
+
+  const RailTables& tables_;
+  std::span<const EquipmentSpan> equipment_;
+  const world::Document& document_;
+  world::Resistance resistance_;
+  GhostStart start_;
+  std::vector<const SegmentTable*> segments_;
+  Landscape landscape_;
+  Rails rails_;
+  ControlState control_;
+  Moving moving_;
+  double round_ = 0, gravity_here_ = 0;  // m, m/s^2
+  double furthest_ = 0;
+  int still_ = 0;
+  std::vector<std::size_t> hints_;
+};
+
+}  // namespace
+
+double Ghost::distance(std::size_t sample) const {
+  const double at = start.front + samples[sample].travelled;
+  if (!closed || !(track_length > 0)) return at;
+  return at - track_length * std::floor(at / track_length);
+}
+
+Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document, const GhostStart& start,
+               const GhostLimits& limits, Ghost memory) {
+  if (tables.size() == 0 || !(tables.length() > 0)) {
+    Ghost ghost;
+    ghost.start = start;
+    ghost.samples.push_back({0, start.speed, 0, 0});
+    ghost.forces.resize(static_cast<std::size_t>(start.cars));
+    return ghost;
+  }
+  return Simulation(tables, equipment, document, start).run(limits, std::move(memory));
+}
+
+GhostStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design) {
+  GhostStart start;
+  for (std::size_t i = 0; i < derived.order.size(); ++i)
+    if (derived.order[i] == design.segment) start.front = derived.starts[i] + design.fraction * derived.shape(design.segment).arc.length();
+  start.speed = document.start_speed;
+  start.cars = cars_on(derived, design);
+  start.spacing = design.spacing, start.length = design.body(), start.mass = design.mass;
+  return start;
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,123 @@
+#include "sim/ride/lap_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "base/check.h"
+#include "sim/ride/ghost.h"
+
+namespace coaster::sim {
+namespace {
+
+constexpr double kPerTick = world::kTick, kPerSecond = world::kTicksPerSecond;
+
+// Hermite on one tick from (a, va) to (b, vb), m and m/s, u in [0, 1]; at u = 0 exactly (a, va).
+inline void between(double a, double va, double b, double vb, double u, double& along, double& speed) {
+  const double way = b - a, first = va * kPerTick, last = vb * kPerTick;
+  const double p = first + last - 2.0 * way, q = 3.0 * way - 2.0 * first - last;
+  along = a + u * (first + u * (q + u * p));
+  speed = va + u * (2.0 * q + u * (3.0 * p)) * kPerSecond;
+}
+
+inline LapEntry look_up(const LapTable& table, double phase) {
+  const auto i = static_cast<std::size_t>(phase);
+  const LapEntry &a = table.entries()[i], &b = table.entries()[i + 1];
+  LapEntry now;
+  between(a.along, a.speed, b.along, b.speed, phase - static_cast<double>(i), now.along, now.speed);
+  return now;
+}
+
+struct Columns {
+  double *phase, *along, *speed, *laps;
+};
+
+constexpr std::size_t kBlock = 64;  // what is handed from loop to loop stays in the first cache
+
+// One tick on: in which tick of the lap trains are then, and what part of it has passed.
+inline void turn(double period, std::size_t count, double* __restrict phase, double* __restrict laps, std::int32_t* __restrict entry,
+                 double* __restrict part) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double next = phase[i] + 1.0, rounds = static_cast<double>(next >= period), now = next - rounds * period;
+    phase[i] = now;
+    laps[i] += rounds;
+    entry[i] = static_cast<std::int32_t>(now);
+    part[i] = now - entry[i];
+  }
+}
+
+struct Pair {
+  double along, speed;
+};
+
+inline void place(std::size_t count, const Pair* __restrict before, const Pair* __restrict after, const double* __restrict part,
+                  double* __restrict along, double* __restrict speed) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pair a = before[i], b = after[i];
+    between(a.along, a.speed, b.along, b.speed, part[i], along[i], speed[i]);
+  }
+}
+
+// Loops of one kind of work each, so that all but the look-up run on several trains at once. Every step is one rounded operation, whatever
+// the width, so that the bits are the same.
+void advance_block(const LapTable& table, std::size_t count, const Columns& carts) {
+  std::array<std::int32_t, kBlock> entry;
+  std::array<double, kBlock> part;
+  std::array<Pair, kBlock> before, after;
+  turn(table.period(), count, carts.phase, carts.laps, entry.data(), part.data());
+  const LapEntry* const entries = table.entries().data();
+  for (std::size_t i = 0; i < count; ++i) {
+    const LapEntry* const at = entries + entry[i];
+    before[i] = {at[0].along, at[0].speed}, after[i] = {at[1].along, at[1].speed};
+  }
+  place(count, before.data(), after.data(), part.data(), carts.along, carts.speed);
+}
+
+}  // namespace
+
+LapTable::LapTable(const Ghost& ghost) {
+  if (!ghost.lap || !(ghost.track_length > 0)) return;
+  length_ = ghost.track_length;
+  for (const GhostSample& sample : ghost.samples) {
+    entries_.push_back({sample.travelled, sample.speed});
+    if (sample.travelled >= length_ && entries_.size() >= 2) break;
+  }
+  // The lap ends in the last tick; one more entry, so that a phase of exactly the period has a tick to be in.
+  entries_.push_back({entries_.back().along + entries_.back().speed * kPerTick, entries_.back().speed});
+  period_ = static_cast<double>(entries_.size() - 2);
+  period_ = phase_at(length_);
+  if (period_ < 1.0) entries_.clear();  // several laps a tick are no table's work
+}
+
+double LapTable::phase_at(double along) const {
+  double low = 0, high = period_;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = 0.5 * (low + high);
+    if (!(middle > low && middle < high)) break;
+    (look_up(*this, middle).along < along ? low : high) = middle;
+  }
+  return high;
+}
+
+LapCart lap_cart(const LapTable& table, double phase) {
+  const LapEntry place = look_up(table, std::clamp(phase, 0.0, table.period()));
+  return {phase, place.along, place.speed, 0};
+}
+
+void LapCarts::add(const LapCart& cart) {
+  phase.push_back(cart.phase), along.push_back(cart.along), speed.push_back(cart.speed), laps.push_back(cart.laps);
+}
+
+void advance(const LapTable& table, LapCart& cart) {
+  COASTER_CHECK(table.valid(), "trains run on a table of a whole lap");
+  advance_block(table, 1, {&cart.phase, &cart.along, &cart.speed, &cart.laps});
+}
+
+void advance(const LapTable& table, LapCarts& carts) {
+  COASTER_CHECK(table.valid(), "trains run on a table of a whole lap");
+  for (std::size_t i = 0; i < carts.size(); i += kBlock)
+    advance_block(table, std::min(kBlock, carts.size() - i), {&carts.phase[i], &carts.along[i], &carts.speed[i], &carts.laps[i]});
+}
+
+}  // namespace coaster::sim

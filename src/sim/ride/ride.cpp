@@ -1,0 +1,143 @@
+// Trains at their start, under edits, and put elsewhere; their energy. Ticks are in ride_step.cpp.
+#include "sim/ride/ride.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "sim/shape/frame_methods.h"
+#include "sim/ride/ride_parts.h"
+
+namespace coaster::sim {
+namespace {
+
+std::size_t index_in(const Derived& derived, world::Entity segment) {
+  return static_cast<std::size_t>(std::find(derived.order.begin(), derived.order.end(), segment) - derived.order.begin());
+}
+
+double mean_height(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart) {
+  std::vector<CarPlace> places;
+  const world::Cart* const design = document.entities.find<world::Cart>(entity);
+  const world::Cart single;
+  const world::Cart& train = design ? *design : single;
+  place_cars(derived, front_place(derived, cart), cars_on(derived, train), train.spacing, places);
+  return TrainContext{derived, places}.height(0.0);
+}
+
+void set_reference(const world::Document& document, const Derived& derived, world::Entity entity, world::CartMotion& cart) {
+  cart.reference_energy = energy(document, derived, entity, cart);
+  cart.work = 0;
+  cart.peak_kinetic = 0.5 * cart.speed * cart.speed;
+}
+
+world::CartMotion begin(const world::Document& document, const Derived& derived, world::Entity entity, const world::Cart& design) {
+  world::CartMotion motion;
+  const std::size_t index = index_in(derived, design.segment);
+  COASTER_CHECK(index < derived.order.size(), "a cart starts on a segment of the track");
+  settle_on(derived, {index, design.fraction * derived.shape(design.segment).arc.length()}, motion);
+  motion.speed = document.start_speed;
+  set_reference(document, derived, entity, motion);
+  return motion;
+}
+
+// A train in motion after an edit: the same segment and fraction of it, else the same distance along the track.
+void follow_edit(const world::Document& document, const Derived& derived, world::Entity entity, world::CartMotion& cart) {
+  std::size_t index = index_in(derived, cart.segment);
+  double s = cart.s;
+  if (index < derived.order.size()) {
+    const double length = derived.shape(cart.segment).arc.length();
+    if (length != cart.segment_length && cart.segment_length > 0) s *= length / cart.segment_length;
+  } else {
+    const TrackPlace place = place_at(derived, std::min(cart.track_distance, derived.length));
+    index = place.index, s = place.s;
+  }
+  settle_on(derived, {index, s}, cart);
+  const double drift = energy(document, derived, entity, cart) - cart.work - cart.reference_energy;
+  if (std::abs(drift) <= 1e-4 * std::max(cart.peak_kinetic, 1e-6)) return;
+  set_reference(document, derived, entity, cart);
+  cart.timetable = {};
+}
+
+}  // namespace
+
+CarPlace front_place(const Derived& derived, const world::CartMotion& cart) {
+  const std::size_t index = index_of_segment(derived, cart.segment, cart.track_distance);
+  COASTER_CHECK(index < derived.order.size(), "a cart is on a segment of the track");
+  return {index, cart.s};
+}
+
+void halt(world::CartMotion& cart) {
+  cart.work -= 0.5 * cart.speed * cart.speed;
+  cart.speed = 0;
+}
+
+void settle_on(const Derived& derived, CarPlace front, world::CartMotion& cart) {
+  const SegmentShape& shape = derived.shape(derived.order[front.index]);
+  cart.segment = derived.order[front.index];
+  cart.segment_length = shape.arc.length();
+  cart.s = std::clamp(front.s, 0.0, cart.segment_length);
+  cart.track_distance = derived.starts[front.index] + cart.s;
+}
+
+void reset(const world::Document& document, const Derived& derived, world::Motion& motion) {
+  motion = {};
+  const auto& pool = document.entities.pool<world::Cart>();
+  for (std::size_t i = 0; i < pool.size(); ++i)
+    motion.carts.put(pool.entities()[i], begin(document, derived, pool.entities()[i], pool.items()[i]));
+}
+
+void reconcile(const world::Document& document, const Derived& derived, world::Motion& motion) {
+  const auto& designed = document.entities.pool<world::Cart>();
+  motion.carts.keep_those_of(designed);
+  for (std::size_t i = 0; i < designed.size(); ++i) {
+    const world::Entity e = designed.entities()[i];
+    world::CartMotion* const cart = motion.carts.find(e);
+    if (!cart)
+      motion.carts.put(e, begin(document, derived, e, designed.items()[i]));
+    else if (motion.state == world::RideState::stopped)
+      *cart = begin(document, derived, e, designed.items()[i]);  // a ride that has not begun follows the design
+    else
+      follow_edit(document, derived, e, *cart);
+  }
+  if (motion.carts.size() == 0) motion.state = world::RideState::stopped, motion.failure = {};
+}
+
+void step(const world::Document& document, const Derived& derived, int integrator, int ticks, GhostMemo& memo, world::Motion& motion) {
+  if (motion.state != world::RideState::running || derived.order.empty()) return;
+  const auto rows = integrators();
+  COASTER_CHECK(integrator >= 0 && static_cast<std::size_t>(integrator) < rows.size(), "the integrator is a row of the table");
+  const Integrator& row = rows[static_cast<std::size_t>(integrator)];
+  const std::vector<EquipmentSpan> equipment = equipment_spans(document, derived);
+  const RideInput input{document, derived, equipment};
+  if (row.kind != IntegratorKind::timetable) {
+    for (world::CartMotion& cart : motion.carts.items()) cart.timetable = {};
+    if (row.kind != IntegratorKind::vertices)
+      for (world::CartMotion& cart : motion.carts.items()) cart.carry = 0;
+    step_trains(input, row, ticks, motion);
+  } else {
+    step_by_timetable(input, ticks, memo, motion);
+  }
+}
+
+void seek(const world::Document& document, const Derived& derived, world::Entity entity, double distance, world::Motion& motion) {
+  world::CartMotion& cart = motion.carts.get(entity);
+  const TrackPlace place = place_at(derived, distance);
+  const double sign = cart.speed < 0 ? -1.0 : 1.0, total = cart.reference_energy + cart.work;
+  settle_on(derived, {place.index, place.s}, cart);
+  const double kinetic = total - world::kGravity * (mean_height(document, derived, entity, cart) - document.datum);
+  cart.speed = kinetic > 0 ? sign * std::sqrt(2.0 * kinetic) : 0.0;
+  cart.timetable = {};
+  cart.furthest = cart.travelled;
+  set_reference(document, derived, entity, cart);
+}
+
+double energy(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart) {
+  return 0.5 * cart.speed * cart.speed + world::kGravity * (mean_height(document, derived, entity, cart) - document.datum);
+}
+
+double energy_drift(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart) {
+  if (!(cart.peak_kinetic > 0)) return 0.0;
+  return std::abs(energy(document, derived, entity, cart) - cart.work - cart.reference_energy) / cart.peak_kinetic;
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,162 @@
+// The integrators that are not stepped: by a timetable of the whole ride, and by the vertices of the polyline (Barrett 2012, section 6).
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "sim/ride/ride_parts.h"
+
+namespace coaster::sim {
+namespace {
+
+void begin_timetable(const world::CartMotion& cart, world::TimetablePlace& table) {
+  table = {true, cart.track_distance, cart.speed, cart.dwell, cart.braking, 0, 0};
+}
+
+void note_extremes(world::CartMotion& cart) {
+  cart.furthest = std::max(cart.furthest, cart.travelled);
+  cart.peak_kinetic = std::max(cart.peak_kinetic, 0.5 * cart.speed * cart.speed);
+}
+
+GhostStart start_of(const RideInput& input, world::Entity entity, const world::TimetablePlace& table) {
+  const world::Cart& design = input.document.entities.get<world::Cart>(entity);
+  return {table.front, table.speed, cars_on(input.derived, design), design.spacing, {table.dwell, table.braking}, static_cast<double>(design.body()), static_cast<double>(design.mass)};
+}
+
+// The next tick's entry. False when the timetable says that the ride is over.
+bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity entity, world::CartMotion& cart, world::FailureKind& failure) {
+  const Ghost* ghost = &memo.from(input.document, input.derived, start_of(input, entity, cart.timetable));
+  const auto last = static_cast<std::int64_t>(ghost->samples.size()) - 1;
+  if (cart.timetable.tick >= last) {
+    if (ghost->end != world::FailureKind::none || last == 0) {
+      failure = ghost->end;
+      return false;
+    }
+    begin_timetable(cart, cart.timetable);
+    ghost = &memo.from(input.document, input.derived, start_of(input, entity, cart.timetable));
+    if (ghost->samples.size() < 2) return false;
+  }
+  const auto now = static_cast<std::size_t>(cart.timetable.tick), next = now + 1;
+  const GhostSample &before = ghost->samples[now], &after = ghost->samples[next];
+  const double from = ghost->start.front + before.travelled, to = ghost->start.front + after.travelled;
+  if (input.derived.closed) cart.laps += static_cast<std::int64_t>(std::floor(to / ghost->track_length) - std::floor(from / ghost->track_length));
+  cart.travelled += after.travelled - before.travelled;
+  cart.work += after.work - before.work;
+  cart.speed = after.speed;
+  note_extremes(cart);
+  const TrackPlace place = place_at(input.derived, ghost->distance(next));
+  settle_on(input.derived, {place.index, place.s}, cart);
+  cart.timetable.tick = static_cast<std::int64_t>(next);
+  return true;
+}
+
+// All ticks of a train whose laps repeat: one lap's table, round and round.
+void follow_laps(const RideInput& input, const LapTable& table, int ticks, world::CartMotion& cart) {
+  LapCart on = lap_cart(table, cart.timetable.phase);
+  const double front = cart.timetable.front, length = table.length();
+  const double rounds_before = std::floor((front + on.along) / length);
+  for (int tick = 0; tick < ticks; ++tick) {
+    const double along = on.along, laps = on.laps;
+    advance(table, on);
+    cart.travelled += (on.laps - laps) * length + (on.along - along);
+    cart.speed = on.speed;
+    note_extremes(cart);
+  }
+  cart.laps += static_cast<std::int64_t>(on.laps + std::floor((front + on.along) / length) - rounds_before);
+  cart.timetable.phase = on.phase, cart.timetable.tick += ticks;
+  const TrackPlace place = place_at(input.derived, front + on.along);
+  settle_on(input.derived, {place.index, place.s}, cart);
+}
+
+// By the energy, with the first car at a place that is `height` m high (a vertex: not quite the curve), the others behind it on the curve.
+double speed_at(const RideInput& input, const TrainLoad& load, const world::CartMotion& cart, CarPlace front, double height) {
+  if (load.cars > 1) {
+    std::vector<CarPlace> places;
+    place_cars(input.derived, front, load.cars, load.spacing, places);
+    for (std::size_t i = 1; i < places.size(); ++i) height += rail_point(input.derived.shape(input.derived.order[places[i].index]), places[i].s).height;
+    height /= load.cars;
+  }
+  const double kinetic = cart.reference_energy + cart.work - world::kGravity * (height - input.document.datum);
+  return kinetic > 0 ? std::sqrt(2.0 * kinetic) : 0.0;
+}
+
+}  // namespace
+
+void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world::Motion& motion) {
+  memo.keep(motion.carts.size() + 4);
+  std::vector<std::size_t> rounds, others;  // trains whose laps repeat, and the rest
+  for (std::size_t i = 0; i < motion.carts.size(); ++i) {
+    world::CartMotion& cart = motion.carts.items()[i];
+    if (!cart.timetable.valid) begin_timetable(cart, cart.timetable);
+    const bool repeats = memo.lap(input.document, input.derived, start_of(input, motion.carts.entities()[i], cart.timetable)).valid();
+    (repeats ? rounds : others).push_back(i);
+  }
+  int done = 0;  // ticks, the one in which the ride failed included: that one is everybody's last
+  for (; done < ticks && motion.state == world::RideState::running && (done == 0 || !others.empty()); ++done) {
+    bool any = !rounds.empty();
+    for (const std::size_t i : others) {
+      world::CartMotion& cart = motion.carts.items()[i];
+      world::FailureKind failure = world::FailureKind::none;
+      const double arrival = cart.speed;
+      if (motion.state != world::RideState::running || follow_timetable(input, memo, motion.carts.entities()[i], cart, failure)) {
+        any = true;
+        continue;
+      }
+      halt(cart);
+      if (failure == world::FailureKind::none) continue;
+      if (motion.failure.kind == world::FailureKind::none) motion.failure = {failure, motion.carts.entities()[i], cart.track_distance, arrival};
+      if (failure != world::FailureKind::off_end) motion.state = world::RideState::failed;
+    }
+    if (!any && motion.state == world::RideState::running) motion.state = world::RideState::ended;
+  }
+  if (others.empty()) done = ticks;
+  for (const std::size_t i : rounds) {
+    world::CartMotion& cart = motion.carts.items()[i];
+    follow_laps(input, memo.lap(input.document, input.derived, start_of(input, motion.carts.entities()[i], cart.timetable)), done, cart);
+  }
+}
+
+bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double dt, world::CartMotion& cart) {
+  const Derived& derived = input.derived;
+  constexpr int kMostVertices = 100'000;  // in one tick
+  double time = cart.carry + dt;
+  const bool forward = cart.speed > 0 || (cart.speed == 0 && load.drive >= 0);
+  const double sign = forward ? 1.0 : -1.0;
+  std::size_t index = front_place(derived, cart).index;
+  for (int n = 0; n < kMostVertices; ++n) {
+    const SegmentShape& shape = derived.shape(derived.order[index]);
+    // A row on the GPU leaves no polyline here: as many steps of the exact curve.
+    const auto count = static_cast<int>(shape.points.empty() ? derived.steps + 1 : static_cast<int>(shape.points.size()));
+    const auto vertex = [&](int i) {
+      return shape.points.empty() ? curve::point(shape.key.cubic, static_cast<double>(i) / (count - 1)) : glm::dvec3(shape.points[static_cast<std::size_t>(i)]);
+    };
+    const double at = shape.arc.parameter(cart.s) * (count - 1);
+    constexpr double kOnVertex = 1e-6;  // of a step
+    const int from = std::clamp(static_cast<int>(std::lround(at)), 0, count - 1);
+    const int here = std::abs(at - from) < kOnVertex ? from : static_cast<int>(forward ? std::floor(at) : std::ceil(at));
+    const int to = here + (forward ? 1 : -1);
+    if (to < 0 || to >= count) {
+      const bool at_end = forward ? index + 1 == derived.order.size() : index == 0;
+      if (at_end && !derived.closed) return false;
+      if (at_end) cart.laps += forward ? 1 : -1;
+      index = forward ? (index + 1) % derived.order.size() : (index + derived.order.size() - 1) % derived.order.size();
+      settle_on(derived, {index, forward ? 0.0 : derived.shape(derived.order[index]).arc.length()}, cart);
+      continue;
+    }
+    const glm::dvec3 a = vertex(here), b = vertex(to);
+    const double chord = glm::length(b - a), s = shape.arc.distance(static_cast<double>(to) / (count - 1));
+    cart.speed = sign * speed_at(input, load, cart, {index, cart.s}, a.y);
+    // From rest equipment takes it over the first chord with v^2 = 2 a s, at half of that speed in the mean.
+    const double pace = cart.speed != 0 ? std::abs(cart.speed) : 0.5 * std::sqrt(std::max(0.0, 2.0 * sign * load.drive * chord));
+    if (!(pace > 0) || !(time >= chord / pace)) break;
+    time -= chord / pace;
+    const double lost = world::kGravity * load.resistance.rolling + load.resistance.drag * pace * pace;
+    cart.work += (sign * load.drive - lost) * std::abs(s - cart.s);
+    cart.travelled += s - cart.s;
+    settle_on(derived, {index, s}, cart);
+    cart.speed = sign * speed_at(input, load, cart, {index, s}, b.y);
+  }
+  cart.carry = cart.speed != 0 || load.drive != 0 ? time : 0.0;
+  return true;
+}
+
+}  // namespace coaster::sim

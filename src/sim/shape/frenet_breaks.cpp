@@ -1,0 +1,112 @@
+// Where the Frenet-Serret normal is undefined or flips (Paper erratum): inside segments and over joints.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/portable_math.h"
+#include "sim/shape/frame_methods.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec3;
+using Kind = FrenetBreak::Kind;
+
+constexpr double kHalfSpan = 1.0 / 64;  // of the parameter: a flip happens within twice that
+
+bool defined(const curve::Cubic& cubic, double t) { return curve::frenet(cubic, t).has_value(); }
+
+// Runs of undefined samples. A lone one at an end belongs to the joint there, one beside a flip to the flip.
+void add_undefined(const curve::Cubic& cubic, world::Entity segment, std::vector<FrenetBreak>& found) {
+  const std::size_t flips = found.size();
+  const auto at = [](int i) { return static_cast<double>(i) / kFrameIntervals; };
+  for (int i = 0; i <= kFrameIntervals; ++i) {
+    if (defined(cubic, at(i))) continue;
+    const int first = i;
+    while (i < kFrameIntervals && !defined(cubic, at(i + 1))) ++i;
+    const bool lone = i == first;
+    if (lone && (i == 0 || i == kFrameIntervals)) continue;
+    const bool beside = std::any_of(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(flips),
+                                    [&](const FrenetBreak& flip) { return std::abs(flip.t - at(first)) <= kHalfSpan; });
+    if (lone && beside) continue;
+    found.push_back({Kind::undefined, segment, at(first), at(i), 0});
+  }
+  std::sort(found.begin(), found.end(), [](const FrenetBreak& a, const FrenetBreak& b) { return a.t < b.t; });
+}
+
+// The normal at an end of a segment, taken a little inside where the end itself has none; nothing where that has none either.
+struct EndNormal {
+  std::optional<dvec3> normal;
+  bool at_end = true;
+};
+EndNormal end_normal(const curve::Cubic& cubic, bool at_start) {
+  if (const auto f = curve::frenet(cubic, at_start ? 0.0 : 1.0)) return {f->normal, true};
+  const auto f = curve::frenet(cubic, at_start ? kHalfSpan : 1.0 - kHalfSpan);
+  return {f ? std::optional(f->normal) : std::nullopt, false};
+}
+
+// The joint before segment `index`, told at t = 0 of that segment. Beside a span without normals it is part of the span.
+void add_joint(const Derived& derived, std::size_t index, std::vector<FrenetBreak>& found) {
+  if (index == 0 && !derived.closed) return;
+  const std::size_t before = index == 0 ? derived.order.size() - 1 : index - 1;
+  const world::Entity segment = derived.order[index];
+  const EndNormal from = end_normal(derived.shape(derived.order[before]).key.cubic, false),
+                  to = end_normal(derived.shape(segment).key.cubic, true);
+  if (!from.normal || !to.normal) return;
+  const double cosine = glm::dot(*from.normal, *to.normal);
+  if (cosine < 0.0)
+    found.push_back({Kind::flip, segment, 0, 0, std::acos(std::clamp(cosine, -1.0, 1.0))});
+  else if (!from.at_end && !to.at_end)
+    found.push_back({Kind::undefined, segment, 0, 0, 0});
+}
+
+}  // namespace
+
+std::vector<FrenetBreak> frenet_breaks(const SegmentShape& shape, world::Entity segment) {
+  std::vector<FrenetBreak> found;
+  const curve::Cubic& cubic = shape.key.cubic;
+  const curve::BinormalCurve binormal = curve::binormal_curve(cubic);
+  const curve::BinormalMinima minima = curve::binormal_minima(binormal);
+  bool all_defined = defined(cubic, 0.0) && defined(cubic, 1.0) && defined(cubic, 0.5);
+  for (int i = 0; i < minima.count; ++i) {
+    const double t = minima.t[i], from = std::max(0.0, t - kHalfSpan), to = std::min(1.0, t + kHalfSpan);
+    all_defined = all_defined && defined(cubic, t);
+    if (!defined(cubic, from) || !defined(cubic, to)) continue;
+    const double angle = curve::binormal_turn(binormal, from, to);
+    if (angle > 0.5 * base::kPi) found.push_back({Kind::flip, segment, t, t, angle});
+  }
+  if (!all_defined) add_undefined(cubic, segment, found);
+  return found;
+}
+
+std::vector<FrenetBreak> frenet_breaks(const Derived& derived) {
+  std::vector<FrenetBreak> all;
+  for (std::size_t i = 0; i < derived.order.size(); ++i) {
+    add_joint(derived, i, all);
+    const auto found = frenet_breaks(derived.shape(derived.order[i]), derived.order[i]);
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  return all;
+}
+
+const std::vector<FrenetBreak>& FrenetBreaks::update(const Derived& derived) {
+  if (last_build_ == derived.last_build && closed_ == derived.closed && order_ == derived.order) return all_;
+  last_build_ = derived.last_build;
+  closed_ = derived.closed;
+  if (order_ != derived.order) {
+    order_ = derived.order;
+    entries_ = {};  // a removed segment's slot may be used again
+  }
+  all_.clear();
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    const SegmentShape& shape = derived.shape(order_[i]);
+    Entry* entry = entries_.find(order_[i]);
+    if (!entry || entry->build != shape.shape_build) entry = &entries_.put(order_[i], {shape.shape_build, frenet_breaks(shape, order_[i])});
+    // The joint depends on the segment before too: it is cheap enough to ask again whenever anything has changed.
+    add_joint(derived, i, all_);
+    all_.insert(all_.end(), entry->found.begin(), entry->found.end());
+  }
+  return all_;
+}
+
+}  // namespace coaster::sim

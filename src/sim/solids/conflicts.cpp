@@ -1,0 +1,221 @@
+#include "sim/solids/conflicts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "sim/solids/clearance.h"
+#include "sim/solids/track_mesh.h"
+
+namespace coaster::sim {
+namespace {
+
+constexpr double kNeeded = kTrainRadius + kTrackRadius;         // m between the line of a train and that of track
+constexpr double kReach = kNeeded + kTrainLift + kTrackDrop;  // m: rails farther apart are in nobody's way
+
+// The shorter way along the rails from the end of one stretch to the start of another behind it, m; below 0 where they overlap.
+double between_stretches(const Derived& derived, double from, double to, double other_from, double other_to) {
+  const double onward = other_from - to;
+  return derived.closed ? std::min(onward, from + derived.length - other_to) : onward;
+}
+
+// How many of the chords after r to t, which are all as long along the curve, are sure to come no nearer than by `metres`.
+std::size_t chords_within(double metres, const LinePoint& r, const LinePoint& t) { return static_cast<std::size_t>(metres / std::max(double{t.s} - double{r.s}, 1e-6)); }
+
+glm::dvec3 lifted(glm::vec3 position, glm::vec3 up, double by) { return glm::dvec3(position) + by * glm::dvec3(up); }
+
+// By how much two chords, p to q and r to t, are farther apart than can matter, m; below 0 they may matter to each other.
+double beyond_reach(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t) {
+  constexpr double kRounding = 0.05;  // m, of coordinates in float at the border of the world
+  const double apart = 0.5 * static_cast<double>(glm::distance(p.position + q.position, r.position + t.position));
+  return apart - 0.5 * (double{q.s} - double{p.s} + double{t.s} - double{r.s}) - kReach - kRounding;
+}
+
+// By how much a train on one of them lacks room for the other; 0 or less where it has enough.
+double missing_between(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t) {
+  const auto distance = [&](double one, double other) {
+    return distance_between(lifted(p.position, p.up, one), lifted(q.position, q.up, one), lifted(r.position, r.up, other), lifted(t.position, t.up, other));
+  };
+  return kNeeded - std::min(distance(kTrainLift, -kTrackDrop), distance(-kTrackDrop, kTrainLift));
+}
+
+// Segments that may have other neighbours than before: those between a common start and a common end of both orders, one on each side of them, and both
+// ends of the track, which may have been joined or cut.
+void mark_rearranged(const std::vector<world::Entity>& before, const std::vector<world::Entity>& now, std::vector<bool>& stale) {
+  if (now.empty()) return;
+  const auto [was, is] = std::mismatch(before.begin(), before.end(), now.begin(), now.end());
+  const auto last = std::mismatch(before.rbegin(), std::make_reverse_iterator(was), now.rbegin(), std::make_reverse_iterator(is)).second;
+  const auto first = is - now.begin(), end = last.base() - now.begin();
+  for (auto i = std::max<std::ptrdiff_t>(first - 1, 0); i < std::min<std::ptrdiff_t>(end + 1, std::ssize(now)); ++i) stale[static_cast<std::size_t>(i)] = true;
+  stale.front() = stale.back() = true;
+}
+
+}  // namespace
+
+void Conflicts::take_shapes(const Derived& derived, std::vector<bool>& stale) {
+  constexpr double kMostChords = 1000;
+  for (std::size_t i = 0; i < derived.order.size(); ++i) {
+    const SegmentShape& shape = derived.shape(derived.order[i]);
+    Entry* entry = entries_.find(derived.order[i]);
+    if (!entry) entry = &entries_.put(derived.order[i], Entry{});
+    entry->index = i;
+    if (entry->build == shape.shape_build) continue;
+    stale[i] = true;
+    entry->build = shape.shape_build;
+    entry->box = tight_box(shape.key.cubic);
+    entry->places.clear();
+    const double length = shape.arc.length();
+    const int chords = static_cast<int>(std::clamp(std::ceil(length / kConflictStep), 1.0, kMostChords));
+    for (int k = 0; k <= chords; ++k) {
+      const double s = length * k / chords;
+      const Ring ring = ring_at(shape, s);
+      entry->places.push_back({glm::vec3(ring.position), glm::vec3(ring.frame.up), static_cast<float>(s)});
+    }
+  }
+}
+
+// Whether two places are one stretch depends on all that lies between them.
+void Conflicts::spread(const Derived& derived, std::vector<bool>& stale) const {
+  const std::size_t count = derived.order.size();
+  const std::vector<bool> changed = stale;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!changed[i]) continue;
+    for (const std::size_t step : {std::size_t{1}, count - 1}) {
+      std::size_t k = i;
+      for (double away = 0; away <= kSameStretch;) {
+        if (!derived.closed && (step == 1 ? k + 1 == count : k == 0)) break;
+        k = (k + step) % count;
+        if (k == i || changed[k]) break;
+        stale[k] = true;
+        away += derived.starts[k + 1] - derived.starts[k];
+      }
+    }
+  }
+}
+
+// Looks at two segments, a not behind b in the track; adds at most `most` hits and returns how many.
+std::size_t Conflicts::look_at(const Derived& derived, world::Entity a, world::Entity b, std::size_t most) {
+  const Entry &first = entries_.get(a), &second = entries_.get(b);
+  const double first_start = derived.starts[first.index], second_start = derived.starts[second.index];
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 1 < first.places.size(); ++i) {
+    const LinePoint &p = first.places[i], &q = first.places[i + 1];
+    for (std::size_t k = a == b ? i + 1 : 0; k + 1 < second.places.size(); ++k) {
+      const LinePoint &r = second.places[k], &t = second.places[k + 1];
+      if (between_stretches(derived, first_start + double{p.s}, first_start + double{q.s}, second_start + double{r.s}, second_start + double{t.s}) < kSameStretch) continue;
+      if (const double beyond = beyond_reach(p, q, r, t); beyond > 0) {
+        k += chords_within(beyond, r, t);
+        continue;
+      }
+      const double missing = missing_between(p, q, r, t);
+      if (!(missing > 0)) continue;
+      hits_.push_back({a, b, i, k, missing});
+      if (++count == most) return count;
+    }
+  }
+  return count;
+}
+
+void Conflicts::look_around(const Derived& derived, std::size_t index, const std::vector<bool>& stale) {
+  const world::Entity segment = derived.order[index];
+  const curve::Box box = widened(entries_.get(segment).box, static_cast<float>(kReach));
+  const std::size_t most = kMostHits * entries_.get(segment).places.size();
+  std::size_t count = 0;
+  all_near(derived.tree, box, [&](std::size_t other) {
+    if ((stale[other] && other < index) || !meet(entries_.get(derived.order[other]).box, box)) return true;
+    count += look_at(derived, derived.order[std::min(index, other)], derived.order[std::max(index, other)], most - count);
+    return count < most;
+  });
+}
+
+// Hits that follow each other on both stretches are one conflict.
+void Conflicts::gather(const Derived& derived) {
+  found_.clear();
+  const auto place = [&](world::Entity segment, std::size_t i) -> const LinePoint& { return entries_.get(segment).places[i]; };
+  const auto start = [&](world::Entity segment, std::size_t i) { return derived.starts[entries_.get(segment).index] + double{place(segment, i).s}; };
+  std::sort(hits_.begin(), hits_.end(), [&](const Hit& x, const Hit& y) {
+    const double a = start(x.a, x.i), b = start(y.a, y.i);
+    return a != b ? a < b : start(x.b, x.k) < start(y.b, y.k);
+  });
+  struct Open {
+    std::size_t conflict;
+    double last;  // where its other stretch was last
+  };
+  std::vector<Open> open;
+  for (const Hit& hit : hits_) {
+    const double from = start(hit.a, hit.i), to = start(hit.a, hit.i + 1), other = start(hit.b, hit.k);
+    std::erase_if(open, [&](const Open& one) { return from - found_[one.conflict].to >= kSameStretch; });
+    auto mine = std::find_if(open.begin(), open.end(), [&](const Open& one) { return std::abs(other - one.last) < 2 * kSameStretch; });
+    if (mine == open.end()) {
+      mine = open.insert(mine, {found_.size(), other});
+      found_.push_back({.from = from, .other_from = other});
+    }
+    Conflict& conflict = found_[mine->conflict];
+    const double other_to = start(hit.b, hit.k + 1);
+    conflict.to = std::max(conflict.to, to);
+    conflict.other_from = std::min(conflict.other_from, other), conflict.other_to = std::max(conflict.other_to, other_to);
+    mine->last = other;
+    if (hit.missing <= conflict.missing) continue;
+    conflict.missing = hit.missing;
+    conflict.at = 0.5 * (from + to);
+    conflict.other = 0.5 * (other + other_to);
+    conflict.at_place = 0.5f * (place(hit.a, hit.i).position + place(hit.a, hit.i + 1).position);
+    conflict.other_place = 0.5f * (place(hit.b, hit.k).position + place(hit.b, hit.k + 1).position);
+  }
+}
+
+const std::vector<Conflict>& Conflicts::update(const Derived& derived) {
+  looked_at_ = 0;
+  if (last_build_ == derived.last_build && closed_ == derived.closed && order_ == derived.order) return found_;
+  std::vector<bool> stale(derived.order.size());
+  if (order_ != derived.order || closed_ != derived.closed) {
+    mark_rearranged(order_, derived.order, stale);
+    entries_.keep_those_of(derived.segments);
+  }
+  last_build_ = derived.last_build;
+  closed_ = derived.closed;
+  order_ = derived.order;
+  take_shapes(derived, stale);
+  spread(derived, stale);
+  std::erase_if(hits_, [&](const Hit& hit) {
+    const Entry *const a = entries_.find(hit.a), *const b = entries_.find(hit.b);
+    return !a || !b || stale[a->index] || stale[b->index];
+  });
+  for (std::size_t i = 0; i < stale.size(); ++i)
+    if (stale[i]) look_around(derived, i, stale), ++looked_at_;
+  gather(derived);
+  return found_;
+}
+
+std::vector<Narrow> Conflicts::against(const Derived& derived, std::span<const LinePoint> line) const {
+  std::vector<Narrow> out;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const LinePoint &p = line[i], &q = line[i + 1];
+    double missing = 0;
+    for (std::size_t k = 0; k < i && double{p.s} - double{line[k + 1].s} >= kSameStretch; ++k)
+      if (beyond_reach(line[k], line[k + 1], p, q) <= 0) missing = std::max(missing, missing_between(line[k], line[k + 1], p, q));
+    const curve::Box box = widened({glm::min(p.position, q.position), glm::max(p.position, q.position)}, static_cast<float>(kReach));
+    all_near(derived.tree, box, [&](std::size_t index) {
+      const Entry& entry = entries_.get(derived.order[index]);
+      for (std::size_t k = 0; k + 1 < entry.places.size(); ++k) {
+        const LinePoint &r = entry.places[k], &t = entry.places[k + 1];
+        if (derived.length - derived.starts[index] - double{t.s} + double{p.s} < kSameStretch) continue;
+        if (const double beyond = beyond_reach(r, t, p, q); beyond > 0) k += chords_within(beyond, r, t);
+        else missing = std::max(missing, missing_between(r, t, p, q));
+      }
+      return true;
+    });
+    if (!(missing > 0)) continue;
+    if (!out.empty() && out.back().to == double{p.s}) out.back().to = double{q.s}, out.back().missing = std::max(out.back().missing, missing);
+    else out.push_back({double{p.s}, double{q.s}, missing});
+  }
+  return out;
+}
+
+double worst(std::span<const Narrow> parts) {
+  double most = 0;
+  for (const Narrow& part : parts) most = std::max(most, part.missing);
+  return most;
+}
+
+}  // namespace coaster::sim

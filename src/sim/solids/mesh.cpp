@@ -1,0 +1,159 @@
+#include "sim/solids/mesh.h"
+
+#include <algorithm>
+
+#include "base/check.h"
+#include "base/portable_math.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+using Indices = std::vector<std::uint32_t>;
+
+std::uint32_t next_vertex(const Mesh& mesh) { return static_cast<std::uint32_t>(mesh.vertices.size()); }
+
+void add_vertex(dvec3 position, dvec3 normal, Part part, float along, Mesh& mesh) {
+  mesh.vertices.push_back({glm::vec3(position), glm::vec3(normal), static_cast<float>(part), along});
+}
+
+// Unit circle, counter-clockwise as seen by one who looks against the direction of travel: x to the left, y up.
+std::vector<dvec2> circle(int sides) {
+  std::vector<dvec2> out;
+  for (int k = 0; k < sides; ++k) {
+    const base::SinCos turn = base::sin_cos(2.0 * base::kPi * (k + 0.5) / sides);
+    out.push_back({turn.cos, turn.sin});
+  }
+  return out;
+}
+
+// The sides between rings of `count` vertices, of which every `step`-th counts, and a fan over each end.
+void add_sides(std::span<const std::uint32_t> rings, std::uint32_t count, std::uint32_t step, Indices& out) {
+  for (std::size_t ring = 0; ring + 1 < rings.size(); ++ring)
+    for (std::uint32_t k = 0; k < count; k += step) {
+      const std::uint32_t next = (k + step) % count, a = rings[ring] + k, b = rings[ring] + next, c = rings[ring + 1] + k, d = rings[ring + 1] + next;
+      out.insert(out.end(), {a, b, c, b, d, c});
+    }
+  for (std::uint32_t k = step; k + step < count; k += step)
+    out.insert(out.end(), {rings.front(), rings.front() + k + step, rings.front() + k, rings.back(), rings.back() + k, rings.back() + k + step});
+}
+
+// A quadrilateral a, b, c, d with its own vertices. Its normal is that of the diagonals, whatever small bend there is; a face without
+// area gets one that is at least unit.
+void add_quad(const std::array<dvec3, 4>& corners, dvec3 otherwise, Part part, float along, bool from_afar, Mesh& mesh) {
+  const dvec3 across = glm::cross(corners[2] - corners[0], corners[3] - corners[1]);
+  const double size = glm::length(across);
+  const dvec3 normal = size > 1e-12 ? across / size : otherwise;
+  const std::uint32_t first = next_vertex(mesh);
+  for (const dvec3& corner : corners) add_vertex(corner, normal, part, along, mesh);
+  for (Indices* out : {&mesh.indices, from_afar ? &mesh.coarse : nullptr})
+    if (out) out->insert(out->end(), {first, first + 1, first + 2, first, first + 2, first + 3});
+}
+
+dvec3 some_normal(dvec3 forward) { return curve::perpendicular(forward, {0, 1, 0}); }
+
+}  // namespace
+
+void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh) {
+  COASTER_CHECK(rings.size() >= 2 && tube.sides % tube.coarse_sides == 0, "a tube has two ends, and corners that it keeps from afar");
+  const std::vector<dvec2> unit = circle(tube.sides);
+  Indices all, every_other;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const Ring& at = rings[i];
+    all.push_back(next_vertex(mesh));
+    if (i % 2 == 0 || i + 1 == rings.size()) every_other.push_back(all.back());
+    const dvec3 left = at.frame.left(), up = at.frame.up, centre = at.position + tube.offset.x * left + tube.offset.y * up;
+    for (const dvec2 u : unit) {
+      const dvec3 normal = u.x * left + u.y * up;
+      add_vertex(centre + tube.radius * normal, normal, tube.part, at.along, mesh);
+    }
+  }
+  const auto sides = static_cast<std::uint32_t>(tube.sides);
+  add_sides(all, sides, 1, mesh.indices);
+  add_sides(every_other, sides, sides / static_cast<std::uint32_t>(tube.coarse_sides), mesh.coarse);
+}
+
+void add_face(std::span<const dvec3> corners, Part part, float along, bool from_afar, Mesh& mesh) {
+  dvec3 area(0);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) area += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  const double size = glm::length(area);
+  const std::uint32_t first = next_vertex(mesh);
+  for (const dvec3& corner : corners) add_vertex(corner, size > 1e-12 ? area / size : dvec3(0, 1, 0), part, along, mesh);
+  for (std::uint32_t i = 1; i + 1 < corners.size(); ++i)
+    for (Indices* out : {&mesh.indices, from_afar ? &mesh.coarse : nullptr})
+      if (out) out->insert(out->end(), {first, first + i, first + i + 1});
+}
+
+void add_extrusion(std::span<const Ring> rings, std::span<const dvec2> outline, Part part, bool from_afar, Mesh& mesh) {
+  const auto place = [&](const Ring& ring, std::size_t k) {
+    const dvec2 at = outline[k % outline.size()];
+    return ring.position + at.x * ring.frame.left() + at.y * ring.frame.up;
+  };
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const dvec2 side = outline[(k + 1) % outline.size()] - outline[k], out = glm::normalize(dvec2(side.y, -side.x));
+    std::uint32_t before = 0;
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      const dvec3 normal = out.x * rings[i].frame.left() + out.y * rings[i].frame.up;
+      const std::uint32_t at = next_vertex(mesh);
+      for (const std::size_t end : {k, k + 1}) add_vertex(place(rings[i], end), normal, part, rings[i].along, mesh);
+      for (Indices* list : {&mesh.indices, from_afar ? &mesh.coarse : nullptr})
+        if (list && i > 0) list->insert(list->end(), {before, before + 1, at, before + 1, at + 1, at});
+      before = at;
+    }
+  }
+  std::vector<dvec3> end;
+  for (std::size_t k = 0; k < outline.size(); ++k) end.push_back(place(rings.back(), k));
+  add_face(end, part, rings.back().along, from_afar, mesh);
+  end.clear();
+  for (std::size_t k = outline.size(); k-- > 0;) end.push_back(place(rings.front(), k));
+  add_face(end, part, rings.front().along, from_afar, mesh);
+}
+
+void add_beam(std::span<const Ring> rings, dvec2 low, dvec2 high, Part part, bool from_afar, Mesh& mesh) {
+  add_extrusion(rings, std::array{low, dvec2(high.x, low.y), high, dvec2(low.x, high.y)}, part, from_afar, mesh);
+}
+
+void add_prism(const std::array<dvec3, 4>& near, const std::array<dvec3, 4>& far, Part part, float along, bool from_afar, Mesh& mesh) {
+  const dvec3 otherwise(0, 1, 0);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t next = (k + 1) % 4;
+    add_quad({near[next], near[k], far[k], far[next]}, otherwise, part, along, from_afar, mesh);
+  }
+  add_quad(near, otherwise, part, along, from_afar, mesh);
+  add_quad({far[3], far[2], far[1], far[0]}, otherwise, part, along, from_afar, mesh);
+}
+
+void add_box(dvec3 middle, const curve::Frame& frame, dvec3 half, Part part, float along, bool from_afar, Mesh& mesh) {
+  const auto corner = [&](double f, double u, double l) { return middle + f * half.x * frame.forward + u * half.y * frame.up + l * half.z * frame.left(); };
+  add_prism({corner(1, -1, -1), corner(1, -1, 1), corner(1, 1, 1), corner(1, 1, -1)}, {corner(-1, -1, -1), corner(-1, -1, 1), corner(-1, 1, 1), corner(-1, 1, -1)},
+            part, along, from_afar, mesh);
+}
+
+void add_bar(dvec3 from, dvec3 to, double from_radius, double to_radius, int sides, Part part, float along, bool from_afar, Mesh& mesh) {
+  const double length = glm::length(to - from);
+  if (!(length > 1e-6)) return;
+  const dvec3 forward = (to - from) / length, up = some_normal(forward), left = glm::cross(up, forward);
+  const double slope = (from_radius - to_radius) / length, shrink = 1 / glm::length(dvec2(1, slope));
+  std::vector<dvec3> front, back;
+  const std::array<std::uint32_t, 2> rings{next_vertex(mesh), next_vertex(mesh) + static_cast<std::uint32_t>(sides)};
+  for (const bool at_end : {false, true})
+    for (const dvec2 u : circle(sides)) {
+      const dvec3 out = u.x * left + u.y * up, place = at_end ? to + to_radius * out : from + from_radius * out;
+      add_vertex(place, shrink * (out + slope * forward), part, along, mesh);
+      (at_end ? front : back).push_back(place);
+    }
+  const auto count = static_cast<std::uint32_t>(sides);
+  for (Indices* list : {&mesh.indices, from_afar ? &mesh.coarse : nullptr}) {
+    if (!list) continue;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t a = rings[0] + k, b = rings[0] + (k + 1) % count, c = rings[1] + k, d = rings[1] + (k + 1) % count;
+      list->insert(list->end(), {a, b, c, b, d, c});
+    }
+  }
+  std::reverse(back.begin(), back.end());
+  add_face(front, part, along, from_afar, mesh);
+  add_face(back, part, along, from_afar, mesh);
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,108 @@
+// Sweeps one segment: rings where the curve bends, three tubes through them, arms from the rails down to the spine.
+#include "sim/solids/track_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/portable_math.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+constexpr double kRingTwist = base::radians(6.0);  // from ring to ring
+constexpr double kRingSpacing = 4.0;               // m, the most on a segment that bends at all
+constexpr double kStraight = base::radians(0.25);  // of bend and twist together: below it a segment counts as straight
+constexpr double kShortestWithTie = 0.3;           // m
+
+double angle_between(dvec3 a, dvec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+
+// The frame that a knot has, whichever of its segments asks.
+curve::Frame knot_frame(glm::vec3 tangent, glm::vec3 up) {
+  const dvec3 forward = glm::normalize(dvec3(tangent));
+  return {forward, curve::perpendicular(forward, dvec3(up))};
+}
+
+// How many rings a stretch of `step` metres that bends by `bend` radians asks for: a chord over the angle b of a circle of radius r is off
+// by r b^2 / 8.
+double rings_wanted(double bend, double twist, double step) {
+  const double by_sagitta = std::sqrt(bend * step / (8 * kSagitta));
+  return std::max({by_sagitta, twist / kRingTwist, step / kRingSpacing});
+}
+
+// A plate from rail to spine, wider at the spine; its ends are inside both.
+void add_arm(const Ring& at, double side, Mesh& mesh) {
+  constexpr double kHalfThickness = 0.045, kHalfAtRail = 0.06, kHalfAtSpine = 0.15;
+  const dvec2 rail(0.5 * kGauge * side, 0), spine(0.06 * side, -kSpineDrop + 0.04), along = glm::normalize(spine - rail);
+  const dvec2 across = side * dvec2(-along.y, along.x);  // downwards and outwards
+  const dvec3 left = at.frame.left(), thick = kHalfThickness * at.frame.forward;
+  const auto place = [&](dvec2 p) { return at.position + p.x * left + p.y * at.frame.up; };
+  const auto end = [&](dvec2 middle, double half) {
+    const dvec3 low = place(middle + half * across), high = place(middle - half * across);
+    return side < 0 ? std::array{low - thick, low + thick, high + thick, high - thick} : std::array{low + thick, low - thick, high - thick, high + thick};
+  };
+  add_prism(end(rail, kHalfAtRail), end(spine, kHalfAtSpine), Part::tie, at.along, true, mesh);
+}
+
+}  // namespace
+
+Ring ring_at(const SegmentShape& shape, double s) {
+  const curve::Cubic& c = shape.key.cubic;
+  if (s <= 0) return {curve::point(c, 0.0), knot_frame(shape.key.tangent_from, shape.key.up_from), 0};
+  if (s >= shape.arc.length()) return {curve::point(c, 1.0), knot_frame(shape.key.tangent_to, shape.key.up_to), 1};
+  return {curve::point(c, shape.arc.parameter(s)), frame_at(shape, s), static_cast<float>(s / shape.arc.length())};
+}
+
+std::vector<double> ring_places(const SegmentShape& shape) {
+  const double length = shape.arc.length();
+  std::array<double, kFrameIntervals + 1> place{}, wanted{};
+  double turned = std::abs(shape.twist);
+  for (int i = 0; i < kFrameIntervals; ++i) turned += angle_between(shape.frames[i].forward, shape.frames[i + 1].forward);
+  const bool straight = turned < kStraight;
+  for (int i = 1; i <= kFrameIntervals; ++i) {
+    place[i] = i == kFrameIntervals ? length : shape.arc.distance(static_cast<double>(i) / kFrameIntervals);
+    const double step = place[i] - place[i - 1], share = length > 0 ? step / length : 0.0;
+    const double bend = angle_between(shape.frames[i - 1].forward, shape.frames[i].forward);
+    wanted[i] = wanted[i - 1] + (straight ? share : rings_wanted(bend, std::abs(shape.twist) * share, step));
+  }
+  const int intervals = std::clamp(static_cast<int>(std::ceil(wanted.back() - 1e-6)), 1, kMaxRings - 1);
+  std::vector<double> rings{0.0};
+  int below = 0;
+  for (int i = 1; i < intervals; ++i) {
+    const double at = wanted.back() * i / intervals;
+    while (below + 1 < kFrameIntervals && wanted[below + 1] < at) ++below;
+    const double span = wanted[below + 1] - wanted[below];
+    rings.push_back(std::lerp(place[below], place[below + 1], span > 0 ? (at - wanted[below]) / span : 0.0));
+  }
+  rings.push_back(length);
+  return rings;
+}
+
+std::vector<Ring> rings_of(const SegmentShape& shape) {
+  std::vector<Ring> rings;
+  for (const double s : ring_places(shape)) rings.push_back(ring_at(shape, s));
+  // Two places without distance between them are the start twice.
+  if (!(shape.arc.length() > 0)) rings.back() = {curve::point(shape.key.cubic, 1.0), knot_frame(shape.key.tangent_to, shape.key.up_to), 1};
+  return rings;
+}
+
+void sweep_track(const SegmentShape& shape, Mesh& mesh) {
+  mesh.clear();
+  const std::vector<Ring> rings = rings_of(shape);
+  add_tube(rings, {{0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail}, mesh);
+  add_tube(rings, {{-0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail}, mesh);
+  add_tube(rings, {{0, -kSpineDrop}, kSpineRadius, kSpineSides, kSpineSides / 3, Part::spine}, mesh);
+  const double length = shape.arc.length();
+  if (!(length > kShortestWithTie)) return;
+  const int ties = std::max(1, static_cast<int>(std::lround(length / kTieSpacing)));
+  for (int i = 0; i < ties; ++i) {
+    const Ring at = ring_at(shape, length * (i + 0.5) / ties);
+    add_arm(at, 1.0, mesh);
+    add_arm(at, -1.0, mesh);
+  }
+}
+
+}  // namespace coaster::sim

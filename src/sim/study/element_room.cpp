@@ -1,0 +1,29 @@
+#include "sim/study/element_room.h"
+
+#include <algorithm>
+
+namespace coaster::sim {
+namespace {
+
+// Points of the ideal curve, kConflictStep apart or more where it is long, both ends included.
+std::vector<LinePoint> line_of(const ElementCurve& curve) {
+  constexpr double kMostChords = 600;
+  const double step = std::max(kConflictStep, curve.length() / kMostChords);
+  std::vector<LinePoint> line;
+  for (const ElementPoint& p : curve.points)
+    if (line.empty() || p.s >= double{line.back().s} + step || &p == &curve.points.back())
+      line.push_back({glm::vec3(p.position), glm::vec3(p.up), static_cast<float>(p.s)});
+  return line;
+}
+
+}  // namespace
+
+const std::vector<Narrow>& ElementRoom::update(const ElementPlan& plan, const Conflicts& conflicts, const Derived& derived) {
+  if (plan_ == plan.serial && build_ == derived.last_build && order_ == derived.order) return found_;
+  plan_ = plan.serial, build_ = derived.last_build, order_ = derived.order;
+  found_.clear();
+  if (plan.refusal.empty()) found_ = conflicts.against(derived, line_of(plan.ideal));
+  return found_;
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,154 @@
+#include "sim/study/envelope.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coaster::sim {
+namespace {
+
+constexpr double kForceRate = static_cast<double>(world::kTicksPerSecond) / kForceEvery;
+
+// One section of second order, by the bilinear transform of 1 / (p^2 + p/q + 1) with the cutoff kept.
+struct Section {
+  double b, a1, a2;  // (b, 2b, b) over (1, a1, a2)
+  Section(double rate, double cutoff, double q) {
+    const double k = std::tan(3.14159265358979323846 * std::min(cutoff, 0.45 * rate) / rate), norm = 1.0 / (1.0 + k / q + k * k);
+    b = k * k * norm, a1 = 2.0 * (k * k - 1.0) * norm, a2 = (1.0 - k / q + k * k) * norm;
+  }
+  void run(std::span<float> values) const {
+    double x1 = values.front(), x2 = x1, y1 = x1, y2 = x1;
+    for (float& value : values) {
+      const double x = value, y = b * (x + 2.0 * x1 + x2) - a1 * y1 - a2 * y2;
+      x2 = x1, x1 = x, y2 = y1, y1 = y;
+      value = static_cast<float>(y);
+    }
+  }
+};
+
+float along_axis(const Force& force, ForceAxis axis) {
+  switch (axis) {
+    case ForceAxis::down: return force.up;
+    case ForceAxis::lift: return -force.up;
+    case ForceAxis::side: return std::abs(force.left);
+    case ForceAxis::forward: return force.forward;
+    case ForceAxis::back: return -force.forward;
+  }
+  return 0;
+}
+
+// For each entry the longest run around it in which no value is below its own: [first, last].
+struct Run {
+  std::size_t first, last;
+};
+std::vector<Run> runs_at_least(std::span<const float> values) {
+  std::vector<Run> runs(values.size());
+  std::vector<std::size_t> open;  // entries whose run goes on, values ascending
+  for (std::size_t i = 0; i <= values.size(); ++i) {
+    while (!open.empty() && (i == values.size() || values[open.back()] > values[i])) {
+      runs[open.back()].last = i - 1;
+      open.pop_back();
+    }
+    if (i == values.size()) break;
+    const bool equal = !open.empty() && values[open.back()] == values[i];
+    runs[i].first = equal ? runs[open.back()].first : (open.empty() ? 0 : open.back() + 1);
+    open.push_back(i);
+  }
+  return runs;
+}
+
+void find_spans(const Ghost& ghost, const Envelope& envelope, int car, ForceAxis axis, std::vector<RedSpan>& out) {
+  const std::vector<float> values = pressed(ghost, car, axis, envelope.cutoff);
+  if (values.size() < 2) return;
+  const EnvelopeCurve& curve = envelope.curves[static_cast<std::size_t>(axis)];
+  const std::vector<Run> runs = runs_at_least(values);
+  struct Over {
+    double excess = 0, allowed = 0;
+  };
+  std::vector<Over> over(values.size());
+  std::vector<int> edges(values.size() + 1, 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double seconds = static_cast<double>(runs[i].last - runs[i].first) / kForceRate;
+    if (seconds < envelope.shortest) continue;
+    const double allowed = limit(curve, seconds);
+    if (!(values[i] > allowed)) continue;
+    over[i] = {values[i] - allowed, allowed};
+    ++edges[runs[i].first], --edges[runs[i].last + 1];
+  }
+  const auto distance = [&](std::size_t entry) {
+    const double at = ghost.start.front + ghost.samples[entry * kForceEvery].travelled - car * ghost.start.spacing;
+    return ghost.closed ? at - ghost.track_length * std::floor(at / ghost.track_length) : at;
+  };
+  int depth = 0;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= values.size(); ++i) {
+    const int before = depth;
+    depth += i < values.size() ? edges[i] : -depth;
+    if (before == 0 && depth > 0) begin = i;
+    if (!(before > 0 && depth == 0)) continue;
+    const auto worst = static_cast<std::size_t>(std::max_element(over.begin() + static_cast<std::ptrdiff_t>(begin), over.begin() + static_cast<std::ptrdiff_t>(i),
+                                                                 [](const Over& a, const Over& b) { return a.excess < b.excess; }) - over.begin());
+    out.push_back({car, axis, static_cast<double>(begin) / kForceRate, static_cast<double>(i - 1) / kForceRate, distance(begin), distance(i - 1),
+                   values[worst], over[worst].allowed, static_cast<double>(worst) / kForceRate});
+  }
+}
+
+}  // namespace
+
+std::string_view name(ForceAxis axis) {
+  constexpr std::array<std::string_view, kForceAxes> kNames{"down", "lift", "side", "forward", "back"};
+  return kNames[static_cast<std::size_t>(axis)];
+}
+std::string_view label(ForceAxis axis) {
+  constexpr std::array<std::string_view, kForceAxes> kLabels{"into the seat (+Gz)", "out of the seat (-Gz)", "to a side (Gy)", "forwards (+Gx)", "backwards (-Gx)"};
+  return kLabels[static_cast<std::size_t>(axis)];
+}
+
+const Envelope& default_envelope() {
+  static const Envelope kDefault{{EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2}},
+                                  EnvelopeCurve{{0.2, 2}, {0.5, 1.5}, {4, 1.5}, {7, 1.1}},
+                                  EnvelopeCurve{{0.2, 3}, {1, 3}, {2, 2}},
+                                  EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2.5}},
+                                  EnvelopeCurve{{0.2, 3.5}, {2, 3.5}, {3, 2.5}, {4, 2.5}, {5, 2}}},
+                                 0.2, 5.0};
+  return kDefault;
+}
+
+double limit(const EnvelopeCurve& curve, double seconds) {
+  if (curve.empty()) return 1e9;
+  if (seconds <= curve.front().seconds) return curve.front().g;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    if (seconds > curve[i].seconds) continue;
+    const double part = (seconds - curve[i - 1].seconds) / (curve[i].seconds - curve[i - 1].seconds);
+    return curve[i - 1].g + part * (curve[i].g - curve[i - 1].g);
+  }
+  return curve.back().g;
+}
+
+void low_pass(std::span<float> values, double rate, double cutoff) {
+  if (values.empty()) return;
+  // The two pairs of poles of a Butterworth filter of order 4.
+  Section(rate, cutoff, 0.54119610014619698).run(values);
+  Section(rate, cutoff, 1.30656296487637652).run(values);
+}
+
+std::vector<float> pressed(const Ghost& ghost, int car, ForceAxis axis, double cutoff) {
+  const auto cars = static_cast<std::size_t>(ghost.start.cars);
+  std::vector<float> values;
+  values.reserve(ghost.forces.size() / cars);
+  // The side is low-passed with its sign: what changes sides quickly does not last.
+  for (std::size_t i = static_cast<std::size_t>(car); i < ghost.forces.size(); i += cars)
+    values.push_back(axis == ForceAxis::side ? ghost.forces[i].left : along_axis(ghost.forces[i], axis));
+  low_pass(values, kForceRate, cutoff);
+  if (axis == ForceAxis::side)
+    for (float& value : values) value = std::abs(value);
+  return values;
+}
+
+std::vector<RedSpan> red_spans(const Ghost& ghost, const Envelope& envelope) {
+  std::vector<RedSpan> spans;
+  for (int car = 0; car < ghost.start.cars; ++car)
+    for (std::size_t axis = 0; axis < kForceAxes; ++axis) find_spans(ghost, envelope, car, static_cast<ForceAxis>(axis), spans);
+  return spans;
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,98 @@
+#include "sim/study/live_errata.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/check.h"
+#include "base/portable_math.h"
+#include "curve/continuity.h"
+#include "curve/errata.h"
+#include "sim/ride/ride.h"
+
+namespace coaster::sim {
+namespace {
+
+// Where the rails slope most, of 33 places; the ends count by what lies before them.
+double steepest_place(const SegmentShape& shape) {
+  double best = 0.5 * shape.arc.length(), most = -1;
+  for (int i = 1; i < kFrameIntervals; ++i) {
+    const double s = shape.arc.length() * i / kFrameIntervals, slope = std::abs(rail_point(shape, s).slope);
+    if (slope > most) most = slope, best = s;
+  }
+  return best;
+}
+
+// Metres that a cart goes in kFrozenTicks from rest at `from` on segment `index`, by a row of the integrators; it stops at the segment's ends.
+double way_from_rest(const Derived& derived, std::size_t index, double from, const Integrator& row) {
+  const SegmentShape& shape = derived.shape(derived.order[index]);
+  const std::array<CarPlace, 1> car{CarPlace{index, from}};
+  const TrainContext context{derived, car, 0.0, world::kGravity * rail_point(shape, from).height, {}, 0.0, 0.0};
+  TrainState state;
+  for (int tick = 0; tick < kFrozenTicks; ++tick) {
+    state = row.advance(context, state, world::kTick);
+    if (from + state.x <= 0.0 || from + state.x >= shape.arc.length()) break;
+  }
+  return std::abs(std::clamp(from + state.x, 0.0, shape.arc.length()) - from);
+}
+
+Erratum frozen(const Derived& derived, std::size_t index) {
+  const auto rows = integrators();
+  const double from = steepest_place(derived.shape(derived.order[index]));
+  return {"frozen", "The speed follows from the energy, then distance = speed x time.",
+          way_from_rest(derived, index, from, rows[static_cast<std::size_t>(*find_integrator("energy"))]), "m",
+          way_from_rest(derived, index, from, rows[static_cast<std::size_t>(*find_integrator("rk4"))]), "m",
+          "A cart put at rest on a slope never starts that way: v = 0 moves it nowhere. With s'' = -g T_y it rolls off; metres after half a second."};
+}
+
+// The rougher of the segment's two joints.
+double curvature_jump(const Derived& derived, std::size_t index) {
+  const std::size_t count = derived.order.size();
+  double jump = 0;
+  for (const std::size_t at : {index, index + 1}) {
+    if (!derived.closed && (at == 0 || at == count)) continue;
+    const curve::Cubic &before = derived.shape(derived.order[(at + count - 1) % count]).key.cubic, &after = derived.shape(derived.order[at % count]).key.cubic;
+    jump = std::max(jump, glm::length(curve::curvature_vector(after, 0.0) - curve::curvature_vector(before, 1.0)));
+  }
+  return jump;
+}
+
+Erratum flip(const curve::Cubic& cubic) {
+  const curve::FlipClaim claim = curve::flip_claim(cubic);
+  return {"frenet_flip", "The Frenet-Serret frame orients the cart.", base::degrees(claim.frenet_angle), "deg",
+          base::degrees(claim.minimising_angle), "deg",
+          claim.defined ? "The normal turns that far within 1/32 of the segment, by 180 degrees over an inflection; a rotation-minimising frame does not turn about the tangent."
+                        : "On a straight there is no Frenet-Serret normal at all; a rotation-minimising frame goes on as it is."};
+}
+
+}  // namespace
+
+double g_step(double jump, double speed) { return speed * speed * jump / world::kGravity; }
+
+std::array<Erratum, kErrata.size()> errata(const Derived& derived, world::Entity segment, double speed, int steps) {
+  const auto at = std::find(derived.order.begin(), derived.order.end(), segment);
+  COASTER_CHECK(at != derived.order.end(), "errata are asked of a segment of the track");
+  const SegmentShape& shape = derived.shape(segment);
+  const curve::Cubic& cubic = shape.key.cubic;
+  const curve::GravesenClaim gravesen = curve::gravesen_claim(cubic);
+  const auto index = static_cast<std::size_t>(at - derived.order.begin());
+  const double jump = curvature_jump(derived, index);
+  return {{{"gravesen", "The arc length is half the control polygon multiplied by the chord.", gravesen.product, "m^2", gravesen.mean, "m",
+            "It is their mean, (chord + polygon) / 2, which is off by (polygon - chord) / 2 at most. The product is an area."},
+           {"line", "A vertex of the polyline is B(0) + i dB, with one difference dB.", 0.0, "m", curve::line_claim(cubic, steps).distance, "m",
+            "That is a straight line in equal steps; a cubic needs three differences. So far is the line from the curve."},
+           frozen(derived, index),
+           {"g_step", "C1 continuity makes the path smooth.", 0.0, "g", g_step(jump, speed), "g",
+            "C1 leaves a jump of curvature, and with it one of the force: v^2 |dK| / g. Equal curvature vectors (G2) take it away."},
+           flip(cubic),
+           {"pen", "Lines between the control points form a pen that contains the curve.", 0.0, "m", curve::pen_claim(cubic).outside, "m",
+            "The curve stays in their convex hull, not in their polygon, which may cross itself. So far it leaves the closed polygon."}}};
+}
+
+std::optional<Erratum> erratum(const Derived& derived, world::Entity segment, double speed, int steps, std::string_view name) {
+  for (const Erratum& one : errata(derived, segment, speed, steps))
+    if (one.name == name) return one;
+  return std::nullopt;
+}
+
+}  // namespace coaster::sim

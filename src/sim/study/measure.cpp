@@ -1,0 +1,115 @@
+// Measuring evaluators: rows are interleaved in every round, so that what the machine does besides falls on all of them alike.
+#include "sim/study/measure.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+
+namespace coaster::sim {
+namespace {
+
+// Which round of which number of steps a share is. Rounds go outermost: a first table is there early.
+struct Share {
+  std::size_t column;
+  int round;
+};
+Share share_of(int next) {
+  const int columns = static_cast<int>(kMeasuredSteps.size());
+  return {static_cast<std::size_t>(next % columns), next / columns};
+}
+
+double checksum_of(std::span<const glm::vec3> points) {
+  glm::vec3 sum(0);
+  for (const glm::vec3 p : points) sum += p;
+  return static_cast<double>(sum.x) + static_cast<double>(sum.y) + static_cast<double>(sum.z);
+}
+
+// The rounds' middle value.
+double median(std::span<const double> values) {
+  std::array<double, kMeasureRounds> sorted{};
+  std::copy(values.begin(), values.end(), sorted.begin());
+  const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(values.size());
+  std::sort(sorted.begin(), end);
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
+}
+
+void time_row(Measurement& m, MeasuredRow& row, Share share, std::span<glm::vec3> points, const Clock& clock) {
+  const curve::Evaluator& evaluator = curve::evaluator(row.evaluator);
+  const int segments = std::max(1, kMeasuredPoints / static_cast<int>(points.size()));
+  const double began = clock ? clock() : 0;
+  for (int i = 0; i < segments; ++i) {
+    evaluator.polyline(m.curves[static_cast<std::size_t>(i) % m.curves.size()], points, {});
+    // One vertex of each: the calls go through a table, but what nobody reads need not be written.
+    m.checksum += static_cast<double>(points[points.size() / 2].x);
+  }
+  const double ended = clock ? clock() : 0;
+  m.checksum += checksum_of(points);
+  MeasuredCell& cell = row.cells[share.column];
+  std::array<double, kMeasureRounds>& seconds = row.seconds[share.column];
+  seconds[static_cast<std::size_t>(share.round)] = (ended - began) / (static_cast<double>(segments) * static_cast<double>(points.size()));
+  cell.rounds = share.round + 1;
+  cell.ns_per_point = 1e9 * median(std::span(seconds).first(static_cast<std::size_t>(cell.rounds)));
+}
+
+// Every vertex of every curve against the exact point at the same t.
+void find_errors(Measurement& m, std::size_t column, std::span<glm::vec3> points) {
+  const int steps = kMeasuredSteps[column];
+  std::vector<glm::dvec3> exact(points.size());
+  for (const curve::PreparedCubic& c : m.curves) {
+    for (int i = 0; i <= steps; ++i) exact[static_cast<std::size_t>(i)] = curve::point_long_double(c.cubic, static_cast<double>(i) / steps);
+    for (MeasuredRow& row : m.rows) {
+      curve::evaluator(row.evaluator).polyline(c, points, {});
+      double& worst = row.cells[column].worst_error;
+      for (std::size_t i = 0; i < points.size(); ++i) worst = std::max(worst, glm::length(glm::dvec3(points[i]) - exact[i]));
+    }
+  }
+}
+
+}  // namespace
+
+Measurement start_measurement(const Derived& derived) {
+  Measurement m;
+  const std::size_t segments = derived.order.size(), curves = std::min(segments, kMeasuredCurves);
+  if (curves == 0) return m;
+  for (std::size_t i = 0; i < curves; ++i) m.curves.push_back(derived.shape(derived.order[i * segments / curves]).curve);
+  const std::span<const curve::Evaluator> table = curve::evaluators();
+  for (std::size_t i = 0; i < table.size(); ++i)
+    if (table[i].stage == curve::Stage::processor) m.rows.push_back({static_cast<curve::EvaluatorId>(i), {}, {}});
+  m.total = kMeasureRounds * static_cast<int>(kMeasuredSteps.size());
+  m.running = true;
+  return m;
+}
+
+void measure_next(Measurement& m, const Clock& clock) {
+  if (!m.running) return;
+  const Share share = share_of(m.next);
+  std::vector<glm::vec3> points(static_cast<std::size_t>(kMeasuredSteps[share.column]) + 1);
+  if (share.round == 0) find_errors(m, share.column, points);  // and every row's code and data are warm
+  for (std::size_t i = 0; i < m.rows.size(); ++i)
+    time_row(m, m.rows[(i + static_cast<std::size_t>(share.round)) % m.rows.size()], share, points, clock);
+  ++m.next;
+  m.running = m.next < m.total;
+}
+
+double progress(const Measurement& m) { return m.total == 0 ? 0.0 : static_cast<double>(m.next) / m.total; }
+
+const MeasuredRow* row_of(const Measurement& m, curve::EvaluatorId evaluator) {
+  const auto found = std::find_if(m.rows.begin(), m.rows.end(), [&](const MeasuredRow& row) { return row.evaluator == evaluator; });
+  return found == m.rows.end() ? nullptr : &*found;
+}
+
+std::string to_csv(const Measurement& m, std::string_view machine) {
+  std::string csv = "# " + std::string(machine) + "\r\nevaluator,steps,ns_per_point,worst_error_m,rounds\r\n";
+  for (const MeasuredRow& row : m.rows)
+    for (std::size_t column = 0; column < kMeasuredSteps.size(); ++column) {
+      const MeasuredCell& cell = row.cells[column];
+      if (cell.rounds == 0) continue;
+      char numbers[96];
+      std::snprintf(numbers, sizeof numbers, ",%d,%.4g,%.4g,%d\r\n", kMeasuredSteps[column], cell.ns_per_point, cell.worst_error, cell.rounds);
+      csv += std::string(curve::evaluator(row.evaluator).name) + numbers;
+    }
+  return csv;
+}
+
+}  // namespace coaster::sim

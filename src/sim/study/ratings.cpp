@@ -1,0 +1,114 @@
+#include "sim/study/ratings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coaster::sim {
+namespace {
+
+struct CarAt {
+  const Ghost& ghost;
+  double distance(std::size_t sample, int car) const {
+    const double at = ghost.start.front + ghost.samples[sample].travelled - car * ghost.start.spacing;
+    return ghost.closed && ghost.track_length > 0 ? at - ghost.track_length * std::floor(at / ghost.track_length) : at;
+  }
+};
+
+void take(Extreme& extreme, double value, bool first, bool larger, std::size_t sample, int car, const CarAt& at) {
+  if (!first && !(larger ? value > extreme.value : value < extreme.value)) return;
+  extreme = {value, static_cast<double>(sample) * world::kTick, at.distance(sample, car), car};
+}
+
+// The largest of a car's low-passed values on one axis goes into `extreme` when it is larger.
+void take_force(const Ghost& ghost, int car, ForceAxis axis, double cutoff, double sign, Extreme& extreme) {
+  const std::vector<float> values = pressed(ghost, car, axis, cutoff);
+  const CarAt at{ghost};
+  for (std::size_t i = 0; i < values.size(); ++i) take(extreme, sign * values[i], car == 0 && i == 0, sign > 0, i * kForceEvery, car, at);
+}
+
+void take_forces(const Ghost& ghost, double cutoff, Ratings& r) {
+  for (int car = 0; car < ghost.start.cars; ++car) {
+    take_force(ghost, car, ForceAxis::down, cutoff, 1, r.up_most);
+    take_force(ghost, car, ForceAxis::lift, cutoff, -1, r.up_least);
+    take_force(ghost, car, ForceAxis::side, cutoff, 1, r.side_most);
+    take_force(ghost, car, ForceAxis::forward, cutoff, 1, r.forward_most);
+    take_force(ghost, car, ForceAxis::back, cutoff, 1, r.back_most);
+  }
+  const std::vector<float> lifted = pressed(ghost, ghost.start.cars / 2, ForceAxis::lift, cutoff);
+  r.airtime = static_cast<double>(std::count_if(lifted.begin(), lifted.end(), [](float v) { return v > 0; })) * kForceEvery * world::kTick;
+}
+
+// Heights under the first car: extremes, and descents from a top to the next bottom.
+void take_heights(const Ghost& ghost, const RailTables& tables, Ratings& r) {
+  const CarAt at{ghost};
+  std::size_t hint = 0;
+  double top = 0, bottom = 0;
+  const auto end_drop = [&] {
+    const double drop = top - bottom;
+    if (drop < kDrop) return;
+    ++r.drops;
+    r.highest_drop = std::max(r.highest_drop, drop);
+  };
+  for (std::size_t i = 0; i < ghost.samples.size(); i += kForceEvery) {
+    const double s = tables.locate(at.distance(i, 0), hint), height = rail_at(tables.segment(hint), s).height;
+    take(r.highest, height, i == 0, true, i, 0, at), take(r.lowest, height, i == 0, false, i, 0, at);
+    take(r.top_speed, std::abs(ghost.samples[i].speed), i == 0, true, i, 0, at);
+    if (i == 0) top = bottom = height;
+    constexpr double kNoise = 0.05;  // m up, before a descent is over
+    if (height < bottom) bottom = height;
+    if (height > bottom + kNoise) {
+      end_drop();
+      top = bottom = height;
+    }
+    if (height > top) top = bottom = height;
+  }
+  end_drop();
+}
+
+void count_inversions(const Ghost& ghost, const RailTables& tables, Ratings& r) {
+  constexpr float kBelow = -0.2f, kAbove = 0.2f;  // of the up vector's height, so that a rider lying on the side is not counted twice
+  const CarAt at{ghost};
+  const int car = ghost.start.cars / 2;
+  std::size_t hint = 0;
+  bool inverted = false;
+  for (std::size_t i = 0; i < ghost.samples.size(); i += kForceEvery) {
+    const double s = tables.locate(at.distance(i, car), hint);
+    const float up = felt_at(tables.segment(hint), s, 0.0f, 0.0f).z;
+    if (!inverted && up < kBelow) ++r.inversions, inverted = true;
+    if (up > kAbove) inverted = false;
+  }
+}
+
+}  // namespace
+
+Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff) {
+  Ratings r;
+  r.complete = ghost.lap || ghost.end == world::FailureKind::off_end;
+  r.seconds = ghost.lap ? ghost.lap_time : ghost.seconds();
+  r.length = ghost.track_length;
+  if (tables.size() == 0 || ghost.samples.empty()) return r;
+  take_heights(ghost, tables, r);
+  take_forces(ghost, cutoff, r);
+  count_inversions(ghost, tables, r);
+  double way = 0;
+  for (std::size_t i = 1; i < ghost.samples.size(); ++i) way += std::abs(ghost.samples[i].travelled - ghost.samples[i - 1].travelled);
+  r.mean_speed = ghost.seconds() > 0 ? way / ghost.seconds() : 0.0;
+  const double p = r.up_most.value, n = r.up_least.value, l = r.side_most.value, d = r.drops, h = r.highest_drop;
+  r.excitement = 0.08 * p + (n < 0 ? 0.24 * std::min(-n, 2.5) : 0.0) + 0.4 * std::min(l, 1.5) + 0.11 * std::min(d, 9.0) + 0.0049 * h;
+  r.intensity = 0.8 * p + 0.8 * (1 - n) + l + 0.14 * d + 0.0098 * h;
+  r.nausea = 0.26 * p + 0.22 * (1 - n) + 0.33 * l + 0.10 * d + 0.0031 * h;
+  return r;
+}
+
+std::string_view text(world::FailureKind kind) {
+  switch (kind) {
+    case world::FailureKind::none: return "";
+    case world::FailureKind::stall: return "stalled";
+    case world::FailureKind::rollback: return "rolled back";
+    case world::FailureKind::off_end: return "ran off the open end";
+    case world::FailureKind::collision: return "collided";
+  }
+  return "";
+}
+
+}  // namespace coaster::sim

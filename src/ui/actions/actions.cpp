@@ -1,0 +1,64 @@
+// The table of all actions, joined from those of the menus, and the keys that run them.
+#include "ui/actions/actions.h"
+
+#include <algorithm>
+#include <variant>
+#include <vector>
+
+#include "ui/actions/actions_parts.h"
+#include "ui/tools/fly_keys.h"
+#include "ui/actions/key_map.h"
+
+namespace coaster::ui {
+
+using platform::Chord;
+using platform::Key;
+using world::CameraMode;
+
+const world::Name* selected(const Act& act) {
+  const edit::Session& session = act.ui.session();
+  return session.document.entities.find<world::Name>(session.settings.selected);
+}
+
+bool rideable(const Act& act) {
+  const edit::Session& session = act.ui.session();
+  return session.document.entities.pool<world::Cart>().size() > 0 && !session.document.track.segments.empty();
+}
+
+std::span<const Action> actions() {
+  static const std::vector<Action> kAll = [] {
+    std::vector<Action> all;
+    for (const auto rows : {file_actions(), edit_actions(), view_actions(), ride_actions()}) all.insert(all.end(), rows.begin(), rows.end());
+    return all;
+  }();
+  return kAll;
+}
+
+void run_transform_keys(Act& act, const platform::Events& events) {
+  platform::Events others;
+  for (const platform::Event& event : events) {
+    const auto* const press = std::get_if<platform::KeyPress>(&event);
+    if (press && press->down && (press->key == Key::escape || press->modifiers.ctrl)) others.push_back(event);
+  }
+  act.tool.transform().take_keys(events);
+  run_keys(act, others);
+}
+
+void run_keys(Act& act, const platform::Events& events) {
+  for (const platform::Event& event : events) {
+    const auto* press = std::get_if<platform::KeyPress>(&event);
+    if (press == nullptr || !press->down || press->key == Key::unknown) continue;
+    if (is_fly_key(*press) && act.ui.session().settings.camera_mode == CameraMode::fly) continue;
+    const Chord chord{press->key, press->modifiers};
+    for (std::size_t row = 0; row < actions().size(); ++row) {
+      const Action& action = actions()[row];
+      const auto chords = act.ui.keys.chords(row);
+      if (std::find(chords.begin(), chords.end(), chord) == chords.end()) continue;
+      if (press->repeat && !action.repeats) continue;
+      if (!action.in_drag && (act.tool.dragging() || act.ui.gesture.open)) continue;
+      if (action.enabled(act)) action.run(act);
+    }
+  }
+}
+
+}  // namespace coaster::ui

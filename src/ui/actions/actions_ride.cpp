@@ -1,0 +1,39 @@
+// The menu Ride.
+#include "ui/actions/actions_parts.h"
+#include "ui/screens/score_card.h"
+
+namespace coaster::ui {
+namespace {
+
+using platform::Key;
+
+void play_pause(Act& act) {
+  if (act.ui.session().motion.state == world::RideState::running)
+    act.ui.emit(edit::RidePause{});
+  else
+    act.ui.emit(edit::RideStart{});
+}
+void single_step(Act& act) {
+  if (act.ui.session().motion.state == world::RideState::running) act.ui.emit(edit::RidePause{});
+  act.ui.emit(edit::RideStep{1});
+}
+void reset(Act& act) { act.ui.emit(edit::RideStop{}); }
+bool card_wanted(const Act& act) { return act.ui.session().settings.show_card; }
+void toggle_card(Act& act) { act.ui.emit(edit::SetCard{!card_wanted(act)}); }
+bool has_failed_place(const Act& act) { return failed_place(act.ui.session()).has_value(); }
+void show_failed_place(Act& act) { show_place(act.ui, *failed_place(act.ui.session())); }
+
+constexpr Action kRideActions[] = {
+    {"Play or pause", "Ride", "Space", key(Key::space), kNoKey, false, true, "Let the carts run, or hold them.", rideable, nullptr, play_pause},
+    {"Single step", "Ride", ".", key(Key::period), kNoKey, true, true, "Hold the carts and advance one tick of 1/120 s.", rideable, nullptr, single_step},
+    {"Reset", "Ride", "Shift+R", shift(Key::r), kNoKey, false, true, "Put the carts back to their start.", rideable, nullptr, reset},
+    {"Show where it failed", "Ride", "J", key(Key::j), kNoKey, false, true, "Look at the place where the last ride failed, or its challenge did, and select the segment.", has_failed_place, nullptr,
+     show_failed_place},
+    {"Score cards", "Ride", "", kNoKey, kNoKey, false, true, "Show a card with the ride's numbers when it ends.", always, card_wanted, toggle_card},
+};
+
+}  // namespace
+
+std::span<const Action> ride_actions() { return kRideActions; }
+
+}  // namespace coaster::ui

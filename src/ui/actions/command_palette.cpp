@@ -1,0 +1,181 @@
+#include "ui/actions/command_palette.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <vector>
+
+#include "edit/commands/codec.h"
+#include "ui/screens/dialogs.h"
+#include "ui/actions/key_map.h"
+#include "ui/widgets/widget_parts.h"
+#include "ui/widgets/theme.h"
+
+namespace coaster::ui {
+namespace {
+
+constexpr int kShown = 12;
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+// One line of the list: an action, a command, or what is typed when that is a command.
+struct PaletteLine {
+  std::string name, keys;
+  std::string_view help;
+  const Action* action = nullptr;
+  std::string_view command;  // its first word
+  bool typed = false;
+  int score = 0;
+};
+
+std::optional<edit::Command> parsed(const char* line) {
+  std::vector<base::Token> tokens;
+  base::TextError error;
+  if (!base::tokenise(line, tokens, error) || tokens.empty()) return std::nullopt;
+  const auto command = edit::parse(tokens, error);
+  return command ? std::optional(*command) : std::nullopt;
+}
+
+std::vector<PaletteLine> entries(Act& act, const char* words) {
+  std::vector<PaletteLine> list;
+  for (const Action& action : actions())
+    if (const int score = match(words, action.name, action.help); score > 0 && action.enabled(act) && action.name != "Command palette")
+      list.push_back({std::string(action.name), act.ui.keys.shown(action.name), action.help, &action, {}, false, score + 1});
+  for (const edit::CommandHelp& command : edit::command_table())
+    if (const int score = match(words, command.info.name, command.info.help); score > 0)
+      list.push_back({command.usage, "", command.info.help, nullptr, command.info.name, false, score});
+  std::stable_sort(list.begin(), list.end(), [](const PaletteLine& a, const PaletteLine& b) { return a.score > b.score; });
+  if (parsed(words)) list.insert(list.begin(), PaletteLine{words, "Enter", "Run what is typed.", nullptr, {}, true, 0});
+  return list;
+}
+
+// What replaces the track asks about unsaved changes first, as by any other way.
+void run_command(Ui& ui, const edit::Command& command) {
+  if (const auto* const load = command.as<edit::Load>()) ui.dialogs.request(ui, {Want::Kind::load, load->path});
+  else if (command.is<edit::NewTrack>()) ui.dialogs.request(ui, {Want::Kind::fresh, {}});
+  else if (const auto* const challenge = command.as<edit::StartChallenge>()) ui.dialogs.request(ui, {Want::Kind::challenge, challenge->path});
+  else ui.out.commands.push_back(command);
+}
+
+void choose(Act& act, CommandPalette& palette, const PaletteLine& entry) {
+  if (entry.action) {
+    palette.open = false;
+    entry.action->run(act);
+  } else if (entry.typed) {
+    palette.open = false;
+    run_command(act.ui, *parsed(palette.text.data()));
+  } else {  // a command wants its words
+    const std::string line = std::string(entry.command) + " ";
+    std::memcpy(palette.text.data(), line.c_str(), std::min(line.size() + 1, palette.text.size()));
+    palette.filled = true, palette.row = 0;
+    if (const auto whole = parsed(line.c_str()); whole && entry.name == entry.command) {  // unless it has none
+      palette.open = false;
+      run_command(act.ui, *whole);
+    }
+  }
+}
+
+int to_end(ImGuiInputTextCallbackData* data) {
+  auto& palette = *static_cast<CommandPalette*>(data->UserData);
+  if (!palette.filled) return 0;
+  data->DeleteChars(0, data->BufTextLen);
+  data->InsertChars(0, palette.text.data());
+  data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+  palette.filled = false;
+  return 0;
+}
+
+void draw_row(Act& act, const PaletteLine& entry, bool chosen, bool& pressed) {
+  Ui& ui = act.ui;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x;
+  pressed = ImGui::Selectable(("##" + entry.name).c_str(), chosen);
+  note_item(ui, entry.name, "item", entry.help, true, entry.keys);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float keys = entry.keys.empty() ? 0 : text_size(entry.keys).x + 14 * ui.scale;
+  const float name_room = std::min(text_size(entry.name).x, room - keys);
+  list.PushClipRect({at.x, at.y}, {at.x + room - keys, at.y + ImGui::GetTextLineHeight() + 2}, true);
+  list.AddText(at, packed(ui::palette().text), entry.name.c_str());
+  list.AddText({std::floor(at.x + name_room + 14 * ui.scale), at.y}, packed(ui::palette().dim), entry.help.data(), entry.help.data() + entry.help.size());
+  list.PopClipRect();
+  if (!entry.keys.empty()) list.AddText({std::floor(at.x + room - text_size(entry.keys).x), at.y}, packed(ui::palette().accent), entry.keys.c_str());
+}
+
+}  // namespace
+
+int match(std::string_view words, std::string_view name, std::string_view help) {
+  const std::string wanted = lower(words), in_name = lower(name), in_help = lower(help);
+  int score = 1;
+  std::size_t at = 0;
+  while (at < wanted.size()) {
+    const std::size_t end = std::min(wanted.find(' ', at), wanted.size());
+    const std::string word = wanted.substr(at, end - at);
+    at = end + 1;
+    if (word.empty()) continue;
+    const std::size_t place = in_name.find(word);
+    if (place == 0) score += 20;
+    else if (place != std::string::npos) score += in_name[place - 1] == ' ' || in_name[place - 1] == '_' ? 12 : 8;
+    else if (in_help.find(word) != std::string::npos) score += 2;
+    else return 0;
+  }
+  return score;
+}
+
+void toggle_palette(CommandPalette& palette) {
+  const bool open = !palette.open;
+  palette = {};
+  palette.open = palette.appearing = open;
+}
+
+void build_palette(Act& act, CommandPalette& palette) {
+  if (!palette.open) return;
+  Ui& ui = act.ui;
+  const float width = std::floor(std::min(620 * ui.scale, ImGui::GetIO().DisplaySize.x - 20)), top = act.scene.y + 40 * ui.scale;
+  ImGui::SetNextWindowPos({std::floor(act.scene.x + (act.scene.width - width) * 0.5f), std::floor(top)});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * ui.scale, 12 * ui.scale));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  if (palette.appearing) ImGui::SetNextWindowFocus();
+  if (ImGui::Begin("##palette", nullptr, kFlags)) {
+    ui.panel = "Palette";
+    ImGui::SetNextItemWidth(-1);
+    if (palette.appearing || palette.filled) ImGui::SetKeyboardFocusHere();  // Enter has left the field; a completed command is typed on
+    const std::string before = palette.text.data();
+    const bool entered = ImGui::InputTextWithHint("##text", "Type an action or a command", palette.text.data(), palette.text.size(),
+                                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, to_end, &palette);
+    note_item(ui, "Text", "text", "What to do: part of a name, or a whole command line as scripts have it.", true, palette.text.data());
+    if (before != palette.text.data()) palette.row = 0;
+    const std::vector<PaletteLine> list = entries(act, palette.text.data());
+    const int count = static_cast<int>(list.size());
+    if (ImGui::IsKeyPressed(ImGuiKey_DownArrow)) ++palette.row;
+    if (ImGui::IsKeyPressed(ImGuiKey_UpArrow)) --palette.row;
+    palette.row = count > 0 ? (palette.row + count) % count : 0;
+    const int first = std::clamp(palette.row - kShown + 1, 0, std::max(0, count - kShown));
+    for (int i = first; i < std::min(count, first + kShown); ++i) {
+      bool pressed = false;
+      draw_row(act, list[static_cast<std::size_t>(i)], i == palette.row, pressed);
+      if (pressed) choose(act, palette, list[static_cast<std::size_t>(i)]);
+    }
+    if (count == 0) heading(ui, "Nothing is called that.", "");
+    if (entered && count > 0) choose(act, palette, list[static_cast<std::size_t>(palette.row)]);
+    // Escape, or a click elsewhere.
+    const bool elsewhere = !palette.appearing && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
+    if (ImGui::IsKeyPressed(ImGuiKey_Escape) || elsewhere) palette.open = false;
+    palette.appearing = false;
+    ui.panel.clear();
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,93 @@
+// The menu bar: the rows of the actions' table that name a menu.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ui/actions/actions.h"
+#include "ui/screens/dialogs.h"
+#include "ui/actions/key_map.h"
+#include "ui/widgets/widget_parts.h"
+#include "ui/widgets/theme.h"
+
+namespace coaster::ui {
+namespace {
+
+// The files used last, in the menu File. A name that two of them have comes with its folder.
+void build_recent(Act& act) {
+  const UserState* const kept = act.ui.state.kept;
+  const bool any = kept != nullptr && !kept->settings.recent.empty();
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const ImVec2 high(low.x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight());
+  const bool open = ImGui::BeginMenu("Recent", any);
+  if (open) {
+    for (const std::string& file : kept->settings.recent) {
+      const std::filesystem::path path(file);
+      const auto namesakes = std::count_if(kept->settings.recent.begin(), kept->settings.recent.end(),
+                                           [&](const std::string& other) { return std::filesystem::path(other).filename() == path.filename(); });
+      const std::string label = namesakes > 1 ? (path.parent_path().filename() / path.filename()).string() : path.filename().string();
+      ImGui::PushID(file.c_str());
+      const bool pressed = ImGui::MenuItem(label.c_str());
+      note_item(act.ui, "File/Recent/" + label, "menu", file, true, "off");
+      ImGui::PopID();
+      if (pressed) act.ui.dialogs.request(act.ui, {Want::Kind::load, file});
+    }
+    ImGui::EndMenu();
+  }
+  note(act.ui, "File/Recent", "menu", open ? "" : "The files used last.", any, open ? "open" : "closed", low, high);
+}
+
+void build_items(Act& act, std::string_view menu) {
+  for (std::size_t row = 0; row < actions().size(); ++row) {
+    const Action& action = actions()[row];
+    if (action.menu != menu) continue;
+    const bool enabled = action.enabled(act);
+    const bool checked = action.checked != nullptr && action.checked(act);
+    const std::string label(action.name), keys = act.ui.keys.shown(row);
+    const bool pressed = ImGui::MenuItem(label.c_str(), keys.empty() ? nullptr : keys.c_str(), checked, enabled);
+    note_item(act.ui, std::string(menu) + "/" + label, "menu", with_keys(act.ui.keys, action.help, action.name), enabled, checked ? "on" : "off");
+    if (pressed) action.run(act);
+    if (action.name == "Open") build_recent(act);
+  }
+}
+
+// At the right end: the file and the mark of unsaved changes.
+void build_file_mark(Ui& ui) {
+  const edit::Session& session = ui.session();
+  const std::string holder = ui.state.kept != nullptr ? ui.state.kept->holder : "";
+  const std::string name = session.path.empty() ? "no file" : session.path.filename().string();
+  const bool unsaved = edit::dirty(session);
+  if (!unsaved && holder.empty()) return;
+  const std::string words = (unsaved ? "\u25CF " : "") + name + (holder.empty() ? "" : " (in use elsewhere)");
+  const float left = ImGui::GetWindowWidth() - text_size(words).x - std::floor(10 * ui.scale);
+  if (left < ImGui::GetCursorPosX()) return;
+  ImGui::SetCursorPosX(left);
+  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().warning));
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopStyleColor();
+  note_item(ui, "Unsaved", "label", holder.empty() ? "The track differs from its file." : holder + " edits this file: save under another name.", true, words);
+}
+
+}  // namespace
+
+void build_menu(Act& act) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  act.ui.panel = "Menu";
+  for (const std::string_view menu : {"File", "Edit", "View", "Ride"}) {
+    // Once the menu is open, ImGui's last item is not its title: the title's place has to be known before.
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high(low.x + text_size(menu).x + ImGui::GetStyle().ItemSpacing.x, low.y + ImGui::GetFrameHeight());
+    const bool open = ImGui::BeginMenu(std::string(menu).c_str());
+    if (open) {
+      build_items(act, menu);
+      ImGui::EndMenu();
+    }
+    note(act.ui, menu, "menu", open ? "" : "Open the menu.", true, open ? "open" : "closed", low, high);
+  }
+  build_file_mark(act.ui);
+  act.ui.panel.clear();
+  ImGui::EndMainMenuBar();
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,283 @@
+// One frame of the UI, in order: input, keys, menu, columns, status bar, viewport tool, notices.
+#include "ui/host/host.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "ui/actions/actions.h"
+#include "ui/actions/command_palette.h"
+#include "ui/screens/dialogs.h"
+#include "ui/tools/fly_keys.h"
+#include "ui/actions/gamepad.h"
+#include "ui/screens/hints.h"
+#include "ui/host/imgui_input.h"
+#include "ui/host/imgui_renderer.h"
+#include "ui/screens/import_bar.h"
+#include "ui/actions/key_map.h"
+#include "ui/lab/cache.h"
+#include "ui/host/layout.h"
+#include "ui/plots/legend.h"
+#include "ui/screens/lesson.h"
+#include "ui/screens/movie_bar.h"
+#include "ui/panels/panels.h"
+#include "ui/screens/score_card.h"
+#include "ui/screens/start_screen.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/toasts.h"
+
+namespace coaster::ui {
+namespace {
+
+bool text_has_keyboard() {
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  return g.ActiveId != 0 && g.ActiveId == g.InputTextState.ID;
+}
+
+view::View make_view(const State& state, const view::Viewport& scene) {
+  if (state.rig) return view::view_of(state.rig->eye, scene);
+  view::CameraRig rig;
+  view::follow(rig, {state.session.document, state.session.derived, state.session.motion, state.session.settings}, 0);
+  return view::view_of(rig.eye, scene);
+}
+
+// What can be done next, at the viewport's foot: what a transform does, or what a newcomer may click on.
+std::string foot_text(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys) {
+  if (tool.transform().active()) return tool.transform().status() + "     X Y Z axis \u00B7 Shift plane \u00B7 digits \u00B7 Enter \u00B7 " + keys.shown("Cancel");
+  if (tool.box_waits()) return "Drag a box around knots; Shift adds, Ctrl takes away; " + keys.shown("Cancel") + " ends it";
+  if (session.document.track.knots.empty()) return "Click on the ground to place the first knot";
+  if (session.settings.append_mode && !session.document.track.closed) return "Click on the ground to append knots; " + keys.shown("Append points") + " or " + keys.shown("Cancel") + " ends it";
+  return {};
+}
+
+void draw_foot(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys, const view::Viewport& scene) {
+  const std::string hint = foot_text(tool, session, keys);
+  if (hint.empty()) return;
+  const bool empty = session.document.track.knots.empty();
+  const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
+  // Over the place of the notices.
+  const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f), std::floor(empty ? scene.y + scene.height * 0.62f : scene.y + scene.height - 5.6f * size.y));
+  const ImVec2 pad(size.y * 0.9f, size.y * 0.5f);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y}, packed(palette().background, 0.78f), size.y);
+  list.AddText(at, packed(palette().text), hint.c_str());
+}
+
+}  // namespace
+
+struct Host::Parts {
+  const gfx::Gl& gl;
+  float content_scale = 1;
+  ImGuiContext* context = nullptr;
+  std::unique_ptr<ImGuiRenderer> renderer;
+  ImGuiInput input;
+  float loaded_scale = 0;  // of the fonts
+  world::Theme theme = world::Theme::dark;
+  WidgetList list;
+  Entry entry;
+  Gesture gesture;
+  Rest rest;
+  Toasts toasts;
+  LabCache lab;
+  Dialogs dialogs;
+  StartScreen start;
+  std::optional<Widget> lessons_widget;  // that the lesson is about, as last drawn
+  KeyMap keys;
+  std::string file;               // in the field Track/File
+  std::filesystem::path file_of;  // the session's path it was taken from
+  ViewportTool tool;
+  FlyKeys fly_keys;
+  Gamepad gamepad;
+  CommandPalette palette;
+  double radius = 20;             // in Shape/Radius, m
+  view::View view;
+  view::Pick hovered;
+  bool frame_next = false;        // show the whole track once the one asked for is there
+
+  explicit Parts(const gfx::Gl& table) : gl(table) {
+    std::vector<std::string> none;
+    keys = KeyMap::make({}, none);
+  }
+  ~Parts() {
+    renderer.reset();
+    if (context != nullptr) ImGui::DestroyContext(context);
+  }
+
+  void restyle(world::Theme wanted, float scale);
+  void follow_session(const State& state);
+  void settle_gesture(Ui& ui);
+  void take_files(Ui& ui, const platform::Events& events);
+  void count_rest();
+  void lay_out(Ui& ui, const platform::Events& events, int width, int height);
+};
+
+void Host::Parts::restyle(world::Theme wanted, float scale) {
+  if (scale == loaded_scale && wanted == theme) return;
+  theme = wanted;
+  apply_theme(palette_of(theme), scale);
+  if (scale == loaded_scale) return;
+  loaded_scale = scale;
+  load_fonts(scale);
+  renderer->upload_fonts();
+}
+
+void Host::Parts::follow_session(const State& state) {
+  toasts.update(state.session, state.seconds, state.scripted);
+  if (state.session.path != file_of) {
+    file_of = state.session.path;
+    file = file_of.string();
+  }
+  if (gesture.open && !state.session.history.in_gesture) {  // undone, or ended by a script
+    gesture = {};
+    ImGui::ClearActiveID();
+  }
+}
+
+// Ends the gesture of a number once the mouse has let go of it, or its field is gone.
+void Host::Parts::settle_gesture(Ui& ui) {
+  const ImGuiID active = ImGui::GetCurrentContext()->ActiveId;
+  if (gesture.open && active != gesture.id) {
+    ui.emit(edit::EndGesture{});
+    gesture = {};
+  }
+  if (entry.id != 0 && active != entry.id) entry = {};
+}
+
+void Host::Parts::take_files(Ui& ui, const platform::Events& events) {
+  for (const platform::Event& event : events) {
+    if (const auto* drop = std::get_if<platform::Drop>(&event)) dialogs.request(ui, {Want::Kind::load, drop->path});
+    if (std::holds_alternative<platform::CloseRequest>(event)) dialogs.request(ui, {Want::Kind::quit, {}});
+  }
+}
+
+void Host::Parts::count_rest() {
+  rest.seconds = rest.next == rest.path ? rest.seconds + ImGui::GetIO().DeltaTime : 0;
+  rest.path = std::exchange(rest.next, {});
+}
+
+void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int height) {
+  const edit::Session& session = ui.session();
+  const Layout layout = make_layout(width, height, ui.scale, ImGui::GetFrameHeight(), session.settings.show_panels,
+                                    session.settings.show_laboratory);
+  view = ui.out.view = make_view(ui.state, layout.scene);
+  if (std::exchange(frame_next, false)) ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
+
+  const bool typing = text_has_keyboard(), asking = dialogs.open() || start.open();
+  take_files(ui, events);
+  Act act{ui, tool, layout.scene, hovered, palette};
+  if (!typing && !asking) tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, events);
+  fly_keys.fly(ui, events, typing || asking || dialogs.open());
+  gamepad.work(act, events, asking || dialogs.open());
+  if (session.settings.show_panels) {
+    build_menu(act);
+    build_column(ui, Column::left, layout.left);
+    build_column(ui, Column::right, layout.right);
+    build_laboratory(ui, layout.strip);
+    build_status_bar(ui, layout.status);
+  }
+  if (ui.state.lesson == nullptr && !card_shows(session)) draw_hints(ui, layout.scene);
+  draw_lesson(ui, layout.scene, lessons_widget ? &*lessons_widget : nullptr);
+  draw_score_card(ui, layout.scene);
+  build_import_bar(ui, layout.scene);
+  build_movie_bar(ui, layout.scene);
+  build_palette(act, palette);
+  start.build(ui, events, static_cast<float>(width), static_cast<float>(height));
+  dialogs.build(ui, events, typing, static_cast<float>(width), static_cast<float>(height));
+  settle_gesture(ui);
+  hovered = tool.update(ui, view);
+  if (ui.state.lesson == nullptr || tool.transform().active()) draw_foot(tool, session, ui.keys, layout.scene);  // a lesson says itself what to do
+  draw_legend(ui, layout.scene);
+  toasts.draw(layout.scene, ui.scale, ui.state.seconds, ui.state.scripted);
+  for (const edit::Command& command : ui.out.commands)
+    if (command.is<edit::Load>() || command.is<edit::NewTrack>() || command.is<edit::StartChallenge>()) {
+      frame_next = true;
+      start.hide();
+    }
+  if (ui.out.wants_tutorial) start.hide();
+}
+
+base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl, float content_scale) {
+  auto parts = std::make_unique<Parts>(gl);
+  parts->content_scale = content_scale > 0 ? content_scale : 1;
+  IMGUI_CHECKVERSION();
+  ImGuiContext* before = ImGui::GetCurrentContext();
+  parts->context = ImGui::CreateContext();
+  ImGui::SetCurrentContext(parts->context);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+  io.MouseDragThreshold = 3;
+  auto renderer = ImGuiRenderer::make(gl);
+  if (!renderer) {
+    ImGui::SetCurrentContext(before);
+    return renderer.status();
+  }
+  parts->renderer = std::move(*renderer);
+  return std::unique_ptr<Host>(new Host(std::move(parts)));
+}
+
+Host::Host(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Host::~Host() = default;
+
+Output Host::build(const platform::Events& events, const State& state, int width, int height) {
+  COASTER_CHECK(width >= 1 && height >= 1, "the UI needs a pixel to stand on");
+  Parts& p = *parts_;
+  ImGui::SetCurrentContext(p.context);
+  const float scale = fitted_scale(width, height, state.session.settings.ui_scale, p.content_scale);
+  p.restyle(state.session.settings.theme, scale);
+  p.follow_session(state);
+  p.input.feed(events, width, height, text_has_keyboard());
+  ImGui::NewFrame();
+  Output out;
+  p.list.clear();
+  Ui ui{state, out, p.list, p.entry, p.gesture, p.rest, p.toasts, p.lab, p.file, p.radius, p.dialogs, p.start, p.keys, p.gl.renderer, scale, {}};
+  p.lay_out(ui, events, width, height);
+  p.count_rest();
+  ImGui::Render();
+  p.list.finish();  // now the order of the windows and which of them were used is settled
+  p.lessons_widget.reset();
+  if (state.lesson != nullptr)
+    for (const Widget& widget : p.list.widgets())
+      if (widget.path == state.lesson->widget && widget.visible) p.lessons_widget = widget;
+  out.view = p.view;
+  out.hovered = p.hovered;
+  return out;
+}
+
+void Host::draw(int width, int height) {
+  ImGui::SetCurrentContext(parts_->context);
+  const ImDrawData* data = ImGui::GetDrawData();
+  if (data != nullptr) parts_->renderer->draw(*data, width, height);
+}
+
+std::vector<std::string> Host::set_keys(std::span<const exchange::KeyChoice> choices) {
+  std::vector<std::string> problems;
+  parts_->keys = KeyMap::make(choices, problems);
+  return problems;
+}
+
+void Host::show_start() { parts_->start.show(); }
+
+// ImGui keeps which headers are open and how far columns are scrolled with each window.
+void Host::reset_layout() {
+  ImGui::SetCurrentContext(parts_->context);
+  for (ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows) {
+    window->StateStorage.Clear();
+    window->Scroll = {0, 0};
+  }
+}
+
+const std::vector<Widget>& Host::widgets() const { return parts_->list.widgets(); }
+const view::View& Host::view() const { return parts_->view; }
+std::string Host::toast() const { return parts_->toasts.shown; }
+
+bool Host::wants_keyboard() const {
+  ImGui::SetCurrentContext(parts_->context);
+  return text_has_keyboard() || parts_->palette.open || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,160 @@
+// Feeds a frame's events to Dear ImGui.
+#include "ui/host/imgui_input.h"
+
+#include <cfloat>
+#include <variant>
+
+#include <imgui.h>
+
+#include "ui/widgets/imgui_compat.h"
+
+namespace coaster::ui {
+namespace {
+
+using platform::Key;
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
+
+// ImGui's name for the keys that its text fields use.
+ImGuiKey imgui_key(Key key) {
+  switch (key) {
+    case Key::tab: return ImGuiKey_Tab;
+    case Key::left: return ImGuiKey_LeftArrow;
+    case Key::right: return ImGuiKey_RightArrow;
+    case Key::up: return ImGuiKey_UpArrow;
+    case Key::down: return ImGuiKey_DownArrow;
+    case Key::page_up: return ImGuiKey_PageUp;
+    case Key::page_down: return ImGuiKey_PageDown;
+    case Key::home: return ImGuiKey_Home;
+    case Key::end: return ImGuiKey_End;
+    case Key::insert: return ImGuiKey_Insert;
+    case Key::del: return ImGuiKey_Delete;
+    case Key::backspace: return ImGuiKey_Backspace;
+    case Key::space: return ImGuiKey_Space;
+    case Key::enter: return ImGuiKey_Enter;
+    case Key::escape: return ImGuiKey_Escape;
+    case Key::keypad_enter: return kKeypadEnter;
+    case Key::a: return ImGuiKey_A;
+    case Key::c: return ImGuiKey_C;
+    case Key::v: return ImGuiKey_V;
+    case Key::x: return ImGuiKey_X;
+    case Key::y: return ImGuiKey_Y;
+    case Key::z: return ImGuiKey_Z;
+    default: return ImGuiKey_COUNT;  // not one that text fields know
+  }
+}
+
+void set_modifiers(const platform::Modifiers& m) {
+  ImGuiIO& io = ImGui::GetIO();
+#if IMGUI_VERSION_NUM >= 18900
+  io.AddKeyEvent(ImGuiMod_Ctrl, m.ctrl);
+  io.AddKeyEvent(ImGuiMod_Shift, m.shift);
+  io.AddKeyEvent(ImGuiMod_Alt, m.alt);
+#else
+  io.KeyCtrl = m.ctrl;
+  io.KeyShift = m.shift;
+  io.KeyAlt = m.alt;
+#endif
+}
+
+}  // namespace
+
+void ImGuiInput::feed_key(const platform::KeyPress& event, bool text_has_keyboard) {
+  ImGuiIO& io = ImGui::GetIO();
+  const ImGuiKey key = imgui_key(event.key);
+  if (key == ImGuiKey_COUNT) return;
+  const bool down = event.down && (text_has_keyboard || event.key != Key::tab);
+#if IMGUI_VERSION_NUM >= 18700
+  io.AddKeyEvent(key, down);
+#else
+  // The map from ImGui's keys to "native" ones is the identity; a key pressed and released in one frame counts as pressed. A repeat is
+  // left to ImGui's own timer.
+  io.KeyMap[key] = key;
+  if (down) {
+    io.KeysDown[key] = true;
+    held_[static_cast<std::size_t>(key)] = true;
+  } else {
+    held_[static_cast<std::size_t>(key)] = false;
+  }
+#endif
+}
+
+void ImGuiInput::feed(const platform::Events& events, int width, int height, bool text_has_keyboard) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+  float seconds = 0;
+  bool ctrl = false;
+  if (!late_text_.empty()) {
+    modifiers_.ctrl = false;
+    io.AddInputCharactersUTF8(late_text_.c_str());
+    late_text_.clear();
+  }
+#if IMGUI_VERSION_NUM < 18700
+  for (std::size_t key = 0; key < held_.size(); ++key) io.KeysDown[key] = held_[key];
+  std::array<bool, 3> pressed{};
+#endif
+  for (const platform::Event& event : events) {
+    std::visit(Overloaded{
+                   [&](const platform::MouseMove& e) {
+#if IMGUI_VERSION_NUM >= 18700
+                     io.AddMousePosEvent(e.x, e.y);
+#else
+                     io.MousePos = {e.x, e.y};
+#endif
+                   },
+                   [&](const platform::MouseButton& e) {
+                     const auto button = static_cast<std::size_t>(e.button);
+                     modifiers_ = e.modifiers;
+                     ctrl = ctrl || e.modifiers.ctrl;
+                     down_[button] = e.down;
+#if IMGUI_VERSION_NUM >= 18700
+                     io.AddMouseButtonEvent(static_cast<int>(button), e.down);
+#else
+                     pressed[button] = pressed[button] || e.down;
+#endif
+                   },
+                   [&](const platform::Wheel& e) {
+#if IMGUI_VERSION_NUM >= 18700
+                     io.AddMouseWheelEvent(e.dx, e.dy);
+#else
+                     io.MouseWheelH += e.dx;
+                     io.MouseWheel += e.dy;
+#endif
+                   },
+                   [&](const platform::KeyPress& e) {
+                     modifiers_ = e.modifiers;
+                     ctrl = ctrl || e.modifiers.ctrl;
+                     feed_key(e, text_has_keyboard);
+                   },
+                   [&](const platform::TextInput& e) {
+                     if (ctrl) {
+                       late_text_ += e.utf8;
+                       return;
+                     }
+                     modifiers_.ctrl = false;  // text never comes with Ctrl: a stale one would make ImGui drop it
+                     io.AddInputCharactersUTF8(e.utf8.c_str());
+                   },
+                   [&](const platform::Focus& e) {
+                     if (e.focused) return;
+                     modifiers_ = {};
+                     down_ = {};
+                     held_ = {};
+                   },
+                   [&](const platform::Tick& e) { seconds += static_cast<float>(e.dt); },
+                   [](const auto&) {},
+               },
+               event);
+  }
+#if IMGUI_VERSION_NUM < 18700
+  for (std::size_t button = 0; button < down_.size(); ++button) io.MouseDown[button] = down_[button] || pressed[button];
+#endif
+  set_modifiers(modifiers_);
+  io.DeltaTime = seconds > 0 ? seconds : 1e-4f;  // ImGui asserts a positive step
+}
+
+}  // namespace coaster::ui

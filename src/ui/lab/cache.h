@@ -1,0 +1,101 @@
+// What the laboratory's pages keep between frames: studies that are worth keeping while nothing they depend on changes, and choices
+// that are a page's own. Lives in the Host.
+#pragma once
+
+#include <array>
+#include <tuple>
+#include <vector>
+
+#include "curve/arc_length_study.h"
+#include "curve/continuity.h"
+#include "sim/study/advice.h"
+#include "sim/study/live_errata.h"
+#include "sim/shape/frame_methods.h"
+#include "sim/study/rounding.h"
+#include "ui/lab/page_parts.h"
+
+namespace coaster::ui {
+
+struct JointRow {
+  world::Entity knot;
+  world::Name name;
+  curve::Joint joint;
+};
+struct JointList {
+  std::vector<JointRow> rows;         // in track order
+  std::vector<std::size_t> by_jump;   // indices of rows, largest curvature jump first
+};
+
+// Of one segment over its arc length.
+struct BendStudy {
+  std::vector<double> s, curvature, torsion;  // m, 1/m, 1/m (NaN where there is no Frenet frame)
+  std::vector<double> flips;                  // m, where the normal turns over
+};
+
+struct BasisStudy {
+  std::vector<double> t;
+  std::vector<std::vector<double>> y;  // of B_0 .. B_n
+};
+struct ErrorStudy {
+  std::vector<double> t, mm;
+  double bound = 0, largest = 0, seam = 0;  // mm
+};
+
+// One arc-length method on the segment and on the track.
+struct LengthRow {
+  double length = 0, error = 0;  // m, of the segment
+  std::int64_t evaluations = 0;
+  double microseconds = 0;       // 0: not measured
+  std::vector<double> work = {}, relative_error = {};
+  bool track_known = false;
+  double track_length = 0, track_error = 0;  // m
+};
+struct LengthStudy {
+  std::vector<LengthRow> rows;
+};
+// Sums over the segments before `next`, by method.
+struct TrackLengths {
+  std::vector<double> lengths, errors;  // m
+  std::size_t next = 0;
+};
+
+// The whole ride of the first cart, one value for each of the ghost's forces.
+inline constexpr int kForceQuantities = 5;
+struct ForceStudy {
+  std::vector<double> way, time;  // m, s since the start
+  std::array<std::vector<double>, kForceQuantities> values, beyond;  // g, m/s, m; `beyond`: NaN but in red spans
+  sim::Ratings ratings;
+  std::vector<sim::RedSpan> red;
+};
+
+struct LabCache {
+  int degree = 3;  // of the basis shown
+  Kept<int, BasisStudy> basis;
+  int compared = -1;  // row of the evaluator drawn beside the chosen one; -1: none
+  // By the segment's build, evaluator and steps.
+  Kept<std::tuple<std::uint64_t, int, int>, ErrorStudy> error, other_error;
+  Kept<std::tuple<std::uint64_t, int>, LengthStudy> lengths;                                         // by the segment's build, and steps
+  Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, int>, TrackLengths> track_lengths;  // by the last build, order and steps
+  bool lengths_of_track = false;
+  bool show_times = true;
+  std::string csv = "measurements.csv";
+
+  // By the last build, the order of the segments and whether the track is closed.
+  Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, bool>, JointList> joints;
+  bool joints_by_jump = true;
+  // By the segment's build, the last build of all, steps and speed (m/s).
+  Kept<std::tuple<std::uint64_t, std::uint64_t, int, double>, std::array<sim::Erratum, sim::kErrata.size()>> errata;
+  Kept<std::uint64_t, BendStudy> bend;  // by the segment's build
+  sim::FrenetBreaks breaks;
+
+  Kept<std::pair<std::uint64_t, std::uint64_t>, ForceStudy> forces;  // by the ghost's serial and the envelope's
+  std::array<int, 2> force_plots{0, 3};    // quantities
+  bool forces_over_time = false;
+  int red_chosen = -1;
+  std::string advice;
+};
+
+// The Lengths page's study of the probe's segment, and of the track as far as it has come: a part is added in each frame.
+const LengthStudy& kept_lengths(Ui& ui, const Probe& probe);
+
+}  // namespace coaster::ui

@@ -1,0 +1,95 @@
+// Frames: how carts are turned along the track, curvature and torsion of the segment, and where Frenet-Serret gives no frame.
+#include <imgui.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "sim/shape/frame_methods.h"
+#include "ui/lab/cache.h"
+#include "ui/panels/panels.h"
+
+namespace coaster::ui {
+namespace {
+
+constexpr double kDegrees = 180 / 3.14159265358979323846;
+
+BendStudy bend_study(const sim::SegmentShape& shape, world::Entity segment) {
+  constexpr int kSamples = 192;
+  BendStudy study;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double t = double(i) / kSamples;
+    const auto frame = curve::frenet(shape.key.cubic, t);
+    study.s.push_back(shape.arc.distance(t));
+    study.curvature.push_back(curve::curvature(shape.key.cubic, t));
+    study.torsion.push_back(frame ? frame->torsion : std::numeric_limits<double>::quiet_NaN());
+  }
+  for (const sim::FrenetBreak& at : sim::frenet_breaks(shape, segment)) {
+    if (at.kind == sim::FrenetBreak::Kind::flip && at.t > 0) study.flips.push_back(shape.arc.distance(at.t));
+  }
+  return study;
+}
+
+void bend_plot(Ui& ui, const Probe& probe, const BendStudy& study, bool torsion, float width, float height) {
+  const std::vector<double>& values = torsion ? study.torsion : study.curvature;
+  const std::uint32_t tint = torsion ? row_colour(4) : row_colour(0);
+  const Series series[] = {{"", study.s, values, tint, SeriesKind::line, 2.0f}};
+  std::vector<Spot> spots;
+  for (const double s : study.flips) spots.push_back({s, 0, kTangentColour, "flip"});
+  const double length = probe.shape->arc.length();
+  PlotAxis y{torsion ? "torsion" : "curvature", "1/m"};
+  if (!torsion) y.low = 0;
+  const auto drag = plot(ui, torsion ? "Torsion plot" : "Curvature plot",
+                         {.x = {"s", "m", AxisScale::linear, 0, length > 0 ? length : 1}, .y = y, .series = series, .spots = spots,
+                          .cursor = probe.shape->arc.distance(probe.t), .empty = "straight: no torsion", .width = width, .height = height},
+                         torsion ? "Torsion, det(B', B'', B''') / |B' \u00D7 B''|\u00B2, over arc length: how the Frenet frame turns about the tangent. A gap where the frame is undefined."
+                                 : "Curvature, |B' \u00D7 B''| / |B'|\u00B3, over arc length. Where it is 0 the Frenet normal is undefined and may flip.");
+  if (drag) move_probe(ui, probe, probe.shape->arc.parameter(drag->x));
+}
+
+void frame_choice(Ui& ui) {
+  std::vector<Choice> choices;
+  for (const sim::FrameMethodRow& row : sim::frame_methods()) choices.push_back({std::string(row.label), std::string(row.formula)});
+  const int current = static_cast<int>(ui.session().settings.frames);
+  const std::string tooltip = std::string(sim::frame_methods()[static_cast<std::size_t>(current)].formula);
+  if (const auto to = combo(ui, "Turned by", choices, current, "How carts and the ride camera are turned along the track. " + tooltip))
+    ui.emit(edit::SetFrames{static_cast<world::FrameMethod>(*to)});
+}
+
+void side(Ui& ui, const Probe& probe) {
+  const sim::Derived& derived = ui.session().derived;
+  frame_choice(ui);
+  bool alone = false;
+  for (const world::Layer layer : {world::Layer::frames, world::Layer::flips, world::Layer::comb, world::Layer::circle}) {
+    alone = !(alone && beside_last(ui, world::layers()[static_cast<std::size_t>(layer)].label));
+    layer_box(ui, layer);
+  }
+  read_out(ui, "Curvature", fixed(curve::curvature(probe.shape->key.cubic, probe.t), 5), "1/m", "At the probe: one over the radius of the osculating circle.");
+  const auto frame = curve::frenet(probe.shape->key.cubic, probe.t);
+  read_out(ui, "Torsion", frame ? fixed(frame->torsion, 5) : "--", "1/m", "At the probe; undefined where there is no curvature.");
+  const double left_over = sim::loop_twist(derived) * kDegrees;
+  read_out(ui, "Twist left over", derived.closed ? fixed(left_over, 2) : "--", "\u00B0",
+           "What a rotation-minimising frame has turned by after one round of a closed track; spread linearly in arc length.");
+  std::size_t flips = 0, undefined = 0;
+  for (const sim::FrenetBreak& at : ui.lab.breaks.update(derived)) ++(at.kind == sim::FrenetBreak::Kind::flip ? flips : undefined);
+  read_out(ui, "Frenet flips", std::to_string(flips), "", "Places of the track where the Frenet normal turns over.");
+  read_out(ui, "Undefined", std::to_string(undefined), "", "Stretches of the track without curvature, where there is no Frenet normal.");
+}
+
+}  // namespace
+
+void frames_page(Ui& ui) {
+  const auto probe = need_probe(ui);
+  if (!probe) return;
+  const BendStudy& study = ui.lab.bend.get(probe->shape->shape_build, [&] { return bend_study(*probe->shape, probe->segment); });
+  Page page(ui, 240);
+  side(ui, *probe);
+  const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);
+  const bool beside = room > 380 * ui.scale;
+  const float width = beside ? std::floor((room - gap) / 2) : room;
+  bend_plot(ui, *probe, study, false, width, height);
+  if (beside) ImGui::SameLine(0, gap);
+  bend_plot(ui, *probe, study, true, width, height);
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,105 @@
+// Lengths: every arc-length method on the selected segment and on the whole track, and how its error falls with the work it does.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "ui/lab/cache.h"
+#include "ui/lab/table.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/theme.h"
+
+namespace coaster::ui {
+namespace {
+
+using curve::ArcLengthMethod;
+using curve::LengthControl;
+
+constexpr TableColumn kMethod{"Method", "", 3.3f, "Rows of the table of arc-length methods; the colour is that of the plot. Click a row to choose the displayed length's method."};
+constexpr TableColumn kOfSegment[] = {
+    {"Length", "m", 1.3f, "Of the selected segment."},
+    {"Error", "m", 1.2f, "Distance from the reference, 40-node Gauss-Legendre in long double."},
+    {"Work", "", 0.8f, "Evaluations of |B'(t)|, or chords: square roots taken."},
+    {"Time", "\u00B5s", 0.9f, "Of one measurement of the segment, the median of several, taken when the segment or the steps last changed."},
+};
+constexpr TableColumn kOfTrack[] = {
+    {"Track", "m", 1.4f, "Sum over all segments, with the same demand for each."},
+    {"Track error", "m", 1.3f, "Of the whole track's length."},
+};
+
+std::string signed_error(double error) { return (error < 0 ? "\u2212" : "") + significant(std::abs(error), 2); }
+
+void row_of(Ui& ui, std::size_t i, const LengthRow& row, bool segment, bool track) {
+  const ArcLengthMethod& method = curve::arc_length_methods()[i];
+  const world::Settings& settings = ui.session().settings;
+  const bool timed = !ui.state.scripted && row.microseconds > 0;
+  std::vector<Cell> cells{{std::string(method.label), kPlainColour, true, 0, row_colour(i)}};
+  if (segment) {
+    cells.push_back({fixed(row.length, 5)});
+    cells.push_back({signed_error(row.error)});
+    cells.push_back({std::to_string(row.evaluations)});
+    cells.push_back({timed ? fixed(row.microseconds, 2) : "--"});
+  }
+  if (track) {
+    cells.push_back({row.track_known ? fixed(row.track_length, 4) : "--"});
+    cells.push_back({row.track_known ? signed_error(row.track_error) : "--"});
+  }
+  const bool chosen = static_cast<std::size_t>(settings.arc_length) == i;
+  const std::string value = fixed(row.length, 6) + " m";
+  if (table_row(ui, "Length by " + std::string(method.label), cells, chosen, value, method.formula) && !chosen) ui.emit(edit::SetArcLength{static_cast<curve::ArcLengthId>(i)});
+}
+
+void lengths_table(Ui& ui, const LengthStudy& study, bool segment, bool track, float width, float height) {
+  std::vector<TableColumn> columns{kMethod};
+  if (segment) columns.insert(columns.end(), std::begin(kOfSegment), std::end(kOfSegment));
+  if (track) columns.insert(columns.end(), std::begin(kOfTrack), std::end(kOfTrack));
+  ImGui::BeginChild("##lengths", {width, height}, false, ImGuiWindowFlags_NoNav);
+  if (begin_table(ui, "Lengths table", columns, height)) {
+    for (std::size_t i = 0; i < study.rows.size(); ++i) row_of(ui, i, study.rows[i], segment, track);
+    end_table();
+  }
+  ImGui::EndChild();
+}
+
+// What the table speaks of, where it has not room for both.
+void choose_columns(Ui& ui) {
+  ImGui::PushFont(small_font());
+  if (radio(ui, "Segment", !ui.lab.lengths_of_track, "List the selected segment's length by every method.")) ui.lab.lengths_of_track = false;
+  ImGui::SameLine();
+  if (radio(ui, "Track", ui.lab.lengths_of_track, "List the whole track's length by every method.")) ui.lab.lengths_of_track = true;
+  ImGui::PopFont();
+}
+
+void convergence_plot(Ui& ui, const LengthStudy& study, float width, float height) {
+  std::vector<Series> series;
+  for (std::size_t i = 0; i < study.rows.size(); ++i) {
+    const LengthRow& row = study.rows[i];
+    series.push_back({"", row.work, row.relative_error, row_colour(i), row.work.size() > 1 ? SeriesKind::line_and_points : SeriesKind::points, 1.4f});
+  }
+  (void)plot(ui, "Convergence plot",
+             {.x = {"evaluations", "", AxisScale::logarithmic}, .y = {"relative error", "", AxisScale::logarithmic, 1e-17, 1}, .series = series, .width = width, .height = height},
+             "How the relative error on the selected segment falls as a method does more work: steep is good, and the lower left corner is better. Below 1e-16 is rounding.");
+}
+
+}  // namespace
+
+void lengths_page(Ui& ui) {
+  const auto probe = need_probe(ui);
+  if (!probe) return;
+  const LengthStudy& study = kept_lengths(ui, *probe);
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetContentRegionAvail().y, gap = std::floor(14 * ui.scale);
+  const bool both = room > 900 * ui.scale, beside = room > 500 * ui.scale;
+  const float table = beside ? std::floor(room * 0.66f) : room, picture = beside ? room - table - gap : room;
+  const float stacked = std::floor(150 * ui.scale);
+  if (!both && !beside) choose_columns(ui);
+  lengths_table(ui, study, both || !ui.lab.lengths_of_track, both || ui.lab.lengths_of_track, table, beside ? height : stacked);
+  if (beside) ImGui::SameLine(0, gap);
+  ImGui::BeginGroup();
+  if (!both && beside) choose_columns(ui);
+  convergence_plot(ui, study, picture, beside ? ImGui::GetContentRegionAvail().y : stacked);
+  ImGui::EndGroup();
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,67 @@
+// Weights: Bernstein's basis functions, and what each control point weighs at the probe.
+#include <imgui.h>
+
+#include <cmath>
+#include <string>
+
+#include "curve/bernstein.h"
+#include "ui/lab/cache.h"
+#include "ui/panels/panels.h"
+
+namespace coaster::ui {
+namespace {
+
+constexpr int kLargestDegree = 8;
+
+std::string subscript(int digit) {
+  static constexpr const char* kDigits[] = {"\u2080", "\u2081", "\u2082", "\u2083", "\u2084", "\u2085", "\u2086", "\u2087", "\u2088", "\u2089"};
+  return kDigits[digit];
+}
+
+BasisStudy basis_study(int degree) {
+  constexpr int kSamples = 160;
+  BasisStudy study;
+  study.y.resize(static_cast<std::size_t>(degree) + 1);
+  std::vector<double> weights(study.y.size());
+  for (int k = 0; k <= kSamples; ++k) {
+    const double t = double(k) / kSamples;
+    study.t.push_back(t);
+    curve::bernstein_basis<double>(t, weights);
+    for (std::size_t i = 0; i < weights.size(); ++i) study.y[i].push_back(weights[i]);
+  }
+  return study;
+}
+
+void weights_plot(Ui& ui, const Probe& probe, int degree, const std::vector<double>& weights, float height) {
+  const BasisStudy& study = ui.lab.basis.get(degree, [&] { return basis_study(degree); });
+  std::vector<Series> series;
+  std::vector<Spot> spots;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    series.push_back({"B" + subscript(static_cast<int>(i)), study.t, study.y[i], row_colour(i), SeriesKind::line, 2.0f});
+    spots.push_back({probe.t, weights[i], row_colour(i), ""});
+  }
+  const auto drag = plot(ui, "Weights plot",
+                         {.x = {"t", "", AxisScale::linear, 0, 1}, .y = {"weight", "", AxisScale::linear, 0, 1}, .series = series, .spots = spots, .cursor = probe.t, .height = height},
+                         "B_i,n(t) = C(n,i) t^i (1-t)^(n-i): never negative, and together 1 for every t. Drag the cursor to move the probe.");
+  if (drag) move_probe(ui, probe, drag->x);
+}
+
+}  // namespace
+
+void weights_page(Ui& ui) {
+  const auto probe = need_probe(ui);
+  if (!probe) return;
+  const int degree = ui.lab.degree;
+  std::vector<double> weights(static_cast<std::size_t>(degree) + 1);
+  curve::bernstein_basis<double>(probe->t, weights);
+  Page page(ui, 200);
+  probe_slider(ui, *probe);
+  if (const auto to = slider(ui, "Degree n", degree, 1, kLargestDegree, false, "The degree of the basis, 1 to 8. The track's curves are cubic: n = 3."))
+    ui.lab.degree = std::clamp(*to, 1, kLargestDegree);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    colour_value(ui, row_colour(i), "B" + std::to_string(i), "B" + subscript(static_cast<int>(i)) + (degree == 3 ? " weighs p" + subscript(static_cast<int>(i)) : ""),
+                 fixed(weights[i], 4), "C(n,i) t^i (1-t)^(n-i) at the probe: the part that this control point has in B(t).");
+  weights_plot(ui, *probe, degree, weights, page.pictures());
+}
+
+}  // namespace coaster::ui

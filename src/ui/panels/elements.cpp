@@ -1,0 +1,101 @@
+// Elements: the palette. Which one, its parameters, what it would be like at the track's open end, and placing it.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/widgets/icons.h"
+#include "ui/actions/key_map.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/widget_parts.h"
+#include "ui/widgets/theme.h"
+
+namespace coaster::ui {
+namespace {
+
+using world::Element;
+using world::ElementKind;
+
+// One button a row of the table, as many beside each other as find room; the chosen one is lit.
+void choices(Ui& ui) {
+  const world::Settings& settings = ui.session().settings;
+  const std::span<const world::ElementRow> rows = world::elements();
+  const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
+  float widest = 0;
+  ImGui::PushFont(small_font());
+  for (const world::ElementRow& row : rows) widest = std::max(widest, text_size(row.label).x + std::floor(4 * ui.scale));
+  ImGui::PopFont();
+  const int columns = std::clamp(static_cast<int>((room + gap) / (widest + gap)), 1, 4);
+  const float width = std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
+    const auto kind = static_cast<ElementKind>(i);
+    const bool chosen = settings.show_element && settings.element.kind == kind;
+    if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    const bool pressed = icon_button(ui, icon_of(kind), rows[i].label, rows[i].help, true, width, true);
+    if (chosen) ImGui::PopStyleColor();
+    if (!pressed) continue;
+    if (chosen) ui.emit(edit::PreviewElement{false});
+    else if (settings.element.kind == kind) ui.emit(edit::PreviewElement{true});
+    else ui.emit(edit::ChooseElement{world::usual_element(kind)});
+  }
+}
+
+// What a pixel of a drag changes.
+double step_of(const world::ElementParameter& p) {
+  const double range = p.high - p.low;
+  return range > 100 ? 0.1 : range > 20 ? 0.05 : 0.01;
+}
+
+void parameters(Ui& ui) {
+  Element element = ui.session().settings.element;
+  const world::ElementRow& row = world::element_row(element.kind);
+  bool changed = false;
+  if (row.sided) {
+    if (radio(ui, "Left", !element.right, "To the left of the direction of travel.")) element.right = false, changed = true;
+    (void)beside_last(ui, "Right");
+    if (radio(ui, "Right", element.right, "To the right of the direction of travel.")) element.right = true, changed = true;
+  }
+  for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+    const world::ElementParameter& p = row.parameters[i];
+    const Number now{.value = element.values[i], .unit = p.unit.data(), .decimals = 2, .step = step_of(p), .low = p.low, .high = p.high, .largest = 1e300};
+    if (const auto to = number(ui, p.label, now, p.help)) element.values[i] = *to, changed = true;
+  }
+  if (changed) ui.emit(edit::ChooseElement{element});
+}
+
+void outcome(Ui& ui, const sim::ElementPlan& plan) {
+  read_query(ui, "Spans", "element.spans", {}, "Cubic Bézier spans it would be made of: as few as keep within 1 cm of the ideal curve.", {.decimals = 0});
+  read_query(ui, "Total length", "element.length", {}, "Along it, with what eases out the bend and the slope of the track's end.", {.decimals = 1});
+  read_query(ui, "Fit error", "element.error", {}, "The largest distance between the ideal curve and the spans.", {.decimals = 1, .unit = "mm", .factor = 1000});
+  if (plan.lowest < 0) read_out(ui, "In the ground", fixed(-plan.lowest, 1), "m", "It goes below the ground: the red part.", true);
+  if (const double missing = sim::worst(edit::narrow_parts(ui.session(), ui.session().settings.element)); missing > 0)
+    read_out(ui, "Lacks room", fixed(missing, 1), "m", "A train on it or on other track would be in the way: the yellow part.", true);
+  for (const std::string& line : plan.lines) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().warning));
+    ImGui::TextWrapped("%s", line.c_str());
+    ImGui::PopStyleColor();
+  }
+}
+
+}  // namespace
+
+void elements_panel(Ui& ui) {
+  const edit::Session& session = ui.session();
+  choices(ui);
+  if (!session.settings.show_element) return;
+  parameters(ui);
+  const sim::ElementPlan& plan = session.elements.plan(session.settings.element, session.document);
+  const bool possible = plan.refusal.empty();
+  if (possible) {
+    outcome(ui, plan);
+  } else {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().warning));
+    ImGui::TextWrapped("%s", plan.refusal.c_str());
+    ImGui::PopStyleColor();
+  }
+  if (button(ui, "Place", with_keys(ui.keys, "Add it at the open end of the track; " + ui.keys.shown("Cancel") + " hides the preview.", "Place element"), possible, ImGui::GetContentRegionAvail().x))
+    ui.emit(edit::PlaceElement{session.settings.element});
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,176 @@
+// A plot: the axes are chosen, the room is divided, the parts are drawn, the cursor is followed.
+#include "ui/plots/plot.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plots/plot_area.h"
+#include "ui/widgets/widget_parts.h"
+#include "ui/widgets/theme.h"
+
+namespace coaster::ui {
+namespace {
+
+struct Data {
+  Extent x, y;
+};
+
+Data extent_of(const Plot& p) {
+  Data data;
+  for (const Series& s : p.series) {
+    const std::size_t n = std::min(s.x.size(), s.y.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!std::isfinite(s.x[i]) || !std::isfinite(s.y[i])) continue;
+      data.x.add(s.x[i], p.x.scale);
+      data.y.add(s.y[i], p.y.scale);
+    }
+    if (s.kind == SeriesKind::bars) data.y.add(0, p.y.scale);
+  }
+  const bool any = !data.x.empty();
+  if (any)
+    for (const Level& level : p.levels) data.y.add(level.y, p.y.scale);
+  for (const Spot& spot : p.spots) {
+    data.x.add(spot.x, p.x.scale);
+    data.y.add(spot.y, p.y.scale);
+  }
+  return data;
+}
+
+AxisRange range_of(const PlotAxis& axis, Extent extent, double margin) {
+  AxisRange range = fit(extent, axis.scale, margin);
+  if (axis.low) range.low = *axis.low;
+  if (axis.high) range.high = *axis.high;
+  if (!(range.high > range.low)) range.high = axis.scale == AxisScale::logarithmic ? range.low * 10 : range.low + 1;
+  return range;
+}
+
+// Widens the axis that has room to spare, so that both have the same scale.
+void make_square(PlotArea& area) {
+  const double width = area.high.x - area.low.x, height = area.high.y - area.low.y;
+  const double x_span = area.x.high - area.x.low, y_span = area.y.high - area.y.low;
+  const double per_px = std::max(x_span / width, y_span / height);
+  const auto widen = [](AxisRange& axis, double span) {
+    const double middle = (axis.low + axis.high) / 2;
+    axis.low = middle - span / 2;
+    axis.high = middle + span / 2;
+  };
+  widen(area.x, per_px * width);
+  widen(area.y, per_px * height);
+}
+
+int most_ticks(float room, float each) { return std::max(2, static_cast<int>(room / each)); }
+
+// Divides the room: the y axis' texts on the left, its title and the legend above; the x axis' texts below, its title at their end when it is
+// short, else in a row of its own.
+PlotArea lay_out(const Ui& ui, const Plot& p, const Data& data, ImVec2 low, ImVec2 high) {
+  PlotArea area;
+  area.scale = ui.scale;
+  area.text_px = small_text_px(ui);
+  area.pretty = ImGui::GetFont()->FindGlyphNoFallback(0x207B) != nullptr;
+  area.x = range_of(p.x, data.x, p.square ? 0.08 : 0);
+  area.y = range_of(p.y, data.y, p.square ? 0.08 : 0.06);
+  const float line = area.text_px, gap = std::floor(4 * ui.scale);
+  const float x_title = p.square ? 0 : small_size(area, axis_title(p.x)).x;  // one title speaks for both axes of a shape
+  area.title_beside = x_title <= 4 * line;
+  const float above = axis_title(p.y).empty() ? line * 0.5f : line + gap, below = line + gap + (area.title_beside ? 0 : line);
+  const float right = area.title_beside && x_title > 0 ? x_title + line + gap : line;
+  area.low = {std::floor(low.x + 3 * line), std::floor(low.y + above)};
+  area.high = {std::max(std::floor(high.x - right), area.low.x + 1), std::max(std::floor(high.y - below), area.low.y + 1)};
+  if (p.square) make_square(area);
+  area.y_ticks = ticks(area.y, most_ticks(area.high.y - area.low.y, 1.9f * line));
+  float widest = 0;
+  for (const double tick : area.y_ticks.major) widest = std::max(widest, small_size(area, tick_text(area.y, area.y_ticks, tick, area.pretty)).x);
+  area.low.x = std::min(std::floor(low.x + widest + 2 * gap), area.high.x - 1);
+  if (p.square) {
+    make_square(area);
+    area.y_ticks = ticks(area.y, most_ticks(area.high.y - area.low.y, 1.9f * line));
+  }
+  area.x_ticks = ticks(area.x, most_ticks(area.high.x - area.low.x, 4.0f * line));
+  return area;
+}
+
+// A multiple of a round step that is at most a pixel, within the axis.
+double snapped(const PlotArea& area, float mouse_x) {
+  const double part = (mouse_x - area.low.x) / std::max(1.0f, area.high.x - area.low.x);
+  const double value = value_at(area.x, part);
+  if (area.x.scale == AxisScale::logarithmic) return value;
+  const double pixel = (area.x.high - area.x.low) / std::max(1.0f, area.high.x - area.low.x);
+  double step = std::pow(10.0, std::floor(std::log10(pixel)));
+  for (const double factor : {5.0, 2.0})
+    if (factor * step <= pixel) {
+      step *= factor;
+      break;
+    }
+  // Multiplying by the count of steps in one has fewer decimals than multiplying by the step.
+  const double steps = std::round(value / step), inverse = std::round(1 / step);
+  const double rounded = inverse >= 1 ? steps / inverse : steps * step;
+  return std::clamp(rounded, area.x.low, area.x.high);
+}
+
+void draw_cursor(ImDrawList& list, const PlotArea& area, double x, bool hot) {
+  const float at = std::floor(area.at(x, area.y.high).x) + 0.5f;
+  if (!(at >= area.low.x - 1 && at <= area.high.x + 1)) return;
+  list.AddLine({at, area.low.y}, {at, area.high.y}, packed(palette().accent, hot ? 1.0f : 0.85f), std::max(1.0f, std::floor(1.5f * area.scale)));
+  const float grip = std::floor(4.5f * area.scale);  // a handle to hold it by
+  list.AddTriangleFilled({at - grip, area.low.y - 1}, {at + grip, area.low.y - 1}, {at, area.low.y + grip * 1.4f}, packed(palette().accent));
+}
+
+void draw_empty(ImDrawList& list, const PlotArea& area, std::string_view words) {
+  const ImVec2 size = small_size(area, words);
+  small_text(list, area, {(area.low.x + area.high.x - size.x) / 2, (area.low.y + area.high.y - size.y) / 2}, palette().dim, words);
+}
+
+void draw_all(ImDrawList& list, const PlotArea& area, const Plot& p, ImVec2 outer_low, bool any) {
+  draw_grid(list, area, p, outer_low);
+  list.PushClipRect({area.low.x - 1, area.low.y - 1}, {area.high.x + 1, area.high.y + 1}, true);
+  if (any) {
+    for (const Series& s : p.series) draw_series(list, area, s);
+    draw_levels_and_spots(list, area, p);
+  } else {
+    draw_empty(list, area, p.empty);
+  }
+  list.PopClipRect();
+  if (any) draw_legend(list, area, p, outer_low);
+}
+
+}  // namespace
+
+std::optional<PlotDrag> plot(Ui& ui, std::string_view label, const Plot& p, std::string_view tooltip) {
+  const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  const float least = 4 * small_text_px(ui);
+  const ImVec2 size(std::max(least, p.width > 0 ? p.width : room.x), std::max(least, p.height > 0 ? p.height : room.y));
+  const ImVec2 high(low.x + size.x, low.y + size.y);
+  const Data data = extent_of(p);
+  const bool any = !data.x.empty() && !data.y.empty();
+  const PlotArea area = lay_out(ui, p, data, low, high);
+
+  ImGui::PushID(label.data(), label.data() + label.size());
+  ImGui::SetCursorScreenPos(area.low);
+  ImGui::InvisibleButton("##area", {area.high.x - area.low.x, area.high.y - area.low.y});
+  const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+  ImGui::PopID();
+  ImGui::SetCursorScreenPos(low);
+  ImGui::Dummy(size);  // the plot as a whole is what the next item stands beside or below
+
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(low, high, true);
+  draw_all(list, area, p, low, any);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (any && p.cursor && std::isfinite(*p.cursor)) draw_cursor(list, area, *p.cursor, held || hovered);
+  if (any && (hovered || held)) draw_readout(list, area, p, mouse);
+  list.PopClipRect();
+
+  const std::string value = !p.value.empty() ? p.value : p.cursor ? significant(*p.cursor, 6, false) : any ? "" : std::string(p.empty);
+  note(ui, label, "plot", any ? "" : tooltip, true, value, area.low, area.high);
+  note(ui, std::string(label) + "/axes", "label", tooltip, true, axis_title(p.y), low,
+       {high.x, area.low.y});
+  if (!held || !any) return std::nullopt;
+  const double up = (area.high.y - mouse.y) / (area.high.y - area.low.y);
+  const PlotDrag wanted{p.cursor ? snapped(area, mouse.x) : value_at(area.x, (mouse.x - area.low.x) / (area.high.x - area.low.x)), value_at(area.y, up)};
+  const bool moves = p.cursor ? wanted.x != *p.cursor : p.drags_point;
+  return moves ? std::optional(wanted) : std::nullopt;
+}
+
+}  // namespace coaster::ui

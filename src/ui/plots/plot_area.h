@@ -1,0 +1,36 @@
+// What the drawing steps of a plot share: the axes and where they lie on the screen. Private to plot*.cpp.
+#pragma once
+
+#include <imgui.h>
+
+#include "ui/plots/plot.h"
+
+namespace coaster::ui {
+
+struct PlotArea {
+  AxisRange x, y;
+  Ticks x_ticks, y_ticks;
+  ImVec2 low, high;    // px, of the data
+  float scale = 1;     // px a design px
+  float text_px = 13;  // height of a line of small text
+  bool pretty = true;  // the font has superscripts
+  bool title_beside = false;  // the x axis' title stands in the row of its ticks
+
+  // NaN where a value has no place.
+  ImVec2 at(double x_value, double y_value) const;
+  bool holds(ImVec2 p) const { return p.x >= low.x && p.y >= low.y && p.x < high.x && p.y < high.y; }
+};
+
+float small_text_px(const Ui& ui);
+ImVec2 small_size(const PlotArea& area, std::string_view text);
+// Text of small size with its top left at `at`, rounded to pixels.
+void small_text(ImDrawList& list, const PlotArea& area, ImVec2 at, std::uint32_t colour, std::string_view text);
+
+std::string axis_title(const PlotAxis& axis);  // "title (unit)"
+void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 outer_low);
+void draw_series(ImDrawList& list, const PlotArea& area, const Series& series);
+void draw_levels_and_spots(ImDrawList& list, const PlotArea& area, const Plot& plot);
+void draw_legend(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 outer_low);
+void draw_readout(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 mouse);
+
+}  // namespace coaster::ui

@@ -1,0 +1,39 @@
+// The challenges that come with the program and those of the user, with the medals earned: a list to choose from.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/widgets/widgets.h"
+
+namespace coaster::ui {
+
+struct ChallengeEntry {
+  std::filesystem::path path;
+  std::string name, teaches;
+  std::filesystem::path track;  // its start track's file; empty when that is in the challenge itself
+  std::string problem;  // why it cannot be begun; empty when it can
+};
+
+// What is in the folders, read when they are asked for; kept until the next time.
+class ChallengeShelf {
+ public:
+  // The program's own (base::data_folder()), then the user's: files that end in .json, by name.
+  void read(const std::filesystem::path& users);
+  bool empty() const { return entries_.empty(); }
+  const std::vector<ChallengeEntry>& entries() const { return entries_; }
+
+ private:
+  std::vector<ChallengeEntry> entries_;
+};
+
+// The best medal known of the challenge of that file: earned since the program's start, or kept for the user. 0: none.
+int known_medal(const Ui& ui, const std::filesystem::path& challenge);
+
+// A row for each challenge in `height` px, scrolling; ui.panel names the widgets. What was clicked, or chosen by the arrow keys and Enter. `current`: the row
+// that the keys are at.
+std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, const ChallengeShelf& shelf, int& current, float height);
+
+}  // namespace coaster::ui

@@ -1,0 +1,11 @@
+// A lesson: what a player is asked to do, on a card in the viewport, and a ring around the widget that it is about.
+#pragma once
+
+#include "ui/widgets/widgets.h"
+
+namespace coaster::ui {
+
+// `marked`: the widget as last drawn; null when the lesson names none, or it does not show.
+void draw_lesson(Ui& ui, const view::Viewport& scene, const Widget* marked);
+
+}  // namespace coaster::ui

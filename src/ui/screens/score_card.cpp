@@ -1,0 +1,174 @@
+#include "ui/screens/score_card.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "query/challenge.h"
+#include "ui/actions/key_map.h"
+#include "ui/screens/medals.h"
+#include "ui/widgets/widget_parts.h"
+#include "ui/widgets/theme.h"
+
+namespace coaster::ui {
+namespace {
+
+using edit::RideEnd;
+
+std::string title_of(const edit::RideResult& result) {
+  switch (result.end) {
+    case RideEnd::lap: return "A whole lap";
+    case RideEnd::open_end: return "To the end of the track";
+    case RideEnd::time: return "The time is up";
+    case RideEnd::failed: return "The ride failed";
+  }
+  return {};
+}
+
+void wrapped(Ui& ui, std::string_view label, const std::string& words, std::uint32_t rgb) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colour(rgb));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  note_item(ui, label, "label", "", true, words);
+}
+
+std::string sentence(std::string words) {
+  if (!words.empty() && words.front() >= 'a' && words.front() <= 'z') words.front() = static_cast<char>(words.front() - 'a' + 'A');
+  return words + ".";
+}
+
+// A name, a bar towards 10 and the number.
+void rating(Ui& ui, const char* name, double value, std::uint32_t rgb, std::string_view tooltip) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(), bar = std::floor(6 * ui.scale);
+  const float left = low.x + std::floor(room * 0.36f), right = low.x + room - std::floor(48 * ui.scale), y = std::floor(low.y + (line - bar) * 0.5f + 1);
+  constexpr double kFull = 10;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddText(low, packed(palette().dim), name);
+  list.AddRectFilled({left, y}, {right, y + bar}, packed(palette().field), bar * 0.5f);
+  const float filled = left + (right - left) * static_cast<float>(std::clamp(value / kFull, 0.0, 1.0));
+  if (filled > left + bar) list.AddRectFilled({left, y}, {filled, y + bar}, packed(ink(rgb)), bar * 0.5f);
+  const std::string number = fixed(value, 2);
+  list.AddText({std::floor(low.x + room - text_size(number).x), low.y}, packed(palette().text), number.c_str());
+  ImGui::Dummy({room, line});
+  note(ui, name, "label", tooltip, true, number, low, {low.x + room, low.y + line});
+}
+
+void numbers(Ui& ui, const edit::RideResult& result) {
+  const sim::Ratings& r = result.ratings;
+  if (result.end == RideEnd::failed) read_out(ui, "Time", fixed(result.seconds, 2), "s", "From the start to here.");
+  else read_out(ui, result.end == RideEnd::lap ? "Lap time" : "Time", fixed(r.seconds, 2), "s", "Of the ride, from its start.");
+  read_out(ui, "Length", fixed(r.length, 1), "m", "Of the track.");
+  read_out(ui, "Top speed", fixed(r.top_speed.value, 1), "m/s", "Anywhere in the ride.");
+  read_out(ui, "Highest drop", fixed(r.highest_drop, 1), "m", "The largest of " + std::to_string(r.drops) + " descents of 3 m or more.");
+  read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "Time in which riders are lifted from their seats.");
+  read_out(ui, "Vertical g", fixed(r.up_least.value, 2) + " .. " + fixed(r.up_most.value, 2), "g", "Smallest and largest, low-passed, of all cars.");
+  read_out(ui, "Lateral g", fixed(r.side_most.value, 2), "g", "Largest to either side, low-passed.");
+  read_out(ui, "Inversions", std::to_string(r.inversions), "", "Times that riders are turned upside down.");
+  constexpr std::string_view kTerms = "After OpenRCT2's published terms of g and drops, with real g.";
+  rating(ui, "Excitement", r.excitement, 0x4FB477, kTerms);
+  rating(ui, "Intensity", r.intensity, 0xF2B84B, kTerms);
+  rating(ui, "Nausea", r.nausea, 0xE5534B, kTerms);
+}
+
+void verdict(Ui& ui, const edit::Verdict& verdict) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float size = std::floor(40 * ui.scale), line = ImGui::GetTextLineHeight(), room = ImGui::GetContentRegionAvail().x;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_medal(list, low, size, std::max(1, verdict.medal), verdict.medal > 0);
+  const std::string words = verdict.medal > 0 ? std::string(medal_title(verdict.medal)) + " medal" : "Not passed yet";
+  const edit::Session& session = ui.session();
+  const std::string name = session.challenge && session.challenge->file.name != session.document.name ? session.challenge->file.name : std::string();
+  const float x = low.x + size + std::floor(10 * ui.scale), y = std::floor(low.y + (size - (name.empty() ? 1 : 2) * line) * 0.5f);
+  list.AddText({x, y}, packed(verdict.medal > 0 ? palette().good : palette().warning), words.c_str());
+  const ImVec4 clip(x, low.y, low.x + room, low.y + size);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y + line}, packed(palette().dim), name.c_str(), nullptr, 0, &clip);
+  ImGui::Dummy({room, size});
+  note(ui, "Verdict", "label", "What the challenge makes of it.", true, words, low, {low.x + room, low.y + size});
+}
+
+void buttons(Ui& ui, const edit::Session& session) {
+  const auto place = failed_place(session);
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  if (button(ui, "Ride again", "Let the train run from its start.")) {
+    ui.emit(edit::RideStop{});
+    ui.emit(edit::RideStart{});
+  }
+  ImGui::SameLine(0, gap);
+  if (button(ui, "Show where", with_keys(ui.keys, "Look at the place where it failed, and select the segment.", "Show where it failed"), place.has_value())) show_place(ui, *place);
+  ImGui::SameLine(0, gap);
+  if (button(ui, "Close", with_keys(ui.keys, "Close this card.", "Cancel"), true, ImGui::GetContentRegionAvail().x)) ui.emit(edit::CloseCard{});
+}
+
+void build(Ui& ui, const edit::Session& session) {
+  const edit::RideResult& result = *session.result;
+  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().accent));
+  ImGui::TextUnformatted(session.document.name.empty() ? "The ride" : session.document.name.c_str());
+  ImGui::PopStyleColor();
+  note_item(ui, "Track", "label", "", true, session.document.name);
+  const bool failed = result.end == RideEnd::failed;
+  wrapped(ui, "Title", title_of(result), failed ? palette().error : palette().text);
+  if (!result.reason.empty()) wrapped(ui, "Reason", sentence(result.reason), failed ? palette().warning : palette().dim);
+  if (result.verdict) {
+    verdict(ui, *result.verdict);
+    if (!result.verdict->reason.empty() && result.verdict->reason != result.reason) wrapped(ui, "Why not", sentence(result.verdict->reason), palette().warning);
+  }
+  ImGui::Separator();
+  numbers(ui, result);
+  if (!result.whole) wrapped(ui, "Note", "The track was changed, or the train moved by hand, during the ride: the numbers are of a whole ride on it now.", palette().dim);
+  ImGui::Separator();
+  buttons(ui, session);
+}
+
+}  // namespace
+
+bool card_shows(const edit::Session& session) { return session.settings.show_card && session.show_result && session.result; }
+
+std::optional<double> failed_place(const edit::Session& session) {
+  if (!session.result) return std::nullopt;
+  if (session.result->verdict && session.result->verdict->place) return session.result->verdict->place;
+  return session.result->end == RideEnd::failed ? session.result->place : std::nullopt;
+}
+
+void show_place(Ui& ui, double distance) {
+  const edit::Session& session = ui.session();
+  const sim::Derived& derived = session.derived;
+  if (derived.order.empty()) return;
+  const sim::TrackPlace place = sim::place_at(derived, distance);
+  const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
+  const double t = shape.arc.parameter(place.s);
+  world::Camera camera = session.settings.camera;
+  camera.target = glm::vec3(curve::point(shape.key.cubic, t));
+  constexpr float kNear = 18, kFar = 36;  // m
+  camera.distance = std::clamp(camera.distance, kNear, kFar);
+  ui.emit(edit::Select{{world::name_of(session.document, derived.order[place.index])}, t});
+  ui.emit(edit::SetCamera{camera});
+  if (card_shows(session)) ui.emit(edit::CloseCard{});
+  if (session.settings.camera_mode != world::CameraMode::orbit) ui.emit(edit::SetCameraMode{world::CameraMode::orbit});
+}
+
+void draw_score_card(Ui& ui, const view::Viewport& scene) {
+  const edit::Session& session = ui.session();
+  if (!card_shows(session)) return;
+  const float width = std::floor(288 * ui.scale), margin = std::floor(14 * ui.scale);
+  if (scene.width < width + 2 * margin || scene.height < 240 * ui.scale) return;
+  ImGui::SetNextWindowPos({std::floor(scene.x + scene.width - margin), std::floor(scene.y + margin)}, ImGuiCond_Always, {1, 0});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height - 2 * margin});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::SetNextWindowBgAlpha(0.92f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * ui.scale, 10 * ui.scale));
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+  if (ImGui::Begin("##score", nullptr, kFlags)) {
+    ui.panel = "Score";
+    build(ui, session);
+    ui.panel.clear();
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace coaster::ui

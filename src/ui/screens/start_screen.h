@@ -1,0 +1,40 @@
+// The first thing that is seen: what to go on with, tracks and challenges by their pictures. While it is open keys and mouse are its own.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ui/screens/challenge_list.h"
+#include "ui/widgets/widgets.h"
+
+namespace coaster::ui {
+
+class StartScreen {
+ public:
+  bool open() const { return open_; }
+  void show() { open_ = true, samples_.clear(), shelf_ = {}; }
+  void hide() { open_ = false; }
+
+  // width, height: of the window, px. Nothing is drawn while it is closed.
+  void build(Ui& ui, const platform::Events& events, float width, float height);
+
+ private:
+  void build_choices(Ui& ui, float width);
+  void build_tracks(Ui& ui);
+  void build_challenges(Ui& ui, float width, float gap);
+  // A picture of a track with a name below it.
+  struct Card {
+    std::string label, picture, help;  // of the widget; the track's file
+    std::string name;                  // "": the track's own
+    int medal = 0;                     // drawn over the picture
+  };
+  bool draw(Ui& ui, const Card& card, float width);
+  void load(Ui& ui, const std::filesystem::path& file);
+
+  bool open_ = false;
+  std::vector<std::filesystem::path> samples_;  // found when it was opened, and the challenges, too
+  ChallengeShelf shelf_;
+};
+
+}  // namespace coaster::ui

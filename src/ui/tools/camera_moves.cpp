@@ -1,0 +1,32 @@
+// How the mouse moves the orbit camera: exact, without damping, so that a recording repeats it.
+#include <algorithm>
+#include <cmath>
+
+#include "ui/tools/viewport_tool.h"
+
+namespace coaster::ui {
+
+world::Camera orbited(world::Camera camera, glm::vec2 pixels, float scale) {
+  constexpr float kDegreesPerPixel = 0.3f;
+  camera.yaw_deg -= pixels.x * kDegreesPerPixel / scale;
+  camera.pitch_deg = std::clamp(camera.pitch_deg + pixels.y * kDegreesPerPixel / scale, -89.0f, 89.0f);
+  return camera;
+}
+
+world::Camera panned(world::Camera camera, const view::View& view, glm::vec2 pixels) {
+  // Metres that a pixel covers at the target: what is there stays under the cursor.
+  const float tangent = 1 / view.projection[1][1];
+  const float metres = 2 * camera.distance * tangent / std::max(1.0f, view.viewport.height);
+  const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  const glm::vec3 limit(world::kMaxCoordinate);
+  camera.target = glm::clamp(camera.target - right * (pixels.x * metres) + up * (pixels.y * metres), -limit, limit);
+  return camera;
+}
+
+world::Camera zoomed(world::Camera camera, float notches) {
+  constexpr float kPerNotch = 1.12f, kNearest = 0.5f, kFarthest = 20'000.0f;
+  camera.distance = std::clamp(camera.distance * std::pow(kPerNotch, -notches), kNearest, kFarthest);
+  return camera;
+}
+
+}  // namespace coaster::ui

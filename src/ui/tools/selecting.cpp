@@ -1,0 +1,62 @@
+#include "ui/tools/selecting.h"
+
+#include <algorithm>
+
+#include "world/selection.h"
+
+namespace coaster::ui {
+namespace {
+
+using world::Entity;
+
+void take_out(std::vector<Entity>& from, Entity e) { from.erase(std::remove(from.begin(), from.end(), e), from.end()); }
+
+}  // namespace
+
+edit::Command selection_of(const world::Document& document, const std::vector<Entity>& knots) {
+  if (knots.empty()) return edit::Select{};
+  if (knots.size() == 1) return edit::Select{{world::name_of(document, knots[0])}};
+  edit::Knots named;
+  for (const Entity e : knots) named.names.push_back(world::name_of(document, e));
+  return edit::SelectKnots{std::move(named)};
+}
+
+edit::Command toggled(const edit::Session& session, Entity knot) {
+  std::vector<Entity> knots = world::selected_knots(session.document, session.settings);
+  const bool was = std::find(knots.begin(), knots.end(), knot) != knots.end();
+  take_out(knots, knot);
+  if (!was) knots.push_back(knot);
+  return selection_of(session.document, knots);
+}
+
+edit::Command up_to(const edit::Session& session, Entity knot) {
+  const world::Track& track = session.document.track;
+  const auto from = world::index_of(track.knots, session.settings.selected), to = world::index_of(track.knots, knot);
+  if (!from || !to || *from == *to) return selection_of(session.document, {knot});
+  const std::size_t count = track.knots.size(), forward = (*to + count - *from) % count;
+  const bool back = track.closed ? 2 * forward > count : *to < *from;
+  std::vector<Entity> knots = world::selected_knots(session.document, session.settings);
+  const std::size_t steps = back ? count - forward : forward;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const Entity e = track.knots[(*from + (back ? count - i : i)) % count];
+    take_out(knots, e);
+    knots.push_back(e);
+  }
+  return selection_of(session.document, knots);
+}
+
+std::optional<edit::Command> boxed(const edit::Session& session, const view::View& view, glm::vec2 corner, glm::vec2 opposite, BoxMode mode) {
+  const glm::vec2 low = glm::min(corner, opposite), high = glm::max(corner, opposite);
+  const std::vector<Entity> before = world::selected_knots(session.document, session.settings);
+  std::vector<Entity> knots = mode == BoxMode::replace ? std::vector<Entity>{} : before;
+  for (const Entity e : session.document.track.knots) {
+    const auto at = view::project(view, world::knot(session.document, e).position);
+    if (!at || std::abs(at->z) > 1 || at->x < low.x || at->y < low.y || at->x > high.x || at->y > high.y) continue;
+    if (mode == BoxMode::remove) take_out(knots, e);
+    else if (mode == BoxMode::replace || !world::is_selected(session.settings, e)) knots.push_back(e);
+  }
+  if (knots == before) return std::nullopt;
+  return selection_of(session.document, knots);
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,200 @@
+#include "ui/tools/transform_tool.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <variant>
+
+#include "base/portable_math.h"
+#include "edit/commands/codec.h"
+#include "world/selection.h"
+
+namespace coaster::ui {
+namespace {
+
+using platform::Key;
+using CKind = Constraint::Kind;
+
+constexpr std::array<const char*, 3> kAxisNames{"X", "Y", "Z"}, kPlanes{"YZ", "XZ", "XY"};
+constexpr std::size_t kMostTyped = 16;
+
+// The character that a key types into a number, 0 for none.
+char digit_of(Key key) {
+  const int code = static_cast<int>(key);
+  if (code >= static_cast<int>(Key::d0) && code <= static_cast<int>(Key::d0) + 9) return static_cast<char>('0' + code - static_cast<int>(Key::d0));
+  if (key == Key::period) return '.';
+  if (key == Key::minus) return '-';
+  return 0;
+}
+
+std::string number_text(double value) { return fixed(value, 3); }
+
+// Snapping is the other way round while Ctrl is held: on becomes off, off becomes the grid.
+world::SnapTo snap_now(const world::Settings& settings) {
+  if (!ImGui::GetIO().KeyCtrl) return settings.snapping.to;
+  return settings.snapping.to == world::SnapTo::off ? world::SnapTo::grid : world::SnapTo::off;
+}
+
+double rounded_to(double value, double step) { return std::round(value / step) * step; }
+
+}  // namespace
+
+void TransformTool::begin(Ui& ui, TransformKind kind, Constraint constraint, std::optional<int> button) {
+  const edit::Session& session = ui.session();
+  const std::vector<world::Entity> knots = world::selected_knots(session.document, session.settings);
+  if (knots.empty()) return;
+  *this = {};
+  active_ = true;
+  kind_ = kind, constraint_ = constraint, button_ = button;
+  glm::dvec3 sum(0);
+  for (const world::Entity e : knots) {
+    knots_.names.push_back(world::name_of(session.document, e));
+    sum += glm::dvec3(world::knot(session.document, e).position);
+  }
+  pivot_ = glm::vec3(sum / static_cast<double>(knots.size()));
+  active_start_ = world::knot(session.document, knots.back()).position;
+  start_ = last_ = mouse_position();
+}
+
+std::size_t TransformTool::fields() const {
+  if (kind_ == TransformKind::rotate) return 1;
+  if (kind_ == TransformKind::scale && constraint_.kind == CKind::free) return 1;
+  return constraint_.kind == CKind::axis ? 1 : constraint_.kind == CKind::plane ? 2 : 3;
+}
+
+std::optional<double> TransformTool::typed(std::size_t field) const {
+  return text_[field].empty() ? std::nullopt : base::parse_double(text_[field]);
+}
+bool TransformTool::any_typed() const { return typed(0) || typed(1) || typed(2); }
+
+void TransformTool::take_keys(const platform::Events& events) {
+  for (const platform::Event& event : events) {
+    const auto* const press = std::get_if<platform::KeyPress>(&event);
+    if (!active_ || press == nullptr || !press->down || press->modifiers.ctrl || press->modifiers.alt) continue;
+    std::string& text = text_[field_];
+    if (press->key >= Key::x && press->key <= Key::z) {
+      const Constraint next{press->modifiers.shift ? CKind::plane : CKind::axis, static_cast<int>(press->key) - static_cast<int>(Key::x)};
+      constraint_ = next == constraint_ ? Constraint{} : next;  // the same once more: free again
+      field_ = 0, angle_ = 0, last_ = start_;
+    } else if (press->key == Key::g || press->key == Key::r || press->key == Key::s) {
+      kind_ = press->key == Key::g ? TransformKind::move : press->key == Key::r ? TransformKind::rotate : TransformKind::scale;
+      text_ = {}, field_ = 0, angle_ = 0, last_ = start_;
+    } else if (press->key == Key::enter || press->key == Key::keypad_enter) {
+      begun_ = true;  // the numbers count even where the mouse has not moved
+      button_.reset();
+      entered_ = true;
+    } else if (press->key == Key::tab) {
+      field_ = (field_ + 1) % fields();
+    } else if (press->key == Key::backspace) {
+      if (!text.empty()) text.pop_back();
+    } else if (const char c = digit_of(press->key); c != 0 && text.size() < kMostTyped) {
+      if (c == '-') text = text.starts_with('-') ? text.substr(1) : "-" + text;
+      else if (c != '.' || text.find('.') == std::string::npos) text += c;
+    }
+  }
+}
+
+glm::vec3 TransformTool::movement(const Ui& ui, const view::View& view) {
+  if (any_typed()) {
+    glm::vec3 by(0);
+    std::size_t field = 0;
+    for (int i = 0; i < 3; ++i)
+      if (constraint_.allows(i)) by[i] = static_cast<float>(typed(field++).value_or(0));
+    return by;
+  }
+  const edit::Session& session = ui.session();
+  const auto from = meet(view, start_, pivot_, constraint_), to = meet(view, mouse_position(), pivot_, constraint_);
+  if (!from || !to) return glm::vec3(0);
+  const glm::dvec3 start(active_start_), wanted = start + (*to - *from);
+  const SnapScene scene{session.document, session.settings, view, mouse_position()};
+  return glm::vec3(snapped(scene, snap_now(session.settings), wanted, start, constraint_) - start);
+}
+
+edit::Command TransformTool::command(const Ui& ui, const view::View& view) {
+  const world::Settings& settings = ui.session().settings;
+  const glm::vec2 mouse = mouse_position();
+  const std::string along = constraint_.kind == CKind::axis    ? std::string(" along ") + kAxisNames[static_cast<std::size_t>(constraint_.axis)]
+                            : constraint_.kind == CKind::plane ? std::string(" in ") + kPlanes[static_cast<std::size_t>(constraint_.axis)]
+                                                               : "";
+  if (kind_ == TransformKind::move) {
+    const glm::vec3 by = movement(ui, view);
+    shown_ = "Move" + along + ":";
+    for (int i = 0; i < 3; ++i)
+      if (constraint_.allows(i)) shown_ += " " + number_text(by[i]);
+    shown_ += " m";
+    return edit::Translate{knots_, by, true};
+  }
+  if (kind_ == TransformKind::rotate) {
+    const glm::vec3 axis = rotation_axis(view, constraint_);
+    angle_ += turned_angle(view, last_, mouse, pivot_, axis);
+    last_ = mouse;
+    double degrees = base::degrees(angle_);
+    if (snap_now(settings) != world::SnapTo::off) degrees = rounded_to(degrees, settings.snapping.angle);
+    degrees = typed(0).value_or(degrees);
+    shown_ = "Rotate" + (constraint_.kind == CKind::free ? std::string() : std::string(" about ") + kAxisNames[static_cast<std::size_t>(constraint_.axis)]) + ": " +
+             fixed(degrees, 2) + "\u00B0";
+    return edit::Rotate{knots_, degrees, pivot_, axis, true};
+  }
+  const auto middle = view::project(view, pivot_);
+  const double from = middle ? glm::length(start_ - glm::vec2(middle->x, middle->y)) : 1, to = middle ? glm::length(mouse - glm::vec2(middle->x, middle->y)) : 1;
+  double factor = from > 2 ? to / from : 1 + (to - from) / 100;
+  if (snap_now(settings) != world::SnapTo::off) factor = std::max(0.1, rounded_to(factor, 0.1));
+  factor = std::max(factor, 1e-3);
+  glm::vec3 by(1);
+  std::size_t field = 0;
+  shown_ = "Scale" + along + ":";
+  for (int i = 0; i < 3; ++i) {
+    if (!constraint_.allows(i)) continue;
+    const double value = any_typed() ? typed(constraint_.kind == CKind::free ? 0 : field++).value_or(1) : factor;
+    by[i] = static_cast<float>(value);
+    if (i == 0 || constraint_.kind != CKind::free) shown_ += " " + number_text(value);
+  }
+  return edit::Scale{knots_, by, pivot_, true};
+}
+
+void TransformTool::emit(Ui& ui, const view::View& view) {
+  const edit::Command next = command(ui, view);
+  const std::string text = edit::print(next);
+  if (text == sent_) return;
+  sent_ = text;
+  if (!gesture_) ui.emit(edit::BeginGesture{});
+  gesture_ = true;
+  ui.out.commands.push_back(next);
+}
+
+void TransformTool::update(Ui& ui, const view::View& view) {
+  if (!active_) return;
+  if (gesture_ && !ui.session().history.in_gesture) {  // undone, or ended by a script
+    *this = {};
+    return;
+  }
+  constexpr float kStill = 3;  // px
+  const ImGuiIO& io = ImGui::GetIO();
+  begun_ = begun_ || any_typed() || glm::length(mouse_position() - start_) >= kStill;
+  if (begun_) emit(ui, view);
+  else (void)command(ui, view);
+  const bool let_go = button_ ? !io.MouseDown[*button_] : entered_ || io.MouseClicked[ImGuiMouseButton_Left];
+  if (!button_ && io.MouseClicked[ImGuiMouseButton_Right]) cancel(ui);
+  else if (let_go) finish(ui);
+}
+
+void TransformTool::finish(Ui& ui) {
+  if (gesture_) ui.emit(edit::EndGesture{});
+  *this = {};
+}
+
+bool TransformTool::cancel(Ui& ui) {
+  if (!active_) return false;
+  if (gesture_) ui.emit(edit::CancelGesture{});
+  *this = {};
+  return true;
+}
+
+std::string TransformTool::status() const {
+  if (!active_) return {};
+  std::string text = shown_;
+  if (!text_[field_].empty()) text += "   [" + text_[field_] + "_]";
+  return text;
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,52 @@
+// Moving, turning and scaling the selected knots: by the gizmo, or with G, R and S as in Blender, along an axis (X, Y, Z), in a plane
+// (Shift+axis), by typed numbers. Holds the transform that is under way and nothing else.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "ui/tools/transform_math.h"
+#include "ui/widgets/widgets.h"
+
+namespace coaster::ui {
+
+class TransformTool {
+ public:
+  bool active() const { return active_; }
+
+  // Begins on the selected knots; without any it does nothing. With a mouse button it ends when that is let go, else with Enter or a click.
+  void begin(Ui& ui, TransformKind kind, Constraint constraint, std::optional<int> button);
+  // X Y Z, Shift+axis, digits, Tab, Backspace, Enter, G R S; what is not for it is left alone. Escape comes through cancel().
+  void take_keys(const platform::Events& events);
+  // Once a frame, after the keys: follows the mouse, emits at most one command; ends on a click or the button's release.
+  void update(Ui& ui, const view::View& view);
+  // Puts everything back. False when nothing was under way.
+  bool cancel(Ui& ui);
+
+  // "Move along X: 2.50 m", for the viewport's foot; empty when nothing is under way.
+  std::string status() const;
+
+ private:
+  void finish(Ui& ui);
+  void emit(Ui& ui, const view::View& view);
+  std::optional<double> typed(std::size_t field) const;
+  bool any_typed() const;
+  std::size_t fields() const;
+  edit::Command command(const Ui& ui, const view::View& view);
+  glm::vec3 movement(const Ui& ui, const view::View& view);
+
+  bool active_ = false, gesture_ = false, begun_ = false, entered_ = false;
+  TransformKind kind_ = TransformKind::move;
+  Constraint constraint_;
+  std::optional<int> button_;
+  edit::Knots knots_;
+  glm::vec3 pivot_{0}, active_start_{0};  // m: the mean, and the active knot, when it began
+  glm::vec2 start_{0}, last_{0};          // px
+  double angle_ = 0;                      // radians, gathered over more than half a turn
+  std::array<std::string, 3> text_;       // what is typed
+  std::size_t field_ = 0;
+  std::string sent_, shown_;              // the last command, and what the status says of it
+};
+
+}  // namespace coaster::ui

@@ -1,0 +1,259 @@
+// The mouse in the viewport.
+#include "ui/tools/viewport_tool.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/tools/fly_keys.h"
+#include "ui/widgets/theme.h"
+#include "view/gizmo.h"
+#include "world/selection.h"
+
+namespace coaster::ui {
+namespace {
+
+using view::PickKind;
+
+bool is_handle(PickKind kind) { return kind == PickKind::handle_in || kind == PickKind::handle_out; }
+
+// Where a knot or handle is now.
+glm::vec3 item_position(const world::Document& document, const view::Pick& pick) {
+  const world::Knot& knot = world::knot(document, pick.entity);
+  if (pick.kind == PickKind::handle_in) return world::in_handle(knot);
+  if (pick.kind == PickKind::handle_out) return world::out_handle(knot);
+  return knot.position;
+}
+
+world::CameraMode shown_camera(const Ui& ui) {
+  const edit::Session& s = ui.session();
+  return view::shown_mode({s.document, s.derived, s.motion, s.settings});
+}
+
+}  // namespace
+
+view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const edit::Session& session = ui.session();
+  const glm::vec2 mouse = mouse_position();
+  if (transform_.active()) {
+    transform_.update(ui, view);
+    return {};
+  }
+  // An undo or a script may have ended the gesture, or removed what is dragged.
+  if (drag_.gesture && !session.history.in_gesture) drag_ = {};
+  if (dragging() && drag_.pick.kind != PickKind::none && !session.document.entities.alive(drag_.pick.entity)) cancel(ui);
+
+  const bool over = view.viewport.contains(mouse) && !io.WantCaptureMouse;
+  view::Pick under;
+  if (over && !dragging())
+    under = view::pick(session.document, session.derived, session.motion, session.settings, view, mouse);
+  if (over && !dragging()) press(ui, view, under);
+  if (over && io.MouseWheel != 0) turn_wheel(ui, io.MouseWheel);
+  if (!dragging()) return under;
+
+  const view::Pick held = drag_.pick;
+  move(ui, view, mouse);
+  if (!io.MouseDown[drag_.button]) release(ui, view);
+  return held;
+}
+
+void ViewportTool::turn_wheel(Ui& ui, float notches) {
+  constexpr float kMetres = 2, kPerNotch = 1.12f;
+  const world::Settings& settings = ui.session().settings;
+  switch (shown_camera(ui)) {
+    case world::CameraMode::orbit: ui.emit(edit::SetCamera{zoomed(settings.camera, notches)}); break;
+    case world::CameraMode::fly: ui.emit(edit::SetFly{flown(fly_now(ui), {0, 0, kMetres * notches})}); break;
+    case world::CameraMode::chase:
+      ui.emit(edit::SetChaseDistance{std::clamp(settings.feel.chase_distance * std::pow(kPerNotch, -notches), world::kMinChase, world::kMaxChase)});
+      break;
+    case world::CameraMode::ride: break;
+  }
+}
+
+bool ViewportTool::cancel(Ui& ui) {
+  if (transform_.cancel(ui)) return true;
+  if (box_waits_ && drag_.what == What::nothing) return box_waits_ = false, true;
+  if (!dragging()) return false;
+  if (drag_.gesture) ui.emit(edit::CancelGesture{});
+  drag_ = {};
+  return true;
+}
+
+void ViewportTool::press(Ui& ui, const view::View&, const view::Pick& under) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const auto begin = [&](What what, int button) {
+    drag_ = {};
+    drag_.what = what;
+    drag_.button = button;
+    drag_.start = drag_.last = mouse_position();
+    drag_.shift = io.KeyShift, drag_.ctrl = io.KeyCtrl;
+  };
+  if (io.MouseClicked[ImGuiMouseButton_Left]) {
+    begin(What::orbit, ImGuiMouseButton_Left);
+    const bool waited = std::exchange(box_waits_, false);
+    if (waited || (under.kind == PickKind::none && !io.KeyAlt && (io.KeyShift || io.KeyCtrl))) {
+      drag_.what = What::box;
+      drag_.box = io.KeyShift ? BoxMode::add : io.KeyCtrl ? BoxMode::remove : BoxMode::replace;
+    } else if (view::is_gizmo(under.kind)) {
+      drag_ = {};
+      const Constraint constraint{view::is_axis(under.kind) ? Constraint::Kind::axis : Constraint::Kind::plane, view::gizmo_axis(under.kind)};
+      transform_.begin(ui, TransformKind::move, constraint, ImGuiMouseButton_Left);
+    } else if (!io.KeyAlt) {
+      press_left(ui, under);
+    }
+  } else if (io.MouseClicked[ImGuiMouseButton_Right]) {
+    begin(io.KeyShift ? What::pan : What::orbit, ImGuiMouseButton_Right);
+  } else if (io.MouseClicked[ImGuiMouseButton_Middle]) {
+    begin(What::pan, ImGuiMouseButton_Middle);
+  }
+}
+
+void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
+  const edit::Session& session = ui.session();
+  const bool twice = ImGui::GetIO().MouseDoubleClicked[ImGuiMouseButton_Left];
+  drag_.pick = under;
+  if (under.kind == PickKind::none) {
+    drag_.click_acts = !twice;
+    return;
+  }
+  const edit::Target target{world::name_of(session.document, under.entity)};
+  if (under.kind == PickKind::curve) {
+    drag_.what = What::place;
+    if (twice) {
+      drag_.what = What::cart;  // the place is gone with the split: the rest of the press does nothing
+      ui.emit(edit::SplitSegment{target, under.t});
+    } else {
+      ui.emit(edit::Select{target, under.t});
+    }
+    return;
+  }
+  drag_.what = under.kind == PickKind::cart ? What::cart : What::item;
+  // With Shift or Ctrl a click adds to the selection, and a drag moves: which of them it is shows later.
+  const bool waits = under.kind == PickKind::knot && (drag_.shift || drag_.ctrl || world::is_selected(session.settings, under.entity));
+  if (!is_handle(under.kind) && session.settings.selected != under.entity && !waits) ui.emit(edit::Select{target});
+}
+
+void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
+  constexpr float kStill = 3;  // px
+  drag_.moved = drag_.moved || glm::length(mouse - drag_.start) >= kStill;
+  if (!drag_.moved) return;
+  const edit::Session& session = ui.session();
+  const world::Camera& camera = session.settings.camera;
+  const glm::vec2 by = mouse - drag_.last;
+  const world::CameraMode mode = shown_camera(ui);
+  const bool turns = by != glm::vec2(0) && mode == world::CameraMode::orbit;
+  switch (drag_.what) {
+    case What::orbit:
+      if (turns) ui.emit(edit::SetCamera{orbited(camera, by, ui.scale)});
+      if (by != glm::vec2(0) && mode == world::CameraMode::fly) ui.emit(edit::SetFly{looked(fly_now(ui), by, ui.scale)});
+      break;
+    case What::pan:
+      if (turns) ui.emit(edit::SetCamera{panned(camera, view, by)});
+      break;
+    case What::item: move_item(ui, view, mouse); break;
+    case What::box: {
+      const glm::vec2 low = glm::min(drag_.start, mouse), high = glm::max(drag_.start, mouse);
+      ImDrawList& list = *ImGui::GetBackgroundDrawList();
+      list.AddRectFilled({low.x, low.y}, {high.x, high.y}, packed(palette().accent, 0.14f));
+      list.AddRect({low.x, low.y}, {high.x, high.y}, packed(palette().accent, 0.9f), 0, 0, std::max(1.0f, ui.scale));
+      break;
+    }
+    case What::place:
+      if (by == glm::vec2(0)) break;
+      if (const auto place = view::pick_segment(session.derived, view, mouse, drag_.pick.entity))
+        ui.emit(edit::Select{{world::name_of(session.document, place->entity)}, place->t});
+      break;
+    case What::cart:
+    case What::nothing: break;
+  }
+  drag_.last = mouse;
+}
+
+void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const world::Document& document = ui.session().document;
+  const Along along = io.KeyShift ? Along::vertical : io.KeyCtrl ? Along::ground : Along::screen;
+  const auto hit = [&](glm::vec2 pixel) -> std::optional<glm::vec3> {
+    const view::Ray ray = view::ray_through(view, pixel);
+    if (along == Along::screen) return view::meet_plane(ray, drag_.anchor, view::line_of_sight(view));
+    if (along == Along::ground) return view::meet_plane(ray, drag_.anchor, {0, 1, 0});
+    const auto height = view::meet_vertical(ray, drag_.anchor);
+    return height ? std::optional(glm::vec3(drag_.anchor.x, *height, drag_.anchor.z)) : std::nullopt;
+  };
+  if (!drag_.grabbed || along != drag_.along) {  // another plane takes over from where the item is
+    drag_.along = along;
+    drag_.anchor = drag_.sent = item_position(document, drag_.pick);
+    const auto at = hit(drag_.last);
+    drag_.grabbed = at.has_value();
+    if (!at) return;
+    drag_.offset = drag_.anchor - *at;
+  }
+  const auto at = hit(mouse);
+  if (!at) return;
+  glm::vec3 to = *at + drag_.offset;
+  const world::Settings& settings = ui.session().settings;
+  if (drag_.pick.kind == PickKind::knot && settings.snapping.to != world::SnapTo::off) {
+    const Constraint constraint{along == Along::vertical ? Constraint::Kind::axis : along == Along::ground ? Constraint::Kind::plane : Constraint::Kind::free, 1};
+    to = glm::vec3(snapped({document, settings, view, mouse}, settings.snapping.to, glm::dvec3(to), glm::dvec3(drag_.anchor), constraint));
+  }
+  if (to == drag_.sent) return;
+  if (!world::is_selected(settings, drag_.pick.entity) && drag_.pick.kind == PickKind::knot) ui.emit(edit::Select{{world::name_of(document, drag_.pick.entity)}});
+  if (!drag_.gesture) ui.emit(edit::BeginGesture{});
+  drag_.gesture = true;
+  drag_.sent = to;
+  const world::Name name = world::name_of(document, drag_.pick.entity);
+  if (drag_.pick.kind == PickKind::knot && world::is_selected(settings, drag_.pick.entity) && !settings.also.empty()) {
+    move_knots(ui, to);
+  } else if (drag_.pick.kind == PickKind::knot) {
+    ui.emit(edit::MoveKnot{{name}, to});
+  } else {
+    const auto end = drag_.pick.kind == PickKind::handle_in ? edit::HandleEnd::in : edit::HandleEnd::out;
+    ui.emit(edit::MoveHandle{{name, end}, to});
+  }
+}
+
+// All selected knots as far as the one that is dragged.
+void ViewportTool::move_knots(Ui& ui, glm::vec3 to) {
+  const edit::Session& session = ui.session();
+  edit::Knots knots;
+  for (const world::Entity e : world::selected_knots(session.document, session.settings)) knots.names.push_back(world::name_of(session.document, e));
+  const world::Document& start = session.history.in_gesture ? session.history.gesture_start : session.document;
+  const glm::dvec3 from(world::knot(start, drag_.pick.entity).position);
+  ui.emit(edit::Translate{std::move(knots), glm::vec3(glm::dvec3(to) - from), true});
+}
+
+void ViewportTool::click_knot(Ui& ui) {
+  const edit::Session& session = ui.session();
+  const world::Entity knot = drag_.pick.entity;
+  if (drag_.shift) ui.out.commands.push_back(toggled(session, knot));
+  else if (drag_.ctrl) ui.out.commands.push_back(up_to(session, knot));
+  else if (!session.settings.also.empty()) ui.emit(edit::Select{{world::name_of(session.document, knot)}});
+}
+
+void ViewportTool::release(Ui& ui, const view::View& view) {
+  if (drag_.gesture) ui.emit(edit::EndGesture{});
+  if (!drag_.moved && drag_.click_acts) click_ground(ui, view);
+  if (!drag_.moved && drag_.what == What::item && drag_.pick.kind == PickKind::knot) click_knot(ui);
+  if (drag_.moved && drag_.what == What::box)
+    if (auto chosen = boxed(ui.session(), view, drag_.start, drag_.last, drag_.box)) ui.out.commands.push_back(std::move(*chosen));
+  drag_ = {};
+}
+
+void ViewportTool::click_ground(Ui& ui, const view::View& view) {
+  const edit::Session& session = ui.session();
+  const world::Track& track = session.document.track;
+  if ((session.settings.append_mode && !track.closed) || track.knots.empty()) {
+    const auto at = view::meet_plane(view::ray_through(view, drag_.start), glm::vec3(0), {0, 1, 0});
+    if (!at) return;
+    ui.emit(edit::AppendKnot{*at});
+    // Who starts a track goes on with it.
+    if (!session.settings.append_mode) ui.emit(edit::SetAppendMode{true});
+  } else if (session.settings.selected.valid()) {
+    ui.emit(edit::Select{});
+  }
+}
+
+}  // namespace coaster::ui

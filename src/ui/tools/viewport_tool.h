@@ -1,0 +1,65 @@
+// The mouse in the viewport: hovering, selecting, dragging knots and handles, boxes, appending, and the orbit camera. Holds the drag that is
+// under way and nothing else.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "ui/tools/selecting.h"
+#include "ui/tools/transform_tool.h"
+#include "ui/widgets/widgets.h"
+
+namespace coaster::ui {
+
+class ViewportTool {
+ public:
+  // After the panels: reads the mouse from ImGui, emits commands, returns what is under the cursor (or dragged).
+  view::Pick update(Ui& ui, const view::View& view);
+  bool dragging() const { return drag_.what != What::nothing || transform_.active(); }
+  TransformTool& transform() { return transform_; }
+  const TransformTool& transform() const { return transform_; }
+  // The next drag of the left button draws a box that selects the knots in it.
+  void wait_for_box() { box_waits_ = true; }
+  bool box_waits() const { return box_waits_ || drag_.what == What::box; }
+  // Ends the drag; one that has moved something is cancelled, which puts the document back. False when there was none.
+  bool cancel(Ui& ui);
+
+ private:
+  enum class What : std::uint8_t { nothing, item, place, cart, orbit, pan, box };
+  enum class Along : std::uint8_t { screen, vertical, ground };  // what the cursor's ray is met with
+  struct Drag {
+    What what = What::nothing;
+    int button = 0;
+    view::Pick pick;
+    glm::vec2 start{0}, last{0};  // px
+    bool moved = false;           // 3 px or more: else it is a click
+    bool click_acts = false;      // a click on empty ground appends or deselects
+    bool shift = false, ctrl = false;  // held when it was pressed
+    BoxMode box = BoxMode::replace;
+    bool gesture = false;         // BeginGesture was emitted
+    Along along = Along::screen;
+    bool grabbed = false;
+    glm::vec3 anchor{0}, offset{0};  // m: the item when grabbed, and from the ray's hit to it
+    glm::vec3 sent{0};
+  };
+
+  void press(Ui& ui, const view::View& view, const view::Pick& under);
+  void press_left(Ui& ui, const view::Pick& under);
+  void move(Ui& ui, const view::View& view, glm::vec2 mouse);
+  void move_item(Ui& ui, const view::View& view, glm::vec2 mouse);
+  void release(Ui& ui, const view::View& view);
+  void turn_wheel(Ui& ui, float notches);
+  void click_ground(Ui& ui, const view::View& view);
+  void click_knot(Ui& ui);
+  void move_knots(Ui& ui, glm::vec3 to);
+
+  Drag drag_;
+  TransformTool transform_;
+  bool box_waits_ = false;
+};
+
+// The camera after the mouse moved by `pixels`: about its target, and with it. The scene follows the mouse.
+world::Camera orbited(world::Camera camera, glm::vec2 pixels, float scale);
+world::Camera panned(world::Camera camera, const view::View& view, glm::vec2 pixels);
+world::Camera zoomed(world::Camera camera, float notches);
+
+}  // namespace coaster::ui

@@ -1,0 +1,25 @@
+// Notices over the bottom of the viewport: the newest one, for some seconds; in scripts (no wall clock) until the next one.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "edit/session/session.h"
+#include "view/camera.h"
+
+namespace coaster::ui {
+
+struct Toasts {
+  std::string shown;  // "" when none is
+  edit::NoticeKind kind = edit::NoticeKind::info;
+  double since = 0;   // s
+  std::uint64_t serial = 0;
+
+  // Takes the newest notice of the session, and drops what has been shown long enough.
+  void update(const edit::Session& session, double seconds, bool scripted);
+  // A notice of the UI's own, about input that makes no command.
+  void show(edit::NoticeKind what, std::string text, double seconds);
+  void draw(const view::Viewport& viewport, float scale, double seconds, bool scripted) const;
+};
+
+}  // namespace coaster::ui

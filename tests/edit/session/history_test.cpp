@@ -1,0 +1,113 @@
+#include "edit/session/history.h"
+
+#include "edit/session_fixture.h"
+
+namespace coaster::edit {
+namespace history_test {
+
+class HistoryOfEdits : public test::SessionTest {};
+
+TEST_F(HistoryOfEdits, undo_restores_the_document_exactly_and_redo_too) {
+  const world::Document before = session.document;
+  good("split @s2 at 0.3");
+  const world::Document after = session.document;
+  good("undo");
+  EXPECT_TRUE(session.document == before);
+  good("redo");
+  EXPECT_TRUE(session.document == after);
+  good("undo");
+  good("split @s2 at 0.3");  // the same names come back
+  EXPECT_TRUE(session.document == after);
+}
+
+TEST_F(HistoryOfEdits, a_new_edit_empties_the_redo_stack) {
+  good("datum 3.5");
+  good("undo");
+  good("datum 4.5");
+  refused("redo", "nothing to redo");
+}
+
+TEST_F(HistoryOfEdits, nothing_to_undo_is_refused) {
+  refused("undo", "nothing to undo");
+}
+
+TEST_F(HistoryOfEdits, a_command_that_changes_nothing_is_no_step) {
+  good("datum -1.7");
+  good("closed off");
+  good("joint @k1 to smooth");
+  EXPECT_TRUE(session.history.undo.empty());
+}
+
+TEST_F(HistoryOfEdits, a_gesture_is_one_step) {
+  const world::Document before = session.document;
+  good("gesture.begin");
+  for (int i = 0; i < 20; ++i) good("move @k3 to " + std::to_string(150 + i) + " 7.7 -11.3");
+  good("gesture.end");
+  const world::Document after = session.document;
+  ASSERT_EQ(session.history.undo.size(), 1u);
+  EXPECT_EQ(session.history.undo.back().label, "move @k3 to 169 7.7 -11.3");
+  good("undo");
+  EXPECT_TRUE(session.document == before);
+  good("redo");
+  EXPECT_TRUE(session.document == after);
+}
+
+TEST_F(HistoryOfEdits, a_cancelled_gesture_leaves_no_trace) {
+  const world::Document before = session.document;
+  const world::Motion motion = session.motion;
+  for (const char* end : {"gesture.cancel", "undo"}) {
+    good("gesture.begin");
+    good("move @k3 to 151 9 -10");
+    good("split @s1 at 0.4");
+    good("remove @k5");
+    good(end);
+    EXPECT_TRUE(session.document == before);
+    EXPECT_TRUE(session.motion == motion);
+    EXPECT_TRUE(session.history.undo.empty());
+    EXPECT_FALSE(session.history.in_gesture);
+  }
+}
+
+TEST_F(HistoryOfEdits, a_gesture_that_changed_nothing_is_no_step) {
+  good("gesture.begin");
+  good("datum 9");
+  good("datum -1.7");
+  good("gesture.end");
+  EXPECT_TRUE(session.history.undo.empty());
+}
+
+TEST_F(HistoryOfEdits, gestures_open_and_close_in_pairs) {
+  refused("gesture.end", "no gesture");
+  refused("gesture.cancel", "no gesture");
+  good("gesture.begin");
+  refused("gesture.begin", "open already");
+  refused("redo", "a gesture is open");
+  good("gesture.end");
+}
+
+TEST_F(HistoryOfEdits, undo_does_not_touch_settings) {
+  good("datum 5");
+  good("resolution 17");
+  good("undo");
+  EXPECT_EQ(session.settings.steps, 17);
+}
+
+TEST(history, the_oldest_steps_are_dropped_beyond_the_limit_but_never_the_newest) {
+  constexpr std::size_t kLimit = 1u << 20;
+  History history;
+  world::Document large;
+  large.name.assign(kLimit / 4, 'x');
+  for (int i = 0; i < 10; ++i) record(history, std::to_string(i), large, kLimit);
+  EXPECT_EQ(history.undo.size(), 3u);
+  EXPECT_EQ(history.undo.back().label, "9");
+  EXPECT_LE(history.undo_bytes, kLimit);
+  large.name.assign(kLimit * 2, 'x');
+  record(history, "huge", large, kLimit);
+  ASSERT_EQ(history.undo.size(), 1u);
+  EXPECT_EQ(history.undo.back().label, "huge");
+  ASSERT_TRUE(undo(history, large));
+  EXPECT_EQ(history.undo_bytes, 0u);
+}
+
+}  // namespace history_test
+}  // namespace coaster::edit

@@ -1,0 +1,108 @@
+#include "exchange/own/json_reader.h"
+
+#include <gtest/gtest.h>
+
+namespace coaster::exchange {
+namespace json_reader_test {
+
+std::string error_of(std::string_view text) {
+  const auto result = read_json(text, "f.json");
+  return result ? "" : result.status().message;
+}
+bool contains(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(json_reader, good_text_becomes_a_tree_in_the_order_of_its_members) {
+  const auto tree = read_json(R"( {"z": [1, -2.5, "ä\u00e9", null], "a": {"b": true}} )", "f.json");
+  ASSERT_TRUE(tree);
+  EXPECT_EQ(tree->dump(), R"({"z":[1,-2.5,"äé",null],"a":{"b":true}})");
+}
+
+TEST(json_reader, a_byte_order_mark_is_skipped) {
+  ASSERT_TRUE(read_json("\xef\xbb\xbf{\"a\":1}", "f.json"));
+}
+
+TEST(json_reader, errors_tell_line_and_column) {
+  EXPECT_TRUE(contains(error_of("{\n  \"a\": }\n"), "f.json:2:8: error: ")) << error_of("{\n  \"a\": }\n");
+  EXPECT_TRUE(contains(error_of("[1, 2] x"), "f.json:1:8: error: ")) << error_of("[1, 2] x");
+  EXPECT_TRUE(contains(error_of("[1, 2"), "f.json:1:6: error: ")) << error_of("[1, 2");
+  EXPECT_TRUE(contains(error_of(""), "f.json:1:1: error: the file is empty"));
+  EXPECT_TRUE(contains(error_of(" \n\t"), "f.json:2:2: error: the file is empty"));
+}
+
+TEST(json_reader, what_json_does_not_have_is_refused) {
+  for (const char* text : {"[NaN]",
+                           "[Infinity]",
+                           "[-Infinity]",
+                           "[1e999]",
+                           "[-1e999]",
+                           "[01]",
+                           "[1.]",
+                           "[.5]",
+                           "[+1]",
+                           "[1,]",
+                           "{\"a\":1,}",
+                           "{'a':1}",
+                           "{a:1}",
+                           "// c\n[]",
+                           "[\"\xff\"]",
+                           "[\"\xc3\"]",
+                           "[\"\xed\xa0\x80\"]",
+                           "[\"\\ud800\"]",
+                           "[\"\n\"]",
+                           "[\"a]",
+                           "[]]",
+                           "[] []",
+                           "\xff",
+                           "nul"})
+    EXPECT_TRUE(contains(error_of(text), ": error: ")) << text;
+  EXPECT_TRUE(contains(error_of("[1e999]"), "1e999 is out of range"));
+}
+
+TEST(json_reader, messages_hold_printable_ascii_alone) {
+  for (const std::string& text :
+       {std::string("[\"\xff\x01"), std::string("\0\0", 2), std::string("{\"\x7f\": \xff")}) {
+    const std::string error = error_of(text);
+    ASSERT_FALSE(error.empty());
+    for (const char c : error) EXPECT_TRUE(c >= 0x20 && c < 0x7f) << error;
+  }
+}
+
+TEST(json_reader, duplicate_members_are_refused_with_their_place) {
+  EXPECT_EQ(error_of(R"({"a": 1, "a": 2})"), "f.json: error: member \"a\" appears twice");
+  EXPECT_EQ(error_of(R"({"knots": [{"x":1}, {"id": {"q":1,"q":1}}]})"),
+            "f.json: error: knots[1].id: member \"q\" appears twice");
+  EXPECT_EQ(error_of(R"([{"a":1},{"a":1}])"), "");
+}
+
+TEST(json_reader, nesting_is_refused_at_the_33rd_level_however_deep_it_goes) {
+  const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+  EXPECT_EQ(error_of(nested(32)), "");
+  EXPECT_TRUE(contains(error_of(nested(33)), "nesting deeper than the limit of 32"));
+  EXPECT_TRUE(contains(error_of(std::string(1'000'000, '[')), "nesting"));
+  std::string objects;
+  for (int i = 0; i < 300'000; ++i) objects += "{\"a\":";
+  EXPECT_TRUE(contains(error_of(objects), "nesting"));
+}
+
+TEST(json_reader, an_object_of_many_members_takes_no_quadratic_time) {
+  std::string text = "{";
+  for (int i = 0; i < 100'000; ++i) text += "\"m" + std::to_string(i) + "\":0,";
+  text += "\"end\":1}";
+  const auto tree = read_json(text, "f.json");  // quadratic would be minutes: the test's time limit
+  ASSERT_TRUE(tree);
+  EXPECT_EQ(tree->size(), 100'001u);
+}
+
+TEST(json_reader, describe_says_what_a_value_is) {
+  EXPECT_EQ(describe(nullptr), "null");
+  EXPECT_EQ(describe(1.5), "1.5");
+  EXPECT_EQ(describe("a\"b"), "\"a\\\"b\"");
+  EXPECT_EQ(describe(Json::array({1, 2})), "an array of 2");
+  EXPECT_EQ(describe(Json::object()), "an object");
+  EXPECT_LT(describe(std::string(10'000, 'x')).size(), 100u);
+}
+
+}  // namespace json_reader_test
+}  // namespace coaster::exchange

@@ -1,0 +1,117 @@
+#include "sim/plan/element_fit.h"
+
+#include <gtest/gtest.h>
+
+#include "curve/continuity.h"
+#include "sim/random_elements.h"
+#include "sim/plan/element_spans.h"
+
+namespace coaster::sim {
+namespace element_fit_test {
+
+using glm::dvec3;
+
+curve::Cubic cubic_between(const world::Knot& a, const world::Knot& b) {
+  return {a.position, a.position + a.tangent * a.out_length, b.position - b.tangent * b.in_length, b.position};
+}
+
+// By the program's nearest_point on every cubic nearby: another way than the one by which the fit measures itself.
+double distance_to(const std::vector<world::Knot>& knots, dvec3 place) {
+  double nearest = 1e9;
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) nearest = std::min(nearest, curve::nearest_point(cubic_between(knots[k], knots[k + 1]), place).distance);
+  return nearest;
+}
+
+TEST(element_fit, every_element_at_any_end_keeps_its_tolerances_and_every_joint_is_g2) {
+  test::RandomElements random(21);
+  int fitted = 0;
+  for (int i = 0; i < 120; ++i) {
+    const world::Element element = random.any();
+    const TrackEnd end = random.end();
+    const ElementPlan plan = plan_element(element, end);
+    if (!plan.refusal.empty()) continue;
+    ++fitted;
+    const std::string what = std::string(world::element_row(element.kind).name) + " " + std::to_string(i);
+    const std::vector<world::Knot>& knots = plan.fit.knots;
+    ASSERT_TRUE(plan.fit.within) << what;
+    double farthest = 0;
+    for (const world::Knot& knot : knots) farthest = std::max(farthest, glm::length(dvec3(knot.position)));
+    if (farthest > 2000) continue;  // float coordinates are no longer exact enough to promise it
+    EXPECT_LE(plan.fit.error, kElementDistance + 2.5e-4) << what;
+    EXPECT_LE(plan.fit.roll_error, kElementRoll_deg * M_PI / 180) << what;
+    dvec3 before = plan.ideal.points.front().curvature;
+    for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+      const curve::Cubic c = cubic_between(knots[k], knots[k + 1]);
+      EXPECT_LT(glm::length(curve::curvature_vector(c, 0) - before), 1e-3) << what << " knot " << k;
+      if (k > 0) { EXPECT_EQ(curve::joint(cubic_between(knots[k - 1], knots[k]), c).geometric, curve::Geometric::g2) << what << " knot " << k; }
+      before = curve::curvature_vector(c, 1);
+    }
+    EXPECT_LT(glm::length(before), 1e-3) << what << ": the next element joins a straight end";
+    const std::vector<ElementPoint>& points = plan.ideal.points;
+    if (knots.size() > 16) continue;
+    for (std::size_t k = 0; k < points.size(); k += 1 + points.size() / 20)
+      EXPECT_LE(distance_to(knots, points[k].position), plan.fit.error + 1e-4) << what << " at " << points[k].s;
+  }
+  EXPECT_GT(fitted, 100);
+}
+
+TEST(element_fit, the_first_knot_is_the_end_of_the_track_and_the_last_the_end_of_the_element) {
+  test::RandomElements random(22);
+  for (int i = 0; i < 60; ++i) {
+    const TrackEnd end = random.end();
+    const ElementPlan plan = plan_element(random.any(), end);
+    if (!plan.refusal.empty()) continue;
+    const ElementPoint& last = plan.ideal.points.back();
+    EXPECT_EQ(plan.fit.knots.front().position, glm::vec3(end.position));
+    EXPECT_LT(glm::length(dvec3(plan.fit.knots.front().tangent) - end.forward), 1e-6);
+    EXPECT_EQ(plan.fit.knots.back().position, glm::vec3(last.position));
+    EXPECT_LT(glm::length(dvec3(plan.fit.knots.back().tangent) - last.tangent), 1e-6);
+    EXPECT_LT(glm::length(dvec3(plan.fit.knots.back().up) - last.up), 1e-6);
+  }
+}
+
+// Known for circles (de Boor, Hollig, Sabin 1987): 4/3 tan(angle / 4) of the radius on both sides.
+TEST(element_fit, handles_of_a_circular_arc_are_those_that_are_known) {
+  for (const double angle : {0.1, 0.5, 1.0, 1.5}) {
+    const double r = 17;
+    const ElementPoint from{0, {r, 0, 0}, {0, 1, 0}, {-1 / r, 0, 0}, {0, 0, 1}};
+    const ElementPoint to{r * angle, {r * std::cos(angle), r * std::sin(angle), 0}, {-std::sin(angle), std::cos(angle), 0}, {-std::cos(angle) / r, -std::sin(angle) / r, 0}, {0, 0, 1}};
+    // Curvature at both ends and symmetry: a solves D.n = a sin + 1.5 a^2 / r, with n the normal at the start.
+    const double dn = r * (1 - std::cos(angle)), sine = std::sin(angle), a = (-sine + std::sqrt(sine * sine + 6 * dn / r)) * r / 3;
+    const HandleLengths found = handle_lengths(from, to);
+    EXPECT_NEAR(found.out, a, 1e-6 * r);
+    EXPECT_NEAR(found.in, a, 1e-6 * r);
+    EXPECT_NEAR(found.out, 4.0 / 3 * std::tan(angle / 4) * r, 2e-3 * r * angle * angle * angle);
+  }
+}
+
+// Sixth order: half the span, a 64th of the error (float leaves 1e-6 m of it).
+TEST(element_fit, the_error_of_a_plane_curve_falls_with_the_sixth_power_of_the_span) {
+  world::Element element = world::usual_element(world::ElementKind::curve);
+  element.values[0] = 200, element.values[1] = 360;
+  std::vector<std::string> lines;
+  const ElementCurve curve = element_shape(element, TrackEnd{}, lines).curve;
+  const std::size_t first = curve.breaks[1], many = curve.breaks[2] - first;  // the circle
+  const auto error = [&](std::size_t spans) {
+    std::vector<std::size_t> at{0, first};
+    for (std::size_t i = 1; i <= spans; ++i) at.push_back(first + many * i / spans);
+    at.push_back(curve.points.size() - 1);
+    const Spans made = make_spans(curve, at);
+    const std::span<const ElementPoint> points(curve.points);
+    return check_span(points.subspan(at[1], at[2] - at[1] + 1), made.knots[1], made.knots[2]).error;
+  };
+  const double coarse = error(3), fine = error(6);
+  EXPECT_GT(coarse / fine, 40);
+  EXPECT_LT(coarse / fine, 90);
+}
+
+TEST(element_fit, usual_elements_take_few_spans) {
+  const int most[] = {1, 3, 15, 6, 5, 8, 10, 12};
+  for (std::size_t kind = 0; kind < std::size(most); ++kind) {
+    const ElementPlan plan = plan_element(world::usual_element(static_cast<world::ElementKind>(kind)), TrackEnd{{0, 50, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}});
+    EXPECT_LE(plan.spans(), static_cast<std::size_t>(most[kind])) << world::elements()[kind].name;
+  }
+}
+
+}  // namespace element_fit_test
+}  // namespace coaster::sim

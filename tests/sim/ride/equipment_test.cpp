@@ -1,0 +1,224 @@
+#include "sim/ride/equipment.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/ride/ride.h"
+#include "sim/tracks.h"
+
+namespace coaster::sim {
+namespace equipment_test {
+
+constexpr double kG = world::kGravity;
+
+struct Ride {
+  world::Document document;
+  Derived derived;
+  world::Motion motion;
+  GhostMemo memo;
+
+  explicit Ride(world::Document d) : document(std::move(d)) {
+    derive(document, {}, {}, derived);
+    reset(document, derived, motion);
+    motion.state = world::RideState::running;
+  }
+  void step(int ticks, const char* row = "rk4") { sim::step(document, derived, find_integrator(row).value(), ticks, memo, motion); }
+  world::CartMotion& train(std::size_t i = 0) { return motion.carts.items().at(i); }
+  double drift(std::size_t i = 0) { return energy_drift(document, derived, motion.carts.entities().at(i), train(i)); }
+};
+
+// 12 level segments of 10 m in a row, or up a slope of `rise` m in all.
+world::Document runway(double rise, std::vector<std::pair<std::size_t, world::Equipment>> equipment, int cars = 1, double fraction = 0.5) {
+  world::Document d = test::straight_document({1.3f, 2.1f, -7.7f}, {121.3f, 2.1f + static_cast<float>(rise), -7.7f}, 12);
+  for (const auto& [index, e] : equipment) d.entities.put(d.track.segments.at(index), e);
+  const world::Entity cart = world::add_cart(d, d.track.segments.at(1), fraction);
+  d.entities.get<world::Cart>(cart).cars = cars;
+  return d;
+}
+
+TEST(equipment, a_launch_gives_v2_equal_2as_and_stops_pushing_at_its_speed) {
+  world::Document d = runway(0, {{1, {world::EquipmentKind::launch, 9.0f, 6.0f, 0, 0}}, {2, {world::EquipmentKind::launch, 9.0f, 6.0f, 0, 0}}});
+  d.start_speed = 0;
+  Ride ride(d);
+  ride.step(60);  // v = a t until the end of 15 m or 9 m/s
+  EXPECT_NEAR(ride.train().speed, 3.0, 1e-6);
+  ride.step(120);
+  EXPECT_NEAR(ride.train().speed, 9.0, 1e-6);
+  EXPECT_NEAR(ride.train().work, 0.5 * 81, 1e-6);
+  EXPECT_LT(ride.drift(), 1e-9);
+}
+
+TEST(equipment, a_lift_pulls_a_train_up_at_its_speed_and_does_its_work) {
+  world::Document d = runway(60, {});
+  for (const world::Entity e : d.track.segments) d.entities.put(e, world::Equipment{world::EquipmentKind::lift, 3.0f, 2.0f, 0, 0});
+  d.entities.get<world::Cart>(d.entities.pool<world::Cart>().entities()[0]).cars = 4;
+  d.start_speed = 0;
+  Ride ride(d);
+  ride.step(240);
+  EXPECT_NEAR(ride.train().speed, 3.0, 1e-3);
+  const double before = ride.train().track_distance;
+  ride.step(120);
+  EXPECT_NEAR(ride.train().track_distance - before, 3.0, 1e-2);
+  EXPECT_EQ(ride.motion.state, world::RideState::running);
+  EXPECT_LT(ride.drift(), 1e-6);
+}
+
+TEST(equipment, a_lift_lets_nothing_roll_back) {
+  world::Document d = runway(60, {});
+  for (const world::Entity e : d.track.segments) d.entities.put(e, world::Equipment{world::EquipmentKind::lift, 0.0f, 1.0f, 0, 0});
+  d.start_speed = 1.5;  // comes to a stop on the chain, which stands still
+  Ride ride(d);
+  ride.step(200);
+  EXPECT_NEAR(ride.train().speed, 0, 1e-2);
+  EXPECT_GT(ride.train().travelled, 0.1);
+}
+
+TEST(equipment, a_brake_works_from_above_to_below_its_hysteresis) {
+  world::Document d = runway(0, {});
+  for (const world::Entity e : d.track.segments) d.entities.put(e, world::Equipment{world::EquipmentKind::brake, 5.0f, 4.0f, 0.5f, 0});
+  d.start_speed = 8;
+  Ride ride(d);
+  ride.step(60);
+  EXPECT_NEAR(ride.train().speed, 6.0, 1e-6);
+  ride.step(120);
+  EXPECT_NEAR(ride.train().speed, 4.5, 0.05);
+  EXPECT_FALSE(ride.train().braking);
+  world::Document slow = d;
+  slow.start_speed = 5.4;  // within the hysteresis: the brake never comes on
+  Ride free(slow);
+  free.step(120);
+  EXPECT_EQ(free.train().speed, 5.4);
+}
+
+TEST(equipment, a_station_stops_at_its_end_waits_and_sends_off) {
+  world::Document d = runway(0, {{3, {world::EquipmentKind::station, 2.0f, 2.0f, 0, 1.5f}}}, 2);
+  d.start_speed = 6;
+  Ride ride(d);
+  int stood = 0;
+  double place = 0;
+  for (int tick = 0; tick < 2400 && ride.motion.state == world::RideState::running && ride.train().track_distance < 60; ++tick) {
+    ride.step(1);
+    if (ride.train().speed != 0) continue;
+    ++stood;
+    place = ride.train().track_distance;
+  }
+  EXPECT_NEAR(place, ride.derived.starts[4], 0.05);
+  EXPECT_NEAR(stood / 120.0, 1.5, 0.1);
+  EXPECT_NEAR(ride.train().speed, 2.0, 0.05);
+}
+
+TEST(equipment, losses_act_against_the_motion_in_both_directions) {
+  for (const double start : {7.3, -7.3}) {
+    world::Document d = runway(0, {}, 3);
+    d.resistance = {0.025f, 2e-3f};
+    d.start_speed = start;
+    d.entities.get<world::Cart>(d.entities.pool<world::Cart>().entities()[0]).segment = d.track.segments[6];
+    Ride ride(d);
+    ride.step(120);
+    // v' = -(a + c v^2): v = sqrt(a/c) tan(atan(v0 sqrt(c/a)) - sqrt(a c) t).
+    const double a = 0.025f * kG, c = 2e-3f, expected = std::sqrt(a / c) * std::tan(std::atan(7.3 * std::sqrt(c / a)) - std::sqrt(a * c));
+    EXPECT_NEAR(std::abs(ride.train().speed), expected, 1e-7);
+    EXPECT_EQ(ride.train().speed > 0, start > 0);
+    EXPECT_LT(ride.train().work, 0);
+    EXPECT_LT(ride.drift(), 1e-9);
+  }
+}
+
+TEST(equipment, friction_brings_to_rest_and_holds_on_a_gentle_slope_alone) {
+  world::Document gentle = runway(1.2, {}), steep = runway(6, {});
+  for (world::Document* d : {&gentle, &steep}) d->resistance = {0.02f, 0}, d->start_speed = 1, d->rollback_fails = false;
+  Ride held(gentle), slides(steep);
+  held.step(800), slides.step(480);
+  EXPECT_EQ(held.train().speed, 0);
+  EXPECT_EQ(held.motion.failure.kind, world::FailureKind::stall);
+  EXPECT_LT(slides.train().speed, -0.5);
+}
+
+TEST(equipment, blocks_keep_trains_apart) {
+  world::Document d = test::ring_document(16, 30.7, 0.0);
+  for (const std::size_t i : {0u, 4u, 8u, 12u}) d.entities.put(d.track.segments[i], world::Equipment{world::EquipmentKind::block, 4.0f, 4.0f, 0.5f, 0});
+  d.entities.put(d.track.segments[0], world::Equipment{world::EquipmentKind::station, 4.0f, 3.0f, 0, 2});
+  d.start_speed = 3;
+  for (const std::size_t i : {1u, 6u, 10u}) d.entities.get<world::Cart>(world::add_cart(d, d.track.segments[i], 0.5)).cars = 3;
+  for (const std::size_t i : {2u, 3u, 5u, 6u, 7u, 9u, 10u, 11u, 13u, 14u, 15u}) d.entities.put(d.track.segments[i], world::Equipment{world::EquipmentKind::lift, 3.0f, 3.0f, 0, 0});
+  Ride ride(d);
+  const Rails rails{ride.derived.length, true};
+  std::int64_t laps = 0;
+  for (int tick = 0; tick < 120 * 600 && laps < 2; tick += 10) {
+    ride.step(10);
+    ASSERT_EQ(ride.motion.state, world::RideState::running) << tick << " failure " << static_cast<int>(ride.motion.failure.kind);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = i + 1; j < 3; ++j)
+        ASSERT_FALSE(collide(rails, {ride.train(i).track_distance, 3, 3}, {ride.train(j).track_distance, 3, 3})) << tick;
+    laps = std::min({ride.train(0).laps, ride.train(1).laps, ride.train(2).laps});
+  }
+  EXPECT_EQ(laps, 2);
+}
+
+TEST(equipment, trains_that_meet_end_the_ride) {
+  world::Document d = runway(0, {}, 2);
+  world::add_cart(d, d.track.segments[8], 0.5);
+  d.start_speed = 5;
+  Ride ride(d);
+  ride.train(1).speed = -5;
+  ride.step(2000);
+  EXPECT_EQ(ride.motion.state, world::RideState::failed);
+  EXPECT_EQ(ride.motion.failure.kind, world::FailureKind::collision);
+  EXPECT_LT(std::abs(ride.train(0).track_distance - ride.train(1).track_distance), 4);
+}
+
+TEST(equipment, a_train_that_rolls_back_ends_the_ride_unless_it_may) {
+  world::Document d = runway(30, {});
+  d.start_speed = 9;
+  Ride ride(d);
+  ride.step(1200);
+  EXPECT_EQ(ride.motion.state, world::RideState::failed);
+  EXPECT_EQ(ride.motion.failure.kind, world::FailureKind::rollback);
+  EXPECT_LT(ride.train().speed, 0);
+  d.rollback_fails = false;
+  Ride rolls(d);
+  rolls.step(1200);
+  EXPECT_EQ(rolls.motion.state, world::RideState::ended);  // off the lower end
+  EXPECT_EQ(rolls.motion.failure.kind, world::FailureKind::off_end);
+}
+
+TEST(train_mass, drag_slows_a_heavy_train_less_by_the_closed_form) {
+  // v' = -k v^2 with k = drag 500 / mass: v = v0 / (1 + k v0 t).
+  for (const float mass : {250.0f, 500.0f, 2000.0f}) {
+    world::Document d = runway(0, {});
+    d.resistance.drag = 0.01f;
+    d.start_speed = 20;
+    d.entities.get<world::Cart>(world::first_cart(d)).mass = mass;
+    Ride ride(d);
+    ride.step(240);
+    const double k = 0.01 * 500.0 / static_cast<double>(mass);
+    EXPECT_NEAR(ride.train().speed, 20 / (1 + k * 20 * 2), 1e-6) << mass;
+    EXPECT_LT(ride.drift(), 1e-9);
+    const Ghost& ghost = *ride.memo.ride(ride.document, ride.derived, world::first_cart(ride.document));
+    EXPECT_NEAR(ghost.samples.at(240).speed, ride.train().speed, 1e-6) << mass;
+  }
+}
+
+TEST(train_mass, without_losses_mass_changes_nothing) {
+  world::Document light = runway(12, {}), heavy = light;
+  for (world::Document* const d : {&light, &heavy}) d->start_speed = 20;
+  heavy.entities.get<world::Cart>(world::first_cart(heavy)).mass = 5000;
+  Ride a(light), b(heavy);
+  a.step(300), b.step(300);
+  EXPECT_EQ(a.train().track_distance, b.train().track_distance);
+  EXPECT_EQ(a.train().speed, b.train().speed);
+}
+
+TEST(train_length, trains_collide_where_the_bodies_of_their_cars_touch) {
+  const Rails rails{200, true};
+  const TrainPlace longer{100, 2, 5, 4.4}, shorter{100 + 3.6, 1, 3, 2.6};  // bodies end at 102.2 and begin at 102.3
+  EXPECT_FALSE(collide(rails, longer, shorter));
+  EXPECT_TRUE(collide(rails, longer, {100 + 3.4, 1, 3, 2.6}));
+  EXPECT_TRUE(collide(rails, {1, 1, 3, 2.2}, {199, 1, 3, 2.2}));  // over the closing joint
+  EXPECT_FALSE(collide({200, false}, {1, 1, 3, 2.2}, {199, 1, 3, 2.2}));
+  world::Cart crowded;
+  crowded.spacing = 1.5f;
+  EXPECT_EQ(crowded.body(), 1.5f);
+}
+
+}  // namespace equipment_test
+}  // namespace coaster::sim

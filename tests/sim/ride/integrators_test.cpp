@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "sim/ride/ride.h"
+#include "sim/tracks.h"
+
+namespace coaster::sim {
+namespace integrators_test {
+
+TEST(integrators, names_are_unique_and_found) {
+  for (std::size_t i = 0; i < integrators().size(); ++i) EXPECT_EQ(find_integrator(integrators()[i].name), static_cast<int>(i));
+  EXPECT_EQ(find_integrator("explicit_euler"), std::nullopt);
+  EXPECT_EQ(integrators()[0].name, "rk4");
+}
+
+TEST(integrators, rails_go_on_straight_beyond_the_ends_of_a_segment) {
+  const Derived derived = test::derived_of(test::sample_document());
+  const SegmentShape& shape = derived.shape(derived.order[1]);
+  const double length = shape.arc.length();
+  for (const auto& [end, beyond] : {std::pair(0.0, -3.1), std::pair(length, length + 3.1)}) {
+    const RailPoint at = rail_point(shape, end), off = rail_point(shape, beyond);
+    EXPECT_NEAR(off.slope, at.slope, 1e-12);
+    EXPECT_NEAR(off.height, at.height + (beyond - end) * at.slope, 1e-9);
+  }
+}
+
+TEST(integrators, the_slope_is_the_derivative_of_the_height) {
+  const Derived derived = test::derived_of(test::sample_document());
+  for (const world::Entity e : derived.order) {
+    const SegmentShape& shape = derived.shape(e);
+    for (const double share : {0.13, 0.47, 0.81}) {
+      const double s = share * shape.arc.length(), h = 1e-4;
+      EXPECT_NEAR((rail_point(shape, s + h).height - rail_point(shape, s - h).height) / (2 * h), rail_point(shape, s).slope, 1e-5);
+    }
+  }
+}
+
+// A single car at arc length s of a segment, without losses.
+struct Alone {
+  std::array<CarPlace, 1> car;
+  TrainContext context;
+  Alone(const Derived& derived, std::size_t index, double s, double datum = 0, double energy = 0)
+      : car{CarPlace{index, s}}, context{derived, car, datum, energy, {}, 0, 0} {}
+};
+
+// The order of a method: halving the step of a smooth problem divides the error by 2^order.
+TEST(integrators, have_their_orders) {
+  const Derived derived = test::derived_of(test::sample_document());
+  const Alone alone(derived, 1, 0.21 * derived.shape(derived.order[1]).arc.length());
+  const auto run = [&](int row, int steps) {
+    TrainState state{0, 9.7, 0};
+    for (int i = 0; i < steps; ++i) state = integrators()[static_cast<std::size_t>(row)].advance(alone.context, state, 1.1 / steps);
+    return state.x;
+  };
+  const double exact = run(0, 4096);
+  const auto order = [&](int row, int steps) { return std::log2(std::abs(run(row, steps) - exact) / std::abs(run(row, 2 * steps) - exact)); };
+  EXPECT_NEAR(order(*find_integrator("rk4"), 32), 4, 0.4);
+  EXPECT_NEAR(order(*find_integrator("verlet"), 64), 2, 0.2);
+  EXPECT_NEAR(order(*find_integrator("euler"), 64), 1, 0.2);
+}
+
+TEST(integrators, the_papers_method_takes_the_speed_from_the_energy) {
+  const Derived derived = test::derived_of(test::sample_document());
+  const SegmentShape& shape = derived.shape(derived.order[0]);
+  const double s = 0.3 * shape.arc.length(), height = rail_point(shape, s).height, datum = 2.7;
+  const Alone alone(derived, 0, s, datum, 9.81 * (height - datum) + 0.5 * 8.1 * 8.1);
+  const Integrator& row = integrators()[static_cast<std::size_t>(*find_integrator("energy"))];
+  const TrainState forward = row.advance(alone.context, {0, 1, 0}, 0.01), backward = row.advance(alone.context, {0, -1, 0}, 0.01);
+  EXPECT_NEAR(forward.speed, 8.1, 1e-12);
+  EXPECT_NEAR(forward.x, 0.081, 1e-12);
+  EXPECT_NEAR(backward.speed, -8.1, 1e-12);
+  const Alone too_high(derived, 0, s, datum, 9.81 * (height - datum) - 1);
+  EXPECT_EQ(row.advance(too_high.context, {0, 1, 0}, 0.01).x, 0);
+}
+
+}  // namespace integrators_test
+}  // namespace coaster::sim

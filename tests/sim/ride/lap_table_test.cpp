@@ -1,0 +1,145 @@
+#include "sim/ride/lap_table.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/ride/ride.h"
+#include "sim/tracks.h"
+
+namespace coaster::sim {
+namespace lap_table_test {
+
+struct Lap {
+  world::Document document;
+  Derived derived;
+  GhostMemo memo;
+  world::Entity cart;
+  GhostStart start;
+
+  explicit Lap(int cars = 1, double speed = 17.3) : document(test::ring_document(12, 40.3, 7.7)) {
+    cart = world::add_cart(document, document.track.segments[4], 0.37);
+    document.entities.get<world::Cart>(cart).cars = cars;
+    document.start_speed = speed;
+    derive(document, {}, {}, derived);
+    start = start_of(document, derived, document.entities.get<world::Cart>(cart));
+  }
+  const LapTable& table() { return memo.lap(document, derived, start); }
+};
+
+TEST(lap_table, is_the_ghost_at_whole_ticks) {
+  Lap lap;
+  const LapTable table = lap.table();
+  ASSERT_TRUE(table.valid());
+  const Ghost& ghost = lap.memo.from(lap.document, lap.derived, lap.start);
+  LapCart cart = lap_cart(table, 0);
+  for (std::size_t tick = 0; static_cast<double>(tick) < table.period(); ++tick) {
+    ASSERT_EQ(cart.along, ghost.samples[tick].travelled) << tick;
+    ASSERT_EQ(cart.speed, ghost.samples[tick].speed) << tick;
+    advance(table, cart);
+  }
+  EXPECT_EQ(cart.laps, 1);
+  EXPECT_NEAR(table.period() * world::kTick, ghost.lap_time, 1e-5);
+}
+
+TEST(lap_table, moves_many_carts_with_the_bits_of_one) {
+  Lap lap;
+  const LapTable table = lap.table();
+  std::vector<LapCart> alone;
+  LapCarts together;
+  for (int i = 0; i < 331; ++i) {  // no multiple of any width; some just before the end of the lap
+    const double phase = i % 10 == 0 ? table.period() - 1e-9 * (i + 1) : std::fmod(i * 7.31, table.period());
+    alone.push_back(lap_cart(table, phase));
+    together.add(alone.back());
+  }
+  for (int tick = 0; tick < 3000; ++tick) {
+    for (LapCart& cart : alone) advance(table, cart);
+    advance(table, together);
+  }
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    ASSERT_EQ(together.at(i), alone[i]) << i;
+    EXPECT_GE(alone[i].laps, 1);
+    EXPECT_TRUE(alone[i].phase >= 0 && alone[i].phase < table.period());
+  }
+}
+
+TEST(lap_table, finds_the_time_of_a_place) {
+  Lap lap;
+  const LapTable table = lap.table();
+  for (const double part : {0.0, 0.123, 0.5, 0.987}) EXPECT_NEAR(lap_cart(table, table.phase_at(part * table.length())).along, part * table.length(), 1e-9);
+  EXPECT_NEAR(table.phase_at(table.length()), table.period(), 1e-9);
+}
+
+TEST(lap_table, is_there_for_laps_that_repeat_alone) {
+  Lap slow(1, 1.0), losing, equipped;
+  EXPECT_FALSE(slow.table().valid());  // does not come over the hill
+  losing.document.resistance = {0.001f, 0};
+  EXPECT_TRUE(losing.memo.from(losing.document, losing.derived, losing.start).lap);
+  EXPECT_FALSE(losing.table().valid());
+  equipped.document.entities.put(equipped.document.track.segments[0], world::Equipment{});
+  EXPECT_FALSE(equipped.table().valid());
+}
+
+// The row of the ride that runs on it.
+struct Rides {
+  Lap lap;
+  world::Motion motion;
+  explicit Rides(int cars) : lap(cars) {
+    reset(lap.document, lap.derived, motion);
+    motion.state = world::RideState::running;
+  }
+  void step(int ticks, const char* row) { sim::step(lap.document, lap.derived, find_integrator(row).value(), ticks, lap.memo, motion); }
+  const world::CartMotion& cart() const { return motion.carts.items()[0]; }
+  // The first time at which it has gone round `laps` times, s, by the ticks around it and the speed.
+  double time_of_laps(int laps, const char* row) {
+    const double way = laps * lap.derived.length;
+    for (int tick = 1; tick < 120 * 600; ++tick) {
+      step(1, row);
+      if (cart().travelled >= way) return tick * world::kTick - (cart().travelled - way) / cart().speed;
+    }
+    return 0;
+  }
+};
+
+TEST(precomputed, takes_as_long_for_a_lap_as_runge_kutta) {
+  for (const int cars : {1, 5}) {
+    Rides exact(cars), table(cars);
+    const double expected = exact.time_of_laps(5, "rk4");
+    ASSERT_GT(expected, 10);
+    EXPECT_NEAR(table.time_of_laps(5, "precomputed") / expected, 1.0, 1e-5) << cars;
+  }
+}
+
+TEST(precomputed, stays_within_a_centimetre_of_runge_kutta_for_a_minute) {
+  Rides exact(1), table(1);
+  double worst = 0;
+  for (int tick = 0; tick < 60 * world::kTicksPerSecond; ++tick) {
+    exact.step(1, "rk4"), table.step(1, "precomputed");
+    worst = std::max(worst, std::abs(exact.cart().travelled - table.cart().travelled));
+  }
+  EXPECT_GT(table.cart().laps, 2);
+  EXPECT_EQ(table.cart().laps, exact.cart().laps);
+  EXPECT_LT(worst, 0.010);
+}
+
+TEST(precomputed, one_step_of_many_ticks_is_many_steps_of_one_and_simulates_once) {
+  Rides one(2), many(2);
+  one.step(5000, "precomputed");
+  for (int i = 0; i < 5000; ++i) many.step(1, "precomputed");
+  EXPECT_GT(one.cart().laps, 2);
+  EXPECT_EQ(one.motion, many.motion);
+  EXPECT_EQ(one.lap.memo.simulations(), 1u);
+  EXPECT_EQ(many.lap.memo.simulations(), 1u);
+}
+
+TEST(precomputed, hands_over_to_another_integrator_where_it_is) {
+  Rides ride(1);
+  ride.step(3333, "precomputed");
+  const double before = ride.cart().travelled, speed = ride.cart().speed;
+  ride.step(1, "vertices");
+  EXPECT_LT(std::abs(ride.cart().travelled - before), 2.0);  // a tick's way and a vertex
+  ride.step(1, "rk4");
+  EXPECT_FALSE(ride.cart().timetable.valid);
+  EXPECT_NEAR(ride.cart().speed, speed, 0.5);
+}
+
+}  // namespace lap_table_test
+}  // namespace coaster::sim

@@ -1,0 +1,190 @@
+#include "sim/shape/derived.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/tracks.h"
+
+namespace coaster::sim {
+namespace derived_test {
+
+TEST(derived, only_what_changed_is_rebuilt) {
+  for (const int count : {8, 5000}) {
+    world::Document d = test::ring_document(count, 1.6 * count);
+    world::Settings settings;
+    settings.steps = 5;
+    Derived derived;
+    derive(d, settings, {}, derived);
+    EXPECT_EQ(derived.rebuilds, count);
+    EXPECT_EQ(derived.vertices, 6 * count);
+    derive(d, settings, {}, derived);
+    EXPECT_EQ(derived.rebuilds, 0);
+    const std::uint64_t last = derived.last_build;
+    d.entities.get<world::Knot>(d.track.knots[3]).position.y += 0.7f;
+    derive(d, settings, {}, derived);
+    EXPECT_EQ(derived.rebuilds, 2);
+    for (std::size_t i = 0; i < derived.order.size(); ++i)
+      EXPECT_EQ(derived.shape(derived.order[i]).shape_build > last, i == 2 || i == 3) << i;
+    settings.steps = 7;
+    derive(d, settings, {}, derived);
+    EXPECT_EQ(derived.rebuilds, count);
+    EXPECT_EQ(derived.vertices, 8 * count);
+    settings.evaluator = curve::EvaluatorId{0};
+    derive(d, settings, {}, derived);
+    EXPECT_EQ(derived.rebuilds, count);
+    settings.arc_length = curve::ArcLengthId{1};
+    derive(d, settings, {}, derived);
+    EXPECT_EQ(derived.rebuilds, 0);
+  }
+}
+
+TEST(derived, rolling_a_knot_rebuilds_the_shapes_at_it) {
+  world::Document d = test::ring_document(8, 17.3);
+  Derived derived = test::derived_of(d);
+  world::set_roll(d.entities.get<world::Knot>(d.track.knots[5]), 33.3);
+  derive(d, {}, {}, derived);
+  EXPECT_EQ(derived.rebuilds, 2);
+}
+
+TEST(derived, removed_segments_leave_nothing_behind) {
+  world::Document d = test::ring_document(8, 17.3);
+  Derived derived = test::derived_of(d);
+  world::remove_knot(d, d.track.knots[4]);
+  derive(d, {}, {}, derived);
+  EXPECT_EQ(derived.segments.size(), 7u);
+  EXPECT_EQ(derived.order, d.track.segments);
+  EXPECT_EQ(derived.starts.size(), 8u);
+  EXPECT_NEAR(derived.length, world::exact_length(d), 1e-9);
+}
+
+TEST(derived, the_length_of_a_circle_is_two_pi_r) {
+  const Derived derived = test::derived_of(test::circle_document(7.5, {3.3, 1.1, -2.7}, {0.6, 0, 0.8}));
+  // Float control points: 64 of them, each within 1e-6 m.
+  EXPECT_NEAR(derived.length, 2 * M_PI * 7.5, 1e-4);
+}
+
+TEST(derived, frames_at_the_ends_are_the_knots) {
+  world::Document d = test::sample_document();
+  const Derived derived = test::derived_of(d);
+  for (const world::Entity e : derived.order) {
+    const world::Segment& segment = world::segment(d, e);
+    const SegmentShape& shape = derived.shape(e);
+    const world::Knot &from = world::knot(d, segment.from), &to = world::knot(d, segment.to);
+    const curve::Frame start = frame_at(shape, 0), end = frame_at(shape, shape.arc.length());
+    // Handles are float: at 150 m from the origin and 5 m long they turn by up to 150 * 6e-8 / 5.
+    EXPECT_LT(glm::length(start.forward - glm::dvec3(from.tangent)), 5e-6);
+    EXPECT_LT(glm::length(start.up - glm::dvec3(from.up)), 5e-6);
+    EXPECT_LT(glm::length(end.forward - glm::dvec3(to.tangent)), 5e-6);
+    EXPECT_LT(glm::length(end.up - glm::dvec3(to.up)), 5e-6);
+    EXPECT_LT(glm::length(frame_at(shape, 1e-7).up - start.up), 1e-5);
+    EXPECT_LT(glm::length(frame_at(shape, shape.arc.length() - 1e-7).up - end.up), 1e-5);
+  }
+}
+
+TEST(derived, frames_are_orthonormal_and_turn_without_jumps) {
+  const Derived derived = test::derived_of(test::sample_document());
+  for (const world::Entity e : derived.order) {
+    const SegmentShape& shape = derived.shape(e);
+    curve::Frame last = frame_at(shape, 0);
+    for (int i = 0; i <= 400; ++i) {
+      const double s = shape.arc.length() * i / 400;
+      const curve::Frame frame = frame_at(shape, s);
+      EXPECT_NEAR(glm::length(frame.forward), 1, 1e-12);
+      EXPECT_NEAR(glm::length(frame.up), 1, 1e-9);
+      EXPECT_NEAR(glm::dot(frame.up, frame.forward), 0, 1e-9);
+      EXPECT_LT(glm::length(frame.up - last.up), 0.2);
+      last = frame;
+    }
+  }
+}
+
+TEST(derived, on_a_straight_the_twist_is_linear_in_length) {
+  // Unequal handles: linear in the parameter would be something else.
+  world::Document d;
+  world::append_knot(d, test::skew_knot({1.3f, 5.1f, 2.7f}, {1, 0, 0}, 2, 2));
+  world::append_knot(d, test::skew_knot({31.3f, 5.1f, 2.7f}, {1, 0, 0}, 15, 15));
+  world::set_roll(d.entities.get<world::Knot>(d.track.knots[1]), 50);
+  d.entities.get<world::Segment>(d.track.segments[0]).turns = 1;
+  const Derived derived = test::derived_of(d);
+  const SegmentShape& shape = derived.shape(derived.order[0]);
+  const double total = (360.0 + 50.0) * M_PI / 180;
+  EXPECT_NEAR(shape.twist, total, 1e-6);
+  for (const double s : {3.1, 7.7, 14.9, 22.3, 29.9}) {
+    const double a = total * s / 30;  // rolled about +X: up goes from +Y towards +Z
+    const glm::dvec3 up = frame_at(shape, s).up;
+    EXPECT_NEAR(up.y, std::cos(a), 2e-6) << s;
+    EXPECT_NEAR(up.z, std::sin(a), 2e-6) << s;
+  }
+}
+
+TEST(derived, a_planar_circle_keeps_its_frame_without_twist) {
+  const Derived derived = test::derived_of(test::circle_document(7.5, {3.3, 1.1, -2.7}, {0.6, 0, 0.8}));
+  for (const world::Entity e : derived.order) EXPECT_NEAR(derived.shape(e).twist, 0, 1e-5);
+}
+
+TEST(derived, places_wrap_on_closed_tracks_and_clamp_on_open_ones) {
+  const Derived ring = test::derived_of(test::ring_document(8, 17.3));
+  for (const double distance : {0.3, 3.7, 55.1, 99.9}) {
+    const TrackPlace a = place_at(ring, distance), b = place_at(ring, distance - 3 * ring.length);
+    EXPECT_NEAR(ring.starts[a.index] + a.s, distance, 1e-9);
+    EXPECT_NEAR(ring.starts[b.index] + b.s, distance, 1e-9);
+  }
+  const Derived open = test::derived_of(test::straight_document({1, 2, 3}, {31, 2, 3}, 3));
+  EXPECT_EQ(place_at(open, -5).index, 0u);
+  EXPECT_EQ(place_at(open, -5).s, 0.0);
+  EXPECT_EQ(place_at(open, 1e9).index, 2u);
+  EXPECT_NEAR(place_at(open, 1e9).s, 10, 1e-5);
+}
+
+TEST(derived, the_clock_measures_evaluation_alone) {
+  int calls = 0;
+  Derived derived;
+  derive(test::ring_document(8, 17.3), {}, [&] { return 0.25 * calls++; }, derived);
+  EXPECT_EQ(calls, 16);  // before and after each segment's polyline
+  EXPECT_DOUBLE_EQ(derived.evaluation_seconds, 8 * 0.25);
+  EXPECT_EQ(derived.evaluated_vertices, 8 * 65);
+}
+
+TEST(derived, evaluators_on_the_gpu_leave_no_polylines_and_cost_no_rebuild) {
+  world::Document d = test::ring_document(8, 17.3);
+  world::Settings settings;
+  settings.steps = 7;
+  Derived derived;
+  derive(d, settings, {}, derived);
+  const double length = derived.length, measured = derived.measured_length;
+  std::uint64_t last = derived.last_build;
+  for (std::size_t row = 0; row < curve::evaluators().size(); ++row) {
+    if (curve::evaluators()[row].stage == curve::Stage::processor) continue;
+    settings.evaluator = static_cast<curve::EvaluatorId>(row);
+    for (const int steps : {7, 4096, 1}) {
+      settings.steps = steps;
+      derive(d, settings, {}, derived);
+      EXPECT_EQ(derived.stage, curve::evaluators()[row].stage);
+      EXPECT_EQ(derived.steps, steps);
+      EXPECT_EQ(derived.vertices, 8 * (steps + 1));
+      EXPECT_EQ(derived.rebuilds, 0);
+      EXPECT_EQ(derived.evaluated_vertices, 0);
+      EXPECT_EQ(derived.last_build, last);
+      EXPECT_EQ(derived.deviation, 0);
+    }
+    for (const world::Entity e : derived.order) EXPECT_EQ(derived.shape(e).points.capacity() + derived.shape(e).tangents.capacity(), 0u);
+  }
+  EXPECT_EQ(derived.length, length);
+  EXPECT_EQ(derived.measured_length, measured);
+  d.entities.get<world::Knot>(d.track.knots[3]).position.y += 0.7f;
+  derive(d, settings, {}, derived);
+  EXPECT_EQ(derived.rebuilds, 2);
+  EXPECT_EQ(derived.evaluated_vertices, 0);
+  settings.evaluator = curve::EvaluatorId{0};
+  settings.steps = 7;
+  last = derived.last_build;
+  derive(d, settings, {}, derived);
+  EXPECT_EQ(derived.rebuilds, 8);
+  EXPECT_GT(derived.deviation, 0);
+  for (const world::Entity e : derived.order) {
+    EXPECT_EQ(derived.shape(e).points.size(), 8u);
+    EXPECT_GT(derived.shape(e).polyline_build, last);
+  }
+}
+
+}  // namespace derived_test
+}  // namespace coaster::sim

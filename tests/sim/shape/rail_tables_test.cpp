@@ -1,0 +1,123 @@
+#include "sim/shape/rail_tables.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "sim/ride/ride.h"
+#include "sim/tracks.h"
+
+namespace coaster::sim {
+namespace rail_tables_test {
+
+world::Document hilly() { return test::ring_document(12, 40.3, 7.7); }
+
+TEST(rail_tables, heights_and_slopes_are_those_of_the_curve) {
+  const world::Document d = hilly();
+  const Derived derived = test::derived_of(d);
+  RailTables tables;
+  tables.update(derived, 1.1);
+  ASSERT_EQ(tables.size(), derived.order.size());
+  EXPECT_EQ(tables.length(), derived.length);
+  std::mt19937 bits(5);
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    for (int n = 0; n < 100; ++n) {
+      const double s = derived.shape(derived.order[i]).arc.length() * (bits() / 4294967296.0);
+      const RailPoint exact = rail_point(derived.shape(derived.order[i]), s);
+      const TableRail table = rail_at(tables.segment(i), s);
+      ASSERT_NEAR(table.height, exact.height, 1e-6) << i << " " << s;
+      ASSERT_NEAR(table.slope, exact.slope, 1e-5) << i << " " << s;
+      // The slope is the table's own derivative: energy is kept by it.
+      const double h = 1e-5;
+      ASSERT_NEAR((rail_at(tables.segment(i), s + h).height - rail_at(tables.segment(i), s - h).height) / (2 * h), table.slope, 1e-4);
+    }
+}
+
+TEST(rail_tables, rails_go_on_straight_beyond_their_ends) {
+  const Derived derived = test::derived_of(test::sample_document());
+  RailTables tables;
+  tables.update(derived, 0);
+  const SegmentTable& table = tables.segment(1);
+  const double length = derived.shape(derived.order[1]).arc.length();
+  EXPECT_NEAR(rail_at(table, -2).height, rail_at(table, 0).height - 2 * rail_at(table, 0).slope, 1e-12);
+  EXPECT_NEAR(rail_at(table, length + 2).height, rail_at(table, length).height + 2 * rail_at(table, length).slope, 1e-9);
+  EXPECT_EQ(rail_at(table, length + 2).slope, rail_at(table, length + 5).slope);
+}
+
+// What the ride says of a cart on the exact curve, at the same place, speed and acceleration.
+TEST(rail_tables, what_riders_feel_is_what_the_ride_says_on_the_exact_curve) {
+  world::Document d = hilly();
+  world::set_roll(d.entities.get<world::Knot>(d.track.knots[3]), 37);
+  d.heartline = 1.1;
+  const world::Entity cart = world::add_cart(d, d.track.segments[2], 0.0);
+  d.start_speed = 17.3;
+  const Derived derived = test::derived_of(d);
+  RailTables tables;
+  tables.update(derived, d.heartline);
+  GhostMemo memo;
+  world::Motion motion;
+  reset(d, derived, motion);
+  motion.state = world::RideState::running;
+  std::size_t hint = 0;
+  for (int n = 0; n < 400; ++n) {
+    step(d, derived, 0, 3, memo, motion);
+    const world::CartMotion& at = motion.carts.get(cart);
+    // Within 1 m of a joint the heartline's bend jumps: the table's difference quotient spreads it.
+    if (at.s < 1 || at.segment_length - at.s < 1) continue;
+    const Felt exact = felt(d, derived, cart, at);
+    const double s = tables.locate(at.track_distance, hint);
+    const double a = -world::kGravity * rail_at(tables.segment(hint), s).slope;
+    const glm::vec3 table = felt_at(tables.segment(hint), s, static_cast<float>(a / world::kGravity), static_cast<float>(at.speed * at.speed / world::kGravity));
+    ASSERT_NEAR(table.z, exact.up, 0.03) << n;
+    ASSERT_NEAR(table.y, exact.left, 0.03) << n;
+    ASSERT_NEAR(table.x, exact.forward, 0.03) << n;
+  }
+  EXPECT_GT(motion.carts.get(cart).travelled, derived.length / 2);
+}
+
+TEST(rail_tables, an_edit_refills_its_two_segments_alone) {
+  world::Document d = hilly();
+  Derived derived;
+  derive(d, {}, {}, derived);
+  RailTables tables;
+  tables.update(derived, 1.1);
+  const std::uint64_t serial = tables.serial();
+  tables.update(derived, 1.1);
+  EXPECT_EQ(tables.serial(), serial);
+  std::vector<const double*> before;  // where the entries are: a refill of another size or of a new segment may move them
+  std::vector<std::uint64_t> builds;
+  for (std::size_t i = 0; i < tables.size(); ++i) builds.push_back(tables.segment(i).build);
+  d.entities.get<world::Knot>(d.track.knots[5]).position.y += 1.3f;
+  derive(d, {}, {}, derived);
+  tables.update(derived, 1.1);
+  EXPECT_GT(tables.serial(), serial);
+  for (std::size_t i = 0; i < tables.size(); ++i) EXPECT_EQ(tables.segment(i).build != builds[i], i == 4 || i == 5) << i;
+  for (std::size_t i = 0; i < tables.size(); ++i) builds[i] = tables.segment(i).build;
+  tables.update(derived, 0.7);  // the heartline is in all of them
+  for (std::size_t i = 0; i < tables.size(); ++i) EXPECT_EQ(tables.segment(i).heartline, 0.7) << i;
+}
+
+TEST(rail_tables, places_wrap_on_a_closed_track_and_stay_on_an_open_one) {
+  const Derived derived = test::derived_of(hilly());
+  RailTables tables;
+  tables.update(derived, 0);
+  for (const double d : {0.3, 17.7, derived.length - 0.1})
+    for (const double rounds : {-2.0, 0.0, 3.0}) {
+      std::size_t hint = 7, plain = 0;
+      const double s = tables.locate(d + rounds * derived.length, hint), expected = tables.locate(d, plain);
+      EXPECT_EQ(hint, plain);
+      EXPECT_NEAR(s, expected, 1e-9);
+      EXPECT_NEAR(tables.start(hint) + s, d, 1e-9);
+    }
+  const Derived open = test::derived_of(test::straight_document({1, 2, 3}, {31, 2, 3}, 3));
+  RailTables straight;
+  straight.update(open, 0);
+  std::size_t hint = 1;
+  EXPECT_LT(straight.locate(-2.0, hint), 0);
+  EXPECT_EQ(hint, 0u);
+  EXPECT_NEAR(straight.locate(33.0, hint), 13.0, 1e-5);
+  EXPECT_EQ(hint, 2u);
+}
+
+}  // namespace rail_tables_test
+}  // namespace coaster::sim

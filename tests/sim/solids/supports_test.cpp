@@ -1,0 +1,286 @@
+#include "sim/solids/supports.h"
+
+#include <algorithm>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "sim/solids.h"
+#include "sim/solids/track_mesh.h"
+#include "sim/tracks.h"
+
+namespace coaster::sim {
+namespace supports_test {
+
+using glm::dvec3;
+
+Supports supports_of(const Derived& derived) {
+  Supports supports;
+  supports.update(derived);
+  return supports;
+}
+
+// A knot on a level helix about the vertical through (11, 0, -7): winds over itself, `rise` metres a turn.
+world::Document helix_document(int turns, double radius, double rise, int knots = 8) {
+  world::Document d;
+  const double bottom = 4, step = 2 * M_PI / knots, handle = 4.0 / 3.0 * std::tan(step / 4) * radius;
+  for (int i = 0; i <= turns * knots; ++i) {
+    const double a = step * i + 0.21, h = bottom + rise * i / knots;
+    const glm::vec3 tangent(-std::sin(a), rise / (2 * M_PI * radius), -std::cos(a));
+    world::append_knot(d, test::skew_knot({11 + radius * std::cos(a), h, -7 - radius * std::sin(a)}, tangent, static_cast<float>(handle), static_cast<float>(handle)));
+  }
+  return d;
+}
+
+// A document of random hills, turns and rolls that crosses itself.
+world::Document tangle(std::uint32_t seed, int knots) {
+  std::mt19937 bits(seed);
+  const auto uniform = [&](double low, double high) { return low + (high - low) * (bits() / 4294967296.0); };
+  world::Document d;
+  double heading = 0.3;
+  glm::dvec3 at(3.1, 8, -2.7);
+  for (int i = 0; i < knots; ++i) {
+    heading += uniform(-1.1, 1.3);
+    const glm::dvec3 way(std::cos(heading), uniform(-0.3, 0.3), -std::sin(heading));
+    at += uniform(8, 18) * way;
+    at.y = std::clamp(at.y, 2.0, 30.0);
+    const auto handle = static_cast<float>(uniform(3, 6));
+    world::append_knot(d, test::skew_knot(glm::vec3(at), glm::vec3(way), handle, handle, world::JointKind::smooth));
+    world::set_roll(d.entities.get<world::Knot>(d.track.knots.back()), uniform(-70, 70));
+  }
+  return d;
+}
+
+// Points of the track with their frames, closely spaced: the oracle's own way to it.
+struct Sample {
+  dvec3 place, up, left;
+  double distance;  // along the track
+};
+std::vector<Sample> samples_of(const Derived& derived, double spacing) {
+  std::vector<Sample> out;
+  for (std::size_t i = 0; i < derived.order.size(); ++i) {
+    const SegmentShape& shape = derived.shape(derived.order[i]);
+    const int steps = std::max(1, static_cast<int>(std::ceil(shape.arc.length() / spacing)));
+    for (int k = 0; k <= steps; ++k) {
+      const double s = shape.arc.length() * k / steps;
+      const curve::Frame frame = frame_at(shape, s);
+      out.push_back({curve::point(shape.key.cubic, shape.arc.parameter(s)), frame.up, frame.left(), derived.starts[i] + s});
+    }
+  }
+  return out;
+}
+
+// How many samples are within the envelope of a bar, which is looked at point by point.
+int disturbed(const Derived& derived, const Supports& supports) {
+  const std::vector<Sample> track = samples_of(derived, 0.25);
+  int found = 0;
+  for (const world::Entity e : derived.order) {
+    const SegmentSupports& mine = *supports.of(e);
+    for (const Bar& bar : mine.bars) {
+      const double radius = static_cast<double>(std::min(bar.from_radius, bar.to_radius));
+      // The bar's own support: the hold that is nearest to its upper end.
+      double least = 1e9, held = 0;
+      for (const Ring& hold : mine.holds) {
+        const dvec3 spine = hold.position - kSpineDrop * hold.frame.up;
+        for (const glm::vec3 end : {bar.from, bar.to}) {
+          const double apart = glm::distance(dvec3(end), spine);
+          const double start = derived.starts[static_cast<std::size_t>(std::find(derived.order.begin(), derived.order.end(), e) - derived.order.begin())];
+          if (apart < least) least = apart, held = start + static_cast<double>(hold.along) * derived.shape(e).arc.length();
+        }
+      }
+      const dvec3 from(bar.from), to(bar.to);
+      const int steps = std::max(1, static_cast<int>(glm::distance(from, to) / 0.25));
+      for (int k = 0; k <= steps; ++k) {
+        const dvec3 p = glm::mix(from, to, static_cast<double>(k) / steps);
+        for (const Sample& s : track) {
+          double apart = std::abs(s.distance - held);
+          if (derived.closed) apart = std::min(apart, derived.length - apart);
+          // A strut's own support may be any of the segment's: what is near one of them is left to its legs.
+          if (apart < kHeldReach + 0.3) {
+            found += glm::distance(p, s.place + kRiderLift * s.up) < kRiderRadius + radius - 0.01;
+            continue;
+          }
+          found += glm::distance(p, s.place + kEnvelopeLift * s.up) < kEnvelopeRadius + radius - 0.01;
+        }
+      }
+    }
+  }
+  return found;
+}
+
+TEST(supports, keep_out_of_the_room_of_trains_everywhere) {
+  for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+    const Derived derived = test::derived_of(tangle(seed, 40));
+    const Supports supports = supports_of(derived);
+    EXPECT_GT(supports.count(), 15) << seed;
+    EXPECT_EQ(disturbed(derived, supports), 0) << seed;
+  }
+  const Derived helix = test::derived_of(helix_document(4, 9.3, 4.1));
+  const Supports supports = supports_of(helix);
+  EXPECT_GT(supports.count(), 8);
+  EXPECT_EQ(disturbed(helix, supports), 0);
+}
+
+TEST(supports, the_oracle_sees_a_column_that_stands_in_the_way) {
+  // Two levels of a helix, one over the other: straight down from the upper one meets the lower.
+  const Derived derived = test::derived_of(helix_document(2, 9.3, 5.0));
+  const SegmentShape& upper = derived.shape(derived.order[11]);
+  const Ring at = ring_at(upper, 0.5 * upper.arc.length());
+  const dvec3 top = at.position - kSpineDrop * at.frame.up;
+  const Bar column{glm::vec3(top), {top.x, 0, top.z}, 0.2f, 0.2f, true};
+  Lane lanes[16];
+  std::vector<const Lane*> all;
+  for (std::size_t i = 0; i < 16; ++i) {
+    const SegmentShape& shape = derived.shape(derived.order[i]);
+    lanes[i] = {rings_of(shape), tight_box(shape.key.cubic)};
+    all.push_back(&lanes[i]);
+  }
+  EXPECT_FALSE(is_clear(derived, all, column, {11, 0.5 * upper.arc.length()}));
+  Bar aside = column;
+  aside.from += 3.5f * glm::normalize(glm::vec3(top.x - 11, 0, top.z + 7)), aside.to = {aside.from.x, 0, aside.from.z};
+  EXPECT_TRUE(is_clear(derived, all, aside, {11, 0.5 * upper.arc.length()}));
+}
+
+TEST(supports, distance_between_lines_is_the_least_of_all_pairs_of_points) {
+  std::mt19937 bits(5);
+  const auto point = [&] { return dvec3(bits() % 1000, bits() % 1000, bits() % 1000) / 100.0; };
+  for (int i = 0; i < 60; ++i) {
+    const dvec3 a = point(), b = i % 7 ? point() : a, c = point(), d = i % 5 ? point() : c + 0.7 * (b - a);
+    double least = 1e9;
+    for (int s = 0; s <= 200; ++s)
+      for (int t = 0; t <= 200; ++t) least = std::min(least, glm::distance(glm::mix(a, b, s / 200.0), glm::mix(c, d, t / 200.0)));
+    const double found = distance_between(a, b, c, d);
+    EXPECT_LE(found, least + 1e-12);
+    EXPECT_NEAR(found, least, 0.1);
+  }
+}
+
+TEST(supports, stand_about_ten_metres_apart_under_a_free_straight) {
+  for (const int segments : {1, 4, 10, 40}) {  // of 120 m, 30 m, 12 m, 3 m
+    const Derived derived = test::derived_of(test::straight_document({1.7f, 9.3f, 2.1f}, {97.7f, 9.3f, 74.1f}, segments));
+    const Supports supports = supports_of(derived);
+    std::vector<double> feet;
+    for (const world::Entity e : derived.order)
+      for (const Bar& bar : supports.of(e)->bars) {
+        EXPECT_TRUE(bar.grounded);
+        EXPECT_EQ(bar.to.y, 0);
+        EXPECT_NEAR(bar.from.x, bar.to.x, 1e-5);  // straight down
+        feet.push_back(glm::distance(bar.to, glm::vec3(1.7f, 0, 2.1f)));
+      }
+    ASSERT_GE(feet.size(), 8u) << segments;
+    for (std::size_t i = 0; i + 1 < feet.size(); ++i) EXPECT_NEAR(feet[i + 1] - feet[i], 10.5, 3.6) << segments;
+  }
+}
+
+TEST(supports, are_closer_where_the_track_is_bent_and_where_it_is_high) {
+  const auto per_metre = [](const world::Document& d) {
+    const Derived derived = test::derived_of(d);
+    int places = 0;
+    const Supports supports = supports_of(derived);
+    for (const world::Entity e : derived.order) places += supports.of(e)->places;
+    return places / derived.length;
+  };
+  const double straight = per_metre(test::straight_document({1.7f, 9.3f, 2.1f}, {97.7f, 9.3f, 74.1f}));
+  EXPECT_GT(per_metre(test::straight_document({1.7f, 59.3f, 2.1f}, {97.7f, 59.3f, 74.1f})), 1.15 * straight);
+  EXPECT_GT(per_metre(helix_document(1, 14, 0.1, 4)), 1.15 * straight);
+}
+
+TEST(supports, high_track_stands_on_two_legs) {
+  const Derived derived = test::derived_of(test::straight_document({1.7f, 39.3f, 2.1f}, {25.7f, 39.3f, 20.1f}));
+  const Supports supports = supports_of(derived);
+  const SegmentSupports& found = *supports.of(derived.order[0]);
+  EXPECT_EQ(found.bars.size(), 3 * found.holds.size());
+  int feet = 0;
+  for (const Bar& bar : found.bars) feet += bar.grounded;
+  EXPECT_EQ(feet, 2 * supports.count());
+}
+
+TEST(supports, track_on_its_head_is_held_from_beside_it) {
+  world::Document d = test::straight_document({1.7f, 12.3f, 2.1f}, {25.7f, 12.3f, 20.1f});
+  for (const world::Entity k : d.track.knots) world::set_roll(d.entities.get<world::Knot>(k), 180);
+  const Derived derived = test::derived_of(d);
+  ASSERT_LT(derived.shape(derived.order[0]).frames[16].up.y, -0.99);
+  const Supports supports = supports_of(derived);
+  const SegmentSupports& found = *supports.of(derived.order[0]);
+  ASSERT_GE(supports.count(), 2);
+  EXPECT_EQ(disturbed(derived, supports), 0);
+  for (const Bar& bar : found.bars) {
+    if (!bar.grounded) continue;
+    const dvec3 foot = dvec3(bar.to) - dvec3(1.7, 0, 2.1);
+    EXPECT_GT(std::abs(0.6 * foot.x - 0.8 * foot.z), 2.0);  // sideways
+  }
+}
+
+TEST(supports, none_for_track_in_or_on_the_ground) {
+  for (const float height : {-5.3f, 0.1f, 1.0f}) {
+    const Derived derived = test::derived_of(test::straight_document({1.7f, height, 2.1f}, {97.7f, height, 74.1f}));
+    EXPECT_EQ(supports_of(derived).count(), 0) << height;
+  }
+}
+
+TEST(supports, follow_from_the_track_alone_however_it_came_to_be_so) {
+  world::Document d = tangle(7, 30);
+  Derived derived = test::derived_of(d);
+  Supports kept;
+  std::mt19937 bits(3);
+  for (int step = 0; step < 12; ++step) {
+    kept.update(derived);
+    if (step == 5) world::remove_knot(d, d.track.knots[9]);
+    if (step == 8) world::set_closed(d, true);
+    const world::Entity k = d.track.knots[bits() % d.track.knots.size()];
+    d.entities.get<world::Knot>(k).position += glm::vec3(static_cast<int>(bits() % 9) - 4, static_cast<int>(bits() % 5) - 2, static_cast<int>(bits() % 9) - 4);
+    world::settle_joints(d);
+    derive(d, {}, {}, derived);
+    kept.update(derived);
+    const Supports fresh = supports_of(derived);
+    EXPECT_EQ(kept.count(), fresh.count());
+    for (const world::Entity e : derived.order) ASSERT_EQ(kept.of(e)->bars, fresh.of(e)->bars) << step;
+  }
+}
+
+TEST(supports, a_still_track_costs_nothing_and_a_moved_knot_its_neighbourhood) {
+  world::Document d = test::ring_document(200, 400, 0.0);
+  Derived derived = test::derived_of(d);
+  Supports supports;
+  supports.update(derived);
+  EXPECT_EQ(supports.rebuilds(), 200);
+  supports.update(derived);
+  EXPECT_EQ(supports.rebuilds(), 0);
+  const std::uint64_t far = supports.of(derived.order[150])->build;
+  d.entities.get<world::Knot>(d.track.knots[20]).position += glm::vec3(0.7f, 0.9f, -0.3f);
+  world::settle_joints(d);
+  derive(d, {}, {}, derived);
+  ASSERT_EQ(derived.rebuilds, 2);
+  supports.update(derived);
+  EXPECT_GE(supports.rebuilds(), 2);
+  EXPECT_LE(supports.rebuilds(), 6);
+  EXPECT_EQ(supports.of(derived.order[150])->build, far);
+  EXPECT_GE(supports.of(derived.order[20])->build, far);
+}
+
+TEST(supports, of_degenerate_and_random_tracks_are_finite) {
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    const Derived derived = test::derived_of(test::random_document(seed));
+    const Supports supports = supports_of(derived);
+    Mesh mesh;
+    for (const world::Entity e : derived.order) {
+      build_support_mesh(*supports.of(e), mesh);
+      EXPECT_TRUE(test::finite(mesh));
+      EXPECT_EQ(test::wrong_normals(mesh), 0);
+    }
+  }
+}
+
+TEST(supports, are_closed_solids_with_a_footing_for_every_foot) {
+  const Derived derived = test::derived_of(test::straight_document({1.7f, 29.3f, 2.1f}, {25.7f, 29.3f, 20.1f}));
+  const Supports supports = supports_of(derived);
+  Mesh mesh;
+  build_support_mesh(*supports.of(derived.order[0]), mesh);
+  EXPECT_EQ(test::open_edges(mesh), 0);
+  EXPECT_EQ(test::open_edges(mesh, mesh.coarse), 0);
+  EXPECT_GT(test::volume(mesh, Part::concrete), 0);
+  for (const MeshVertex& v : mesh.vertices) ASSERT_GE(v.position.y, -1e-6f);
+}
+
+}  // namespace supports_test
+}  // namespace coaster::sim

@@ -1,0 +1,111 @@
+#include "sim/study/ratings.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/tracks.h"
+
+namespace coaster::sim {
+namespace ratings_test {
+
+constexpr double kG = world::kGravity, kCutoff = 5.0;
+
+struct Rated {
+  world::Document document;
+  Derived derived;
+  GhostMemo memo;
+  world::Entity cart;
+  Rated(world::Document d, double speed, double fraction = 0.2) : document(std::move(d)) {
+    cart = world::add_cart(document, document.track.segments.at(0), fraction);
+    document.start_speed = speed, document.heartline = 0;
+    derive(document, {}, {}, derived);
+  }
+  const Ghost& ghost() { return *memo.ride(document, derived, cart); }
+  Ratings rate() {
+    const Ghost& g = ghost();
+    return sim::rate(g, memo.tables(document, derived), kCutoff);
+  }
+};
+
+TEST(ratings, a_flat_circle_at_constant_speed_has_constant_g) {
+  const double radius = 20.3, speed = 12.7;
+  const Ratings r = Rated(test::ring_document(48, radius, 0.0), speed).rate();
+  EXPECT_TRUE(r.complete);
+  EXPECT_NEAR(r.side_most.value, speed * speed / (radius * kG), 5e-3);
+  EXPECT_NEAR(r.up_most.value, 1, 1e-3);
+  EXPECT_NEAR(r.up_least.value, 1, 1e-3);
+  EXPECT_NEAR(r.forward_most.value, 0, 1e-3);
+  EXPECT_NEAR(r.top_speed.value, speed, 1e-4);
+  EXPECT_NEAR(r.mean_speed, speed, 1e-3);
+  EXPECT_NEAR(r.seconds, 2 * M_PI * radius / speed, 1e-3);
+  EXPECT_NEAR(r.length, 2 * M_PI * radius, 1e-3);
+  EXPECT_EQ(r.airtime, 0);
+  EXPECT_EQ(r.drops, 0);
+  EXPECT_EQ(r.inversions, 0);
+  // The published terms, by hand: no negative g, no drop.
+  const double l = speed * speed / (radius * kG);
+  EXPECT_NEAR(r.excitement, 0.08 + 0.4 * l, 0.01);
+  EXPECT_NEAR(r.intensity, 0.8 + l, 0.01);
+  EXPECT_NEAR(r.nausea, 0.26 + 0.33 * l, 0.01);
+}
+
+// A ballistic parabola is one cubic. At its own speed riders float at 0 g everywhere; with a part q more of kinetic energy at the start they are
+// lifted by q v0^2 k(s) / g, k being the curvature, which is g / (v0 cos)^2 at the top.
+world::Document parabola(double speed, double angle) {
+  const double vx = speed * std::cos(angle), vy = speed * std::sin(angle), time = 2 * vy / kG;
+  world::Document d;
+  const glm::dvec3 from(3.3, 5.7, -2.9), along = glm::normalize(glm::dvec3(0.8, 0, 0.6));
+  const double third = time / 3 * speed;
+  const glm::dvec3 rise(0, vy, 0), to = from + time * vx * along;
+  const auto handle = static_cast<float>(third);
+  world::append_knot(d, test::skew_knot(glm::vec3(from), glm::vec3(vx * along + rise), handle, handle));
+  world::append_knot(d, test::skew_knot(glm::vec3(to), glm::vec3(vx * along - rise), handle, handle));
+  return d;
+}
+
+TEST(ratings, airtime_is_the_time_on_a_parabola_that_is_taken_too_fast) {
+  const double speed = 15.0, angle = M_PI / 4, more = 0.21;
+  Rated fast(parabola(speed, angle), speed * std::sqrt(1 + more), 0.0);
+  const Ratings r = fast.rate();
+  EXPECT_TRUE(r.complete);  // to the end of an open track
+  EXPECT_NEAR(r.airtime, fast.ghost().seconds(), 0.05);
+  EXPECT_NEAR(r.up_least.value, -more * speed * speed / (speed * speed * std::pow(std::cos(angle), 2)), 0.02);
+  const Ratings slow = Rated(parabola(speed, angle), speed * 0.98, 0.0).rate();
+  EXPECT_EQ(slow.airtime, 0);
+  EXPECT_GT(slow.up_least.value, 0);
+  EXPECT_NEAR(slow.highest.value - 5.7, speed * speed * 0.5 / (2 * kG), 1e-2);
+}
+
+TEST(ratings, inversions_are_counted_for_a_loop_and_a_corkscrew_and_not_for_a_bank) {
+  EXPECT_EQ(Rated(test::circle_document(7.5, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}), 20.3).rate().inversions, 1);
+  world::Document twisted = test::straight_document({1.1f, 9.3f, 2.7f}, {91.1f, 9.3f, 12.7f}, 3);
+  EXPECT_EQ(Rated(twisted, 15).rate().inversions, 0);
+  twisted.entities.get<world::Segment>(twisted.track.segments[1]).turns = 1;
+  EXPECT_EQ(Rated(twisted, 15).rate().inversions, 1);
+  twisted.entities.get<world::Segment>(twisted.track.segments[2]).turns = -2;
+  EXPECT_EQ(Rated(twisted, 15).rate().inversions, 3);
+  world::Document banked = test::straight_document({1.1f, 9.3f, 2.7f}, {91.1f, 9.3f, 12.7f}, 3);
+  world::set_roll(banked.entities.get<world::Knot>(banked.track.knots[1]), 85);
+  EXPECT_EQ(Rated(banked, 15).rate().inversions, 0);
+}
+
+TEST(ratings, drops_are_the_descents_of_the_hills) {
+  const double hill = 4.3;
+  const Ratings r = Rated(test::ring_document(24, 40.7, hill), 16.3).rate();
+  EXPECT_TRUE(r.complete);
+  EXPECT_GE(r.drops, 3);  // three hills; a lap that begins on a slope counts both parts of it
+  EXPECT_LE(r.drops, 4);
+  EXPECT_NEAR(r.highest_drop, 2 * hill, 0.05);
+  EXPECT_NEAR(r.highest.value - r.lowest.value, 2 * hill, 0.05);
+  // Energy: the top speed is at the lowest place.
+  EXPECT_NEAR(r.top_speed.distance, r.lowest.distance, 1.0);
+  EXPECT_EQ(Rated(test::ring_document(24, 40.7, 1.2), 16.3).rate().drops, 0);  // 2.4 m are none
+}
+
+TEST(ratings, a_ride_that_does_not_come_round_is_not_complete) {
+  const Ratings r = Rated(test::ring_document(24, 40.7, 9.3), 1.3).rate();
+  EXPECT_FALSE(r.complete);
+  EXPECT_TRUE(std::isfinite(r.excitement));
+}
+
+}  // namespace ratings_test
+}  // namespace coaster::sim

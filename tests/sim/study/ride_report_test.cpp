@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "sim/study/ratings.h"
+#include "sim/tracks.h"
+
+namespace coaster::sim {
+namespace ride_report_test {
+
+struct Reported {
+  world::Document document;
+  Derived derived;
+  GhostMemo memo;
+  const Ghost* ghost = nullptr;
+  Ratings ratings;
+  std::vector<RedSpan> red;
+
+  Reported(world::Document d, double speed, int cars) : document(std::move(d)) {
+    const world::Entity cart = world::add_cart(document, document.track.segments.at(0), 0.2);
+    document.entities.get<world::Cart>(cart).cars = cars;
+    document.start_speed = speed;
+    derive(document, {}, {}, derived);
+    ghost = memo.ride(document, derived, cart);
+    ratings = rate(*ghost, tables(), 5);
+    red = red_spans(*ghost, default_envelope());
+  }
+  const RailTables& tables() { return memo.tables(document, derived); }
+};
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, at);) parts.push_back(part);
+  return parts;
+}
+
+// The number after a row's name.
+double number_of(const std::string& report, const std::string& row) {
+  const std::size_t at = report.find("  " + row + " ");
+  EXPECT_NE(at, std::string::npos) << row;
+  return at == std::string::npos ? NAN : std::stod(report.substr(at + 2 + row.size()));
+}
+
+TEST(ride_report, tells_the_ratings_of_the_ride) {
+  Reported ride(test::ring_document(24, 40.7, 4.3), 16.3, 3);
+  const std::string report = report_text(*ride.ghost, ride.ratings, ride.red, "Skew ring");
+  EXPECT_EQ(report.rfind("Skew ring\n", 0), 0u);
+  EXPECT_NEAR(number_of(report, "length"), ride.derived.length, 0.01);
+  EXPECT_NEAR(number_of(report, "lap"), ride.ghost->lap_time, 0.01);
+  EXPECT_NEAR(number_of(report, "cars"), 3, 0);
+  EXPECT_NEAR(number_of(report, "top speed"), ride.ratings.top_speed.value, 0.01);
+  EXPECT_NEAR(number_of(report, "highest") - number_of(report, "lowest"), 8.6, 0.05);
+  EXPECT_NEAR(number_of(report, "most lateral"), ride.ratings.side_most.value, 0.01);
+  EXPECT_NEAR(number_of(report, "drops"), ride.ratings.drops, 0);
+  EXPECT_NEAR(number_of(report, "red spans"), static_cast<double>(ride.red.size()), 0);
+  EXPECT_NE(report.find("not a compliance check"), std::string::npos);
+}
+
+TEST(ride_report, names_every_red_span_with_its_limit) {
+  Reported ride(test::circle_document(6.5, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}), 27, 2);
+  ASSERT_FALSE(ride.red.empty());
+  const std::string report = report_text(*ride.ghost, ride.ratings, ride.red, "");
+  std::size_t lines = 0;
+  for (const std::string& line : split(report, '\n')) lines += line.find(" may last, ") != std::string::npos;
+  EXPECT_EQ(lines, ride.red.size());
+}
+
+TEST(ride_report, says_why_a_ride_ended_early) {
+  Reported ride(test::ring_document(24, 40.7, 9.3), 6.3, 1);
+  ASSERT_NE(ride.ghost->end, world::FailureKind::none);
+  const std::string report = report_text(*ride.ghost, ride.ratings, ride.red, "");
+  EXPECT_NE(report.find("no whole lap"), std::string::npos);
+  EXPECT_NE(report.find(std::string(text(ride.ghost->end)) + " at "), std::string::npos);
+}
+
+TEST(ride_report, the_values_by_time_are_a_table_of_the_ghost) {
+  Reported ride(test::ring_document(24, 40.7, 4.3), 16.3, 3);
+  const std::vector<std::string> lines = split(report_csv(*ride.ghost, ride.tables()), '\n');
+  ASSERT_EQ(lines.size(), 1 + (ride.ghost->samples.size() + kForceEvery - 1) / kForceEvery);
+  const std::vector<std::string> head = split(lines[0], ',');
+  ASSERT_EQ(head.size(), 5u + 3 * 3);
+  EXPECT_EQ(head[0], "time_s");
+  EXPECT_EQ(head[8], "up_2_g");
+  for (const std::size_t k : {std::size_t{0}, std::size_t{17}, lines.size() - 2}) {
+    const std::vector<std::string> row = split(lines[k + 1], ',');
+    ASSERT_EQ(row.size(), head.size());
+    const GhostSample& sample = ride.ghost->samples[k * kForceEvery];
+    EXPECT_NEAR(std::stod(row[0]), static_cast<double>(k * kForceEvery) * world::kTick, 1e-5);
+    EXPECT_NEAR(std::stod(row[1]), ride.ghost->distance(k * kForceEvery), 1e-3);
+    EXPECT_NEAR(std::stod(row[2]), sample.speed, 1e-3);
+    EXPECT_NEAR(std::stod(row[8]), ride.ghost->forces[k * 3 + 1].up, 1e-3);
+    // Energy: no losses.
+    EXPECT_NEAR(0.5 * sample.speed * sample.speed + 9.81 * std::stod(row[3]), 0.5 * 16.3 * 16.3 + 9.81 * std::stod(split(lines[1], ',')[3]), 8.0);
+  }
+}
+
+}  // namespace ride_report_test
+}  // namespace coaster::sim

@@ -1,0 +1,112 @@
+#include "ui/actions/actions.h"
+
+#include "ui/stage.h"
+
+namespace coaster::ui {
+namespace actions_test {
+
+struct ActionsTest : Stage {};
+
+TEST(action_table, no_key_is_given_twice_and_every_row_is_explained) {
+  for (const Action& a : actions()) {
+    EXPECT_FALSE(a.help.empty()) << a.name;
+    for (const Action& b : actions())
+      for (const platform::Chord& chord : {a.chord, a.other}) {
+        if (&a == &b || chord.key == platform::Key::unknown) continue;
+        EXPECT_TRUE(chord != b.chord && chord != b.other) << a.name << ", " << b.name;
+      }
+  }
+}
+
+TEST(action_table, shown_keys_are_the_keys) {
+  for (const Action& a : actions()) {
+    if (a.keys.empty()) continue;
+    const auto chord = platform::parse_chord(a.keys);
+    ASSERT_TRUE(chord.has_value()) << a.keys;
+    EXPECT_TRUE(*chord == a.chord) << a.name;
+  }
+}
+
+TEST_F(ActionsTest, tab_gives_the_viewport_the_whole_window_and_back) {
+  frames(2);
+  ASSERT_LT(host_->view().viewport.width, 700);
+  key(platform::Key::tab);
+  frame();
+  EXPECT_FALSE(session_.settings.show_panels);
+  EXPECT_TRUE(host_->widgets().empty());
+  EXPECT_EQ(host_->view().viewport.width, 1280);
+  EXPECT_EQ(host_->view().viewport.height, 720);
+  key(platform::Key::tab);
+  frame();
+  EXPECT_NE(find("Track/Name"), nullptr);
+}
+
+TEST_F(ActionsTest, undo_and_both_redo_keys) {
+  const auto before = world::hash(session_.document);
+  select(world::Kind::knot, 2);
+  key(platform::Key::del);
+  const auto after = world::hash(session_.document);
+  ASSERT_NE(after, before);
+  key(platform::Key::z, {.ctrl = true});
+  EXPECT_EQ(world::hash(session_.document), before);
+  key(platform::Key::z, {.shift = true, .ctrl = true});
+  EXPECT_EQ(world::hash(session_.document), after);
+  key(platform::Key::z, {.ctrl = true});
+  key(platform::Key::y, {.ctrl = true});
+  EXPECT_EQ(world::hash(session_.document), after);
+}
+
+TEST_F(ActionsTest, escape_closes_a_list_then_leaves_append_mode_then_deselects) {
+  select(world::Kind::knot, 2);
+  key(platform::Key::a);
+  click("Evaluation/Arc length");
+  ASSERT_TRUE(host_->wants_keyboard());
+  key(platform::Key::escape);
+  frame();
+  EXPECT_FALSE(host_->wants_keyboard());
+  EXPECT_TRUE(session_.settings.append_mode);
+  key(platform::Key::escape);
+  EXPECT_FALSE(session_.settings.append_mode);
+  EXPECT_TRUE(session_.settings.selected.valid());
+  key(platform::Key::escape);
+  EXPECT_FALSE(session_.settings.selected.valid());
+}
+
+TEST_F(ActionsTest, space_runs_and_holds_the_ride_and_period_steps_it) {
+  key(platform::Key::space);
+  EXPECT_EQ(session_.motion.state, world::RideState::running);
+  key(platform::Key::period);
+  EXPECT_EQ(session_.motion.state, world::RideState::paused);
+  EXPECT_EQ(all<edit::RideStep>().size(), 1u);
+  key(platform::Key::r, {.shift = true});
+  EXPECT_EQ(session_.motion.state, world::RideState::stopped);
+}
+
+TEST_F(ActionsTest, f_frames_the_track_so_that_every_knot_is_in_the_viewport) {
+  frames(2);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetCamera{{.target = {400, 2, 90}, .distance = 10}}).ok());
+  key(platform::Key::f);
+  frame();
+  for (std::uint32_t number : {1u, 2u, 3u}) EXPECT_TRUE(host_->view().viewport.contains(pixel_of(number))) << number;
+}
+
+TEST_F(ActionsTest, a_key_of_the_settings_takes_the_place_of_the_table_s) {
+  const exchange::KeyChoice choices[] = {{"Panels", {"F7"}}};
+  EXPECT_TRUE(host_->set_keys(choices).empty());
+  frames(2);
+  key(platform::Key::tab);
+  EXPECT_TRUE(session_.settings.show_panels);
+  key(platform::Key::f7);
+  EXPECT_FALSE(session_.settings.show_panels);
+  EXPECT_TRUE(host_->set_keys({}).empty());
+  key(platform::Key::tab);
+  EXPECT_TRUE(session_.settings.show_panels);
+}
+
+TEST_F(ActionsTest, f12_asks_for_a_picture) {
+  EXPECT_TRUE(frame({platform::KeyPress{platform::Key::f12, true, false, {}}}).wants_screenshot);
+  EXPECT_FALSE(frame().wants_screenshot);
+}
+
+}  // namespace actions_test
+}  // namespace coaster::ui

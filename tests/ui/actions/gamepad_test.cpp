@@ -1,0 +1,108 @@
+#include "ui/actions/gamepad.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "ui/stage.h"
+
+namespace coaster::ui {
+namespace gamepad_test {
+
+using platform::GamepadAxes;
+using platform::GamepadButton;
+using platform::PadButton;
+
+TEST(gamepad_shape, a_stick_near_its_middle_does_nothing_and_at_its_edge_all) {
+  EXPECT_EQ(shaped_stick({0.12f, -0.13f}), glm::vec2(0));
+  EXPECT_NEAR(glm::length(shaped_stick({0.6f, 0.8f})), 1, 1e-6);
+  EXPECT_NEAR(glm::length(shaped_stick({1, 1})), 1, 1e-6) << "the corners of a square stick are no faster";
+  EXPECT_EQ(shaped_trigger(0.05f), 0);
+  EXPECT_EQ(shaped_trigger(1), 1);
+}
+
+RC_GTEST_PROP(gamepad_shape, a_stick_keeps_its_direction_and_grows_without_a_step, ()) {
+  const auto angle = static_cast<float>(*rc::gen::inRange(0, 6283)) * 0.001f, far = static_cast<float>(*rc::gen::inRange(0, 999)) * 0.001f;
+  const glm::vec2 way(std::cos(angle), std::sin(angle)), near = shaped_stick(far * way), further = shaped_stick((far + 0.001f) * way);
+  RC_ASSERT(glm::length(further) >= glm::length(near) - 1e-6f);
+  RC_ASSERT(glm::length(further) - glm::length(near) < 0.003f);
+  if (glm::length(near) > 0) RC_ASSERT(glm::dot(glm::normalize(near), way) > 0.999f);
+}
+
+class gamepad : public Stage {
+ protected:
+  void hold(GamepadAxes axes, int count = 30) {
+    frame({axes});
+    frames(count - 1);
+  }
+  const world::Settings& settings() const { return session_.settings; }
+};
+
+TEST_F(gamepad, the_right_stick_turns_the_orbit_camera_until_it_is_let_go) {
+  const world::Camera before = settings().camera;
+  hold({.right_x = 1}, 30);  // half a second
+  const float turned = std::abs(std::remainder(settings().camera.yaw_deg - before.yaw_deg, 360.0f));
+  EXPECT_NEAR(turned, 65, 1);
+  EXPECT_EQ(settings().camera.pitch_deg, before.pitch_deg);
+  hold({}, 1);
+  const world::Camera after = settings().camera;
+  frames(10);
+  EXPECT_EQ(settings().camera, after);
+  hold({.right_y = -1}, 10);
+  EXPECT_GT(settings().camera.pitch_deg, after.pitch_deg) << "up is over the track";
+}
+
+TEST_F(gamepad, triggers_zoom_and_the_left_stick_pans) {
+  const world::Camera before = settings().camera;
+  hold({.right_trigger = 1}, 20);
+  EXPECT_LT(settings().camera.distance, before.distance);
+  hold({.left_trigger = 1}, 20);
+  EXPECT_NEAR(settings().camera.distance, before.distance, 0.02 * before.distance);
+  EXPECT_EQ(settings().camera.target, before.target);
+  hold({.left_x = 0.8f}, 10);
+  const glm::mat4& view = host_->view().view;
+  const glm::vec3 right(view[0][0], view[1][0], view[2][0]), moved = settings().camera.target - before.target;
+  EXPECT_GT(glm::dot(moved, right), 0.99f * glm::length(moved));
+  EXPECT_GT(glm::length(moved), 1);
+}
+
+TEST_F(gamepad, sticks_fly_the_free_camera_by_time_and_not_by_frames) {
+  const auto flown_in = [&](int count, double dt) {
+    (void)edit::apply(session_, files_, edit::SetCameraMode{world::CameraMode::fly});
+    (void)edit::apply(session_, files_, edit::SetFly{world::FlyCamera{{3, 20, 7}, 30, -5}});
+    host_->build({GamepadAxes{.left_y = -0.7f}, platform::Tick{0}}, {session_, stats_, seconds_, false}, width_, height_);
+    for (int i = 0; i < count; ++i)
+      for (const edit::Command& command : host_->build({platform::Tick{dt}}, {session_, stats_, seconds_, false}, width_, height_).commands)
+        (void)edit::apply(session_, files_, command);
+    return settings().fly.eye;
+  };
+  const glm::vec3 fine = flown_in(40, 1.0 / 80), coarse = flown_in(10, 1.0 / 20);
+  EXPECT_LT(glm::distance(fine, coarse), 1e-3f);
+  EXPECT_GT(glm::distance(fine, glm::vec3(3, 20, 7)), 2);
+}
+
+TEST_F(gamepad, buttons_play_change_the_camera_and_reset) {
+  frame({GamepadButton{PadButton::a, true}});
+  EXPECT_EQ(session_.motion.state, world::RideState::running);
+  frame({GamepadButton{PadButton::a, false}});
+  EXPECT_EQ(session_.motion.state, world::RideState::running) << "letting go does nothing";
+  frame({GamepadButton{PadButton::y, true}});
+  EXPECT_EQ(settings().camera_mode, world::CameraMode::ride);
+  select(world::Kind::knot, 1);
+  frame({GamepadButton{PadButton::b, true}});
+  EXPECT_FALSE(settings().selected.valid()) << "cancel comes first";
+  EXPECT_EQ(session_.motion.state, world::RideState::running);
+  frame({GamepadButton{PadButton::b, true}});
+  EXPECT_EQ(session_.motion.state, world::RideState::stopped);
+}
+
+TEST_F(gamepad, a_pad_that_drives_another_window_moves_nothing_here) {
+  frame({platform::Focus{false}});
+  const world::Camera before = settings().camera;
+  hold({.right_x = 1});
+  frame({GamepadButton{PadButton::a, true}});
+  EXPECT_EQ(settings().camera, before);
+  EXPECT_NE(session_.motion.state, world::RideState::running);
+}
+
+}  // namespace gamepad_test
+}  // namespace coaster::ui

@@ -1,0 +1,61 @@
+#include "ui/actions/key_map.h"
+
+#include <gtest/gtest.h>
+
+#include "ui/actions/actions.h"
+
+namespace coaster::ui {
+namespace key_map_test {
+
+using platform::Key;
+
+std::vector<std::string> problems_of(const std::vector<exchange::KeyChoice>& choices) {
+  std::vector<std::string> problems;
+  (void)KeyMap::make(choices, problems);
+  return problems;
+}
+
+TEST(key_map, without_choices_the_keys_are_those_of_the_table) {
+  std::vector<std::string> problems;
+  const KeyMap keys = KeyMap::make({}, problems);
+  EXPECT_TRUE(problems.empty());
+  for (std::size_t row = 0; row < actions().size(); ++row) EXPECT_EQ(keys.shown(row), actions()[row].keys) << actions()[row].name;
+  EXPECT_EQ(with_keys(keys, "Redo.", "Redo"), "Redo. Keys Ctrl+Y, Ctrl+Shift+Z.");
+  EXPECT_EQ(with_keys(keys, "Clear.", "Select none"), "Clear.");
+}
+
+TEST(key_map, names_of_actions_are_unique) {
+  for (const Action& a : actions())
+    for (const Action& b : actions()) EXPECT_TRUE(&a == &b || a.name != b.name) << a.name;
+}
+
+TEST(key_map, a_choice_replaces_both_keys_of_its_action_and_an_empty_one_takes_them) {
+  std::vector<std::string> problems;
+  const std::vector<exchange::KeyChoice> choices{{"Redo", {"F4"}}, {"Delete", {}}};
+  const KeyMap keys = KeyMap::make(choices, problems);
+  EXPECT_TRUE(problems.empty());
+  EXPECT_EQ(keys.shown("Redo"), "F4");
+  EXPECT_EQ(keys.shown("Delete"), "");
+  EXPECT_EQ(keys.shown("Undo"), "Ctrl+Z");
+}
+
+TEST(key_map, what_cannot_be_done_is_told_and_leaves_the_action_its_own_keys) {
+  std::vector<std::string> problems;
+  const std::vector<exchange::KeyChoice> choices{{"Undooo", {"F4"}}, {"Save", {"Ctrl+Splat"}}, {"Undo", {"F3"}}, {"Redo", {"F3"}}};
+  const KeyMap keys = KeyMap::make(choices, problems);
+  ASSERT_EQ(problems.size(), 3u);
+  EXPECT_NE(problems[0].find("did you mean \"Undo\"?"), std::string::npos);
+  EXPECT_EQ(problems[1], "Save: no key \"Ctrl+Splat\"");
+  EXPECT_EQ(problems[2], "F3 is wanted by Undo and Redo");
+  EXPECT_EQ(keys.shown("Save"), "Ctrl+S");
+  EXPECT_EQ(keys.shown("Redo"), "Ctrl+Y");
+  EXPECT_EQ(keys.shown("Undo"), "F3");
+}
+
+TEST(key_map, a_key_given_away_leaves_its_owner_and_two_can_change_places) {
+  EXPECT_EQ(problems_of({{"Undo", {"Ctrl+S"}}}), std::vector<std::string>{"Ctrl+S is Undo now, no longer Save"});
+  EXPECT_TRUE(problems_of({{"Undo", {"Ctrl+S"}}, {"Save", {"Ctrl+Z"}}}).empty());
+}
+
+}  // namespace key_map_test
+}  // namespace coaster::ui

@@ -1,0 +1,65 @@
+#include "ui/host/imgui_renderer.h"
+
+#include "ui/stage.h"
+#include "ui/widgets/theme.h"
+
+namespace coaster::ui {
+namespace imgui_renderer_test {
+
+struct ImGuiRendererTest : Stage {
+  // The picture after clearing to `clear` and drawing the UI, rows from the bottom.
+  std::vector<std::uint8_t> picture(float clear) {
+    GLuint texture = 0, target = 0;
+    gl_.GenTextures(1, &texture);
+    gl_.BindTexture(GL_TEXTURE_2D, texture);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    gl_.GenFramebuffers(1, &target);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, target);
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    gl_.ClearColor(clear, clear, clear, 1);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    host_->draw(width_, height_);
+    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width_ * height_ * 4));
+    gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl_.DeleteFramebuffers(1, &target);
+    gl_.DeleteTextures(1, &texture);
+    return pixels;
+  }
+  std::uint32_t at(const std::vector<std::uint8_t>& pixels, int x, int y) const {
+    const std::size_t i = 4 * static_cast<std::size_t>((height_ - 1 - y) * width_ + x);
+    return static_cast<std::uint32_t>(pixels[i] << 16 | pixels[i + 1] << 8 | pixels[i + 2]);
+  }
+};
+
+TEST_F(ImGuiRendererTest, panels_have_the_themes_colours_and_the_viewport_is_left_alone) {
+  frames(3);
+  const auto pixels = picture(0.2f);
+  const view::Viewport& scene = host_->view().viewport;
+  EXPECT_EQ(at(pixels, 2, 400), kDark.background);
+  EXPECT_EQ(at(pixels, static_cast<int>(scene.x + 20), static_cast<int>(scene.y + 20)), 0x333333u);
+  EXPECT_EQ(at(pixels, 700, 5), kDark.raised);  // the menu bar beside its titles
+}
+
+TEST_F(ImGuiRendererTest, text_is_drawn_bright_on_dark) {
+  frames(3);
+  const auto pixels = picture(0);
+  const Widget& w = *find("Evaluation/Show polyline");
+  int bright = 0;
+  for (int y = static_cast<int>(w.y); y < static_cast<int>(w.y + w.height); ++y)
+    for (int x = static_cast<int>(w.x + w.height + 4); x < static_cast<int>(w.x + w.width); ++x) bright += (at(pixels, x, y) & 0xff) > 0xb0;
+  EXPECT_GT(bright, 60);
+}
+
+TEST_F(ImGuiRendererTest, the_same_state_gives_the_same_picture) {
+  scripted_ = true;
+  frames(3);
+  const auto once = picture(0.5f);
+  restart();
+  frames(3);
+  EXPECT_TRUE(once == picture(0.5f));
+}
+
+}  // namespace imgui_renderer_test
+}  // namespace coaster::ui

@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <set>
+
+#include "curve/bernstein.h"
+#include "ui/panels/panels.h"
+#include "ui/stage.h"
+
+namespace coaster::ui {
+namespace laboratory_test {
+
+struct LaboratoryTest : Stage {
+  void open(const std::string& page) {
+    ASSERT_TRUE(edit::apply(session_, files_, edit::ShowLaboratory{true}).ok());
+    frames(2);
+    if (find("Laboratory/" + page) != nullptr) click("Laboratory/" + page);
+    else click("Laboratory/Page/" + page);
+    frames(2);
+  }
+  static std::vector<std::string> pages() {
+    std::vector<std::string> names;
+    for (const Panel& panel : panels())
+      if (panel.column == Column::bottom) names.emplace_back(panel.name);
+    return names;
+  }
+  double number_shown(const std::string& path) const {
+    const Widget* widget = find(path);
+    return widget != nullptr ? std::strtod(widget->value.c_str(), nullptr) : -1e300;
+  }
+};
+
+TEST_F(LaboratoryTest, pages_are_the_rows_of_the_worlds_table_in_its_order) {
+  const std::vector<std::string> names = pages();
+  ASSERT_EQ(names.size(), world::lab_pages().size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::string lower = names[i];
+    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    EXPECT_EQ(lower, world::lab_pages()[i].name);
+  }
+}
+
+TEST_F(LaboratoryTest, the_strip_starts_folded_and_its_bar_opens_and_folds_it) {
+  frames(2);
+  ASSERT_NE(find("Laboratory"), nullptr);
+  EXPECT_EQ(find("Laboratory")->value, "closed");
+  const float before = host_->view().viewport.height;
+  click("Laboratory");
+  EXPECT_TRUE(session_.settings.show_laboratory);
+  frames(2);
+  EXPECT_LT(host_->view().viewport.height, before - 100);
+  click("Laboratory");
+  EXPECT_FALSE(session_.settings.show_laboratory);
+  click("Laboratory/Joints");  // a page's name opens the strip at that page
+  EXPECT_TRUE(session_.settings.show_laboratory);
+  EXPECT_EQ(session_.settings.lab_page, world::LabPage::joints);
+}
+
+TEST_F(LaboratoryTest, every_page_draws_for_every_selection_with_paths_of_its_own) {
+  for (const std::string& page : pages()) {
+    open(page);
+    for (const auto& [kind, number] : {std::pair{world::Kind::knot, 2u}, {world::Kind::segment, 1u}, {world::Kind::cart, 1u}}) {
+      select(kind, number);
+      std::set<std::string> paths;
+      std::size_t inside = 0;
+      for (const Widget& widget : host_->widgets()) {
+        EXPECT_TRUE(paths.insert(widget.path).second) << widget.path << " twice on " << page;
+        inside += widget.path.starts_with("Laboratory/") ? 1 : 0;
+      }
+      EXPECT_GT(inside, pages().size() + 2) << page;
+    }
+  }
+}
+
+TEST_F(LaboratoryTest, pages_lie_in_the_strip_in_every_window_and_nothing_is_cut) {
+  for (const auto& [width, height] : {std::pair{1280, 720}, {640, 360}}) {
+    resize(width, height);
+    for (std::size_t page = 0; page < pages().size(); ++page) {
+      ASSERT_TRUE(edit::apply(session_, files_, edit::ShowLaboratory{true}).ok());
+      ASSERT_TRUE(edit::apply(session_, files_, edit::OpenPage{static_cast<world::LabPage>(page)}).ok());
+      frames(2);
+      std::vector<std::string> paths;
+      for (const Widget& widget : host_->widgets())
+        if (widget.path.starts_with("Laboratory")) paths.push_back(widget.path);
+      const view::Viewport scene = host_->view().viewport;
+      for (const std::string& path : paths) {
+        const Widget& w = *find(path);
+        if (!w.visible) continue;
+        EXPECT_GE(w.y + w.height / 2, scene.y + scene.height) << path << " lies over the viewport at " << width;
+        EXPECT_GE(w.x, scene.x - 0.5f) << path << " at " << width;
+        EXPECT_LE(w.x + w.width, scene.x + scene.width + 0.5f) << path << " at " << width;
+      }
+    }
+  }
+}
+
+TEST_F(LaboratoryTest, dragging_in_a_plot_moves_the_probe_and_weights_follow) {
+  select(world::Kind::segment, 2);
+  open("Weights");
+  const Widget plot = *find("Laboratory/Weights plot");
+  EXPECT_EQ(plot.kind, "plot");
+  hover(middle(plot));
+  press();
+  hover({plot.x + 0.8f * plot.width, plot.y + plot.height / 2});
+  release();
+  frames(2);
+  EXPECT_NEAR(session_.settings.selected_t, 0.8, 2.0 / plot.width);
+  double weights[4];
+  curve::bernstein_basis<double>(session_.settings.selected_t, weights);
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(number_shown("Laboratory/B" + std::to_string(i)), weights[i], 6e-5) << i;
+}
+
+TEST_F(LaboratoryTest, the_construction_shows_the_point_of_the_curve) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{world::Kind::segment, 1}}, 0.3}).ok());
+  open("Construction");
+  const glm::dvec3 exact = curve::point_long_double(world::cubic_of(session_.document, entity(world::Kind::segment, 1)), 0.3);
+  const Widget* shown = find("Laboratory/B(t)");
+  ASSERT_NE(shown, nullptr);
+  EXPECT_EQ(shown->value, fixed(exact.x, 3) + " " + fixed(exact.y, 3) + " " + fixed(exact.z, 3) + " m");
+}
+
+TEST_F(LaboratoryTest, a_still_frame_measures_nothing_again) {
+  int asked = 0;
+  session_.clock = [&] { return ++asked * 1e-3; };
+  select(world::Kind::segment, 1);
+  open("Lengths");
+  frames(3);
+  EXPECT_GT(asked, 0);
+  const int before = asked;
+  commands_.clear();
+  frames(5);
+  EXPECT_EQ(asked, before);
+  EXPECT_TRUE(commands_.empty());
+}
+
+TEST_F(LaboratoryTest, a_row_of_the_joints_selects_its_knot_and_the_button_mends_it) {
+  const edit::Target second{{world::Kind::knot, 2}};
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetJoint{second, world::JointKind::aligned}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetLengths{second, 2.1f, 9.7f}).ok());  // unequal curvature
+  open("Joints");
+  click("Laboratory/Joint k2");
+  ASSERT_EQ(all<edit::Select>().size(), 1u);
+  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2));
+  frames(2);
+  ASSERT_TRUE(find("Laboratory/Make G2")->enabled);
+  click("Laboratory/Make G2");
+  EXPECT_EQ(all<edit::MakeG2>().size(), 1u);
+}
+
+TEST_F(LaboratoryTest, without_a_segment_pages_say_what_to_do) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}).ok());
+  for (const std::string& page : pages()) {
+    open(page);
+    if (page == "Joints" || page == "Measurements") continue;  // they speak of the whole track
+    EXPECT_NE(find("Laboratory/No segment"), nullptr) << page;
+  }
+}
+
+}  // namespace laboratory_test
+}  // namespace coaster::ui

@@ -1,0 +1,68 @@
+// The palette, worked by mouse and keyboard.
+#include <algorithm>
+
+#include "ui/panels/panels.h"
+#include "ui/stage.h"
+
+namespace coaster::ui {
+namespace panel_elements_test {
+
+struct PanelElementsTest : Stage {
+  std::size_t knots() const { return session_.document.track.knots.size(); }
+};
+
+TEST_F(PanelElementsTest, every_element_has_its_button_its_fields_and_its_help) {
+  for (std::size_t i = 0; i < world::elements().size(); ++i) {
+    const world::ElementRow& row = world::elements()[i];
+    click("Elements/" + std::string(row.label));
+    frames(2);
+    EXPECT_TRUE(session_.settings.show_element);
+    EXPECT_EQ(static_cast<std::size_t>(session_.settings.element.kind), i);
+    for (const world::ElementParameter& p : row.parameters) EXPECT_NE(find("Elements/" + std::string(p.label)), nullptr) << row.name << " " << p.label;
+    EXPECT_EQ(find("Elements/Left") != nullptr, row.sided) << row.name;
+    for (const char* path : {"Elements/Spans", "Elements/Total length", "Elements/Fit error", "Elements/Place"}) EXPECT_NE(find(path), nullptr) << row.name << " " << path;
+  }
+}
+
+TEST_F(PanelElementsTest, place_adds_what_is_shown_in_one_step_of_undo) {
+  click("Elements/Curve");
+  type("Elements/Radius", "18");
+  click("Elements/Right");
+  const std::size_t before = knots(), steps = session_.history.undo.size();
+  click("Elements/Place");
+  ASSERT_EQ(all<edit::PlaceElement>().size(), 1u);
+  EXPECT_EQ(all<edit::PlaceElement>()[0].what.values[0], 18);
+  EXPECT_TRUE(all<edit::PlaceElement>()[0].what.right);
+  EXPECT_GT(knots(), before);
+  EXPECT_EQ(session_.history.undo.size(), steps + 1);
+}
+
+TEST_F(PanelElementsTest, enter_places_and_escape_and_a_second_click_hide_the_preview) {
+  const std::size_t before = knots();
+  key(platform::Key::enter);
+  EXPECT_EQ(knots(), before) << "nothing shows, nothing is placed";
+  click("Elements/Straight");
+  frames(2);
+  key(platform::Key::enter);
+  EXPECT_GT(knots(), before);
+  key(platform::Key::escape);
+  EXPECT_FALSE(session_.settings.show_element);
+  click("Elements/Straight");
+  EXPECT_TRUE(session_.settings.show_element);
+  click("Elements/Straight");
+  EXPECT_FALSE(session_.settings.show_element);
+}
+
+TEST_F(PanelElementsTest, a_closed_track_has_no_end_to_place_at) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetClosed{true}).ok());
+  click("Elements/Loop");
+  frames(2);
+  ASSERT_TRUE(reach("Elements/Place"));
+  EXPECT_FALSE(find("Elements/Place")->enabled);
+  const std::size_t before = knots();
+  key(platform::Key::enter);
+  EXPECT_EQ(knots(), before);
+}
+
+}  // namespace panel_elements_test
+}  // namespace coaster::ui

@@ -1,0 +1,104 @@
+#include "ui/panels/panels.h"
+
+#include <set>
+
+#include "curve/evaluators.h"
+#include "ui/stage.h"
+
+namespace coaster::ui {
+namespace panels_test {
+
+struct PanelsTest : Stage {};
+
+TEST_F(PanelsTest, every_panel_draws_and_paths_are_unique_for_every_selection) {
+  edit::ActiveChallenge& challenge = session_.challenge.emplace();  // whose panel is there for it alone
+  challenge.file.name = "Three", challenge.file.teaches = "How to count.";
+  challenge.file.rules[0] = {{"knots <= 3", "Three knots"}};
+  for (const auto& [kind, number] : {std::pair{world::Kind::knot, 2u}, {world::Kind::segment, 1u}, {world::Kind::cart, 1u}}) {
+    select(kind, number);
+    std::set<std::string> paths;
+    for (const Widget& widget : host_->widgets()) EXPECT_TRUE(paths.insert(widget.path).second) << widget.path << " twice";
+    for (const Panel& panel : panels()) {
+      if (panel.column == Column::bottom) continue;  // pages of the laboratory: laboratory_test.cpp
+      const std::string start = std::string(panel.name) + "/";
+      const auto inside = [&](const std::string& path) { return path.starts_with(start); };
+      // Those that are folded at first: tests/scripts/shape.coaster.
+      EXPECT_EQ(std::any_of(paths.begin(), paths.end(), inside), panel.open) << panel.name;
+      EXPECT_TRUE(paths.contains(std::string(panel.name))) << "no header of " << panel.name;
+    }
+  }
+}
+
+TEST_F(PanelsTest, labels_that_scripts_use_are_there) {
+  select(world::Kind::knot, 2);
+  for (const char* path : {"Track/Name", "Track/Closed", "Track/Add curve", "Track/Insert point", "Track/Delete", "Track/Append points",
+                           "Track/Add cart", "Track/Start speed", "Track/Datum", "Track/New", "Track/File", "Track/Open", "Track/Save",
+                           "Inspector/Position/x", "Inspector/Position/y", "Inspector/Position/z", "Inspector/Direction/x",
+                           "Inspector/Handles/in", "Inspector/Handles/out", "Inspector/Roll", "Inspector/Joint",
+                           "Evaluation/Steps per segment", "Evaluation/Vertex budget", "Evaluation/Show polyline", "Evaluation/Arc length",
+                           "Ride/Play", "Ride/Pause", "Ride/Step", "Ride/Reset", "Ride/Frenet-Serret", "Ride/Rotation-minimising",
+                           "Ride/Integrator", "Camera/Orbit", "Camera/Ride", "Camera/Chase", "Camera/Fly", "Camera/Field of view",
+                           "Camera/Roll damping", "Camera/Head-bob", "Camera/Reduced motion", "Menu/File", "Menu/Edit", "Menu/View", "Menu/Ride"})
+    EXPECT_NE(find(path), nullptr) << path;
+  for (const auto& row : curve::evaluators()) EXPECT_NE(find("Evaluation/" + std::string(row.label)), nullptr) << row.label;
+  EXPECT_EQ(find("Inspector/Nothing selected"), nullptr);
+}
+
+TEST_F(PanelsTest, every_widget_can_be_scrolled_to_in_a_small_window_and_lies_in_a_column) {
+  resize(640, 360);
+  select(world::Kind::knot, 2);
+  std::vector<std::string> paths;
+  for (const Widget& widget : host_->widgets()) paths.push_back(widget.path);
+  for (const std::string& path : paths) {
+    ASSERT_TRUE(reach(path)) << path;
+    const Widget& w = *find(path);
+    EXPECT_FALSE(w.covered) << path;
+    const view::Viewport& scene = host_->view().viewport;
+    EXPECT_TRUE(w.x + w.width <= scene.x + 0.5f || w.x >= scene.x + scene.width || w.y + w.height <= scene.y || w.y >= scene.y + scene.height - 0.5f)
+        << path << " lies over the viewport";
+    EXPECT_GE(w.x, 0) << path;
+    EXPECT_LE(w.x + w.width, 640.5f) << path;
+  }
+}
+
+TEST_F(PanelsTest, the_same_frame_again_asks_for_nothing) {
+  select(world::Kind::segment, 2);
+  commands_.clear();
+  frames(5);
+  EXPECT_TRUE(commands_.empty()) << commands_.size();
+}
+
+TEST_F(PanelsTest, times_are_hidden_from_scripts) {
+  stats_.fps = 61.7;
+  stats_.cpu_ms = 3.21;
+  frames(2);
+  EXPECT_EQ(find("Statistics/Frames per second")->value, "62 fps");
+  scripted_ = true;
+  frames(2);
+  EXPECT_EQ(find("Statistics/Frames per second")->value, "-- fps");
+  EXPECT_EQ(find("Statistics/Frame")->value, "-- ms");
+}
+
+TEST_F(PanelsTest, insert_point_needs_a_segment_and_splits_it_at_the_picked_place) {
+  frames(2);
+  EXPECT_FALSE(find("Track/Insert point")->enabled);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{world::Kind::segment, 2}}, 0.37}).ok());
+  click("Track/Insert point");
+  ASSERT_EQ(all<edit::SplitSegment>().size(), 1u);
+  EXPECT_EQ(all<edit::SplitSegment>()[0].at, 0.37);
+  EXPECT_EQ(session_.document.track.knots.size(), 4u);
+}
+
+TEST_F(PanelsTest, ride_buttons_start_hold_and_reset) {
+  click("Ride/Play");
+  EXPECT_EQ(session_.motion.state, world::RideState::running);
+  click("Ride/Pause");
+  EXPECT_EQ(session_.motion.state, world::RideState::paused);
+  click("Ride/Step");
+  EXPECT_EQ(all<edit::RideStep>().size(), 1u);
+  click("Ride/Reset");
+  EXPECT_EQ(session_.motion.state, world::RideState::stopped);
+}
+
+}  // namespace panels_test
+}  // namespace coaster::ui

@@ -1,0 +1,134 @@
+// Questions about unsaved changes, files and recovery, by mouse and keys.
+#include "ui/screens/dialogs.h"
+
+#include "ui/stage.h"
+
+namespace coaster::ui {
+namespace dialogs_test {
+
+using platform::Key;
+
+struct DialogsTest : Stage {
+  std::filesystem::path folder;
+  void SetUp() override {
+    folder = std::filesystem::temp_directory_path() / ("coaster_dialogs_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    Stage::SetUp();
+    frames(2);
+  }
+  void TearDown() override {
+    Stage::TearDown();
+    std::filesystem::remove_all(folder);
+  }
+};
+
+TEST_F(DialogsTest, closing_asks_and_each_answer_does_what_it_says) {
+  ASSERT_TRUE(edit::dirty(session_));
+  EXPECT_FALSE(frame({platform::CloseRequest{}}).quit);
+  frames(2);
+  ASSERT_NE(find("Unsaved changes/Save"), nullptr);
+  EXPECT_FALSE(frame({platform::CloseRequest{}}).quit) << "asking again is no answer";
+  frames(2);
+  click("Unsaved changes/Cancel");
+  EXPECT_EQ(find("Unsaved changes/Save"), nullptr);
+  EXPECT_TRUE(edit::dirty(session_));
+
+  frame({platform::CloseRequest{}});
+  frames(2);
+  bool quit = false;
+  for (const Key k : {Key::d}) quit = frame({platform::KeyPress{k, true, false, {}}}).quit;
+  EXPECT_TRUE(quit);
+}
+
+TEST_F(DialogsTest, saving_first_quits_only_when_it_was_saved) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Save{(folder / "a.json").string()}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::Kind::knot, 1}}, {1, 2, 3}}));
+  files_.inject(base::IoOperation::rename, 1);
+  frame({platform::CloseRequest{}});
+  frames(2);
+  frame({platform::KeyPress{Key::enter, true, false, {}}});
+  EXPECT_FALSE(frame().quit) << "the save failed";
+  EXPECT_TRUE(edit::dirty(session_));
+  EXPECT_NE(host_->toast().find("rename"), std::string::npos);
+  frames(2);
+  EXPECT_EQ(find("Unsaved changes/Save"), nullptr);
+
+  frame({platform::CloseRequest{}});
+  frames(2);
+  frame({platform::KeyPress{Key::enter, true, false, {}}});
+  EXPECT_TRUE(frame().quit);
+  EXPECT_FALSE(edit::dirty(session_));
+}
+
+TEST_F(DialogsTest, a_clean_track_is_left_without_a_question) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Save{(folder / "a.json").string()}));
+  EXPECT_TRUE(frame({platform::CloseRequest{}}).quit);
+}
+
+TEST_F(DialogsTest, while_a_question_is_open_keys_and_mouse_are_its_own) {
+  frame({platform::CloseRequest{}});
+  frames(2);
+  for (const Widget& w : host_->widgets()) EXPECT_TRUE(w.covered || w.path.starts_with("Unsaved changes/")) << w.path;
+  const std::uint64_t before = world::hash(session_.document);
+  const std::size_t commands = commands_.size();
+  key(Key::z, {.ctrl = true});
+  key(Key::space);
+  click_at(empty_ground());
+  EXPECT_EQ(world::hash(session_.document), before);
+  EXPECT_EQ(commands_.size(), commands);
+}
+
+TEST_F(DialogsTest, recovery_is_offered_once_and_its_answer_goes_out) {
+  user_.emplace();
+  user_->recoveries.push_back({"/tmp/x.json", "Red", 1'000'000, 2'000'000});
+  frames(3);
+  ASSERT_NE(find("Recovery/Recover"), nullptr);
+  EXPECT_NE(find("Recovery/File saved")->value, find("Recovery/Autosaved")->value);
+  key(Key::escape);
+  frames(2);
+  ASSERT_NE(find("Recovery/Later"), nullptr) << "no key answers by accident";
+  std::optional<Recovery> answer;
+  hover(middle(*find("Recovery/Later")));
+  press();
+  for (int i = 0; i < 3; ++i)
+    if (const Output out = i == 0 ? frame({platform::MouseButton{platform::Button::left, false, {}}}) : frame(); out.recovery) answer = out.recovery;
+  ASSERT_TRUE(answer.has_value());
+  EXPECT_EQ(*answer, Recovery::later);
+  frames(3);
+  EXPECT_EQ(find("Recovery/Later"), nullptr);
+}
+
+TEST_F(DialogsTest, a_file_in_use_elsewhere_is_saved_under_another_name) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Save{(folder / "a.json").string()}));
+  user_.emplace();
+  user_->holder = "another coaster (process 7)";
+  frames(2);
+  commands_.clear();
+  key(Key::s, {.ctrl = true});
+  frames(2);
+  EXPECT_TRUE(all<edit::Save>().empty());
+  ASSERT_NE(find("Save as/Name"), nullptr);
+  type("Save as/Name", (folder / "b").string());
+  frame();
+  ASSERT_EQ(all<edit::Save>().size(), 1u);
+  EXPECT_EQ(all<edit::Save>()[0].path, (folder / "b.json").string());
+}
+
+TEST_F(DialogsTest, the_settings_say_what_to_keep) {
+  user_.emplace();
+  frames(2);
+  key(Key::comma, {.ctrl = true});
+  frames(2);
+  ASSERT_NE(find("Settings/Keys/Undo"), nullptr);
+  click("Settings/Keys/Undo");
+  key(Key::a, {.ctrl = true});
+  frame({platform::TextInput{"Ctrl+U F2"}});
+  const Output out = frame({platform::KeyPress{Key::enter, true, false, {}}});
+  ASSERT_TRUE(out.settings.has_value());
+  ASSERT_EQ(out.settings->keys.size(), 1u);
+  EXPECT_EQ(out.settings->keys[0], (exchange::KeyChoice{"Undo", {"Ctrl+U", "F2"}}));
+}
+
+}  // namespace dialogs_test
+}  // namespace coaster::ui

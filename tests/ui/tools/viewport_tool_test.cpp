@@ -1,0 +1,174 @@
+#include "ui/tools/viewport_tool.h"
+
+#include "ui/stage.h"
+
+namespace coaster::ui {
+namespace viewport_tool_test {
+
+struct ViewportToolTest : Stage {
+  void SetUp() override {
+    Stage::SetUp();
+    ASSERT_TRUE(edit::apply(session_, files_, edit::SetCamera{{.target = {2.3f, 5.1f, 1.7f}, .yaw_deg = 31, .pitch_deg = 27, .distance = 71}}).ok());
+    frames(2);
+    commands_.clear();
+  }
+  // Presses at `from`, moves by `by` in four frames; the button stays down.
+  void drag(glm::vec2 from, glm::vec2 by, platform::Modifiers m = {}, platform::Button b = platform::Button::left) {
+    hover(from);
+    press(m, b);
+    for (int i = 1; i <= 4; ++i) hover(from + by * (static_cast<float>(i) / 4));
+  }
+};
+
+TEST_F(ViewportToolTest, a_drag_moves_the_knot_under_the_cursor_as_one_step) {
+  const std::size_t steps = session_.history.undo.size();
+  const glm::vec2 from = pixel_of(2) + glm::vec2(2, -1), by(61, -43);
+  const glm::vec2 grab = pixel_of(2) - from;
+  drag(from, by);
+  release();
+  EXPECT_EQ(all<edit::BeginGesture>().size(), 1u);
+  EXPECT_EQ(all<edit::EndGesture>().size(), 1u);
+  EXPECT_EQ(all<edit::MoveKnot>().size(), 4u);
+  EXPECT_EQ(session_.history.undo.size(), steps + 1);
+  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2));
+  const glm::vec2 off = pixel_of(2) - (from + by + grab);
+  EXPECT_LT(glm::length(off), 0.5f) << "the knot stays where it was grabbed, in the camera's plane";
+}
+
+TEST_F(ViewportToolTest, a_click_selects_and_changes_nothing_else) {
+  const auto before = world::hash(session_.document);
+  drag(pixel_of(3), {1.5f, 1.5f});  // below 3 px
+  release();
+  frame();
+  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 3));
+  EXPECT_EQ(world::hash(session_.document), before);
+  EXPECT_EQ(commands_.size(), 1u);
+}
+
+TEST_F(ViewportToolTest, shift_moves_vertically_and_ctrl_along_the_ground) {
+  const glm::vec3 start = knot(2).position;
+  drag(pixel_of(2), {40, -60}, {.shift = true});
+  release({.shift = true});
+  EXPECT_EQ(knot(2).position.x, start.x);
+  EXPECT_EQ(knot(2).position.z, start.z);
+  EXPECT_GT(knot(2).position.y, start.y + 1);
+  const glm::vec3 lifted = knot(2).position;
+  frames(30);  // no double click
+  drag(pixel_of(2), {40, 30}, {.ctrl = true});
+  release({.ctrl = true});
+  EXPECT_NEAR(knot(2).position.y, lifted.y, 1e-4f);
+  EXPECT_GT(glm::length(knot(2).position - lifted), 1);
+}
+
+TEST_F(ViewportToolTest, escape_or_undo_in_a_drag_restores_the_document_exactly) {
+  for (const auto& [k, m] : {std::pair{platform::Key::escape, platform::Modifiers{}}, {platform::Key::z, platform::Modifiers{.ctrl = true}}}) {
+    const world::Document before = session_.document;
+    const std::size_t steps = session_.history.undo.size();
+    drag(pixel_of(2), {55, 31});
+    EXPECT_FALSE(session_.document == before);
+    key(k, m);
+    hover(pixel_of(2) + glm::vec2(120, 90));  // still down: nothing moves any more
+    release();
+    EXPECT_TRUE(session_.document == before);
+    EXPECT_FALSE(session_.history.in_gesture);
+    EXPECT_EQ(session_.history.undo.size(), steps);
+    frames(30);
+  }
+}
+
+TEST_F(ViewportToolTest, a_handle_is_dragged_and_turns_the_tangent) {
+  select(world::Kind::knot, 2);
+  const glm::vec3 tangent = knot(2).tangent;
+  const auto at = view::project(host_->view(), world::out_handle(knot(2)));
+  ASSERT_TRUE(at.has_value());
+  drag(glm::vec2(*at), {25, -50});
+  release();
+  EXPECT_FALSE(all<edit::MoveHandle>().empty());
+  EXPECT_LT(glm::dot(knot(2).tangent, tangent), 0.999f);
+  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2));
+}
+
+TEST_F(ViewportToolTest, a_press_on_the_curve_picks_its_place_and_a_double_click_inserts_a_knot) {
+  const glm::dvec3 place = curve::point(session_.derived.shape(entity(world::Kind::segment, 2)).key.cubic, 0.41);
+  const auto at = view::project(host_->view(), glm::vec3(place));
+  ASSERT_TRUE(at.has_value());
+  click_at(glm::vec2(*at));
+  EXPECT_EQ(session_.settings.selected, entity(world::Kind::segment, 2));
+  EXPECT_NEAR(session_.settings.selected_t, 0.41, 0.01);
+  EXPECT_EQ(session_.document.track.knots.size(), 3u);
+  click_at(glm::vec2(*at));
+  EXPECT_EQ(session_.document.track.knots.size(), 4u);
+}
+
+TEST_F(ViewportToolTest, a_click_on_the_ground_deselects_or_appends_there) {
+  select(world::Kind::knot, 2);
+  click_at(empty_ground());
+  EXPECT_FALSE(session_.settings.selected.valid());
+  EXPECT_EQ(session_.document.track.knots.size(), 3u);
+  key(platform::Key::a);
+  ASSERT_TRUE(session_.settings.append_mode);
+  frames(30);
+  const glm::vec2 pixel = empty_ground() + glm::vec2(-31, -7);
+  click_at(pixel);
+  ASSERT_EQ(session_.document.track.knots.size(), 4u);
+  EXPECT_NEAR(knot(4).position.y, 0, 1e-4f);
+  EXPECT_LT(glm::length(pixel_of(4) - pixel), 0.5f);
+  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 4));
+}
+
+TEST_F(ViewportToolTest, a_drag_of_empty_space_orbits_and_leaves_document_and_selection_alone) {
+  select(world::Kind::knot, 2);
+  const auto before = world::hash(session_.document);
+  const world::Camera camera = session_.settings.camera;
+  drag(empty_ground(), {80, -25});
+  release();
+  EXPECT_NE(session_.settings.camera.yaw_deg, camera.yaw_deg);
+  EXPECT_EQ(session_.settings.camera.target, camera.target);
+  EXPECT_EQ(session_.settings.camera.distance, camera.distance);
+  EXPECT_EQ(world::hash(session_.document), before);
+  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2));
+}
+
+TEST_F(ViewportToolTest, orbit_and_pan_carry_the_scene_with_the_cursor) {
+  // What lies between target and eye moves to the right with a drag to the right.
+  const auto near_x = [&] {
+    const view::View& v = host_->view();
+    return view::project(v, glm::mix(session_.settings.camera.target, v.eye, 0.3f));
+  };
+  const glm::vec3 point = glm::mix(session_.settings.camera.target, host_->view().eye, 0.3f);
+  const auto from = near_x();
+  drag(empty_ground(), {60, 0});
+  release();
+  frame();
+  EXPECT_GT(view::project(host_->view(), point)->x, from->x + 5);
+  const glm::vec3 target = session_.settings.camera.target;
+  const glm::vec2 before = glm::vec2(*view::project(host_->view(), target));
+  frames(30);
+  drag(empty_ground(), {47, -29}, {}, platform::Button::middle);
+  release({}, platform::Button::middle);
+  frame();
+  EXPECT_LT(glm::length(glm::vec2(*view::project(host_->view(), target)) - before - glm::vec2(47, -29)), 1.5f);
+}
+
+TEST_F(ViewportToolTest, the_wheel_zooms_in_the_viewport_and_scrolls_over_a_panel) {
+  const float distance = session_.settings.camera.distance;
+  const glm::vec2 at = empty_ground();
+  frame({platform::MouseMove{at.x, at.y}, platform::Wheel{0, 2}});
+  EXPECT_LT(session_.settings.camera.distance, distance);
+  commands_.clear();
+  frame({platform::MouseMove{1200, 400}});
+  frame({platform::Wheel{0, -2}});
+  EXPECT_TRUE(all<edit::SetCamera>().empty());
+}
+
+TEST_F(ViewportToolTest, a_press_over_a_panel_is_not_for_the_viewport) {
+  hover({1200, 400});
+  press();
+  hover({640, 400});
+  release();
+  EXPECT_TRUE(all<edit::SetCamera>().empty());
+  EXPECT_TRUE(all<edit::MoveKnot>().empty());
+}
+
+}  // namespace viewport_tool_test
+}  // namespace coaster::ui

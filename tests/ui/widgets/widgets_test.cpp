@@ -1,0 +1,86 @@
+#include "ui/widgets/widgets.h"
+
+#include "ui/stage.h"
+
+namespace coaster::ui {
+namespace widgets_test {
+
+struct WidgetsTest : Stage {};
+
+TEST_F(WidgetsTest, a_click_on_a_radio_chooses_that_evaluator_and_no_other) {
+  click("Evaluation/Forward differences");
+  ASSERT_EQ(all<edit::SetEvaluator>().size(), 1u);
+  const curve::EvaluatorId chosen = session_.settings.evaluator;
+  EXPECT_EQ(curve::evaluator(chosen).label, "Forward differences");
+  EXPECT_EQ(find("Evaluation/Forward differences")->value, "on");
+  EXPECT_EQ(find("Evaluation/Horner")->value, "off");
+  click("Evaluation/Forward differences");
+  EXPECT_EQ(all<edit::SetEvaluator>().size(), 1u) << "already on: nothing to ask for";
+}
+
+TEST_F(WidgetsTest, a_press_and_release_in_one_frame_is_a_click) {
+  ASSERT_TRUE(reach("Track/Closed"));
+  const glm::vec2 at = middle(*find("Track/Closed"));
+  hover(at);
+  frame({platform::MouseButton{platform::Button::left, true, {}}, platform::MouseButton{platform::Button::left, false, {}}});
+  frames(2);
+  EXPECT_TRUE(session_.document.track.closed);
+}
+
+TEST_F(WidgetsTest, a_disabled_button_asks_for_nothing) {
+  frames(2);
+  ASSERT_FALSE(find("Track/Delete")->enabled);
+  click("Track/Delete");
+  EXPECT_TRUE(commands_.empty());
+}
+
+TEST_F(WidgetsTest, a_list_opens_covers_what_is_under_it_and_chooses) {
+  click("Evaluation/Arc length");
+  const auto methods = curve::arc_length_methods();
+  const std::string second = "Evaluation/Arc length/" + std::string(methods[1].label);
+  ASSERT_NE(find(second), nullptr);
+  EXPECT_FALSE(find(second)->covered);
+  EXPECT_EQ(find(second)->kind, "item");
+  EXPECT_TRUE(find("Evaluation/Show polyline")->covered) << "the list takes the mouse from the panel";
+  EXPECT_TRUE(host_->wants_keyboard());
+  click_at(middle(*find(second)));
+  EXPECT_EQ(session_.settings.arc_length, static_cast<curve::ArcLengthId>(1));
+  EXPECT_EQ(find(second), nullptr);
+  EXPECT_FALSE(find("Evaluation/Show polyline")->covered);
+}
+
+TEST_F(WidgetsTest, a_closed_header_hides_its_panel_and_opens_again) {
+  click("Evaluation");
+  EXPECT_EQ(find("Evaluation")->value, "closed");
+  EXPECT_EQ(find("Evaluation/Horner"), nullptr);
+  click("Evaluation");
+  EXPECT_NE(find("Evaluation/Horner"), nullptr);
+}
+
+TEST_F(WidgetsTest, what_is_scrolled_out_is_not_visible) {
+  resize(640, 360);
+  ASSERT_NE(find("Statistics/Samples"), nullptr);
+  EXPECT_FALSE(find("Statistics/Samples")->visible);
+  ASSERT_TRUE(reach("Statistics/Samples"));
+  EXPECT_FALSE(find("Evaluation/Horner")->visible);
+}
+
+TEST_F(WidgetsTest, menus_list_their_actions_and_run_them) {
+  select(world::Kind::knot, 2);
+  click("Menu/Edit");
+  ASSERT_NE(find("Menu/Edit/Delete"), nullptr);
+  EXPECT_TRUE(find("Menu/Edit/Delete")->enabled);
+  EXPECT_FALSE(find("Menu/Edit/Redo")->enabled);
+  click_at(middle(*find("Menu/Edit/Delete")));
+  EXPECT_EQ(session_.document.track.knots.size(), 2u);
+  EXPECT_EQ(find("Menu/Edit/Delete"), nullptr);
+}
+
+TEST(fixed_text, never_shows_a_negative_zero) {
+  EXPECT_EQ(fixed(-0.0004, 3), "0.000");
+  EXPECT_EQ(fixed(-0.0006, 3), "-0.001");
+  EXPECT_EQ(fixed(1234.5, 1), "1234.5");
+}
+
+}  // namespace widgets_test
+}  // namespace coaster::ui
