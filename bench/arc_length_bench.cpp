@@ -1,5 +1,5 @@
-// Time a segment of every arc-length method to a relative error of 1e-3, 1e-6, 1e-9 and 1e-12, on track-like cubics and on harder ones, in
-// turn with adaptive Simpson; with the error that was reached, and whether the tolerance was kept.
+// Time a segment of every arc-length method to a relative error of 1e-3, 1e-6, 1e-9 and 1e-12, on track-like cubics and
+// on harder ones, in turn with adaptive Simpson; with the error that was reached, and whether the tolerance was kept.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace coaster::bench {
 namespace {
 
 constexpr std::size_t kSegments = 1000, kHardSegments = 200;
-// A timed run takes no more evaluations than this (about a millisecond), on fewer segments where each takes many: longer ones would be
-// interrupted on a busy machine.
+// A timed run takes no more evaluations than this (about a millisecond), on fewer segments where each takes many:
+// longer ones would be interrupted on a busy machine.
 constexpr double kMostEvaluations = 150'000;
 
 struct Set {
@@ -59,7 +59,8 @@ double worst_error(const Set& set, const Measure& measure) {
   Lengths lengths(set.cubics.size());
   measure(set, lengths);
   double worst = 0;
-  for (std::size_t i = 0; i < lengths.size(); ++i) worst = std::max(worst, std::abs(lengths[i] - set.exact[i]) / set.exact[i]);
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    worst = std::max(worst, std::abs(lengths[i] - set.exact[i]) / set.exact[i]);
   return worst;
 }
 
@@ -74,7 +75,8 @@ void time_it(benchmark::State& state, const Set& set, const Measure& measure, do
   const curve::LengthDemand demand{64, tolerance};
   const Measure simpson = by_row("simpson_adaptive", demand);
   const double most = std::max(evaluations, mean_evaluations(set, "simpson_adaptive", demand));
-  Lengths lengths(std::min(set.cubics.size(), static_cast<std::size_t>(kMostEvaluations / most))), others(lengths.size());
+  Lengths lengths(std::min(set.cubics.size(), static_cast<std::size_t>(kMostEvaluations / most))),
+      others(lengths.size());
   paired(state, "segment", static_cast<double>(lengths.size()), [&] { measure(set, lengths); },
          {{"ratio_to_adaptive_simpson", [&] { simpson(set, others); }, false}});
   const double worst = worst_error(set, measure);
@@ -91,9 +93,12 @@ std::optional<int> least_count(const Set& set, std::string_view name, double tol
   return std::nullopt;
 }
 
-void add(const Set& set, const std::string& name, const std::string& digits, const Measure& measure, double tolerance, double evaluations) {
+void add(const Set& set, const std::string& name, const std::string& digits, const Measure& measure, double tolerance,
+         double evaluations) {
   benchmark::RegisterBenchmark(("arc_length/" + set.name + "/" + name + "/1e-" + digits).c_str(),
-                               [&set, measure, tolerance, evaluations](benchmark::State& state) { time_it(state, set, measure, tolerance, evaluations); })
+                               [&set, measure, tolerance, evaluations](benchmark::State& state) {
+                                 time_it(state, set, measure, tolerance, evaluations);
+                               })
       ->UseManualTime();
 }
 
@@ -120,15 +125,21 @@ const bool registered = [] {
         if (row.control == curve::LengthControl::tolerance) {
           if (row.name == "gravesen_adaptive" && (digits > 6 || set.name != "track")) continue;  // milliseconds
           const curve::LengthDemand demand{64, tolerance};
-          add(set, std::string(row.name), to, by_row(row.name, demand), tolerance, mean_evaluations(set, row.name, demand));
+          add(set, std::string(row.name), to, by_row(row.name, demand), tolerance,
+              mean_evaluations(set, row.name, demand));
         } else if (row.control == curve::LengthControl::count && set.name == "track") {
-          benchmark::RegisterBenchmark(("arc_length/track/" + std::string(row.name) + "/1e-" + to).c_str(),
-                                       [&set, name = row.name, tolerance](benchmark::State& state) { counted(state, set, name, tolerance); })
+          benchmark::RegisterBenchmark(
+              ("arc_length/track/" + std::string(row.name) + "/1e-" + to).c_str(),
+              [&set, name = row.name, tolerance](benchmark::State& state) { counted(state, set, name, tolerance); })
               ->UseManualTime();
         }
       }
-      add(set, "whole_track", to,
-          [tolerance](const Set& of, Lengths& lengths) { curve::arc_lengths(std::span(of.cubics).first(lengths.size()), tolerance, lengths); }, tolerance, 0);
+      add(
+          set, "whole_track", to,
+          [tolerance](const Set& of, Lengths& lengths) {
+            curve::arc_lengths(std::span(of.cubics).first(lengths.size()), tolerance, lengths);
+          },
+          tolerance, 0);
     }
   return true;
 }();

@@ -1,5 +1,6 @@
-// Time and error of a point of every row of the evaluator table, and of whole tracks by the vector kernels, beside a store of the same bytes.
-// ratio_to_store: time / time of the store (1 is the limit); ratio_to_forward_differences: how many times faster than the scalar loop.
+// Time and error of a point of every row of the evaluator table, and of whole tracks by the vector kernels, beside a
+// store of the same bytes. ratio_to_store: time / time of the store (1 is the limit); ratio_to_forward_differences: how
+// many times faster than the scalar loop.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -25,7 +26,8 @@ template <class T>
 class Buffer {
  public:
   explicit Buffer(std::size_t count)
-      : memory_(static_cast<T*>(std::aligned_alloc(64, (count * sizeof(T) + 63) / 64 * 64)), &std::free), items_(memory_.get(), count) {
+      : memory_(static_cast<T*>(std::aligned_alloc(64, (count * sizeof(T) + 63) / 64 * 64)), &std::free),
+        items_(memory_.get(), count) {
     std::memset(static_cast<void*>(memory_.get()), 1, items_.size_bytes());  // so that every page is there
   }
   std::span<T> items() const { return items_; }
@@ -53,14 +55,16 @@ void non_temporal_store(void* to, std::size_t bytes) {
 }
 
 // Every curve's polyline one after the other, n + 1 vertices each.
-void polylines(const curve::Evaluator& row, std::span<const curve::PreparedCubic> all, int steps, std::span<glm::vec3> points,
-               std::span<glm::vec3> tangents) {
+void polylines(const curve::Evaluator& row, std::span<const curve::PreparedCubic> all, int steps,
+               std::span<glm::vec3> points, std::span<glm::vec3> tangents) {
   const std::size_t n = static_cast<std::size_t>(steps) + 1;
   for (std::size_t i = 0; i < all.size(); ++i)
     row.polyline(all[i], points.subspan(i * n, n), tangents.empty() ? tangents : tangents.subspan(i * n, n));
 }
 
-const curve::Evaluator& forward_differences() { return curve::evaluator(*curve::find_evaluator("forward_differences")); }
+const curve::Evaluator& forward_differences() {
+  return curve::evaluator(*curve::find_evaluator("forward_differences"));
+}
 
 double worst_error(const curve::Evaluator& row, std::span<const curve::PreparedCubic> all, int steps) {
   std::vector<glm::vec3> points(static_cast<std::size_t>(steps) + 1);
@@ -79,7 +83,8 @@ void evaluate(benchmark::State& state, const curve::Evaluator& row, bool with_ta
   const Buffer<glm::vec3> points(kSegments * (kSteps + 1)), tangents(kSegments * (kSteps + 1));
   const auto to = points.items(), along = with_tangents ? tangents.items() : std::span<glm::vec3>();
   paired(state, "point", static_cast<double>(to.size()), [&] { polylines(row, all, kSteps, to, along); },
-         {{"ratio_to_store", [&] { plain_store(to.data(), to.size_bytes()), plain_store(along.data(), along.size_bytes()); }},
+         {{"ratio_to_store",
+           [&] { plain_store(to.data(), to.size_bytes()), plain_store(along.data(), along.size_bytes()); }},
           {"ratio_to_forward_differences", [&] { polylines(forward_differences(), all, kSteps, to, along); }, false}});
   state.counters["checksum"] = checksum(to.data(), to.size());
 }
@@ -89,7 +94,8 @@ void accuracy(benchmark::State& state, const curve::Evaluator& row) {
   const int steps = static_cast<int>(state.range(0));
   const auto all = track_cubics(std::max<std::size_t>(1, 65536 / static_cast<std::size_t>(steps)));
   const Buffer<glm::vec3> points(all.size() * (static_cast<std::size_t>(steps) + 1));
-  paired(state, "point", static_cast<double>(points.items().size()), [&] { polylines(row, all, steps, points.items(), {}); },
+  paired(state, "point", static_cast<double>(points.items().size()),
+         [&] { polylines(row, all, steps, points.items(), {}); },
          {{"ratio_to_store", [&] { plain_store(points.items().data(), points.items().size_bytes()); }}});
   state.counters["worst_error_m"] = worst_error(row, track_cubics(256), steps);
   state.counters["checksum"] = checksum(points.items().data(), points.items().size());
@@ -99,12 +105,17 @@ void track_points(benchmark::State& state, curve::Processor on, std::size_t segm
   const auto all = track_cubics(segments);
   const Buffer<glm::vec3> out(curve::track_vertices(segments, kSteps, curve::TrackLayout::chain));
   const auto to = out.items();
-  const Work store = [&] { past_caches ? non_temporal_store(to.data(), to.size_bytes()) : plain_store(to.data(), to.size_bytes()); };
+  const Work store = [&] {
+    past_caches ? non_temporal_store(to.data(), to.size_bytes()) : plain_store(to.data(), to.size_bytes());
+  };
   std::vector<Reference> references{{past_caches ? "ratio_to_non_temporal_store" : "ratio_to_store", store}};
   const Buffer<glm::vec3> scalar(past_caches ? 1 : segments * (kSteps + 1));
   if (!past_caches)
-    references.push_back({"ratio_to_forward_differences", [&] { polylines(forward_differences(), all, kSteps, scalar.items(), {}); }, false});
-  paired(state, "point", static_cast<double>(to.size()), [&] { curve::track_points(all, kSteps, curve::TrackLayout::chain, to, on); }, references);
+    references.push_back({"ratio_to_forward_differences",
+                          [&] { polylines(forward_differences(), all, kSteps, scalar.items(), {}); }, false});
+  paired(
+      state, "point", static_cast<double>(to.size()),
+      [&] { curve::track_points(all, kSteps, curve::TrackLayout::chain, to, on); }, references);
   state.counters["checksum"] = checksum(to.data(), to.size());
 }
 
@@ -112,30 +123,35 @@ void track_vertices(benchmark::State& state, curve::Processor on) {
   const auto all = track_cubics(kSegments);
   const Buffer<curve::TrackVertex> out(curve::track_vertices(kSegments, kSteps, curve::TrackLayout::polylines));
   const auto to = out.items();
-  paired(state, "point", static_cast<double>(to.size()), [&] { curve::track_vertices_with_tangents(all, kSteps, to, on); },
+  paired(state, "point", static_cast<double>(to.size()),
+         [&] { curve::track_vertices_with_tangents(all, kSteps, to, on); },
          {{"ratio_to_store", [&] { plain_store(to.data(), to.size_bytes()); }}});
   state.counters["checksum"] = checksum(&to[0].position, 2 * to.size());
 }
 
 void track_unit_tangents(benchmark::State& state, curve::Processor on) {
   const auto all = track_cubics(kSegments);
-  const Buffer<glm::vec3> points(curve::track_vertices(kSegments, kSteps, curve::TrackLayout::chain)), tangents(points.items().size());
+  const Buffer<glm::vec3> points(curve::track_vertices(kSegments, kSteps, curve::TrackLayout::chain)),
+      tangents(points.items().size());
   const auto to = points.items(), along = tangents.items();
   paired(state, "point", static_cast<double>(to.size()),
          [&] { curve::track_points_and_unit_tangents(all, kSteps, curve::TrackLayout::chain, to, along, on); },
-         {{"ratio_to_store", [&] { plain_store(to.data(), to.size_bytes()), plain_store(along.data(), along.size_bytes()); }}});
+         {{"ratio_to_store",
+           [&] { plain_store(to.data(), to.size_bytes()), plain_store(along.data(), along.size_bytes()); }}});
   state.counters["checksum"] = checksum(to.data(), to.size()) + checksum(along.data(), along.size());
 }
 
 void store(benchmark::State& state, std::size_t bytes, bool past_caches) {
   const Buffer<char> to(bytes);
   paired(state, "point", static_cast<double>(bytes) / 12,
-         [&] { past_caches ? non_temporal_store(to.items().data(), bytes) : plain_store(to.items().data(), bytes); }, {});
+         [&] { past_caches ? non_temporal_store(to.items().data(), bytes) : plain_store(to.items().data(), bytes); },
+         {});
 }
 
 template <class Run, class... Rest>
 benchmark::internal::Benchmark* add(const std::string& name, Run run, Rest... rest) {
-  return benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { run(state, rest...); })->UseManualTime();
+  return benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { run(state, rest...); })
+      ->UseManualTime();
 }
 
 [[maybe_unused]] const bool registered = [] {

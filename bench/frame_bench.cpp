@@ -1,6 +1,7 @@
-// Frames of 5,000 segments at 64 steps, drawn off screen: the processor's work outside OpenGL (panels, commands, derived data, what the cache
-// prepares), for a still frame and for one that drags a knot; and of 1,000 segments at 1280x720 while a train runs, with what is drawn. Beside it a memset of the bytes of all polylines and of those that a drag
-// uploads, so that the ratio holds on other machines.
+// Frames of 5,000 segments at 64 steps, drawn off screen: the processor's work outside OpenGL (panels, commands,
+// derived data, what the cache prepares), for a still frame and for one that drags a knot; and of 1,000 segments at
+// 1280x720 while a train runs, with what is drawn. Beside it a memset of the bytes of all polylines and of those that a
+// drag uploads, so that the ratio holds on other machines.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Rotation-minimising frames of 1000 segments, 33 each: chains side by side beside the loop over transport(). ratio_to_scalar: times faster.
+// Rotation-minimising frames of 1000 segments, 33 each: chains side by side beside the loop over transport().
+// ratio_to_scalar: times faster.
 #include "bench_tracks.h"
 #include "curve/frames_batch.h"
 #include "paired.h"
@@ -18,10 +19,11 @@ void frames(benchmark::State& state, curve::Processor on) {
     }
   const Work scalar = [&] {
     for (std::size_t i = 0; i < ups.size(); ++i)
-      if (i % kPlaces != 0) ups[i] = curve::transport({tangents[i - 1], ups[i - 1]}, points[i - 1], points[i], tangents[i]).up;
+      if (i % kPlaces != 0)
+        ups[i] = curve::transport({tangents[i - 1], ups[i - 1]}, points[i - 1], points[i], tangents[i]).up;
   };
-  paired(state, "frame", static_cast<double>(ups.size()), [&] { curve::transport_chains(kPlaces, points, tangents, ups, on); },
-         {{"ratio_to_scalar", scalar, false}});
+  paired(state, "frame", static_cast<double>(ups.size()),
+         [&] { curve::transport_chains(kPlaces, points, tangents, ups, on); }, {{"ratio_to_scalar", scalar, false}});
   double sum = 0;
   for (const glm::dvec3 up : ups) sum += up.x + 2 * up.y + 3 * up.z;
   state.counters["checksum"] = sum;
@@ -29,7 +31,8 @@ void frames(benchmark::State& state, curve::Processor on) {
 
 [[maybe_unused]] const bool registered = [] {
   for (const curve::Processor on : curve::available_processors())
-    benchmark::RegisterBenchmark(on == curve::Processor::avx2 ? "frames/avx2" : "frames/baseline", [on](benchmark::State& state) { frames(state, on); })
+    benchmark::RegisterBenchmark(on == curve::Processor::avx2 ? "frames/avx2" : "frames/baseline",
+                                 [on](benchmark::State& state) { frames(state, on); })
         ->UseManualTime();
   return true;
 }();

@@ -1,4 +1,5 @@
-// Times a piece of work and what it is compared with in turn, iteration by iteration, so that a ratio is of one moment on one machine.
+// Times a piece of work and what it is compared with in turn, iteration by iteration, so that a ratio is of one moment
+// on one machine.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -15,7 +16,8 @@ namespace coaster::bench {
 
 using Work = std::function<void()>;
 
-// A ratio's counter: `of_work` true for time of the work / time of the reference, else the other way round (times faster).
+// A ratio's counter: `of_work` true for time of the work / time of the reference, else the other way round (times
+// faster).
 struct Reference {
   std::string counter;
   Work run;
@@ -41,9 +43,10 @@ inline double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Runs under Google Benchmark with manual time; `units` things (named by `unit`: "point") are done by one run of the work. The counters are
-// medians over the iterations: `ns_per_UNIT`, and one for each reference.
-inline void paired(benchmark::State& state, const std::string& unit, double units, const Work& work, const std::vector<Reference>& references) {
+// Runs under Google Benchmark with manual time; `units` things (named by `unit`: "point") are done by one run of the
+// work. The counters are medians over the iterations: `ns_per_UNIT`, and one for each reference.
+inline void paired(benchmark::State& state, const std::string& unit, double units, const Work& work,
+                   const std::vector<Reference>& references) {
   std::vector<double> times;
   std::vector<std::vector<double>> ratios(references.size());
   work();

@@ -1,5 +1,6 @@
-// What a user would otherwise call for the same work: positions of 1000 cubics at 64 parameters each, by other libraries in their own natural
-// form. Each is measured beside track_points(); ratio_to_peer: how many times as long the library takes. Built for those installed.
+// What a user would otherwise call for the same work: positions of 1000 cubics at 64 parameters each, by other
+// libraries in their own natural form. Each is measured beside track_points(); ratio_to_peer: how many times as long
+// the library takes. Built for those installed.
 #include "bench_tracks.h"
 #include "curve/kernels.h"
 #include "paired.h"
@@ -32,10 +33,12 @@ constexpr int kOurRuns = 32;  // one takes microseconds, and the first finds the
 template <class Evaluate>
 void beside_ours(benchmark::State& state, const Evaluate& evaluate) {
   const auto all = track_cubics(kSegments);
-  std::vector<glm::vec3> ours(curve::track_vertices(kSegments, kSteps, curve::TrackLayout::chain)), theirs(kSegments * kSteps);
+  std::vector<glm::vec3> ours(curve::track_vertices(kSegments, kSteps, curve::TrackLayout::chain)),
+      theirs(kSegments * kSteps);
   const Work peer = [&] {
     for (std::size_t s = 0; s < kSegments; ++s)
-      for (int i = 0; i < kSteps; ++i) evaluate(s, static_cast<double>(i) / kSteps, &theirs[s * kSteps + static_cast<std::size_t>(i)].x);
+      for (int i = 0; i < kSteps; ++i)
+        evaluate(s, static_cast<double>(i) / kSteps, &theirs[s * kSteps + static_cast<std::size_t>(i)].x);
   };
   paired(state, "point", static_cast<double>(theirs.size()), peer,
          {{"ratio_to_peer", [&] {
@@ -43,7 +46,8 @@ void beside_ours(benchmark::State& state, const Evaluate& evaluate) {
            }}});
   state.counters["ratio_to_peer"].value *= kOurRuns;
   double worst = 0;  // both did the same work
-  for (std::size_t i = 0; i < theirs.size(); ++i) worst = std::max(worst, static_cast<double>(glm::length(glm::vec2(theirs[i] - ours[i]))));
+  for (std::size_t i = 0; i < theirs.size(); ++i)
+    worst = std::max(worst, static_cast<double>(glm::length(glm::vec2(theirs[i] - ours[i]))));
   state.counters["difference_m"] = worst;
   state.counters["checksum"] = checksum(theirs.data(), theirs.size());
 }
@@ -72,7 +76,8 @@ BENCHMARK(eigen_splines)->Name("peers/eigen_splines")->UseManualTime();
 void lib2geom(benchmark::State& state) {
   std::vector<Geom::CubicBezier> curves;
   const auto at = [](glm::vec3 p) { return Geom::Point(p.x, p.y); };
-  for (const auto& c : track_cubics(kSegments)) curves.emplace_back(at(c.cubic.p0), at(c.cubic.p1), at(c.cubic.p2), at(c.cubic.p3));
+  for (const auto& c : track_cubics(kSegments))
+    curves.emplace_back(at(c.cubic.p0), at(c.cubic.p1), at(c.cubic.p2), at(c.cubic.p3));
   beside_ours(state, [&](std::size_t s, double t, float* out) {
     const Geom::Point p = curves[s].pointAt(t);
     out[0] = static_cast<float>(p[Geom::X]);
@@ -130,7 +135,8 @@ void embree(benchmark::State& state) {
   const auto all = track_cubics(kSegments);
   auto* vertices = static_cast<float*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, 4 * all.size()));
-  auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, 4, all.size()));
+  auto* index = static_cast<unsigned*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, 4, all.size()));
   for (std::size_t s = 0; s < all.size(); ++s) {
     const curve::Cubic& c = all[s].cubic;
     const glm::vec3 p[] = {c.p0, c.p1, c.p2, c.p3};

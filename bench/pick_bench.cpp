@@ -1,6 +1,7 @@
-// Picking on tracks of 1,000 to 100,000 segments that cross themselves on screen everywhere: by the hierarchy, by looking at every segment, and
-// beside Embree's flat curves; and what a drag costs the hierarchy. Views are 60 to 140 m off, 1280x720; half the pixels are aimed at
-// places of the track (picked with 8 px of reach, among all that the line of sight passes), half are anywhere in the picture.
+// Picking on tracks of 1,000 to 100,000 segments that cross themselves on screen everywhere: by the hierarchy, by
+// looking at every segment, and beside Embree's flat curves; and what a drag costs the hierarchy. Views are 60 to 140 m
+// off, 1280x720; half the pixels are aimed at places of the track (picked with 8 px of reach, among all that the line
+// of sight passes), half are anywhere in the picture.
 #include <cmath>
 #include <random>
 
@@ -17,15 +18,17 @@ namespace coaster::bench {
 namespace {
 
 constexpr view::Viewport kViewport{0, 0, 1280, 720};
-constexpr float kReach = 8;        // px
-constexpr float kThick = 0.92f;    // m, what the reach is at 100 m
+constexpr float kReach = 8;      // px
+constexpr float kThick = 0.92f;  // m, what the reach is at 100 m
 constexpr std::size_t kPicks = 512;
 
 // A Lissajous figure of segments of about ten metres over a square, strands about ten metres apart, hills of 60 m.
 sim::Derived tangle(int segments) {
-  const double half = 5 * std::sqrt(static_cast<double>(segments)), turns = std::floor(segments * 10 / (5.6 * half * 1.4));
+  const double half = 5 * std::sqrt(static_cast<double>(segments)),
+               turns = std::floor(segments * 10 / (5.6 * half * 1.4));
   const auto at = [&](double a) {
-    return glm::dvec3(half * std::sin(turns * a), 35 + 30 * std::sin(7.3 * turns * a + 0.4), half * std::sin((turns + 1) * a + 1.1));
+    return glm::dvec3(half * std::sin(turns * a), 35 + 30 * std::sin(7.3 * turns * a + 0.4),
+                      half * std::sin((turns + 1) * a + 1.1));
   };
   world::Document document;
   const double step = 6.283185307179586 / segments;
@@ -58,7 +61,8 @@ std::vector<Aim> aims(const sim::Derived& derived) {
     const curve::Cubic& cubic = derived.tree.cubics[bits() % derived.tree.cubics.size()];
     const glm::vec3 place(curve::point(cubic, uniform(0, 1)));
     const glm::vec3 target = place + glm::vec3(uniform(-20, 20), uniform(-5, 5), uniform(-20, 20));
-    const world::Camera camera{target, static_cast<float>(uniform(-180, 180)), static_cast<float>(uniform(5, 60)), static_cast<float>(uniform(60, 140))};
+    const world::Camera camera{target, static_cast<float>(uniform(-180, 180)), static_cast<float>(uniform(5, 60)),
+                               static_cast<float>(uniform(60, 140))};
     const view::View view = view::orbit_view(camera, kViewport);
     const auto seen = view::project(view, place);
     if (!seen || !kViewport.contains(glm::vec2(*seen))) continue;
@@ -67,7 +71,8 @@ std::vector<Aim> aims(const sim::Derived& derived) {
   return all;
 }
 
-// The picks are timed as frames make them, after each other; looking at all segments empties the caches, so an untimed round goes before.
+// The picks are timed as frames make them, after each other; looking at all segments empties the caches, so an untimed
+// round goes before.
 void pick(benchmark::State& state) {
   const sim::Derived derived = tangle(static_cast<int>(state.range(0)));
   const std::vector<Aim> all = aims(derived);
@@ -125,9 +130,10 @@ struct EmbreeScene {
   RTCScene scene = rtcNewScene(device);
   EmbreeScene(const std::vector<curve::Cubic>& cubics, float radius) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_FLAT_BEZIER_CURVE);
-    auto* vertices = static_cast<glm::vec4*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(glm::vec4), 4 * cubics.size()));
-    auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, 4, cubics.size()));
+    auto* vertices = static_cast<glm::vec4*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(glm::vec4), 4 * cubics.size()));
+    auto* index = static_cast<unsigned*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, 4, cubics.size()));
     for (std::size_t s = 0; s < cubics.size(); ++s) {
       const glm::vec3 p[] = {cubics[s].p0, cubics[s].p1, cubics[s].p2, cubics[s].p3};
       for (std::size_t i = 0; i < 4; ++i) vertices[4 * s + i] = glm::vec4(p[i], radius);
@@ -155,7 +161,8 @@ RTCRayHit ray_of(const view::Ray& ray) {
   return out;
 }
 
-// Our picks, with Embree's first hit of the same lines of sight in turn: times of ours / Embree's. Its curves have one thickness near and far.
+// Our picks, with Embree's first hit of the same lines of sight in turn: times of ours / Embree's. Its curves have one
+// thickness near and far.
 void pick_beside_embree(benchmark::State& state) {
   const sim::Derived derived = tangle(static_cast<int>(state.range(0)));
   const std::vector<Aim> all = aims(derived);

@@ -1,5 +1,5 @@
-// The ride: the ghost as it runs while a knot is dragged (2,000 m in 100 segments, 8 cars), and 10,000 carts on a precomputed table of one lap
-// beside a walk over the same bytes.
+// The ride: the ghost as it runs while a knot is dragged (2,000 m in 100 segments, 8 cars), and 10,000 carts on a
+// precomputed table of one lap beside a walk over the same bytes.
 #include <cmath>
 #include <random>
 
@@ -10,7 +10,8 @@
 namespace coaster::bench {
 namespace {
 
-// A closed ring of `segments` segments and `length` metres (within 2 %), with six hills of 8 m up and down and a train that comes round.
+// A closed ring of `segments` segments and `length` metres (within 2 %), with six hills of 8 m up and down and a train
+// that comes round.
 world::Document hilly_ring(int segments, double length, int cars) {
   world::Document document;
   const double turn = 6.283185307179586, radius = 0.985 * length / turn;
@@ -34,9 +35,7 @@ struct Riding {
   world::Settings settings;
   sim::Derived derived;
   sim::GhostMemo memo;
-  explicit Riding(int cars) : document(hilly_ring(100, 2000, cars)) {
-    sim::derive(document, settings, {}, derived);
-  }
+  explicit Riding(int cars) : document(hilly_ring(100, 2000, cars)) { sim::derive(document, settings, {}, derived); }
   const sim::Ghost& ghost() { return *memo.ride(document, derived, world::first_cart(document)); }
 };
 
@@ -47,8 +46,8 @@ double checksum(const sim::Ghost& ghost) {
   return sum;
 }
 
-// As a drag does it: one knot up and down, what follows of it derived, the tables of its two segments filled, the whole lap simulated. Beside
-// it the same without the tables that last from ride to ride.
+// As a drag does it: one knot up and down, what follows of it derived, the tables of its two segments filled, the whole
+// lap simulated. Beside it the same without the tables that last from ride to ride.
 void drag(benchmark::State& state) {
   Riding riding(8);
   const world::Entity knot = riding.document.track.knots[40];
@@ -80,7 +79,8 @@ void drag(benchmark::State& state) {
   state.counters["checksum"] = checksum(riding.ghost());
 }
 
-// How far a cart on the table is, after a minute, from one that Runge-Kutta takes along the exact curve, in mm: the largest on the way.
+// How far a cart on the table is, after a minute, from one that Runge-Kutta takes along the exact curve, in mm: the
+// largest on the way.
 double drift_mm(Riding& riding, const sim::LapTable& table) {
   world::Motion motion;
   sim::reset(riding.document, riding.derived, motion);
@@ -99,7 +99,8 @@ void carts(benchmark::State& state) {
   constexpr std::size_t kCarts = 10'000;
   Riding riding(1);
   const world::Cart& design = riding.document.entities.get<world::Cart>(world::first_cart(riding.document));
-  const sim::LapTable& table = riding.memo.lap(riding.document, riding.derived, sim::start_of(riding.document, riding.derived, design));
+  const sim::LapTable& table =
+      riding.memo.lap(riding.document, riding.derived, sim::start_of(riding.document, riding.derived, design));
   if (!table.valid()) return state.SkipWithError("the cart does not come round");
   std::mt19937 random(11);
   std::uniform_real_distribution<double> phase(0, table.period());

@@ -1,5 +1,6 @@
-// 24 simulated hours of a track, frictionless, at 120 Hz, by one integrator: how far the energy is from where it began, relative to the largest
-// kinetic energy, hour by hour. Arguments: INTEGRATOR HOURS FILE... . A program of its own, since it takes minutes.
+// 24 simulated hours of a track, frictionless, at 120 Hz, by one integrator: how far the energy is from where it began,
+// relative to the largest kinetic energy, hour by hour. Arguments: INTEGRATOR HOURS FILE... . A program of its own,
+// since it takes minutes.
 #include <time.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ double thread_seconds() {
 struct Drift {
   std::vector<double> hours;  // the largest drift seen in each
   std::int64_t not_finite = 0, laps = 0;
-  double seconds = 0;         // of the processor
+  double seconds = 0;  // of the processor
 };
 
 Drift ride(const world::Document& document, int integrator, int hours) {
@@ -65,9 +66,10 @@ int run(const std::string& name, int hours, const std::vector<std::string>& file
     for (const world::Entity e : document.track.segments) document.entities.pool<world::Equipment>().erase(e);
     const Drift drift = ride(document, *integrator, hours);
     const double most = *std::max_element(drift.hours.begin(), drift.hours.end());
-    std::printf("%s %s: %zu h, %lld laps, drift %.2e (hour 1 %.2e, hour %zu %.2e), not finite %lld, %.0f ns a tick\n", name.c_str(), file.c_str(),
-                drift.hours.size(), static_cast<long long>(drift.laps), most, drift.hours.front(), drift.hours.size(), drift.hours.back(),
-                static_cast<long long>(drift.not_finite), drift.seconds * 1e9 / (static_cast<double>(drift.hours.size()) * 3600 * world::kTicksPerSecond));
+    std::printf("%s %s: %zu h, %lld laps, drift %.2e (hour 1 %.2e, hour %zu %.2e), not finite %lld, %.0f ns a tick\n",
+                name.c_str(), file.c_str(), drift.hours.size(), static_cast<long long>(drift.laps), most,
+                drift.hours.front(), drift.hours.size(), drift.hours.back(), static_cast<long long>(drift.not_finite),
+                drift.seconds * 1e9 / (static_cast<double>(drift.hours.size()) * 3600 * world::kTicksPerSecond));
     std::fflush(stdout);
   }
   return 0;

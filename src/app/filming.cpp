@@ -1,9 +1,9 @@
 #include "app/filming.h"
 
+#include <unistd.h>
 #include <chrono>
 #include <cstdio>
 #include <thread>
-#include <unistd.h>
 
 #include "app/frame.h"
 #include "app/pictures.h"
@@ -50,12 +50,15 @@ std::filesystem::path free_folder(const Program& program) {
   std::filesystem::path path;
   std::error_code failed;
   for (int i = 1; i < kMostNumbers; ++i)
-    if (path = folder / (file_stem(program.session.document.name) + "-movie-" + std::to_string(i)); !std::filesystem::exists(path, failed)) break;
+    if (path = folder / (file_stem(program.session.document.name) + "-movie-" + std::to_string(i));
+        !std::filesystem::exists(path, failed))
+      break;
   return path;
 }
 
 std::int64_t ticks_of_lap(const edit::Session& session) {
-  const sim::Ghost* const ghost = session.ghosts.ride(session.document, session.derived, world::first_cart(session.document));
+  const sim::Ghost* const ghost =
+      session.ghosts.ride(session.document, session.derived, world::first_cart(session.document));
   return ghost && ghost->samples.size() > 1 ? static_cast<std::int64_t>(ghost->samples.size() - 1) : 0;
 }
 
@@ -75,7 +78,8 @@ void start_by_hand(Program& program) {
 
 void show_progress(const Program& program, const char* what) {
   if (!isatty(STDERR_FILENO)) return;
-  std::fprintf(stderr, "\r%s: %d pictures, %3.0f %% ", what, program.filming->shown.frames, 100 * program.filming->shown.done);
+  std::fprintf(stderr, "\r%s: %d pictures, %3.0f %% ", what, program.filming->shown.frames,
+               100 * program.filming->shown.done);
 }
 
 }  // namespace
@@ -111,7 +115,10 @@ void film(Program& program, int ticks, const std::function<void(int)>& step) {
     Filming& filming = *program.filming;
     filming.movie->pass(some);
     filming.shown.ticks += some;
-    filming.shown.done = filming.lap_ticks > 0 ? std::min(1.0, static_cast<double>(filming.shown.ticks) / static_cast<double>(filming.lap_ticks)) : 0;
+    filming.shown.done =
+        filming.lap_ticks > 0
+            ? std::min(1.0, static_cast<double>(filming.shown.ticks) / static_cast<double>(filming.lap_ticks))
+            : 0;
   }
   if (ticks > 0 || !stepped) step(ticks);
 }
@@ -160,17 +167,22 @@ void keep_filming(Program& program, const ui::Output* output) {
   filming.shown.done = filming.encoder->done();
   const auto line = filming.encoder->poll();
   if (!line) return;
-  edit::notify(program.session, filming.failed ? edit::NoticeKind::info : edit::NoticeKind::error, filming.failed ? *line : filming.failed.message);
+  edit::notify(program.session, filming.failed ? edit::NoticeKind::info : edit::NoticeKind::error,
+               filming.failed ? *line : filming.failed.message);
   program.filming.reset();
 }
 
-base::Status film_ride(Program& program, const MovieOrder& order, std::optional<std::int64_t> pictures, RideSummary& summary) {
+base::Status film_ride(Program& program, const MovieOrder& order, std::optional<std::int64_t> pictures,
+                       RideSummary& summary) {
   constexpr std::int64_t kMostTicks = 120 * world::kTicksPerSecond;
   if (const base::Status begun = begin_lap(program); !begun) return begun;
   if (const base::Status started = start_movie(program, order, true); !started) return started;
   Filming& filming = *program.filming;
-  filming.lap_ticks = pictures ? *pictures * filming.movie->ticks_a_frame() : std::min(kMostTicks, ticks_of_lap(program.session));
-  const auto over = [&] { return pictures ? filming.shown.frames >= *pictures : summary.ticks >= kMostTicks || lap_is_done(program.session); };
+  filming.lap_ticks =
+      pictures ? *pictures * filming.movie->ticks_a_frame() : std::min(kMostTicks, ticks_of_lap(program.session));
+  const auto over = [&] {
+    return pictures ? filming.shown.frames >= *pictures : summary.ticks >= kMostTicks || lap_is_done(program.session);
+  };
   const auto tick = [&](int ticks) {
     for (int i = 0; i < ticks; ++i) {
       advance(program, 1);

@@ -15,29 +15,36 @@ std::vector<sim::Pose> cart_poses(const edit::Session& session) {
   if (session.derived.order.empty()) return poses;
   const auto& carts = session.motion.carts;
   for (std::size_t i = 0; i < carts.size(); ++i)
-    for (const sim::Pose& car : sim::car_poses(session.document, session.derived, carts.entities()[i], carts.items()[i], session.settings.frames)) poses.push_back(car);
+    for (const sim::Pose& car : sim::car_poses(session.document, session.derived, carts.entities()[i], carts.items()[i],
+                                               session.settings.frames))
+      poses.push_back(car);
   return poses;
 }
 
 namespace {
 
-// Time. A request to close is for the panels, which ask back while there are unsaved changes; a window without size cannot ask.
+// Time. A request to close is for the panels, which ask back while there are unsaved changes; a window without size
+// cannot ask.
 void take_events(Program& program, const platform::Events& events, platform::Size size) {
   for (const platform::Event& event : events) {
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) program.seconds += tick->dt;
-    if (std::holds_alternative<platform::CloseRequest>(event) && size.width < 1 && !edit::dirty(program.session)) program.quit = true;
+    if (std::holds_alternative<platform::CloseRequest>(event) && size.width < 1 && !edit::dirty(program.session))
+      program.quit = true;
   }
 }
 
 // One script at a time: a window's player is taught by one.
 void ask_for_tutorial(Program& program) {
   if (program.options.script.empty() && program.surface->is_window() && !program.lesson) program.wants_tutorial = true;
-  else edit::notify(program.session, edit::NoticeKind::warning, "the tutorial needs a window, and a player whom no script holds by the hand");
+  else
+    edit::notify(program.session, edit::NoticeKind::warning,
+                 "the tutorial needs a window, and a player whom no script holds by the hand");
 }
 
 // Panels and viewport tool see the state before this frame's commands, which are applied here.
 ui::Output build_panels(Program& program, const platform::Events& events, platform::Size size) {
-  ui::State state{program.session, program.stats, program.seconds, program.stats.hide_times, &program.rig, program.keeper ? &program.keeper->state : nullptr};
+  ui::State state{program.session,          program.stats, program.seconds,
+                  program.stats.hide_times, &program.rig,  program.keeper ? &program.keeper->state : nullptr};
   state.importing = shown_import(program);
   state.lesson = program.lesson ? &*program.lesson : nullptr;
   state.pictures = &program.pictures.made();
@@ -73,10 +80,12 @@ struct Look {
 gfx::DrawStats draw_scene(Program& program, const Look& look, platform::Size size) {
   const edit::Session& session = program.session;
   const world::Layers& layers = look.settings.layers;
-  const bool limits = layers.has(world::Layer::limits), by_ride = world::colourings()[static_cast<std::size_t>(session.settings.colouring)].of_ride;
+  const bool limits = layers.has(world::Layer::limits),
+             by_ride = world::colourings()[static_cast<std::size_t>(session.settings.colouring)].of_ride;
   const sim::Ghost* const ghost = limits || by_ride ? edit::chosen_ride(session) : nullptr;
   const bool with_train = program.rig.mode == world::CameraMode::ride || program.rig.mode == world::CameraMode::chase;
-  view::Findings findings{.failure = session.motion.failure, .riding = look.alone || (with_train && session.motion.state == world::RideState::running)};
+  view::Findings findings{.failure = session.motion.failure,
+                          .riding = look.alone || (with_train && session.motion.state == world::RideState::running)};
   if (layers.has(world::Layer::flips)) findings.breaks = program.breaks.update(session.derived);
   if (layers.has(world::Layer::conflicts) && !findings.riding) findings.conflicts = edit::conflicts(session);
   if (limits && ghost) findings.spans = program.red.update(*ghost, session.envelope);
@@ -86,9 +95,11 @@ gfx::DrawStats draw_scene(Program& program, const Look& look, platform::Size siz
   }
   const sim::TrackValues& values = program.values.update(session.derived, session.settings, ghost);
   program.stats.colour_low = values.low, program.stats.colour_high = values.high;
-  const view::Overlay overlay = view::build_overlay(session.document, session.derived, look.settings, look.view, look.hovered, findings);
+  const view::Overlay overlay =
+      view::build_overlay(session.document, session.derived, look.settings, look.view, look.hovered, findings);
   const std::vector<sim::Pose> carts = cart_poses(session);
-  gfx::Scene scene{session.derived, look.view, overlay, carts, layers.has(world::Layer::polyline), &values, session.settings.theme};
+  gfx::Scene scene{session.derived,       look.view, overlay, carts, layers.has(world::Layer::polyline), &values,
+                   session.settings.theme};
   scene.style = session.settings.style;
   scene.shadows = session.settings.shadows;
   scene.unseen = look.unseen;
@@ -105,7 +116,8 @@ gfx::DrawStats draw_scene(Program& program, const Look& look, platform::Size siz
 }
 
 // Numbers of the frame that was just drawn, for the panels of the next one and for scripts.
-void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size size, double began, double built, double drew) {
+void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size size, double began, double built,
+                double drew) {
   query::FrameStats& stats = program.stats;
   const sim::Derived& derived = program.session.derived;
   ++stats.frame;
@@ -116,7 +128,8 @@ void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size si
   stats.polyline_upload_bytes = drawn.polyline_upload_bytes;
   stats.polyline_bytes = drawn.polyline_bytes;
   stats.drawn_by = drawn.drawn_by;
-  if (drawn.drawn_by != derived.stage) stats.stage_refusals[static_cast<std::size_t>(derived.stage)] = program.renderer->refusal(derived.stage);
+  if (drawn.drawn_by != derived.stage)
+    stats.stage_refusals[static_cast<std::size_t>(derived.stage)] = program.renderer->refusal(derived.stage);
   stats.gpu_deviation = drawn.deviation;
   stats.deviation_pending = drawn.deviation_pending;
   stats.gpu_ms = drawn.gpu_ms;
@@ -136,7 +149,8 @@ void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size si
   stats.width = size.width, stats.height = size.height;
   const view::Eye& eye = program.rig.eye;
   stats.camera_shown = program.rig.mode;
-  stats.eye = eye.position, stats.eye_forward = eye.forward, stats.eye_up = glm::normalize(eye.up - glm::dot(eye.up, eye.forward) * eye.forward);
+  stats.eye = eye.position, stats.eye_forward = eye.forward,
+  stats.eye_up = glm::normalize(eye.up - glm::dot(eye.up, eye.forward) * eye.forward);
   stats.field_of_view_deg = eye.field_of_view_deg;
   stats.cpu_ms = (built - began) * 1e3 + drawn.cpu_ms;
   stats.gl_ms = (drew - built) * 1e3 - drawn.cpu_ms;
@@ -154,7 +168,8 @@ void set_title(Program& program) {
 int take_ticks(Program& program, const platform::Events& events) {
   constexpr double kLongestPause = 0.25;
   for (const platform::Event& event : events)
-    if (const auto* const tick = std::get_if<platform::Tick>(&event)) program.tick_debt += std::clamp(tick->dt, 0.0, kLongestPause);
+    if (const auto* const tick = std::get_if<platform::Tick>(&event))
+      program.tick_debt += std::clamp(tick->dt, 0.0, kLongestPause);
   const int ticks = static_cast<int>(program.tick_debt / world::kTick + 1e-9);
   program.tick_debt = std::max(0.0, program.tick_debt - ticks * world::kTick);
   return ticks;
@@ -173,12 +188,14 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   }
   ui::Output output = build_panels(program, events, size);
   advance(program, ticks);
-  // From where the carts are now: an eye of the frame's start would lag behind them by as many ticks as this frame happens to have.
+  // From where the carts are now: an eye of the frame's start would lag behind them by as many ticks as this frame
+  // happens to have.
   output.view = program.view = view::view_of(program.rig.eye, output.view.viewport);
   edit::advance_measurement(program.session);
   const double built = program.surface->clock();
   program.unseen = !program.surface->is_window() && !output.wants_screenshot;
-  const gfx::DrawStats drawn = draw_scene(program, {program.session.settings, output.view, output.hovered, false, program.unseen}, size);
+  const gfx::DrawStats drawn =
+      draw_scene(program, {program.session.settings, output.view, output.hovered, false, program.unseen}, size);
   if (!program.unseen) program.ui->draw(size.width, size.height);
   const double drew = program.surface->clock();
   program.surface->present(program.renderer->framebuffer());
@@ -208,12 +225,14 @@ void play_frame(Program& program) {
   keep_sounding(program);
   const double now = program.surface->clock(), taken = now - program.frame_clock;
   program.frame_clock = now;
-  program.smoothed_frame = program.smoothed_frame == 0 ? taken : program.smoothed_frame + (taken - program.smoothed_frame) * kWeight;
+  program.smoothed_frame =
+      program.smoothed_frame == 0 ? taken : program.smoothed_frame + (taken - program.smoothed_frame) * kWeight;
   program.stats.fps = program.smoothed_frame > 0 ? 1 / program.smoothed_frame : 0;
 }
 
 bool is_drawn(const Program& program) {
-  return program.stats.frame > 0 && program.drawn_tick == program.session.tick && program.drawn_commands == program.commands;
+  return program.stats.frame > 0 && program.drawn_tick == program.session.tick &&
+         program.drawn_commands == program.commands;
 }
 
 void draw_scene_alone(Program& program, const view::View& view, platform::Size size) {

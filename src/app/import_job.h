@@ -1,5 +1,5 @@
-// Opening a file that takes longer than a frame, in a thread beside the frames, which show how far it is. In a window alone: scripts wait, unless
-// they ask for a slow import to see that.
+// Opening a file that takes longer than a frame, in a thread beside the frames, which show how far it is. In a window
+// alone: scripts wait, unless they ask for a slow import to see that.
 #pragma once
 
 #include <future>
@@ -15,7 +15,7 @@ struct Program;
 
 struct ImportJob {
   std::string path;
-  double since = 0;  // s, as Program::seconds
+  double since = 0;     // s, as Program::seconds
   int frames_left = 0;  // of a slow one, before it is looked at
   bool slow = false;
   base::Progress progress;

@@ -14,8 +14,12 @@ namespace {
 
 using edit::NoticeKind;
 
-std::filesystem::path settings_file(const Keeper& keeper) { return keeper.folders.config.empty() ? std::filesystem::path() : keeper.folders.config / "settings.json"; }
-std::filesystem::path recovery_folder(const Keeper& keeper) { return keeper.folders.state.empty() ? std::filesystem::path() : keeper.folders.state / "recovery"; }
+std::filesystem::path settings_file(const Keeper& keeper) {
+  return keeper.folders.config.empty() ? std::filesystem::path() : keeper.folders.config / "settings.json";
+}
+std::filesystem::path recovery_folder(const Keeper& keeper) {
+  return keeper.folders.state.empty() ? std::filesystem::path() : keeper.folders.state / "recovery";
+}
 
 std::string joined(const std::vector<std::string>& lines) {
   std::string all;
@@ -49,7 +53,8 @@ exchange::UserSettings load_settings(Program& program, Keeper& keeper, std::vect
   std::error_code error;
   std::filesystem::rename(file, file.string() + ".bad", error);
   keeper.may_write = !error;
-  problems.push_back(loaded.status().message + (error ? "; it stays as it is, and this run's settings are not kept" : "; set aside as settings.json.bad"));
+  problems.push_back(loaded.status().message + (error ? "; it stays as it is, and this run's settings are not kept"
+                                                      : "; set aside as settings.json.bad"));
   return {};
 }
 
@@ -62,7 +67,8 @@ void show(Program& program, const exchange::UserSettings& settings) {
   if (now.sound != settings.sound) (void)apply(program, edit::SetSound{settings.sound});
   if (now.show_panels != settings.panels) (void)apply(program, edit::SetPanels{settings.panels});
   if (now.show_laboratory != settings.laboratory) (void)apply(program, edit::ShowLaboratory{settings.laboratory});
-  if (now.feel.reduced_motion != settings.reduced_motion) (void)apply(program, edit::SetReducedMotion{settings.reduced_motion});
+  if (now.feel.reduced_motion != settings.reduced_motion)
+    (void)apply(program, edit::SetReducedMotion{settings.reduced_motion});
   if (now.feel.head_bob != settings.head_bob) (void)apply(program, edit::SetHeadBob{settings.head_bob});
   if (now.show_hints != settings.hints) (void)apply(program, edit::SetHints{settings.hints});
   if (now.show_card != settings.card) (void)apply(program, edit::SetCard{settings.card});
@@ -93,7 +99,8 @@ void follow_session(const Program& program, exchange::UserSettings& settings) {
 void write_settings(Program& program, Keeper& keeper) {
   if (!keeper.may_write || keeper.folders.config.empty() || keeper.state.settings == keeper.written) return;
   base::Status status = base::make_folders(keeper.folders.config);
-  if (status) status = program.files.write_atomic(settings_file(keeper), exchange::print_settings(keeper.state.settings));
+  if (status)
+    status = program.files.write_atomic(settings_file(keeper), exchange::print_settings(keeper.state.settings));
   if (status) {
     keeper.written = keeper.state.settings;
     keeper.settings_failed = false;
@@ -129,17 +136,21 @@ void watch_document(Program& program, Keeper& keeper) {
   }
   if (keeper.unsaved_since < 0) {
     // The hash is known already: dirty() keeps it.
-    if (!keeper.autosave.exists() || keeper.autosaved != *program.session.document_hash) keeper.unsaved_since = program.seconds;
+    if (!keeper.autosave.exists() || keeper.autosaved != *program.session.document_hash)
+      keeper.unsaved_since = program.seconds;
     return;
   }
-  if (program.seconds - keeper.unsaved_since < keeper.state.settings.autosave_seconds || program.session.history.in_gesture) return;
+  if (program.seconds - keeper.unsaved_since < keeper.state.settings.autosave_seconds ||
+      program.session.history.in_gesture)
+    return;
   (void)autosave_now(program);
   keeper.unsaved_since = -1;
 }
 
 void offer(Keeper& keeper) {
   keeper.state.recoveries.clear();
-  for (const exchange::FoundAutosave& f : keeper.found) keeper.state.recoveries.push_back({f.info.original, f.info.name, f.file_time, f.info.time});
+  for (const exchange::FoundAutosave& f : keeper.found)
+    keeper.state.recoveries.push_back({f.info.original, f.info.name, f.file_time, f.info.time});
 }
 
 void answer(Program& program, Keeper& keeper, ui::Recovery what) {
@@ -152,7 +163,8 @@ void answer(Program& program, Keeper& keeper, ui::Recovery what) {
   } else {
     exchange::FoundAutosave found = std::move(keeper.found.front());
     keeper.found.erase(keeper.found.begin());
-    // Put aside again before the old one goes: at no time is there none. What cannot be read or written leaves it for the next start.
+    // Put aside again before the old one goes: at no time is there none. What cannot be read or written leaves it for
+    // the next start.
     const bool recovered = apply(program, edit::RecoverTrack{found.info.track.string(), found.info.original}).ok();
     if (recovered && autosave_now(program)) exchange::discard(found);
   }
@@ -163,8 +175,7 @@ void make_folder(Program& program, const std::string& folder) {
   base::Status made;
   if (!program.writable.empty() && !script::lies_below(folder, program.writable))
     made = {base::Code::refused, "scripts write only below $OUT, found " + base::quoted(folder)};
-  else
-    made = base::make_folders(folder);
+  else made = base::make_folders(folder);
   if (!made) edit::notify(program.session, NoticeKind::error, made.message);
 }
 
@@ -173,7 +184,8 @@ void take_output(Program& program, Keeper& keeper, const ui::Output& output) {
     const bool keys = keeper.state.settings.keys != output.settings->keys;
     keeper.state.settings = *output.settings;
     if (keys)
-      if (const auto problems = program.ui->set_keys(keeper.state.settings.keys); !problems.empty()) edit::notify(program.session, NoticeKind::warning, "keys: " + joined(problems));
+      if (const auto problems = program.ui->set_keys(keeper.state.settings.keys); !problems.empty())
+        edit::notify(program.session, NoticeKind::warning, "keys: " + joined(problems));
   }
   if (output.recovery) answer(program, keeper, *output.recovery);
   ui::SystemDialog& system = keeper.state.system;
@@ -199,7 +211,9 @@ void start_keeping(Program& program, const base::UserFolders& folders, bool defa
     program.ui->reset_layout();
   }
   for (std::string& problem : program.ui->set_keys(settings.keys)) problems.push_back("keys: " + std::move(problem));
-  if (settings.window) program.surface->place({settings.window->x, settings.window->y, settings.window->width, settings.window->height, settings.window->maximised});
+  if (settings.window)
+    program.surface->place({settings.window->x, settings.window->y, settings.window->width, settings.window->height,
+                            settings.window->maximised});
   keeper.state.settings = keeper.seen = settings;
   keeper.state.system.available = keeper.dialog.available();
   load_progress(program, keeper, problems);
@@ -225,13 +239,15 @@ base::Status autosave_now(Program& program) {
   Keeper& keeper = *program.keeper;
   const std::filesystem::path& path = program.session.path;
   const std::string original = path.empty() ? std::string() : base::canonical_path(path).string();
-  const base::Status wrote = keeper.autosave.write(program.files, recovery_folder(keeper), program.session.document, original, static_cast<std::int64_t>(std::time(nullptr)));
+  const base::Status wrote = keeper.autosave.write(program.files, recovery_folder(keeper), program.session.document,
+                                                   original, static_cast<std::int64_t>(std::time(nullptr)));
   if (wrote) {
     keeper.autosaved = world::hash(program.session.document);
     keeper.autosave_failed = false;
     ++program.stats.keeping.autosaves;
   } else if (!std::exchange(keeper.autosave_failed, true)) {
-    edit::notify(program.session, NoticeKind::error, "autosave: " + wrote.message + "; save by hand (Save, in the menu File)");
+    edit::notify(program.session, NoticeKind::error,
+                 "autosave: " + wrote.message + "; save by hand (Save, in the menu File)");
   }
   return wrote;
 }

@@ -1,5 +1,5 @@
-// What a program keeps for its user besides the document: settings, autosaves, the lock on the document's file. Null in a Program that keeps nothing:
-// pictures without a window, scripts that do not ask for it.
+// What a program keeps for its user besides the document: settings, autosaves, the lock on the document's file. Null in
+// a Program that keeps nothing: pictures without a window, scripts that do not ask for it.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +17,28 @@ namespace coaster::app {
 struct Program;
 
 struct Keeper {
-  base::UserFolders folders;        // settings.json is in config, autosaves in state/recovery
-  ui::UserState state;              // what panels see; its settings are the present ones
-  exchange::UserSettings written;   // as the file has them
-  exchange::UserSettings seen;      // in the frame before
-  double seen_since = 0;            // s
-  bool may_write = true;            // false: there is a file that could be neither read nor set aside
-  base::FileLock lock;              // on the document's file
-  base::FileLock next_lock;         // on the file that a save under way goes to
-  bool unasked = false;             // the document that is being opened is not one that the user named
+  base::UserFolders folders;       // settings.json is in config, autosaves in state/recovery
+  ui::UserState state;             // what panels see; its settings are the present ones
+  exchange::UserSettings written;  // as the file has them
+  exchange::UserSettings seen;     // in the frame before
+  double seen_since = 0;           // s
+  bool may_write = true;           // false: there is a file that could be neither read nor set aside
+  base::FileLock lock;             // on the document's file
+  base::FileLock next_lock;        // on the file that a save under way goes to
+  bool unasked = false;            // the document that is being opened is not one that the user named
   exchange::Autosave autosave;
-  std::uint64_t autosaved = 0;      // hash of the document that it holds
-  double unsaved_since = -1;        // s; -1: nothing has changed since the file or the autosave
+  std::uint64_t autosaved = 0;                            // hash of the document that it holds
+  double unsaved_since = -1;                              // s; -1: nothing has changed since the file or the autosave
   bool autosave_failed = false, settings_failed = false;  // told already
-  std::vector<exchange::FoundAutosave> found;  // of state.recoveries, in its order
-  exchange::Progress progress_written;  // as the file has it
+  std::vector<exchange::FoundAutosave> found;             // of state.recoveries, in its order
+  exchange::Progress progress_written;                    // as the file has it
   bool may_write_progress = true, progress_failed = false;
   SystemDialogProcess dialog;
 };
 
-// Reads the settings and makes them those of the session and the panels, and looks for autosaves that other runs left. What is wrong with the settings is
-// told in one notice; a file that is none is renamed to settings.json.bad. `default_layout`: forgets panels, scale and the window's place.
+// Reads the settings and makes them those of the session and the panels, and looks for autosaves that other runs left.
+// What is wrong with the settings is told in one notice; a file that is none is renamed to settings.json.bad.
+// `default_layout`: forgets panels, scale and the window's place.
 void start_keeping(Program& program, const base::UserFolders& folders, bool default_layout);
 
 // Writes what has changed. `clean`: the user is done, so the autosave goes; otherwise it stays for the next start.
@@ -48,10 +49,12 @@ base::Status before_command(Program& program, const edit::Command& command);
 // After it: the lock follows the document to its file; recent files.
 void after_command(Program& program, const edit::Command& command, const base::Status& applied);
 
-// Once a frame: answers to what the panels asked for (null without panels), settings that changed, the autosave when it is time.
+// Once a frame: answers to what the panels asked for (null without panels), settings that changed, the autosave when it
+// is time.
 void keep(Program& program, const ui::Output* output);
 
-// What challenges have earned, keeper_progress.cpp: read at the start (what is wrong with the file goes to `problems`), written when it has grown.
+// What challenges have earned, keeper_progress.cpp: read at the start (what is wrong with the file goes to `problems`),
+// written when it has grown.
 void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& problems);
 void watch_progress(Program& program, Keeper& keeper);
 

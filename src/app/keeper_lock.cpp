@@ -29,9 +29,13 @@ void follow_file(Program& program, Keeper& keeper) {
   keeper.lock = std::move(attempt.lock);
   if (attempt.outcome == Outcome::held) {
     keeper.state.holder = "another coaster (" + attempt.holder + ")";
-    edit::notify(program.session, NoticeKind::warning, path.filename().string() + " is open in " + keeper.state.holder + ": what you change here can be saved under another name.");
+    edit::notify(program.session, NoticeKind::warning,
+                 path.filename().string() + " is open in " + keeper.state.holder +
+                     ": what you change here can be saved under another name.");
   } else if (attempt.outcome == Outcome::impossible && !keeper.unasked) {
-    edit::notify(program.session, NoticeKind::info, path.filename().string() + " is opened without a lock (" + attempt.reason + "): nothing keeps another program from changing it.");
+    edit::notify(program.session, NoticeKind::info,
+                 path.filename().string() + " is opened without a lock (" + attempt.reason +
+                     "): nothing keeps another program from changing it.");
   }
 }
 
@@ -39,10 +43,12 @@ void follow_file(Program& program, Keeper& keeper) {
 
 base::Status before_command(Program& program, const edit::Command& command) {
   const auto* const save = command.as<edit::Save>();
-  if (!program.keeper || save == nullptr || !holds_everything(save->path) || program.keeper->lock.covers(save->path)) return {};
+  if (!program.keeper || save == nullptr || !holds_everything(save->path) || program.keeper->lock.covers(save->path))
+    return {};
   base::LockAttempt attempt = base::try_lock(save->path);
   if (attempt.outcome == Outcome::held)
-    return {base::Code::refused, "save: " + save->path + " is open in another coaster (" + attempt.holder + "): save under another name"};
+    return {base::Code::refused,
+            "save: " + save->path + " is open in another coaster (" + attempt.holder + "): save under another name"};
   program.keeper->next_lock = std::move(attempt.lock);
   return {};
 }
@@ -52,7 +58,8 @@ void after_command(Program& program, const edit::Command& command, const base::S
   Keeper& keeper = *program.keeper;
   base::FileLock next = std::move(keeper.next_lock);
   if (!applied) return;
-  if (!edit::dirty(program.session)) keeper.autosave.remove();  // saved, or another document: at once, lest a crash before the next frame offers it
+  if (!edit::dirty(program.session))
+    keeper.autosave.remove();  // saved, or another document: at once, lest a crash before the next frame offers it
   std::vector<std::string>& recent = keeper.state.settings.recent;
   if (const auto* const save = command.as<edit::Save>(); save != nullptr && holds_everything(save->path)) {
     if (next.held() || !keeper.lock.covers(save->path)) keeper.lock = std::move(next);

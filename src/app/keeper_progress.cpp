@@ -8,7 +8,9 @@
 namespace coaster::app {
 namespace {
 
-std::filesystem::path progress_file(const Keeper& keeper) { return keeper.folders.state.empty() ? std::filesystem::path() : keeper.folders.state / "progress.json"; }
+std::filesystem::path progress_file(const Keeper& keeper) {
+  return keeper.folders.state.empty() ? std::filesystem::path() : keeper.folders.state / "progress.json";
+}
 
 }  // namespace
 
@@ -32,17 +34,22 @@ void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& p
   }
   std::filesystem::rename(file, file.string() + ".bad", error);
   keeper.may_write_progress = !error;
-  problems.push_back(loaded.status().message + (error ? "; it stays as it is, and medals of this run are not kept" : "; set aside as progress.json.bad"));
+  problems.push_back(loaded.status().message + (error ? "; it stays as it is, and medals of this run are not kept"
+                                                      : "; set aside as progress.json.bad"));
 }
 
 void watch_progress(Program& program, Keeper& keeper) {
-  for (const exchange::ChallengeProgress& success : program.session.earned.challenges) (void)exchange::merge(keeper.state.progress, success);
-  if (!keeper.may_write_progress || keeper.folders.state.empty() || keeper.state.progress == keeper.progress_written) return;
+  for (const exchange::ChallengeProgress& success : program.session.earned.challenges)
+    (void)exchange::merge(keeper.state.progress, success);
+  if (!keeper.may_write_progress || keeper.folders.state.empty() || keeper.state.progress == keeper.progress_written)
+    return;
   base::Status status = base::make_folders(keeper.folders.state);
-  if (status) status = program.files.write_atomic(progress_file(keeper), exchange::print_progress(keeper.state.progress));
+  if (status)
+    status = program.files.write_atomic(progress_file(keeper), exchange::print_progress(keeper.state.progress));
   // What cannot be written is told once and tried again with the next success.
   keeper.progress_written = keeper.state.progress;
-  if (!status && !std::exchange(keeper.progress_failed, true)) edit::notify(program.session, edit::NoticeKind::warning, "medals are not kept: " + status.message);
+  if (!status && !std::exchange(keeper.progress_failed, true))
+    edit::notify(program.session, edit::NoticeKind::warning, "medals are not kept: " + status.message);
 }
 
 }  // namespace coaster::app

@@ -1,9 +1,9 @@
 // The program's modes and the order in which each starts up.
 #include "app/modes.h"
 
+#include <unistd.h>
 #include <algorithm>
 #include <cstdio>
-#include <unistd.h>
 #include <utility>
 
 #include "app/frame.h"
@@ -55,7 +55,9 @@ base::Status validate_challenge(const std::string& path) {
     verdict = session.challenge->last;
     if (session.challenge->judged == 0) verdict.reason = "its ride does not end";
   }
-  if (verdict.medal > 0) return {base::Code::bad_file, path + ": error: its start track passes it already (" + std::string(query::medal_name(verdict.medal)) + "): expected one that does not"};
+  if (verdict.medal > 0)
+    return {base::Code::bad_file, path + ": error: its start track passes it already (" +
+                                      std::string(query::medal_name(verdict.medal)) + "): expected one that does not"};
   std::printf("%s: the start track does not pass, as it must: %s\n", path.c_str(), verdict.reason.c_str());
   return {};
 }
@@ -63,7 +65,8 @@ base::Status validate_challenge(const std::string& path) {
 base::Status validate_file(const std::string& path) {
   base::Files files;
   if (std::filesystem::path(path).extension() == ".json")
-    if (const auto text = files.read(path); text && exchange::looks_like_challenge(*text)) return validate_challenge(path);
+    if (const auto text = files.read(path); text && exchange::looks_like_challenge(*text))
+      return validate_challenge(path);
   const auto track = exchange::load_track(files, path);
   if (!track) return track.status();
   for (const std::string& warning : track->warnings) std::fprintf(stderr, "%s\n", warning.c_str());
@@ -109,7 +112,8 @@ MovieOrder movie_order(const Options& options) { return {options.movie, options.
 base::Status choose_camera(Program& program, const std::string& name) {
   const auto& names = world::kCameraModeNames;
   const auto at = std::find(names.begin(), names.end(), name);
-  return at == names.end() ? base::Status{} : apply(program, edit::SetCameraMode{static_cast<world::CameraMode>(at - names.begin())});
+  return at == names.end() ? base::Status{}
+                           : apply(program, edit::SetCameraMode{static_cast<world::CameraMode>(at - names.begin())});
 }
 
 // What a signal asks for: unsaved changes are put aside, and the exit code tells of the signal, as shells have it.
@@ -125,7 +129,8 @@ int run_script(const Options& options) {
   const auto script = read_script(options.script);
   if (!script) return finish(script.status());
   script::RunOptions run;
-  run.out = options.out.empty() ? std::filesystem::path("out") / std::filesystem::path(options.script).stem() : std::filesystem::path(options.out);
+  run.out = options.out.empty() ? std::filesystem::path("out") / std::filesystem::path(options.script).stem()
+                                : std::filesystem::path(options.out);
   run.update_goldens = options.update_goldens;
   run.environment.seed = options.seed;
   if (options.width > 0) run.environment.width = options.width, run.environment.height = options.height;
@@ -142,7 +147,8 @@ int run_script(const Options& options) {
   }
   if (!options.file.empty())
     if (const base::Status opened = open_track(**program, options.file); !opened) return finish(opened);
-  if (const base::Status limits = open_envelope((*program)->session, (*program)->files, options); !limits) return finish(limits);
+  if (const base::Status limits = open_envelope((*program)->session, (*program)->files, options); !limits)
+    return finish(limits);
   if (const base::Status started = start_recording(**program); !started) return finish(started);
   if (!options.movie.empty())
     if (const base::Status filming = start_movie(**program, movie_order(options)); !filming) return finish(filming);
@@ -154,7 +160,8 @@ int run_script(const Options& options) {
   return finish(ran);
 }
 
-// With --frames: that many frames, all drawn. Else a lap (two minutes at most) without drawing, and one picture from its middle.
+// With --frames: that many frames, all drawn. Else a lap (two minutes at most) without drawing, and one picture from
+// its middle.
 base::Status ride(Program& program, RideSummary& summary) {
   constexpr std::int64_t kMostTicks = 120 * world::kTicksPerSecond;
   const auto tick = [&] {
@@ -183,9 +190,11 @@ int run_report(const Options& options) {
   base::Files files;
   edit::Session session = edit::make_session({});
   const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);
-  if (const base::Status opened = edit::apply(session, files, edit::Load{track.string()}); !opened) return finish({base::Code::bad_file, opened.message});
+  if (const base::Status opened = edit::apply(session, files, edit::Load{track.string()}); !opened)
+    return finish({base::Code::bad_file, opened.message});
   if (const base::Status limits = open_envelope(session, files, options); !limits) return finish(limits);
-  const sim::Ghost* const ghost = session.ghosts.ride(session.document, session.derived, world::first_cart(session.document));
+  const sim::Ghost* const ghost =
+      session.ghosts.ride(session.document, session.derived, world::first_cart(session.document));
   if (!ghost) return finish({base::Code::refused, "the track has no cart, so there is no ride to report"});
   std::fputs(edit::ride_report(session, *ghost).c_str(), stdout);
   return finish({});
@@ -193,20 +202,24 @@ int run_report(const Options& options) {
 
 base::Status film_lap(Program& program, RideSummary& summary) {
   const Options& options = program.options;
-  if (const base::Status chosen = choose_camera(program, options.camera.empty() ? "chase" : options.camera); !chosen) return chosen;
+  if (const base::Status chosen = choose_camera(program, options.camera.empty() ? "chase" : options.camera); !chosen)
+    return chosen;
   return film_ride(program, movie_order(options), options.frames, summary);
 }
 
 int run_headless(const Options& options) {
-  const platform::Size size = options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
+  const platform::Size size =
+      options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
   const std::filesystem::path out = options.out.empty() ? "out" : options.out;
-  if (const base::Status made = options.movie.empty() ? script::make_folder(out) : base::Status{}; !made) return finish({base::Code::io, made.message});
+  if (const base::Status made = options.movie.empty() ? script::make_folder(out) : base::Status{}; !made)
+    return finish({base::Code::io, made.message});
   constexpr int kSamples = 4;
   auto program = make_program(options, size, kSamples);
   if (!program) return finish(program.status());
   const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);
   if (const base::Status opened = open_track(**program, track); !opened) return finish(opened);
-  if (const base::Status limits = open_envelope((*program)->session, (*program)->files, options); !limits) return finish(limits);
+  if (const base::Status limits = open_envelope((*program)->session, (*program)->files, options); !limits)
+    return finish(limits);
   if (const base::Status started = start_recording(**program); !started) return finish(started);
   (*program)->stats.hide_times = true;
   RideSummary summary = begin_summary((*program)->session);
@@ -219,7 +232,8 @@ int run_headless(const Options& options) {
   if (summary.segments > 0 && (*program)->session.motion.carts.size() > 0) {
     if (const base::Status rode = ride(**program, summary); !rode) return finish(rode);
   } else {
-    for (std::int64_t frame = 0; frame < options.frames.value_or(2); ++frame) run_frame(**program, {platform::Tick{2 * world::kTick}}, 2);
+    for (std::int64_t frame = 0; frame < options.frames.value_or(2); ++frame)
+      run_frame(**program, {platform::Tick{2 * world::kTick}}, 2);
     if (options.frames.value_or(2) == 0) run_frame(**program, {platform::Tick{0}}, 0);
   }
   std::fputs((options.json ? to_json(summary) : to_text(summary)).c_str(), stdout);
@@ -227,12 +241,14 @@ int run_headless(const Options& options) {
 }
 
 int run_window(const Options& options) {
-  const platform::Size size = options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
+  const platform::Size size =
+      options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
   constexpr int kSamples = 4;
   auto program = make_program(options, size, kSamples);
   if (!program) return finish(program.status());
   Program& p = **program;
-  const base::UserFolders folders = options.config.empty() ? base::user_folders() : base::UserFolders{options.config, options.config};
+  const base::UserFolders folders =
+      options.config.empty() ? base::user_folders() : base::UserFolders{options.config, options.config};
   start_keeping(p, folders, options.reset_layout);
   platform::watch_signals();
   p.keeper->unasked = options.file.empty();
@@ -244,7 +260,8 @@ int run_window(const Options& options) {
   if (const base::Status started = start_recording(p); !started) return finish(started);
   if (options.file.empty() && p.keeper->state.settings.start_screen) p.ui->show_start();
   p.frame_clock = p.surface->clock();
-  for (std::int64_t frame = 0; !p.quit && !platform::pending_signal() && (!options.frames || frame < *options.frames); ++frame) {
+  for (std::int64_t frame = 0; !p.quit && !platform::pending_signal() && (!options.frames || frame < *options.frames);
+       ++frame) {
     play_frame(p);
     if (std::exchange(p.wants_tutorial, false)) run_tutorial(p);
   }

@@ -19,8 +19,10 @@ constexpr std::string_view kBefore = "frame-", kAfter = ".png";
 constexpr std::size_t kDigits = 5;
 
 bool is_picture_name(const std::string& name) {
-  if (name.size() != kBefore.size() + kDigits + kAfter.size() || !name.starts_with(kBefore) || !name.ends_with(kAfter)) return false;
-  return std::all_of(name.begin() + kBefore.size(), name.begin() + kBefore.size() + kDigits, [](unsigned char c) { return std::isdigit(c) != 0; });
+  if (name.size() != kBefore.size() + kDigits + kAfter.size() || !name.starts_with(kBefore) || !name.ends_with(kAfter))
+    return false;
+  return std::all_of(name.begin() + kBefore.size(), name.begin() + kBefore.size() + kDigits,
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
 base::Status remove_pictures(const std::filesystem::path& folder) {
@@ -42,11 +44,13 @@ std::string Movie::picture_name(int number) {
   return std::string(kBefore) + digits + std::string(kAfter);
 }
 
-Movie::Movie(const MovieOrder& order) : order_(order), most_writers_(std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostWriters)) {}
+Movie::Movie(const MovieOrder& order)
+    : order_(order), most_writers_(std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostWriters)) {}
 
 base::Result<std::unique_ptr<Movie>> Movie::start(const MovieOrder& order) {
   COASTER_CHECK(script::is_movie_rate(order.fps), "a picture of a movie shows a whole tick");
-  if (const base::Status made = script::make_folder(order.folder); !made) return base::Status{base::Code::io, made.message};
+  if (const base::Status made = script::make_folder(order.folder); !made)
+    return base::Status{base::Code::io, made.message};
   if (const base::Status removed = remove_pictures(order.folder); !removed) return removed;
   return std::unique_ptr<Movie>(new Movie(order));
 }
@@ -66,14 +70,17 @@ base::Status Movie::add(gfx::Image picture) {
   if (frames_ == 0) width_ = picture.width, height_ = picture.height;
   const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
   if (failed_ && (picture.width != width_ || picture.height != height_))
-    failed_ = {base::Code::refused, "a movie's pictures have one size: " + size(width_, height_) + " became " + size(picture.width, picture.height)};
-  if (failed_ && frames_ >= kMost) failed_ = {base::Code::refused, "a movie has at most " + std::to_string(kMost) + " pictures"};
+    failed_ = {base::Code::refused, "a movie's pictures have one size: " + size(width_, height_) + " became " +
+                                        size(picture.width, picture.height)};
+  if (failed_ && frames_ >= kMost)
+    failed_ = {base::Code::refused, "a movie has at most " + std::to_string(kMost) + " pictures"};
   if (!failed_) return failed_;
   collect(most_writers_ - 1);
-  writers_.push_back(std::async(std::launch::async, [path = order_.folder / picture_name(frames_), image = std::move(picture)] {
-    base::Files files;  // pictures go through file handling of their own: injected faults are meant for documents
-    return files.write_atomic(path, gfx::encode_png(image));
-  }));
+  writers_.push_back(
+      std::async(std::launch::async, [path = order_.folder / picture_name(frames_), image = std::move(picture)] {
+        base::Files files;  // pictures go through file handling of their own: injected faults are meant for documents
+        return files.write_atomic(path, gfx::encode_png(image));
+      }));
   ++frames_;
   wait_ = ticks_a_frame();
   return failed_;
@@ -84,7 +91,8 @@ base::Status Movie::finish() {
   return failed_;
 }
 
-MovieEncoder::MovieEncoder(const MovieOrder& order, int frames) : order_(order), frames_(frames), program_(find_program("ffmpeg")) {
+MovieEncoder::MovieEncoder(const MovieOrder& order, int frames)
+    : order_(order), frames_(frames), program_(find_program("ffmpeg")) {
   if (program_.empty() || frames < 1) return;
   files_ = {"movie.mp4"};
   if (order.gif) files_.push_back("movie.gif");
@@ -92,19 +100,26 @@ MovieEncoder::MovieEncoder(const MovieOrder& order, int frames) : order_(order),
   next();
 }
 
-// Names are relative to the folder, where the process runs: a folder with a "%" in its name would be taken for a pattern.
-std::vector<std::string> MovieEncoder::arguments(const std::string& program, const MovieOrder& order, int frames, const std::string& file) {
-  std::vector<std::string> words{program, "-nostdin", "-y", "-loglevel", "error", "-nostats", "-progress", "pipe:1",
-                                 "-framerate", std::to_string(order.fps), "-start_number", "0", "-i", "frame-%05d.png", "-frames:v"};
+// Names are relative to the folder, where the process runs: a folder with a "%" in its name would be taken for a
+// pattern.
+std::vector<std::string> MovieEncoder::arguments(const std::string& program, const MovieOrder& order, int frames,
+                                                 const std::string& file) {
+  std::vector<std::string> words{program,         "-nostdin",  "-y",     "-loglevel",      "error",
+                                 "-nostats",      "-progress", "pipe:1", "-framerate",     std::to_string(order.fps),
+                                 "-start_number", "0",         "-i",     "frame-%05d.png", "-frames:v"};
   if (file.ends_with(".gif")) {
     // At most 25 a second, since a GIF counts hundredths, and 640 pixels wide; one palette for the whole movie.
     const int fps = std::min(order.fps, 25);
     words.push_back(std::to_string(std::max(1, frames * fps / order.fps)));
-    words.insert(words.end(), {"-filter_complex", "fps=" + std::to_string(fps) + ",scale='min(640,iw)':-2:flags=lanczos,split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4"});
+    words.insert(words.end(),
+                 {"-filter_complex", "fps=" + std::to_string(fps) +
+                                         ",scale='min(640,iw)':-2:flags=lanczos,split[a][b];[a]palettegen=stats_mode="
+                                         "diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4"});
   } else {
     words.push_back(std::to_string(frames));
     // What every player shows: 4:2:0 with even sides.
-    words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"});
+    words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-preset", "medium", "-crf",
+                               "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"});
   }
   words.push_back(file);
   return words;
@@ -112,14 +127,16 @@ std::vector<std::string> MovieEncoder::arguments(const std::string& program, con
 
 void MovieEncoder::next() {
   while (!files_.empty()) {
-    const base::Status started = process_.start(arguments(program_, order_, frames_, files_.front()), order_.folder, true);
+    const base::Status started =
+        process_.start(arguments(program_, order_, frames_, files_.front()), order_.folder, true);
     if (started) return;
     error_ = started.message;
     files_.clear();
   }
 }
 
-// Lines "frame=12" tell how far it is; other lines with a "=" in their first word are of the same report; the last of the rest is an error.
+// Lines "frame=12" tell how far it is; other lines with a "=" in their first word are of the same report; the last of
+// the rest is an error.
 void MovieEncoder::read_progress() {
   std::string& text = process_.output();
   const bool ended = !process_.running();
@@ -139,7 +156,8 @@ void MovieEncoder::read_progress() {
 }
 
 std::optional<std::string> MovieEncoder::poll() {
-  const std::string pictures = std::to_string(frames_) + (frames_ == 1 ? " picture in " : " pictures in ") + order_.folder.string();
+  const std::string pictures =
+      std::to_string(frames_) + (frames_ == 1 ? " picture in " : " pictures in ") + order_.folder.string();
   if (program_.empty()) return "movie: " + pictures + "; install ffmpeg for a movie file";
   if (frames_ < 1) return "movie: no pictures: no time went by";
   if (process_.running()) {
@@ -152,7 +170,9 @@ std::optional<std::string> MovieEncoder::poll() {
       error_.clear();  // warnings
       next();
     } else {
-      if (error_.empty()) error_ = *status > 128 ? "ended by signal " + std::to_string(*status - 128) : "exit code " + std::to_string(*status);
+      if (error_.empty())
+        error_ =
+            *status > 128 ? "ended by signal " + std::to_string(*status - 128) : "exit code " + std::to_string(*status);
       error_ = "ffmpeg made no " + files_.front() + ": " + error_;
       files_.clear();
     }

@@ -1,5 +1,5 @@
-// A movie as numbered pictures at a fixed rate of the ride's own time, and from them an MP4 and a GIF where ffmpeg is installed. How pictures come
-// about is told in app/filming.h.
+// A movie as numbered pictures at a fixed rate of the ride's own time, and from them an MP4 and a GIF where ffmpeg is
+// installed. How pictures come about is told in app/filming.h.
 #pragma once
 
 #include <deque>
@@ -20,22 +20,24 @@ namespace coaster::app {
 struct MovieOrder {
   std::filesystem::path folder;
   int fps = script::kUsualMovieRate;  // one of script::kMovieRates
-  bool gif = false;  // movie.gif, too
+  bool gif = false;                   // movie.gif, too
 };
 
 // Takes pictures, in order, and writes them as FOLDER/frame-00000.png and on.
 class Movie {
  public:
-  // Makes the folder, and removes the pictures of an earlier movie there: files named as its own, no others. Code::io with the reason.
+  // Makes the folder, and removes the pictures of an earlier movie there: files named as its own, no others. Code::io
+  // with the reason.
   static base::Result<std::unique_ptr<Movie>> start(const MovieOrder& order);
 
   const MovieOrder& order() const { return order_; }
-  int frames() const { return frames_; }        // taken
+  int frames() const { return frames_; }  // taken
   int ticks_a_frame() const { return world::kTicksPerSecond / order_.fps; }
-  int wait() const { return wait_; }            // ticks until the next picture is due; 0: now
-  void pass(int ticks) { wait_ -= ticks; }      // at most wait()
-  // The picture that is due. Written beside what the program does next, by as many threads as there are processors, at most kMostWriters. Code::io when
-  // one before could not be written, Code::refused for a picture of another size than the first: both for good.
+  int wait() const { return wait_; }        // ticks until the next picture is due; 0: now
+  void pass(int ticks) { wait_ -= ticks; }  // at most wait()
+  // The picture that is due. Written beside what the program does next, by as many threads as there are processors, at
+  // most kMostWriters. Code::io when one before could not be written, Code::refused for a picture of another size than
+  // the first: both for good.
   base::Status add(gfx::Image picture);
   // Waits until all are written. The first failure, again and again.
   base::Status finish();
@@ -64,7 +66,8 @@ class MovieEncoder {
   std::optional<std::string> poll();
   double done() const { return done_; }  // 0..1
   // The program's arguments for one file; words[0] is `program`.
-  static std::vector<std::string> arguments(const std::string& program, const MovieOrder& order, int frames, const std::string& file);
+  static std::vector<std::string> arguments(const std::string& program, const MovieOrder& order, int frames,
+                                            const std::string& file);
 
  private:
   void read_progress();

@@ -17,43 +17,52 @@ namespace coaster::app {
 namespace {
 
 constexpr OptionRow kRows[] = {
-    {"FILE", "", Word::track, "Track to open (.json, or another format that its ending tells: docs/track-format.md)", &Options::file},
-    {"--headless", "", Word::nothing, "Draw into memory; without a script: ride FILE, write OUT/ride.png, print a summary", &Options::headless},
+    {"FILE", "", Word::track, "Track to open (.json, or another format that its ending tells: docs/track-format.md)",
+     &Options::file},
+    {"--headless", "", Word::nothing,
+     "Draw into memory; without a script: ride FILE, write OUT/ride.png, print a summary", &Options::headless},
     {"--script", "F", Word::script, "Run a script (.coaster)", &Options::script},
     {"--record", "F", Word::script, "Record what happens as a script", &Options::record},
     {"--frames", "N", Word::other, "End after N frames, or N pictures of a movie", &Options::frames},
     {"--size", "WxH", Word::other, "Size of the picture, WIDTHxHEIGHT", &Options::size},
     {"--seed", "N", Word::other, "Seed for scripts that name none", &Options::seed},
     {"--out", "DIR", Word::folder, "Folder that scripts and pictures are written to", &Options::out},
-    {"--camera", "NAME", Word::camera, "Look by the camera orbit, ride, chase or fly; a movie of a ride without a script: chase", &Options::camera},
-    {"--movie", "DIR", Word::folder, "Write numbered pictures of all that a script, or one lap of FILE, shows into this folder, and movie.mp4 where ffmpeg is installed; needs --headless", &Options::movie},
-    {"--fps", "N", Word::rate, "Pictures a second of the movie: 10, 12, 15, 20, 24, 30, 40, 60 or 120; 30 unless given", &Options::fps},
+    {"--camera", "NAME", Word::camera,
+     "Look by the camera orbit, ride, chase or fly; a movie of a ride without a script: chase", &Options::camera},
+    {"--movie", "DIR", Word::folder,
+     "Write numbered pictures of all that a script, or one lap of FILE, shows into this folder, and movie.mp4 where "
+     "ffmpeg is installed; needs --headless",
+     &Options::movie},
+    {"--fps", "N", Word::rate, "Pictures a second of the movie: 10, 12, 15, 20, 24, 30, 40, 60 or 120; 30 unless given",
+     &Options::fps},
     {"--gif", "", Word::nothing, "Make movie.gif, too, at most 640 pixels wide", &Options::gif},
-    {"--update-goldens", "", Word::nothing, "Make the pictures that snap finds the golden ones", &Options::update_goldens},
-    {"--validate", "", Word::nothing, "Check FILE (a track, a challenge or a script) or the script without running it", &Options::validate},
+    {"--update-goldens", "", Word::nothing, "Make the pictures that snap finds the golden ones",
+     &Options::update_goldens},
+    {"--validate", "", Word::nothing, "Check FILE (a track, a challenge or a script) or the script without running it",
+     &Options::validate},
     {"--json", "", Word::nothing, "Print the ride's summary as JSON", &Options::json},
-    {"--report", "", Word::nothing, "Print the report of the whole ride of FILE: times, forces, ratings; no graphics needed", &Options::report},
+    {"--report", "", Word::nothing,
+     "Print the report of the whole ride of FILE: times, forces, ratings; no graphics needed", &Options::report},
     {"--envelope", "F", Word::json, "Limits of force by duration (.json); not a compliance check", &Options::envelope},
     {"--hash-log", "", Word::nothing, "Print the hashes of document and motion after each tick", &Options::hash_log},
-    {"--config", "DIR", Word::folder, "Keep settings and autosaves in this folder instead of the user's; scripts keep none without it (docs/files.md)", &Options::config},
-    {"--reset-layout", "", Word::nothing, "Start with the window, scale and panels of the first start", &Options::reset_layout},
+    {"--config", "DIR", Word::folder,
+     "Keep settings and autosaves in this folder instead of the user's; scripts keep none without it (docs/files.md)",
+     &Options::config},
+    {"--reset-layout", "", Word::nothing, "Start with the window, scale and panels of the first start",
+     &Options::reset_layout},
     {"--help-script", "", Word::nothing, "Explain the script language and end", &Options::help_script},
     {"--help-man", "", Word::nothing, "Print the manual page (roff) and end", &Options::help_man},
     {"--help-completion", "", Word::nothing, "Print the completion for bash and end", &Options::help_completion},
 };
 
-constexpr ExitCodeRow kExitCodes[] = {{"0", "ok"},
-                                      {"1", "an expectation failed"},
-                                      {"2", "usage or script error"},
-                                      {"3", "bad file"},
-                                      {"4", "no graphics"},
-                                      {"5", "input or output"},
-                                      {"6", "timeout"},
-                                      {"128+N", "ended by signal N"}};
+constexpr ExitCodeRow kExitCodes[] = {{"0", "ok"},       {"1", "an expectation failed"}, {"2", "usage or script error"},
+                                      {"3", "bad file"}, {"4", "no graphics"},           {"5", "input or output"},
+                                      {"6", "timeout"},  {"128+N", "ended by signal N"}};
 
 std::string exit_code_line() {
   std::string line = "Exit codes:";
-  for (const ExitCodeRow& row : kExitCodes) line += (row.code == "0" ? " " : ", ") + std::string(row.code) + " " + std::string(row.meaning);
+  for (const ExitCodeRow& row : kExitCodes)
+    line += (row.code == "0" ? " " : ", ") + std::string(row.code) + " " + std::string(row.meaning);
   return line + ".";
 }
 
@@ -66,8 +75,12 @@ void add(CLI::App& cli, const OptionRow& row, Options& options) {
     CLI::Option* operator()(bool Options::*member) const { return cli.add_flag(name, options.*member, help); }
     CLI::Option* operator()(std::string Options::*member) const { return cli.add_option(name, options.*member, help); }
     CLI::Option* operator()(int Options::*member) const { return cli.add_option(name, options.*member, help); }
-    CLI::Option* operator()(std::uint64_t Options::*member) const { return cli.add_option(name, options.*member, help); }
-    CLI::Option* operator()(std::optional<std::int64_t> Options::*member) const { return cli.add_option(name, options.*member, help)->check(CLI::NonNegativeNumber); }
+    CLI::Option* operator()(std::uint64_t Options::*member) const {
+      return cli.add_option(name, options.*member, help);
+    }
+    CLI::Option* operator()(std::optional<std::int64_t> Options::*member) const {
+      return cli.add_option(name, options.*member, help)->check(CLI::NonNegativeNumber);
+    }
   };
   CLI::Option* const option = std::visit(Visitor{cli, name, help, options}, row.member);
   if (!row.value.empty()) option->option_text(std::string(row.value));
@@ -75,11 +88,14 @@ void add(CLI::App& cli, const OptionRow& row, Options& options) {
 
 // What words that parse mean together; "" when all is well.
 std::string trouble(Options& o) {
-  if (!o.size.empty() && !base::parse_size(o.size, o.width, o.height)) return "--size: expected WIDTHxHEIGHT such as 1280x720, found " + o.size;
+  if (!o.size.empty() && !base::parse_size(o.size, o.width, o.height))
+    return "--size: expected WIDTHxHEIGHT such as 1280x720, found " + o.size;
   if (o.validate && o.file.empty() && o.script.empty()) return "--validate needs a FILE or a --script";
-  if (!script::is_movie_rate(o.fps)) return "--fps: expected " + std::string(script::kMovieRateWords) + ", found " + std::to_string(o.fps);
+  if (!script::is_movie_rate(o.fps))
+    return "--fps: expected " + std::string(script::kMovieRateWords) + ", found " + std::to_string(o.fps);
   const auto& cameras = world::kCameraModeNames;
-  if (!o.camera.empty() && std::find(cameras.begin(), cameras.end(), o.camera) == cameras.end()) return "--camera: expected orbit, ride, chase or fly, found " + o.camera;
+  if (!o.camera.empty() && std::find(cameras.begin(), cameras.end(), o.camera) == cameras.end())
+    return "--camera: expected orbit, ride, chase or fly, found " + o.camera;
   if (!o.movie.empty() && !o.headless) return "--movie needs --headless; in a window it is File/Record movie";
   return {};
 }
@@ -90,7 +106,8 @@ std::span<const OptionRow> option_rows() { return kRows; }
 std::span<const ExitCodeRow> exit_code_rows() { return kExitCodes; }
 
 std::string version_text() {
-  return std::string("coaster ") + kVersion + "\nwindow: " + std::string(platform::window_library()) + "; sound: " + std::string(platform::sound_library()) + "\n";
+  return std::string("coaster ") + kVersion + "\nwindow: " + std::string(platform::window_library()) +
+         "; sound: " + std::string(platform::sound_library()) + "\n";
 }
 
 ParsedOptions parse_options(int argc, const char* const* argv) {
@@ -114,7 +131,8 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   else if (o.help_script) print(script::help());
   else if (o.help_man) print(manual_page());
   else if (o.help_completion) print(bash_completion());
-  else if (const std::string wrong = trouble(o); !wrong.empty()) out.exit_code = 2, out.text = "coaster: " + wrong + "\n";
+  else if (const std::string wrong = trouble(o); !wrong.empty())
+    out.exit_code = 2, out.text = "coaster: " + wrong + "\n";
   return out;
 }
 

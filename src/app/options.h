@@ -20,12 +20,12 @@ struct Options {
   std::string size;           // as written
   int width = 0, height = 0;  // 0: the default of the mode
   std::uint64_t seed = 0;
-  std::string camera;         // a name of world::kCameraModeNames; empty: the default of the mode
-  std::string movie;          // folder; empty: none
+  std::string camera;  // a name of world::kCameraModeNames; empty: the default of the mode
+  std::string movie;   // folder; empty: none
   int fps = script::kUsualMovieRate;
   bool gif = false;
   bool update_goldens = false, validate = false, json = false, hash_log = false, report = false;
-  std::string config;         // folder of settings and autosaves; empty: the user's, for windows alone
+  std::string config;  // folder of settings and autosaves; empty: the user's, for windows alone
   bool reset_layout = false;
   bool help_script = false, help_man = false, help_completion = false;
 };
@@ -34,11 +34,13 @@ struct Options {
 enum class Word : std::uint8_t { nothing, track, script, json, folder, camera, rate, other };
 
 struct OptionRow {
-  std::string_view name;    // "--script"; "FILE": the word without an option
-  std::string_view value;   // what follows it, as help shows it; "" for a switch
-  Word word;                // what that is; nothing for a switch
-  std::string_view help;    // one sentence, without a full stop
-  std::variant<bool Options::*, std::string Options::*, int Options::*, std::uint64_t Options::*, std::optional<std::int64_t> Options::*> member;
+  std::string_view name;   // "--script"; "FILE": the word without an option
+  std::string_view value;  // what follows it, as help shows it; "" for a switch
+  Word word;               // what that is; nothing for a switch
+  std::string_view help;   // one sentence, without a full stop
+  std::variant<bool Options::*, std::string Options::*, int Options::*, std::uint64_t Options::*,
+               std::optional<std::int64_t> Options::*>
+      member;
 };
 // In the order of help; --help and --version, which every program has, are not among them.
 std::span<const OptionRow> option_rows();

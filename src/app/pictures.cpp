@@ -27,7 +27,8 @@ base::Status write(const std::filesystem::path& path, const gfx::Image& image) {
 std::string page(const std::string& file) {
   std::string html = "<!doctype html><meta charset=\"utf-8\"><title>" + file + "</title>\n";
   for (const char* const kind : {"new", "reference", "difference"})
-    html += "<figure><figcaption>" + std::string(kind) + "</figcaption><img src=\"" + file + "." + kind + ".png\"></figure>\n";
+    html += "<figure><figcaption>" + std::string(kind) + "</figcaption><img src=\"" + file + "." + kind +
+            ".png\"></figure>\n";
   return html;
 }
 
@@ -44,9 +45,11 @@ namespace {
 // A folder of the user's by its variable, or below the home folder where it is there; empty when neither.
 std::filesystem::path user_folder(const char* variable, const char* name) {
   std::error_code failed;
-  if (const char* const named = std::getenv(variable); named && std::filesystem::path(named).is_absolute()) return named;
+  if (const char* const named = std::getenv(variable); named && std::filesystem::path(named).is_absolute())
+    return named;
   if (const char* const home = std::getenv("HOME"))
-    if (const auto folder = std::filesystem::path(home) / name; std::filesystem::is_directory(folder, failed)) return folder;
+    if (const auto folder = std::filesystem::path(home) / name; std::filesystem::is_directory(folder, failed))
+      return folder;
   return {};
 }
 
@@ -84,10 +87,12 @@ void take_photo(Program& program) {
   for (int i = 1; i < kMostNumbers; ++i)
     if (path = folder / (stem + "-" + std::to_string(i) + ".png"); !std::filesystem::exists(path, failed)) break;
   const base::Status wrote = write_picture(program, path);
-  edit::notify(program.session, wrote ? edit::NoticeKind::info : edit::NoticeKind::error, wrote ? "saved " + path.string() : wrote.message);
+  edit::notify(program.session, wrote ? edit::NoticeKind::info : edit::NoticeKind::error,
+               wrote ? "saved " + path.string() : wrote.message);
 }
 
-base::Status write_sheet(const std::filesystem::path& path, int columns, bool half, std::span<const std::filesystem::path> pictures) {
+base::Status write_sheet(const std::filesystem::path& path, int columns, bool half,
+                         std::span<const std::filesystem::path> pictures) {
   constexpr int kGap = 12;  // px
   base::Files files;
   std::vector<gfx::Image> images;
@@ -112,7 +117,8 @@ base::Status compare_picture(Program& program, const std::string& name, const st
   const auto bytes = files.read(golden);
   if (!bytes) {
     if (const base::Status wrote = write(at("new.png"), picture); !wrote) return wrote;
-    return {base::Code::expectation, "no golden picture " + golden.string() + " (--update-goldens makes it); the picture is " + at("new.png").string()};
+    return {base::Code::expectation, "no golden picture " + golden.string() +
+                                         " (--update-goldens makes it); the picture is " + at("new.png").string()};
   }
   const auto reference = gfx::decode_png(*bytes, golden.string());
   if (!reference) return reference.status();
@@ -122,12 +128,16 @@ base::Status compare_picture(Program& program, const std::string& name, const st
     if (!wrote) return wrote;
   if (difference.same_size)
     if (const base::Status wrote = write(at("difference.png"), difference.picture); !wrote) return wrote;
-  if (const base::Status wrote = files.write_atomic(at("html"), page(std::filesystem::path(name).filename().string())); !wrote) return wrote;
+  if (const base::Status wrote = files.write_atomic(at("html"), page(std::filesystem::path(name).filename().string()));
+      !wrote)
+    return wrote;
   if (!difference.same_size)
-    return {base::Code::expectation, "the picture is " + std::to_string(picture.width) + "x" + std::to_string(picture.height) + ", the golden one " +
+    return {base::Code::expectation, "the picture is " + std::to_string(picture.width) + "x" +
+                                         std::to_string(picture.height) + ", the golden one " +
                                          std::to_string(reference->width) + "x" + std::to_string(reference->height)};
-  return {base::Code::expectation, "the picture differs from " + golden.string() + " in " + std::to_string(difference.pixels) +
-                                       " pixels, at most " + std::to_string(difference.worst_block) + " in a block; see " + at("html").string()};
+  return {base::Code::expectation,
+          "the picture differs from " + golden.string() + " in " + std::to_string(difference.pixels) +
+              " pixels, at most " + std::to_string(difference.worst_block) + " in a block; see " + at("html").string()};
 }
 
 }  // namespace coaster::app

@@ -23,7 +23,8 @@ std::string find_program(const char* name) {
     const std::size_t to = std::min(all.find(':', from), all.size());
     const std::filesystem::path file = std::filesystem::path(all.substr(from, to - from)) / name;
     std::error_code failed;
-    if (file.is_absolute() && ::access(file.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(file, failed)) return file.string();
+    if (file.is_absolute() && ::access(file.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(file, failed))
+      return file.string();
     from = to + 1;
   }
   return {};
@@ -35,7 +36,8 @@ base::Status Process::start(std::vector<std::string> words, const std::filesyste
   end();
   output_.clear();
   int ends[2];
-  if (words.empty() || ::pipe2(ends, O_CLOEXEC) != 0) return {base::Code::io, std::string("no process can be started: ") + std::strerror(errno)};
+  if (words.empty() || ::pipe2(ends, O_CLOEXEC) != 0)
+    return {base::Code::io, std::string("no process can be started: ") + std::strerror(errno)};
   ::fcntl(ends[0], F_SETFL, O_NONBLOCK);  // our end alone
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -61,7 +63,8 @@ base::Status Process::start(std::vector<std::string> words, const std::filesyste
 
 void Process::drain() {
   char bytes[4096];
-  for (ssize_t got; (got = ::read(pipe_, bytes, sizeof bytes)) > 0;) output_.append(bytes, static_cast<std::size_t>(got));
+  for (ssize_t got; (got = ::read(pipe_, bytes, sizeof bytes)) > 0;)
+    output_.append(bytes, static_cast<std::size_t>(got));
 }
 
 std::optional<int> Process::poll() {

@@ -1,5 +1,5 @@
-// Other programs, each in a process of its own that no frame waits for: found in PATH, started by an argument vector, so that no shell reads the
-// names, and heard through a pipe.
+// Other programs, each in a process of its own that no frame waits for: found in PATH, started by an argument vector,
+// so that no shell reads the names, and heard through a pipe.
 #pragma once
 
 #include <filesystem>
@@ -21,8 +21,8 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  // Starts words[0], a full path, in `folder` (empty: the current one), after ending the one before. Its standard output is read here, its
-  // errors, too, when `errors`; there is no input. Code::io with the reason.
+  // Starts words[0], a full path, in `folder` (empty: the current one), after ending the one before. Its standard
+  // output is read here, its errors, too, when `errors`; there is no input. Code::io with the reason.
   base::Status start(std::vector<std::string> words, const std::filesystem::path& folder = {}, bool errors = false);
   bool running() const { return pid_ > 0; }
   // Takes what there is to read, without waiting; the exit status once it has ended, 128 + N when signal N ended it.

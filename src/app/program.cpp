@@ -56,7 +56,8 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   auto renderer = gfx::Renderer::make(program->gl, samples);
   if (!renderer) return renderer.status();
   program->renderer = std::move(*renderer);
-  for (const curve::Stage stage : {curve::Stage::vertex_shader, curve::Stage::geometry_shader, curve::Stage::tessellation_shader})
+  for (const curve::Stage stage :
+       {curve::Stage::vertex_shader, curve::Stage::geometry_shader, curve::Stage::tessellation_shader})
     program->stats.stage_refusals[static_cast<std::size_t>(stage)] = program->renderer->refusal(stage);
   auto panels = ui::Host::make(program->gl, screen->content_scale());
   if (!panels) return panels.status();
@@ -74,7 +75,9 @@ namespace {
 base::Status apply_one(Program& program, const edit::Command& command) {
   if (const std::string* const path = edit::output_path(command);
       path && !program.writable.empty() && !script::lies_below(*path, program.writable)) {
-    const base::Status refused{base::Code::refused, std::string(edit::info(command).name) + ": scripts write only below $OUT, found " + base::quoted(*path)};
+    const base::Status refused{
+        base::Code::refused,
+        std::string(edit::info(command).name) + ": scripts write only below $OUT, found " + base::quoted(*path)};
     edit::notify(program.session, edit::NoticeKind::error, refused.message);
     return refused;
   }
@@ -105,8 +108,11 @@ base::Status apply_one(Program& program, const edit::Command& command) {
 base::Status apply(Program& program, const edit::Command& command) {
   const std::uint64_t notices = program.session.notice_serial;
   const base::Status applied = apply_one(program, command);
-  if (program.session.notice_serial != notices) program.toast = program.session.notices.back().text;  // the panels show it a frame later
-  if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) || command.is<edit::LoadEnvelope>()) return applied;
+  if (program.session.notice_serial != notices)
+    program.toast = program.session.notices.back().text;  // the panels show it a frame later
+  if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) ||
+      command.is<edit::LoadEnvelope>())
+    return applied;
   // Another track: looked at from where all of it is seen.
   const edit::Session& session = program.session;
   const world::Camera camera = view::frame_all(session.settings.camera, session.document, program.view.viewport);
@@ -126,12 +132,15 @@ void advance(Program& program, int ticks) {
     advance_by(1);
     if (!program.options.hash_log) continue;
     const std::string motion = base::hex16(world::hash(program.session.document, program.session.motion));
-    std::printf("tick %llu document %s motion %s\n", static_cast<unsigned long long>(program.session.tick), document.c_str(), motion.c_str());
+    std::printf("tick %llu document %s motion %s\n", static_cast<unsigned long long>(program.session.tick),
+                document.c_str(), motion.c_str());
   }
   if (program.options.hash_log) std::fflush(stdout);  // whoever reads along sees every frame at once
 }
 
-query::Context context_of(const Program& program) { return {program.session, program.stats, program.toast, program.title}; }
+query::Context context_of(const Program& program) {
+  return {program.session, program.stats, program.toast, program.title};
+}
 
 std::string title_of(const edit::Session& session) {
   return session.document.name + (edit::dirty(session) ? "*" : "") + " - coaster";

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "app/filming.h"
-#include "app/keeper.h"
 #include "app/import_job.h"
+#include "app/keeper.h"
 #include "app/options.h"
 #include "app/sounds.h"
 #include "app/track_pictures.h"
@@ -29,47 +29,47 @@ struct Program {
   edit::Session session;
   query::FrameStats stats;
   std::unique_ptr<platform::Surface> surface;
-  gfx::Gl gl;                                   // before what uses it, so that it goes last
+  gfx::Gl gl;  // before what uses it, so that it goes last
   std::unique_ptr<gfx::Renderer> renderer;
   std::unique_ptr<ui::Host> ui;
-  std::unique_ptr<script::Recorder> recorder;   // null: nothing is recorded
-  std::unique_ptr<Keeper> keeper;               // null: nothing is kept for a user
-  std::unique_ptr<Filming> filming;             // a movie that is being made; null: none
-  Sounds sounds;                                // of a window
-  std::filesystem::path writable;               // scripts: the only folder that may be written to; empty: no limit
+  std::unique_ptr<script::Recorder> recorder;  // null: nothing is recorded
+  std::unique_ptr<Keeper> keeper;              // null: nothing is kept for a user
+  std::unique_ptr<Filming> filming;            // a movie that is being made; null: none
+  Sounds sounds;                               // of a window
+  std::filesystem::path writable;              // scripts: the only folder that may be written to; empty: no limit
 
   std::unique_ptr<ImportJob> import;  // a file that is being read; null: none
   int import_delay = 0;               // frames that the next one takes longer, as a script wants it
-  view::CameraRig rig;             // what pictures are taken with; follows every command and tick
-  view::View view;                 // that the last frame was drawn with
-  bool by_hand = false;            // commands come from panels, keys and mouse: a change of camera is eased; a script's is a cut
-  view::Pick hovered;              // of the last frame
-  std::uint64_t commands = 0;      // applied since the start
+  view::CameraRig rig;                // what pictures are taken with; follows every command and tick
+  view::View view;                    // that the last frame was drawn with
+  bool by_hand = false;  // commands come from panels, keys and mouse: a change of camera is eased; a script's is a cut
+  view::Pick hovered;    // of the last frame
+  std::uint64_t commands = 0;                        // applied since the start
   std::uint64_t drawn_tick = 0, drawn_commands = 0;  // of the session and of `commands`, in the last frame
-  sim::FrenetBreaks breaks;        // of the track as last drawn with their layer on
-  sim::RedSpans red;                    // of the ride, the same
-  sim::TrackValueMemo values;      // what the track is coloured by
-  sim::Supports supports;          // what holds the track
-  int rebuilds = 0;                // segments evaluated since the last frame was drawn
-  double seconds = 0;              // since the start, as the events have it
-  double tick_debt = 0;            // s that passed and are not ticked yet
+  sim::FrenetBreaks breaks;                          // of the track as last drawn with their layer on
+  sim::RedSpans red;                                 // of the ride, the same
+  sim::TrackValueMemo values;                        // what the track is coloured by
+  sim::Supports supports;                            // what holds the track
+  int rebuilds = 0;                                  // segments evaluated since the last frame was drawn
+  double seconds = 0;                                // since the start, as the events have it
+  double tick_debt = 0;                              // s that passed and are not ticked yet
   bool quit = false;
-  bool unseen = false;             // the last frame has no pixels: they are drawn when they are asked for (frame.h)
-  double frame_clock = 0;          // of the window's last frame, by the surface's clock
-  double smoothed_frame = 0;       // s, of its frames
-  TrackPictures pictures;          // for the start screen
+  bool unseen = false;        // the last frame has no pixels: they are drawn when they are asked for (frame.h)
+  double frame_clock = 0;     // of the window's last frame, by the surface's clock
+  double smoothed_frame = 0;  // s, of its frames
+  TrackPictures pictures;     // for the start screen
   bool wants_tutorial = false;
   std::optional<query::LessonCard> lesson;
   query::LessonAnswer lesson_answer = query::LessonAnswer::none;
-  std::string title;               // of the window
+  std::string title;  // of the window
   std::string toast;
 };
 
 // A window, or memory when `headless`, with renderer and panels. Code::graphics when there is none.
 base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples);
 
-// Applies a command and records it. Errors show as a notice, too. After another track was opened or begun, the camera shows all of it:
-// the viewport is that of the last frame, so one must have been drawn.
+// Applies a command and records it. Errors show as a notice, too. After another track was opened or begun, the camera
+// shows all of it: the viewport is that of the last frame, so one must have been drawn.
 base::Status apply(Program& program, const edit::Command& command);
 
 // Advances the ride by whole ticks; prints the hashes of each when asked to.

@@ -18,7 +18,8 @@ RideSummary begin_summary(const edit::Session& session) {
   summary.closed = session.document.track.closed;
   summary.length = session.derived.length;
   if (session.motion.carts.size() == 0) return summary;
-  summary.highest = summary.lowest = sim::pose(session.derived, session.motion.carts.items()[0], world::FrameMethod::knots).position.y;
+  summary.highest = summary.lowest =
+      sim::pose(session.derived, session.motion.carts.items()[0], world::FrameMethod::knots).position.y;
   return summary;
 }
 
@@ -36,7 +37,8 @@ void measure(const edit::Session& session, RideSummary& summary) {
   summary.most_up = std::max(summary.most_up, felt.up);
   summary.least_up = std::min(summary.least_up, felt.up);
   summary.most_side = std::max(summary.most_side, std::abs(felt.left));
-  summary.worst_drift = std::max(summary.worst_drift, sim::energy_drift(session.document, session.derived, session.motion.carts.entities()[0], cart));
+  summary.worst_drift = std::max(summary.worst_drift, sim::energy_drift(session.document, session.derived,
+                                                                        session.motion.carts.entities()[0], cart));
 }
 
 std::string to_text(const RideSummary& s) {
@@ -47,27 +49,19 @@ std::string to_text(const RideSummary& s) {
                 "top speed %.2f m/s, heights %.2f..%.2f m\n"
                 "up %.2f..%.2f g, sideways at most %.2f g\n"
                 "energy drift at most %.1e\n",
-                s.knots, s.segments, s.closed ? "closed" : "open", s.length, s.distance, static_cast<double>(s.ticks) * world::kTick,
-                static_cast<long long>(s.laps), s.top_speed, s.lowest, s.highest, s.least_up, s.most_up, s.most_side, s.worst_drift);
+                s.knots, s.segments, s.closed ? "closed" : "open", s.length, s.distance,
+                static_cast<double>(s.ticks) * world::kTick, static_cast<long long>(s.laps), s.top_speed, s.lowest,
+                s.highest, s.least_up, s.most_up, s.most_side, s.worst_drift);
   return s.name + ": " + text;
 }
 
 std::string to_json(const RideSummary& s) {
-  const exchange::Json json{{"name", s.name},
-                            {"knots", s.knots},
-                            {"segments", s.segments},
-                            {"closed", s.closed},
-                            {"length_m", s.length},
-                            {"time_s", static_cast<double>(s.ticks) * world::kTick},
-                            {"laps", s.laps},
-                            {"distance_m", s.distance},
-                            {"top_speed_m_s", s.top_speed},
-                            {"highest_m", s.highest},
-                            {"lowest_m", s.lowest},
-                            {"most_up_g", s.most_up},
-                            {"least_up_g", s.least_up},
-                            {"most_side_g", s.most_side},
-                            {"energy_drift", s.worst_drift}};
+  const exchange::Json json{
+      {"name", s.name},           {"knots", s.knots},           {"segments", s.segments},
+      {"closed", s.closed},       {"length_m", s.length},       {"time_s", static_cast<double>(s.ticks) * world::kTick},
+      {"laps", s.laps},           {"distance_m", s.distance},   {"top_speed_m_s", s.top_speed},
+      {"highest_m", s.highest},   {"lowest_m", s.lowest},       {"most_up_g", s.most_up},
+      {"least_up_g", s.least_up}, {"most_side_g", s.most_side}, {"energy_drift", s.worst_drift}};
   return exchange::json_file(json);
 }
 

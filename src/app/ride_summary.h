@@ -11,13 +11,13 @@ struct RideSummary {
   std::string name;
   std::size_t knots = 0, segments = 0;
   bool closed = false;
-  double length = 0;               // m
+  double length = 0;  // m
   std::int64_t ticks = 0, laps = 0;
-  double distance = 0;             // m, signed
-  double top_speed = 0;            // m/s
-  double highest = 0, lowest = 0;  // m
+  double distance = 0;                              // m, signed
+  double top_speed = 0;                             // m/s
+  double highest = 0, lowest = 0;                   // m
   double most_up = 1, least_up = 1, most_side = 0;  // g
-  double worst_drift = 0;          // of the energy, relative
+  double worst_drift = 0;                           // of the energy, relative
 };
 
 RideSummary begin_summary(const edit::Session& session);

@@ -1,9 +1,9 @@
 // Fills script::Host with the frame, the session and the viewport.
 #include "app/script_host.h"
 
+#include <unistd.h>
 #include <cmath>
 #include <cstdio>
-#include <unistd.h>
 
 #include "app/frame.h"
 #include "app/pictures.h"
@@ -31,7 +31,8 @@ base::Status set_environment(Program& program, const script::Environment& enviro
 // A script's size goes to the surface first, so that the frame that tells the panels draws in it.
 base::Status frame(Program& program, platform::Events events, int ticks) {
   for (const platform::Event& event : events)
-    if (const auto* const resize = std::get_if<platform::Resize>(&event)) program.surface->resize({resize->width, resize->height});
+    if (const auto* const resize = std::get_if<platform::Resize>(&event))
+      program.surface->resize({resize->width, resize->height});
   if (program.surface->is_window()) {
     platform::Events ignored;  // the window system is kept answered; the script alone decides what happens
     program.surface->poll(ignored);
@@ -77,12 +78,14 @@ base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim)
   const world::Entity entity = world::find(session.document, aim.name);
   const std::string label = "@" + world::to_text(aim.name);
   if (!entity.valid()) return base::Status{base::Code::refused, "there is no " + label};
-  const auto position = view::position_of(session.document, session.derived, session.motion, kind_of(aim.kind), entity, aim.t);
+  const auto position =
+      view::position_of(session.document, session.derived, session.motion, kind_of(aim.kind), entity, aim.t);
   if (!position) return base::Status{base::Code::refused, label + " has no place on the screen"};
   return *position;
 }
 
-// A cart's middle, or, where a mark lies over it, the nearest pixel around it that is still the cart: a person would click there too.
+// A cart's middle, or, where a mark lies over it, the nearest pixel around it that is still the cart: a person would
+// click there too.
 glm::vec2 uncovered(const Program& program, const AimPoint& aim, glm::vec2 middle) {
   const edit::Session& session = program.session;
   const view::Pick wanted{view::PickKind::cart, world::find(session.document, aim.name)};
@@ -127,7 +130,9 @@ script::Host make_script_host(Program& program) {
   host.frame = [p](const platform::Events& events, int ticks) { return frame(*p, events, ticks); };
   host.advance = [p](int ticks) { film(*p, ticks, [p](int some) { advance(*p, some); }); };
   host.slow_import = [p](int frames) { p->import_delay = frames; };
-  host.start_movie = [p](const std::filesystem::path& folder, int fps, bool gif) { return start_movie(*p, {folder, fps, gif}); };
+  host.start_movie = [p](const std::filesystem::path& folder, int fps, bool gif) {
+    return start_movie(*p, {folder, fps, gif});
+  };
   host.stop_movie = [p] {
     if (!p->filming) return base::Status{base::Code::refused, "no movie is being recorded"};
     return finish_movie(*p);
@@ -138,9 +143,8 @@ script::Host make_script_host(Program& program) {
   host.position_of = [p](const AimPoint& aim) { return position_of(*p, aim); };
   host.screenshot = [p](const std::filesystem::path& path) { return write_picture(*p, path); };
   host.sheet = write_sheet;
-  host.snap = [p](const std::string& name, const std::filesystem::path& golden, const std::filesystem::path& folder, bool update) {
-    return compare_picture(*p, name, golden, folder, update);
-  };
+  host.snap = [p](const std::string& name, const std::filesystem::path& golden, const std::filesystem::path& folder,
+                  bool update) { return compare_picture(*p, name, golden, folder, update); };
   host.commands = [p] { return p->commands; };
   host.hovered = [p] { return p->hovered; };
   host.viewport = [p] { return p->view.viewport; };

@@ -19,13 +19,16 @@ void keep_sounding(Program& program) {
       sounds.device = std::move(*device);
     } else {
       sounds.refused = true;
-      if (sounds.refusals++ > 0) edit::notify(program.session, edit::NoticeKind::info, "no sound: " + device.status().message);
+      if (sounds.refusals++ > 0)
+        edit::notify(program.session, edit::NoticeKind::info, "no sound: " + device.status().message);
     }
   }
   if (!sounds.device) return;
   const bool filmed = program.filming && program.filming->movie;
-  const view::RideNoise noise = filmed ? view::RideNoise{} : view::ride_noise(session.document, session.derived, session.motion, volume);
-  sounds.device->feed([&](std::span<float> block) { view::synthesise(sounds.voice, noise, platform::kSoundRate, block); });
+  const view::RideNoise noise =
+      filmed ? view::RideNoise{} : view::ride_noise(session.document, session.derived, session.motion, volume);
+  sounds.device->feed(
+      [&](std::span<float> block) { view::synthesise(sounds.voice, noise, platform::kSoundRate, block); });
 }
 
 }  // namespace coaster::app

@@ -13,7 +13,7 @@ struct Program;
 struct Sounds {
   std::unique_ptr<platform::SoundDevice> device;  // null: none is wanted, or there is none
   bool refused = false;                           // tried again when sound is turned off and on
-  int refusals = 0;                               // the first one, at the start, is not told: sound is no more than an extra
+  int refusals = 0;  // the first one, at the start, is not told: sound is no more than an extra
   view::RideVoice voice;
 };
 

@@ -18,7 +18,9 @@ std::vector<std::string> SystemDialogProcess::arguments(const ui::SystemDialogRe
   return words;
 }
 
-bool SystemDialogProcess::start(const ui::SystemDialogRequest& request) { return available() && process_.start(arguments(request)).ok(); }
+bool SystemDialogProcess::start(const ui::SystemDialogRequest& request) {
+  return available() && process_.start(arguments(request)).ok();
+}
 
 std::optional<std::string> SystemDialogProcess::poll() {
   const std::optional<int> ended = process_.poll();

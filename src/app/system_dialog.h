@@ -1,4 +1,5 @@
-// The desktop's own file dialog: zenity or kdialog, where one is installed, in a process of its own that no frame waits for.
+// The desktop's own file dialog: zenity or kdialog, where one is installed, in a process of its own that no frame waits
+// for.
 #pragma once
 
 #include <optional>

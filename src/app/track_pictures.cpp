@@ -14,7 +14,8 @@ constexpr int kWidth = 480, kHeight = 270, kSamples = 4;
 
 }  // namespace
 
-ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& scenes, const std::string& path, world::Style style) {
+ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& scenes, const std::string& path,
+                                     world::Style style) {
   ui::TrackPicture picture;
   edit::Session session = edit::make_session({});
   base::Files files;
@@ -26,7 +27,8 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   picture.length = session.derived.length;
   if (!renderer_) renderer_ = scenes.sibling(kSamples);
   const view::Viewport viewport{0, 0, kWidth, kHeight};
-  const view::View view = view::orbit_view(view::frame_all(session.settings.camera, session.document, viewport), viewport);
+  const view::View view =
+      view::orbit_view(view::frame_all(session.settings.camera, session.document, viewport), viewport);
   const view::Overlay nothing_over_it;
   const std::vector<sim::Pose> cars = cart_poses(session);
   gfx::Scene scene{session.derived, view, nothing_over_it, cars};
@@ -42,7 +44,8 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   return picture;
 }
 
-void TrackPictures::update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted, world::Style style) {
+void TrackPictures::update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted,
+                           world::Style style) {
   for (const std::string& path : wanted) {
     const Source source{base::change_time(path), style};
     const auto found = sources_.find(path);

@@ -37,7 +37,8 @@ void run_tutorial(Program& program) {
   const std::filesystem::path path = base::data_folder() / "tutorials" / "first_coaster.coaster";
   const auto parsed = script::parse_script_file(path, files);
   if (!parsed || !parsed->errors.empty())
-    return edit::notify(program.session, edit::NoticeKind::error, parsed ? parsed->errors.front() : parsed.status().message);
+    return edit::notify(program.session, edit::NoticeKind::error,
+                        parsed ? parsed->errors.front() : parsed.status().message);
   script::RunOptions run;
   run.out = (program.keeper ? program.keeper->folders.state : std::filesystem::temp_directory_path()) / "tutorial";
   script::Host host = teaching_host(program);

@@ -5,7 +5,8 @@
 
 namespace coaster::app {
 
-// Runs tutorials/first_coaster.coaster to its end, to where the player leaves it, or to where the program is to end. A notice tells what is wrong.
+// Runs tutorials/first_coaster.coaster to its end, to where the player leaves it, or to where the program is to end. A
+// notice tells what is wrong.
 void run_tutorial(Program& program);
 
 }  // namespace coaster::app

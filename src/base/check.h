@@ -9,5 +9,4 @@ namespace coaster::base {
 }  // namespace coaster::base
 
 // Aborts when `cond` is false; on in every build. `why` says which promise was broken.
-#define COASTER_CHECK(cond, why) \
-  ((cond) ? void(0) : ::coaster::base::check_failed(#cond, (why), __FILE__, __LINE__))
+#define COASTER_CHECK(cond, why) ((cond) ? void(0) : ::coaster::base::check_failed(#cond, (why), __FILE__, __LINE__))

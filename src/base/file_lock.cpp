@@ -35,8 +35,10 @@ std::string describe(const Owner& owner) {
 
 // Whether the file that was locked is still the one of that name: its last owner may have removed it in between.
 bool is_still(int fd, const std::filesystem::path& file) {
-  struct stat mine {}, named {};
-  return ::fstat(fd, &mine) == 0 && ::stat(file.c_str(), &named) == 0 && mine.st_dev == named.st_dev && mine.st_ino == named.st_ino;
+  struct stat mine {
+  }, named{};
+  return ::fstat(fd, &mine) == 0 && ::stat(file.c_str(), &named) == 0 && mine.st_dev == named.st_dev &&
+         mine.st_ino == named.st_ino;
 }
 
 }  // namespace
@@ -45,7 +47,8 @@ std::filesystem::path canonical_path(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::path whole = std::filesystem::absolute(path, error);
   if (error) whole = path;
-  for (int depth = 0; depth < 40 && std::filesystem::is_symlink(whole, error); ++depth)  // also one that leads to what is not there yet
+  for (int depth = 0; depth < 40 && std::filesystem::is_symlink(whole, error);
+       ++depth)  // also one that leads to what is not there yet
     whole = whole.parent_path() / std::filesystem::read_symlink(whole, error);
   std::filesystem::path found = std::filesystem::weakly_canonical(whole, error);
   return error ? whole : found;
@@ -93,7 +96,8 @@ LockAttempt try_lock(const std::filesystem::path& path) {
       continue;
     } else {
       const std::string text = std::to_string(::getpid()) + "\n" + host_name() + "\n";
-      const bool told = ::ftruncate(fd, 0) == 0 && ::pwrite(fd, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+      const bool told =
+          ::ftruncate(fd, 0) == 0 && ::pwrite(fd, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
       (void)told;  // the lock holds without it; whoever asks gets no number then
       lock.fd_ = fd;
       attempt.outcome = LockAttempt::Outcome::taken;

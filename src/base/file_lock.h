@@ -1,5 +1,5 @@
-// Who edits a file: a lock beside it, so that two running programs do not overwrite each other's work. The lock of a process that has
-// died is free: the system lets go of it.
+// Who edits a file: a lock beside it, so that two running programs do not overwrite each other's work. The lock of a
+// process that has died is free: the system lets go of it.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace coaster::base {
 
-// Held while the object lives. The lock of "tracks/loop.json" is the file "tracks/.loop.json.lock", locked by flock(2), with the lines "PID"
-// and "HOST" in it; it goes with the lock.
+// Held while the object lives. The lock of "tracks/loop.json" is the file "tracks/.loop.json.lock", locked by flock(2),
+// with the lines "PID" and "HOST" in it; it goes with the lock.
 class FileLock {
  public:
   FileLock() = default;
@@ -34,8 +34,9 @@ struct LockAttempt {
   std::string reason;  // when impossible: that of the system ("Read-only file system")
 };
 
-// Asks once, without waiting. A lock that this process holds already counts as held by it. The lock of another machine that shares the
-// folder is believed as long as its file is there, for whether a process of that machine lives cannot be asked from here.
+// Asks once, without waiting. A lock that this process holds already counts as held by it. The lock of another machine
+// that shares the folder is believed as long as its file is there, for whether a process of that machine lives cannot
+// be asked from here.
 LockAttempt try_lock(const std::filesystem::path& path);
 
 // The one name of a file: absolute, links followed, whether or not it exists.

@@ -60,14 +60,16 @@ std::string host_mark() {
   return "." + hex16(host.digest()).substr(0, 8) + ".";
 }
 
-// ".loop.json.1f2e3d4c." of "loop.json": what its temporary files start with on this machine. A process number says nothing about another
-// machine's processes, so each has its own names; long names are cut, for the whole must stay below 255 bytes.
+// ".loop.json.1f2e3d4c." of "loop.json": what its temporary files start with on this machine. A process number says
+// nothing about another machine's processes, so each has its own names; long names are cut, for the whole must stay
+// below 255 bytes.
 std::string temporary_stem(const std::filesystem::path& target) {
   constexpr std::size_t kMostBytes = 200;
   return "." + target.filename().string().substr(0, kMostBytes) + host_mark();
 }
 
-// A new file beside `target` with the mode that the process gives new files; `name` is its path. -1 and errno on failure.
+// A new file beside `target` with the mode that the process gives new files; `name` is its path. -1 and errno on
+// failure.
 int open_temporary(const std::filesystem::path& target, std::string& name) {
   const std::string stem = temporary_stem(target) + std::to_string(::getpid()) + ".";
   for (int i = 0; i < 1000; ++i) {
@@ -78,7 +80,9 @@ int open_temporary(const std::filesystem::path& target, std::string& name) {
   return -1;
 }
 
-std::filesystem::path folder_of(const std::filesystem::path& target) { return target.has_parent_path() ? target.parent_path() : "."; }
+std::filesystem::path folder_of(const std::filesystem::path& target) {
+  return target.has_parent_path() ? target.parent_path() : ".";
+}
 
 // The number that a text starts with, cut off from it.
 std::optional<int> take_number(std::string_view& text) {
@@ -133,7 +137,8 @@ Result<std::string> Files::read(const std::filesystem::path& path, std::size_t l
   if (::fstat(file.get(), &info) != 0) return failure(Code::io, path, "cannot be examined", errno);
   if (S_ISDIR(info.st_mode)) return Status{Code::bad_file, path.string() + ": is a directory, expected a file"};
   if (!S_ISREG(info.st_mode)) return Status{Code::bad_file, path.string() + ": is not a regular file"};
-  const Status too_large{Code::bad_file, path.string() + ": is larger than the limit of " + std::to_string(limit) + " bytes"};
+  const Status too_large{Code::bad_file,
+                         path.string() + ": is larger than the limit of " + std::to_string(limit) + " bytes"};
   if (static_cast<std::uint64_t>(info.st_size) > limit) return too_large;
 
   std::string bytes;
@@ -153,7 +158,8 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
   if (const Status followed = follow_links(target); !followed.ok()) return followed;
   struct stat old {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
-  if (exists && !S_ISREG(old.st_mode)) return {Code::io, path.string() + ": is not a regular file, so it cannot be written"};
+  if (exists && !S_ISREG(old.st_mode))
+    return {Code::io, path.string() + ": is not a regular file, so it cannot be written"};
 
   if (exists && ::access(target.c_str(), W_OK) != 0) return failure(Code::io, path, "is read-only", errno);
 
@@ -174,7 +180,8 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
 
   if (exists && ::fchmod(file.get(), old.st_mode & 07777) != 0) return give_up("chmod");
   for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t wrote = fails(IoOperation::write) ? -1 : ::write(file.get(), bytes.data() + done, bytes.size() - done);
+    const ssize_t wrote =
+        fails(IoOperation::write) ? -1 : ::write(file.get(), bytes.data() + done, bytes.size() - done);
     if (wrote < 0 && errno == EINTR) continue;
     if (wrote < 0) return give_up("write");
     done += static_cast<std::size_t>(wrote);
@@ -184,7 +191,8 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
   if (fails(IoOperation::rename) || ::rename(temporary.c_str(), target.c_str()) != 0) return give_up("rename");
 
   // The new file is in place; without this a power cut could still bring the old one back.
-  if (fails(IoOperation::fsync) || ::fsync(directory.get()) != 0) return failure(Code::io, path, "fsync of the folder", errno);
+  if (fails(IoOperation::fsync) || ::fsync(directory.get()) != 0)
+    return failure(Code::io, path, "fsync of the folder", errno);
   return {};
 }
 

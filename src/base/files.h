@@ -29,9 +29,9 @@ class Files {
   Result<std::string> read(const std::filesystem::path& path, std::size_t limit = kMaxFileBytes);
 
   // Writes a temporary file beside the target, fsync, rename over it, fsync of the folder. A symbolic link is followed,
-  // an existing file keeps its mode; one that may not be written is refused. What runs that were killed left beside the target goes
-  // first. On an error the temporary file is gone and the old file is as it was; but when the last
-  // step fails (fsync of the folder, the second fsync), the whole new file is in place and may not outlive a power cut.
+  // an existing file keeps its mode; one that may not be written is refused. What runs that were killed left beside the
+  // target goes first. On an error the temporary file is gone and the old file is as it was; but when the last step
+  // fails (fsync of the folder, the second fsync), the whole new file is in place and may not outlive a power cut.
   // Code::io with "PATH: operation: reason".
   Status write_atomic(const std::filesystem::path& path, std::string_view bytes);
 
@@ -40,7 +40,8 @@ class Files {
   std::array<int, 6> countdown_{};
 };
 
-// Removes the temporary files of write_atomic(`target`) whose processes, of this machine, are gone. Returns how many there were.
+// Removes the temporary files of write_atomic(`target`) whose processes, of this machine, are gone. Returns how many
+// there were.
 int remove_leftovers(const std::filesystem::path& target);
 // The same for every target in a folder.
 int remove_leftovers_in(const std::filesystem::path& folder);

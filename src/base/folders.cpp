@@ -38,9 +38,11 @@ std::filesystem::path data_folder() {
   if (std::filesystem::path named = from_environment("COASTER_DATA"); !named.empty()) return named;
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  const std::filesystem::path beside = program.empty() ? std::filesystem::path() : program.parent_path().parent_path() / "share" / "coaster";
+  const std::filesystem::path beside =
+      program.empty() ? std::filesystem::path() : program.parent_path().parent_path() / "share" / "coaster";
   // The last is for places where a program cannot tell where it is: without /proc.
-  for (const std::filesystem::path& folder : {beside, std::filesystem::path(COASTER_SOURCE_DIR), std::filesystem::path("/usr/share/coaster")})
+  for (const std::filesystem::path& folder :
+       {beside, std::filesystem::path(COASTER_SOURCE_DIR), std::filesystem::path("/usr/share/coaster")})
     if (!folder.empty() && std::filesystem::is_directory(folder / "tracks", error)) return folder;
   return {};
 }
@@ -65,7 +67,8 @@ Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& folder
     if ((!hidden && name.starts_with('.')) || ::stat(at->path().c_str(), &info) != 0) continue;
     const bool is_folder = S_ISDIR(info.st_mode);
     if (is_folder || S_ISREG(info.st_mode))
-      entries.push_back({name, is_folder, is_folder ? 0 : static_cast<std::uintmax_t>(info.st_size), static_cast<std::int64_t>(info.st_mtime)});
+      entries.push_back({name, is_folder, is_folder ? 0 : static_cast<std::uintmax_t>(info.st_size),
+                         static_cast<std::int64_t>(info.st_mtime)});
   }
   if (error) return Status{Code::bad_file, folder.string() + ": " + error.message()};
   std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {

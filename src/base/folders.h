@@ -10,16 +10,17 @@
 
 namespace coaster::base {
 
-// By the XDG base directory specification (freedesktop.org), "coaster" below each; a variable that is not an absolute path is ignored, as it asks.
-// Without HOME both are empty.
+// By the XDG base directory specification (freedesktop.org), "coaster" below each; a variable that is not an absolute
+// path is ignored, as it asks. Without HOME both are empty.
 struct UserFolders {
   std::filesystem::path config;  // $XDG_CONFIG_HOME, else ~/.config
   std::filesystem::path state;   // $XDG_STATE_HOME, else ~/.local/state
 };
 UserFolders user_folders();
 
-// Where the program's own data are: `tracks`, `challenges` and `envelopes` are folders in it. The first that is there of $COASTER_DATA (an absolute path;
-// it is believed as it is), ../share/coaster beside the program's folder, the source tree that it was built from, and /usr/share/coaster. Empty without any.
+// Where the program's own data are: `tracks`, `challenges` and `envelopes` are folders in it. The first that is there
+// of $COASTER_DATA (an absolute path; it is believed as it is), ../share/coaster beside the program's folder, the
+// source tree that it was built from, and /usr/share/coaster. Empty without any.
 std::filesystem::path data_folder();
 
 // Makes a folder and those above it, for its owner alone. Code::io with the reason.
@@ -28,12 +29,13 @@ Status make_folders(const std::filesystem::path& folder);
 struct FolderEntry {
   std::string name;
   bool folder = false;
-  std::uintmax_t bytes = 0;    // of files
-  std::int64_t time = 0;       // of the last change, s since 1970
+  std::uintmax_t bytes = 0;  // of files
+  std::int64_t time = 0;     // of the last change, s since 1970
 };
 
-// What is in a folder: folders first, each by name without regard to case. Links are followed; what cannot be examined, and what is neither
-// file nor folder, is left out; so are names that begin with a dot, unless `hidden`. Code::bad_file with the reason.
+// What is in a folder: folders first, each by name without regard to case. Links are followed; what cannot be examined,
+// and what is neither file nor folder, is left out; so are names that begin with a dot, unless `hidden`. Code::bad_file
+// with the reason.
 Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& folder, bool hidden = false);
 
 // The time of a file's last change, s since 1970; 0 when there is none.

@@ -23,7 +23,7 @@ class Hasher {
 
   void bytes(const void* data, std::size_t size);
   template <class T>
-    requires std::is_integral_v<T> || std::is_enum_v<T>
+  requires std::is_integral_v<T> || std::is_enum_v<T>
   void add(T value) {
     const auto wide = static_cast<std::int64_t>(value);
     bytes(&wide, sizeof wide);
@@ -36,7 +36,9 @@ class Hasher {
 
  private:
   template <class T>
-  void add_bits(T value) { bytes(&value, sizeof value); }
+  void add_bits(T value) {
+    bytes(&value, sizeof value);
+  }
   struct State;
   std::unique_ptr<State> state_;
 };

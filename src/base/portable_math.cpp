@@ -1,4 +1,5 @@
-// Cody-Waite reduction by pi/2 in three parts, then Taylor polynomials on [-pi/4, pi/4], whose first dropped terms are below 1e-17.
+// Cody-Waite reduction by pi/2 in three parts, then Taylor polynomials on [-pi/4, pi/4], whose first dropped terms are
+// below 1e-17.
 #include "base/portable_math.h"
 
 #include <algorithm>

@@ -18,7 +18,7 @@ enum class Code {
   graphics = 4,     // no display, or OpenGL below 3.3
   io = 5,           // the operating system refused to read or write
   timeout = 6,
-  refused = 7,      // a command that would break a limit or names what is not there; exit code 2
+  refused = 7,  // a command that would break a limit or names what is not there; exit code 2
 };
 
 // One line that says what, where and what was expected; empty when ok.

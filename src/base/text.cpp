@@ -21,9 +21,7 @@ bool read_quoted(std::string_view line, std::size_t& i, Token& token, TextError&
         case 'n': c = '\n'; break;
         case '"': c = '"'; break;
         case '\\': c = '\\'; break;
-        default:
-          error = {static_cast<int>(i), "unknown escape; expected \\\", \\\\ or \\n"};
-          return false;
+        default: error = {static_cast<int>(i), "unknown escape; expected \\\", \\\\ or \\n"}; return false;
       }
     }
     token.text += c;
@@ -157,7 +155,8 @@ std::string suggestion(std::string_view word, std::span<const std::string> candi
 }
 
 std::string at_place(std::string_view file, int line, int column, std::string_view message) {
-  return std::string(file) + ":" + std::to_string(line) + ":" + std::to_string(column) + ": error: " + std::string(message);
+  return std::string(file) + ":" + std::to_string(line) + ":" + std::to_string(column) +
+         ": error: " + std::string(message);
 }
 
 }  // namespace coaster::base

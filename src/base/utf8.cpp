@@ -20,7 +20,9 @@ std::size_t utf8_length(std::string_view text) {
     if ((byte(i) & 0xc0u) != 0x80) return 0;
   const unsigned second = byte(1);
   // Overlong forms, surrogates and what lies beyond U+10FFFF.
-  if ((lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) || (lead == 0xf0 && second < 0x90) || (lead == 0xf4 && second > 0x8f)) return 0;
+  if ((lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) || (lead == 0xf0 && second < 0x90) ||
+      (lead == 0xf4 && second > 0x8f))
+    return 0;
   return length;
 }
 

@@ -58,8 +58,8 @@ std::optional<std::int64_t> Words::whole(std::string_view what, std::int64_t low
   if (!word) return std::nullopt;
   const auto value = parse_int(word->text);
   if (value && *value >= low && *value <= high) return value;
-  fail(word->column, "expected " + std::string(what) + " (" + std::to_string(low) + ".." + std::to_string(high) + "), found " +
-                         base::quoted(word->text));
+  fail(word->column, "expected " + std::string(what) + " (" + std::to_string(low) + ".." + std::to_string(high) +
+                         "), found " + base::quoted(word->text));
   return std::nullopt;
 }
 
@@ -93,13 +93,15 @@ std::optional<std::size_t> Words::one_of(std::string_view what, std::span<const 
   if (!word) return std::nullopt;
   const auto found = std::find(names.begin(), names.end(), word->text);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  fail(word->column, "expected " + std::string(what) + ", found " + base::quoted(word->text) + suggestion(word->text, names));
+  fail(word->column,
+       "expected " + std::string(what) + ", found " + base::quoted(word->text) + suggestion(word->text, names));
   return std::nullopt;
 }
 
 bool Words::end() {
   if (failed_) return false;
-  if (const Token* const extra = peek()) return fail(extra->column, "unexpected " + base::quoted(extra->text) + " after the end of the statement");
+  if (const Token* const extra = peek())
+    return fail(extra->column, "unexpected " + base::quoted(extra->text) + " after the end of the statement");
   return true;
 }
 

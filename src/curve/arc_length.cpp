@@ -1,4 +1,5 @@
-// The default arc length, whose bits the ride depends on, and its inversion. The table of methods is in arc_length_methods.cpp.
+// The default arc length, whose bits the ride depends on, and its inversion. The table of methods is in
+// arc_length_methods.cpp.
 #include "curve/arc_length.h"
 
 #include <algorithm>
@@ -20,14 +21,11 @@ constexpr Node kGauss8[] = {{0.183434642495649804939, 0.362683783378361982965},
                             {0.525532409916328985817, 0.313706645877887287337},
                             {0.796666477413626739591, 0.222381034453374470544},
                             {0.960289856497536231683, 0.101228536290376259152}};
-constexpr Node kGauss16[] = {{0.095012509837637440185, 0.189450610455068496285},
-                             {0.281603550779258913230, 0.182603415044923588866},
-                             {0.458016777657227386342, 0.169156519395002538189},
-                             {0.617876244402643748446, 0.149595988816576732081},
-                             {0.755404408355003033895, 0.124628971255533872052},
-                             {0.865631202387831743880, 0.095158511682492784809},
-                             {0.944575023073232576077, 0.062253523938647892862},
-                             {0.989400934991649932596, 0.027152459411754094851}};
+constexpr Node kGauss16[] = {
+    {0.095012509837637440185, 0.189450610455068496285}, {0.281603550779258913230, 0.182603415044923588866},
+    {0.458016777657227386342, 0.169156519395002538189}, {0.617876244402643748446, 0.149595988816576732081},
+    {0.755404408355003033895, 0.124628971255533872052}, {0.865631202387831743880, 0.095158511682492784809},
+    {0.944575023073232576077, 0.062253523938647892862}, {0.989400934991649932596, 0.027152459411754094851}};
 
 constexpr int kMaxDepth = 24;
 
@@ -35,18 +33,20 @@ template <std::size_t N>
 double gauss(const CoefficientsD& c, double a, double b, const Node (&nodes)[N]) {
   const double half = 0.5 * (b - a), middle = 0.5 * (a + b);
   double sum = 0;
-  for (const Node& node : nodes) sum += node.weight * (speed(c, middle - half * node.x) + speed(c, middle + half * node.x));
+  for (const Node& node : nodes)
+    sum += node.weight * (speed(c, middle - half * node.x) + speed(c, middle + half * node.x));
   return half * sum;
 }
 
-// What 16 nodes may err by where 8 differ from them by `difference`: its square over the C below, and no more than itself.
+// What 16 nodes may err by where 8 differ from them by `difference`: its square over the C below, and no more than
+// itself.
 double agreement_error(double fine, double difference) {
   return fine > 0.0 ? std::min(difference, 1e4 * difference * difference / fine) : difference;
 }
 
-// Both rules converge geometrically with the same base r: errors C r^16 and C r^32, so where they agree to 1e-10 the 16-node rule is
-// right to about 1e-20 / C. C may be as small as 1e-4 near a bend, hence the wide margin to the 1e-12 that is promised.
-// `floor` is an absolute error too small to matter: it ends the subdivision towards a cusp.
+// Both rules converge geometrically with the same base r: errors C r^16 and C r^32, so where they agree to 1e-10 the
+// 16-node rule is right to about 1e-20 / C. C may be as small as 1e-4 near a bend, hence the wide margin to the 1e-12
+// that is promised. `floor` is an absolute error too small to matter: it ends the subdivision towards a cusp.
 double adaptive(const CoefficientsD& c, double a, double b, double floor, int depth) {
   const double fine = gauss(c, a, b, kGauss16);
   const double difference = std::abs(fine - gauss(c, a, b, kGauss8));
@@ -61,8 +61,9 @@ double polygon_length(const CoefficientsD& c) {
   return glm::length(d0) + glm::length(d1) + glm::length(d2);
 }
 
-// The parameters in (0,1) where |B'| has a minimum: at a cusp it is a kink that nodes may miss, so integrals are split there.
-// |B'|^2 is smallest where g = B'.B'' goes from negative to positive; g is a cubic, monotone between the roots of g'.
+// The parameters in (0,1) where |B'| has a minimum: at a cusp it is a kink that nodes may miss, so integrals are split
+// there. |B'|^2 is smallest where g = B'.B'' goes from negative to positive; g is a cubic, monotone between the roots
+// of g'.
 SlowPoints slow_points(const CoefficientsD& c) {
   const double g0 = glm::dot(c.c1, c.c2) * 2.0, g1 = 4.0 * glm::dot(c.c2, c.c2) + 6.0 * glm::dot(c.c1, c.c3),
                g2 = 18.0 * glm::dot(c.c2, c.c3), g3 = 18.0 * glm::dot(c.c3, c.c3);
@@ -111,7 +112,8 @@ bool slows_down(const CoefficientsD& c, double a, double b) {
   return slowest < 0.25 * fastest;
 }
 
-// A curve whose hodograph cannot be shown to stay away from 0 (kSteady) and that does slow down, by samples or at a slow point.
+// A curve whose hodograph cannot be shown to stay away from 0 (kSteady) and that does slow down, by samples or at a
+// slow point.
 constexpr double kSteady = 0.25;
 bool nearly_stops(const CoefficientsD& c, double a, double b) {
   if (detail::steadiness(detail::hodograph(c, a, b)) >= kSteady) return false;
@@ -122,8 +124,8 @@ bool nearly_stops(const CoefficientsD& c, double a, double b) {
                      [&](double t) { return t > a && t < b && speed(c, t) < kSteady * usual; });
 }
 
-// Near a stop the two rules may agree by chance, or miss a kink together: only steady pieces are believed, the others are halved unseen,
-// and what is left about the stop when it is shorter than `floor` is measured by Gravesen's mean.
+// Near a stop the two rules may agree by chance, or miss a kink together: only steady pieces are believed, the others
+// are halved unseen, and what is left about the stop when it is shorter than `floor` is measured by Gravesen's mean.
 double believed(const CoefficientsD& c, double a, double b, double floor, int depth, LengthEstimate& tally) {
   const detail::Hodograph h = detail::hodograph(c, a, b);
   if (detail::steadiness(h) >= kSteady || depth >= kMaxDepth) {
@@ -169,7 +171,8 @@ ArcLengthMap::ArcLengthMap(const Cubic& cubic) : c_(coefficients_d(cubic)) {
     rough_ |= 1u << std::min(static_cast<int>(slow_.t[static_cast<std::size_t>(i)] * kIntervals), kIntervals - 1);
   table_[0] = 0;
   for (int i = 0; i < kIntervals; ++i) {
-    const double a = static_cast<double>(i) / kIntervals, b = static_cast<double>(i + 1) / kIntervals, middle = 0.5 * (a + b);
+    const double a = static_cast<double>(i) / kIntervals, b = static_cast<double>(i + 1) / kIntervals,
+                 middle = 0.5 * (a + b);
     double length = gauss(c_, a, b, kGauss8);
     // Smooth intervals are right to rounding with 8 nodes; the others (near a cusp) are measured adaptively for good.
     const double halves = rough_ >> i & 1u ? 0.0 : gauss(c_, a, middle, kGauss8) + gauss(c_, middle, b, kGauss8);

@@ -1,5 +1,5 @@
-// Arc length of a cubic: a table of methods to compare, the adaptive Gauss-Legendre one that the ride relies on, and the
-// inversion from arc length to parameter.
+// Arc length of a cubic: a table of methods to compare, the adaptive Gauss-Legendre one that the ride relies on, and
+// the inversion from arc length to parameter.
 #pragma once
 
 #include <array>
@@ -24,9 +24,10 @@ enum class LengthControl { none, count, tolerance };
 enum class LengthBound { none, estimated, guaranteed };
 
 struct LengthEstimate {
-  double length = 0;             // m
-  double error_bound = -1;       // m; -1 where the method knows none
-  std::int64_t evaluations = 0;  // square roots: one for each |B'(t)| or chord, four for a chord with its control polygon
+  double length = 0;        // m
+  double error_bound = -1;  // m; -1 where the method knows none
+  std::int64_t evaluations =
+      0;  // square roots: one for each |B'(t)| or chord, four for a chord with its control polygon
 };
 
 struct ArcLengthMethod {
@@ -42,10 +43,10 @@ struct ArcLengthMethod {
   double length(const Cubic& cubic, int steps) const { return measure(cubic, {steps, usual_tolerance}).length; }
 };
 
-// Rows: adaptive Gauss-Legendre (the default, row 0), Gravesen's mean (Paper erratum: the paper has a product), chord sum of the
-// polyline, Simpson, trapezium, Riemann, Gauss-Legendre of n nodes, Clenshaw-Curtis, Gravesen and Simpson with subdivision.
-// Every row is finite and not negative for every cubic, and does bounded work: at most 2^17 evaluations in Gravesen's
-// subdivision (1e-9 at best: its bound says what was reached), a few thousand in the others.
+// Rows: adaptive Gauss-Legendre (the default, row 0), Gravesen's mean (Paper erratum: the paper has a product), chord
+// sum of the polyline, Simpson, trapezium, Riemann, Gauss-Legendre of n nodes, Clenshaw-Curtis, Gravesen and Simpson
+// with subdivision. Every row is finite and not negative for every cubic, and does bounded work: at most 2^17
+// evaluations in Gravesen's subdivision (1e-9 at best: its bound says what was reached), a few thousand in the others.
 std::span<const ArcLengthMethod> arc_length_methods();
 const ArcLengthMethod& arc_length_method(ArcLengthId id);
 std::optional<ArcLengthId> find_arc_length_method(std::string_view name);
@@ -53,15 +54,17 @@ std::optional<ArcLengthId> find_arc_length_method(std::string_view name);
 constexpr double kFinestTolerance = 1e-12;
 
 // Integral of |B'| over [t0,t1], t0 <= t1, in metres, by adaptive Gauss-Legendre in double, with a relative error below
-// `relative_tolerance` (1e-12 to 0.1; finer is taken as 1e-12) on every kind of cubic, cusps included. The default is what the ride
-// uses, the same bits on every machine: 8 and 16 nodes, 24 evaluations of B' where nothing is halved. Coarser tolerances take 10 to 24
-// nodes and estimate the error from the same samples. At a stop of the curve (a cusp) the work is bounded: at most 30 halvings towards it.
+// `relative_tolerance` (1e-12 to 0.1; finer is taken as 1e-12) on every kind of cubic, cusps included. The default is
+// what the ride uses, the same bits on every machine: 8 and 16 nodes, 24 evaluations of B' where nothing is halved.
+// Coarser tolerances take 10 to 24 nodes and estimate the error from the same samples. At a stop of the curve (a cusp)
+// the work is bounded: at most 30 halvings towards it.
 double arc_length(const Cubic& cubic, double t0 = 0.0, double t1 = 1.0, double relative_tolerance = kFinestTolerance);
-LengthEstimate measure_arc_length(const Cubic& cubic, double t0 = 0.0, double t1 = 1.0, double relative_tolerance = kFinestTolerance);
+LengthEstimate measure_arc_length(const Cubic& cubic, double t0 = 0.0, double t1 = 1.0,
+                                  double relative_tolerance = kFinestTolerance);
 
-// arc_length(cubics[i], 0, 1, relative_tolerance) for all, into `lengths` of the same size; for display, not for what is hashed: the
-// last bits depend on the processor. Four segments at once where it has AVX2, else one by one; segments whose error estimate fails are
-// measured again by arc_length.
+// arc_length(cubics[i], 0, 1, relative_tolerance) for all, into `lengths` of the same size; for display, not for what
+// is hashed: the last bits depend on the processor. Four segments at once where it has AVX2, else one by one; segments
+// whose error estimate fails are measured again by arc_length.
 void arc_lengths(std::span<const Cubic> cubics, double relative_tolerance, std::span<double> lengths);
 
 // Parameters where a cubic is slowest, at most two (minima of a quartic); ascending.

@@ -1,5 +1,5 @@
-// The arc-length methods that subdivide until a relative tolerance is met: Gauss-Legendre with an embedded estimate, Simpson, Gravesen.
-// The default rule, whose bits the ride depends on, is in arc_length.cpp.
+// The arc-length methods that subdivide until a relative tolerance is met: Gauss-Legendre with an embedded estimate,
+// Simpson, Gravesen. The default rule, whose bits the ride depends on, is in arc_length.cpp.
 #include "curve/arc_length_detail.h"
 #include "curve/quadrature.h"
 
@@ -91,10 +91,12 @@ struct Simpson {
     return speed_at(q, u);
   }
 
-  // [a,b] in u, with |v| at a, the middle and b; `allowed` halves with the interval. Lyness 1969 (doi 10.1145/321526.321537).
+  // [a,b] in u, with |v| at a, the middle and b; `allowed` halves with the interval. Lyness 1969
+  // (doi 10.1145/321526.321537).
   void add(double a, double b, double fa, double fm, double fb, double whole, double allowed, int depth) {
     const double m = 0.5 * (a + b), fl = speed(0.5 * (a + m)), fr = speed(0.5 * (m + b)), w = (b - a) / 24.0;
-    const double left = w * (fa + 4.0 * fl + fm), right = w * (fm + 4.0 * fr + fb), excess = (left + right - whole) / 15.0;
+    const double left = w * (fa + 4.0 * fl + fm), right = w * (fm + 4.0 * fr + fb),
+                 excess = (left + right - whole) / 15.0;
     if (depth >= kMaxDepth || (depth >= 2 && std::abs(excess) <= allowed)) {
       total.length += left + right + excess;
       total.error_bound += std::abs(excess);
@@ -112,7 +114,8 @@ struct Gravesen {
   // 2^14 pieces: about a millisecond. Finer tolerances are not met, and the bound says so.
   static constexpr int kDepth = 14;
 
-  // Gravesen 1997, doi 10.1016/0925-7721(95)00054-2: chord <= length <= polygon, so their mean errs by at most half the difference.
+  // Gravesen 1997, doi 10.1016/0925-7721(95)00054-2: chord <= length <= polygon, so their mean errs by at most half the
+  // difference.
   void add(const Hodograph& h, double allowed, int depth) {
     const double chord = chord_length(h), polygon = polygon_length(h), bound = 0.5 * (polygon - chord);
     total.evaluations += 4;

@@ -1,5 +1,6 @@
-// Many segments measured at once: Gauss-Legendre on the quartic |B'|^2 of four segments side by side, with the error estimated from the
-// same samples; what fails the estimate is measured again one by one. The lanes hold doubles; the choice is made at run time.
+// Many segments measured at once: Gauss-Legendre on the quartic |B'|^2 of four segments side by side, with the error
+// estimated from the same samples; what fails the estimate is measured again one by one. The lanes hold doubles; the
+// choice is made at run time.
 #include "base/check.h"
 #include "curve/arc_length_detail.h"
 
@@ -28,13 +29,19 @@ struct LaneHodograph {
 };
 
 COASTER_AVX2 inline __m256d splat(double a) { return _mm256_set1_pd(a); }
-COASTER_AVX2 inline Lanes3 add(Lanes3 a, Lanes3 b) { return {_mm256_add_pd(a.x, b.x), _mm256_add_pd(a.y, b.y), _mm256_add_pd(a.z, b.z)}; }
-COASTER_AVX2 inline Lanes3 sub(Lanes3 a, Lanes3 b) { return {_mm256_sub_pd(a.x, b.x), _mm256_sub_pd(a.y, b.y), _mm256_sub_pd(a.z, b.z)}; }
+COASTER_AVX2 inline Lanes3 add(Lanes3 a, Lanes3 b) {
+  return {_mm256_add_pd(a.x, b.x), _mm256_add_pd(a.y, b.y), _mm256_add_pd(a.z, b.z)};
+}
+COASTER_AVX2 inline Lanes3 sub(Lanes3 a, Lanes3 b) {
+  return {_mm256_sub_pd(a.x, b.x), _mm256_sub_pd(a.y, b.y), _mm256_sub_pd(a.z, b.z)};
+}
 COASTER_AVX2 inline Lanes3 scale(double s, Lanes3 a) {
   const __m256d k = splat(s);
   return {_mm256_mul_pd(k, a.x), _mm256_mul_pd(k, a.y), _mm256_mul_pd(k, a.z)};
 }
-COASTER_AVX2 inline __m256d dot(Lanes3 a, Lanes3 b) { return _mm256_fmadd_pd(a.x, b.x, _mm256_fmadd_pd(a.y, b.y, _mm256_mul_pd(a.z, b.z))); }
+COASTER_AVX2 inline __m256d dot(Lanes3 a, Lanes3 b) {
+  return _mm256_fmadd_pd(a.x, b.x, _mm256_fmadd_pd(a.y, b.y, _mm256_mul_pd(a.z, b.z)));
+}
 COASTER_AVX2 inline __m256d absolute(__m256d a) { return _mm256_andnot_pd(splat(-0.0), a); }
 
 // The twelve coordinates of four cubics, transposed: four floats of each at a time.
@@ -57,23 +64,29 @@ COASTER_AVX2 inline __m256d is_steady(const LaneHodograph& h) {
   const __m256d least = _mm256_min_pd(dot(h.v0, m), _mm256_min_pd(dot(h.v1, m), dot(h.v2, m)));
   const __m256d most = _mm256_max_pd(dot(h.v0, h.v0), _mm256_max_pd(dot(h.v1, h.v1), dot(h.v2, h.v2)));
   // least / sqrt(most m.m) >= s without the root: both sides squared, where least is positive.
-  const __m256d wanted = _mm256_mul_pd(splat(detail::kSteadyEnough * detail::kSteadyEnough), _mm256_mul_pd(most, dot(m, m)));
-  return _mm256_and_pd(_mm256_cmp_pd(least, _mm256_setzero_pd(), _CMP_GT_OQ), _mm256_cmp_pd(_mm256_mul_pd(least, least), wanted, _CMP_GE_OQ));
+  const __m256d wanted =
+      _mm256_mul_pd(splat(detail::kSteadyEnough * detail::kSteadyEnough), _mm256_mul_pd(most, dot(m, m)));
+  return _mm256_and_pd(_mm256_cmp_pd(least, _mm256_setzero_pd(), _CMP_GT_OQ),
+                       _mm256_cmp_pd(_mm256_mul_pd(least, least), wanted, _CMP_GE_OQ));
 }
 
 // Lengths of four cubics; the mask says which lanes meet the tolerance.
 template <int kHalf>
-COASTER_AVX2 int measure_four(const Cubic* four, const detail::EmbeddedRule<kHalf>& rule, double tolerance, double* lengths) {
+COASTER_AVX2 int measure_four(const Cubic* four, const detail::EmbeddedRule<kHalf>& rule, double tolerance,
+                              double* lengths) {
   const LaneHodograph h = load(four);
-  const Lanes3 sum02 = add(h.v0, h.v2), w0 = scale(0.25, add(sum02, scale(2.0, h.v1))), w1 = scale(0.5, sub(h.v2, h.v0)),
-               w2 = scale(0.25, sub(sum02, scale(2.0, h.v1)));
-  const __m256d two = splat(2.0), e0 = dot(w0, w0), o1 = _mm256_mul_pd(two, dot(w0, w1)), e2 = _mm256_fmadd_pd(two, dot(w0, w2), dot(w1, w1)),
-                o3 = _mm256_mul_pd(two, dot(w1, w2)), e4 = dot(w2, w2), zero = _mm256_setzero_pd();
+  const Lanes3 sum02 = add(h.v0, h.v2), w0 = scale(0.25, add(sum02, scale(2.0, h.v1))),
+               w1 = scale(0.5, sub(h.v2, h.v0)), w2 = scale(0.25, sub(sum02, scale(2.0, h.v1)));
+  const __m256d two = splat(2.0), e0 = dot(w0, w0), o1 = _mm256_mul_pd(two, dot(w0, w1)),
+                e2 = _mm256_fmadd_pd(two, dot(w0, w2), dot(w1, w1)), o3 = _mm256_mul_pd(two, dot(w1, w2)),
+                e4 = dot(w2, w2), zero = _mm256_setzero_pd();
   __m256d sum = zero, even0 = zero, even1 = zero, odd0 = zero, odd1 = zero;
   for (std::size_t i = 0; i < kHalf; ++i) {
     const __m256d u = splat(rule.x[i]), uu = splat(rule.x[i] * rule.x[i]);
-    const __m256d e = _mm256_fmadd_pd(uu, _mm256_fmadd_pd(uu, e4, e2), e0), o = _mm256_mul_pd(u, _mm256_fmadd_pd(uu, o3, o1));
-    const __m256d plus = _mm256_sqrt_pd(_mm256_max_pd(zero, _mm256_add_pd(e, o))), minus = _mm256_sqrt_pd(_mm256_max_pd(zero, _mm256_sub_pd(e, o)));
+    const __m256d e = _mm256_fmadd_pd(uu, _mm256_fmadd_pd(uu, e4, e2), e0),
+                  o = _mm256_mul_pd(u, _mm256_fmadd_pd(uu, o3, o1));
+    const __m256d plus = _mm256_sqrt_pd(_mm256_max_pd(zero, _mm256_add_pd(e, o))),
+                  minus = _mm256_sqrt_pd(_mm256_max_pd(zero, _mm256_sub_pd(e, o)));
     const __m256d both = _mm256_add_pd(plus, minus), change = _mm256_sub_pd(plus, minus);
     sum = _mm256_fmadd_pd(splat(rule.weight[i]), both, sum);
     even0 = _mm256_fmadd_pd(splat(rule.even[0][i]), both, even0);
@@ -83,7 +96,8 @@ COASTER_AVX2 int measure_four(const Cubic* four, const detail::EmbeddedRule<kHal
   }
   _mm256_storeu_pd(lengths, sum);
   // detail::estimated_error <= tolerance * length, times the length.
-  const __m256d last = _mm256_max_pd(_mm256_max_pd(absolute(even0), absolute(even1)), _mm256_max_pd(absolute(odd0), absolute(odd1)));
+  const __m256d last =
+      _mm256_max_pd(_mm256_max_pd(absolute(even0), absolute(even1)), _mm256_max_pd(absolute(odd0), absolute(odd1)));
   const __m256d error = _mm256_mul_pd(splat(detail::kCoefficientFactor), _mm256_mul_pd(last, last)),
                 allowed = _mm256_mul_pd(splat(tolerance), _mm256_mul_pd(sum, sum));
   return _mm256_movemask_pd(_mm256_and_pd(is_steady(h), _mm256_cmp_pd(error, allowed, _CMP_LE_OQ)));

@@ -1,5 +1,5 @@
-// What the arc-length methods share, not part of the room's interface: a piece of a cubic as the control vectors of its hodograph,
-// the quartic |B'|^2 about its middle, and Gauss-Legendre with an error estimate from its own samples.
+// What the arc-length methods share, not part of the room's interface: a piece of a cubic as the control vectors of its
+// hodograph, the quartic |B'|^2 about its middle, and Gauss-Legendre with an error estimate from its own samples.
 #pragma once
 
 #include <algorithm>
@@ -11,19 +11,22 @@
 
 namespace coaster::curve::detail {
 
-// B' over a piece, scaled by the piece's share of the parameter: v(x) = v0 (1-x)^2 + 2 v1 x (1-x) + v2 x^2 with x in [0,1], so that the
-// integral of |v| is the piece's length. v0/3, v1/3, v2/3 are the legs of its control polygon.
+// B' over a piece, scaled by the piece's share of the parameter: v(x) = v0 (1-x)^2 + 2 v1 x (1-x) + v2 x^2 with x in
+// [0,1], so that the integral of |v| is the piece's length. v0/3, v1/3, v2/3 are the legs of its control polygon.
 struct Hodograph {
   glm::dvec3 v0, v1, v2;
 };
 
 inline Hodograph hodograph(const CoefficientsD& c, double a, double b) {
   const double w = b - a;
-  const glm::dvec3 first = c.c1 + a * (2.0 * c.c2 + a * (3.0 * c.c3)), last = c.c1 + b * (2.0 * c.c2 + b * (3.0 * c.c3));
+  const glm::dvec3 first = c.c1 + a * (2.0 * c.c2 + a * (3.0 * c.c3)),
+                   last = c.c1 + b * (2.0 * c.c2 + b * (3.0 * c.c3));
   return {w * first, w * (first + w * (c.c2 + (3.0 * a) * c.c3)), w * last};
 }
 
-inline double polygon_length(const Hodograph& h) { return (glm::length(h.v0) + glm::length(h.v1) + glm::length(h.v2)) / 3.0; }
+inline double polygon_length(const Hodograph& h) {
+  return (glm::length(h.v0) + glm::length(h.v1) + glm::length(h.v2)) / 3.0;
+}
 inline double chord_length(const Hodograph& h) { return glm::length(h.v0 + h.v1 + h.v2) / 3.0; }
 
 struct Halves {
@@ -35,8 +38,9 @@ inline Halves halves(const Hodograph& h) {
   return {{0.5 * h.v0, a, middle}, {middle, b, 0.5 * h.v2}};
 }
 
-// The least share of the greatest speed that the piece is sure to keep along its chord: 1 for a straight of even speed, 0 or less when
-// the hodograph may pass near 0 (the curve may nearly stop). |v| >= steadiness * max |v| everywhere, because v is in the hull of v0, v1, v2.
+// The least share of the greatest speed that the piece is sure to keep along its chord: 1 for a straight of even speed,
+// 0 or less when the hodograph may pass near 0 (the curve may nearly stop). |v| >= steadiness * max |v| everywhere,
+// because v is in the hull of v0, v1, v2.
 inline double steadiness(const Hodograph& h) {
   const glm::dvec3 m = h.v0 + h.v1 + h.v2;
   const double least = std::min({glm::dot(h.v0, m), glm::dot(h.v1, m), glm::dot(h.v2, m)});
@@ -50,8 +54,10 @@ struct SpeedQuartic {
   double e0, o1, e2, o3, e4;
 };
 inline SpeedQuartic speed_quartic(const Hodograph& h) {
-  const glm::dvec3 w0 = 0.25 * (h.v0 + 2.0 * h.v1 + h.v2), w1 = 0.5 * (h.v2 - h.v0), w2 = 0.25 * (h.v0 - 2.0 * h.v1 + h.v2);
-  return {glm::dot(w0, w0), 2.0 * glm::dot(w0, w1), glm::dot(w1, w1) + 2.0 * glm::dot(w0, w2), 2.0 * glm::dot(w1, w2), glm::dot(w2, w2)};
+  const glm::dvec3 w0 = 0.25 * (h.v0 + 2.0 * h.v1 + h.v2), w1 = 0.5 * (h.v2 - h.v0),
+                   w2 = 0.25 * (h.v0 - 2.0 * h.v1 + h.v2);
+  return {glm::dot(w0, w0), 2.0 * glm::dot(w0, w1), glm::dot(w1, w1) + 2.0 * glm::dot(w0, w2), 2.0 * glm::dot(w1, w2),
+          glm::dot(w2, w2)};
 }
 
 // Speed at u in [-1,1]; rounding may take the quartic a little below 0 where the curve stops.
@@ -59,8 +65,9 @@ inline double speed_at(const SpeedQuartic& q, double u) {
   return std::sqrt(std::max(0.0, q.e0 + u * (q.o1 + u * (q.e2 + u * (q.o3 + u * q.e4)))));
 }
 
-// The positive half of Gauss-Legendre with n = 2 * kHalf nodes. `even` and `odd` turn the sums and differences of the samples at +-x into
-// the last four coefficients of their Legendre series, of degrees n-2, n-4 and n-1, n-3, in units of length.
+// The positive half of Gauss-Legendre with n = 2 * kHalf nodes. `even` and `odd` turn the sums and differences of the
+// samples at +-x into the last four coefficients of their Legendre series, of degrees n-2, n-4 and n-1, n-3, in units
+// of length.
 template <int kHalf>
 struct EmbeddedRule {
   std::array<double, kHalf> x, weight;
@@ -79,7 +86,8 @@ Sampled sample(const SpeedQuartic& q, const EmbeddedRule<kHalf>& rule) {
   double sum = 0, even0 = 0, even1 = 0, odd0 = 0, odd1 = 0;
   for (std::size_t i = 0; i < kHalf; ++i) {
     const double u = rule.x[i], uu = u * u, e = q.e0 + uu * (q.e2 + uu * q.e4), o = u * (q.o1 + uu * q.o3);
-    const double plus = std::sqrt(std::max(0.0, e + o)), minus = std::sqrt(std::max(0.0, e - o)), both = plus + minus, change = plus - minus;
+    const double plus = std::sqrt(std::max(0.0, e + o)), minus = std::sqrt(std::max(0.0, e - o)), both = plus + minus,
+                 change = plus - minus;
     sum += rule.weight[i] * both;
     even0 += rule.even[0][i] * both;
     even1 += rule.even[1][i] * both;
@@ -89,14 +97,20 @@ Sampled sample(const SpeedQuartic& q, const EmbeddedRule<kHalf>& rule) {
   return {sum, std::max({std::abs(even0), std::abs(even1), std::abs(odd0), std::abs(odd1)})};
 }
 
-// How a piece is measured to a relative tolerance: half the nodes; few enough that most pieces of a track pass at once and none is dear.
-inline int half_nodes_for(double tolerance) { return tolerance >= 1e-4 ? 5 : tolerance >= 1e-7 ? 7 : tolerance >= 1e-10 ? 10 : 12; }
+// How a piece is measured to a relative tolerance: half the nodes; few enough that most pieces of a track pass at once
+// and none is dear.
+inline int half_nodes_for(double tolerance) {
+  return tolerance >= 1e-4 ? 5 : tolerance >= 1e-7 ? 7 : tolerance >= 1e-10 ? 10 : 12;
+}
 
-// The Legendre series of |v| falls like r^k, and n nodes err like r^(2n): about the square of the last coefficients that the samples
-// show. Four of them, because a symmetric speed has no odd ones and a complex pair of roots makes single ones vanish. The factor and
-// kSteadyEnough are measured: over 300,000 pieces of all kinds what passes errs by less than a tenth of the tolerance.
+// The Legendre series of |v| falls like r^k, and n nodes err like r^(2n): about the square of the last coefficients
+// that the samples show. Four of them, because a symmetric speed has no odd ones and a complex pair of roots makes
+// single ones vanish. The factor and kSteadyEnough are measured: over 300,000 pieces of all kinds what passes errs by
+// less than a tenth of the tolerance.
 constexpr double kCoefficientFactor = 3.0, kSteadyEnough = 0.15;
-inline double estimated_error(const Sampled& s) { return s.length > 0.0 ? kCoefficientFactor * s.last * s.last / s.length : 0.0; }
+inline double estimated_error(const Sampled& s) {
+  return s.length > 0.0 ? kCoefficientFactor * s.last * s.last / s.length : 0.0;
+}
 
 // The rows that subdivide. Each does bounded work whatever the cubic and the tolerance.
 LengthEstimate adaptive_gauss_legendre(const Hodograph& h, double tolerance);  // tolerance in [1e-12, 0.1]

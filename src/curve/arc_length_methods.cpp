@@ -19,8 +19,8 @@ LengthEstimate gauss_legendre(const Cubic& cubic, const LengthDemand& demand) {
 }
 
 LengthEstimate gravesen(const Cubic& cubic, const LengthDemand&) {
-  // Paper erratum: half the polygon "multiplied by" the chord is square metres; the estimate is their mean, and errs by at
-  // most half their difference.
+  // Paper erratum: half the polygon "multiplied by" the chord is square metres; the estimate is their mean, and errs by
+  // at most half their difference.
   const detail::Hodograph h = whole(cubic);
   const double chord = detail::chord_length(h), polygon = detail::polygon_length(h);
   return {0.5 * (chord + polygon), std::max(0.0, 0.5 * (polygon - chord)) + 1e-15 * polygon, 4};
@@ -67,13 +67,18 @@ LengthEstimate by_panels(const Cubic& cubic, int count, Rule (*rule_of)(int)) {
   double sum = 0;
   for (int p = 0; p < panels; ++p) {
     const double a = static_cast<double>(p) / panels, b = static_cast<double>(p + 1) / panels;
-    for (std::size_t i = 0; i < rule.nodes.size(); ++i) sum += rule.weights[i] * speed(c, 0.5 * ((a + b) + (b - a) * rule.nodes[i]));
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i)
+      sum += rule.weights[i] * speed(c, 0.5 * ((a + b) + (b - a) * rule.nodes[i]));
   }
   return counted(sum / (2.0 * panels), panels * static_cast<int>(rule.nodes.size()));
 }
 
-LengthEstimate gauss_legendre_fixed(const Cubic& cubic, const LengthDemand& demand) { return by_panels(cubic, demand.count, gauss_legendre_rule); }
-LengthEstimate clenshaw_curtis(const Cubic& cubic, const LengthDemand& demand) { return by_panels(cubic, demand.count, clenshaw_curtis_rule); }
+LengthEstimate gauss_legendre_fixed(const Cubic& cubic, const LengthDemand& demand) {
+  return by_panels(cubic, demand.count, gauss_legendre_rule);
+}
+LengthEstimate clenshaw_curtis(const Cubic& cubic, const LengthDemand& demand) {
+  return by_panels(cubic, demand.count, clenshaw_curtis_rule);
+}
 
 double clamped(double tolerance) { return std::clamp(tolerance, kFinestTolerance, 0.1); }
 
@@ -86,20 +91,22 @@ LengthEstimate simpson_adaptive(const Cubic& cubic, const LengthDemand& demand) 
 
 using enum LengthControl;
 constexpr std::array<ArcLengthMethod, 10> kMethods{{
-    {"gauss_legendre", "Gauss-Legendre, adaptive", "sum of w_i |B'(t_i)|, 16 nodes, halved until 8 nodes agree", tolerance,
-     LengthBound::estimated, 1e-12, gauss_legendre},
+    {"gauss_legendre", "Gauss-Legendre, adaptive", "sum of w_i |B'(t_i)|, 16 nodes, halved until 8 nodes agree",
+     tolerance, LengthBound::estimated, 1e-12, gauss_legendre},
     {"gravesen", "Gravesen's mean", "(chord + control polygon) / 2", none, LengthBound::guaranteed, 0, gravesen},
     {"chord_sum", "Chords of the polyline", "sum of |B(t_(i+1)) - B(t_i)|", count, LengthBound::none, 0, chord_sum},
     {"simpson", "Simpson", "h/3 (f_0 + 4 f_1 + 2 f_2 + ... + f_n), f = |B'|", count, LengthBound::none, 0, simpson},
     {"trapezium", "Trapezium", "h (f_0/2 + f_1 + ... + f_n/2), f = |B'|", count, LengthBound::none, 0, trapezium},
     {"riemann", "Riemann (left)", "h (f_0 + f_1 + ... + f_(n-1)), f = |B'|", count, LengthBound::none, 0, riemann},
-    {"gauss_legendre_fixed", "Gauss-Legendre, n nodes", "sum of w_i |B'(t_i)|, t_i at the roots of Legendre's P_n", count, LengthBound::none, 0,
-     gauss_legendre_fixed},
-    {"clenshaw_curtis", "Clenshaw-Curtis", "sum of w_i |B'(t_i)|, t_i = (1 - cos(i pi/n)) / 2", count, LengthBound::none, 0, clenshaw_curtis},
-    {"gravesen_adaptive", "Gravesen, adaptive", "sum of (chord + polygon) / 2, halved until sum of (polygon - chord) / 2 is small", tolerance,
+    {"gauss_legendre_fixed", "Gauss-Legendre, n nodes", "sum of w_i |B'(t_i)|, t_i at the roots of Legendre's P_n",
+     count, LengthBound::none, 0, gauss_legendre_fixed},
+    {"clenshaw_curtis", "Clenshaw-Curtis", "sum of w_i |B'(t_i)|, t_i = (1 - cos(i pi/n)) / 2", count,
+     LengthBound::none, 0, clenshaw_curtis},
+    {"gravesen_adaptive", "Gravesen, adaptive",
+     "sum of (chord + polygon) / 2, halved until sum of (polygon - chord) / 2 is small", tolerance,
      LengthBound::guaranteed, 1e-6, gravesen_adaptive},
-    {"simpson_adaptive", "Simpson, adaptive", "Simpson's rule, halved until |S_2 - S_1| / 15 is small", tolerance, LengthBound::estimated, 1e-9,
-     simpson_adaptive},
+    {"simpson_adaptive", "Simpson, adaptive", "Simpson's rule, halved until |S_2 - S_1| / 15 is small", tolerance,
+     LengthBound::estimated, 1e-9, simpson_adaptive},
 }};
 
 }  // namespace

@@ -15,7 +15,9 @@ struct Vector {
 };
 long double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Vector leg(glm::vec3 from, glm::vec3 to) {
-  const auto part = [&](int axis) { return 3.0L * (static_cast<long double>(to[axis]) - static_cast<long double>(from[axis])); };
+  const auto part = [&](int axis) {
+    return 3.0L * (static_cast<long double>(to[axis]) - static_cast<long double>(from[axis]));
+  };
   return {part(0), part(1), part(2)};
 }
 
@@ -31,7 +33,9 @@ Piece part_of(const Piece& h, long double a, long double b) {
   return {(b - a) * blossom(a, a), (b - a) * blossom(a, b), (b - a) * blossom(b, b)};
 }
 
-long double polygon(const Piece& h) { return (sqrtl(dot(h.v0, h.v0)) + sqrtl(dot(h.v1, h.v1)) + sqrtl(dot(h.v2, h.v2))) / 3; }
+long double polygon(const Piece& h) {
+  return (sqrtl(dot(h.v0, h.v0)) + sqrtl(dot(h.v1, h.v1)) + sqrtl(dot(h.v2, h.v2))) / 3;
+}
 
 bool is_steady(const Piece& h) {
   const Vector m = h.v0 + h.v1 + h.v2;
@@ -62,7 +66,8 @@ double relative(double length, long double reference) {
   return std::max(kSmallestError, static_cast<double>(fabsl(static_cast<long double>(length) - reference) / reference));
 }
 
-std::vector<ConvergencePoint> study(const ArcLengthMethod& row, const Cubic& cubic, std::int64_t most, long double reference) {
+std::vector<ConvergencePoint> study(const ArcLengthMethod& row, const Cubic& cubic, std::int64_t most,
+                                    long double reference) {
   std::vector<ConvergencePoint> points;
   const auto add = [&](const LengthDemand& demand) {
     const LengthEstimate estimate = row.measure(cubic, demand);
@@ -73,16 +78,19 @@ std::vector<ConvergencePoint> study(const ArcLengthMethod& row, const Cubic& cub
   switch (row.control) {
     case LengthControl::none: add({}); break;
     case LengthControl::count:
-      for (int count = 1; count <= 4096 && add({count, 1e-9}); count *= 2) {}
+      for (int count = 1; count <= 4096 && add({count, 1e-9}); count *= 2) {
+      }
       break;
     case LengthControl::tolerance: {
       double tolerance = 0.1;
-      for (int digits = 1; digits <= 12 && add({64, tolerance}); ++digits) tolerance = digits == 11 ? kFinestTolerance : tolerance / 10;
+      for (int digits = 1; digits <= 12 && add({64, tolerance}); ++digits)
+        tolerance = digits == 11 ? kFinestTolerance : tolerance / 10;
       break;
     }
   }
   // A finer tolerance may take a larger rule and fewer evaluations: sorted, so that the plot does not turn back.
-  std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.evaluations < b.evaluations; });
+  std::stable_sort(points.begin(), points.end(),
+                   [](const auto& a, const auto& b) { return a.evaluations < b.evaluations; });
   return points;
 }
 
@@ -115,7 +123,8 @@ std::vector<LengthComparison> compare_lengths(std::span<const Cubic> cubics, con
     LengthComparison sum{static_cast<ArcLengthId>(i), 0, 0, 0, row.bound == LengthBound::none ? -1.0 : 0.0, 0};
     long double length = 0;
     for (const Cubic& cubic : cubics) {
-      const LengthEstimate estimate = row.measure(cubic, {demand.count, std::max(demand.tolerance, row.usual_tolerance)});
+      const LengthEstimate estimate =
+          row.measure(cubic, {demand.count, std::max(demand.tolerance, row.usual_tolerance)});
       length += estimate.length;
       sum.evaluations += estimate.evaluations;
       if (row.bound != LengthBound::none) sum.error_bound += estimate.error_bound;

@@ -62,8 +62,8 @@ glm::dvec3 point_long_double(const Cubic& cubic, double t) {
 }
 
 glm::dvec3 unit_tangent(const Cubic& cubic, double t) {
-  // The direction of travel where B' vanishes is that of the first derivative that does not; approached from before t at
-  // the end of the curve, where an even derivative counts backwards.
+  // The direction of travel where B' vanishes is that of the first derivative that does not; approached from before t
+  // at the end of the curve, where an even derivative counts backwards.
   const double size = std::max({glm::length(dvec3(cubic.p1 - cubic.p0)), glm::length(dvec3(cubic.p2 - cubic.p1)),
                                 glm::length(dvec3(cubic.p3 - cubic.p2))});
   if (!(size > 0.0)) return {1, 0, 0};

@@ -28,7 +28,7 @@ struct PreparedCubic {
   Coefficients monomial;
 };
 
-Coefficients coefficients(const Cubic& cubic);    // in float, as the paper's program has them
+Coefficients coefficients(const Cubic& cubic);     // in float, as the paper's program has them
 CoefficientsD coefficients_d(const Cubic& cubic);  // exact control points, double arithmetic
 // |B'(t)| from them.
 inline double speed(const CoefficientsD& c, double t) {
@@ -37,7 +37,8 @@ inline double speed(const CoefficientsD& c, double t) {
 }
 PreparedCubic prepare(const Cubic& cubic);
 
-// B(t), B'(t), B''(t), B'''(t) in double; t in [0,1] (any finite t is allowed). At t = 0 and 1 `point` is exactly p0, p3.
+// B(t), B'(t), B''(t), B'''(t) in double; t in [0,1] (any finite t is allowed). At t = 0 and 1 `point` is exactly p0,
+// p3.
 glm::dvec3 point(const Cubic& cubic, double t);
 glm::dvec3 derivative(const Cubic& cubic, double t);
 glm::dvec3 second_derivative(const Cubic& cubic, double t);

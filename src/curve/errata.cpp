@@ -15,7 +15,8 @@ using glm::dvec3;
 
 using Quad = std::array<dvec2, 4>;
 
-// The control points seen along the mean normal of the closed polygon p0 p1 p2 p3 (Newell's); nothing when they lie on one line.
+// The control points seen along the mean normal of the closed polygon p0 p1 p2 p3 (Newell's); nothing when they lie on
+// one line.
 struct View {
   bool flat = false;
   dvec3 origin{0}, right{1, 0, 0}, up{0, 1, 0};
@@ -29,7 +30,8 @@ View view_of(const Cubic& c) {
   for (int i = 1; i < 4; ++i) size = std::max(size, glm::length(p[i] - p[0]));
   // A polygon that crosses itself can have no mean normal: any normal of its plane will do.
   for (int i = 1; i < 4 && !(glm::length(normal) > 1e-9 * size * size); ++i)
-    for (int k = i + 1; k < 4 && !(glm::length(normal) > 1e-9 * size * size); ++k) normal = glm::cross(p[i] - p[0], p[k] - p[0]);
+    for (int k = i + 1; k < 4 && !(glm::length(normal) > 1e-9 * size * size); ++k)
+      normal = glm::cross(p[i] - p[0], p[k] - p[0]);
   View view;
   view.origin = p[0];
   if (!(glm::length(normal) > 1e-9 * size * size) || !(size > 0)) return view;
@@ -80,8 +82,8 @@ std::size_t hull_of(Quad points, Quad& hull) {
   return n;
 }
 
-// By how much a rotation-minimising frame, carried from t0 to t1, turns about the tangent against one carried in twice as many steps: what
-// is left is the error of double reflection, for by its definition the frame does not turn.
+// By how much a rotation-minimising frame, carried from t0 to t1, turns about the tangent against one carried in twice
+// as many steps: what is left is the error of double reflection, for by its definition the frame does not turn.
 double minimising_turn(const Cubic& cubic, double t0, double t1) {
   const auto carried = [&](int steps) {
     Frame frame{unit_tangent(cubic, t0), perpendicular(unit_tangent(cubic, t0), {0, 1, 0})};
@@ -102,7 +104,8 @@ double minimising_turn(const Cubic& cubic, double t0, double t1) {
 
 GravesenClaim gravesen_claim(const Cubic& c) {
   const double chord = glm::length(dvec3(c.p3) - dvec3(c.p0));
-  const double polygon = glm::length(dvec3(c.p1) - dvec3(c.p0)) + glm::length(dvec3(c.p2) - dvec3(c.p1)) + glm::length(dvec3(c.p3) - dvec3(c.p2));
+  const double polygon = glm::length(dvec3(c.p1) - dvec3(c.p0)) + glm::length(dvec3(c.p2) - dvec3(c.p1)) +
+                         glm::length(dvec3(c.p3) - dvec3(c.p2));
   return {0.5 * polygon * chord, 0.5 * (polygon + chord), arc_length(c), 0.5 * (polygon - chord)};
 }
 
@@ -112,7 +115,8 @@ LineClaim line_claim(const Cubic& cubic, int steps) {
   const dvec3 start = point(cubic, 0.0), difference = point(cubic, 1.0 / n) - start;
   LineClaim worst{0, 0};
   for (int i = 0; i <= n; ++i) {
-    const double t = static_cast<double>(i) / n, distance = glm::length(start + static_cast<double>(i) * difference - point(cubic, t));
+    const double t = static_cast<double>(i) / n,
+                 distance = glm::length(start + static_cast<double>(i) * difference - point(cubic, t));
     if (distance > worst.distance) worst = {distance, t};
   }
   return worst;
@@ -123,7 +127,8 @@ FlipClaim flip_claim(const Cubic& cubic) {
   const BinormalCurve binormal = binormal_curve(cubic);
   const BinormalMinima minima = binormal_minima(binormal);
   FlipClaim worst{0.5, 0, 0, frenet(cubic, 0.5).has_value()};
-  // Where |B' x B''| is least nearby the normal turns fastest; without such a place, fastest at an end or in the middle.
+  // Where |B' x B''| is least nearby the normal turns fastest; without such a place, fastest at an end or in the
+  // middle.
   std::array<double, 5> places{0.0, 0.5, 1.0, 0.5, 0.5};
   for (int i = 0; i < minima.count; ++i) places[static_cast<std::size_t>(3 + i)] = minima.t[i];
   for (const double t : places) {
@@ -134,7 +139,8 @@ FlipClaim flip_claim(const Cubic& cubic) {
     const double angle = binormal_turn(binormal, from, to);
     if (angle > worst.frenet_angle) worst.frenet_angle = angle, worst.t = t;
   }
-  worst.minimising_angle = minimising_turn(cubic, std::max(0.0, worst.t - kHalfSpan), std::min(1.0, worst.t + kHalfSpan));
+  worst.minimising_angle =
+      minimising_turn(cubic, std::max(0.0, worst.t - kHalfSpan), std::min(1.0, worst.t + kHalfSpan));
   return worst;
 }
 

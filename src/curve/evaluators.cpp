@@ -13,7 +13,9 @@ namespace {
 
 using Points = std::span<glm::vec3>;
 
-detail::ControlPoints<glm::vec3> controls(const PreparedCubic& c) { return {c.cubic.p0, c.cubic.p1, c.cubic.p2, c.cubic.p3}; }
+detail::ControlPoints<glm::vec3> controls(const PreparedCubic& c) {
+  return {c.cubic.p0, c.cubic.p1, c.cubic.p2, c.cubic.p3};
+}
 
 int steps_of(Points points, Points tangents) {
   COASTER_CHECK(points.size() >= 2, "a polyline has at least one step");
@@ -32,7 +34,8 @@ void bernstein(const PreparedCubic& curve, Points points, Points tangents) {
   const int n = steps_of(points, tangents);
   for (int i = 0; i <= n; ++i) points[i] = detail::bernstein_point(c, static_cast<float>(i) / static_cast<float>(n));
   if (!tangents.empty())
-    for (int i = 0; i <= n; ++i) tangents[i] = detail::bernstein_tangent(c, static_cast<float>(i) / static_cast<float>(n));
+    for (int i = 0; i <= n; ++i)
+      tangents[i] = detail::bernstein_tangent(c, static_cast<float>(i) / static_cast<float>(n));
   pin_ends(curve.cubic, points);
 }
 
@@ -51,7 +54,8 @@ void de_casteljau(const PreparedCubic& curve, Points points, Points tangents) {
 void horner(const PreparedCubic& curve, Points points, Points tangents) {
   const Coefficients& c = curve.monomial;
   const int n = steps_of(points, tangents);
-  for (int i = 0; i <= n; ++i) points[i] = detail::horner(c.c0, c.c1, c.c2, c.c3, static_cast<float>(i) / static_cast<float>(n));
+  for (int i = 0; i <= n; ++i)
+    points[i] = detail::horner(c.c0, c.c1, c.c2, c.c3, static_cast<float>(i) / static_cast<float>(n));
   if (!tangents.empty()) {
     const glm::vec3 d1 = 2.0f * c.c2, d2 = 3.0f * c.c3;
     for (int i = 0; i <= n; ++i) {
@@ -65,7 +69,8 @@ void horner(const PreparedCubic& curve, Points points, Points tangents) {
 void estrin(const PreparedCubic& curve, Points points, Points tangents) {
   const Coefficients& c = curve.monomial;
   const int n = steps_of(points, tangents);
-  for (int i = 0; i <= n; ++i) points[i] = detail::estrin(c.c0, c.c1, c.c2, c.c3, static_cast<float>(i) / static_cast<float>(n));
+  for (int i = 0; i <= n; ++i)
+    points[i] = detail::estrin(c.c0, c.c1, c.c2, c.c3, static_cast<float>(i) / static_cast<float>(n));
   if (!tangents.empty()) {
     const glm::vec3 d1 = 2.0f * c.c2, d2 = 3.0f * c.c3;
     for (int i = 0; i <= n; ++i) {
@@ -89,31 +94,32 @@ void forward_differences(const PreparedCubic& curve, Points points, Points tange
   pin_ends(curve.cubic, points);
 }
 
-// Error bounds. u = 2^-24 is float's unit roundoff; M = extent bounds the coordinates' size (as a vector length), S = size the polygon's
-// length. Norms of vectors: rounding each of three components by u relative gives at most u times the vector's length.
+// Error bounds. u = 2^-24 is float's unit roundoff; M = extent bounds the coordinates' size (as a vector length), S =
+// size the polygon's length. Norms of vectors: rounding each of three components by u relative gives at most u times
+// the vector's length.
 constexpr double kU = 1.0 / (1 << 24);
 
-// Bernstein: t = i/n is off by u and 1-t by u more, so each weight w is off by at most 6 u w (three factors, two or three
-// products), its product with p by u more, and three additions of partial sums below M add 3 u M. Since the weights
-// sum to 1, 10 u M covers the arithmetic; the error of t moves the point by |B'| u t <= 3 S u.
+// Bernstein: t = i/n is off by u and 1-t by u more, so each weight w is off by at most 6 u w (three factors, two or
+// three products), its product with p by u more, and three additions of partial sums below M add 3 u M. Since the
+// weights sum to 1, 10 u M covers the arithmetic; the error of t moves the point by |B'| u t <= 3 S u.
 double bernstein_bound(double extent, double size, int) { return kU * (11.0 * extent + 4.0 * size); }
 
-// De Casteljau: three rounds of affine combinations of points below M; 1-t, two products and an addition cost 3.5 u M a round,
-// rounds do not amplify; t as above.
+// De Casteljau: three rounds of affine combinations of points below M; 1-t, two products and an addition cost 3.5 u M a
+// round, rounds do not amplify; t as above.
 double casteljau_bound(double extent, double size, int) { return kU * (11.0 * extent + 4.0 * size); }
 
-// Horner: the additions of c1..c3 work on differences: |d_i| <= S, |c1| <= 3S, |c2| <= 6S, |c3| <= 4S, so values stay below 13 S and each of
-// five operations costs u times that, coefficients 4 u each; only the last addition sees c0 = p0 and rounds at M.
-// A difference of control points itself rounds at its own size.
+// Horner: the additions of c1..c3 work on differences: |d_i| <= S, |c1| <= 3S, |c2| <= 6S, |c3| <= 4S, so values stay
+// below 13 S and each of five operations costs u times that, coefficients 4 u each; only the last addition sees c0 = p0
+// and rounds at M. A difference of control points itself rounds at its own size.
 double horner_bound(double extent, double size, int) { return kU * (extent + 120.0 * size); }
 
 // Estrin: c0 + t c1 rounds below M + 3 S and the last addition at M; the rest as Horner's, with t^2 off by 2 u.
 double estrin_bound(double extent, double size, int) { return kU * (2.0 * extent + 130.0 * size); }
 
-// Forward differences: step k rounds `value` by u M and `first` by u |first| with |first| <= 6 S/n: after n steps n u M from the value's own
-// sums, and from the errors of first (e1 a step), second (e2) and third (e3, at the start alone): sum_k k e1 + k^2/2 e2 + k^3/6 e3
-// with e1 <= 6 u S/n, e2 <= 24 u S/n^2 (rounding of each addition), and relative errors of about 10 u in the starting
-// differences, which grow to 10 u S (3 + 6 + 4).
+// Forward differences: step k rounds `value` by u M and `first` by u |first| with |first| <= 6 S/n: after n steps n u M
+// from the value's own sums, and from the errors of first (e1 a step), second (e2) and third (e3, at the start alone):
+// sum_k k e1 + k^2/2 e2 + k^3/6 e3 with e1 <= 6 u S/n, e2 <= 24 u S/n^2 (rounding of each addition), and relative
+// errors of about 10 u in the starting differences, which grow to 10 u S (3 + 6 + 4).
 double forward_differences_bound(double extent, double size, int steps) {
   const double n = steps;
   return kU * (extent * (n + 1.0) + size * (3.0 * n + 6.0) + size * (3.0 * n + 12.0) + 140.0 * size);
@@ -121,27 +127,29 @@ double forward_differences_bound(double extent, double size, int steps) {
 
 // The vector rows keep their bounds for any number of steps, as each vertex or each run of 64 starts anew.
 double horner8_bound(double extent, double size, int) { return vector_horner_error_bound(extent, size); }
-double forward_differences8_bound(double extent, double size, int) { return vector_differences_error_bound(extent, size); }
+double forward_differences8_bound(double extent, double size, int) {
+  return vector_differences_error_bound(extent, size);
+}
 
 constexpr std::array<Evaluator, 10> kEvaluators{{
     {"bernstein", "Cubic (Bernstein)", "(1-t)^3 p0 + 3t(1-t)^2 p1 + 3t^2(1-t) p2 + t^3 p3",
      "3 vector additions, 4 vector and 12 scalar multiplications", bernstein, bernstein_bound},
-    {"de_casteljau", "de Casteljau", "b_i <- (1-t) b_i + t b_(i+1), three rounds", "6 linear interpolations", de_casteljau,
-     casteljau_bound},
-    {"horner", "Horner", "c0 + t (c1 + t (c2 + t c3)), coefficients stored", "3 vector additions, 3 vector multiplications", horner,
-     horner_bound},
-    {"forward_differences", "Forward differences", "f += d1, d1 += d2, d2 += d3", "3 vector additions", forward_differences,
-     forward_differences_bound},
-    {"estrin", "Estrin", "(c0 + t c1) + t^2 (c2 + t c3), coefficients stored", "3 vector additions, 3 vector and 1 scalar multiplications", estrin,
-     estrin_bound},
-    {"horner8", "Horner, 8 at once", "Horner's rule for eight parameters in one vector", "3 vector additions, 3 vector multiplications, by eights",
-     detail::horner8, horner8_bound},
+    {"de_casteljau", "de Casteljau", "b_i <- (1-t) b_i + t b_(i+1), three rounds", "6 linear interpolations",
+     de_casteljau, casteljau_bound},
+    {"horner", "Horner", "c0 + t (c1 + t (c2 + t c3)), coefficients stored",
+     "3 vector additions, 3 vector multiplications", horner, horner_bound},
+    {"forward_differences", "Forward differences", "f += d1, d1 += d2, d2 += d3", "3 vector additions",
+     forward_differences, forward_differences_bound},
+    {"estrin", "Estrin", "(c0 + t c1) + t^2 (c2 + t c3), coefficients stored",
+     "3 vector additions, 3 vector and 1 scalar multiplications", estrin, estrin_bound},
+    {"horner8", "Horner, 8 at once", "Horner's rule for eight parameters in one vector",
+     "3 vector additions, 3 vector multiplications, by eights", detail::horner8, horner8_bound},
     {"forward_differences8", "Forward differences, 8 lanes", "each lane steps by 8/n, started anew every 64 points",
      "3 vector additions, by eights", detail::forward_differences8, forward_differences8_bound},
-    {"gpu_vertex", "Vertex shader", "Horner at t = gl_VertexID / n, coefficients a segment", "3 vector additions, 3 vector multiplications",
-     horner, horner_bound, Stage::vertex_shader},
-    {"gpu_geometry", "Geometry shader", "Horner at t = i / n for a point that becomes a strip", "3 vector additions, 3 vector multiplications",
-     horner, horner_bound, Stage::geometry_shader},
+    {"gpu_vertex", "Vertex shader", "Horner at t = gl_VertexID / n, coefficients a segment",
+     "3 vector additions, 3 vector multiplications", horner, horner_bound, Stage::vertex_shader},
+    {"gpu_geometry", "Geometry shader", "Horner at t = i / n for a point that becomes a strip",
+     "3 vector additions, 3 vector multiplications", horner, horner_bound, Stage::geometry_shader},
     {"gpu_tessellation", "Tessellation shader", "Horner at gl_TessCoord.x of a patch of four control points",
      "3 vector additions, 3 vector multiplications", horner, horner_bound, Stage::tessellation_shader},
 }};

@@ -1,5 +1,6 @@
-// The table of polyline evaluators: the methods of Barrett 2012, section 3, each in its textbook form, and what came after it.
-// Panels, scripts, tests and benchmarks iterate the table; to add a method, write its function and one row in evaluators.cpp.
+// The table of polyline evaluators: the methods of Barrett 2012, section 3, each in its textbook form, and what came
+// after it. Panels, scripts, tests and benchmarks iterate the table; to add a method, write its function and one row in
+// evaluators.cpp.
 #pragma once
 
 #include <optional>
@@ -16,14 +17,15 @@ inline constexpr int kMaxSteps = 4096;
 // Row numbers of the table, stable for settings files.
 enum class EvaluatorId : int {};
 
-// Writes the polyline of one segment. `points` and `tangents` hold n+1 entries, n = steps >= 1: vertex i is B(i/n), tangent i
-// is B'(i/n) (not normalised). points.front() is exactly p0 and points.back() exactly p3, whatever the method, so
-// joints never gap. `tangents` may be empty: then only points are written. Spans of different sizes are a programmer error.
+// Writes the polyline of one segment. `points` and `tangents` hold n+1 entries, n = steps >= 1: vertex i is B(i/n),
+// tangent i is B'(i/n) (not normalised). points.front() is exactly p0 and points.back() exactly p3, whatever the
+// method, so joints never gap. `tangents` may be empty: then only points are written. Spans of different sizes are a
+// programmer error.
 using PolylineFunction = void (*)(const PreparedCubic& curve, std::span<glm::vec3> points,
                                   std::span<glm::vec3> tangents);
 
-// Where a row's points are computed for the display: on the processor, or on the GPU from the control points alone. A GPU row's
-// `polyline` is the processor's twin of the shader's arithmetic, so tests, deviations and picking need no GL.
+// Where a row's points are computed for the display: on the processor, or on the GPU from the control points alone. A
+// GPU row's `polyline` is the processor's twin of the shader's arithmetic, so tests, deviations and picking need no GL.
 enum class Stage { processor, vertex_shader, geometry_shader, tessellation_shader };
 
 struct Evaluator {

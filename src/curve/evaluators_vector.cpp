@@ -25,7 +25,11 @@ void by(VectorMethod method, const PreparedCubic& curve, Points points, Points t
 
 }  // namespace
 
-void horner8(const PreparedCubic& curve, Points points, Points tangents) { by(VectorMethod::horner, curve, points, tangents); }
-void forward_differences8(const PreparedCubic& curve, Points points, Points tangents) { by(VectorMethod::differences, curve, points, tangents); }
+void horner8(const PreparedCubic& curve, Points points, Points tangents) {
+  by(VectorMethod::horner, curve, points, tangents);
+}
+void forward_differences8(const PreparedCubic& curve, Points points, Points tangents) {
+  by(VectorMethod::differences, curve, points, tangents);
+}
 
 }  // namespace coaster::curve::detail

@@ -9,10 +9,12 @@ namespace {
 
 using glm::dvec3;
 
-// The curvature that rounding the control points to float may make of none: each is off by up to half an ulp of the largest coordinate.
+// The curvature that rounding the control points to float may make of none: each is off by up to half an ulp of the
+// largest coordinate.
 double rounding_curvature(const Cubic& c, double speed, double second) {
   float largest = 0;
-  for (const glm::vec3& p : {c.p0, c.p1, c.p2, c.p3}) largest = std::fmax(largest, std::fmax(std::fabs(p.x), std::fmax(std::fabs(p.y), std::fabs(p.z))));
+  for (const glm::vec3& p : {c.p0, c.p1, c.p2, c.p3})
+    largest = std::fmax(largest, std::fmax(std::fabs(p.x), std::fmax(std::fabs(p.y), std::fabs(p.z))));
   const double half_ulp = double{largest} * 0x1p-24;
   return half_ulp * (12.0 * speed + 6.0 * second) / (speed * speed * speed);
 }
@@ -44,7 +46,8 @@ BinormalCurve binormal_curve(const Cubic& cubic) {
 
 BinormalMinima binormal_minima(const BinormalCurve& curve) {
   // The derivative of |b(t)|^2, halved: a cubic polynomial.
-  const double d0 = glm::dot(curve.b0, curve.b1), d1 = glm::dot(curve.b1, curve.b1) + 2.0 * glm::dot(curve.b0, curve.b2),
+  const double d0 = glm::dot(curve.b0, curve.b1),
+               d1 = glm::dot(curve.b1, curve.b1) + 2.0 * glm::dot(curve.b0, curve.b2),
                d2 = 3.0 * glm::dot(curve.b1, curve.b2), d3 = 2.0 * glm::dot(curve.b2, curve.b2);
   const auto slope = [&](double t) { return d0 + t * (d1 + t * (d2 + t * d3)); };
   constexpr int kIntervals = 32;

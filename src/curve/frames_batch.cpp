@@ -11,7 +11,8 @@ static_assert(sizeof(glm::dvec3) == 3 * sizeof(double), "the kernels read a vect
 using Places = std::span<const glm::dvec3>;
 
 void one_chain(Places points, Places tangents, std::span<glm::dvec3> ups) {
-  for (std::size_t i = 1; i < points.size(); ++i) ups[i] = transport({tangents[i - 1], ups[i - 1]}, points[i - 1], points[i], tangents[i]).up;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    ups[i] = transport({tangents[i - 1], ups[i - 1]}, points[i - 1], points[i], tangents[i]).up;
 }
 
 void eight_chains(Processor on, const detail::FrameJob& job) {
@@ -29,7 +30,9 @@ void transport_chains(int count, Places points, Places tangents, std::span<glm::
   COASTER_CHECK(tangents.size() == points.size() && ups.size() == points.size(), "a tangent and an up for each point");
   const auto n = static_cast<std::size_t>(count);
   const std::size_t chains = points.size() / n;
-  const auto alone = [&](std::size_t c) { one_chain(points.subspan(c * n, n), tangents.subspan(c * n, n), ups.subspan(c * n, n)); };
+  const auto alone = [&](std::size_t c) {
+    one_chain(points.subspan(c * n, n), tangents.subspan(c * n, n), ups.subspan(c * n, n));
+  };
   std::size_t c = 0;
   for (; c + 8 <= chains; c += 8) {
     bool bad[8] = {};

@@ -1,4 +1,5 @@
-// Solving: sequential quadratic programming, by Newton's steps where they go downhill, else by Gauss-Newton's. What is solved is in g2_repair.h.
+// Solving: sequential quadratic programming, by Newton's steps where they go downhill, else by Gauss-Newton's. What is
+// solved is in g2_repair.h.
 #include "curve/g2.h"
 
 #include "curve/g2_repair.h"
@@ -28,8 +29,9 @@ double norm(const std::array<double, kMostConditions>& v) {
 
 }  // namespace
 
-// One quadratic programme: [H C^T; C -e] [d; m] = [-g; -c] by Gaussian elimination with row exchanges. The small e keeps the system
-// regular where conditions repeat each other; contradicting ones end as a violation that does not go away.
+// One quadratic programme: [H C^T; C -e] [d; m] = [-g; -c] by Gaussian elimination with row exchanges. The small e
+// keeps the system regular where conditions repeat each other; contradicting ones end as a violation that does not go
+// away.
 Repair::Step Repair::step(const Conditions& now, const Vector& gradient, const Matrix& hessian) const {
   constexpr int kMost = kUnknowns + kMostConditions;
   std::array<std::array<double, kMost + 1>, kMost> m{};
@@ -74,9 +76,10 @@ Repair::Step Repair::step(const Conditions& now, const Vector& gradient, const M
   return out;
 }
 
-// Adds what Gauss-Newton leaves out: the bending of the movements and, times the multipliers, of the conditions. All are polynomials, so
-// central differences of the exact slopes are good to 1e-8.
-void Repair::bend(const Point& x, const Axes& across, const std::array<double, kMostConditions>& multipliers, Matrix& hessian) const {
+// Adds what Gauss-Newton leaves out: the bending of the movements and, times the multipliers, of the conditions. All
+// are polynomials, so central differences of the exact slopes are good to 1e-8.
+void Repair::bend(const Point& x, const Axes& across, const std::array<double, kMostConditions>& multipliers,
+                  Matrix& hessian) const {
   for (int j = 0; j < kUnknowns; ++j) {
     if (frozen(j)) continue;
     const double h = 1e-4 * (j == kL ? 1.0 : scale_);
@@ -84,7 +87,8 @@ void Repair::bend(const Point& x, const Axes& across, const std::array<double, k
     unit[j] = 1.0;
     const Conditions more = conditions(moved(x, unit, h), across), less = conditions(moved(x, unit, -h), across);
     for (int k = 0; k < more.count; ++k)
-      for (int i = 0; i < kUnknowns; ++i) hessian[i][j] += multipliers[k] * (more.rows[k][i] - less.rows[k][i]) / (2.0 * h);
+      for (int i = 0; i < kUnknowns; ++i)
+        hessian[i][j] += multipliers[k] * (more.rows[k][i] - less.rows[k][i]) / (2.0 * h);
   }
   // p = q + l (r - q) bends with l alone: d2p/dq dl = -1, d2p/dr dl = 1.
   const dvec3 p = x.p();
@@ -94,7 +98,8 @@ void Repair::bend(const Point& x, const Axes& across, const std::array<double, k
   }
 }
 
-// The longest part of a step that keeps handles from turning over: lengths fall to a quarter at most, and so does the share of each side.
+// The longest part of a step that keeps handles from turning over: lengths fall to a quarter at most, and so does the
+// share of each side.
 double Repair::longest(const Point& x, const Vector& d) const {
   double part = 1.0;
   const auto keep = [&](double value, double change) {
@@ -109,7 +114,8 @@ double Repair::longest(const Point& x, const Vector& d) const {
 
 G2Solution Repair::solve() const {
   constexpr int kMostIterations = 60, kMostHalvings = 24;
-  constexpr double kLeast = 1.0 / 16;  // of what a length was: less is no repair, and curvature, over its square, loses its digits
+  constexpr double kLeast =
+      1.0 / 16;  // of what a length was: less is no repair, and curvature, over its square, loses its digits
   G2Solution out;
   Point x = start_;
   Vector gradient{};
@@ -137,17 +143,21 @@ G2Solution Repair::solve() const {
       out.outcome = G2Outcome::solved;
       break;
     }
-    // Movement and violation together must fall (an exact penalty); near the solution rounding hides that, and the step is tiny.
+    // Movement and violation together must fall (an exact penalty); near the solution rounding hides that, and the step
+    // is tiny.
     const double merit = cost(x) + penalty * before;
     double part = longest(x, s.d);
     for (int halving = 0; halving < kMostHalvings; ++halving, part *= 0.5) {
       const Point next = moved(x, s.d, part);
-      if (cost(next) + penalty * size_of(conditions(next, across)) <= merit + 1e-4 * part * (descent - penalty * before) + 1e-13 * merit) break;
+      if (cost(next) + penalty * size_of(conditions(next, across)) <=
+          merit + 1e-4 * part * (descent - penalty * before) + 1e-13 * merit)
+        break;
     }
     x = moved(x, s.d, part);
     // A step that shrinks to nothing, or a joint that runs away: there is no solution near.
-    const bool collapsed = glm::length(x.r - x.q) < kLeast * scale_ || x.l < 0.25 * kLeast || x.l > 1.0 - 0.25 * kLeast ||
-                           x.a < kLeast * problem_.before.length || x.b < kLeast * problem_.after.length;
+    const bool collapsed = glm::length(x.r - x.q) < kLeast * scale_ || x.l < 0.25 * kLeast ||
+                           x.l > 1.0 - 0.25 * kLeast || x.a < kLeast * problem_.before.length ||
+                           x.b < kLeast * problem_.after.length;
     if (part < 1e-12 || collapsed || !(cost(x) < 1e4 * scale_ * scale_)) break;
   }
   out.in_handle = x.q;
@@ -165,10 +175,11 @@ namespace {
 
 bool usable(const G2Problem& p) {
   const auto finite = [](glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
-  for (const glm::dvec3 v : {p.in_handle, p.position, p.out_handle, p.before.anchor, p.before.direction, p.before.curvature, p.after.anchor,
-                        p.after.direction, p.after.curvature})
+  for (const glm::dvec3 v : {p.in_handle, p.position, p.out_handle, p.before.anchor, p.before.direction,
+                             p.before.curvature, p.after.anchor, p.after.direction, p.after.curvature})
     if (!finite(v)) return false;
-  return glm::length(p.position - p.in_handle) > 0 && glm::length(p.out_handle - p.position) > 0 && p.before.length > 0 && p.after.length > 0;
+  return glm::length(p.position - p.in_handle) > 0 && glm::length(p.out_handle - p.position) > 0 &&
+         p.before.length > 0 && p.after.length > 0;
 }
 
 }  // namespace

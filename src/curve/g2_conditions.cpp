@@ -41,9 +41,11 @@ void Repair::slopes(const Point& x, Vector& gradient, Matrix& hessian) const {
 
 void Repair::add_equal_curvature(const Point& x, const Axes& axes, Conditions& to) const {
   const dvec3 line = x.r - x.q, p = x.p();
-  const dvec3 a = problem_.before.anchor + x.a * problem_.before.direction - p, b = problem_.after.anchor + x.b * problem_.after.direction - p;
+  const dvec3 a = problem_.before.anchor + x.a * problem_.before.direction - p,
+              b = problem_.after.anchor + x.b * problem_.after.direction - p;
   const double u = 1.0 - x.l, skew = 1.0 - 2.0 * x.l;
-  // out^2 (a - p) - in^2 (b - p), over the square of the handles' distance, must be parallel to the line of the handles.
+  // out^2 (a - p) - in^2 (b - p), over the square of the handles' distance, must be parallel to the line of the
+  // handles.
   const dvec3 v = u * u * a - x.l * x.l * b;
   const dvec3 dv_dl = -2.0 * u * a - 2.0 * x.l * b - skew * line;
   const dvec3 across = glm::cross(line, v) / scale_;

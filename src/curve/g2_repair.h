@@ -1,4 +1,5 @@
-// The problem that solve_g2() solves, as a nonlinear programme: unknowns, what is minimised, and the conditions. Private to g2*.cpp.
+// The problem that solve_g2() solves, as a nonlinear programme: unknowns, what is minimised, and the conditions.
+// Private to g2*.cpp.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +12,8 @@ namespace coaster::curve::detail {
 
 using glm::dvec3;
 
-// Unknowns: the joint's two handles q and r, the joint's place on their line p = q + l (r - q), and how long the far handles are. In these
-// every condition is a polynomial.
+// Unknowns: the joint's two handles q and r, the joint's place on their line p = q + l (r - q), and how long the far
+// handles are. In these every condition is a polynomial.
 constexpr int kUnknowns = 9, kMostConditions = 11;
 enum : int { kQ = 0, kR = 3, kL = 6, kA = 7, kB = 8 };
 using Vector = std::array<double, kUnknowns>;
@@ -54,8 +55,8 @@ class Repair {
     problem_.after.anchor -= origin;
     const dvec3 line = problem_.out_handle - problem_.in_handle;
     scale_ = glm::length(line);
-    start_ = {problem_.in_handle, problem_.out_handle, glm::length(problem_.in_handle) / std::max(scale_, 1e-300), problem.before.length,
-              problem.after.length};
+    start_ = {problem_.in_handle, problem_.out_handle, glm::length(problem_.in_handle) / std::max(scale_, 1e-300),
+              problem.before.length, problem.after.length};
     if (problem.equal_lengths) start_.l = 0.5;
   }
 
@@ -86,7 +87,8 @@ class Repair {
     bool finite = false;
   };
   Step step(const Conditions& now, const Vector& gradient, const Matrix& hessian) const;
-  void bend(const Point& x, const Axes& across, const std::array<double, kMostConditions>& multipliers, Matrix& hessian) const;
+  void bend(const Point& x, const Axes& across, const std::array<double, kMostConditions>& multipliers,
+            Matrix& hessian) const;
   double longest(const Point& x, const Vector& d) const;
 
   G2Problem problem_;

@@ -50,15 +50,15 @@ std::span<const Processor> available_processors() {
   return std::span(kProcessors).first(best_processor() == Processor::avx2 ? 2 : 1);
 }
 
-// As Horner's bound in evaluators.cpp (M + 120 S for coefficients and five operations below 13 S), and what scaling by powers of 1/n adds: at
-// most 6 u of coefficients below 13 S. A fused multiplication and addition rounds once less.
+// As Horner's bound in evaluators.cpp (M + 120 S for coefficients and five operations below 13 S), and what scaling by
+// powers of 1/n adds: at most 6 u of coefficients below 13 S. A fused multiplication and addition rounds once less.
 double vector_horner_error_bound(double extent, double size) { return (extent + 200.0 * size) / (1 << 24); }
 
-// A run of 64 vertices, with S the polygon's length and h = 8/n (at most 8 steps of at most 1/8, as a run covers at most the curve):
-// first <= 6 S h, second <= 24 S h^2, third <= 24 S h^3. Rounded once a step each, and values below 7 S as well, that sums to below
-// 8 * 7 S + 8 * 6 S h + 28 * 24 S h^2 <= 73 S for h = 1/8; relative errors of 12 u in the starts of all three (scaling, shift, tables of
-// exact numbers) grow to at most 12 (3 + 6 + 4) S = 156 S, and Horner's start has its 200 S. The run's first point and the sum with it
-// round at M once each.
+// A run of 64 vertices, with S the polygon's length and h = 8/n (at most 8 steps of at most 1/8, as a run covers at
+// most the curve): first <= 6 S h, second <= 24 S h^2, third <= 24 S h^3. Rounded once a step each, and values below 7
+// S as well, that sums to below 8 * 7 S + 8 * 6 S h + 28 * 24 S h^2 <= 73 S for h = 1/8; relative errors of 12 u in the
+// starts of all three (scaling, shift, tables of exact numbers) grow to at most 12 (3 + 6 + 4) S = 156 S, and Horner's
+// start has its 200 S. The run's first point and the sum with it round at M once each.
 double vector_differences_error_bound(double extent, double size) { return (2.0 * extent + 430.0 * size) / (1 << 24); }
 
 // The same with the first point inside the value: each of seven additions rounds at M as well.
@@ -78,8 +78,10 @@ std::size_t track_vertices(std::size_t curves, int steps, TrackLayout layout) {
   return layout == TrackLayout::polylines ? curves * (n + 1) : curves * n + 1;
 }
 
-void track_points(std::span<const PreparedCubic> curves, int steps, TrackLayout layout, std::span<glm::vec3> out, Processor on) {
-  COASTER_CHECK(steps >= 1 && out.size() == track_vertices(curves.size(), steps, layout), "as many vertices as the layout has");
+void track_points(std::span<const PreparedCubic> curves, int steps, TrackLayout layout, std::span<glm::vec3> out,
+                  Processor on) {
+  COASTER_CHECK(steps >= 1 && out.size() == track_vertices(curves.size(), steps, layout),
+                "as many vertices as the layout has");
   if (curves.empty()) return;
   const int points = layout == TrackLayout::polylines ? steps + 1 : steps;
   const detail::Job job{floats(curves), curves.size(), steps, points, &out[0].x};
@@ -88,14 +90,16 @@ void track_points(std::span<const PreparedCubic> curves, int steps, TrackLayout 
   if (layout == TrackLayout::chain) out.back() = curves.back().cubic.p3;
 }
 
-void track_vertices_with_tangents(std::span<const PreparedCubic> curves, int steps, std::span<TrackVertex> out, Processor on) {
-  COASTER_CHECK(steps >= 1 && out.size() == track_vertices(curves.size(), steps, TrackLayout::polylines), "n + 1 vertices a curve");
+void track_vertices_with_tangents(std::span<const PreparedCubic> curves, int steps, std::span<TrackVertex> out,
+                                  Processor on) {
+  COASTER_CHECK(steps >= 1 && out.size() == track_vertices(curves.size(), steps, TrackLayout::polylines),
+                "n + 1 vertices a curve");
   if (curves.empty()) return;
   kernels(on).track_vertices({floats(curves), curves.size(), steps, steps + 1, &out[0].position.x});
 }
 
-void track_points_and_unit_tangents(std::span<const PreparedCubic> curves, int steps, TrackLayout layout, std::span<glm::vec3> points,
-                                    std::span<glm::vec3> tangents, Processor on) {
+void track_points_and_unit_tangents(std::span<const PreparedCubic> curves, int steps, TrackLayout layout,
+                                    std::span<glm::vec3> points, std::span<glm::vec3> tangents, Processor on) {
   COASTER_CHECK(tangents.size() == points.size(), "as many tangents as points");
   track_points(curves, steps, layout, points, on);
   if (curves.empty()) return;
@@ -105,7 +109,8 @@ void track_points_and_unit_tangents(std::span<const PreparedCubic> curves, int s
   for (std::size_t i = 0; i < curves.size(); ++i) {
     glm::vec3* const first = &tangents[i * static_cast<std::size_t>(own)];
     if (slow[i])
-      for (int j = 0; j < steps; ++j) first[j] = glm::vec3(unit_tangent(curves[i].cubic, static_cast<double>(j) / steps));
+      for (int j = 0; j < steps; ++j)
+        first[j] = glm::vec3(unit_tangent(curves[i].cubic, static_cast<double>(j) / steps));
     if (own > steps) first[steps] = glm::vec3(unit_tangent(curves[i].cubic, 1.0));
   }
   if (layout == TrackLayout::chain) tangents.back() = glm::vec3(unit_tangent(curves.back().cubic, 1.0));

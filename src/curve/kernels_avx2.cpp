@@ -1,4 +1,5 @@
-// The kernels for AVX2 and FMA: compiled with those flags (cmake/kernels.cmake), called only where the processor has them.
+// The kernels for AVX2 and FMA: compiled with those flags (cmake/kernels.cmake), called only where the processor has
+// them.
 #ifdef COASTER_AVX2_KERNELS
 
 #include "curve/kernels_tangents.h"
@@ -7,7 +8,7 @@ namespace coaster::curve::detail {
 
 const Kernels& avx2_kernels() {
   static constexpr Kernels kernels{positions_by_horner,      positions_by_differences, track_positions,
-                                    track_positions_streamed, track_vertices,           track_unit_tangents};
+                                   track_positions_streamed, track_vertices,           track_unit_tangents};
   return kernels;
 }
 

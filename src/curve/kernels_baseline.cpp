@@ -5,7 +5,7 @@ namespace coaster::curve::detail {
 
 const Kernels& baseline_kernels() {
   static constexpr Kernels kernels{positions_by_horner,      positions_by_differences, track_positions,
-                                    track_positions_streamed, track_vertices,           track_unit_tangents};
+                                   track_positions_streamed, track_vertices,           track_unit_tangents};
   return kernels;
 }
 

@@ -1,9 +1,11 @@
-// The vector kernels' bodies, compiled once a processor (kernels_avx2.cpp, kernels_baseline.cpp) and included by nothing else. All is
-// in an anonymous namespace and no library header is used, so that no code for one processor can stand in for another's.
+// The vector kernels' bodies, compiled once a processor (kernels_avx2.cpp, kernels_baseline.cpp) and included by
+// nothing else. All is in an anonymous namespace and no library header is used, so that no code for one processor can
+// stand in for another's.
 //
-// A vertex is W floats (3: position; 6: position and tangent), each its own cubic in u = 0, 1, .. n, t = u/n, with coefficients scaled by
-// powers of 1/n. 24 floats are three vectors of eight, which hold 8 positions or 4 vertices of 6 floats; coefficients stand in
-// them in the order of the vertices' floats, so that what is stored is packed without a shuffle.
+// A vertex is W floats (3: position; 6: position and tangent), each its own cubic in u = 0, 1, .. n, t = u/n, with
+// coefficients scaled by powers of 1/n. 24 floats are three vectors of eight, which hold 8 positions or 4 vertices of 6
+// floats; coefficients stand in them in the order of the vertices' floats, so that what is stored is packed without a
+// shuffle.
 #pragma once
 
 #include <cstddef>
@@ -19,10 +21,12 @@ using coaster::curve::detail::Job;
 struct Rows {
   V4 c[4];
 };
-// Coefficients start at float 12 of a PreparedCubic; c3 is loaded one float early, so that nothing past the end is read.
+// Coefficients start at float 12 of a PreparedCubic; c3 is loaded one float early, so that nothing past the end is
+// read.
 inline Rows rows_of(const float* cubic, float e) {
   const V4 c3 = load4(cubic + 20);
-  return {{load4(cubic + 12), load4(cubic + 15) * e, load4(cubic + 18) * (e * e), __builtin_shufflevector(c3, c3, 1, 2, 3, 3) * (e * e * e)}};
+  return {{load4(cubic + 12), load4(cubic + 15) * e, load4(cubic + 18) * (e * e),
+           __builtin_shufflevector(c3, c3, 1, 2, 3, 3) * (e * e * e)}};
 }
 // The same cubic with its parameter counted from w on.
 inline Rows shifted(const Rows& r, float w) {
@@ -85,7 +89,8 @@ inline V8 vertex_numbers(int k) {
 
 inline V8 horner(const V8* c, V8 w) { return c[0] + w * (c[1] + w * (c[2] + w * c[3])); }
 
-// Differences of a cubic in w, one group long, for the step 1: value, first, second, third. The polynomials in w are constants.
+// Differences of a cubic in w, one group long, for the step 1: value, first, second, third. The polynomials in w are
+// constants.
 template <int W>
 struct Starts {
   alignas(32) float w[24], first2[24], first3[24], second3[24];
@@ -136,8 +141,8 @@ inline void horner_groups(const Pattern& p, int first, int groups, float* out) {
     }
 }
 
-// `groups` groups by differences, each lane stepping a whole group. Careful: values are counted from the run's first point, which is added to
-// each when it is stored, so that it rounds at the coordinates' size once; an addition more.
+// `groups` groups by differences, each lane stepping a whole group. Careful: values are counted from the run's first
+// point, which is added to each when it is stored, so that it rounds at the coordinates' size once; an addition more.
 template <int W, bool S, bool Careful>
 inline void difference_run(Pattern p, int groups, float* out) {
   const V8 base0 = p.c[0][0], base1 = p.c[1][0], base2 = p.c[2][0];
@@ -161,7 +166,8 @@ inline Pattern pattern_of(const Rows& rows, float scale) {
   else return pattern(rows, scale);
 }
 
-// All groups, started anew every kRun from the cubic shifted there, so that every run is alike. Whole runs have a fixed length.
+// All groups, started anew every kRun from the cubic shifted there, so that every run is alike. Whole runs have a fixed
+// length.
 template <int W, bool S, bool Careful>
 inline void difference_groups(const Rows& rows, float scale, int groups, float* out) {
   constexpr int run = coaster::curve::detail::kRun;
@@ -169,7 +175,9 @@ inline void difference_groups(const Rows& rows, float scale, int groups, float* 
   int from = groups >= run ? run : 0;
   for (; from + run <= groups; from += run)
     difference_run<W, S, Careful>(pattern_of<W>(shifted(rows, static_cast<float>(from)), scale), run, out + 24 * from);
-  if (from < groups) difference_run<W, S, Careful>(pattern_of<W>(shifted(rows, static_cast<float>(from)), scale), groups - from, out + 24 * from);
+  if (from < groups)
+    difference_run<W, S, Careful>(pattern_of<W>(shifted(rows, static_cast<float>(from)), scale), groups - from,
+                                  out + 24 * from);
 }
 
 // What is left when the vertices are no whole number of groups, by Horner's rule counted in vertices.
@@ -202,7 +210,8 @@ void run(const Job& job) {
   const int inner = job.points < job.steps ? job.points : job.steps, groups = inner / a_group;
   const bool rest = groups * a_group != inner;
   for (std::size_t i = 0; i < job.count; ++i, cubic += 24, out += static_cast<std::ptrdiff_t>(job.points) * W) {
-    if constexpr (Differences) difference_groups<W, S, Careful>(rows_of(cubic, a_group * inv), n / a_group, groups, out);
+    if constexpr (Differences)
+      difference_groups<W, S, Careful>(rows_of(cubic, a_group * inv), n / a_group, groups, out);
     if (!Differences || rest) {
       const Pattern p = pattern_of<W>(rows_of(cubic, inv), n);
       if constexpr (!Differences) horner_groups<W, S>(p, 0, groups, out);

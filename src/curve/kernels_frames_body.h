@@ -1,6 +1,7 @@
-// Double reflection for eight chains of frames at once, compiled once a processor (kernels_frames_*.cpp) and included by nothing else. The
-// operations and their order are those of transport() in frames.cpp, without fused multiplications and additions, so that each
-// lane has the same bits. Lanes that would take one of its branches are reported, for the caller to do by transport() itself.
+// Double reflection for eight chains of frames at once, compiled once a processor (kernels_frames_*.cpp) and included
+// by nothing else. The operations and their order are those of transport() in frames.cpp, without fused multiplications
+// and additions, so that each lane has the same bits. Lanes that would take one of its branches are reported, for the
+// caller to do by transport() itself.
 #pragma once
 
 #include "curve/kernels_frames_jobs.h"
@@ -29,7 +30,8 @@ inline Part root(Part x) { return Part{__builtin_sqrt(x[0]), __builtin_sqrt(x[1]
 #endif
 #endif
 
-// Eight lanes in parts, each operation done on all parts in turn: the divisions and roots of one part run while another waits.
+// Eight lanes in parts, each operation done on all parts in turn: the divisions and roots of one part run while another
+// waits.
 constexpr int kParts = 8 / kPartLanes;
 struct Wide {
   Part v[kParts];
@@ -109,7 +111,8 @@ void transport_eight(const FrameJob& job) {
     up = up / length;
     up = up - dot(up, t1) * t1;
     up = up / root(dot(up, up));
-    COASTER_EACH_PART bad[q] |= ~((c1.v[q] > Part{} + 1e-24) & (c2.v[q] > Part{} + 1e-24) & (length.v[q] > Part{} + 1e-9));
+    COASTER_EACH_PART bad[q] |=
+        ~((c1.v[q] > Part{} + 1e-24) & (c2.v[q] > Part{} + 1e-24) & (length.v[q] > Part{} + 1e-9));
     scatter(job.ups + 3 * i, stride, up);
     x0 = x1;
     t0 = t1;

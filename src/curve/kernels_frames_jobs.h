@@ -1,4 +1,5 @@
-// What frames_batch.cpp hands to the kernels compiled for each processor. Plain pointers: these files share no library code.
+// What frames_batch.cpp hands to the kernels compiled for each processor. Plain pointers: these files share no library
+// code.
 #pragma once
 
 namespace coaster::curve::detail {

@@ -11,7 +11,8 @@ struct Job {
   int steps;   // n
   int points;  // vertices of each curve: n, or n + 1 of which the last is p3
   float* out;  // count * points vertices
-  unsigned char* slow = nullptr;  // of track_unit_tangents: 1 for each curve whose tangents lose their direction to rounding
+  unsigned char* slow =
+      nullptr;  // of track_unit_tangents: 1 for each curve whose tangents lose their direction to rounding
 };
 
 // Groups between two starts of the differences: at most kRun - 1 roundings of a value pile up.

@@ -1,5 +1,5 @@
-// Eight floats side by side, as the vector kernels use them: one AVX register, or two halves of the baseline's. Included by
-// kernels_body.h alone, and in an anonymous namespace for its reason.
+// Eight floats side by side, as the vector kernels use them: one AVX register, or two halves of the baseline's.
+// Included by kernels_body.h alone, and in an anonymous namespace for its reason.
 #pragma once
 
 #if defined(__SSE2__)
@@ -31,7 +31,9 @@ struct V8 {
 };
 typedef float LooseV4 __attribute__((vector_size(16), aligned(4), may_alias));
 inline V8 all(float x) { return {V4{x, x, x, x}, V4{x, x, x, x}}; }
-inline V8 load(const float* p) { return {*reinterpret_cast<const LooseV4*>(p), *reinterpret_cast<const LooseV4*>(p + 4)}; }
+inline V8 load(const float* p) {
+  return {*reinterpret_cast<const LooseV4*>(p), *reinterpret_cast<const LooseV4*>(p + 4)};
+}
 inline void store(float* p, V8 v) {
   *reinterpret_cast<LooseV4*>(p) = v.low;
   *reinterpret_cast<LooseV4*>(p + 4) = v.high;
@@ -55,7 +57,9 @@ inline V8 reciprocal_root(V8 x) {
   return x;
 }
 inline V8 at_least(V8 x, V8 low) { return {x.low > low.low ? x.low : low.low, x.high > low.high ? x.high : low.high}; }
-inline V8 at_most(V8 x, V8 high) { return {x.low < high.low ? x.low : high.low, x.high < high.high ? x.high : high.high}; }
+inline V8 at_most(V8 x, V8 high) {
+  return {x.low < high.low ? x.low : high.low, x.high < high.high ? x.high : high.high};
+}
 #endif
 #endif
 

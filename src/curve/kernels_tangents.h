@@ -1,11 +1,13 @@
-// The part of the vector kernels that writes unit tangents. Included by the files of each processor after kernels_body.h, alone.
+// The part of the vector kernels that writes unit tangents. Included by the files of each processor after
+// kernels_body.h, alone.
 #pragma once
 
 #include "curve/kernels_body.h"
 
 namespace {
 
-// 2 / sqrt(q): the processor's estimate (relative error below 1.5 * 2^-12) and one step of Newton, which squares it: below 3e-7.
+// 2 / sqrt(q): the processor's estimate (relative error below 1.5 * 2^-12) and one step of Newton, which squares it:
+// below 3e-7.
 inline V8 twice_inverse_root(V8 q) {
   const V8 r = reciprocal_root(q);
   return r * (all(3) - (q * r) * r);
@@ -41,8 +43,9 @@ inline void advance(Parabola& s) {
   s.first = s.first + s.second;
 }
 
-// The derivative by w of `groups` groups of eight vertices, divided by its length; rows counted in groups. It is had twice, by vertices to
-// measure (x, y, z apart) and packed to store, as that costs less than to move lanes. Gives four times the least squared speed.
+// The derivative by w of `groups` groups of eight vertices, divided by its length; rows counted in groups. It is had
+// twice, by vertices to measure (x, y, z apart) and packed to store, as that costs less than to move lanes. Gives four
+// times the least squared speed.
 inline V8 unit_run(const Rows& rows, int groups, float* out, V8 least) {
   alignas(16) float c1[4], c2[4], c3[4];  // twice the derivative, so that the root below gives 1 / its length
   store4(c1, rows.c[1] * 2);
@@ -50,11 +53,13 @@ inline V8 unit_run(const Rows& rows, int groups, float* out, V8 least) {
   store4(c3, rows.c[3] * 6);
   static const float kEighths[8] = {0, 0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.875f};
   const V8 w = load(kEighths);
-  Parabola x = start_parabola(all(c1[0]), all(c2[0]), all(c3[0]), w), y = start_parabola(all(c1[1]), all(c2[1]), all(c3[1]), w);
+  Parabola x = start_parabola(all(c1[0]), all(c2[0]), all(c3[0]), w),
+           y = start_parabola(all(c1[1]), all(c2[1]), all(c3[1]), w);
   Parabola z = start_parabola(all(c1[2]), all(c2[2]), all(c3[2]), w);
   const Pattern p = pattern(Rows{{rows.c[1], rows.c[2] * 2, rows.c[3] * 3, V4{}}});
   const Starts<3>& s = kStarts<3>;
-  Parabola a = start_parabola(p.c[0][0], p.c[0][1], p.c[0][2], load(s.w)), b = start_parabola(p.c[1][0], p.c[1][1], p.c[1][2], load(s.w + 8));
+  Parabola a = start_parabola(p.c[0][0], p.c[0][1], p.c[0][2], load(s.w)),
+           b = start_parabola(p.c[1][0], p.c[1][1], p.c[1][2], load(s.w + 8));
   Parabola c = start_parabola(p.c[2][0], p.c[2][1], p.c[2][2], load(s.w + 16));
 #pragma GCC unroll 2
   for (int g = 0; g < groups; ++g, out += 24) {
@@ -81,8 +86,8 @@ inline bool any_below(V8 v, float low) {
 #endif
 }
 
-// Curves that lose their tangent's direction to rounding somewhere are marked in `slow`, for the caller to do exactly. The end of a
-// polyline is the caller's as well.
+// Curves that lose their tangent's direction to rounding somewhere are marked in `slow`, for the caller to do exactly.
+// The end of a polyline is the caller's as well.
 void track_unit_tangents(const Job& job) {
   constexpr int run = coaster::curve::detail::kRun;
   const float e = 8 / static_cast<float>(job.steps);

@@ -1,5 +1,5 @@
-// The interpolating cubic spline with continuous first and second derivatives (C2) through given points, with natural, clamped or
-// closed ends. After de Boor, A Practical Guide to Splines, 1978, chapter IV.
+// The interpolating cubic spline with continuous first and second derivatives (C2) through given points, with natural,
+// clamped or closed ends. After de Boor, A Practical Guide to Splines, 1978, chapter IV.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,15 @@ namespace coaster::curve {
 
 struct SplinePoints {
   std::span<const glm::dvec3> points;  // n >= 2 (closed: n >= 3), m
-  std::span<const double> steps;       // > 0, of the parameter u from each point to the next: n - 1, closed n (the last leads back to the first)
-  std::optional<glm::dvec3> first, last;  // dP/du at the ends; where absent the second derivative is 0 there (natural). Not read when closed.
+  std::span<const double>
+      steps;  // > 0, of the parameter u from each point to the next: n - 1, closed n (the last leads back to the first)
+  std::optional<glm::dvec3> first,
+      last;  // dP/du at the ends; where absent the second derivative is 0 there (natural). Not read when closed.
   bool closed = false;
 };
 
-// dP/du at each point, n values. Solved in linear time without pivoting: the matrix is diagonally dominant, so that errors stay at a few
-// units of rounding; the same bits on every machine (no function but the four operations).
+// dP/du at each point, n values. Solved in linear time without pivoting: the matrix is diagonally dominant, so that
+// errors stay at a few units of rounding; the same bits on every machine (no function but the four operations).
 std::vector<glm::dvec3> spline_derivatives(const SplinePoints& spline);
 
 }  // namespace coaster::curve

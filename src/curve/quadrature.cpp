@@ -71,7 +71,8 @@ Stored make_gauss_legendre(int n) {
   return rule;
 }
 
-// w_k = c_k/n (1 - sum_j b_j / (4j^2 - 1) cos(2 j k pi / n)), c = 1 at the ends and 2 inside, b = 1 at j = n/2 and 2 before.
+// w_k = c_k/n (1 - sum_j b_j / (4j^2 - 1) cos(2 j k pi / n)), c = 1 at the ends and 2 inside, b = 1 at j = n/2 and 2
+// before.
 Stored make_clenshaw_curtis(int n) {
   Stored rule;
   for (int k = 0; k <= n; ++k) {

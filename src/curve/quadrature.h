@@ -1,5 +1,6 @@
-// Nodes and weights of quadrature rules on [-1,1], computed once and kept: Gauss-Legendre (n nodes, exact to degree 2n-1) and
-// Clenshaw-Curtis (n intervals, n+1 nodes, exact to degree n). Uses no libm function, so every machine has the same bits.
+// Nodes and weights of quadrature rules on [-1,1], computed once and kept: Gauss-Legendre (n nodes, exact to degree
+// 2n-1) and Clenshaw-Curtis (n intervals, n+1 nodes, exact to degree n). Uses no libm function, so every machine has
+// the same bits.
 #pragma once
 
 #include <span>

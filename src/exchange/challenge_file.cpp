@@ -19,14 +19,17 @@ struct ChallengeParse {
 bool read_text(Fields& fields, std::string_view member, std::string& to) {
   if (!fields.text(member, to)) return false;
   if (to.empty()) return fields.fail(member, "expected a text, found \"\"");
-  return to.size() <= kMaxChallengeText || fields.fail(member, "longer than the limit of " + std::to_string(kMaxChallengeText) + " bytes");
+  return to.size() <= kMaxChallengeText ||
+         fields.fail(member, "longer than the limit of " + std::to_string(kMaxChallengeText) + " bytes");
 }
 
 bool read_challenge_head(ChallengeParse& parse, Fields& fields) {
   ChallengeFile& to = parse.loaded.challenge;
   std::string judged;
   if (!fields.head(kChallengeFormat, kChallengeVersion)) return false;
-  if (!read_text(fields, "name", to.name) || !read_text(fields, "teaches", to.teaches) || !fields.text("judged", judged)) return false;
+  if (!read_text(fields, "name", to.name) || !read_text(fields, "teaches", to.teaches) ||
+      !fields.text("judged", judged))
+    return false;
   const auto found = std::find(kJudgedNames.begin(), kJudgedNames.end(), judged);
   if (found == kJudgedNames.end()) return fields.reject("judged", "\"lap\", \"time\" or \"build\"");
   to.judged = static_cast<Judged>(found - kJudgedNames.begin());
@@ -40,7 +43,8 @@ bool read_rules(ChallengeParse& parse, Fields& fields, RuleList which) {
   const Json* const list = fields.list(name);
   if (!list) return false;
   if (which == RuleList::goals && list->empty()) return fields.fail(name, "expected one goal at least");
-  if (list->size() > kMaxChallengeRules) return fields.fail(name, "more than the limit of " + std::to_string(kMaxChallengeRules));
+  if (list->size() > kMaxChallengeRules)
+    return fields.fail(name, "more than the limit of " + std::to_string(kMaxChallengeRules));
   for (std::size_t i = 0; i < list->size(); ++i) {
     Fields entry((*list)[i], {name, i}, parse.error);
     ChallengeRule rule;
@@ -55,18 +59,22 @@ bool read_hints(ChallengeParse& parse, Fields& fields) {
   if (!fields.has("hints")) return true;
   const Json* const list = fields.list("hints");
   if (!list) return false;
-  if (list->size() > kMaxChallengeHints) return fields.fail("hints", "more than the limit of " + std::to_string(kMaxChallengeHints));
+  if (list->size() > kMaxChallengeHints)
+    return fields.fail("hints", "more than the limit of " + std::to_string(kMaxChallengeHints));
   for (std::size_t i = 0; i < list->size(); ++i) {
     const Json& hint = (*list)[i];
-    const bool fits = hint.is_string() && !hint.get_ref<const std::string&>().empty() && hint.get_ref<const std::string&>().size() <= kMaxChallengeText;
+    const bool fits = hint.is_string() && !hint.get_ref<const std::string&>().empty() &&
+                      hint.get_ref<const std::string&>().size() <= kMaxChallengeText;
     if (!fits) return fields.fail("hints[" + std::to_string(i) + "]", "expected a text, found " + describe(hint));
     parse.loaded.challenge.hints.push_back(hint.get<std::string>());
   }
   return true;
 }
 
-// The start track: a file beside the challenge, or a whole track as a member. What is wrong inside it is told as for any track.
-bool read_track(ChallengeParse& parse, Fields& fields, const Json& tree, const std::filesystem::path& folder, base::Files& files) {
+// The start track: a file beside the challenge, or a whole track as a member. What is wrong inside it is told as for
+// any track.
+bool read_track(ChallengeParse& parse, Fields& fields, const Json& tree, const std::filesystem::path& folder,
+                base::Files& files) {
   ChallengeFile& to = parse.loaded.challenge;
   const auto inside = tree.find("track");
   base::Result<LoadedTrack> track = base::Status{base::Code::bad_file, "no track"};
@@ -77,7 +85,9 @@ bool read_track(ChallengeParse& parse, Fields& fields, const Json& tree, const s
     if (!read_text(fields, "track", to.track)) return false;
     const std::filesystem::path path = folder / to.track;
     const Format* const format = format_of(path);
-    if (format == nullptr || !format->parse) return fields.reject("track", "the start track: an object, or a file that ends in " + known_endings(Direction::read));
+    if (format == nullptr || !format->parse)
+      return fields.reject("track",
+                           "the start track: an object, or a file that ends in " + known_endings(Direction::read));
     track = load_track(files, path);
   }
   if (!track) return fields.fail("track", track.status().message);
@@ -98,11 +108,13 @@ bool read_all(ChallengeParse& parse, const Json& tree, const std::filesystem::pa
 
 }  // namespace
 
-base::Result<LoadedChallenge> parse_challenge(std::string_view text, std::string_view name, const std::filesystem::path& folder, base::Files& files) {
+base::Result<LoadedChallenge> parse_challenge(std::string_view text, std::string_view name,
+                                              const std::filesystem::path& folder, base::Files& files) {
   const base::Result<Json> tree = read_json(text, name);
   if (!tree) return tree.status();
   ChallengeParse parse;
-  if (!read_all(parse, *tree, folder, files)) return base::Status{base::Code::bad_file, std::string(name) + ": error: " + parse.error};
+  if (!read_all(parse, *tree, folder, files))
+    return base::Status{base::Code::bad_file, std::string(name) + ": error: " + parse.error};
   for (std::string& warning : parse.loaded.warnings) {
     constexpr std::string_view kKept = " is kept";  // as of tracks; a challenge is not written back
     if (warning.ends_with(kKept)) warning.replace(warning.size() - kKept.size(), kKept.size(), " is ignored");
@@ -112,7 +124,8 @@ base::Result<LoadedChallenge> parse_challenge(std::string_view text, std::string
 }
 
 base::Result<LoadedChallenge> load_challenge(base::Files& files, const std::filesystem::path& path) {
-  if (path.extension() != ".json") return base::Status{base::Code::bad_file, path.string() + ": error: expected a file ending in .json"};
+  if (path.extension() != ".json")
+    return base::Status{base::Code::bad_file, path.string() + ": error: expected a file ending in .json"};
   const base::Result<std::string> text = files.read(path);
   if (!text) return text.status();
   return parse_challenge(*text, path.string(), path.parent_path(), files);

@@ -1,5 +1,5 @@
-// The format of challenges, JSON (docs/challenges.md): a start track, goals and medals as expressions over queries, and hints. Reading checks
-// everything but what the expressions say, which this room does not know: query/challenge.h does.
+// The format of challenges, JSON (docs/challenges.md): a start track, goals and medals as expressions over queries, and
+// hints. Reading checks everything but what the expressions say, which this room does not know: query/challenge.h does.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@ namespace coaster::exchange {
 
 inline constexpr std::string_view kChallengeFormat = "coaster-challenge";
 inline constexpr int kChallengeVersion = 1;
-inline constexpr std::size_t kMaxChallengeRules = 32;   // of one list
+inline constexpr std::size_t kMaxChallengeRules = 32;  // of one list
 inline constexpr std::size_t kMaxChallengeHints = 16;
 inline constexpr std::size_t kMaxChallengeText = 2000;  // bytes of any text
 inline constexpr double kMaxChallengeSeconds = 900;     // as long as the ghost rides
 
-// lap: when the train has come round, or to the end of an open track. time: after some seconds of riding. build: as soon as what is built
-// meets the goals; values of the ride are the ghost's.
+// lap: when the train has come round, or to the end of an open track. time: after some seconds of riding. build: as
+// soon as what is built meets the goals; values of the ride are the ghost's.
 enum class Judged : std::uint8_t { lap, time, build };
 inline constexpr std::array<std::string_view, 3> kJudgedNames{"lap", "time", "build"};  // by Judged
 
@@ -34,15 +34,16 @@ struct ChallengeRule {
 };
 
 enum class RuleList : std::uint8_t { goals, limits, bronze, silver, gold };
-inline constexpr std::array<std::string_view, 5> kRuleListNames{"goals", "limits", "bronze", "silver", "gold"};  // by RuleList
+inline constexpr std::array<std::string_view, 5> kRuleListNames{"goals", "limits", "bronze", "silver",
+                                                                "gold"};  // by RuleList
 
 struct ChallengeFile {
   std::string name, teaches;
   Judged judged = Judged::lap;
-  double seconds = 0;          // of Judged::time
+  double seconds = 0;                               // of Judged::time
   std::array<std::vector<ChallengeRule>, 5> rules;  // by RuleList; goals has one at least
   std::vector<std::string> hints;
-  std::string track;           // the start track's file as written; empty: it is in the challenge itself
+  std::string track;  // the start track's file as written; empty: it is in the challenge itself
   world::Document start;
 
   const std::vector<ChallengeRule>& list(RuleList which) const { return rules[static_cast<std::size_t>(which)]; }
@@ -53,9 +54,11 @@ struct LoadedChallenge {
   std::vector<std::string> warnings;  // one line each: unknown members, and those of the start track
 };
 
-// Parses a whole file's text; a start track that the file names is read beside it, in `folder`. Errors are Code::bad_file with one line as for
-// tracks: "NAME:LINE:COLUMN: error: ..." for broken JSON, "NAME: error: goals[1].expect: expected ..., found ..." for everything else.
-base::Result<LoadedChallenge> parse_challenge(std::string_view text, std::string_view name, const std::filesystem::path& folder, base::Files& files);
+// Parses a whole file's text; a start track that the file names is read beside it, in `folder`. Errors are
+// Code::bad_file with one line as for tracks: "NAME:LINE:COLUMN: error: ..." for broken JSON, "NAME: error:
+// goals[1].expect: expected ..., found ..." for everything else.
+base::Result<LoadedChallenge> parse_challenge(std::string_view text, std::string_view name,
+                                              const std::filesystem::path& folder, base::Files& files);
 
 // A file that ends in ".json".
 base::Result<LoadedChallenge> load_challenge(base::Files& files, const std::filesystem::path& path);

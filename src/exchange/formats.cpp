@@ -5,10 +5,10 @@
 #include <array>
 #include <vector>
 
+#include "exchange/export/track_shapes.h"
 #include "exchange/nolimits/nl2_csv.h"
 #include "exchange/nolimits/nl2elem.h"
 #include "exchange/nolimits/nltrack.h"
-#include "exchange/export/track_shapes.h"
 
 namespace coaster::exchange {
 namespace {
@@ -19,7 +19,8 @@ base::Status check_rows(const world::Document& document) { return check_nl2_csv(
 constexpr std::array kFormats{
     Format{".json", "coaster track", parse_track, print_track, false, true},
     Format{".nltrack", "NoLimits 1 track", parse_nltrack, nullptr, true, false},
-    Format{".csv", "NoLimits 2 track spline", parse_nl2_csv, print_rows, false, false, check_rows, parse_nl2_csv_watched},
+    Format{".csv", "NoLimits 2 track spline", parse_nl2_csv, print_rows, false, false, check_rows,
+           parse_nl2_csv_watched},
     Format{".nl2elem", "NoLimits 2 element", parse_nl2elem, print_nl2elem, false, false, check_nl2elem},
     Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false},
     Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false},
@@ -35,7 +36,8 @@ std::span<const Format> formats() { return kFormats; }
 const Format* format_of(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), lower);
-  const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return f.ending == ending; });
+  const auto found =
+      std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return f.ending == ending; });
   return found == kFormats.end() ? nullptr : &*found;
 }
 

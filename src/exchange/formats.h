@@ -13,13 +13,16 @@ namespace coaster::exchange {
 struct Format {
   std::string_view ending;  // with the dot, in lower case; paths may have either case
   std::string_view label;   // for messages and lists
-  base::Result<LoadedTrack> (*parse)(std::string_view bytes, std::string_view name);  // as parse_track; null: can only be written
-  std::string (*print)(const world::Document& document);                             // null: can only be read
-  bool binary;              // the bytes are not text
-  bool whole;               // holds everything that a document has: saving to it counts as saving
-  base::Status (*check)(const world::Document& document) = nullptr;  // whether it can be printed; null: every document can
+  base::Result<LoadedTrack> (*parse)(std::string_view bytes,
+                                     std::string_view name);  // as parse_track; null: can only be written
+  std::string (*print)(const world::Document& document);      // null: can only be read
+  bool binary;                                                // the bytes are not text
+  bool whole;  // holds everything that a document has: saving to it counts as saving
+  base::Status (*check)(const world::Document& document) =
+      nullptr;  // whether it can be printed; null: every document can
   // As parse, where that may take longer than a frame; null elsewhere.
-  base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name, base::Progress* progress) = nullptr;
+  base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name,
+                                             base::Progress* progress) = nullptr;
 };
 
 // The project's own format first.

@@ -6,7 +6,8 @@
 
 namespace coaster::gfx {
 
-CurveDeviation::Result CurveDeviation::update(CurveStages& stages, curve::Stage stage, const TrackCache& track, const sim::Derived& derived) {
+CurveDeviation::Result CurveDeviation::update(CurveStages& stages, curve::Stage stage, const TrackCache& track,
+                                              const sim::Derived& derived) {
   if (stage != stage_ || derived.steps != steps_) known_.clear(), able_ = true;
   stage_ = stage, steps_ = derived.steps;
   const std::span<const TrackCache::Placed> placed = track.placed();
@@ -23,10 +24,8 @@ CurveDeviation::Result CurveDeviation::update(CurveStages& stages, curve::Stage 
   Result result;
   for (std::size_t k = 0; k < placed.size(); ++k) {
     if (!placed[k].segment.valid()) continue;
-    if (changed(k))
-      ++result.pending;
-    else
-      result.metres = std::max(result.metres, known_[k].metres);
+    if (changed(k)) ++result.pending;
+    else result.metres = std::max(result.metres, known_[k].metres);
   }
   return result;
 }

@@ -1,4 +1,5 @@
-// Programs and draw calls of the evaluators on the GPU. A segment of many steps is taken in pieces, as the stages' limits want.
+// Programs and draw calls of the evaluators on the GPU. A segment of many steps is taken in pieces, as the stages'
+// limits want.
 #include "gfx/curve_stages.h"
 
 #include "base/check.h"
@@ -44,7 +45,8 @@ void PolylinePen::set(const Program& program) const {
 
 std::string CurveStages::refusal(Stage stage) const {
   if (stage == Stage::tessellation_shader && (!gl_->at_least(4, 0) || gl_->PatchParameteri == nullptr))
-    return "tessellation shaders need OpenGL 4.0, the driver has " + std::to_string(gl_->major) + "." + std::to_string(gl_->minor);
+    return "tessellation shaders need OpenGL 4.0, the driver has " + std::to_string(gl_->major) + "." +
+           std::to_string(gl_->minor);
   return programs_->failures[static_cast<std::size_t>(stage)];
 }
 
@@ -60,7 +62,8 @@ const Program* CurveStages::program(Stage stage, bool measuring) {
   if (known) return &*known;
   if (!refusal(stage).empty()) return nullptr;
   static constexpr const char* kCaptured[] = {"place", "number", "slot"};
-  const std::string common = (measuring ? "#define MEASURE\n" : "") + std::string(common_glsl()) + std::string(line_glsl()) + std::string(curve_glsl());
+  const std::string common = (measuring ? "#define MEASURE\n" : "") + std::string(common_glsl()) +
+                             std::string(line_glsl()) + std::string(curve_glsl());
   ProgramSources sources = sources_of(stage, measuring);
   sources.common = common;
   if (measuring) sources.captured = kCaptured;
@@ -89,10 +92,8 @@ void CurveStages::run(Stage stage, const CurveSlots& slots, const Program& progr
   for (GLuint i = 0; i < 4; ++i) float_attribute(*gl_, i, 3, kControlBytes, offset + i * sizeof(glm::vec3), 1);
   if (stage == Stage::geometry_shader)
     gl_->DrawArraysInstanced(GL_POINTS, 0, pieces(steps, kGeometryLines), slots.count);
-  else if (measuring)
-    gl_->DrawArraysInstanced(GL_POINTS, 0, steps + 1, slots.count);
-  else
-    gl_->DrawArraysInstanced(GL_TRIANGLES, 0, 6 * steps, slots.count);
+  else if (measuring) gl_->DrawArraysInstanced(GL_POINTS, 0, steps + 1, slots.count);
+  else gl_->DrawArraysInstanced(GL_TRIANGLES, 0, 6 * steps, slots.count);
 }
 
 void CurveStages::draw(Stage stage, const CurveSlots& slots, const PolylinePen& pen) {
@@ -112,7 +113,8 @@ std::size_t CurveStages::captured_count(Stage stage, const CurveSlots& slots) {
 
 bool CurveStages::capture(Stage stage, const CurveSlots& slots) {
   const Gl& gl = *gl_;
-  if (!gl.TransformFeedbackVaryings || !gl.BeginTransformFeedback || !gl.EndTransformFeedback || !gl.GenQueries || !gl.GetQueryObjectuiv)
+  if (!gl.TransformFeedbackVaryings || !gl.BeginTransformFeedback || !gl.EndTransformFeedback || !gl.GenQueries ||
+      !gl.GetQueryObjectuiv)
     return false;
   const Program* const measuring = program(stage, true);
   if (measuring == nullptr) return false;

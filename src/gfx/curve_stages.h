@@ -1,4 +1,5 @@
-// The laboratory's polyline drawn from control points alone, by the shader stage that evaluates it. Programs are compiled when first used.
+// The laboratory's polyline drawn from control points alone, by the shader stage that evaluates it. Programs are
+// compiled when first used.
 #pragma once
 
 #include <array>
@@ -36,8 +37,8 @@ class CurveStages {
   // Another one in the same context, with the same programs.
   CurveStages sibling() const { return CurveStages(*gl_, programs_); }
 
-  // Why a stage cannot be used here; empty when it can. The base path needs nothing beyond WebGL 2: the vertex stage always works, the
-  // tessellation stage from OpenGL 4.0 on. What a compiler complained of is told after the first use.
+  // Why a stage cannot be used here; empty when it can. The base path needs nothing beyond WebGL 2: the vertex stage
+  // always works, the tessellation stage from OpenGL 4.0 on. What a compiler complained of is told after the first use.
   std::string refusal(curve::Stage stage) const;
   // The stage itself, or the vertex stage in its place, which draws the same picture.
   curve::Stage usable(curve::Stage wanted);
@@ -51,10 +52,11 @@ class CurveStages {
     float number;  // i of t = i / steps
     float slot;    // counted from CurveSlots::first
   };
-  // How many records capture() writes: steps + 1 a slot, and for stages that take a segment in pieces the joints between these twice.
+  // How many records capture() writes: steps + 1 a slot, and for stages that take a segment in pieces the joints
+  // between these twice.
   static std::size_t captured_count(curve::Stage stage, const CurveSlots& slots);
-  // Runs the stage alone, without a picture, into the buffer bound at binding 0 for transform feedback. False when the driver cannot, or
-  // wrote another number of records. The slots must not be empty ones.
+  // Runs the stage alone, without a picture, into the buffer bound at binding 0 for transform feedback. False when the
+  // driver cannot, or wrote another number of records. The slots must not be empty ones.
   bool capture(curve::Stage stage, const CurveSlots& slots);
 
  private:
@@ -63,7 +65,8 @@ class CurveStages {
     std::array<std::array<std::optional<Program>, 2>, kStages> compiled;  // by stage; [1] captures
     std::array<std::string, kStages> failures;
   };
-  CurveStages(const Gl& gl, std::shared_ptr<Programs> programs) : gl_(&gl), array_(make_vertex_array(gl)), programs_(std::move(programs)) {}
+  CurveStages(const Gl& gl, std::shared_ptr<Programs> programs)
+      : gl_(&gl), array_(make_vertex_array(gl)), programs_(std::move(programs)) {}
   const Program* program(curve::Stage stage, bool measuring);
   void run(curve::Stage stage, const CurveSlots& slots, const Program& program, bool measuring);
 

@@ -21,10 +21,8 @@ void FrameTargets::fit(int width, int height) {
   COASTER_CHECK(plain.ok(), "the driver has framebuffers of the size of its screens");
   resolved_ = std::move(*plain);
   if (samples_ == 0) return;
-  if (auto target = make_target(*gl_, width, height, samples_))
-    scene_ = std::move(*target);
-  else
-    samples_ = 0;
+  if (auto target = make_target(*gl_, width, height, samples_)) scene_ = std::move(*target);
+  else samples_ = 0;
 }
 
 void FrameTargets::begin(const view::Viewport& viewport, glm::vec3 around, bool unseen) {

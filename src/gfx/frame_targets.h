@@ -15,7 +15,8 @@ class FrameTargets {
   void set_samples(int samples);
   int samples() const { return samples_; }
 
-  // Makes the framebuffers anew when size or samples changed. A driver that refuses multisampling of this size gets none.
+  // Makes the framebuffers anew when size or samples changed. A driver that refuses multisampling of this size gets
+  // none.
   void fit(int width, int height);
   // Fills the picture with `around` and limits drawing to the viewport; `unseen`: to one pixel.
   void begin(const view::Viewport& viewport, glm::vec3 around, bool unseen);

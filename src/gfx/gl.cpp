@@ -17,8 +17,8 @@ base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc) {
   Gl gl;
   const char* missing = nullptr;
   // Drivers hand out stubs for names they do not know, so a pointer proves little; a null one is certainly an error.
-#define X(type, name)                                                     \
-  gl.name = reinterpret_cast<PFNGL##type##PROC>(proc("gl" #name));        \
+#define X(type, name)                                              \
+  gl.name = reinterpret_cast<PFNGL##type##PROC>(proc("gl" #name)); \
   if (gl.name == nullptr && missing == nullptr) missing = "gl" #name;
   COASTER_GL_FUNCTIONS(X)
 #undef X
@@ -30,10 +30,12 @@ base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc) {
   gl.GetIntegerv(GL_MAJOR_VERSION, &gl.major);
   gl.GetIntegerv(GL_MINOR_VERSION, &gl.minor);
   if (!gl.at_least(kNeededMajor, kNeededMinor))
-    return base::Status{base::Code::graphics, "OpenGL " + std::to_string(kNeededMajor) + "." + std::to_string(kNeededMinor) +
-                                                  " is needed, the driver has " + text_of(gl, GL_VERSION)};
+    return base::Status{base::Code::graphics, "OpenGL " + std::to_string(kNeededMajor) + "." +
+                                                  std::to_string(kNeededMinor) + " is needed, the driver has " +
+                                                  text_of(gl, GL_VERSION)};
   if (missing != nullptr)
-    return base::Status{base::Code::graphics, std::string("OpenGL: the driver lacks ") + missing + " (" + text_of(gl, GL_VERSION) + ")"};
+    return base::Status{base::Code::graphics,
+                        std::string("OpenGL: the driver lacks ") + missing + " (" + text_of(gl, GL_VERSION) + ")"};
   gl.GetIntegerv(GL_MAX_SAMPLES, &gl.max_samples);
   gl.renderer = text_of(gl, GL_RENDERER);
   return gl;

@@ -4,7 +4,8 @@
 namespace coaster::gfx {
 
 GpuTimer::GpuTimer(const Gl& gl) : gl_(&gl) {
-  able_ = gl.GenQueries && gl.DeleteQueries && gl.BeginQuery && gl.EndQuery && gl.GetQueryObjectuiv && gl.GetQueryObjectui64v;
+  able_ = gl.GenQueries && gl.DeleteQueries && gl.BeginQuery && gl.EndQuery && gl.GetQueryObjectuiv &&
+          gl.GetQueryObjectui64v;
   if (!able_) return;
   for (Pending& pending : ring_) {
     GLuint id = 0;

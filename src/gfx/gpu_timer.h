@@ -1,4 +1,5 @@
-// How long the GPU works on a part of a frame, by timer queries. Results are taken when they are there, frames later: nothing waits.
+// How long the GPU works on a part of a frame, by timer queries. Results are taken when they are there, frames later:
+// nothing waits.
 #pragma once
 
 #include <array>

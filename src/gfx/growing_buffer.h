@@ -8,8 +8,8 @@ namespace coaster::gfx {
 class GrowingBuffer {
  public:
   explicit GrowingBuffer(const Gl& gl) : gl_(&gl), object_(make_buffer(gl)) {}
-  // At least `bytes` of room. True when the GL name changed, so that vertex arrays have to be set up again: the old bytes were copied on
-  // the GPU into a buffer of at least twice the size.
+  // At least `bytes` of room. True when the GL name changed, so that vertex arrays have to be set up again: the old
+  // bytes were copied on the GPU into a buffer of at least twice the size.
   bool reserve(std::size_t bytes);
   // Inside the reserved room.
   void write(std::size_t offset, const void* data, std::size_t bytes);

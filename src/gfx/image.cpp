@@ -9,7 +9,7 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr int kChannelTolerance = 16;      // of 255
+constexpr int kChannelTolerance = 16;       // of 255
 constexpr double kPixelTolerance = 0.0005;  // of all pixels
 constexpr int kBlock = 8, kBlockTolerance = 8;
 
@@ -60,8 +60,10 @@ Object make_texture(const Gl& gl, const Image& image) {
   Object texture(gl, id, [](const Gl& table, GLuint name) { table.DeleteTextures(1, &name); });
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D, id);
-  for (const auto& [parameter, value] : {std::pair{GL_TEXTURE_MIN_FILTER, GL_LINEAR}, {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
-                                        {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE}, {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE}})
+  for (const auto& [parameter, value] : {std::pair{GL_TEXTURE_MIN_FILTER, GL_LINEAR},
+                                         {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
+                                         {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
+                                         {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE}})
     gl.TexParameteri(GL_TEXTURE_2D, GLenum(parameter), value);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
@@ -72,11 +74,16 @@ Object make_texture(const Gl& gl, const Image& image) {
 Image half_size(const Image& picture) {
   Image half{picture.width / 2, picture.height / 2, {}};
   half.rgba.resize(std::size_t(half.width) * std::size_t(half.height) * 4);
-  const auto at = [&](int x, int y, int c) { return int(picture.rgba[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 4 + std::size_t(c)]); };
+  const auto at = [&](int x, int y, int c) {
+    return int(picture.rgba[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 4 + std::size_t(c)]);
+  };
   std::size_t next = 0;
   for (int y = 0; y < half.height; ++y)
     for (int x = 0; x < half.width; ++x)
-      for (int c = 0; c < 4; ++c) half.rgba[next++] = std::uint8_t((at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) + at(2 * x, 2 * y + 1, c) + at(2 * x + 1, 2 * y + 1, c) + 2) / 4);
+      for (int c = 0; c < 4; ++c)
+        half.rgba[next++] = std::uint8_t((at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) + at(2 * x, 2 * y + 1, c) +
+                                          at(2 * x + 1, 2 * y + 1, c) + 2) /
+                                         4);
   return half;
 }
 
@@ -84,14 +91,17 @@ Image contact_sheet(std::span<const Image> pictures, int columns, int gap) {
   COASTER_CHECK(columns >= 1 && gap >= 0, "a sheet has columns");
   constexpr std::array<std::uint8_t, 4> kGround{0x1B, 0x1F, 0x27, 0xFF};
   int width = 0, height = 0;
-  for (const Image& picture : pictures) width = std::max(width, picture.width), height = std::max(height, picture.height);
-  const int count = static_cast<int>(pictures.size()), used = std::min(columns, std::max(count, 1)), rows = (count + columns - 1) / columns;
+  for (const Image& picture : pictures)
+    width = std::max(width, picture.width), height = std::max(height, picture.height);
+  const int count = static_cast<int>(pictures.size()), used = std::min(columns, std::max(count, 1)),
+            rows = (count + columns - 1) / columns;
   Image sheet{used * (width + gap) + gap, rows * (height + gap) + gap, {}};
   sheet.rgba.resize(std::size_t(sheet.width) * std::size_t(sheet.height) * 4);
   for (std::size_t i = 0; i < sheet.rgba.size(); ++i) sheet.rgba[i] = kGround[i % 4];
   for (int i = 0; i < count; ++i) {
     const Image& picture = pictures[std::size_t(i)];
-    const int left = gap + i % columns * (width + gap) + (width - picture.width) / 2, top = gap + i / columns * (height + gap) + (height - picture.height) / 2;
+    const int left = gap + i % columns * (width + gap) + (width - picture.width) / 2,
+              top = gap + i / columns * (height + gap) + (height - picture.height) / 2;
     for (int y = 0; y < picture.height; ++y)
       std::copy_n(&picture.rgba[std::size_t(y) * std::size_t(picture.width) * 4], std::size_t(picture.width) * 4,
                   &sheet.rgba[(std::size_t(top + y) * std::size_t(sheet.width) + std::size_t(left)) * 4]);

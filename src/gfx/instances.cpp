@@ -26,7 +26,9 @@ void push_matrix(std::vector<float>& out, glm::vec3 x, glm::vec3 y, glm::vec3 z,
   }
 }
 
-double stretch(const sim::Pose& pose) { return pose.length / static_cast<double>(world::kCarLength); }  // of the model along the rails
+double stretch(const sim::Pose& pose) {
+  return pose.length / static_cast<double>(world::kCarLength);
+}  // of the model along the rails
 
 // A car's hitch: in front (+1) or behind (-1).
 glm::dvec3 hitch(const sim::Pose& pose, double way) {
@@ -57,8 +59,14 @@ void Instances::Model::link(const Gl& gl) {
 }
 
 Instances::Instances(const Gl& gl)
-    : gl_(&gl), line_buffer_(gl), mark_buffer_(gl), line_array_(make_vertex_array(gl)), mark_array_(make_vertex_array(gl)),
-      leading_(gl, sim::car_mesh(true)), following_(gl, sim::car_mesh(false)), coupling_(gl, sim::coupling_mesh()) {}
+    : gl_(&gl),
+      line_buffer_(gl),
+      mark_buffer_(gl),
+      line_array_(make_vertex_array(gl)),
+      mark_array_(make_vertex_array(gl)),
+      leading_(gl, sim::car_mesh(true)),
+      following_(gl, sim::car_mesh(false)),
+      coupling_(gl, sim::coupling_mesh()) {}
 
 void Instances::upload(const view::Overlay& overlay, std::span<const sim::Pose> carts) {
   const auto send = [&](GrowingBuffer& buffer) {
@@ -95,7 +103,8 @@ void Instances::stage_cars(std::span<const sim::Pose> cars, bool leading) {
   for (const sim::Pose& car : cars) {
     if (car.leads != leading) continue;
     const glm::vec3 forward = car.frame.forward, up = car.frame.up;
-    push_matrix(staged_, static_cast<float>(stretch(car)) * forward, up, glm::cross(forward, up), glm::vec3(car.position));
+    push_matrix(staged_, static_cast<float>(stretch(car)) * forward, up, glm::cross(forward, up),
+                glm::vec3(car.position));
   }
 }
 
@@ -138,7 +147,8 @@ int Instances::car_draw_calls() const {
 
 std::int64_t Instances::car_triangles() const {
   std::int64_t indices = 0;
-  for (const Model* model : {&leading_, &following_, &coupling_}) indices += std::int64_t(model->index_count) * model->count;
+  for (const Model* model : {&leading_, &following_, &coupling_})
+    indices += std::int64_t(model->index_count) * model->count;
   return indices / 3;
 }
 

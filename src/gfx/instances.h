@@ -1,4 +1,5 @@
-// What is new in every frame: the overlay's lines and marks and the cars' poses, one instance each, in buffers rewritten whole.
+// What is new in every frame: the overlay's lines and marks and the cars' poses, one instance each, in buffers
+// rewritten whole.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +7,8 @@
 #include <vector>
 
 #include "gfx/growing_buffer.h"
-#include "sim/solids/mesh.h"
 #include "sim/ride/ride.h"
+#include "sim/solids/mesh.h"
 #include "view/overlay.h"
 
 namespace coaster::gfx {
@@ -20,8 +21,9 @@ class Instances {
   // Each binds an array and returns how many instances to draw: a strip of 4 corners, in the list's order.
   GLsizei bind_lines() const { return bind(line_array_, lines_); }
   GLsizei bind_marks() const { return bind(mark_array_, marks_); }
-  // Cars of all trains; draw_cars() draws them and what couples them with the program in use (locations 0 position, 1 normal, 2 part, 3 to 6 the
-  // columns of the model's matrix, 7 zero) and returns how many draw calls that took: at most 3, however many cars there are.
+  // Cars of all trains; draw_cars() draws them and what couples them with the program in use (locations 0 position, 1
+  // normal, 2 part, 3 to 6 the columns of the model's matrix, 7 zero) and returns how many draw calls that took: at
+  // most 3, however many cars there are.
   int cars() const { return int(leading_.count + following_.count); }
   int draw_cars() const;
   int car_draw_calls() const;

@@ -52,7 +52,8 @@ void MeshPool::settle(sim::Mesh& mesh, Id id) {
   mesh.coarse.resize(solid.coarse.size, first);
   if (mesh.vertices.empty()) return;
   glm::vec3 low = mesh.vertices[0].position, high = low;
-  for (const sim::MeshVertex& vertex : mesh.vertices) low = glm::min(low, vertex.position), high = glm::max(high, vertex.position);
+  for (const sim::MeshVertex& vertex : mesh.vertices)
+    low = glm::min(low, vertex.position), high = glm::max(high, vertex.position);
   solid.middle = 0.5f * low + 0.5f * high;
   solid.radius = 0.5f * glm::distance(low, high);
 }
@@ -62,7 +63,8 @@ std::int64_t MeshPool::send(const sim::Mesh& mesh, Id id) {
   const Solid& solid = solids_[id];
   if (vertices_.reserve(std::size_t(vertex_ranges_.used()) * sizeof(sim::MeshVertex))) link();
   const std::size_t bytes = mesh.vertices.size() * sizeof(sim::MeshVertex);
-  if (bytes > 0) vertices_.write(std::size_t(solid.vertices.first) * sizeof(sim::MeshVertex), mesh.vertices.data(), bytes);
+  if (bytes > 0)
+    vertices_.write(std::size_t(solid.vertices.first) * sizeof(sim::MeshVertex), mesh.vertices.data(), bytes);
   write_indices(indices_, index_ranges_, solid.indices, mesh.indices);
   write_indices(coarse_, coarse_ranges_, solid.coarse, mesh.coarse);
   near_metres_ = -1;
@@ -88,15 +90,17 @@ void MeshPool::empty(GrowingBuffer& buffer, const Ranges& ranges, Range range) {
   if (range.size > 0) write_indices(buffer, ranges, range, std::vector<std::uint32_t>(range.size, 0));
 }
 
-void MeshPool::write_indices(GrowingBuffer& buffer, const Ranges& ranges, Range range, const std::vector<std::uint32_t>& indices) {
+void MeshPool::write_indices(GrowingBuffer& buffer, const Ranges& ranges, Range range,
+                             const std::vector<std::uint32_t>& indices) {
   if (buffer.reserve(std::size_t(ranges.used()) * sizeof(std::uint32_t))) link();
   ++version_;  // no part of a solid changes without its indices
   buffer.write(std::size_t(range.first) * sizeof(std::uint32_t), indices.data(), range.size * sizeof(std::uint32_t));
   written_ += std::int64_t(range.size * sizeof(std::uint32_t));
 }
 
-// Runs of solids that follow each other in a buffer and are of the same kind; the gaps between them hold triangles without area.
-void MeshPool::gather(Range Solid::* range, bool far, const std::vector<Id>& order, std::vector<Run>& runs) const {
+// Runs of solids that follow each other in a buffer and are of the same kind; the gaps between them hold triangles
+// without area.
+void MeshPool::gather(Range Solid::*range, bool far, const std::vector<Id>& order, std::vector<Run>& runs) const {
   runs.clear();
   bool open = false;
   for (const Id id : order) {
@@ -116,11 +120,12 @@ void MeshPool::look_from(glm::vec3 eye, float near_metres) {
   if (!moved_ && eye == eye_ && near_metres == near_metres_) return;
   eye_ = eye, near_metres_ = near_metres;
   if (moved_) {
-    const auto sorted = [&](Range Solid::* range, std::vector<Id>& order) {
+    const auto sorted = [&](Range Solid::*range, std::vector<Id>& order) {
       order.clear();
       for (Id id = 0; id < solids_.size(); ++id)
         if (solids_[id].used) order.push_back(id);
-      std::sort(order.begin(), order.end(), [&](Id a, Id b) { return (solids_[a].*range).first < (solids_[b].*range).first; });
+      std::sort(order.begin(), order.end(),
+                [&](Id a, Id b) { return (solids_[a].*range).first < (solids_[b].*range).first; });
     };
     sorted(&Solid::indices, fine_order_);
     sorted(&Solid::coarse, coarse_order_);
@@ -137,7 +142,8 @@ void MeshPool::look_from(glm::vec3 eye, float near_metres) {
 
 void MeshPool::bind(const Object& array) const {
   gl_->BindVertexArray(array.id());
-  for (GLuint column = 0; column < 4; ++column) gl_->VertexAttrib4f(3 + column, column == 0, column == 1, column == 2, column == 3);
+  for (GLuint column = 0; column < 4; ++column)
+    gl_->VertexAttrib4f(3 + column, column == 0, column == 1, column == 2, column == 3);
 }
 
 int MeshPool::draw() const {
@@ -145,7 +151,8 @@ int MeshPool::draw() const {
     if (runs.empty()) return;
     bind(array);
     for (const Run& run : runs)
-      gl_->DrawElements(GL_TRIANGLES, GLsizei(run.count), GL_UNSIGNED_INT, reinterpret_cast<const void*>(std::size_t(run.first) * sizeof(std::uint32_t)));
+      gl_->DrawElements(GL_TRIANGLES, GLsizei(run.count), GL_UNSIGNED_INT,
+                        reinterpret_cast<const void*>(std::size_t(run.first) * sizeof(std::uint32_t)));
   };
   pass(fine_array_, fine_runs_);
   pass(coarse_array_, coarse_runs_);

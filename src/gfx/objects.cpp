@@ -26,8 +26,8 @@ const char* extension_of(GLenum kind) {
   }
 }
 
-base::Result<Object> compile(const Gl& gl, GLenum kind, std::string_view name, std::string_view header, std::string_view common,
-                             std::string_view source) {
+base::Result<Object> compile(const Gl& gl, GLenum kind, std::string_view name, std::string_view header,
+                             std::string_view common, std::string_view source) {
   Object shader(gl, gl.CreateShader(kind), [](const Gl& g, GLuint id) { g.DeleteShader(id); });
   const char* parts[] = {header.data(), common.data(), "\n#line 1\n", source.data()};
   const GLint sizes[] = {GLint(header.size()), GLint(common.size()), 9, GLint(source.size())};
@@ -36,7 +36,8 @@ base::Result<Object> compile(const Gl& gl, GLenum kind, std::string_view name, s
   GLint ok = GL_FALSE;
   gl.GetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);
   if (ok != GL_TRUE)
-    return base::Status{base::Code::graphics, "shader " + std::string(name) + extension_of(kind) + log_of(gl, shader.id(), false)};
+    return base::Status{base::Code::graphics,
+                        "shader " + std::string(name) + extension_of(kind) + log_of(gl, shader.id(), false)};
   return shader;
 }
 
@@ -78,16 +79,27 @@ base::Result<Target> make_target(const Gl& gl, int width, int height, int sample
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target.colour.id());
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth.id());
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    return base::Status{base::Code::graphics, "OpenGL: no framebuffer of " + std::to_string(width) + "x" + std::to_string(height) +
-                                                  " with " + std::to_string(samples) + " samples"};
+    return base::Status{base::Code::graphics, "OpenGL: no framebuffer of " + std::to_string(width) + "x" +
+                                                  std::to_string(height) + " with " + std::to_string(samples) +
+                                                  " samples"};
   return target;
 }
 
-void Program::set(const char* name, int value) const { gl->Uniform1i(gl->GetUniformLocation(object.id(), name), value); }
-void Program::set(const char* name, float value) const { gl->Uniform1f(gl->GetUniformLocation(object.id(), name), value); }
-void Program::set(const char* name, glm::vec2 value) const { gl->Uniform2f(gl->GetUniformLocation(object.id(), name), value.x, value.y); }
-void Program::set(const char* name, glm::vec3 value) const { gl->Uniform3fv(gl->GetUniformLocation(object.id(), name), 1, &value[0]); }
-void Program::set(const char* name, glm::vec4 value) const { gl->Uniform4fv(gl->GetUniformLocation(object.id(), name), 1, &value[0]); }
+void Program::set(const char* name, int value) const {
+  gl->Uniform1i(gl->GetUniformLocation(object.id(), name), value);
+}
+void Program::set(const char* name, float value) const {
+  gl->Uniform1f(gl->GetUniformLocation(object.id(), name), value);
+}
+void Program::set(const char* name, glm::vec2 value) const {
+  gl->Uniform2f(gl->GetUniformLocation(object.id(), name), value.x, value.y);
+}
+void Program::set(const char* name, glm::vec3 value) const {
+  gl->Uniform3fv(gl->GetUniformLocation(object.id(), name), 1, &value[0]);
+}
+void Program::set(const char* name, glm::vec4 value) const {
+  gl->Uniform4fv(gl->GetUniformLocation(object.id(), name), 1, &value[0]);
+}
 void Program::set(const char* name, const glm::mat4& value) const {
   gl->UniformMatrix4fv(gl->GetUniformLocation(object.id(), name), 1, GL_FALSE, &value[0][0]);
 }
@@ -115,18 +127,21 @@ base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources) 
   GLint ok = GL_FALSE;
   gl.GetProgramiv(id, GL_LINK_STATUS, &ok);
   if (ok != GL_TRUE)
-    return base::Status{base::Code::graphics, "shader " + std::string(sources.name) + " does not link: " + log_of(gl, id, true)};
+    return base::Status{base::Code::graphics,
+                        "shader " + std::string(sources.name) + " does not link: " + log_of(gl, id, true)};
   return program;
 }
 
-base::Result<Program> make_program(const Gl& gl, std::string_view name, std::string_view common, std::string_view vertex,
-                                   std::string_view fragment) {
+base::Result<Program> make_program(const Gl& gl, std::string_view name, std::string_view common,
+                                   std::string_view vertex, std::string_view fragment) {
   return make_program(gl, {name, common, vertex, {}, {}, {}, fragment, {}});
 }
 
-void float_attribute(const Gl& gl, GLuint location, int components, std::size_t stride, std::size_t offset, GLuint divisor) {
+void float_attribute(const Gl& gl, GLuint location, int components, std::size_t stride, std::size_t offset,
+                     GLuint divisor) {
   gl.EnableVertexAttribArray(location);
-  gl.VertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, GLsizei(stride), reinterpret_cast<const void*>(offset));
+  gl.VertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, GLsizei(stride),
+                         reinterpret_cast<const void*>(offset));
   gl.VertexAttribDivisor(location, divisor);
 }
 

@@ -1,5 +1,5 @@
-// Owners of OpenGL objects, framebuffers with their attachments, and programs. Everything here needs the context of its Gl to be
-// current, in destructors too.
+// Owners of OpenGL objects, framebuffers with their attachments, and programs. Everything here needs the context of its
+// Gl to be current, in destructors too.
 #pragma once
 
 #include <initializer_list>
@@ -71,13 +71,15 @@ struct ProgramSources {
   std::span<const char* const> captured;
 };
 
-// Compiles and links. A version line is put before each stage (4.00 with tessellation, else 3.30), then `common` (functions they share).
-// Code::graphics with the compiler's log, line numbers counted in each part, and `name` on failure.
+// Compiles and links. A version line is put before each stage (4.00 with tessellation, else 3.30), then `common`
+// (functions they share). Code::graphics with the compiler's log, line numbers counted in each part, and `name` on
+// failure.
 base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources);
-base::Result<Program> make_program(const Gl& gl, std::string_view name, std::string_view common, std::string_view vertex,
-                                   std::string_view fragment);
+base::Result<Program> make_program(const Gl& gl, std::string_view name, std::string_view common,
+                                   std::string_view vertex, std::string_view fragment);
 
 // A float attribute of the bound vertex array from the bound buffer; divisor 1: one value for each instance.
-void float_attribute(const Gl& gl, GLuint location, int components, std::size_t stride, std::size_t offset, GLuint divisor = 0);
+void float_attribute(const Gl& gl, GLuint location, int components, std::size_t stride, std::size_t offset,
+                     GLuint divisor = 0);
 
 }  // namespace coaster::gfx

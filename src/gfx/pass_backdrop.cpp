@@ -24,7 +24,8 @@ Part part_of_viewport(float a, float b, float c) {
     const glm::vec2 from = kCorners[i], to = kCorners[(i + 1) % 4];
     const float before = height(from), after = height(to);
     if (before >= 0) part.corners[static_cast<std::size_t>(part.count++)] = from;
-    if ((before >= 0) != (after >= 0)) part.corners[static_cast<std::size_t>(part.count++)] = glm::mix(from, to, before / (before - after));
+    if ((before >= 0) != (after >= 0))
+      part.corners[static_cast<std::size_t>(part.count++)] = glm::mix(from, to, before / (before - after));
   }
   return part;
 }
@@ -38,12 +39,14 @@ void draw_part(const Pass& pass, const Program& program, const Rays& rays, const
   program.set("right", rays.right);
   program.set("up", rays.up);
   program.set("eye", pass.scene.view.eye);
-  for (std::size_t i = 0; i < part.corners.size(); ++i) program.set(("corners[" + std::to_string(i) + "]").c_str(), part.corners[i]);
+  for (std::size_t i = 0; i < part.corners.size(); ++i)
+    program.set(("corners[" + std::to_string(i) + "]").c_str(), part.corners[i]);
   if (!pass.scene.unseen) pass.gl.DrawArrays(GL_TRIANGLE_FAN, 0, part.count);
   pass.count(part.count - 2);
 }
 
-// Twice: the ground in the sun, whose depth is 0.5 where a shadow may be; then the shadows, there alone. So pixels without cost little.
+// Twice: the ground in the sun, whose depth is 0.5 where a shadow may be; then the shadows, there alone. So pixels
+// without cost little.
 void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, const Part& part) {
   const Gl& gl = pass.gl;
   pass.programs.ground.use();

@@ -1,5 +1,5 @@
-// Lines meet and cross: their coverage is gathered in the alpha channel by maximum and painted in one go. So the picture depends neither on
-// where in the buffer the segments lie nor on how many lines cover a pixel.
+// Lines meet and cross: their coverage is gathered in the alpha channel by maximum and painted in one go. So the
+// picture depends neither on where in the buffer the segments lie nor on how many lines cover a pixel.
 #include "gfx/passes.h"
 
 namespace coaster::gfx {
@@ -11,7 +11,8 @@ constexpr glm::vec4 kPolylineColour{1, 1, 1, 0.9f};
 // The polyline's quads: from cached vertices, or from control points by the stage that evaluates them.
 void draw_lines(const Pass& pass, const TrackCache& track, CurveStages& stages) {
   const view::View& view = pass.scene.view;
-  const PolylinePen pen{pass.view_projection, view.eye, {view.viewport.width, view.viewport.height}, kPolylineWidth, kPolylineColour};
+  const PolylinePen pen{
+      pass.view_projection, view.eye, {view.viewport.width, view.viewport.height}, kPolylineWidth, kPolylineColour};
   const int steps = pass.scene.derived.steps;
   if (pass.stats.drawn_by != curve::Stage::processor) {
     const int slots = static_cast<int>(track.placed().size());

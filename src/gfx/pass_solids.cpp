@@ -10,12 +10,14 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr float kOutline = 0.9f;     // px, of a drawing's lines around solids
-constexpr float kLeastTube = 1.6f;   // px, half the width of coloured rails far off
+constexpr float kOutline = 0.9f;    // px, of a drawing's lines around solids
+constexpr float kLeastTube = 1.6f;  // px, half the width of coloured rails far off
 
-// Radius in metres, for each metre from the eye, that looks as many pixels wide: the projection scales a metre at a distance of one to as much of
-// half the viewport's height.
-float metres_of_pixels(const view::View& view, float pixels) { return 2 * pixels / (view.projection[1][1] * std::max(view.viewport.height, 1.0f)); }
+// Radius in metres, for each metre from the eye, that looks as many pixels wide: the projection scales a metre at a
+// distance of one to as much of half the viewport's height.
+float metres_of_pixels(const view::View& view, float pixels) {
+  return 2 * pixels / (view.projection[1][1] * std::max(view.viewport.height, 1.0f));
+}
 
 // With the program in use and its matrix set.
 void draw_track(const Pass& pass, const TrackCache& track) {
@@ -49,7 +51,8 @@ void set_colouring(const Pass& pass, const Program& program) {
   if (!coloured) return;
   program.set("value_range", glm::vec2(values->low, values->high));
   program.set("unknown", view::kUnknownColour);
-  for (std::size_t i = 0; i < view::kColourStops.size(); ++i) program.set(("stops[" + std::to_string(i) + "]").c_str(), view::kColourStops[i]);
+  for (std::size_t i = 0; i < view::kColourStops.size(); ++i)
+    program.set(("stops[" + std::to_string(i) + "]").c_str(), view::kColourStops[i]);
 }
 
 void draw_outlines(const Pass& pass, const TrackCache& track, const Instances& instances) {
@@ -87,7 +90,8 @@ void cast_carts(const Pass& pass, const Instances& instances, const glm::mat4& l
   draw_carts(pass, instances);
 }
 
-void draw_solids(const Pass& pass, const TrackCache& track, const Instances& instances, ValueTexture& values, const SunShadows& shadows) {
+void draw_solids(const Pass& pass, const TrackCache& track, const Instances& instances, ValueTexture& values,
+                 const SunShadows& shadows) {
   blend(pass.gl, false);
   pass.gl.Enable(GL_DEPTH_TEST);
   pass.gl.DepthFunc(GL_LESS);

@@ -1,4 +1,5 @@
-// The passes of a picture, each in its pass_*.cpp. Between passes blending, depth test and culling are undefined: each sets what it needs.
+// The passes of a picture, each in its pass_*.cpp. Between passes blending, depth test and culling are undefined: each
+// sets what it needs.
 #pragma once
 
 #include "gfx/curve_stages.h"
@@ -44,7 +45,8 @@ void cast_track(const Pass& pass, const TrackCache& track, const glm::mat4& ligh
 void cast_carts(const Pass& pass, const Instances& instances, const glm::mat4& light);
 
 // Track and train; in a drawing their lines first, as what looks out behind them.
-void draw_solids(const Pass& pass, const TrackCache& track, const Instances& instances, ValueTexture& values, const SunShadows& shadows);
+void draw_solids(const Pass& pass, const TrackCache& track, const Instances& instances, ValueTexture& values,
+                 const SunShadows& shadows);
 
 // The laboratory's polyline. `timer` measures it on the GPU.
 void draw_polyline(const Pass& pass, const TrackCache& track, CurveStages& stages, GpuTimer& timer);

@@ -37,10 +37,8 @@ void Ranges::give_back(Range range) {
       gaps_.erase(before);
     }
   }
-  if (range.first + range.size == used_)
-    used_ = range.first;
-  else
-    gaps_.emplace(range.first, range.size);
+  if (range.first + range.size == used_) used_ = range.first;
+  else gaps_.emplace(range.first, range.size);
 }
 
 }  // namespace coaster::gfx

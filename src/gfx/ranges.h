@@ -1,4 +1,5 @@
-// Places in a growing buffer: ranges are taken first-fit from what was given back, else from the end. Knows nothing of GL.
+// Places in a growing buffer: ranges are taken first-fit from what was given back, else from the end. Knows nothing of
+// GL.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The list of passes that make a picture, from far to near. What they draw is kept by TrackCache and Instances, how it looks is in
-// shaders/ and in the table of styles (gfx/scenery).
+// The list of passes that make a picture, from far to near. What they draw is kept by TrackCache and Instances, how it
+// looks is in shaders/ and in the table of styles (gfx/scenery).
 #include "gfx/renderer.h"
 
 #include <cstring>
@@ -22,17 +22,28 @@ struct Renderer::Parts {
   CurveDeviation deviation;
   SunShadows shadows;
   GpuTimer polyline_timer;
-  Object empty_array;   // for triangles without attributes
+  Object empty_array;  // for triangles without attributes
   FrameTargets targets;
 
   Parts(const Gl& table, std::shared_ptr<const ScenePrograms> compiled, CurveStages with)
-      : gl(table), programs(std::move(compiled)), air(table), track(table), instances(table), stages(std::move(with)), values(table), deviation(table),
-        shadows(table), polyline_timer(table), empty_array(make_vertex_array(table)), targets(table) {}
+      : gl(table),
+        programs(std::move(compiled)),
+        air(table),
+        track(table),
+        instances(table),
+        stages(std::move(with)),
+        values(table),
+        deviation(table),
+        shadows(table),
+        polyline_timer(table),
+        empty_array(make_vertex_array(table)),
+        targets(table) {}
 
   void upload(const Scene& scene, DrawStats& stats);
 };
 
-// Brings the buffers up to date with the scene: nothing is written of what has not changed, but for the few bytes of overlay and poses.
+// Brings the buffers up to date with the scene: nothing is written of what has not changed, but for the few bytes of
+// overlay and poses.
 void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
   const TrackCache::Synced synced = track.sync(scene.derived, scene.clock);
   const SupportCache::Synced held = track.supports().sync(scene.supports, scene.clock);
@@ -55,13 +66,15 @@ void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
 base::Result<std::unique_ptr<Renderer>> Renderer::make(const Gl& gl, int samples) {
   auto programs = make_scene_programs(gl);
   if (!programs) return programs.status();
-  std::unique_ptr<Renderer> renderer(new Renderer(std::make_unique<Parts>(gl, std::make_shared<const ScenePrograms>(std::move(*programs)), CurveStages(gl))));
+  std::unique_ptr<Renderer> renderer(new Renderer(
+      std::make_unique<Parts>(gl, std::make_shared<const ScenePrograms>(std::move(*programs)), CurveStages(gl))));
   renderer->set_samples(samples);
   return renderer;
 }
 
 std::unique_ptr<Renderer> Renderer::sibling(int samples) const {
-  std::unique_ptr<Renderer> renderer(new Renderer(std::make_unique<Parts>(parts_->gl, parts_->programs, parts_->stages.sibling())));
+  std::unique_ptr<Renderer> renderer(
+      new Renderer(std::make_unique<Parts>(parts_->gl, parts_->programs, parts_->stages.sibling())));
   renderer->set_samples(samples);
   return renderer;
 }
@@ -83,7 +96,9 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   choose_detail(scene.view, parts.track);
   parts.targets.fit(width, height);
   stats.samples = parts.targets.samples();
-  const Pass pass{parts.gl, *parts.programs, scene, scenery, scene.view.projection * scene.view.view, parts.empty_array.id(), stats};
+  const Pass pass{
+      parts.gl, *parts.programs, scene, scenery, scene.view.projection * scene.view.view, parts.empty_array.id(),
+      stats};
   parts.shadows.update(pass, parts.track, parts.instances);
   parts.targets.begin(scene.view.viewport, around_of(scene.theme), scene.unseen);
   draw_backdrop(pass, parts.shadows);

@@ -8,7 +8,7 @@ namespace {
 
 struct Row {
   const char* name;
-  Program ScenePrograms::* program;
+  Program ScenePrograms::*program;
   const char* defines;
   std::string_view shared;  // after common.glsl, in both stages
   std::string_view vertex, fragment;

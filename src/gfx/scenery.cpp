@@ -9,7 +9,9 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr glm::vec3 rgb(unsigned hex) { return {float(hex >> 16 & 255u) / 255.0f, float(hex >> 8 & 255u) / 255.0f, float(hex & 255u) / 255.0f}; }
+constexpr glm::vec3 rgb(unsigned hex) {
+  return {float(hex >> 16 & 255u) / 255.0f, float(hex >> 8 & 255u) / 255.0f, float(hex & 255u) / 255.0f};
+}
 
 constexpr Scenery kDay{.sun = {0.4216f, 0.7792f, 0.4638f},
                        .sun_light = {1.10f, 0.99f, 0.82f},

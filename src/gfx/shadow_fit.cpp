@@ -11,11 +11,13 @@ namespace coaster::gfx {
 namespace {
 
 constexpr float kTrackMargin = sim::kSupportReach + 1, kCarMargin = 2.5f;  // m
-constexpr float kDepthMargin = 1;                     // m
-constexpr float kLargest = 1 << 18;                   // m, more than the world's width
+constexpr float kDepthMargin = 1;                                          // m
+constexpr float kLargest = 1 << 18;                                        // m, more than the world's width
 
 // Distance from a place to a box; 0 inside.
-float distance_to(const LightBox& box, glm::vec3 at) { return glm::length(glm::max(glm::max(box.low - at, at - box.high), glm::vec3(0))); }
+float distance_to(const LightBox& box, glm::vec3 at) {
+  return glm::length(glm::max(glm::max(box.low - at, at - box.high), glm::vec3(0)));
+}
 
 float power_of_two(float least, float wanted) {
   float side = least;
@@ -50,7 +52,9 @@ LightBox light_box(const SunAxes& axes, const sim::Derived& derived) {
 
 LightBox light_box(const SunAxes& axes, std::span<const sim::Pose> carts) {
   LightBox box;
-  for (const sim::Pose& cart : carts) box.add(axes.of(glm::vec3(cart.position)), kCarMargin + static_cast<float>(std::max(cart.length - world::kCarLength, 0.0)));
+  for (const sim::Pose& cart : carts)
+    box.add(axes.of(glm::vec3(cart.position)),
+            kCarMargin + static_cast<float>(std::max(cart.length - world::kCarLength, 0.0)));
   return box;
 }
 
@@ -66,14 +70,16 @@ ShadowFit fit_shadow(const SunAxes& axes, const LightBox& box, float least, glm:
   fit.middle = 0.5f * (box.low + box.high);
   if (fit.side < whole) {
     const glm::vec3 ahead = axes.of(eye + 0.3f * fit.side * forward);
-    const glm::vec3 inside = glm::clamp(ahead, glm::min(box.low + 0.5f * fit.side, fit.middle), glm::max(box.high - 0.5f * fit.side, fit.middle));
+    const glm::vec3 inside = glm::clamp(ahead, glm::min(box.low + 0.5f * fit.side, fit.middle),
+                                        glm::max(box.high - 0.5f * fit.side, fit.middle));
     fit.middle = {inside.x, inside.y, fit.middle.z};
   }
   // The depth moves in steps, too: a dragged knot does not change what else is drawn.
   const float step = fit.side / 8, layer = 8;
   fit.middle.x = step * std::round(fit.middle.x / step);
   fit.middle.y = step * std::round(fit.middle.y / step);
-  const float far = layer * std::floor((box.low.z - kDepthMargin) / layer), near = layer * std::ceil((box.high.z + kDepthMargin) / layer);
+  const float far = layer * std::floor((box.low.z - kDepthMargin) / layer),
+              near = layer * std::ceil((box.high.z + kDepthMargin) / layer);
   fit.middle.z = 0.5f * (far + near);
   fit.depth = near - far;
   return fit;

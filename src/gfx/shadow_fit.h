@@ -5,8 +5,8 @@
 
 #include <glm/glm.hpp>
 
-#include "sim/shape/derived.h"
 #include "sim/ride/ride.h"
+#include "sim/shape/derived.h"
 
 namespace coaster::gfx {
 
@@ -35,9 +35,9 @@ struct ShadowFit {
   float depth = 1;      // m, from the nearest to the farthest from the sun
   friend bool operator==(const ShadowFit&, const ShadowFit&) = default;
 };
-// The whole box when it fits `least` metres (a power of two). Of a larger one the part about what `eye` sees, the larger the higher and the farther
-// off the eye is. The square moves in steps of an eighth of its side, so that texels stay where they are while the eye moves, and
-// what is drawn into the map keeps for a while.
+// The whole box when it fits `least` metres (a power of two). Of a larger one the part about what `eye` sees, the
+// larger the higher and the farther off the eye is. The square moves in steps of an eighth of its side, so that texels
+// stay where they are while the eye moves, and what is drawn into the map keeps for a while.
 ShadowFit fit_shadow(const SunAxes& axes, const LightBox& box, float least, glm::vec3 eye, glm::vec3 forward);
 
 // World to OpenGL clip space, and to 0..1 in the map.

@@ -22,10 +22,16 @@ Object make_texture(const Gl& gl, std::initializer_list<std::pair<GLenum, GLint>
 void ShadowMap::make(int size) {
   const Gl& gl = *gl_;
   gl.ActiveTexture(GL_TEXTURE0);
-  depth_ = make_texture(gl, {{GL_TEXTURE_MIN_FILTER, GL_LINEAR}, {GL_TEXTURE_MAG_FILTER, GL_LINEAR}, {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
-                             {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE}, {GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE}, {GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL}});
+  depth_ = make_texture(gl, {{GL_TEXTURE_MIN_FILTER, GL_LINEAR},
+                             {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
+                             {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
+                             {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE},
+                             {GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE},
+                             {GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL}});
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
-  cover_ = make_texture(gl, {{GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST}, {GL_TEXTURE_MAG_FILTER, GL_LINEAR}, {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
+  cover_ = make_texture(gl, {{GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST},
+                             {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
+                             {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
                              {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE}});
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RG8, size, size, 0, GL_RG, GL_UNSIGNED_BYTE, nullptr);
   GLuint id = 0;
@@ -34,10 +40,12 @@ void ShadowMap::make(int size) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, id);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, cover_.id(), 0);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
-  COASTER_CHECK(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE, "every driver of OpenGL 3.3 draws into RG8 and 24 bits of depth");
+  COASTER_CHECK(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
+                "every driver of OpenGL 3.3 draws into RG8 and 24 bits of depth");
 }
 
-bool ShadowMap::update(int size, const SunAxes& axes, const ShadowFit& fit, std::uint64_t content, bool unseen, const std::function<void(const glm::mat4&)>& draw) {
+bool ShadowMap::update(int size, const SunAxes& axes, const ShadowFit& fit, std::uint64_t content, bool unseen,
+                       const std::function<void(const glm::mat4&)>& draw) {
   const Key wanted{size, axes.sun, fit, fit.side > 0 ? content : 0};
   const bool news = wanted != wanted_;
   wanted_ = wanted;
@@ -84,7 +92,8 @@ void ShadowMap::bind(const Program& program, const char* prefix, int unit) const
   program.set((name + "_cover").c_str(), unit + 1);
   // A map of nothing is beside every place.
   program.set((name + "_light").c_str(), drawn_.fit.side > 0 ? to_map_ : glm::mat4(0));
-  program.set((name + "_texel").c_str(), drawn_.fit.side > 0 ? glm::vec2(drawn_.fit.side * part, part) : glm::vec2(1, part));
+  program.set((name + "_texel").c_str(),
+              drawn_.fit.side > 0 ? glm::vec2(drawn_.fit.side * part, part) : glm::vec2(1, part));
 }
 
 }  // namespace coaster::gfx

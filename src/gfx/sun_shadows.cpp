@@ -15,7 +15,8 @@ int texels_for(const view::Viewport& viewport) {
 }
 
 bool same(const sim::Pose& a, const sim::Pose& b) {
-  return a.position == b.position && a.frame.forward == b.frame.forward && a.frame.up == b.frame.up && a.length == b.length && a.leads == b.leads;
+  return a.position == b.position && a.frame.forward == b.frame.forward && a.frame.up == b.frame.up &&
+         a.length == b.length && a.leads == b.leads;
 }
 
 }  // namespace
@@ -32,7 +33,9 @@ void SunShadows::update(const Pass& pass, const TrackCache& track, const Instanc
     ++cars_version_;
   }
   const int texels = scene.shadows ? texels_for(scene.view.viewport) : 4;
-  const auto fit = [&](const LightBox& box, float least) { return fit_shadow(axes, scene.shadows ? box : LightBox{}, least, eye, forward); };
+  const auto fit = [&](const LightBox& box, float least) {
+    return fit_shadow(axes, scene.shadows ? box : LightBox{}, least, eye, forward);
+  };
   if (track_.update(texels, axes, fit(measured_.box, kTrackSide), track.mesh_version(), scene.unseen,
                     [&](const glm::mat4& light) { cast_track(pass, track, light); }))
     ++pass.stats.shadow_maps;

@@ -1,5 +1,5 @@
-// The shadow maps of a scene, one of the track and one of the trains: a map is drawn anew only when what throws the shadows, the light or
-// the part of the scene in sight has changed.
+// The shadow maps of a scene, one of the track and one of the trains: a map is drawn anew only when what throws the
+// shadows, the light or the part of the scene in sight has changed.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Supports on the GPU: a solid for each segment that has any, written again only where they were found to be others. Apart from the track's own
-// buffers, so that these are written for what moved alone.
+// Supports on the GPU: a solid for each segment that has any, written again only where they were found to be others.
+// Apart from the track's own buffers, so that these are written for what moved alone.
 #pragma once
 
 #include <cstdint>

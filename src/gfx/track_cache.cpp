@@ -34,10 +34,8 @@ TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Cloc
     for (const world::Entity segment : derived.order) slot_of(segment).seen = stamp_;
   });
   if (live_ > derived.order.size()) release_unseen();
-  if (on_processor)
-    drop_controls();
-  else
-    drop_lines();
+  if (on_processor) drop_controls();
+  else drop_lines();
   held_polyline_bytes_ = 0;
   for (const world::Entity segment : derived.order) {
     Slot& slot = slots_[segment.index];
@@ -161,7 +159,8 @@ void TrackCache::fill_breaks(Range range) {
 
 void TrackCache::write_lines(Range range) {
   if (lines_.reserve(std::size_t(line_ranges_.used()) * sizeof(PolylineVertex))) link_lines();
-  write(lines_, std::size_t(range.first) * sizeof(PolylineVertex), staged_line_.data(), range.size * sizeof(PolylineVertex), true);
+  write(lines_, std::size_t(range.first) * sizeof(PolylineVertex), staged_line_.data(),
+        range.size * sizeof(PolylineVertex), true);
 }
 
 void TrackCache::link_lines() {

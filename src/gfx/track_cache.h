@@ -1,6 +1,7 @@
-// The track on the GPU, like the display lists of old: each segment has a slot in one buffer of polyline vertices and in one mesh, and a
-// slot is written again only when the segment's build numbers or its equipment differ from those it was written from. No dirty flags. While polylines are
-// evaluated on the GPU there are no polyline vertices, and the slots hold the four control points instead.
+// The track on the GPU, like the display lists of old: each segment has a slot in one buffer of polyline vertices and
+// in one mesh, and a slot is written again only when the segment's build numbers or its equipment differ from those it
+// was written from. No dirty flags. While polylines are evaluated on the GPU there are no polyline vertices, and the
+// slots hold the four control points instead.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +17,8 @@
 
 namespace coaster::gfx {
 
-// 24 bytes. The vertex after a polyline's last one has kBreak in tangent.x: lines from or to it are not drawn, nor are gaps, which
-// are full of such vertices.
+// 24 bytes. The vertex after a polyline's last one has kBreak in tangent.x: lines from or to it are not drawn, nor are
+// gaps, which are full of such vertices.
 struct PolylineVertex {
   glm::vec3 position;
   glm::vec3 tangent;  // B'(t)
@@ -31,10 +32,10 @@ class TrackCache {
   explicit TrackCache(const Gl& gl);
 
   struct Synced {
-    int uploads = 0;        // segments with anything written
+    int uploads = 0;                  // segments with anything written
     std::int64_t bytes = 0;           // written to the track's buffers
     std::int64_t polyline_bytes = 0;  // of these, to polyline vertices or control points
-    double cpu_seconds = 0;  // on preparing it, outside GL; 0 without a clock
+    double cpu_seconds = 0;           // on preparing it, outside GL; 0 without a clock
   };
   // Cost for an unchanged track: two comparisons for each segment, no allocation, no GL call.
   Synced sync(const sim::Derived& derived, const sim::Clock& clock);
@@ -48,8 +49,8 @@ class TrackCache {
   // Another number whenever anything of these was written or taken away.
   std::uint64_t mesh_version() const { return mesh_.version() + supports_.mesh().version(); }
   GLsizei index_count() const { return GLsizei(mesh_.index_count()); }
-  // Binds the array whose instance i is the line from vertex i to vertex i+1: locations 0 and 1 position and tangent of the one,
-  // 2 and 3 of the other.
+  // Binds the array whose instance i is the line from vertex i to vertex i+1: locations 0 and 1 position and tangent of
+  // the one, 2 and 3 of the other.
   void bind_lines() const { gl_->BindVertexArray(line_array_.id()); }
   GLsizei line_count() const { return line_ranges_.used() > 0 ? GLsizei(line_ranges_.used() - 1) : 0; }
   // The buffer of control points, 48 bytes a slot. Slot k has the segment placed()[k], no valid one when it is empty.
@@ -99,7 +100,7 @@ class TrackCache {
   std::size_t live_ = 0;     // slots with a segment
   std::uint64_t stamp_ = 0;  // of the sync in progress
   const sim::Clock* clock_ = nullptr;
-  Synced synced_;            // of the sync in progress
+  Synced synced_;  // of the sync in progress
   std::int64_t held_polyline_bytes_ = 0;
   std::vector<Placed> placed_;  // by slot of control points
   // What is being prepared; kept for their capacity.

@@ -15,8 +15,10 @@ void ValueTexture::fit(int rows) {
   gl_->GenTextures(1, &id);
   texture_ = Object(*gl_, id, [](const Gl& gl, GLuint name) { gl.DeleteTextures(1, &name); });
   gl_->BindTexture(GL_TEXTURE_2D, id);
-  for (const auto& [parameter, value] : {std::pair{GL_TEXTURE_MIN_FILTER, GL_NEAREST}, {GL_TEXTURE_MAG_FILTER, GL_NEAREST},
-                                        {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE}, {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE}})
+  for (const auto& [parameter, value] : {std::pair{GL_TEXTURE_MIN_FILTER, GL_NEAREST},
+                                         {GL_TEXTURE_MAG_FILTER, GL_NEAREST},
+                                         {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
+                                         {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE}})
     gl_->TexParameteri(GL_TEXTURE_2D, GLenum(parameter), value);
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, kWidth, rows_, 0, GL_RED, GL_FLOAT, held_.data());
@@ -45,7 +47,8 @@ ValueTexture::Synced ValueTexture::sync(const sim::Derived& derived, const sim::
     int end = row;
     while (end < rows_ && changed_[static_cast<std::size_t>(end)]) ++end;
     if (end == row) continue;
-    gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, row, kWidth, end - row, GL_RED, GL_FLOAT, &held_[static_cast<std::size_t>(row) * kWidth]);
+    gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, row, kWidth, end - row, GL_RED, GL_FLOAT,
+                       &held_[static_cast<std::size_t>(row) * kWidth]);
     synced.bytes += std::int64_t(end - row) * kWidth * std::int64_t(sizeof(float));
     row = end;
   }

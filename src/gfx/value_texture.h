@@ -1,5 +1,5 @@
-// The values that the track is coloured by, in a texture of their own: changing them touches no vertex. A segment's place in it is its
-// entity's index, which its mesh holds.
+// The values that the track is coloured by, in a texture of their own: changing them touches no vertex. A segment's
+// place in it is its entity's index, which its mesh holds.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,8 @@ class ValueTexture {
     int recolours = 0;       // segments whose values changed
     std::int64_t bytes = 0;  // written
   };
-  // Writes the rows in which anything changed. Cost for equal values: a comparison of 128 bytes for each segment. Plain values: nothing.
+  // Writes the rows in which anything changed. Cost for equal values: a comparison of 128 bytes for each segment. Plain
+  // values: nothing.
   Synced sync(const sim::Derived& derived, const sim::TrackValues& values);
   // To texture unit 0; a texture of one row when nothing was ever written.
   void bind();

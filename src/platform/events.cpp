@@ -10,18 +10,25 @@ namespace {
 
 // Names beside letters and digits, which name themselves. The first name of a key is the one that is printed.
 constexpr std::pair<std::string_view, Key> kNames[] = {
-    {"space", Key::space}, {"'", Key::apostrophe}, {",", Key::comma}, {"-", Key::minus}, {".", Key::period}, {"/", Key::slash},
-    {";", Key::semicolon}, {"=", Key::equal}, {"[", Key::left_bracket}, {"\\", Key::backslash}, {"]", Key::right_bracket},
-    {"`", Key::grave}, {"escape", Key::escape}, {"esc", Key::escape}, {"enter", Key::enter}, {"return", Key::enter},
-    {"tab", Key::tab}, {"backspace", Key::backspace}, {"insert", Key::insert}, {"delete", Key::del}, {"del", Key::del},
-    {"right", Key::right}, {"left", Key::left}, {"down", Key::down}, {"up", Key::up}, {"pageup", Key::page_up},
-    {"pagedown", Key::page_down}, {"home", Key::home}, {"end", Key::end}, {"f1", Key::f1}, {"f2", Key::f2}, {"f3", Key::f3},
-    {"f4", Key::f4}, {"f5", Key::f5}, {"f6", Key::f6}, {"f7", Key::f7}, {"f8", Key::f8}, {"f9", Key::f9}, {"f10", Key::f10},
-    {"f11", Key::f11}, {"f12", Key::f12}, {"keypadenter", Key::keypad_enter}};
+    {"space", Key::space},   {"'", Key::apostrophe},    {",", Key::comma},
+    {"-", Key::minus},       {".", Key::period},        {"/", Key::slash},
+    {";", Key::semicolon},   {"=", Key::equal},         {"[", Key::left_bracket},
+    {"\\", Key::backslash},  {"]", Key::right_bracket}, {"`", Key::grave},
+    {"escape", Key::escape}, {"esc", Key::escape},      {"enter", Key::enter},
+    {"return", Key::enter},  {"tab", Key::tab},         {"backspace", Key::backspace},
+    {"insert", Key::insert}, {"delete", Key::del},      {"del", Key::del},
+    {"right", Key::right},   {"left", Key::left},       {"down", Key::down},
+    {"up", Key::up},         {"pageup", Key::page_up},  {"pagedown", Key::page_down},
+    {"home", Key::home},     {"end", Key::end},         {"f1", Key::f1},
+    {"f2", Key::f2},         {"f3", Key::f3},           {"f4", Key::f4},
+    {"f5", Key::f5},         {"f6", Key::f6},           {"f7", Key::f7},
+    {"f8", Key::f8},         {"f9", Key::f9},           {"f10", Key::f10},
+    {"f11", Key::f11},       {"f12", Key::f12},         {"keypadenter", Key::keypad_enter}};
 
 std::string lower(std::string_view text) {
   std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(out.begin(), out.end(), out.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return out;
 }
 

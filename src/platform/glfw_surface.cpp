@@ -12,14 +12,17 @@
 namespace coaster::platform {
 namespace {
 
-Modifiers modifiers_of(int mods) { return {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_ALT) != 0}; }
+Modifiers modifiers_of(int mods) {
+  return {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_ALT) != 0};
+}
 
 // GLFW's codes of printable keys are ASCII, as ours; the others stand in blocks of the same order.
 Key key_of(int code) {
   if (code >= GLFW_KEY_SPACE && code <= GLFW_KEY_GRAVE_ACCENT) return static_cast<Key>(code);
   if (code >= GLFW_KEY_ESCAPE && code <= GLFW_KEY_END)
     return static_cast<Key>(static_cast<int>(Key::escape) + (code - GLFW_KEY_ESCAPE));
-  if (code >= GLFW_KEY_F1 && code <= GLFW_KEY_F12) return static_cast<Key>(static_cast<int>(Key::f1) + (code - GLFW_KEY_F1));
+  if (code >= GLFW_KEY_F1 && code <= GLFW_KEY_F12)
+    return static_cast<Key>(static_cast<int>(Key::f1) + (code - GLFW_KEY_F1));
   return code == GLFW_KEY_KP_ENTER ? Key::keypad_enter : Key::unknown;
 }
 
@@ -33,7 +36,8 @@ std::string utf8_of(unsigned codepoint) {
   } else if (codepoint < 0x10000) {
     put(0xe0 | codepoint >> 12), put(0x80 | (codepoint >> 6 & 63)), put(0x80 | (codepoint & 63));
   } else {
-    put(0xf0 | codepoint >> 18), put(0x80 | (codepoint >> 12 & 63)), put(0x80 | (codepoint >> 6 & 63)), put(0x80 | (codepoint & 63));
+    put(0xf0 | codepoint >> 18), put(0x80 | (codepoint >> 12 & 63)), put(0x80 | (codepoint >> 6 & 63)),
+        put(0x80 | (codepoint & 63));
   }
   return out;
 }
@@ -48,15 +52,17 @@ class WindowSurface final : public Surface {
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
       if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
-      const Button which = button == GLFW_MOUSE_BUTTON_LEFT ? Button::left : button == GLFW_MOUSE_BUTTON_RIGHT ? Button::right : Button::middle;
+      const Button which = button == GLFW_MOUSE_BUTTON_LEFT    ? Button::left
+                           : button == GLFW_MOUSE_BUTTON_RIGHT ? Button::right
+                                                               : Button::middle;
       of(w).pending_.push_back(MouseButton{which, action == GLFW_PRESS, modifiers_of(mods)});
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double dx, double dy) {
       of(w).pending_.push_back(Wheel{static_cast<float>(dx), static_cast<float>(dy)});
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int, int action, int mods) {
-      // X11 leaves a modifier's own bit out of its press and in its release, so these are counted in by hand; an unknown
-      // key's event tells of the modifiers alone.
+      // X11 leaves a modifier's own bit out of its press and in its release, so these are counted in by hand; an
+      // unknown key's event tells of the modifiers alone.
       Modifiers held = modifiers_of(mods);
       const bool down = action != GLFW_RELEASE;
       if (code == GLFW_KEY_LEFT_SHIFT || code == GLFW_KEY_RIGHT_SHIFT) held.shift = down;
@@ -64,12 +70,16 @@ class WindowSurface final : public Surface {
       if (code == GLFW_KEY_LEFT_ALT || code == GLFW_KEY_RIGHT_ALT) held.alt = down;
       of(w).pending_.push_back(KeyPress{key_of(code), down, action == GLFW_REPEAT, held});
     });
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned codepoint) { of(w).pending_.push_back(TextInput{utf8_of(codepoint)}); });
+    glfwSetCharCallback(
+        window, [](GLFWwindow* w, unsigned codepoint) { of(w).pending_.push_back(TextInput{utf8_of(codepoint)}); });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
       for (int i = 0; i < count; ++i) of(w).pending_.push_back(Drop{paths[i]});
     });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int width, int height) { of(w).pending_.push_back(Resize{width, height}); });
-    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) { of(w).pending_.push_back(Focus{focused == GLFW_TRUE}); });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int width, int height) {
+      of(w).pending_.push_back(Resize{width, height});
+    });
+    glfwSetWindowFocusCallback(
+        window, [](GLFWwindow* w, int focused) { of(w).pending_.push_back(Focus{focused == GLFW_TRUE}); });
     glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
       glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program decides
       of(w).pending_.push_back(CloseRequest{});
@@ -150,7 +160,9 @@ class WindowSurface final : public Surface {
   struct PixelScale {
     double x, y;
   };
-  static WindowSurface& of(GLFWwindow* window) { return *static_cast<WindowSurface*>(glfwGetWindowUserPointer(window)); }
+  static WindowSurface& of(GLFWwindow* window) {
+    return *static_cast<WindowSurface*>(glfwGetWindowUserPointer(window));
+  }
   // Cursor positions come in screen coordinates; on some systems these are not pixels.
   PixelScale pixel_scale() const {
     int width = 1, height = 1, pixels_x = 1, pixels_y = 1;
@@ -159,16 +171,20 @@ class WindowSurface final : public Surface {
     if (width <= 0 || height <= 0) return {1, 1};
     return {static_cast<double>(pixels_x) / width, static_cast<double>(pixels_y) / height};
   }
-  // The first gamepad that there is: GLFW tells of its state, not of changes. One that is pulled out lets go of everything.
+  // The first gamepad that there is: GLFW tells of its state, not of changes. One that is pulled out lets go of
+  // everything.
   void poll_gamepad() {
     GLFWgamepadstate state{};
     bool found = false;
-    for (int id = GLFW_JOYSTICK_1; id <= GLFW_JOYSTICK_LAST && !found; ++id) found = glfwJoystickIsGamepad(id) && glfwGetGamepadState(id, &state);
+    for (int id = GLFW_JOYSTICK_1; id <= GLFW_JOYSTICK_LAST && !found; ++id)
+      found = glfwJoystickIsGamepad(id) && glfwGetGamepadState(id, &state);
     const auto trigger = [&](int axis) { return found ? (state.axes[axis] + 1) / 2 : 0.0f; };
-    const GamepadAxes axes{state.axes[GLFW_GAMEPAD_AXIS_LEFT_X], state.axes[GLFW_GAMEPAD_AXIS_LEFT_Y], state.axes[GLFW_GAMEPAD_AXIS_RIGHT_X],
-                           state.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y], trigger(GLFW_GAMEPAD_AXIS_LEFT_TRIGGER), trigger(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER)};
+    const GamepadAxes axes{state.axes[GLFW_GAMEPAD_AXIS_LEFT_X],    state.axes[GLFW_GAMEPAD_AXIS_LEFT_Y],
+                           state.axes[GLFW_GAMEPAD_AXIS_RIGHT_X],   state.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y],
+                           trigger(GLFW_GAMEPAD_AXIS_LEFT_TRIGGER), trigger(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER)};
     if (axes != pad_axes_) pending_.push_back(pad_axes_ = axes);
-    constexpr std::array<int, kPadButtonNames.size()> kButtons{GLFW_GAMEPAD_BUTTON_A, GLFW_GAMEPAD_BUTTON_B, GLFW_GAMEPAD_BUTTON_X, GLFW_GAMEPAD_BUTTON_Y};
+    constexpr std::array<int, kPadButtonNames.size()> kButtons{GLFW_GAMEPAD_BUTTON_A, GLFW_GAMEPAD_BUTTON_B,
+                                                               GLFW_GAMEPAD_BUTTON_X, GLFW_GAMEPAD_BUTTON_Y};
     for (std::size_t i = 0; i < kButtons.size(); ++i) {
       const bool down = state.buttons[kButtons[i]] == GLFW_PRESS;
       if (down != std::exchange(pad_down_[i], down)) pending_.push_back(GamepadButton{static_cast<PadButton>(i), down});
@@ -218,7 +234,8 @@ base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the renderer draws into a framebuffer of its own
   glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
-  GLFWwindow* window = glfwCreateWindow(options.size.width, options.size.height, options.title.c_str(), nullptr, nullptr);
+  GLFWwindow* window =
+      glfwCreateWindow(options.size.width, options.size.height, options.title.c_str(), nullptr, nullptr);
   if (!window) {
     const std::string reason = last_error();
     glfwTerminate();

@@ -6,8 +6,8 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdint>
+#include <cstdio>
 #include <vector>
 
 #include "platform/sound.h"
@@ -40,7 +40,8 @@ struct SoundDevice::Parts {
 
 namespace {
 
-// The libraries below OpenAL tell on stderr of devices that are not there. That none is there is no error here: it is told in the settings.
+// The libraries below OpenAL tell on stderr of devices that are not there. That none is there is no error here: it is
+// told in the settings.
 class QuietErrors {
  public:
   QuietErrors() {
@@ -77,11 +78,13 @@ base::Result<std::unique_ptr<SoundDevice>> SoundDevice::open() {
   }
   if (!parts->device) return base::Status{base::Code::refused, "there is no sound device"};
   parts->context = alcCreateContext(parts->device, nullptr);
-  if (!parts->context || !alcMakeContextCurrent(parts->context)) return base::Status{base::Code::refused, "the sound device has no OpenAL context"};
+  if (!parts->context || !alcMakeContextCurrent(parts->context))
+    return base::Status{base::Code::refused, "the sound device has no OpenAL context"};
   alGetError();
   alGenBuffers(kSoundBlocks, parts->buffers.data());
   alGenSources(1, &parts->source);
-  if (alGetError() != AL_NO_ERROR) return base::Status{base::Code::refused, "the sound device has no room for a source"};
+  if (alGetError() != AL_NO_ERROR)
+    return base::Status{base::Code::refused, "the sound device has no room for a source"};
   parts->unused.assign(parts->buffers.begin(), parts->buffers.end());
   return std::unique_ptr<SoundDevice>(new SoundDevice(std::move(parts)));
 }
@@ -98,8 +101,10 @@ int SoundDevice::feed(const std::function<void(std::span<float>)>& fill) {
   int filled = 0;
   for (; !p.unused.empty(); ++filled) {
     fill(p.samples);
-    for (std::size_t i = 0; i < p.samples.size(); ++i) p.words[i] = static_cast<std::int16_t>(std::lround(32'767.0f * p.samples[i]));
-    alBufferData(p.unused.back(), AL_FORMAT_STEREO16, p.words.data(), static_cast<ALsizei>(p.words.size() * sizeof p.words[0]), kSoundRate);
+    for (std::size_t i = 0; i < p.samples.size(); ++i)
+      p.words[i] = static_cast<std::int16_t>(std::lround(32'767.0f * p.samples[i]));
+    alBufferData(p.unused.back(), AL_FORMAT_STEREO16, p.words.data(),
+                 static_cast<ALsizei>(p.words.size() * sizeof p.words[0]), kSoundRate);
     alSourceQueueBuffers(p.source, 1, &p.unused.back());
     p.unused.pop_back();
   }

@@ -31,10 +31,12 @@ base::Result<OsMesa> load_library() {
   for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"})
     if (!mesa.library) mesa.library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
   if (!mesa.library)
-    return base::Status{base::Code::graphics, "libOSMesa.so.8 was not found; install it with: apt-get install libosmesa6"};
+    return base::Status{base::Code::graphics,
+                        "libOSMesa.so.8 was not found; install it with: apt-get install libosmesa6"};
   if (!look_up(mesa.library, "OSMesaCreateContextAttribs", mesa.create) ||
       !look_up(mesa.library, "OSMesaDestroyContext", mesa.destroy) ||
-      !look_up(mesa.library, "OSMesaMakeCurrent", mesa.make_current) || !look_up(mesa.library, "OSMesaGetProcAddress", mesa.proc))
+      !look_up(mesa.library, "OSMesaMakeCurrent", mesa.make_current) ||
+      !look_up(mesa.library, "OSMesaGetProcAddress", mesa.proc))
     return base::Status{base::Code::graphics, "libOSMesa is too old: OSMesaCreateContextAttribs is missing"};
   return mesa;
 }
@@ -85,8 +87,19 @@ class OffscreenSurface final : public Surface {
 };
 
 OSMesaContext create_core(const OsMesa& mesa, int major, int minor) {
-  const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                            OSMESA_CONTEXT_MAJOR_VERSION, major, OSMESA_CONTEXT_MINOR_VERSION, minor, 0};
+  const int attributes[] = {OSMESA_FORMAT,
+                            OSMESA_RGBA,
+                            OSMESA_DEPTH_BITS,
+                            24,
+                            OSMESA_STENCIL_BITS,
+                            8,
+                            OSMESA_PROFILE,
+                            OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION,
+                            major,
+                            OSMESA_CONTEXT_MINOR_VERSION,
+                            minor,
+                            0};
   return mesa.create(attributes, nullptr);
 }
 

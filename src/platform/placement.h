@@ -17,8 +17,9 @@ struct Screen {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-// `wanted`, made to fit: not larger than the screen it is mostly on, and moved there when its top edge, which holds the title, is out of reach: less than
-// 100 px of it on a screen. On none at all: in the middle of the first screen. Without screens it stays.
+// `wanted`, made to fit: not larger than the screen it is mostly on, and moved there when its top edge, which holds the
+// title, is out of reach: less than 100 px of it on a screen. On none at all: in the middle of the first screen.
+// Without screens it stays.
 Placement fitted(const Placement& wanted, std::span<const Screen> screens);
 
 }  // namespace coaster::platform

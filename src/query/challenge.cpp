@@ -14,10 +14,12 @@ namespace {
 using exchange::RuleList;
 
 // Of the rows that speak of track and ride, those that tell of the last picture or of the machine.
-constexpr std::array<std::string_view, 17> kOfThePicture{"evaluator", "resolution", "arc_length", "length", "segment_length", "vertices", "vertex_budget", "deviation",
-                                                         "deviation_pending", "drawn_by", "upload_bytes", "polyline_upload_bytes", "polyline_bytes", "gpu_ms", "ride.cost",
-                                                         "evaluation_time", "ns_per_point"};
-constexpr std::array<std::string_view, 10> kOfTheView{"uploads", "rebuilds", "recolours", "longest", "curvature", "torsion", "frenet", "cart_up", "hash", "frenet_flips"};
+constexpr std::array<std::string_view, 17> kOfThePicture{
+    "evaluator",      "resolution", "arc_length",        "length",          "segment_length", "vertices",
+    "vertex_budget",  "deviation",  "deviation_pending", "drawn_by",        "upload_bytes",   "polyline_upload_bytes",
+    "polyline_bytes", "gpu_ms",     "ride.cost",         "evaluation_time", "ns_per_point"};
+constexpr std::array<std::string_view, 10> kOfTheView{"uploads", "rebuilds", "recolours", "longest", "curvature",
+                                                      "torsion", "frenet",   "cart_up",   "hash",    "frenet_flips"};
 
 bool named(std::span<const Query> rows, std::string_view name) {
   return std::any_of(rows.begin(), rows.end(), [&](const Query& row) { return row.name == name; });
@@ -41,10 +43,11 @@ std::optional<double> place_of(const edit::Session& session, std::string_view qu
     std::string_view query;
     sim::Extreme sim::Ratings::*extreme;
   };
-  constexpr std::array kRows{Row{"ride.g_up_max", &sim::Ratings::up_most},           Row{"ride.g_up_min", &sim::Ratings::up_least},
-                             Row{"ride.g_side_max", &sim::Ratings::side_most},       Row{"ride.g_forward_max", &sim::Ratings::forward_most},
-                             Row{"ride.g_back_max", &sim::Ratings::back_most},       Row{"ride.speed_max", &sim::Ratings::top_speed},
-                             Row{"ride.height_max", &sim::Ratings::highest}};
+  constexpr std::array kRows{
+      Row{"ride.g_up_max", &sim::Ratings::up_most},     Row{"ride.g_up_min", &sim::Ratings::up_least},
+      Row{"ride.g_side_max", &sim::Ratings::side_most}, Row{"ride.g_forward_max", &sim::Ratings::forward_most},
+      Row{"ride.g_back_max", &sim::Ratings::back_most}, Row{"ride.speed_max", &sim::Ratings::top_speed},
+      Row{"ride.height_max", &sim::Ratings::highest}};
   if (edit::chosen_ride(session) == nullptr) return std::nullopt;
   for (const Row& row : kRows)
     if (row.query == query) return (edit::chosen_ratings(session).*row.extreme).distance;
@@ -58,7 +61,8 @@ std::optional<double> place_of(const edit::Session& session, std::string_view qu
 // The weakest joint, whose place is a knot's.
 std::optional<double> place_of_joint(const edit::Session& session, std::string_view query) {
   if (query != "parametric_min" && query != "geometric_min") return std::nullopt;
-  const auto weakest = find_query(query == "parametric_min" ? "weakest_parametric" : "weakest_geometric")->evaluate(context_of(session), {});
+  const auto weakest = find_query(query == "parametric_min" ? "weakest_parametric" : "weakest_geometric")
+                           ->evaluate(context_of(session), {});
   return weakest ? place_of_knot(session, to_text(*weakest)) : std::nullopt;
 }
 
@@ -80,11 +84,14 @@ base::Status comparable(const Rule& rule, const edit::Session& empty) {
 }
 
 base::Status at_rule(std::string_view path, RuleList list, std::size_t index, int column, const std::string& message) {
-  return {base::Code::bad_file, std::string(path) + ": error: " + std::string(exchange::kRuleListNames[static_cast<std::size_t>(list)]) + "[" + std::to_string(index) + "].expect:" +
-                                    std::to_string(column) + ": " + message};
+  return {base::Code::bad_file,
+          std::string(path) + ": error: " + std::string(exchange::kRuleListNames[static_cast<std::size_t>(list)]) +
+              "[" + std::to_string(index) + "].expect:" + std::to_string(column) + ": " + message};
 }
 
-bool in(RuleList list, std::initializer_list<RuleList> lists) { return std::find(lists.begin(), lists.end(), list) != lists.end(); }
+bool in(RuleList list, std::initializer_list<RuleList> lists) {
+  return std::find(lists.begin(), lists.end(), list) != lists.end();
+}
 
 std::optional<bool> less_is_better(const Condition& condition) {
   if (!condition.op || condition.negated) return std::nullopt;
@@ -93,14 +100,17 @@ std::optional<bool> less_is_better(const Condition& condition) {
   return std::nullopt;
 }
 
-std::string full_name(const Rule& rule) { return std::string(rule.query->name) + (rule.condition.argument.empty() ? "" : " " + rule.condition.argument); }
+std::string full_name(const Rule& rule) {
+  return std::string(rule.query->name) + (rule.condition.argument.empty() ? "" : " " + rule.condition.argument);
+}
 
 // What was found, where, and what was wanted; of a red span what lasts too long.
 std::string words_of(const edit::Session& session, const Rule& rule, const Finding& finding) {
   char words[160];
   if (rule.query->name == "ride.envelope" && !edit::chosen_red_spans(session).empty()) {
     const sim::RedSpan& span = edit::chosen_red_spans(session).front();
-    std::snprintf(words, sizeof words, "%.2f g %s at %.1f m, %.2f g may last that long", span.worst, std::string(sim::label(span.axis)).c_str(), span.from_distance, span.allowed);
+    std::snprintf(words, sizeof words, "%.2f g %s at %.1f m, %.2f g may last that long", span.worst,
+                  std::string(sim::label(span.axis)).c_str(), span.from_distance, span.allowed);
     return words;
   }
   char at[32] = "";
@@ -114,7 +124,8 @@ std::string unridden(const edit::ActiveChallenge& challenge, const edit::RideRes
   if (result == nullptr) return "not ridden yet";
   if (result->end == edit::RideEnd::failed) return result->reason;
   if (!result->whole) return "the track was changed or the train moved by hand during the ride: ride it from the start";
-  if (challenge.file.judged == exchange::Judged::time && result->end != edit::RideEnd::time) return "the ride ended too soon: " + result->reason;
+  if (challenge.file.judged == exchange::Judged::time && result->end != edit::RideEnd::time)
+    return "the ride ended too soon: " + result->reason;
   return {};
 }
 
@@ -124,14 +135,17 @@ bool may_judge(const Query& query) {
   if (query.name == "challenge.deviation") return true;
   if (std::find(kOfThePicture.begin(), kOfThePicture.end(), query.name) != kOfThePicture.end()) return false;
   if (std::find(kOfTheView.begin(), kOfTheView.end(), query.name) != kOfTheView.end()) return false;
-  return named(document_rows(), query.name) || named(ride_rows(), query.name) || named(ghost_rows(), query.name) || named(joint_rows(), query.name);
+  return named(document_rows(), query.name) || named(ride_rows(), query.name) || named(ghost_rows(), query.name) ||
+         named(joint_rows(), query.name);
 }
 
 base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challenge, std::string_view path) {
   std::vector<Rule> rules;
   for (std::size_t list = 0; list < challenge.rules.size(); ++list)
     for (std::size_t i = 0; i < challenge.rules[list].size(); ++i) {
-      const auto wrong = [&](int column, const std::string& message) { return at_rule(path, static_cast<RuleList>(list), i, column, message); };
+      const auto wrong = [&](int column, const std::string& message) {
+        return at_rule(path, static_cast<RuleList>(list), i, column, message);
+      };
       std::vector<base::Token> tokens;
       base::TextError error;
       Rule rule{static_cast<RuleList>(list), i, {}, nullptr};
@@ -139,7 +153,9 @@ base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challe
       base::Words words(tokens, error);
       if (!parse_condition(words, rule.condition) || !words.end()) return wrong(error.column, error.message);
       rule.query = find_query(rule.condition.query);
-      if (!may_judge(*rule.query)) return wrong(rule.condition.column, base::quoted(rule.condition.query) + " does not speak of track and ride alone: expected another query");
+      if (!may_judge(*rule.query))
+        return wrong(rule.condition.column, base::quoted(rule.condition.query) +
+                                                " does not speak of track and ride alone: expected another query");
       rules.push_back(std::move(rule));
     }
   return rules;
@@ -150,7 +166,8 @@ base::Status check_rules(const exchange::ChallengeFile& challenge, const std::st
   if (!rules) return rules.status();
   const edit::Session empty = edit::make_session({});
   for (const Rule& rule : *rules)
-    if (const base::Status sense = comparable(rule, empty); !sense) return at_rule(path, rule.list, rule.index, rule.condition.column, sense.message);
+    if (const base::Status sense = comparable(rule, empty); !sense)
+      return at_rule(path, rule.list, rule.index, rule.condition.column, sense.message);
   return {};
 }
 
@@ -173,7 +190,9 @@ Finding look_at(const edit::Session& session, const Rule& rule) {
   }
   finding.place = place_of(session, rule.query->name);
   if (!finding.place) finding.place = place_of_joint(session, rule.query->name);
-  if (!finding.place && rule.query->argument == "@knot") finding.place = place_of_knot(session, rule.condition.argument.starts_with('@') ? rule.condition.argument.substr(1) : rule.condition.argument);
+  if (!finding.place && rule.query->argument == "@knot")
+    finding.place = place_of_knot(session, rule.condition.argument.starts_with('@') ? rule.condition.argument.substr(1)
+                                                                                    : rule.condition.argument);
   return finding;
 }
 
@@ -181,7 +200,8 @@ std::string wanted(const Rule& rule) {
   const std::string full = full_name(rule), &text = rule.condition.text;
   std::string rest = text.size() > full.size() ? text.substr(text.find(rule.condition.query) + full.size()) : " on";
   const bool unit = !rule.query->unit.empty() && rule.condition.op.has_value();
-  return std::string(rule.condition.negated ? "wanted not" : "wanted") + rest + (unit ? " " + std::string(rule.query->unit) : "");
+  return std::string(rule.condition.negated ? "wanted not" : "wanted") + rest +
+         (unit ? " " + std::string(rule.query->unit) : "");
 }
 
 edit::Verdict judge(const edit::Session& session, const edit::RideResult* result) {
@@ -199,14 +219,16 @@ edit::Verdict judge(const edit::Session& session, const edit::RideResult* result
   for (const Rule& rule : *rules) {
     const Finding finding = look_at(session, rule);
     const auto better = less_is_better(rule.condition);
-    const bool known = std::any_of(verdict.values.begin(), verdict.values.end(), [&](const exchange::BestValue& v) { return v.query == full_name(rule); });
+    const bool known = std::any_of(verdict.values.begin(), verdict.values.end(),
+                                   [&](const exchange::BestValue& v) { return v.query == full_name(rule); });
     if (finding.value && better && !known) verdict.values.push_back({full_name(rule), *finding.value, *better});
     if (finding.holds) continue;
     if (rule.list == RuleList::silver) silver = false;
     if (in(rule.list, {RuleList::silver, RuleList::gold})) {
       gold = false;
     } else if (verdict.reason.empty()) {
-      verdict.reason = challenge.file.rules[static_cast<std::size_t>(rule.list)][rule.index].text + ": " + words_of(session, rule, finding);
+      verdict.reason = challenge.file.rules[static_cast<std::size_t>(rule.list)][rule.index].text + ": " +
+                       words_of(session, rule, finding);
       verdict.place = finding.place;
     }
   }
@@ -214,9 +236,7 @@ edit::Verdict judge(const edit::Session& session, const edit::RideResult* result
   return verdict;
 }
 
-edit::Referee referee() {
-  return {check_rules, judge};
-}
+edit::Referee referee() { return {check_rules, judge}; }
 
 std::string_view medal_name(int medal) {
   constexpr std::array<std::string_view, 4> kNames{"", "bronze", "silver", "gold"};

@@ -1,5 +1,6 @@
-// The referee of challenges: reads their expressions, tells which hold now, and judges. Rules are conditions as scripts have them, over the queries
-// that speak of track and ride alone, so that a verdict does not depend on machine, picture or panels.
+// The referee of challenges: reads their expressions, tells which hold now, and judges. Rules are conditions as scripts
+// have them, over the queries that speak of track and ride alone, so that a verdict does not depend on machine, picture
+// or panels.
 #pragma once
 
 #include <optional>
@@ -18,13 +19,13 @@ bool may_judge(const Query& query);
 // One rule, read.
 struct Rule {
   exchange::RuleList list{};
-  std::size_t index = 0;      // in that list
+  std::size_t index = 0;  // in that list
   Condition condition;
   const Query* query = nullptr;
 };
 
-// All rules in the order of exchange::RuleList. Code::bad_file with "PATH: error: goals[1].expect:5: ..." (the column counts from 1) for the first that
-// cannot be read or asks what may not be judged.
+// All rules in the order of exchange::RuleList. Code::bad_file with "PATH: error: goals[1].expect:5: ..." (the column
+// counts from 1) for the first that cannot be read or asks what may not be judged.
 base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challenge, std::string_view path);
 
 // The same, and for the first that compares what cannot be compared.
@@ -42,8 +43,9 @@ Finding look_at(const edit::Session& session, const Rule& rule);
 // "wanted <= 1.2 g": what the rule's operator asks for.
 std::string wanted(const Rule& rule);
 
-// Judges the session's challenge: bronze when the ride was ridden as the challenge asks and all goals, limits and bronze's own rules hold; silver and gold
-// when theirs hold as well, gold with silver's. `result`: of the ride that has just ended, null for Judged::build.
+// Judges the session's challenge: bronze when the ride was ridden as the challenge asks and all goals, limits and
+// bronze's own rules hold; silver and gold when theirs hold as well, gold with silver's. `result`: of the ride that has
+// just ended, null for Judged::build.
 edit::Verdict judge(const edit::Session& session, const edit::RideResult* result);
 
 // What a session is handed.

@@ -49,9 +49,11 @@ bool parse_tolerance(Words& words, Condition& condition) {
     condition.tolerance = words.number("a tolerance");
   } else {
     condition.tolerance = base::parse_double(attached);
-    if (!condition.tolerance) return words.fail(word->column, "expected a tolerance such as +-0.01, found " + base::quoted(word->text));
+    if (!condition.tolerance)
+      return words.fail(word->column, "expected a tolerance such as +-0.01, found " + base::quoted(word->text));
   }
-  if (condition.tolerance && !(*condition.tolerance >= 0)) return words.fail(word->column, "a tolerance is not negative");
+  if (condition.tolerance && !(*condition.tolerance >= 0))
+    return words.fail(word->column, "a tolerance is not negative");
   return condition.tolerance.has_value();
 }
 
@@ -72,7 +74,8 @@ base::Status mismatch(std::string message) { return {base::Code::usage, std::mov
 
 // Compares by sign of (found - wanted), equal within the tolerance.
 bool ordered(Op op, double found, double wanted, double tolerance, bool exact) {
-  const bool same = std::abs(found - wanted) <= tolerance || (!exact && static_cast<float>(found) == static_cast<float>(wanted));
+  const bool same =
+      std::abs(found - wanted) <= tolerance || (!exact && static_cast<float>(found) == static_cast<float>(wanted));
   switch (op) {
     case Op::equal: return same;
     case Op::not_equal: return !same;
@@ -95,7 +98,8 @@ std::optional<double> number_of(std::string_view text) {
 
 base::Result<bool> holds_number(const Condition& c, double found) {
   if (c.values.size() != 1) return mismatch("expected one number");
-  if (*c.op == Op::contains && !c.tolerance) return lower(base::to_text(found)).find(lower(c.values[0].text)) != std::string::npos;
+  if (*c.op == Op::contains && !c.tolerance)
+    return lower(base::to_text(found)).find(lower(c.values[0].text)) != std::string::npos;
   const auto wanted = number_of(c.values[0].text);
   if (!wanted) return mismatch("expected a number, found " + base::quoted(c.values[0].text));
   return ordered(*c.op, found, *wanted, c.tolerance.value_or(0), whole(found) && whole(*wanted));
@@ -129,13 +133,16 @@ base::Result<bool> holds_ranked(const Condition& c, const Ranked& found) {
 }
 
 base::Result<bool> holds_vector(const Condition& c, glm::dvec3 found) {
-  if (*c.op != Op::equal && *c.op != Op::not_equal && *c.op != Op::contains) return mismatch("a vector can be compared with == and != alone");
+  if (*c.op != Op::equal && *c.op != Op::not_equal && *c.op != Op::contains)
+    return mismatch("a vector can be compared with == and != alone");
   if (c.values.size() != 3) return mismatch("expected three numbers");
   bool same = true;
   for (int axis = 0; axis < 3; ++axis) {
     const auto wanted = number_of(c.values[static_cast<std::size_t>(axis)].text);
-    if (!wanted) return mismatch("expected a number, found " + base::quoted(c.values[static_cast<std::size_t>(axis)].text));
-    same = same && ordered(Op::equal, found[axis], *wanted, c.tolerance.value_or(0), whole(found[axis]) && whole(*wanted));
+    if (!wanted)
+      return mismatch("expected a number, found " + base::quoted(c.values[static_cast<std::size_t>(axis)].text));
+    same =
+        same && ordered(Op::equal, found[axis], *wanted, c.tolerance.value_or(0), whole(found[axis]) && whole(*wanted));
   }
   return (*c.op == Op::not_equal) != same;
 }
@@ -143,7 +150,8 @@ base::Result<bool> holds_vector(const Condition& c, glm::dvec3 found) {
 bool is_true(const Value& value) {
   if (const double* const number = std::get_if<double>(&value)) return *number != 0;
   if (const Ranked* const ranked = std::get_if<Ranked>(&value)) return ranked->rank != 0;
-  if (const std::string* const text = std::get_if<std::string>(&value)) return parse_switch(*text).value_or(!text->empty());
+  if (const std::string* const text = std::get_if<std::string>(&value))
+    return parse_switch(*text).value_or(!text->empty());
   return true;
 }
 
@@ -157,15 +165,21 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
   condition.query = name->text;
   condition.text = name->text;
   const Query* const query = find_query(name->text);
-  if (!query) return words.fail(name->column, "no query " + base::quoted(name->text) + base::suggestion(name->text, query_names()));
+  if (!query)
+    return words.fail(name->column,
+                      "no query " + base::quoted(name->text) + base::suggestion(name->text, query_names()));
   if (!query->argument.empty()) {
     const base::Token* const argument = words.take(query->argument);
     if (!argument) return false;
-    if (op_of(*argument)) return words.fail(argument->column, "expected " + std::string(query->argument) + ", found " + base::quoted(argument->text));
+    if (op_of(*argument))
+      return words.fail(argument->column,
+                        "expected " + std::string(query->argument) + ", found " + base::quoted(argument->text));
     condition.argument = argument->text;
     condition.text += " " + argument->text;
   }
-  const auto stops = [&] { return words.at_end() || (!stop.empty() && !words.peek()->quoted && words.peek()->text == stop); };
+  const auto stops = [&] {
+    return words.at_end() || (!stop.empty() && !words.peek()->quoted && words.peek()->text == stop);
+  };
   if (stops()) return true;
   const base::Token* const op = words.take("an operator");
   condition.op = op_of(*op);
@@ -176,8 +190,10 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
     condition.text += " " + (value->quoted ? base::quoted(value->text) : value->text);
     condition.values.push_back(*value);
   }
-  if (condition.values.size() > 1 && !condition.values.back().quoted && condition.values.back().text == query->unit) condition.values.pop_back();
-  if (condition.values.empty()) return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected a value");
+  if (condition.values.size() > 1 && !condition.values.back().quoted && condition.values.back().text == query->unit)
+    condition.values.pop_back();
+  if (condition.values.empty())
+    return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected a value");
   if (!stops() && !parse_tolerance(words, condition)) return false;
   if (condition.tolerance) condition.text += " +-" + base::to_text(*condition.tolerance);
   return true;
@@ -191,13 +207,15 @@ base::Result<bool> holds(const Condition& condition, const Value& value) {
     base::Result<bool> operator()(const Ranked& v) const { return holds_ranked(c, v); }
     base::Result<bool> operator()(glm::dvec3 v) const { return holds_vector(c, v); }
   };
-  const base::Result<bool> result = condition.op ? std::visit(Visitor{condition}, value) : base::Result<bool>(is_true(value));
+  const base::Result<bool> result =
+      condition.op ? std::visit(Visitor{condition}, value) : base::Result<bool>(is_true(value));
   if (!result) return result.status();
   return *result != condition.negated;
 }
 
 std::string describe(const Query& query, const Value& value) {
-  const std::string text = std::holds_alternative<std::string>(value) ? base::quoted(query::to_text(value)) : query::to_text(value);
+  const std::string text =
+      std::holds_alternative<std::string>(value) ? base::quoted(query::to_text(value)) : query::to_text(value);
   return query.unit.empty() ? text : text + " " + std::string(query.unit);
 }
 

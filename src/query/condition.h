@@ -1,4 +1,5 @@
-// "<query> [argument] <op> <value> [+-tolerance]": parsing it and holding a value against it. Scripts and challenges share it.
+// "<query> [argument] <op> <value> [+-tolerance]": parsing it and holding a value against it. Scripts and challenges
+// share it.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +28,9 @@ struct Condition {
 // Reads a condition up to the end of the words or a word of `stop` ("max" of wait). False: the failure is in `words`.
 bool parse_condition(base::Words& words, Condition& condition, std::string_view stop = {});
 
-// True when the value fulfils the condition. Numbers without tolerance are equal when they are so as written or in single precision;
-// texts regardless of a leading @; "~" asks whether the value's text contains the other, in any case of letters.
-// Code::usage when value and operator do not go together; the message says what was expected.
+// True when the value fulfils the condition. Numbers without tolerance are equal when they are so as written or in
+// single precision; texts regardless of a leading @; "~" asks whether the value's text contains the other, in any case
+// of letters. Code::usage when value and operator do not go together; the message says what was expected.
 base::Result<bool> holds(const Condition& condition, const Value& value);
 
 // The value of a query as text with its unit.

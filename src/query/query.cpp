@@ -13,7 +13,9 @@ std::string to_text(const Value& value) {
     std::string operator()(double v) const { return base::to_text(v); }
     std::string operator()(const std::string& v) const { return v; }
     std::string operator()(const Ranked& v) const { return v.text; }
-    std::string operator()(glm::dvec3 v) const { return base::to_text(v.x) + " " + base::to_text(v.y) + " " + base::to_text(v.z); }
+    std::string operator()(glm::dvec3 v) const {
+      return base::to_text(v.x) + " " + base::to_text(v.y) + " " + base::to_text(v.z);
+    }
   };
   return std::visit(Visitor{}, value);
 }
@@ -21,7 +23,9 @@ std::string to_text(const Value& value) {
 std::span<const Query> queries() {
   static const std::vector<Query> table = [] {
     std::vector<Query> rows;
-    for (const std::span<const Query> part : {document_rows(), ride_rows(), ghost_rows(), session_rows(), joint_rows(), lab_rows(), element_rows(), game_rows()}) rows.insert(rows.end(), part.begin(), part.end());
+    for (const std::span<const Query> part : {document_rows(), ride_rows(), ghost_rows(), session_rows(), joint_rows(),
+                                              lab_rows(), element_rows(), game_rows()})
+      rows.insert(rows.end(), part.begin(), part.end());
     return rows;
   }();
   return table;
@@ -65,7 +69,8 @@ base::Result<world::Entity> entity_of(const Context& context, std::string_view a
   for (const world::Name& other : document.entities.pool<world::Name>().items())
     if (other.kind == kind) names.push_back("@" + world::to_text(other));
   const std::string wanted = "@" + std::string(word);
-  return base::Status{base::Code::usage, "no " + std::string(kKinds[static_cast<std::size_t>(kind)]) + " " + wanted + base::suggestion(wanted, names)};
+  return base::Status{base::Code::usage, "no " + std::string(kKinds[static_cast<std::size_t>(kind)]) + " " + wanted +
+                                             base::suggestion(wanted, names)};
 }
 
 }  // namespace coaster::query

@@ -11,7 +11,8 @@
 namespace coaster::query {
 namespace {
 
-// --- the whole track --------------------------------------------------------------------------------------------------
+// --- the whole track
+// --------------------------------------------------------------------------------------------------
 Answer knots(const Context& c, View) { return number(c.session.document.track.knots.size()); }
 Answer segments(const Context& c, View) { return number(c.session.document.track.segments.size()); }
 Answer closed(const Context& c, View) { return yes_no(c.session.document.track.closed); }
@@ -30,10 +31,12 @@ Answer longest(const Context& c, View) {
   return text(found.valid() ? world::label_of(c.session.document, found) : "none");
 }
 
-// --- where it is in its own way ---------------------------------------------------------------------------------------
+// --- where it is in its own way
+// ---------------------------------------------------------------------------------------
 const sim::Conflict* worst_conflict(const Context& c) {
   const auto& found = edit::conflicts(c.session);
-  const auto worst = std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.missing < b.missing; });
+  const auto worst =
+      std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.missing < b.missing; });
   return worst == found.end() ? nullptr : &*worst;
 }
 Answer conflicts(const Context& c, View) { return number(edit::conflicts(c.session).size()); }
@@ -53,13 +56,15 @@ Answer hash(const Context& c, View argument) {
   return base::Status{base::Code::usage, "expected document or motion, found " + base::quoted(argument)};
 }
 
-// --- how well a track that was fitted to a file meets it ---------------------------------------------------------------
+// --- how well a track that was fitted to a file meets it
+// ---------------------------------------------------------------
 exchange::ImportReport import_of(const Context& c) { return c.session.import.value_or(exchange::ImportReport{}); }
 Answer import_max_error(const Context& c, View) { return number(import_of(c).max_error); }
 Answer import_frame_error(const Context& c, View) { return number(import_of(c).frame_error); }
 Answer import_knots(const Context& c, View) { return number(import_of(c).knots); }
 
-// --- knots ------------------------------------------------------------------------------------------------------------
+// --- knots
+// ------------------------------------------------------------------------------------------------------------
 template <class Function>
 Answer of_knot(const Context& context, View argument, Function function) {
   const auto entity = entity_of(context, argument, world::Kind::knot);
@@ -100,10 +105,12 @@ Value ranked(Continuity found) {
   return Ranked{static_cast<int>(found) - 1, std::string(curve::name(found))};
 }
 Answer geometric(const Context& c, View argument) {
-  return of_joint(c, argument, ranked(curve::Geometric::broken), [](const curve::Joint& j) { return ranked(j.geometric); });
+  return of_joint(c, argument, ranked(curve::Geometric::broken),
+                  [](const curve::Joint& j) { return ranked(j.geometric); });
 }
 Answer parametric(const Context& c, View argument) {
-  return of_joint(c, argument, ranked(curve::Parametric::broken), [](const curve::Joint& j) { return ranked(j.parametric); });
+  return of_joint(c, argument, ranked(curve::Parametric::broken),
+                  [](const curve::Joint& j) { return ranked(j.parametric); });
 }
 Answer gap(const Context& c, View argument) {
   return of_joint(c, argument, 0.0, [](const curve::Joint& j) { return number(j.gap); });
@@ -115,7 +122,8 @@ Answer curvature_jump(const Context& c, View argument) {
   return of_joint(c, argument, 0.0, [](const curve::Joint& j) { return number(j.curvature_jump); });
 }
 
-// --- segments ---------------------------------------------------------------------------------------------------------
+// --- segments
+// ---------------------------------------------------------------------------------------------------------
 Answer turns(const Context& c, View argument) {
   const auto entity = entity_of(c, argument, world::Kind::segment);
   if (!entity) return entity.status();
@@ -132,7 +140,8 @@ Answer twist(const Context& c, View argument) {
   return number(base::degrees(c.session.derived.shape(*entity).twist));
 }
 
-// --- evaluation -------------------------------------------------------------------------------------------------------
+// --- evaluation
+// -------------------------------------------------------------------------------------------------------
 Answer evaluator(const Context& c, View) { return text(curve::evaluator(c.session.settings.evaluator).name); }
 Answer arc_length(const Context& c, View) { return text(curve::arc_length_method(c.session.settings.arc_length).name); }
 Answer resolution(const Context& c, View) { return number(c.session.settings.steps); }
@@ -140,7 +149,8 @@ Answer vertices(const Context& c, View) { return number(c.session.derived.vertic
 Answer vertex_budget(const Context& c, View) { return number(c.session.settings.vertex_budget); }
 // The processor's, or what was captured from the GPU.
 Answer deviation(const Context& c, View) {
-  return number(c.session.derived.stage == curve::Stage::processor ? c.session.derived.deviation : c.stats.gpu_deviation);
+  return number(c.session.derived.stage == curve::Stage::processor ? c.session.derived.deviation
+                                                                   : c.stats.gpu_deviation);
 }
 Answer deviation_pending(const Context& c, View) { return number(c.stats.deviation_pending); }
 Answer drawn_by(const Context& c, View) {
@@ -165,7 +175,9 @@ Answer supports_rebuilds(const Context& c, View) { return number(c.stats.support
 Answer supports_uploads(const Context& c, View) { return number(c.stats.support_uploads); }
 Answer evaluation_time(const Context& c, View) { return number(c.stats.evaluation_ms); }
 Answer ns_per_point(const Context& c, View) {
-  return number(c.stats.evaluated_vertices > 0 ? c.stats.evaluation_ms * 1e6 / static_cast<double>(c.stats.evaluated_vertices) : 0.0);
+  return number(c.stats.evaluated_vertices > 0
+                    ? c.stats.evaluation_ms * 1e6 / static_cast<double>(c.stats.evaluated_vertices)
+                    : 0.0);
 }
 
 constexpr std::array kDocumentRows{
@@ -178,10 +190,16 @@ constexpr std::array kDocumentRows{
     Query{"start_speed", "", "m/s", "Speed at which carts start.", start_speed},
     Query{"datum", "", "m", "Height at which potential energy is zero.", datum},
     Query{"longest", "", "", "The longest segment; none without a segment.", longest},
-    Query{"conflicts", "", "", "Places where the track is in its own way: a train on one stretch has too little room beside, under or over another.", conflicts},
-    Query{"conflict.missing", "", "m", "By how much the room is too little at the worst of them; 0 without any.", conflict_missing},
-    Query{"conflict.at", "", "m", "How far along the track the worst of them is; none without any.", conflict_place<&sim::Conflict::at>},
-    Query{"conflict.other", "", "m", "How far along the track the other stretch is there; none without any.", conflict_place<&sim::Conflict::other>},
+    Query{"conflicts", "", "",
+          "Places where the track is in its own way: a train on one stretch has too little room beside, under or over "
+          "another.",
+          conflicts},
+    Query{"conflict.missing", "", "m", "By how much the room is too little at the worst of them; 0 without any.",
+          conflict_missing},
+    Query{"conflict.at", "", "m", "How far along the track the worst of them is; none without any.",
+          conflict_place<&sim::Conflict::at>},
+    Query{"conflict.other", "", "m", "How far along the track the other stretch is there; none without any.",
+          conflict_place<&sim::Conflict::other>},
     Query{"hash", "document|motion", "", "Hash of the document or of the motion, 16 hexadecimal digits.", hash},
     Query{"position", "@knot", "m", "A knot's place.", position},
     Query{"tangent", "@knot", "", "A knot's direction of travel, a unit vector.", tangent},
@@ -191,15 +209,23 @@ constexpr std::array kDocumentRows{
     Query{"out_length", "@knot", "m", "Length of a knot's outgoing handle.", out_length},
     Query{"joint", "@knot", "", "A knot's kind of joint: smooth, aligned or automatic.", joint},
     Query{"geometric", "@knot", "", "Geometric continuity: G0 < G1 < G2; none at the end of an open track.", geometric},
-    Query{"parametric", "@knot", "", "Parametric continuity: C0 < C1 < C2; none at the end of an open track.", parametric},
+    Query{"parametric", "@knot", "", "Parametric continuity: C0 < C1 < C2; none at the end of an open track.",
+          parametric},
     Query{"gap", "@knot", "m", "Distance between the ends of the segments at a knot.", gap},
     Query{"speed_ratio", "@knot", "", "|C'(0)| / |B'(1)| of the segments at a knot.", speed_ratio},
-    Query{"curvature_jump", "@knot", "1/m", "Size of the difference of the curvature vectors at a knot.", curvature_jump},
+    Query{"curvature_jump", "@knot", "1/m", "Size of the difference of the curvature vectors at a knot.",
+          curvature_jump},
     Query{"turns", "@segment", "", "Whole turns of roll within a segment.", turns},
     Query{"segment_length", "@segment", "m", "A segment's length by the chosen arc-length method.", segment_length},
-    Query{"twist", "@segment", "deg", "Roll that is spread over a segment, against its rotation-minimising frame.", twist},
-    Query{"import.max_error", "", "m", "Largest distance of an imported file's rows from the track that was fitted to them; 0 without an import.", import_max_error},
-    Query{"import.frame_error", "", "deg", "Largest angle between a row's frame and the fitted track's, but within 0.5 m of where rows jump; 0 without an import.", import_frame_error},
+    Query{"twist", "@segment", "deg", "Roll that is spread over a segment, against its rotation-minimising frame.",
+          twist},
+    Query{"import.max_error", "", "m",
+          "Largest distance of an imported file's rows from the track that was fitted to them; 0 without an import.",
+          import_max_error},
+    Query{"import.frame_error", "", "deg",
+          "Largest angle between a row's frame and the fitted track's, but within 0.5 m of where rows jump; 0 without "
+          "an import.",
+          import_frame_error},
     Query{"import.knots", "", "", "Knots that the fit of the imported file took; 0 without an import.", import_knots},
     Query{"evaluator", "", "", "How polylines are evaluated.", evaluator},
     Query{"resolution", "", "", "Steps of a segment's polyline.", resolution},
@@ -207,19 +233,26 @@ constexpr std::array kDocumentRows{
     Query{"vertices", "", "", "Vertices of all polylines.", vertices},
     Query{"vertex_budget", "", "", "Vertices that all polylines together may have.", vertex_budget},
     Query{"deviation", "", "m", "Largest distance of a vertex from the exact point at the same parameter.", deviation},
-    Query{"deviation_pending", "", "", "Segments whose deviation on the GPU is still to be measured.", deviation_pending},
-    Query{"drawn_by", "", "", "What evaluated the polylines: processor, vertex_shader, geometry_shader or tessellation_shader.", drawn_by},
+    Query{"deviation_pending", "", "", "Segments whose deviation on the GPU is still to be measured.",
+          deviation_pending},
+    Query{"drawn_by", "", "",
+          "What evaluated the polylines: processor, vertex_shader, geometry_shader or tessellation_shader.", drawn_by},
     Query{"upload_bytes", "", "B", "Bytes written to the track's vertex buffers in the last frame.", upload_bytes},
-    Query{"polyline_upload_bytes", "", "B", "The same for polylines alone: vertices, or control points for evaluators on the GPU.", polyline_upload_bytes},
+    Query{"polyline_upload_bytes", "", "B",
+          "The same for polylines alone: vertices, or control points for evaluators on the GPU.",
+          polyline_upload_bytes},
     Query{"polyline_bytes", "", "B", "Bytes held on the GPU for all polylines.", polyline_bytes},
     Query{"gpu_ms", "", "ms", "Time of the GPU on the polylines, a few frames ago; 0 when not measured.", gpu_ms},
-    Query{"movie.frames", "", "", "Pictures taken of the movie that is being recorded, or of the last one.", movie_frames},
+    Query{"movie.frames", "", "", "Pictures taken of the movie that is being recorded, or of the last one.",
+          movie_frames},
     Query{"uploads", "", "", "Segments whose vertex buffers were uploaded in the last frame.", uploads},
     Query{"rebuilds", "", "", "Segments evaluated for the last frame.", rebuilds},
-    Query{"recolours", "", "", "Segments whose colour values were uploaded in the last frame; counted apart from uploads.", recolours},
+    Query{"recolours", "", "",
+          "Segments whose colour values were uploaded in the last frame; counted apart from uploads.", recolours},
     Query{"supports.count", "", "", "Supports that hold the track; 0 while they are hidden.", supports_count},
     Query{"supports.rebuilds", "", "", "Segments whose supports were looked for in the last frame.", supports_rebuilds},
-    Query{"supports.uploads", "", "", "Segments whose supports were uploaded in the last frame; counted apart from uploads.", supports_uploads},
+    Query{"supports.uploads", "", "",
+          "Segments whose supports were uploaded in the last frame; counted apart from uploads.", supports_uploads},
     Query{"evaluation_time", "", "ms", "Time in evaluators when anything was evaluated last.", evaluation_time},
     Query{"ns_per_point", "", "ns", "The same for each vertex.", ns_per_point},
 };

@@ -7,7 +7,9 @@
 namespace coaster::query {
 namespace {
 
-const sim::ElementPlan& plan(const Context& c) { return c.session.elements.plan(c.session.settings.element, c.session.document); }
+const sim::ElementPlan& plan(const Context& c) {
+  return c.session.elements.plan(c.session.settings.element, c.session.document);
+}
 
 Answer element(const Context& c, View) { return text(world::element_row(c.session.settings.element.kind).name); }
 Answer preview(const Context& c, View) { return yes_no(c.session.settings.show_element); }
@@ -26,7 +28,8 @@ Answer value(const Context& c, View argument) {
   for (const world::ElementRow& other : world::elements())
     for (const world::ElementParameter& p : other.parameters)
       if (p.name == argument) return text("none");
-  return base::Status{base::Code::usage, "a " + std::string(row.name) + " has no " + base::quoted(argument) + base::suggestion(argument, names)};
+  return base::Status{base::Code::usage, "a " + std::string(row.name) + " has no " + base::quoted(argument) +
+                                             base::suggestion(argument, names)};
 }
 Answer error(const Context& c, View) { return number(plan(c).fit.error); }
 Answer roll_error(const Context& c, View) { return number(base::degrees(plan(c).fit.roll_error)); }
@@ -35,22 +38,33 @@ Answer spans(const Context& c, View) { return number(plan(c).spans()); }
 Answer element_length(const Context& c, View) { return number(plan(c).length); }
 Answer lead(const Context& c, View) { return number(plan(c).lead); }
 Answer lowest(const Context& c, View) { return number(plan(c).lowest); }
-Answer missing(const Context& c, View) { return number(sim::worst(edit::narrow_parts(c.session, c.session.settings.element))); }
+Answer missing(const Context& c, View) {
+  return number(sim::worst(edit::narrow_parts(c.session, c.session.settings.element)));
+}
 Answer refusal(const Context& c, View) { return text(plan(c).refusal.empty() ? "none" : plan(c).refusal); }
 
 constexpr std::array kElementRows{
-    Query{"element", "", "", "The palette's element: straight, curve, helix, climb, dive, camelback, loop or corkscrew.", element},
+    Query{"element", "", "",
+          "The palette's element: straight, curve, helix, climb, dive, camelback, loop or corkscrew.", element},
     Query{"element.preview", "", "", "on when it shows where the palette's element would go.", preview},
     Query{"element.side", "", "", "left or right; none for an element without a side.", side},
-    Query{"element.value", "length|roll|radius|angle|bank|speed|turns|height|top|shift", "", "A parameter of the palette's element, such as radius, within its limits; none where it has no such parameter.", value},
-    Query{"element.error", "", "m", "How far the palette's element, as Bezier spans, would be off its ideal curve at most.", error},
-    Query{"element.roll_error", "", "deg", "By how much the spans' frames would be turned against the ideal curve's at most.", roll_error},
-    Query{"element.jump", "", "1/m", "The largest jump of curvature at the joints of the palette's element, its first one included.", jump},
+    Query{
+        "element.value", "length|roll|radius|angle|bank|speed|turns|height|top|shift", "",
+        "A parameter of the palette's element, such as radius, within its limits; none where it has no such parameter.",
+        value},
+    Query{"element.error", "", "m",
+          "How far the palette's element, as Bezier spans, would be off its ideal curve at most.", error},
+    Query{"element.roll_error", "", "deg",
+          "By how much the spans' frames would be turned against the ideal curve's at most.", roll_error},
+    Query{"element.jump", "", "1/m",
+          "The largest jump of curvature at the joints of the palette's element, its first one included.", jump},
     Query{"element.spans", "", "", "Bezier spans of the palette's element.", spans},
     Query{"element.length", "", "m", "Length of the palette's element with what leads into it.", element_length},
-    Query{"element.lead", "", "m", "Length of what leads into it: easing out the curvature of the track's end, and levelling.", lead},
+    Query{"element.lead", "", "m",
+          "Length of what leads into it: easing out the curvature of the track's end, and levelling.", lead},
     Query{"element.lowest", "", "m", "The least height of its rails over the ground.", lowest},
-    Query{"element.missing", "", "m", "By how much a train on it or on other track would lack room; 0 where there is enough.", missing},
+    Query{"element.missing", "", "m",
+          "By how much a train on it or on other track would lack room; 0 where there is enough.", missing},
     Query{"element.refusal", "", "", "Why it cannot be placed; none when it can.", refusal},
 };
 

@@ -8,10 +8,14 @@
 namespace coaster::query {
 namespace {
 
-bool must_hold(const Rule& rule) { return rule.list != exchange::RuleList::silver && rule.list != exchange::RuleList::gold; }
+bool must_hold(const Rule& rule) {
+  return rule.list != exchange::RuleList::silver && rule.list != exchange::RuleList::gold;
+}
 
 Answer active(const Context& c, View) { return yes_no(c.session.challenge.has_value()); }
-Answer challenge_name(const Context& c, View) { return text(c.session.challenge ? c.session.challenge->file.name : ""); }
+Answer challenge_name(const Context& c, View) {
+  return text(c.session.challenge ? c.session.challenge->file.name : "");
+}
 template <class Counts>
 Answer count(const Context& c, Counts counts) {
   if (!c.session.challenge) return number(0);
@@ -41,7 +45,9 @@ Answer challenge_deviation(const Context& c, View) {
 }
 
 Answer card(const Context& c, View) { return yes_no(c.session.settings.show_card); }
-Answer card_shows(const Context& c, View) { return yes_no(c.session.settings.show_card && c.session.show_result && c.session.result); }
+Answer card_shows(const Context& c, View) {
+  return yes_no(c.session.settings.show_card && c.session.show_result && c.session.result);
+}
 Answer card_end(const Context& c, View) {
   if (!c.session.result) return text("none");
   switch (c.session.result->end) {
@@ -64,9 +70,13 @@ constexpr std::array kGameRows{
     Query{"challenge.passed", "", "", "on once the challenge was passed since it was begun.", passed},
     Query{"challenge.medal", "", "", "The best medal since it was begun: 0 none, 1 bronze, 2 silver, 3 gold.", medal},
     Query{"challenge.judged", "", "", "How often it was judged since it was begun.", judged},
-    Query{"challenge.failure", "", "", "Why it was not passed when it was judged last; empty when it was, or never was judged.", failure},
+    Query{"challenge.failure", "", "",
+          "Why it was not passed when it was judged last; empty when it was, or never was judged.", failure},
     Query{"challenge.hints", "", "", "Hints that show.", challenge_hints},
-    Query{"challenge.deviation", "", "m", "How far the track and the challenge's start track are apart at most, whatever their knots; 0 without a challenge.", challenge_deviation},
+    Query{"challenge.deviation", "", "m",
+          "How far the track and the challenge's start track are apart at most, whatever their knots; 0 without a "
+          "challenge.",
+          challenge_deviation},
     Query{"card", "", "", "on when a score card shows at the end of a ride.", card},
     Query{"card.shows", "", "", "on while a score card shows.", card_shows},
     Query{"card.end", "", "", "How the last ride ended: lap, open end, time, failed; none before the first.", card_end},

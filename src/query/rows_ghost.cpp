@@ -1,4 +1,5 @@
-// Queries about the whole ride of the selected cart, else of the first by name: simulated over the present track when asked, 0 without a ride.
+// Queries about the whole ride of the selected cart, else of the first by name: simulated over the present track when
+// asked, 0 without a ride.
 #include <algorithm>
 #include <array>
 
@@ -19,23 +20,49 @@ Answer lap_time(const Context& c, View) {
   const sim::Ghost* const ghost = ghost_of(c);
   return number(ghost && ghost->lap ? ghost->lap_time : 0.0);
 }
-Answer g_up_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.up_most.value; }); }
-Answer g_up_min(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.up_least.value; }); }
-Answer g_side_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.side_most.value; }); }
-Answer g_forward_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.forward_most.value; }); }
-Answer g_back_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.back_most.value; }); }
-Answer speed_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.top_speed.value; }); }
-Answer excitement(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.excitement; }); }
-Answer intensity(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.intensity; }); }
-Answer nausea(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.nausea; }); }
-Answer airtime(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.airtime; }); }
-Answer drops(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.drops; }); }
-Answer drop_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.highest_drop; }); }
-Answer height_max(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.highest.value; }); }
-Answer inversions(const Context& c, View) { return of_ride(c, [](const sim::Ratings& r) { return r.inversions; }); }
-Answer envelope(const Context& c, View) {
-  return number(edit::chosen_red_spans(c.session).size());
+Answer g_up_max(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.up_most.value; });
 }
+Answer g_up_min(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.up_least.value; });
+}
+Answer g_side_max(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.side_most.value; });
+}
+Answer g_forward_max(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.forward_most.value; });
+}
+Answer g_back_max(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.back_most.value; });
+}
+Answer speed_max(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.top_speed.value; });
+}
+Answer excitement(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.excitement; });
+}
+Answer intensity(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.intensity; });
+}
+Answer nausea(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.nausea; });
+}
+Answer airtime(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.airtime; });
+}
+Answer drops(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.drops; });
+}
+Answer drop_max(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.highest_drop; });
+}
+Answer height_max(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.highest.value; });
+}
+Answer inversions(const Context& c, View) {
+  return of_ride(c, [](const sim::Ratings& r) { return r.inversions; });
+}
+Answer envelope(const Context& c, View) { return number(edit::chosen_red_spans(c.session).size()); }
 Answer envelope_name(const Context& c, View) { return text(c.session.envelope_name); }
 Answer fail(const Context& c, View) {
   const world::FailureKind kind = c.session.motion.failure.kind;
@@ -65,9 +92,13 @@ Answer equipment(const Context& c, View argument) {
 // Segments with that equipment.
 Answer equipped(const Context& c, View argument) {
   const auto kind = std::find(world::kEquipmentNames.begin(), world::kEquipmentNames.end(), argument);
-  if (kind == world::kEquipmentNames.end()) return base::Status{base::Code::usage, "expected station, lift, launch, brake or block, found " + base::quoted(argument)};
+  if (kind == world::kEquipmentNames.end())
+    return base::Status{base::Code::usage,
+                        "expected station, lift, launch, brake or block, found " + base::quoted(argument)};
   const auto& all = c.session.document.entities.pool<world::Equipment>().items();
-  return number(std::count_if(all.begin(), all.end(), [&](const world::Equipment& e) { return e.kind == static_cast<world::EquipmentKind>(kind - world::kEquipmentNames.begin()); }));
+  return number(std::count_if(all.begin(), all.end(), [&](const world::Equipment& e) {
+    return e.kind == static_cast<world::EquipmentKind>(kind - world::kEquipmentNames.begin());
+  }));
 }
 
 constexpr std::array kGhostRows{
@@ -79,7 +110,8 @@ constexpr std::array kGhostRows{
     Query{"ride.g_back_max", "", "g", "Largest g backwards of the whole ride.", g_back_max},
     Query{"ride.speed_max", "", "m/s", "Largest speed of the whole ride.", speed_max},
     Query{"ride.envelope", "", "", "Red spans: stretches where some g lasts longer than it may.", envelope},
-    Query{"envelope", "", "", "Name of the limits that forces are held against: data to edit, not a compliance check.", envelope_name},
+    Query{"envelope", "", "", "Name of the limits that forces are held against: data to edit, not a compliance check.",
+          envelope_name},
     Query{"ride.excitement", "", "", "Excitement after OpenRCT2's terms of g and drops.", excitement},
     Query{"ride.intensity", "", "", "Intensity after OpenRCT2's terms of g and drops.", intensity},
     Query{"ride.nausea", "", "", "Nausea after OpenRCT2's terms of g and drops.", nausea},
@@ -88,8 +120,10 @@ constexpr std::array kGhostRows{
     Query{"ride.drop_max", "", "m", "The highest of these descents.", drop_max},
     Query{"ride.height_max", "", "m", "Largest height of the rails that the whole ride comes to.", height_max},
     Query{"ride.inversions", "", "", "Times that riders are turned upside down in the whole ride.", inversions},
-    Query{"ride.ghost_end", "", "", "How the ghost's ride ends before a lap: none, stalled, rolled back, ran off the open end.", ghost_end},
-    Query{"ride.fail", "", "", "Why the ride stopped by itself: none, stalled, rolled back, ran off the open end, collided.", fail},
+    Query{"ride.ghost_end", "", "",
+          "How the ghost's ride ends before a lap: none, stalled, rolled back, ran off the open end.", ghost_end},
+    Query{"ride.fail", "", "",
+          "Why the ride stopped by itself: none, stalled, rolled back, ran off the open end, collided.", fail},
     Query{"ride.fail_distance", "", "m", "Where along the track it did.", fail_distance},
     Query{"rolling", "", "", "Rolling friction, of the weight.", rolling},
     Query{"drag", "", "1/m", "Drag.", drag},
@@ -97,7 +131,8 @@ constexpr std::array kGhostRows{
     Query{"cars", "@cart", "", "Cars of a train.", of_cart<&world::Cart::cars>},
     Query{"car_length", "@cart", "m", "Length of a car's body.", of_cart<&world::Cart::length>},
     Query{"car_mass", "@cart", "kg", "Mass of a car with its riders.", of_cart<&world::Cart::mass>},
-    Query{"equipment", "@segment", "", "What stands on a segment: station, lift, launch, brake, block or none.", equipment},
+    Query{"equipment", "@segment", "", "What stands on a segment: station, lift, launch, brake, block or none.",
+          equipment},
     Query{"equipped", "station|lift|launch|brake|block", "", "Segments with that equipment.", equipped},
 };
 

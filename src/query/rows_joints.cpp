@@ -5,8 +5,8 @@
 #include "base/portable_math.h"
 #include "curve/continuity.h"
 #include "query/rows.h"
-#include "sim/study/live_errata.h"
 #include "sim/shape/frame_methods.h"
+#include "sim/study/live_errata.h"
 #include "world/topology.h"
 
 namespace coaster::query {
@@ -18,7 +18,8 @@ double present_speed(const edit::Session& session) {
   return first ? first->speed : 0.0;
 }
 
-// --- joints -----------------------------------------------------------------------------------------------------------
+// --- joints
+// -----------------------------------------------------------------------------------------------------------
 Answer joint_angle(const Context& c, View argument) {
   return of_joint(c, argument, 0.0, [](const curve::Joint& j) { return number(base::degrees(j.angle)); });
 }
@@ -32,7 +33,9 @@ Answer second_jump(const Context& c, View argument) {
   return of_joint(c, argument, 0.0, [](const curve::Joint& j) { return number(j.second_jump); });
 }
 Answer g_step(const Context& c, View argument) {
-  return of_joint(c, argument, 0.0, [&](const curve::Joint& j) { return number(sim::g_step(j.curvature_jump, present_speed(c.session))); });
+  return of_joint(c, argument, 0.0, [&](const curve::Joint& j) {
+    return number(sim::g_step(j.curvature_jump, present_speed(c.session)));
+  });
 }
 
 // The largest jump of curvature of the track and the knot where it is.
@@ -45,13 +48,16 @@ Roughest roughest(const edit::Session& session) {
   const std::size_t count = derived.order.size();
   Roughest found;
   for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i) {
-    const curve::Cubic &before = derived.shape(derived.order[(i + count - 1) % count]).key.cubic, &after = derived.shape(derived.order[i]).key.cubic;
+    const curve::Cubic &before = derived.shape(derived.order[(i + count - 1) % count]).key.cubic,
+                       &after = derived.shape(derived.order[i]).key.cubic;
     const double jump = glm::length(curve::curvature_vector(after, 0.0) - curve::curvature_vector(before, 1.0));
     if (jump > found.jump) found = {jump, session.document.track.knots[i]};
   }
   return found;
 }
-Answer g_step_max(const Context& c, View) { return number(sim::g_step(roughest(c.session).jump, present_speed(c.session))); }
+Answer g_step_max(const Context& c, View) {
+  return number(sim::g_step(roughest(c.session).jump, present_speed(c.session)));
+}
 Answer roughest_joint(const Context& c, View) {
   const world::Entity knot = roughest(c.session).knot;
   return text(knot.valid() ? world::label_of(c.session.document, knot) : "none");
@@ -68,7 +74,8 @@ Weakest<Level> weakest(const edit::Session& session) {
   const std::size_t count = derived.order.size();
   Weakest<Level> found;
   for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i) {
-    const curve::Joint joint = curve::joint(derived.shape(derived.order[(i + count - 1) % count]).key.cubic, derived.shape(derived.order[i]).key.cubic);
+    const curve::Joint joint = curve::joint(derived.shape(derived.order[(i + count - 1) % count]).key.cubic,
+                                            derived.shape(derived.order[i]).key.cubic);
     if (!found.knot.valid() || joint.*member < found.level) found = {joint.*member, session.document.track.knots[i]};
   }
   return found;
@@ -85,7 +92,8 @@ Answer weakest_knot(const Context& c, View) {
 }
 Answer roll_max(const Context& c, View) {
   double most = 0;
-  for (const world::Entity e : c.session.document.track.knots) most = std::max(most, std::abs(world::roll_deg(world::knot(c.session.document, e))));
+  for (const world::Entity e : c.session.document.track.knots)
+    most = std::max(most, std::abs(world::roll_deg(world::knot(c.session.document, e))));
   return number(most);
 }
 Answer joints_g2(const Context& c, View) {
@@ -93,17 +101,20 @@ Answer joints_g2(const Context& c, View) {
   const std::size_t count = derived.order.size();
   int smooth = 0;
   for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i)
-    smooth += curve::joint(derived.shape(derived.order[(i + count - 1) % count]).key.cubic, derived.shape(derived.order[i]).key.cubic).geometric ==
-              curve::Geometric::g2;
+    smooth += curve::joint(derived.shape(derived.order[(i + count - 1) % count]).key.cubic,
+                           derived.shape(derived.order[i]).key.cubic)
+                  .geometric == curve::Geometric::g2;
   return number(smooth);
 }
 
-// --- the selected place ------------------------------------------------------------------------------------------------
+// --- the selected place
+// ------------------------------------------------------------------------------------------------
 struct Place {
   const sim::SegmentShape* shape;
   double t;
 };
-// A segment's picked place; a knot's start of the segment behind it, at the track's end the end of the one before; a cart's present place.
+// A segment's picked place; a knot's start of the segment behind it, at the track's end the end of the one before; a
+// cart's present place.
 std::optional<Place> selected_place(const edit::Session& session) {
   const world::Entity e = session.settings.selected;
   const sim::Derived& derived = session.derived;
@@ -132,7 +143,8 @@ Answer torsion(const Context& c, View) {
 }
 Answer frenet(const Context& c, View) { return yes_no(frenet_there(c.session).has_value()); }
 
-// --- frames along the track ---------------------------------------------------------------------------------------------
+// --- frames along the track
+// ---------------------------------------------------------------------------------------------
 Answer loop_twist(const Context& c, View) { return number(base::degrees(sim::loop_twist(c.session.derived))); }
 Answer frenet_flips(const Context& c, View) { return number(sim::frenet_breaks(c.session.derived).size()); }
 Answer cart_up(const Context& c, View) {
@@ -142,15 +154,17 @@ Answer cart_up(const Context& c, View) {
   return Value(sim::pose(c.session.derived, cart ? *cart : carts.items()[0], c.session.settings.frames).frame.up);
 }
 
-// --- errata -----------------------------------------------------------------------------------------------------------
-// Of the selected segment, else of the first one.
+// --- errata
+// ----------------------------------------------------------------------------------------------------------- Of the
+// selected segment, else of the first one.
 Answer of_erratum(const Context& c, View name, double sim::Erratum::*number_of) {
   const sim::Derived& derived = c.session.derived;
   std::vector<std::string> names(sim::kErrata.begin(), sim::kErrata.end());
   if (std::find(names.begin(), names.end(), name) == names.end())
     return base::Status{base::Code::usage, "no erratum " + base::quoted(name) + base::suggestion(name, names)};
   if (derived.order.empty()) return number(0);
-  const world::Entity selected = c.session.settings.selected, segment = derived.segments.find(selected) ? selected : derived.order.front();
+  const world::Entity selected = c.session.settings.selected,
+                      segment = derived.segments.find(selected) ? selected : derived.order.front();
   const auto found = sim::erratum(derived, segment, present_speed(c.session), c.session.settings.steps, name);
   return number((*found).*number_of);
 }
@@ -161,26 +175,43 @@ constexpr View kErratumNames = "gravesen|line|frozen|g_step|frenet_flip|pen";
 
 constexpr std::array kJointRows{
     Query{"joint_angle", "@knot", "deg", "Angle between the tangents of the segments at a knot.", joint_angle},
-    Query{"curvature_before", "@knot", "1/m", "Curvature vector at the end of the segment before a knot, towards the centre.", curvature_before},
-    Query{"curvature_after", "@knot", "1/m", "Curvature vector at the start of the segment after a knot, towards the centre.", curvature_after},
+    Query{"curvature_before", "@knot", "1/m",
+          "Curvature vector at the end of the segment before a knot, towards the centre.", curvature_before},
+    Query{"curvature_after", "@knot", "1/m",
+          "Curvature vector at the start of the segment after a knot, towards the centre.", curvature_after},
     Query{"second_jump", "@knot", "m", "Size of C''(0) - B''(1) at a knot; 0 for C2.", second_jump},
-    Query{"g_step", "@knot", "g", "Jump of the force over a knot, v^2 |dK| / g, at the present speed of the first cart.", g_step},
+    Query{"g_step", "@knot", "g",
+          "Jump of the force over a knot, v^2 |dK| / g, at the present speed of the first cart.", g_step},
     Query{"g_step_max", "", "g", "The largest such jump of the track.", g_step_max},
-    Query{"roughest_joint", "", "", "The knot with the largest jump of curvature; none when there is no jump.", roughest_joint},
-    Query{"geometric_min", "", "", "The least geometric continuity of all joints: G0 < G1 < G2; none without a joint.", weakest_level<curve::Geometric, &curve::Joint::geometric>},
-    Query{"parametric_min", "", "", "The least parametric continuity of all joints: C0 < C1 < C2; none without a joint.", weakest_level<curve::Parametric, &curve::Joint::parametric>},
-    Query{"weakest_geometric", "", "", "The first knot with that geometric continuity; none without a joint.", weakest_knot<curve::Geometric, &curve::Joint::geometric>},
-    Query{"weakest_parametric", "", "", "The first knot with that parametric continuity; none without a joint.", weakest_knot<curve::Parametric, &curve::Joint::parametric>},
+    Query{"roughest_joint", "", "", "The knot with the largest jump of curvature; none when there is no jump.",
+          roughest_joint},
+    Query{"geometric_min", "", "", "The least geometric continuity of all joints: G0 < G1 < G2; none without a joint.",
+          weakest_level<curve::Geometric, &curve::Joint::geometric>},
+    Query{"parametric_min", "", "",
+          "The least parametric continuity of all joints: C0 < C1 < C2; none without a joint.",
+          weakest_level<curve::Parametric, &curve::Joint::parametric>},
+    Query{"weakest_geometric", "", "", "The first knot with that geometric continuity; none without a joint.",
+          weakest_knot<curve::Geometric, &curve::Joint::geometric>},
+    Query{"weakest_parametric", "", "", "The first knot with that parametric continuity; none without a joint.",
+          weakest_knot<curve::Parametric, &curve::Joint::parametric>},
     Query{"roll_max", "", "deg", "The largest roll of a knot, to either side.", roll_max},
     Query{"joints_g2", "", "", "Joints of the track that are G2.", joints_g2},
     Query{"curvature", "", "1/m", "Curvature at the selected place: a segment's, a knot's, a cart's.", curvature},
     Query{"torsion", "", "1/m", "Torsion at the selected place; 0 where Frenet-Serret is undefined.", torsion},
     Query{"frenet", "", "", "on where the Frenet-Serret frame is defined at the selected place.", frenet},
-    Query{"frenet_flips", "", "", "Places of the track where the Frenet-Serret normal flips or is undefined.", frenet_flips},
-    Query{"loop_twist", "", "deg", "Twist that a rotation-minimising frame has left over after a closed track; it is spread. 0 on an open one.", loop_twist},
-    Query{"cart_up", "", "", "Up of the selected cart, else the first, by the chosen frame method; a unit vector.", cart_up},
-    Query{"erratum", kErratumNames, "", "What holds where the paper errs: gravesen (m), line (m), frozen (m), g_step (g), frenet_flip (deg), pen (m).", erratum},
-    Query{"erratum_wrong", kErratumNames, "", "What the paper's claim says there: gravesen is in m^2, the others in the same unit.", erratum_wrong},
+    Query{"frenet_flips", "", "", "Places of the track where the Frenet-Serret normal flips or is undefined.",
+          frenet_flips},
+    Query{"loop_twist", "", "deg",
+          "Twist that a rotation-minimising frame has left over after a closed track; it is spread. 0 on an open one.",
+          loop_twist},
+    Query{"cart_up", "", "", "Up of the selected cart, else the first, by the chosen frame method; a unit vector.",
+          cart_up},
+    Query{
+        "erratum", kErratumNames, "",
+        "What holds where the paper errs: gravesen (m), line (m), frozen (m), g_step (g), frenet_flip (deg), pen (m).",
+        erratum},
+    Query{"erratum_wrong", kErratumNames, "",
+          "What the paper's claim says there: gravesen is in m^2, the others in the same unit.", erratum_wrong},
 };
 
 }  // namespace

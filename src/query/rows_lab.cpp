@@ -1,4 +1,5 @@
-// Queries about the laboratory: its layers and pages, the probe's construction, rounding, and the table of measurements.
+// Queries about the laboratory: its layers and pages, the probe's construction, rounding, and the table of
+// measurements.
 #include <array>
 
 #include "query/rows.h"
@@ -16,7 +17,8 @@ base::Result<std::size_t> row_named(View word, std::string_view what, const Rows
     if (rows[i].name == word) return i;
     names.emplace_back(rows[i].name);
   }
-  return base::Status{base::Code::usage, "no " + std::string(what) + " " + base::quoted(word) + base::suggestion(word, names)};
+  return base::Status{base::Code::usage,
+                      "no " + std::string(what) + " " + base::quoted(word) + base::suggestion(word, names)};
 }
 
 Answer shown(const Context& c, View word) {
@@ -24,13 +26,17 @@ Answer shown(const Context& c, View word) {
   if (!row) return row.status();
   return yes_no(c.session.settings.layers.has(static_cast<world::Layer>(*row)));
 }
-Answer colour(const Context& c, View) { return text(world::colourings()[static_cast<std::size_t>(c.session.settings.colouring)].name); }
+Answer colour(const Context& c, View) {
+  return text(world::colourings()[static_cast<std::size_t>(c.session.settings.colouring)].name);
+}
 Answer colour_low(const Context& c, View) { return number(c.stats.colour_low); }
 Answer colour_high(const Context& c, View) { return number(c.stats.colour_high); }
 Answer magnification(const Context& c, View) { return number(c.session.settings.magnification); }
 Answer comb_scale(const Context& c, View) { return number(c.session.settings.comb_scale); }
 Answer laboratory(const Context& c, View) { return yes_no(c.session.settings.show_laboratory); }
-Answer page(const Context& c, View) { return text(world::lab_pages()[static_cast<std::size_t>(c.session.settings.lab_page)].name); }
+Answer page(const Context& c, View) {
+  return text(world::lab_pages()[static_cast<std::size_t>(c.session.settings.lab_page)].name);
+}
 
 base::Result<const sim::SegmentShape*> selected_shape(const Context& c) {
   const sim::SegmentShape* const shape = c.session.derived.segments.find(c.session.settings.selected);
@@ -73,10 +79,12 @@ base::Result<sim::MeasuredCell> cell_of(const Context& c, View word) {
   const sim::MeasuredRow* const measured = sim::row_of(c.session.measurement, static_cast<curve::EvaluatorId>(*row));
   for (std::size_t i = 0; i < sim::kMeasuredSteps.size(); ++i) {
     if (!steps || *steps != sim::kMeasuredSteps[i]) continue;
-    if (measured == nullptr || measured->cells[i].rounds == 0) return base::Status{base::Code::refused, std::string(word) + " is not measured"};
+    if (measured == nullptr || measured->cells[i].rounds == 0)
+      return base::Status{base::Code::refused, std::string(word) + " is not measured"};
     return measured->cells[i];
   }
-  return base::Status{base::Code::usage, "expected EVALUATOR/STEPS with 16, 64, 256, 1024 or 4096 steps, found " + base::quoted(word)};
+  return base::Status{base::Code::usage,
+                      "expected EVALUATOR/STEPS with 16, 64, 256, 1024 or 4096 steps, found " + base::quoted(word)};
 }
 Answer measure_error(const Context& c, View word) {
   const auto cell = cell_of(c, word);
@@ -90,7 +98,8 @@ Answer measure_time(const Context& c, View word) {
 }
 
 constexpr std::array kLabRows{
-    Query{"shown", "polyline|frames|comb|circle|construction|rounding|flips|limits|supports|knots|conflicts", "", "on when a layer of the laboratory is drawn.", shown},
+    Query{"shown", "polyline|frames|comb|circle|construction|rounding|flips|limits|supports|knots|conflicts", "",
+          "on when a layer of the laboratory is drawn.", shown},
     Query{"colour", "", "", "What the track is coloured by.", colour},
     Query{"colour.low", "", "", "Lower end of the colours' legend, in their unit.", colour_low},
     Query{"colour.high", "", "", "Upper end of the colours' legend.", colour_high},
@@ -98,12 +107,15 @@ constexpr std::array kLabRows{
     Query{"comb_scale", "", "m^2", "Length of the comb's teeth for a curvature of 1/m.", comb_scale},
     Query{"laboratory", "", "", "on when the laboratory's pages show.", laboratory},
     Query{"page", "", "", "The laboratory's page.", page},
-    Query{"construction_point", "", "m", "The point on the selected segment at the picked place; 0 0 0 when none is selected.", construction_point},
+    Query{"construction_point", "", "m",
+          "The point on the selected segment at the picked place; 0 0 0 when none is selected.", construction_point},
     Query{"rounding", "", "m", "Largest rounding error of the evaluator's vertices on the selected segment.", rounding},
-    Query{"seam", "", "m", "Rounding error of the last vertex before the selected segment's end, which is exact.", seam},
+    Query{"seam", "", "m", "Rounding error of the last vertex before the selected segment's end, which is exact.",
+          seam},
     Query{"measuring", "", "", "on while evaluators are being measured.", measuring},
     Query{"measure.progress", "", "", "Part of the measuring that is done, 0 to 1.", measure_progress},
-    Query{"measure.rows", "", "", "Evaluators in the table of measurements; 0 before the first measuring.", measure_rows},
+    Query{"measure.rows", "", "", "Evaluators in the table of measurements; 0 before the first measuring.",
+          measure_rows},
     Query{"measure.error", "EVALUATOR/STEPS", "m", "Measured: the worst error, such as of horner/64.", measure_error},
     Query{"measure.time", "EVALUATOR/STEPS", "ns", "Measured: time a point, such as of horner/64.", measure_time},
 };

@@ -13,7 +13,8 @@ struct Riding {
 };
 Riding cart_of(const edit::Session& session) {
   const auto& carts = session.motion.carts;
-  if (const world::CartMotion* const selected = carts.find(session.settings.selected)) return {session.settings.selected, selected};
+  if (const world::CartMotion* const selected = carts.find(session.settings.selected))
+    return {session.settings.selected, selected};
   const world::Entity first = world::first_cart(session.document);
   return {first, carts.find(first)};
 }
@@ -36,12 +37,16 @@ std::string_view state_text(world::RideState state) {
   return "";
 }
 
-Answer state(const Context& c, std::string_view) { return text(cart_of(c.session).motion ? state_text(c.session.motion.state) : "none"); }
+Answer state(const Context& c, std::string_view) {
+  return text(cart_of(c.session).motion ? state_text(c.session.motion.state) : "none");
+}
 Answer speed(const Context& c, std::string_view) {
   return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return cart.speed; });
 }
 Answer cart_height(const Context& c, std::string_view) {
-  return of_cart(c, [&](world::Entity, const world::CartMotion& cart) { return sim::rail_point(c.session.derived.shape(cart.segment), cart.s).height; });
+  return of_cart(c, [&](world::Entity, const world::CartMotion& cart) {
+    return sim::rail_point(c.session.derived.shape(cart.segment), cart.s).height;
+  });
 }
 Answer distance(const Context& c, std::string_view) {
   return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return cart.track_distance; });
@@ -53,26 +58,38 @@ Answer lap(const Context& c, std::string_view) {
   return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return static_cast<double>(cart.laps); });
 }
 Answer energy(const Context& c, std::string_view) {
-  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) { return sim::energy(c.session.document, c.session.derived, e, cart); });
+  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
+    return sim::energy(c.session.document, c.session.derived, e, cart);
+  });
 }
 Answer energy_drift(const Context& c, std::string_view) {
-  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) { return sim::energy_drift(c.session.document, c.session.derived, e, cart); });
+  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
+    return sim::energy_drift(c.session.document, c.session.derived, e, cart);
+  });
 }
 Answer g_up(const Context& c, std::string_view) {
-  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) { return sim::felt(c.session.document, c.session.derived, e, cart).up; });
+  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
+    return sim::felt(c.session.document, c.session.derived, e, cart).up;
+  });
 }
 Answer g_side(const Context& c, std::string_view) {
-  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) { return sim::felt(c.session.document, c.session.derived, e, cart).left; });
+  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
+    return sim::felt(c.session.document, c.session.derived, e, cart).left;
+  });
 }
 Answer g_forward(const Context& c, std::string_view) {
-  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) { return sim::felt(c.session.document, c.session.derived, e, cart).forward; });
+  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
+    return sim::felt(c.session.document, c.session.derived, e, cart).forward;
+  });
 }
 Answer cost(const Context& c, std::string_view) { return number(c.session.ride_cost.ns_per_tick); }
 Answer segment(const Context& c, std::string_view) {
   const world::CartMotion* const cart = cart_of(c.session).motion;
   return text(cart ? world::label_of(c.session.document, cart->segment) : "none");
 }
-Answer carts(const Context& c, std::string_view) { return number(c.session.document.entities.pool<world::Cart>().size()); }
+Answer carts(const Context& c, std::string_view) {
+  return number(c.session.document.entities.pool<world::Cart>().size());
+}
 
 constexpr std::array kRideRows{
     Query{"carts", "", "", "Carts on the track.", carts},
@@ -84,7 +101,8 @@ constexpr std::array kRideRows{
     Query{"ride.lap", "", "", "Whole rounds since the start, backwards counting negative.", lap},
     Query{"ride.segment", "", "", "The segment that the cart is on.", segment},
     Query{"ride.energy", "", "J/kg", "v^2/2 + g (y - datum).", energy},
-    Query{"ride.cost", "", "ns", "What a tick of the live ride takes on this machine, all carts together; 0 before the first one.", cost},
+    Query{"ride.cost", "", "ns",
+          "What a tick of the live ride takes on this machine, all carts together; 0 before the first one.", cost},
     Query{"ride.energy_drift", "", "", "|energy - energy at the start| / largest kinetic energy.", energy_drift},
     Query{"ride.g_up", "", "g", "Felt acceleration towards the rider's head; at rest on the flat 1.", g_up},
     Query{"ride.g_side", "", "g", "Felt acceleration to the rider's left.", g_side},

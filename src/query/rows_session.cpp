@@ -9,8 +9,12 @@
 namespace coaster::query {
 namespace {
 
-Answer frames_by(const Context& c, View) { return text(sim::frame_methods()[static_cast<std::size_t>(c.session.settings.frames)].name); }
-Answer integrator(const Context& c, View) { return text(sim::integrators()[static_cast<std::size_t>(c.session.settings.integrator)].name); }
+Answer frames_by(const Context& c, View) {
+  return text(sim::frame_methods()[static_cast<std::size_t>(c.session.settings.frames)].name);
+}
+Answer integrator(const Context& c, View) {
+  return text(sim::integrators()[static_cast<std::size_t>(c.session.settings.integrator)].name);
+}
 
 Answer selected(const Context& c, View) {
   const world::Entity e = c.session.settings.selected;
@@ -21,8 +25,12 @@ Answer selected_count(const Context& c, View) {
   const std::size_t knots = world::selected_knots(c.session.document, c.session.settings).size();
   return number(knots > 0 ? knots : c.session.settings.selected.valid() ? 1 : 0);
 }
-Answer undo_label(const Context& c, View) { return text(c.session.history.undo.empty() ? "" : c.session.history.undo.back().label); }
-Answer snapping(const Context& c, View) { return text(std::string(world::kSnapNames[static_cast<std::size_t>(c.session.settings.snapping.to)])); }
+Answer undo_label(const Context& c, View) {
+  return text(c.session.history.undo.empty() ? "" : c.session.history.undo.back().label);
+}
+Answer snapping(const Context& c, View) {
+  return text(std::string(world::kSnapNames[static_cast<std::size_t>(c.session.settings.snapping.to)]));
+}
 Answer gizmo(const Context& c, View) { return yes_no(c.session.settings.show_gizmo); }
 Answer hints(const Context& c, View) { return yes_no(c.session.settings.show_hints); }
 Answer undo_depth(const Context& c, View) { return number(c.session.history.undo.size()); }
@@ -33,10 +41,14 @@ Answer title(const Context& c, View) { return text(c.title); }
 Answer append_mode(const Context& c, View) { return yes_no(c.session.settings.append_mode); }
 Answer panels(const Context& c, View) { return yes_no(c.session.settings.show_panels); }
 Answer polyline(const Context& c, View) { return yes_no(c.session.settings.layers.has(world::Layer::polyline)); }
-Answer style(const Context& c, View) { return text(world::kStyleNames[static_cast<std::size_t>(c.session.settings.style)]); }
+Answer style(const Context& c, View) {
+  return text(world::kStyleNames[static_cast<std::size_t>(c.session.settings.style)]);
+}
 Answer shadows(const Context& c, View) { return yes_no(c.session.settings.shadows); }
 Answer sound(const Context& c, View) { return number(c.session.settings.sound); }
-Answer theme(const Context& c, View) { return text(world::kThemeNames[static_cast<std::size_t>(c.session.settings.theme)]); }
+Answer theme(const Context& c, View) {
+  return text(world::kThemeNames[static_cast<std::size_t>(c.session.settings.theme)]);
+}
 Answer file(const Context& c, View) { return text(c.session.path.filename().string()); }
 Answer locked_by(const Context& c, View) { return text(c.stats.keeping.holder); }
 Answer recoverable(const Context& c, View) { return number(c.stats.keeping.recoverable); }
@@ -108,7 +120,8 @@ constexpr std::array kSessionRows{
     Query{"quits", "", "", "on when the program was told to end: a window closes then, a script goes on.", quits},
     Query{"scale", "", "", "Scale of the panels.", scale},
     Query{"camera_mode", "", "", "The chosen camera: orbit, ride, chase or fly.", camera_mode},
-    Query{"camera_shown", "", "", "The camera of the last frame: orbit where there is no cart to go with.", camera_shown},
+    Query{"camera_shown", "", "", "The camera of the last frame: orbit where there is no cart to go with.",
+          camera_shown},
     Query{"camera_eye", "", "m", "Where the last frame was looked at from.", camera_eye},
     Query{"camera_height", "", "m", "The same place's height over the ground.", camera_height},
     Query{"camera_forward", "", "", "The direction of the last frame's view.", camera_forward},
@@ -131,7 +144,8 @@ constexpr std::array kSessionRows{
     Query{"entities", "", "", "Knots, segments and carts in the registry.", entities},
     Query{"draw_calls", "", "", "Calls that drew the scene in the last frame.", draw_calls},
     Query{"triangles", "", "", "Triangles that these calls sent.", triangles},
-    Query{"shadow_maps", "", "", "Shadow maps drawn anew in the last frame; none while neither track, trains nor light change.", shadow_maps},
+    Query{"shadow_maps", "", "",
+          "Shadow maps drawn anew in the last frame; none while neither track, trains nor light change.", shadow_maps},
     Query{"samples", "", "", "Samples a pixel (multisampling).", samples},
     Query{"width", "", "px", "Width of the picture.", width},
     Query{"height", "", "px", "Height of the picture.", height},

@@ -17,7 +17,8 @@ class Parser {
  public:
   Parser(ParsedScript& out, base::Files& files) : out_(out), files_(files) {}
 
-  void file(std::string_view text, const std::string& name, const std::filesystem::path& folder, bool header_required, Block& block);
+  void file(std::string_view text, const std::string& name, const std::filesystem::path& folder, bool header_required,
+            Block& block);
 
  private:
   // A block that is still open, with the place where it began.
@@ -32,7 +33,8 @@ class Parser {
   void include(int source, int number, std::span<const base::Token> tokens);
   void close(int source, int number, std::span<const base::Token> tokens);
   void error(int source, int number, int column, const std::string& message) {
-    out_.errors.push_back(describe_error(out_.script.sources[static_cast<std::size_t>(source)], number, column, message));
+    out_.errors.push_back(
+        describe_error(out_.script.sources[static_cast<std::size_t>(source)], number, column, message));
   }
   void add(Statement statement) { (open_.empty() ? *block_ : open_.back().body).push_back(std::move(statement)); }
 
@@ -43,7 +45,8 @@ class Parser {
   Block* block_ = nullptr;
   bool header_seen_ = false, header_required_ = true;  // an included file may have the header
 
-  friend ParsedScript coaster::script::parse_script(std::string_view, const std::string&, const std::filesystem::path&, base::Files&);
+  friend ParsedScript coaster::script::parse_script(std::string_view, const std::string&, const std::filesystem::path&,
+                                                    base::Files&);
 };
 
 void Parser::header(int source, int number, std::span<const base::Token> tokens) {
@@ -51,18 +54,21 @@ void Parser::header(int source, int number, std::span<const base::Token> tokens)
   const int column = tokens.size() > 1 ? tokens[1].column : tokens[0].column;
   if (!version) return error(source, number, column, "expected \"coaster-script 1\"");
   if (*version > kScriptVersion)
-    return error(source, number, column, "the script needs version " + std::to_string(*version) + "; this program reads version 1");
+    return error(source, number, column,
+                 "the script needs version " + std::to_string(*version) + "; this program reads version 1");
   if (*version < 1) error(source, number, column, "expected version 1");
 }
 
 void Parser::include(int source, int number, std::span<const base::Token> tokens) {
   if (tokens.size() != 2) return error(source, number, tokens[0].column, "expected include \"FILE\"");
-  const std::filesystem::path path = find_input(out_.script.sources[static_cast<std::size_t>(source)].folder, tokens[1].text, {});
+  const std::filesystem::path path =
+      find_input(out_.script.sources[static_cast<std::size_t>(source)].folder, tokens[1].text, {});
   std::error_code ignored;
   const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ignored);
   if (std::find(including_.begin(), including_.end(), canonical) != including_.end())
     return error(source, number, tokens[1].column, "the file " + base::quoted(tokens[1].text) + " includes itself");
-  if (static_cast<int>(including_.size()) > kMaxIncludeDepth) return error(source, number, tokens[1].column, "includes are nested too deep");
+  if (static_cast<int>(including_.size()) > kMaxIncludeDepth)
+    return error(source, number, tokens[1].column, "includes are nested too deep");
   const auto text = files_.read(path);
   if (!text) return error(source, number, tokens[1].column, text.status().message);
   Statement statement{source, number, tokens[0].column, {}};
@@ -77,7 +83,8 @@ void Parser::include(int source, int number, std::span<const base::Token> tokens
 }
 
 void Parser::close(int source, int number, std::span<const base::Token> tokens) {
-  if (tokens.size() > 1) error(source, number, tokens[1].column, "unexpected " + base::quoted(tokens[1].text) + " after end");
+  if (tokens.size() > 1)
+    error(source, number, tokens[1].column, "unexpected " + base::quoted(tokens[1].text) + " after end");
   if (open_.empty()) return error(source, number, tokens[0].column, "\"end\" without repeat, gesture or lesson");
   Open closed = std::move(open_.back());
   open_.pop_back();
@@ -105,7 +112,8 @@ void Parser::statement(int source, int number, std::span<const base::Token> toke
       made.action = Gesture{};
     }
     if (!words.end()) error(source, number, problem.column, problem.message);
-    if (static_cast<int>(open_.size()) >= kMaxBlockDepth) return error(source, number, first.column, "blocks are nested too deep");
+    if (static_cast<int>(open_.size()) >= kMaxBlockDepth)
+      return error(source, number, first.column, "blocks are nested too deep");
     open_.push_back({std::move(made), {}});
     return;
   }
@@ -130,7 +138,8 @@ void Parser::line(int source, int number, const std::string& text) {
   statement(source, number, tokens);
 }
 
-void Parser::file(std::string_view text, const std::string& name, const std::filesystem::path& folder, bool header_required, Block& block) {
+void Parser::file(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                  bool header_required, Block& block) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const int source = static_cast<int>(out_.script.sources.size());
@@ -158,17 +167,20 @@ void Parser::file(std::string_view text, const std::string& name, const std::fil
 const std::vector<std::string>& statement_words() {
   static const std::vector<std::string> kWords = [] {
     std::vector<std::string> words = line_words();
-    for (const char* const word : {"coaster-script", "repeat", "gesture", "lesson", "end", "include"}) words.emplace_back(word);
+    for (const char* const word : {"coaster-script", "repeat", "gesture", "lesson", "end", "include"})
+      words.emplace_back(word);
     return words;
   }();
   return kWords;
 }
 
-ParsedScript parse_script(std::string_view text, const std::string& name, const std::filesystem::path& folder, base::Files& files) {
+ParsedScript parse_script(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                          base::Files& files) {
   ParsedScript out;
   Parser parser(out, files);
   std::error_code ignored;
-  parser.including_.push_back(std::filesystem::weakly_canonical(folder / std::filesystem::path(name).filename(), ignored));
+  parser.including_.push_back(
+      std::filesystem::weakly_canonical(folder / std::filesystem::path(name).filename(), ignored));
   parser.file(text, name, folder, true, out.script.statements);
   return out;
 }
@@ -191,7 +203,8 @@ std::string describe_error(const Source& source, int line, int column, std::stri
   if (line >= 1 && static_cast<std::size_t>(line) <= source.lines.size()) {
     const std::string& text = source.lines[static_cast<std::size_t>(line) - 1];
     const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
-    out += "\n    " + text.substr(blanks) + "\n    " + std::string(static_cast<std::size_t>(std::max(0, column - 1 - static_cast<int>(blanks))), ' ') + "^";
+    out += "\n    " + text.substr(blanks) + "\n    " +
+           std::string(static_cast<std::size_t>(std::max(0, column - 1 - static_cast<int>(blanks))), ' ') + "^";
   }
   return out + hint;
 }

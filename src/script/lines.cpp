@@ -27,7 +27,8 @@ bool parse_env(Words& words, Action& action) {
       const base::Token* const size = words.take("WIDTHxHEIGHT");
       if (!size) return false;
       int width = 0, height = 0;
-      if (!base::parse_size(size->text, width, height)) return words.fail(size->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(size->text));
+      if (!base::parse_size(size->text, width, height))
+        return words.fail(size->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(size->text));
       env.width = width, env.height = height;
     } else if (*name == 1) {
       const auto seed = words.whole("a seed", 0, std::numeric_limits<std::int64_t>::max());
@@ -52,7 +53,8 @@ bool parse_env(Words& words, Action& action) {
 }
 
 bool parse_frames(Words& words, Action& action) {
-  const auto count = words.at_end() ? std::optional<std::int64_t>(1) : words.whole("a number of frames", 0, kMostFrames);
+  const auto count =
+      words.at_end() ? std::optional<std::int64_t>(1) : words.whole("a number of frames", 0, kMostFrames);
   if (count) action = Frames{*count};
   return count && words.end();
 }
@@ -122,7 +124,8 @@ bool parse_dump(Words& words, Action& action) {
   if (!name) return false;
   std::string text = name->text;
   if (text.starts_with("$OUT/")) text = text.substr(5);
-  if (text.empty() || text.find("..") != std::string::npos || text.starts_with('/')) return words.fail(name->column, "expected a name");
+  if (text.empty() || text.find("..") != std::string::npos || text.starts_with('/'))
+    return words.fail(name->column, "expected a name");
   action = Dump{text};
   return words.end();
 }
@@ -158,7 +161,9 @@ bool parse_movie_start(Words& words, Action& action) {
     const int column = words.at_end() ? words.end_column() : words.peek()->column;
     const auto fps = words.whole("pictures a second", 1, world::kTicksPerSecond);
     if (!fps) return false;
-    if (!is_movie_rate(*fps)) return words.fail(column, "expected " + std::string(kMovieRateWords) + " pictures a second, found " + std::to_string(*fps));
+    if (!is_movie_rate(*fps))
+      return words.fail(
+          column, "expected " + std::string(kMovieRateWords) + " pictures a second, found " + std::to_string(*fps));
     start.fps = static_cast<int>(*fps);
   }
   start.gif = words.accept("gif");
@@ -181,22 +186,28 @@ bool parse_fault(Words& words, Action& action) {
   const auto operation = words.one_of("an operation such as io.fsync, or import", kOperations);
   if (!operation) return false;
   if (static_cast<std::size_t>(*operation) + 1 == kOperations.size()) {
-    if (!words.accept("slow")) return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected \"slow\"");
+    if (!words.accept("slow"))
+      return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected \"slow\"");
     const auto frames = words.whole("by how many frames", 1, 10'000);
     if (!frames) return false;
     action = SlowImport{static_cast<int>(*frames)};
     return words.end();
   }
-  if (!words.accept("fail")) return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected \"fail\"");
-  const auto nth = words.at_end() ? std::optional<std::int64_t>(1) : words.whole("which call from now on fails", 0, 1'000'000);
+  if (!words.accept("fail"))
+    return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected \"fail\"");
+  const auto nth =
+      words.at_end() ? std::optional<std::int64_t>(1) : words.whole("which call from now on fails", 0, 1'000'000);
   if (!nth) return false;
   action = Fault{static_cast<base::IoOperation>(*operation), static_cast<int>(*nth)};
   return words.end();
 }
 
 bool parse_camera(Words& words, Action& action) {
-  static const std::vector<std::string> kNames{"target", "yaw", "pitch", "distance", "all", "fit", "selection", "orbit", "ride", "chase", "fly"};
-  if (words.at_end()) return words.fail(words.end_column(), "expected target, yaw, pitch, distance, all, selection, orbit, ride, chase or fly");
+  static const std::vector<std::string> kNames{"target",    "yaw",   "pitch", "distance", "all", "fit",
+                                               "selection", "orbit", "ride",  "chase",    "fly"};
+  if (words.at_end())
+    return words.fail(words.end_column(),
+                      "expected target, yaw, pitch, distance, all, selection, orbit, ride, chase or fly");
   MoveCamera camera;
   while (!words.at_end()) {
     const auto name = words.one_of("target, yaw, pitch, distance, all, selection, orbit, ride, chase or fly", kNames);
@@ -225,20 +236,49 @@ struct LineRow {
   std::string_view word;
   bool (*parse)(Words& words, Action& action);
 };
-constexpr std::array kRows{
-    LineRow{"env", parse_env}, LineRow{"frames", parse_frames}, LineRow{"ticks", parse_ticks}, LineRow{"wait", parse_wait},
-    LineRow{"expect", parse_expect}, LineRow{"snap", parse_snap}, LineRow{"shot", parse_shot}, LineRow{"sheet", parse_sheet}, LineRow{"dump", parse_dump},
-    LineRow{"movie.start", parse_movie_start}, LineRow{"movie.stop", parse_movie_stop},
-    LineRow{"log", parse_log}, LineRow{"fault", parse_fault}, LineRow{"camera", parse_camera},
-    LineRow{"key", parse_key}, LineRow{"text", parse_text}, LineRow{"wheel", parse_wheel}, LineRow{"drop", parse_drop},
-    LineRow{"pad", parse_pad}, LineRow{"focus", parse_focus}, LineRow{"resize", parse_resize}, LineRow{"minimise", parse_minimise}, LineRow{"minimize", parse_minimise},
-    LineRow{"raw.move", parse_raw_move}, LineRow{"raw.press", parse_raw_press}, LineRow{"raw.release", parse_raw_release},
-    LineRow{"raw.key", parse_raw_key}, LineRow{"raw.wheel", parse_wheel}, LineRow{"raw.text", parse_text},
-    LineRow{"ui.click", parse_ui_click}, LineRow{"ui.doubleclick", parse_ui_doubleclick}, LineRow{"ui.hover", parse_ui_hover},
-    LineRow{"ui.check", parse_ui_check}, LineRow{"ui.type", parse_ui_type}, LineRow{"ui.drag", parse_ui_drag},
-    LineRow{"ui.open", parse_ui_open}, LineRow{"ui.close", parse_ui_close}, LineRow{"ui.menu", parse_ui_menu}, LineRow{"ui.scroll", parse_ui_scroll},
-    LineRow{"aim.click", parse_aim_click}, LineRow{"aim.doubleclick", parse_aim_doubleclick}, LineRow{"aim.hover", parse_aim_hover},
-    LineRow{"aim.drag", parse_aim_drag}};
+constexpr std::array kRows{LineRow{"env", parse_env},
+                           LineRow{"frames", parse_frames},
+                           LineRow{"ticks", parse_ticks},
+                           LineRow{"wait", parse_wait},
+                           LineRow{"expect", parse_expect},
+                           LineRow{"snap", parse_snap},
+                           LineRow{"shot", parse_shot},
+                           LineRow{"sheet", parse_sheet},
+                           LineRow{"dump", parse_dump},
+                           LineRow{"movie.start", parse_movie_start},
+                           LineRow{"movie.stop", parse_movie_stop},
+                           LineRow{"log", parse_log},
+                           LineRow{"fault", parse_fault},
+                           LineRow{"camera", parse_camera},
+                           LineRow{"key", parse_key},
+                           LineRow{"text", parse_text},
+                           LineRow{"wheel", parse_wheel},
+                           LineRow{"drop", parse_drop},
+                           LineRow{"pad", parse_pad},
+                           LineRow{"focus", parse_focus},
+                           LineRow{"resize", parse_resize},
+                           LineRow{"minimise", parse_minimise},
+                           LineRow{"minimize", parse_minimise},
+                           LineRow{"raw.move", parse_raw_move},
+                           LineRow{"raw.press", parse_raw_press},
+                           LineRow{"raw.release", parse_raw_release},
+                           LineRow{"raw.key", parse_raw_key},
+                           LineRow{"raw.wheel", parse_wheel},
+                           LineRow{"raw.text", parse_text},
+                           LineRow{"ui.click", parse_ui_click},
+                           LineRow{"ui.doubleclick", parse_ui_doubleclick},
+                           LineRow{"ui.hover", parse_ui_hover},
+                           LineRow{"ui.check", parse_ui_check},
+                           LineRow{"ui.type", parse_ui_type},
+                           LineRow{"ui.drag", parse_ui_drag},
+                           LineRow{"ui.open", parse_ui_open},
+                           LineRow{"ui.close", parse_ui_close},
+                           LineRow{"ui.menu", parse_ui_menu},
+                           LineRow{"ui.scroll", parse_ui_scroll},
+                           LineRow{"aim.click", parse_aim_click},
+                           LineRow{"aim.doubleclick", parse_aim_doubleclick},
+                           LineRow{"aim.hover", parse_aim_hover},
+                           LineRow{"aim.drag", parse_aim_drag}};
 
 }  // namespace
 

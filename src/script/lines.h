@@ -1,4 +1,5 @@
-// One line's words into an action: every statement but repeat, gesture, include and end, which span lines (grammar.cpp).
+// One line's words into an action: every statement but repeat, gesture, include and end, which span lines
+// (grammar.cpp).
 #pragma once
 
 #include <span>
@@ -14,6 +15,5 @@ std::vector<std::string> line_words();
 
 // Parses the words of a line (at least one). False: `error` says what was expected and where.
 bool parse_line(std::span<const base::Token> line, base::TextError& error, Action& action);
-
 
 }  // namespace coaster::script

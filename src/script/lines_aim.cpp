@@ -9,7 +9,8 @@ namespace {
 
 using Kind = AimPoint::Kind;
 using AimVerb = AimAction::Verb;
-constexpr std::string_view kTargets = "@k3, @k3.in, @k3.out, @s2:0.4, @c1, gizmo.x .. gizmo.xy, ground X Y Z or world X Y Z";
+constexpr std::string_view kTargets =
+    "@k3, @k3.in, @k3.out, @s2:0.4, @c1, gizmo.x .. gizmo.xy, ground X Y Z or world X Y Z";
 
 bool refuse(Words& words, const base::Token& word) {
   return words.fail(word.column, "expected " + std::string(kTargets) + ", found " + base::quoted(word.text));
@@ -23,7 +24,8 @@ bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
   std::string_view handle, place;
   if (const std::size_t dot = text.find('.'); dot != std::string_view::npos && text.find(':') == std::string_view::npos)
     handle = text.substr(dot + 1), text = text.substr(0, dot);
-  if (const std::size_t colon = text.find(':'); colon != std::string_view::npos) place = text.substr(colon + 1), text = text.substr(0, colon);
+  if (const std::size_t colon = text.find(':'); colon != std::string_view::npos)
+    place = text.substr(colon + 1), text = text.substr(0, colon);
   const auto name = world::parse_name(text);
   if (!name) return refuse(words, word);
   point.name = *name;
@@ -37,7 +39,8 @@ bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
   point.t = 0.5;
   if (place.empty()) return true;
   const auto t = base::parse_double(place);
-  if (!t || *t < 0 || *t > 1) return words.fail(word.column, "expected a parameter from 0 to 1 behind the colon, found " + base::quoted(place));
+  if (!t || *t < 0 || *t > 1)
+    return words.fail(word.column, "expected a parameter from 0 to 1 behind the colon, found " + base::quoted(place));
   point.t = *t;
   return true;
 }
@@ -45,7 +48,8 @@ bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
 // "gizmo.x" is an arrow, "gizmo.xz" the square that moves along both.
 bool parse_gizmo(Words& words, const base::Token& word, AimPoint& point) {
   constexpr std::array<std::string_view, 6> kParts{"x", "y", "z", "yz", "xz", "xy"};
-  const auto part = std::find(kParts.begin(), kParts.end(), std::string_view(word.text).substr(std::string_view("gizmo.").size()));
+  const auto part =
+      std::find(kParts.begin(), kParts.end(), std::string_view(word.text).substr(std::string_view("gizmo.").size()));
   if (part == kParts.end()) return refuse(words, word);
   point.kind = Kind::gizmo;
   point.part = static_cast<view::PickKind>(static_cast<int>(view::PickKind::axis_x) + (part - kParts.begin()));

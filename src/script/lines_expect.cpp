@@ -32,7 +32,8 @@ bool parse_file(Words& words, bool negated, Action& action) {
     action = expect;
     return words.end();
   }
-  if (!words.accept("same") && !words.accept("==")) return words.fail(words.peek()->column, "expected same or exists, found " + base::quoted(words.peek()->text));
+  if (!words.accept("same") && !words.accept("=="))
+    return words.fail(words.peek()->column, "expected same or exists, found " + base::quoted(words.peek()->text));
   words.accept("as");
   const base::Token* const other = words.take("the file to compare with");
   if (!other) return false;
@@ -61,7 +62,8 @@ bool parse_error(Words& words, Action& action) {
   if (rest.empty()) return words.fail(words.end_column(), "expected a statement that must fail");
   const std::vector<std::string>& known = statement_words();
   if (std::find(known.begin(), known.end(), rest.front().text) == known.end())
-    return words.fail(rest.front().column, "no command " + base::quoted(rest.front().text) + base::suggestion(rest.front().text, known));
+    return words.fail(rest.front().column,
+                      "no command " + base::quoted(rest.front().text) + base::suggestion(rest.front().text, known));
   Statement inner;
   inner.column = rest.front().column;
   base::TextError error;
@@ -98,7 +100,8 @@ bool parse_lesson(Words& words, Action& action) {
     if (!widget) return false;
     lesson.widget = *widget;
   }
-  if (!words.accept("until")) return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected at or until");
+  if (!words.accept("until"))
+    return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected at or until");
   if (!parse_condition(words, lesson.until)) return false;
   action = std::move(lesson);
   return words.end();

@@ -131,7 +131,8 @@ bool parse_resize(Words& words, Action& action) {
   int width = 0, height = 0;
   std::string text = first->text;
   if (!words.at_end()) text += "x" + words.take("a height")->text;
-  if (!base::parse_size(text, width, height)) return words.fail(first->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(text));
+  if (!base::parse_size(text, width, height))
+    return words.fail(first->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(text));
   return finish(words, action, {{{platform::Resize{width, height}}}});
 }
 
@@ -153,7 +154,8 @@ bool parse_raw_key(Words& words, Action& action) {
   const auto way = words.one_of("down or up", kWays);
   if (!way) return false;
   const bool down = *way == 0;
-  return finish(words, action, {{{platform::KeyPress{chord->key, down, false, down ? chord->modifiers : platform::Modifiers{}}}}});
+  return finish(words, action,
+                {{{platform::KeyPress{chord->key, down, false, down ? chord->modifiers : platform::Modifiers{}}}}});
 }
 
 }  // namespace coaster::script

@@ -1,4 +1,5 @@
-// Readers of single statements that lines.cpp puts into its table: expect, input, ui.* and aim.*. Private to the grammar.
+// Readers of single statements that lines.cpp puts into its table: expect, input, ui.* and aim.*. Private to the
+// grammar.
 #pragma once
 
 #include "base/words.h"

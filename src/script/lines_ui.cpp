@@ -62,7 +62,8 @@ bool parse_ui_drag(Words& words, Action& action) {
   if (words.accept("to")) {
     const base::Token* const value = words.take("a value");
     if (!value) return false;
-    if (!base::parse_double(value->text)) return words.fail(value->column, "expected a number, found " + base::quoted(value->text));
+    if (!base::parse_double(value->text))
+      return words.fail(value->column, "expected a number, found " + base::quoted(value->text));
     ui->verb = UiVerb::drag_to;
     ui->text = value->text;
   } else {

@@ -23,7 +23,8 @@ bool below_out(std::string_view written, std::string_view& rest) {
 
 }  // namespace
 
-std::filesystem::path find_input(const std::filesystem::path& folder, std::string_view written, const std::filesystem::path& out) {
+std::filesystem::path find_input(const std::filesystem::path& folder, std::string_view written,
+                                 const std::filesystem::path& out) {
   std::string_view rest;
   if (!out.empty() && below_out(written, rest)) return out / rest;
   const std::filesystem::path path(written);

@@ -8,9 +8,10 @@
 
 namespace coaster::script {
 
-// "$OUT" at the front stands for `out`. Other relative paths: from the script's folder when something is there, else from the
-// current folder.
-std::filesystem::path find_input(const std::filesystem::path& folder, std::string_view written, const std::filesystem::path& out);
+// "$OUT" at the front stands for `out`. Other relative paths: from the script's folder when something is there, else
+// from the current folder.
+std::filesystem::path find_input(const std::filesystem::path& folder, std::string_view written,
+                                 const std::filesystem::path& out);
 
 // A path to write to. Code::usage unless it lies below $OUT; the folders up to it are made.
 base::Result<std::filesystem::path> find_output(std::string_view written, const std::filesystem::path& out);

@@ -15,16 +15,38 @@ namespace {
 // Settings and selection at the start, as the commands that set them.
 std::vector<edit::Command> settings_commands(const edit::Session& session) {
   const world::Settings& s = session.settings;
-  std::vector<edit::Command> commands{
-      edit::SetEvaluator{s.evaluator}, edit::SetResolution{s.steps}, edit::SetVertexBudget{s.vertex_budget}, edit::SetArcLength{s.arc_length},
-      edit::SetFrames{s.frames}, edit::SetIntegrator{{s.integrator}}, edit::SetCamera{s.camera}, edit::SetCameraMode{s.camera_mode},
-      edit::SetFly{s.fly}, edit::SetFieldOfView{s.camera.field_of_view_deg}, edit::SetRideView{s.feel.ride_view_deg}, edit::SetWidening{s.feel.widening_deg},
-      edit::SetRollDamping{s.feel.roll_damping}, edit::SetChaseDistance{s.feel.chase_distance}, edit::SetHeadBob{s.feel.head_bob},
-      edit::SetReducedMotion{s.feel.reduced_motion},
-      edit::SetPanels{s.show_panels}, edit::SetAppendMode{s.append_mode}, edit::SetScale{s.ui_scale}, edit::SetTheme{s.theme}, edit::SetStyle{s.style},
-      edit::SetShadows{s.shadows}, edit::SetSound{s.sound},
-      edit::SetSnapping{s.snapping.to, s.snapping.step, s.snapping.angle}, edit::SetGizmo{s.show_gizmo}, edit::SetHints{s.show_hints}, edit::SetCard{s.show_card},
-      edit::SetColouring{s.colouring}, edit::SetMagnification{s.magnification}, edit::SetCombScale{s.comb_scale}, edit::ShowLaboratory{s.show_laboratory}, edit::OpenPage{s.lab_page}};
+  std::vector<edit::Command> commands{edit::SetEvaluator{s.evaluator},
+                                      edit::SetResolution{s.steps},
+                                      edit::SetVertexBudget{s.vertex_budget},
+                                      edit::SetArcLength{s.arc_length},
+                                      edit::SetFrames{s.frames},
+                                      edit::SetIntegrator{{s.integrator}},
+                                      edit::SetCamera{s.camera},
+                                      edit::SetCameraMode{s.camera_mode},
+                                      edit::SetFly{s.fly},
+                                      edit::SetFieldOfView{s.camera.field_of_view_deg},
+                                      edit::SetRideView{s.feel.ride_view_deg},
+                                      edit::SetWidening{s.feel.widening_deg},
+                                      edit::SetRollDamping{s.feel.roll_damping},
+                                      edit::SetChaseDistance{s.feel.chase_distance},
+                                      edit::SetHeadBob{s.feel.head_bob},
+                                      edit::SetReducedMotion{s.feel.reduced_motion},
+                                      edit::SetPanels{s.show_panels},
+                                      edit::SetAppendMode{s.append_mode},
+                                      edit::SetScale{s.ui_scale},
+                                      edit::SetTheme{s.theme},
+                                      edit::SetStyle{s.style},
+                                      edit::SetShadows{s.shadows},
+                                      edit::SetSound{s.sound},
+                                      edit::SetSnapping{s.snapping.to, s.snapping.step, s.snapping.angle},
+                                      edit::SetGizmo{s.show_gizmo},
+                                      edit::SetHints{s.show_hints},
+                                      edit::SetCard{s.show_card},
+                                      edit::SetColouring{s.colouring},
+                                      edit::SetMagnification{s.magnification},
+                                      edit::SetCombScale{s.comb_scale},
+                                      edit::ShowLaboratory{s.show_laboratory},
+                                      edit::OpenPage{s.lab_page}};
   for (std::size_t i = 0; i < world::layers().size(); ++i) {
     const auto layer = static_cast<world::Layer>(i);
     if (layer == world::Layer::polyline) commands.push_back(edit::SetPolyline{s.layers.has(layer)});
@@ -34,7 +56,8 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
     commands.push_back(edit::Select{{world::name_of(session.document, s.selected)}, s.selected_t});
   if (!s.also.empty()) {
     edit::Knots knots;
-    for (const world::Entity e : world::selected_knots(session.document, s)) knots.names.push_back(world::name_of(session.document, e));
+    for (const world::Entity e : world::selected_knots(session.document, s))
+      knots.names.push_back(world::name_of(session.document, e));
     commands.push_back(edit::SelectKnots{std::move(knots)});
   }
   return commands;
@@ -42,7 +65,8 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
 
 }  // namespace
 
-base::Result<std::unique_ptr<Recorder>> Recorder::start(base::Files& files, const std::filesystem::path& path, const edit::Session& session) {
+base::Result<std::unique_ptr<Recorder>> Recorder::start(base::Files& files, const std::filesystem::path& path,
+                                                        const edit::Session& session) {
   std::error_code ignored;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), ignored);
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
@@ -84,7 +108,8 @@ base::Status Recorder::command(base::Files& files, const edit::Command& command,
   if (edit::output_path(command) != nullptr || command.is<edit::LoadEnvelope>()) return {};
   if (const base::Status written = write_ticks(); !written) return written;
   if (command.is<edit::Load>() || command.is<edit::RecoverTrack>()) return snapshot(files, after);
-  if (const auto* const challenge = command.as<edit::StartChallenge>()) return line(edit::print(edit::StartChallenge{base::canonical_path(challenge->path).string()}));
+  if (const auto* const challenge = command.as<edit::StartChallenge>())
+    return line(edit::print(edit::StartChallenge{base::canonical_path(challenge->path).string()}));
   return line(edit::print(command));
 }
 

@@ -1,4 +1,5 @@
-// Writes what happens to a session as a script: a snapshot of the track, then every command with the ticks between them.
+// Writes what happens to a session as a script: a snapshot of the track, then every command with the ticks between
+// them.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +14,16 @@ namespace coaster::script {
 
 class Recorder {
  public:
-  // Begins the script `path` and saves the track beside it (rec.coaster: rec.json). Code::io when either cannot be written.
-  static base::Result<std::unique_ptr<Recorder>> start(base::Files& files, const std::filesystem::path& path, const edit::Session& session);
+  // Begins the script `path` and saves the track beside it (rec.coaster: rec.json). Code::io when either cannot be
+  // written.
+  static base::Result<std::unique_ptr<Recorder>> start(base::Files& files, const std::filesystem::path& path,
+                                                       const edit::Session& session);
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // A command that was applied with success; `after` is the session then. Saving is left out; a file that was opened is saved
-  // beside the script once more, so that a recording needs nothing else.
+  // A command that was applied with success; `after` is the session then. Saving is left out; a file that was opened is
+  // saved beside the script once more, so that a recording needs nothing else.
   base::Status command(base::Files& files, const edit::Command& command, const edit::Session& after);
   // Ticks that went by. They are written before the next command, or when a second of them has gathered.
   base::Status ticks(int count);

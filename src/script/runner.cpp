@@ -9,7 +9,9 @@
 
 namespace coaster::script {
 
-base::Status run_script(const Script& script, Host& host, const RunOptions& options) { return Runner(script, host, options).run(); }
+base::Status run_script(const Script& script, Host& host, const RunOptions& options) {
+  return Runner(script, host, options).run();
+}
 
 base::Status Runner::run() {
   if (const base::Status made = make_folder(options_.out); !made) return made;
@@ -18,7 +20,8 @@ base::Status Runner::run() {
   if (result) return {};
   const std::string note = write_evidence();
   const int column = result.column > 0 ? result.column : failed_at_->column;
-  return {result.code, describe_error(script_.sources[static_cast<std::size_t>(failed_at_->source)], failed_at_->line, column, result.message, note)};
+  return {result.code, describe_error(script_.sources[static_cast<std::size_t>(failed_at_->source)], failed_at_->line,
+                                      column, result.message, note)};
 }
 
 Failure Runner::run(const Block& block) {
@@ -42,7 +45,9 @@ Failure Runner::run(const Statement& statement) {
   return result;
 }
 
-std::filesystem::path Runner::input(std::string_view written) const { return find_input(source().folder, written, options_.out); }
+std::filesystem::path Runner::input(std::string_view written) const {
+  return find_input(source().folder, written, options_.out);
+}
 
 Failure Runner::perform(const RunCommand& run) {
   edit::Command command = run.command;
@@ -156,8 +161,9 @@ Failure Runner::perform(const FitCamera& fit) {
   const view::Viewport viewport = stage_.host().viewport();
   if (fit.selection && !session.settings.selected.valid()) return wrong("nothing is selected");
   const world::Camera& now = session.settings.camera;
-  return failure(stage_.apply(edit::SetCamera{fit.selection ? view::frame_entity(now, session.document, session.settings.selected, viewport)
-                                                            : view::frame_all(now, session.document, viewport)}));
+  return failure(stage_.apply(
+      edit::SetCamera{fit.selection ? view::frame_entity(now, session.document, session.settings.selected, viewport)
+                                    : view::frame_all(now, session.document, viewport)}));
 }
 
 Failure Runner::perform(const Fault& fault) {

@@ -11,9 +11,9 @@
 namespace coaster::script {
 
 struct RunOptions {
-  std::filesystem::path out;    // what $OUT stands for
+  std::filesystem::path out;  // what $OUT stands for
   bool update_goldens = false;
-  Environment environment;      // before the first env line
+  Environment environment;  // before the first env line
 };
 
 // Why a statement failed; column 0: that of the statement.
@@ -26,14 +26,17 @@ struct Failure {
   explicit operator bool() const { return ok(); }
 };
 inline Failure failure(const base::Status& status, int column = 0) { return {status.code, status.message, column}; }
-inline Failure failed(std::string message, int column = 0) { return {base::Code::expectation, std::move(message), column}; }
+inline Failure failed(std::string message, int column = 0) {
+  return {base::Code::expectation, std::move(message), column};
+}
 inline Failure wrong(std::string message, int column = 0) { return {base::Code::usage, std::move(message), column}; }
 
-// Ok, or the exit code's reason with place, line, caret, frame and where picture and state were written (describe_error()).
+// Ok, or the exit code's reason with place, line, caret, frame and where picture and state were written
+// (describe_error()).
 base::Status run_script(const Script& script, Host& host, const RunOptions& options);
 
-// One run. The statements' meaning is spread over runner.cpp (blocks, session), runner_expect.cpp, runner_ui.cpp, runner_aim.cpp
-// and runner_output.cpp.
+// One run. The statements' meaning is spread over runner.cpp (blocks, session), runner_expect.cpp, runner_ui.cpp,
+// runner_aim.cpp and runner_output.cpp.
 class Runner {
  public:
   Runner(const Script& script, Host& host, const RunOptions& options)
@@ -87,11 +90,11 @@ class Runner {
   Stage stage_;
   const RunOptions& options_;
   Environment environment_;
-  int lessons_ = 0;                    // begun so far
-  bool left_ = false;                  // the player has had enough of them
+  int lessons_ = 0;                           // begun so far
+  bool left_ = false;                         // the player has had enough of them
   std::vector<std::filesystem::path> homes_;  // that env has named
-  int source_ = 0;                     // of the statement that runs
-  const Statement* failed_at_ = nullptr;  // the innermost statement that failed
+  int source_ = 0;                            // of the statement that runs
+  const Statement* failed_at_ = nullptr;      // the innermost statement that failed
 };
 
 }  // namespace coaster::script

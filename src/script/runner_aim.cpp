@@ -1,4 +1,5 @@
-// aim.*: the cursor goes to where an entity is on the screen, and presses there only when the program finds that entity under it.
+// aim.*: the cursor goes to where an entity is on the screen, and presses there only when the program finds that entity
+// under it.
 #include <algorithm>
 
 #include "script/runner.h"
@@ -52,9 +53,12 @@ Failure check_hover(Stage& stage, const AimAction& aim) {
   const view::Pick found = stage.host().hovered();
   const query::Context context = stage.host().context();
   const world::Document& document = context.session.document;
-  if (found.kind == wanted && (aim.target.kind == AimPoint::Kind::gizmo || found.entity == world::find(document, aim.target.name))) return {};
+  if (found.kind == wanted &&
+      (aim.target.kind == AimPoint::Kind::gizmo || found.entity == world::find(document, aim.target.name)))
+    return {};
   const std::string what = name_of(document, found);
-  if (found.kind == view::PickKind::none) return failed("the cursor finds nothing at " + aim.target_text + ": something covers it", aim.target_column);
+  if (found.kind == view::PickKind::none)
+    return failed("the cursor finds nothing at " + aim.target_text + ": something covers it", aim.target_column);
   return failed(aim.target_text + " is covered by " + what, aim.target_column);
 }
 
@@ -87,14 +91,16 @@ Failure Runner::perform(const AimAction& aim) {
   const int clicks = aim.verb == AimAction::Verb::doubleclick ? 2 : 1;
   for (int i = 0; i < clicks; ++i) {
     const std::uint64_t before = stage_.commands();
-    if (const base::Status status = stage_.frame({MouseButton{Button::left, true, aim.modifiers}}); !status) return failure(status);
+    if (const base::Status status = stage_.frame({MouseButton{Button::left, true, aim.modifiers}}); !status)
+      return failure(status);
     const int steps = aim.verb == AimAction::Verb::drag ? kDragSteps : 0;
     for (int step = 1; step <= steps; ++step) {
       const glm::vec2 at = *pixel + (end - *pixel) * (static_cast<float>(step) / static_cast<float>(steps));
       if (const base::Status status = stage_.frame({MouseMove{at.x, at.y}}); !status) return failure(status);
     }
     const platform::Event up = MouseButton{Button::left, false, aim.modifiers};
-    // A click that did its work at the press leaves the release to the next frame: the last frame's numbers are those of the work.
+    // A click that did its work at the press leaves the release to the next frame: the last frame's numbers are those
+    // of the work.
     const bool done = stage_.commands() != before && steps == 0 && i + 1 == clicks;
     if (done) stage_.put_off({up});
     else if (const base::Status status = stage_.frame({up}); !status) return failure(status);

@@ -23,7 +23,8 @@ Failure Runner::perform(const Expect& expect) {
   const base::Result<bool> result = check(condition, found);
   if (!result) return failure(result.status(), condition.column);
   if (*result) return {};
-  return failed(std::string(condition.negated ? "expected not " : "expected ") + condition.text + ", found " + found, condition.column);
+  return failed(std::string(condition.negated ? "expected not " : "expected ") + condition.text + ", found " + found,
+                condition.column);
 }
 
 Failure Runner::perform(const Wait& wait) {
@@ -37,7 +38,8 @@ Failure Runner::perform(const Wait& wait) {
     else if (const base::Status status = stage_.frame({}); !status) return failure(status);
   }
   return {base::Code::timeout,
-          "waited " + std::to_string(wait.most) + (wait.frames ? " frames" : " ticks") + " for " + wait.condition.text + ", found " + found,
+          "waited " + std::to_string(wait.most) + (wait.frames ? " frames" : " ticks") + " for " + wait.condition.text +
+              ", found " + found,
           wait.condition.column};
 }
 
@@ -49,12 +51,16 @@ Failure Runner::perform(const ExpectWidget& expect) {
   if (!found) {
     const bool absent = find_widgets(widgets, expect.path.text).empty();
     if (absent && asks_visible && expect.negated) return {};
-    return {absent && asks_visible ? base::Code::expectation : base::Code::usage, found.status().message, expect.path.column};
+    return {absent && asks_visible ? base::Code::expectation : base::Code::usage, found.status().message,
+            expect.path.column};
   }
   const WidgetState& widget = widgets[*found];
   const bool is = asks_visible ? widget.visible && !widget.covered : widget.enabled;
   if (is != expect.negated) return {};
-  const std::string word = asks_visible ? (is ? "visible" : widget.covered ? "covered" : "not visible") : (is ? "enabled" : "disabled");
+  const std::string word = asks_visible ? (is               ? "visible"
+                                           : widget.covered ? "covered"
+                                                            : "not visible")
+                                        : (is ? "enabled" : "disabled");
   return failed(base::quoted(widget.path) + " is " + word, expect.path.column);
 }
 
@@ -86,7 +92,8 @@ Failure Runner::perform(const ExpectError& expect) {
     message = result.message;
   }
   if (!expect.contains || message.find(*expect.contains) != std::string::npos) return {};
-  return failed("expected an error with " + base::quoted(*expect.contains) + ", found " + base::quoted(message), expect.statement.front().column);
+  return failed("expected an error with " + base::quoted(*expect.contains) + ", found " + base::quoted(message),
+                expect.statement.front().column);
 }
 
 }  // namespace coaster::script

@@ -21,13 +21,15 @@ int lessons_in(const Block& block) {
 
 Failure Runner::perform(const Lesson& lesson) {
   const Host& host = stage_.host();
-  const query::LessonCard card{lesson.text, lesson.widget ? lesson.widget->text : "", ++lessons_, std::max(lessons_, lessons_in(script_.statements))};
+  const query::LessonCard card{lesson.text, lesson.widget ? lesson.widget->text : "", ++lessons_,
+                               std::max(lessons_, lessons_in(script_.statements))};
   if (host.teach) host.teach(&card);
   std::string found;
   bool shown = !host.watch;
   if (shown) {
     const base::Result<bool> before = check(lesson.until, found);
-    if (before && *before) return failed("there is nothing to learn: " + lesson.until.text + " before the lesson", lesson.until.column);
+    if (before && *before)
+      return failed("there is nothing to learn: " + lesson.until.text + " before the lesson", lesson.until.column);
     if (Failure ran = run(lesson.body); !ran) return ran;
   }
   Failure result;
@@ -36,7 +38,8 @@ Failure Runner::perform(const Lesson& lesson) {
     if (!done) result = failure(done.status(), lesson.until.column);
     if (!done || *done) break;
     if (shown && waited >= kMostLessonFrames) {
-      result = {base::Code::timeout, "the lesson's own lines have not led to " + lesson.until.text + ", found " + found, lesson.until.column};
+      result = {base::Code::timeout, "the lesson's own lines have not led to " + lesson.until.text + ", found " + found,
+                lesson.until.column};
       break;
     }
     if (!host.watch) {

@@ -66,8 +66,8 @@ std::string state_json(const query::Context& context) {
 std::string widgets_text(std::span<const WidgetState> widgets) {
   std::string text;
   for (const WidgetState& w : widgets) {
-    text += base::quoted(w.path) + " " + w.kind + " " + base::to_text(w.x) + "," + base::to_text(w.y) + " " + base::to_text(w.width) + "x" +
-            base::to_text(w.height);
+    text += base::quoted(w.path) + " " + w.kind + " " + base::to_text(w.x) + "," + base::to_text(w.y) + " " +
+            base::to_text(w.width) + "x" + base::to_text(w.height);
     if (!w.value.empty()) text += " value " + base::quoted(w.value);
     if (!w.visible) text += " out-of-sight";
     if (!w.enabled) text += " disabled";
@@ -97,7 +97,8 @@ Failure Runner::perform(const Snap& snap) {
 }
 
 Failure Runner::perform(const Shot& shot) {
-  const auto path = find_output(shot.path.text.starts_with("$OUT") ? shot.path.text : "$OUT/" + shot.path.text, options_.out);
+  const auto path =
+      find_output(shot.path.text.starts_with("$OUT") ? shot.path.text : "$OUT/" + shot.path.text, options_.out);
   if (!path) return failure(path.status(), shot.path.column);
   if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
   return failure(stage_.host().screenshot(*path));
@@ -105,7 +106,9 @@ Failure Runner::perform(const Shot& shot) {
 
 Failure Runner::perform(const Sheet& sheet) {
   if (!stage_.host().sheet) return wrong("there are no pictures");
-  const auto below_out = [&](const base::Token& token) { return find_output(token.text.starts_with("$OUT") ? token.text : "$OUT/" + token.text, options_.out); };
+  const auto below_out = [&](const base::Token& token) {
+    return find_output(token.text.starts_with("$OUT") ? token.text : "$OUT/" + token.text, options_.out);
+  };
   const auto path = below_out(sheet.path);
   if (!path) return failure(path.status(), sheet.path.column);
   std::vector<std::filesystem::path> pictures;
@@ -125,7 +128,8 @@ Failure Runner::perform(const Dump& dump) {
   base::Files files;
   const query::Context context = stage_.host().context();
   if (const base::Status s = stage_.host().screenshot(with(".frame.png")); !s) return failure(s);
-  if (const base::Status s = files.write_atomic(with(".widgets.txt"), widgets_text(stage_.host().widgets())); !s) return failure(s);
+  if (const base::Status s = files.write_atomic(with(".widgets.txt"), widgets_text(stage_.host().widgets())); !s)
+    return failure(s);
   if (const base::Status s = files.write_atomic(with(".state.json"), state_json(context)); !s) return failure(s);
   return failure(files.write_atomic(with(".json"), exchange::print_track(context.session.document)));
 }

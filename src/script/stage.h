@@ -22,9 +22,11 @@ class Stage {
   void put_off(platform::Events events);
   void advance(std::int64_t ticks);
 
-  // Draws a frame without ticks when something changed since the last one: then values of the last frame are those of the state.
+  // Draws a frame without ticks when something changed since the last one: then values of the last frame are those of
+  // the state.
   base::Status settle();
-  // Draws until the panels show the state too: they show what was before a frame's commands, and lay out new contents a frame later.
+  // Draws until the panels show the state too: they show what was before a frame's commands, and lay out new contents a
+  // frame later.
   base::Status settle_panels();
 
   std::uint64_t commands() const { return host_.commands ? host_.commands() : 0; }

@@ -60,7 +60,8 @@ struct Wait {
   std::int64_t most = 7200;
   bool frames = false;
 };
-// "lesson TEXT [at WIDGET] until CONDITION ... end": the player does what the text says; without a player, or on request, the body does it.
+// "lesson TEXT [at WIDGET] until CONDITION ... end": the player does what the text says; without a player, or on
+// request, the body does it.
 struct Lesson {
   std::string text;
   std::optional<base::Token> widget;
@@ -86,12 +87,24 @@ struct ExpectError {
 };
 
 struct UiAction {
-  enum class Verb : std::uint8_t { click, doubleclick, hover, check, type, drag_by, drag_to, open, close, menu, scroll };
+  enum class Verb : std::uint8_t {
+    click,
+    doubleclick,
+    hover,
+    check,
+    type,
+    drag_by,
+    drag_to,
+    open,
+    close,
+    menu,
+    scroll
+  };
   Verb verb = Verb::click;
   base::Token path;
-  std::string text;      // of type; the value of drag to
-  double number = 0;     // px of drag by, notches of scroll
-  bool on = true;        // of check
+  std::string text;   // of type; the value of drag to
+  double number = 0;  // px of drag by, notches of scroll
+  bool on = true;     // of check
 };
 
 // Frames of events, one after the other.
@@ -140,7 +153,7 @@ struct Dump {
 // Texts and values, separated by blanks.
 struct Log {
   struct Part {
-    std::string text;             // when query is empty
+    std::string text;  // when query is empty
     std::string query, argument;
     int column = 1;
   };
@@ -163,8 +176,9 @@ struct SlowImport {
   int frames = 0;
 };
 
-using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, Gesture, Lesson, Include, Expect, Wait, ExpectWidget, ExpectFile,
-                            ExpectError, UiAction, Input, AimAction, MoveCamera, FitCamera, Snap, Shot, Sheet, Dump, Log, StartMovie, StopMovie, Fault, SlowImport>;
+using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, Gesture, Lesson, Include, Expect, Wait,
+                            ExpectWidget, ExpectFile, ExpectError, UiAction, Input, AimAction, MoveCamera, FitCamera,
+                            Snap, Shot, Sheet, Dump, Log, StartMovie, StopMovie, Fault, SlowImport>;
 
 struct Statement {
   int source = 0;  // into Script::sources

@@ -54,7 +54,8 @@ Failure UiDriver::open_one(WidgetState widget) {
 // Opens what the path goes through: headers, combos, menus; then the closed headers of its panel.
 Failure UiDriver::open_way_to(std::string_view path) {
   const auto missing = [&] { return find_widgets(stage_.host().widgets(), path).empty(); };
-  for (std::size_t slash = path.find('/'); slash != std::string_view::npos && missing(); slash = path.find('/', slash + 1)) {
+  for (std::size_t slash = path.find('/'); slash != std::string_view::npos && missing();
+       slash = path.find('/', slash + 1)) {
     widgets_ = stage_.host().widgets();
     const auto found = find_widget(widgets_, path.substr(0, slash));
     if (!found) continue;
@@ -104,7 +105,9 @@ Failure UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
     const WidgetState* over = nullptr;
     const float x = middle(widget).x;
     for (const WidgetState& other : widgets_) {
-      if (!other.visible || other.covered || panel_of(other.path) == "Menu" || other.kind == "menu" || other.kind == "item") continue;
+      if (!other.visible || other.covered || panel_of(other.path) == "Menu" || other.kind == "menu" ||
+          other.kind == "item")
+        continue;
       if (x < other.x || x > other.x + other.width) continue;
       const bool better = !over || kinship(other.path, widget.path) > kinship(over->path, widget.path);
       if (better) over = &other;
@@ -132,7 +135,8 @@ Failure UiDriver::reach(std::string_view path) {
   return refusal(widget_);
 }
 
-// A press or key whose work is done may leave its release to the next frame, so that the last frame's numbers are those of the work.
+// A press or key whose work is done may leave its release to the next frame, so that the last frame's numbers are those
+// of the work.
 Failure UiDriver::release(platform::Event event, std::uint64_t commands_before, bool can_wait) {
   if (can_wait && stage_.commands() != commands_before) {
     stage_.put_off({std::move(event)});
@@ -165,7 +169,8 @@ Failure UiDriver::click(std::string_view path, int clicks) {
 Failure UiDriver::check(std::string_view path, bool on) {
   if (Failure reached = reach(path); !reached) return reached;
   if (is_on(widget_) == on) return {};
-  if (!on && widget_.kind == "radio") return failed(base::quoted(widget_.path) + " is one of several: it goes off when another goes on");
+  if (!on && widget_.kind == "radio")
+    return failed(base::quoted(widget_.path) + " is one of several: it goes off when another goes on");
   return press_and_release({});
 }
 
@@ -174,8 +179,9 @@ Failure UiDriver::type(std::string_view path, std::string_view text) {
   const platform::Modifiers ctrl{false, true, false};
   if (Failure opened = press_and_release(widget_.kind == "text" ? platform::Modifiers{} : ctrl); !opened) return opened;
   if (Failure all = key(Key::a, ctrl); !all) return all;
-  if (Failure typed = frame(text.empty() ? platform::Events{KeyPress{Key::del, true, false, {}}, KeyPress{Key::del, false, false, {}}}
-                                         : platform::Events{platform::TextInput{std::string(text)}});
+  if (Failure typed = frame(
+          text.empty() ? platform::Events{KeyPress{Key::del, true, false, {}}, KeyPress{Key::del, false, false, {}}}
+                       : platform::Events{platform::TextInput{std::string(text)}});
       !typed)
     return typed;
   return key(Key::enter, {}, true);
@@ -187,7 +193,8 @@ Failure UiDriver::drag_by(std::string_view path, float pixels) {
   if (Failure down = frame({MouseButton{Button::left, true, {}}}); !down) return down;
   constexpr int kSteps = 4;
   for (int i = 1; i <= kSteps; ++i)
-    if (Failure moved = frame({MouseMove{from.x + pixels * static_cast<float>(i) / kSteps, from.y}}); !moved) return moved;
+    if (Failure moved = frame({MouseMove{from.x + pixels * static_cast<float>(i) / kSteps, from.y}}); !moved)
+      return moved;
   const std::uint64_t before = stage_.commands();
   return release(MouseButton{Button::left, false, {}}, before, false);
 }
@@ -234,7 +241,8 @@ Failure UiDriver::scroll(std::string_view path, double notches) {
   widgets_ = stage_.host().widgets();
   const WidgetState* over = nullptr;
   for (const WidgetState& widget : widgets_)
-    if (!over && widget.visible && !widget.covered && (panel_of(widget.path) == path || widget.path == path)) over = &widget;
+    if (!over && widget.visible && !widget.covered && (panel_of(widget.path) == path || widget.path == path))
+      over = &widget;
   if (!over) {
     const auto found = find_widget(widgets_, path);
     if (!found) return failure(found.status());
@@ -245,7 +253,8 @@ Failure UiDriver::scroll(std::string_view path, double notches) {
   const int whole = static_cast<int>(std::ceil(std::abs(notches)));
   for (int i = 0; i < whole; ++i) {
     const double part = std::min(1.0, std::abs(notches) - i);
-    if (Failure turned = frame({platform::Wheel{0, static_cast<float>(notches > 0 ? -part : part)}}); !turned) return turned;
+    if (Failure turned = frame({platform::Wheel{0, static_cast<float>(notches > 0 ? -part : part)}}); !turned)
+      return turned;
   }
   return {};
 }
@@ -255,7 +264,8 @@ Failure Runner::perform(const UiAction& ui) {
   const std::string& path = ui.path.text;
   std::error_code ignored;
   const bool below_out = ui.text == "$OUT" || ui.text.starts_with("$OUT/");  // fields that files are named in
-  const std::string words = below_out ? std::filesystem::absolute(options_.out, ignored).string() + ui.text.substr(4) : ui.text;
+  const std::string words =
+      below_out ? std::filesystem::absolute(options_.out, ignored).string() + ui.text.substr(4) : ui.text;
   const auto act = [&]() -> Failure {
     switch (ui.verb) {
       case UiAction::Verb::click: return driver.click(path);

@@ -14,8 +14,9 @@ class UiDriver {
  public:
   explicit UiDriver(Stage& stage) : stage_(stage) {}
 
-  // Moves the cursor onto the widget, which must be one, in sight, enabled and uncovered. Headers and menus on the way are opened.
-  // Errors: Code::usage when no or several widgets have the path; Code::expectation when it cannot be reached, with the reason.
+  // Moves the cursor onto the widget, which must be one, in sight, enabled and uncovered. Headers and menus on the way
+  // are opened. Errors: Code::usage when no or several widgets have the path; Code::expectation when it cannot be
+  // reached, with the reason.
   Failure reach(std::string_view path);
   Failure click(std::string_view path, int clicks = 1);
   // Clicks when the widget's state is another one.

@@ -69,9 +69,11 @@ std::vector<std::size_t> find_widgets(std::span<const WidgetState> widgets, std:
 base::Result<std::size_t> find_widget(std::span<const WidgetState> widgets, std::string_view path) {
   const std::vector<std::size_t> found = find_widgets(widgets, path);
   if (found.size() == 1) return found[0];
-  if (found.empty()) return base::Status{base::Code::usage, "no widget " + base::quoted(path) + nearest_path(widgets, path)};
+  if (found.empty())
+    return base::Status{base::Code::usage, "no widget " + base::quoted(path) + nearest_path(widgets, path)};
   std::string list;
-  for (const std::size_t i : found) list += (list.empty() ? "" : ", ") + base::quoted(widgets[i].path) + " (" + widgets[i].kind + ")";
+  for (const std::size_t i : found)
+    list += (list.empty() ? "" : ", ") + base::quoted(widgets[i].path) + " (" + widgets[i].kind + ")";
   return base::Status{base::Code::usage, base::quoted(path) + " is the path of several widgets: " + list};
 }
 
@@ -79,6 +81,8 @@ std::string_view panel_of(std::string_view path) { return path.substr(0, path.fi
 
 bool is_on(const WidgetState& widget) { return widget.value == "on" || widget.value == "open"; }
 
-bool is_closed_header(const WidgetState& widget) { return widget.kind == "header" && (widget.value == "off" || widget.value == "closed"); }
+bool is_closed_header(const WidgetState& widget) {
+  return widget.kind == "header" && (widget.value == "off" || widget.value == "closed");
+}
 
 }  // namespace coaster::script

@@ -14,8 +14,8 @@ struct Singular {
   double least = 0, most = 0;
 };
 
-// Bounds of the singular values of two rows by Gershgorin's discs; exact when the rows are perpendicular and of equal length, as those of square
-// pixels are.
+// Bounds of the singular values of two rows by Gershgorin's discs; exact when the rows are perpendicular and of equal
+// length, as those of square pixels are.
 Singular singular_values(dvec3 a, dvec3 b) {
   const double aa = glm::dot(a, a), bb = glm::dot(b, b), ab = std::abs(glm::dot(a, b));
   return {std::sqrt(std::max(std::min(aa, bb) - ab, 0.0)), std::sqrt(std::max(aa, bb) + ab)};
@@ -54,7 +54,8 @@ void Beam::set_coarse() {
   const double volume = glm::dot(across, w);  // 0 when the three have no common zero: no eye
   if (!(volume * volume > 1e-18 * glm::dot(u, u) * glm::dot(v, v)) || !std::isfinite(volume)) return;
   const double inverse = 1 / volume;
-  const dvec3 eye = -inverse * (u_.w * glm::cross(v, w) + v_.w * glm::cross(w, u) + w_.w * across), forward = inverse * across;
+  const dvec3 eye = -inverse * (u_.w * glm::cross(v, w) + v_.w * glm::cross(w, u) + w_.w * across),
+              forward = inverse * across;
   const Singular pixels = singular_values(u - glm::dot(u, w) * w, v - glm::dot(v, w) * w);
   if (!(pixels.least > 1e-3)) return;
   Coarse& c = coarse_;

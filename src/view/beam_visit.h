@@ -1,4 +1,5 @@
-// The walk through a segment tree: four boxes or four chords at a time in float, never missing what double would find. Included by beam.h.
+// The walk through a segment tree: four boxes or four chords at a time in float, never missing what double would find.
+// Included by beam.h.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +20,8 @@ template <class Do>
 // What the test of boxes needs of a beam, four times side by side.
 struct BoxSweep {
   Four inverse[3], size[3], at_eye[3], depth[3], wider_at_eye;
-  int near_side[3], far_side[3];  // which of a node's six rows the line of sight meets first and last, and the deepest of the axis
+  int near_side[3],
+      far_side[3];  // which of a node's six rows the line of sight meets first and last, and the deepest of the axis
   int deep_side[3];
 
   // `slope`: metres that the beam's radius grows by a metre of depth.
@@ -34,8 +36,8 @@ struct BoxSweep {
   }
 };
 
-// Bit i: box i of the node may hold a point that is seen within the limit, since the line of sight passes it once it is wider by the beam's radius
-// at its far end.
+// Bit i: box i of the node may hold a point that is seen within the limit, since the line of sight passes it once it is
+// wider by the beam's radius at its far end.
 [[gnu::always_inline]] inline unsigned boxes_met(const sim::TreeNode& node, const BoxSweep& beam) {
   const auto row = [&node](int i) { return load(node.bounds[static_cast<std::size_t>(i)]); };
   Four wider = beam.wider_at_eye, near_end = all(0), far_end = all(3e38f);
@@ -48,9 +50,10 @@ struct BoxSweep {
   return bits_of(near_end <= far_end) & bits_of(wider > all(0)) & node.lanes;
 }
 
-// The same for the segments of a block, by their chords as the eye sees them and their radii about these. `closeness`: for each lane, what the
-// square of the distance on screen is about proportional to.
-[[gnu::always_inline]] inline unsigned chords_met(const sim::SegmentBlock& block, const Beam::Coarse& beam, float slope, sim::FourFloats& closeness) {
+// The same for the segments of a block, by their chords as the eye sees them and their radii about these. `closeness`:
+// for each lane, what the square of the distance on screen is about proportional to.
+[[gnu::always_inline]] inline unsigned chords_met(const sim::SegmentBlock& block, const Beam::Coarse& beam, float slope,
+                                                  sim::FourFloats& closeness) {
   Four from_u = all(0), from_v = all(0), from_w = all(0), to_u = all(0), to_v = all(0), to_w = all(0);
   each_axis([&](int a) {
     const Four from = load(block.from[a]) - all(beam.eye[a]), to = load(block.to[a]) - all(beam.eye[a]);
@@ -61,7 +64,9 @@ struct BoxSweep {
   const Four share = least(greatest(-(from_u * along_u + from_v * along_v) / (square + all(1e-30f)), all(0)), all(1));
   const Four off_u = from_u + share * along_u, off_v = from_v + share * along_v, off = off_u * off_u + off_v * off_v;
   const Four depth = greatest(from_w, to_w), radius = load(block.radius);
-  const Four rounding = all(2e-6f) * (size(from_u) + size(from_v) + size(from_w) + size(to_u) + size(to_v) + size(to_w)) + all(beam.rounding * beam.stretch);
+  const Four rounding =
+      all(2e-6f) * (size(from_u) + size(from_v) + size(from_w) + size(to_u) + size(to_v) + size(to_w)) +
+      all(beam.rounding * beam.stretch);
   const Four reach = all(slope) * (depth + radius) + radius * all(beam.stretch) + rounding;
   store(off / (depth * depth + all(1e-30f)), closeness);
   return bits_of(off <= reach * reach) & bits_of(depth + radius + rounding > all(0)) & ((1u << block.count) - 1);
@@ -97,14 +102,17 @@ std::size_t visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit lim
   if (tree.nodes.empty() || !beam.has_eye()) return 0;
   const Beam::Coarse& coarse = beam.coarse();
   // Metres that the reach has at depth 1; with what float makes of sums of some terms.
-  const auto slope_of = [&] { return static_cast<float>(std::min(limit() / coarse.least_pixels, 1e6) * 1.000001 + 4e-6); };
+  const auto slope_of = [&] {
+    return static_cast<float>(std::min(limit() / coarse.least_pixels, 1e6) * 1.000001 + 4e-6);
+  };
   float slope = slope_of();
   BoxSweep sweep(coarse, slope);
   Waiting waiting;
   const auto look_at_waiting = [&] {
     while (!waiting.empty()) visit(waiting.next());
   };
-  // Several nodes are tested before their children are looked at: the processor does them at once, where one alone would wait for its sums.
+  // Several nodes are tested before their children are looked at: the processor does them at once, where one alone
+  // would wait for its sums.
   constexpr std::size_t kAtOnce = 4;
   std::array<std::int32_t, kAtOnce*(3 * sim::kMaxTreeDepth + 4)> nodes;
   std::array<std::int32_t, 4 * kAtOnce + 4> blocks;

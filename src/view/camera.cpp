@@ -1,5 +1,5 @@
-// Matrices, rays and projections of eyes; how far off to stand to see a box. Not how an eye follows a train (camera_rig.cpp) and nothing
-// that draws.
+// Matrices, rays and projections of eyes; how far off to stand to see a box. Not how an eye follows a train
+// (camera_rig.cpp) and nothing that draws.
 #include "view/camera.h"
 
 #include <algorithm>
@@ -16,11 +16,11 @@
 namespace coaster::view {
 namespace {
 
-constexpr float kNearPlane = 0.2f;       // m
-constexpr float kFarPlane = 20'000.0f;   // m, at least; more when standing further off
-constexpr float kMargin = 1.1f;          // framed things keep a tenth of the picture free
-constexpr float kNearest = 2.0f;         // m, the nearest that framing goes
-constexpr float kFurthest = 1e5f;        // m, for intersections
+constexpr float kNearPlane = 0.2f;      // m
+constexpr float kFarPlane = 20'000.0f;  // m, at least; more when standing further off
+constexpr float kMargin = 1.1f;         // framed things keep a tenth of the picture free
+constexpr float kNearest = 2.0f;        // m, the nearest that framing goes
+constexpr float kFurthest = 1e5f;       // m, for intersections
 
 Viewport with_area(Viewport v) {
   if (!(v.width >= 1)) v.width = 1;
@@ -41,11 +41,15 @@ View view_of(const Eye& eye, Viewport viewport) {
   out.viewport = with_area(viewport);
   out.eye = glm::vec3(eye.position);
   // From the direction itself: eye + forward would lose it to rounding when the eye is kilometres off.
-  const glm::dvec3 f = glm::normalize(eye.forward), r = glm::normalize(glm::cross(f, eye.up)), u = glm::cross(r, f), e(out.eye);
-  out.view = glm::mat4(glm::dmat4(r.x, u.x, -f.x, 0, r.y, u.y, -f.y, 0, r.z, u.z, -f.z, 0, -glm::dot(r, e), -glm::dot(u, e), glm::dot(f, e), 1));
+  const glm::dvec3 f = glm::normalize(eye.forward), r = glm::normalize(glm::cross(f, eye.up)), u = glm::cross(r, f),
+                   e(out.eye);
+  out.view = glm::mat4(glm::dmat4(r.x, u.x, -f.x, 0, r.y, u.y, -f.y, 0, r.z, u.z, -f.z, 0, -glm::dot(r, e),
+                                  -glm::dot(u, e), glm::dot(f, e), 1));
   // The near plane moves out with the scale of what is looked at, so that depth stays precise over a large track.
-  const float far_off = static_cast<float>(eye.far_off), near_plane = std::max(kNearPlane, far_off * 2e-3f), far_plane = std::max(kFarPlane, far_off * 4.0f);
-  const float fov = glm::radians(std::clamp(static_cast<float>(eye.field_of_view_deg), world::kMinFieldOfView, world::kMaxFieldOfView));
+  const float far_off = static_cast<float>(eye.far_off), near_plane = std::max(kNearPlane, far_off * 2e-3f),
+              far_plane = std::max(kFarPlane, far_off * 4.0f);
+  const float fov = glm::radians(
+      std::clamp(static_cast<float>(eye.field_of_view_deg), world::kMinFieldOfView, world::kMaxFieldOfView));
   out.projection = glm::perspectiveRH_NO(fov, out.viewport.width / out.viewport.height, near_plane, far_plane);
   return out;
 }
@@ -60,12 +64,14 @@ Eye orbit_eye(const world::Camera& camera) {
   if (eye.y == kLowestEye && glm::distance(camera.target, eye) > 1e-4f) forward = glm::normalize(camera.target - eye);
   // From a raised eye the target can be straight below: then what the yaw calls ahead is up in the picture.
   const float yaw = glm::radians(camera.yaw_deg);
-  const glm::vec3 up = std::abs(forward.y) > 0.99999f ? glm::vec3(-std::sin(yaw), 0, -std::cos(yaw)) : glm::vec3(0, 1, 0);
+  const glm::vec3 up =
+      std::abs(forward.y) > 0.99999f ? glm::vec3(-std::sin(yaw), 0, -std::cos(yaw)) : glm::vec3(0, 1, 0);
   return {eye, forward, up, camera.field_of_view_deg, distance};
 }
 
 Eye fly_eye(const world::FlyCamera& fly, float field_of_view_deg) {
-  const glm::vec3 forward = -towards_eye(fly.yaw_deg, -fly.pitch_deg), eye(fly.eye.x, std::max(fly.eye.y, world::kLowestFlight), fly.eye.z);
+  const glm::vec3 forward = -towards_eye(fly.yaw_deg, -fly.pitch_deg),
+                  eye(fly.eye.x, std::max(fly.eye.y, world::kLowestFlight), fly.eye.z);
   return {eye, forward, {0, 1, 0}, field_of_view_deg, 0};
 }
 
@@ -75,7 +81,9 @@ Eye ride_eye(const sim::Pose& pose, float field_of_view_deg) {
 }
 
 View orbit_view(const world::Camera& camera, Viewport viewport) { return view_of(orbit_eye(camera), viewport); }
-View ride_view(const sim::Pose& pose, Viewport viewport) { return view_of(ride_eye(pose, world::Camera{}.field_of_view_deg), viewport); }
+View ride_view(const sim::Pose& pose, Viewport viewport) {
+  return view_of(ride_eye(pose, world::Camera{}.field_of_view_deg), viewport);
+}
 
 world::FlyCamera fly_from(const View& view) {
   const glm::vec3 forward = line_of_sight(view), up(view.view[0][1], view.view[1][1], view.view[2][1]);
@@ -128,11 +136,14 @@ world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3>
   world::Camera out = from;
   const glm::vec3 back = towards_eye(from.yaw_deg, from.pitch_deg);
   const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back)), up = glm::cross(back, right);
-  const float tan_y = std::tan(glm::radians(from.field_of_view_deg) * 0.5f) / kMargin, tan_x = tan_y * viewport.width / viewport.height;
-  // A point at x across and b towards the eye is in sight of an eye at x0, d when |x - x0| <= (d - b) tan. The largest x + b tan and
-  // -x + b tan of all points give the nearest eye that sees them all, and where it stands; the same for y.
+  const float tan_y = std::tan(glm::radians(from.field_of_view_deg) * 0.5f) / kMargin,
+              tan_x = tan_y * viewport.width / viewport.height;
+  // A point at x across and b towards the eye is in sight of an eye at x0, d when |x - x0| <= (d - b) tan. The largest
+  // x + b tan and -x + b tan of all points give the nearest eye that sees them all, and where it stands; the same for
+  // y.
   constexpr float kLowest = std::numeric_limits<float>::lowest();
-  float right_most = kLowest, left_most = kLowest, top = kLowest, bottom = kLowest, nearest = kLowest, furthest = kLowest;
+  float right_most = kLowest, left_most = kLowest, top = kLowest, bottom = kLowest, nearest = kLowest,
+        furthest = kLowest;
   for (const glm::vec3 p : points) {
     const float x = glm::dot(p, right), y = glm::dot(p, up), b = glm::dot(p, back);
     right_most = std::max(right_most, x + b * tan_x), left_most = std::max(left_most, -x + b * tan_x);
@@ -158,7 +169,8 @@ world::Camera frame_all(const world::Camera& from, const world::Document& docume
   // Track has a body, and a lone knot should not fill the picture.
   std::vector<glm::vec3> points;
   const auto add = [&](glm::vec3 p) {
-    for (const glm::vec3 by : {glm::vec3(1, 1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1)}) points.push_back(p + by);
+    for (const glm::vec3 by : {glm::vec3(1, 1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1)})
+      points.push_back(p + by);
   };
   for (const world::Entity e : document.track.knots) add(world::knot(document, e).position);
   // Sampled, as the control points can reach far beyond the curve.
@@ -169,10 +181,12 @@ world::Camera frame_all(const world::Camera& from, const world::Document& docume
   return frame_points(from, points, viewport);
 }
 
-world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity, Viewport viewport) {
+world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity,
+                           Viewport viewport) {
   if (const world::Knot* const knot = document.entities.find<world::Knot>(entity)) {
     const glm::vec3 p = knot->position, in = world::in_handle(*knot), out = world::out_handle(*knot);
-    return frame_box(from, glm::min(glm::min(in, out), p) - glm::vec3(1), glm::max(glm::max(in, out), p) + glm::vec3(1), viewport);
+    return frame_box(from, glm::min(glm::min(in, out), p) - glm::vec3(1), glm::max(glm::max(in, out), p) + glm::vec3(1),
+                     viewport);
   }
   if (const world::Cart* const cart = document.entities.find<world::Cart>(entity)) entity = cart->segment;
   if (!document.entities.find<world::Segment>(entity)) return frame_all(from, document, viewport);

@@ -6,8 +6,8 @@
 
 #include <glm/glm.hpp>
 
-#include "sim/shape/derived.h"
 #include "sim/ride/ride.h"
+#include "sim/shape/derived.h"
 #include "world/settings.h"
 
 namespace coaster::view {
@@ -33,10 +33,10 @@ struct Ray {
 
 // Where a picture is taken from, whatever its size.
 struct Eye {
-  glm::dvec3 position{0, 5, 80};                  // m, at least kLowestEye over the ground
-  glm::dvec3 forward{0, 0, -1}, up{0, 1, 0};      // unit; `up` need not be perpendicular to `forward`, only not along it
-  double field_of_view_deg = 45;                  // vertical
-  double far_off = 0;                             // m, of what is looked at: the near plane moves out with it
+  glm::dvec3 position{0, 5, 80};              // m, at least kLowestEye over the ground
+  glm::dvec3 forward{0, 0, -1}, up{0, 1, 0};  // unit; `up` need not be perpendicular to `forward`, only not along it
+  double field_of_view_deg = 45;              // vertical
+  double far_off = 0;                         // m, of what is looked at: the near plane moves out with it
 };
 inline constexpr float kLowestEye = 0.3f;  // m over the ground plane y = 0
 inline constexpr float kRiderEye = 1.1f;   // m over the rails
@@ -64,12 +64,14 @@ std::optional<glm::vec3> meet_plane(const Ray& ray, glm::vec3 point, glm::vec3 n
 // Height (y) on the vertical line through `point` that is nearest to the ray.
 std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point);
 
-// The nearest camera with the same yaw and pitch that shows all points (at least one) with some margin at the viewport's aspect.
+// The nearest camera with the same yaw and pitch that shows all points (at least one) with some margin at the
+// viewport's aspect.
 world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3> points, Viewport viewport);
 // The same for a box.
 world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport);
 // The same for the whole track (an empty one: 40 m about the origin) or for one entity.
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport);
-world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity, Viewport viewport);
+world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity,
+                           Viewport viewport);
 
 }  // namespace coaster::view

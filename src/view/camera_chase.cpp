@@ -1,4 +1,5 @@
-// The eye behind a train: upright, at a fixed distance from the train's middle, on the damped heading, out of the ground and off the track.
+// The eye behind a train: upright, at a fixed distance from the train's middle, on the damped heading, out of the
+// ground and off the track.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,15 +12,16 @@ namespace {
 using glm::dvec3;
 
 constexpr double kChaseHeadingLag = 0.55, kElevationLag = 0.7, kAsideLag = 0.2;  // s
-constexpr double kLookOver = 0.9;         // m over the rails
-constexpr double kElevation = 0.30;       // rad over the horizon on the flat; less uphill, more downhill, to see it over a crest
+constexpr double kLookOver = 0.9;                                                // m over the rails
+constexpr double kElevation =
+    0.30;  // rad over the horizon on the flat; less uphill, more downhill, to see it over a crest
 constexpr double kBySlope = 0.5, kLowest = 0.10, kHighest = 0.95;
-constexpr double kBeside = 0.26;          // rad to the train's left: its side shows, and the rails do not hide it
-constexpr double kBesideOver = 0.6;       // rad more while it is upside down: a loop is seen from its side
-constexpr double kPerTrain = 0.6;         // m further off for each metre of train
-constexpr double kOverGround = 1.2;       // m
-constexpr double kClear = 2.4;            // m from the track that the eye keeps where it can
-constexpr double kSightClear = 1.3;       // m from the track that the line of sight keeps at its first half
+constexpr double kBeside = 0.26;     // rad to the train's left: its side shows, and the rails do not hide it
+constexpr double kBesideOver = 0.6;  // rad more while it is upside down: a loop is seen from its side
+constexpr double kPerTrain = 0.6;    // m further off for each metre of train
+constexpr double kOverGround = 1.2;  // m
+constexpr double kClear = 2.4;       // m from the track that the eye keeps where it can
+constexpr double kSightClear = 1.3;  // m from the track that the line of sight keeps at its first half
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double elevation_of(const Ridden& ridden) {
@@ -27,14 +29,18 @@ double elevation_of(const Ridden& ridden) {
   return std::clamp(kElevation - kBySlope * slope, kLowest, kHighest);
 }
 
-double beside_of(const Ridden& ridden) { return kBeside + kBesideOver * 0.5 * std::clamp(1 - ridden.middle.frame.up.y - 0.6, 0.0, 1.4); }
+double beside_of(const Ridden& ridden) {
+  return kBeside + kBesideOver * 0.5 * std::clamp(1 - ridden.middle.frame.up.y - 0.6, 0.0, 1.4);
+}
 
 dvec3 looked_at(const Ridden& ridden) { return ridden.middle.position + dvec3(0, kLookOver, 0); }
 
 dvec3 place(const CameraRig& rig, const Watched& w, const Ridden& ridden) {
   const dvec3 ahead = rig.heading.direction(), left = glm::cross(dvec3(0, 1, 0), ahead);
-  const double distance = w.settings.feel.chase_distance + kPerTrain * ridden.length, e = rig.elevation.value, b = rig.beside.value;
-  dvec3 eye = looked_at(ridden) + distance * (std::cos(e) * (std::sin(b) * left - std::cos(b) * ahead) + dvec3(0, std::sin(e), 0));
+  const double distance = w.settings.feel.chase_distance + kPerTrain * ridden.length, e = rig.elevation.value,
+               b = rig.beside.value;
+  dvec3 eye = looked_at(ridden) +
+              distance * (std::cos(e) * (std::sin(b) * left - std::cos(b) * ahead) + dvec3(0, std::sin(e), 0));
   eye.y = std::max(eye.y, kOverGround);
   return eye;
 }
@@ -46,7 +52,8 @@ dvec3 step_aside(const Watched& w, const dvec3& from, double clear) {
   return (clear - near.distance) * (near.distance > 1e-3 ? (from - near.point) / near.distance : dvec3(0, 1, 0));
 }
 
-// By how much the eye would have to move to be off the track and to see the train past it; a few steps away from what is nearest.
+// By how much the eye would have to move to be off the track and to see the train past it; a few steps away from what
+// is nearest.
 dvec3 way_out(const Watched& w, const dvec3& from, const dvec3& aside, const dvec3& to) {
   // From halfway to where it has already stepped: the way out goes on to the same side.
   dvec3 at = from + 0.5 * aside;
@@ -79,9 +86,11 @@ NearTrack nearest_track(const sim::Derived& derived, dvec3 from, double reach) {
     dvec3 last = curve::point(shape.key.cubic, 0.0);
     for (int i = 1; i <= steps; ++i) {
       const dvec3 next = curve::point(shape.key.cubic, static_cast<double>(i) / steps), chord = next - last;
-      const double square = glm::dot(chord, chord), t = square > 0 ? std::clamp(glm::dot(from - last, chord) / square, 0.0, 1.0) : 0.0;
+      const double square = glm::dot(chord, chord),
+                   t = square > 0 ? std::clamp(glm::dot(from - last, chord) / square, 0.0, 1.0) : 0.0;
       const dvec3 point = last + t * chord, off = from - point;
-      if (const double squared = glm::dot(off, off); squared < best_squared) best_squared = squared, best = {std::sqrt(squared), point};
+      if (const double squared = glm::dot(off, off); squared < best_squared)
+        best_squared = squared, best = {std::sqrt(squared), point};
       last = next;
     }
   }

@@ -9,13 +9,13 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kRiderHeadingLag = 0.5;        // s
-constexpr double kWideningLag = 0.8;       // s
-constexpr double kWideSpeed = 30;          // m/s, at which the view has widened by the setting
-constexpr double kSteepest = 0.8;          // rad, of the calm view's pitch
-constexpr double kBobLag = 0.12;           // s, of the neck
+constexpr double kRiderHeadingLag = 0.5;                           // s
+constexpr double kWideningLag = 0.8;                               // s
+constexpr double kWideSpeed = 30;                                  // m/s, at which the view has widened by the setting
+constexpr double kSteepest = 0.8;                                  // rad, of the calm view's pitch
+constexpr double kBobLag = 0.12;                                   // s, of the neck
 constexpr double kBobUp = 0.02, kBobSide = 0.03, kMostBob = 0.07;  // m per g, m per g, m
-constexpr double kRumble = 0.003;          // m at 20 m/s
+constexpr double kRumble = 0.003;                                  // m at 20 m/s
 constexpr double kPi = 3.14159265358979323846;
 
 double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
@@ -29,7 +29,8 @@ dvec3 carried(const dvec3& v, const dvec3& from, const dvec3& to) {
 }
 
 dvec3 turned(const dvec3& v, const dvec3& about, double angle) {
-  return v * std::cos(angle) + glm::cross(about, v) * std::sin(angle) + about * (glm::dot(about, v) * (1 - std::cos(angle)));
+  return v * std::cos(angle) + glm::cross(about, v) * std::sin(angle) +
+         about * (glm::dot(about, v) * (1 - std::cos(angle)));
 }
 
 // Where the head goes: against g, and a little with the rails. The distance travelled is the only clock.
@@ -37,7 +38,8 @@ dvec3 bob_of(const Watched& w, const Ridden& ridden) {
   const sim::Felt g = sim::felt(w.document, w.derived, ridden.cart, ridden.motion);
   const double shake = kRumble * std::min(std::abs(ridden.motion.speed) / 20, 1.5), d = ridden.motion.travelled;
   const auto part = [](double metres) { return std::isfinite(metres) ? std::clamp(metres, -kMostBob, kMostBob) : 0.0; };
-  return {0, part(kBobUp * (1 - g.up)) + shake * std::sin(2 * kPi * d / 3.1), part(-kBobSide * g.left) + shake * std::sin(2 * kPi * d / 4.7)};
+  return {0, part(kBobUp * (1 - g.up)) + shake * std::sin(2 * kPi * d / 3.1),
+          part(-kBobSide * g.left) + shake * std::sin(2 * kPi * d / 4.7)};
 }
 
 // The rider's up: carried along by the least rotation, then rolled after the track's.
@@ -72,9 +74,11 @@ void Heading::settle(const curve::Frame& frame) {
 }
 
 void Heading::follow(const curve::Frame& frame, double lag, double dt) {
-  constexpr double kUpright = 0.2, kVague = 0.15, kClear = 0.6;  // of up's height; of the tangent's length over the ground
+  constexpr double kUpright = 0.2, kVague = 0.15,
+                   kClear = 0.6;  // of up's height; of the tangent's length over the ground
   const dvec3 f = frame.forward;
-  const double flat = std::sqrt(f.x * f.x + f.z * f.z), part = std::clamp((flat - kVague) / (kClear - kVague), 0.0, 1.0);
+  const double flat = std::sqrt(f.x * f.x + f.z * f.z),
+               part = std::clamp((flat - kVague) / (kClear - kVague), 0.0, 1.0);
   double off = flat > 1e-9 ? wrapped(std::atan2(-f.x, -f.z) - yaw) : 0.0;
   if (frame.up.y < kUpright && std::cos(off) < 0) off = wrapped(off + kPi);
   const double k = 2 / lag;
@@ -98,12 +102,15 @@ Eye ride(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
   const curve::Frame& frame = ridden.front.frame;
   roll_after(rig, frame, feel.roll_damping, dt);
   rig.heading.follow(frame, kRiderHeadingLag, dt);
-  rig.widening.approach(feel.reduced_motion ? 0.0 : feel.widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed), kWideningLag, dt);
+  rig.widening.approach(
+      feel.reduced_motion ? 0.0 : feel.widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed),
+      kWideningLag, dt);
   rig.bob.approach(feel.head_bob && !feel.reduced_motion ? bob_of(w, ridden) : dvec3(0), kBobLag, dt);
   Eye eye;
   eye.position = ridden.front.position + (kRiderEye + rig.bob.value.y) * frame.up + rig.bob.value.z * frame.left();
   eye.position.y = std::max(eye.position.y, static_cast<double>(kLowestEye));
-  eye.field_of_view_deg = std::min<double>(world::kMaxFieldOfView, feel.ride_view_deg + (feel.reduced_motion ? 0.0 : rig.widening.value));
+  eye.field_of_view_deg =
+      std::min<double>(world::kMaxFieldOfView, feel.ride_view_deg + (feel.reduced_motion ? 0.0 : rig.widening.value));
   eye.forward = frame.forward, eye.up = rig.up;
   if (feel.reduced_motion) {
     const double pitch = std::clamp(std::asin(std::clamp(frame.forward.y, -1.0, 1.0)), -kSteepest, kSteepest);

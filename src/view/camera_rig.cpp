@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-
-#include "sim/shape/frame_methods.h"
 #include "sim/ride/train.h"
+#include "sim/shape/frame_methods.h"
 
 namespace coaster::view {
 namespace {
@@ -41,13 +40,15 @@ dquat turn_of(const Eye& eye) {
 
 bool finite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 bool usable(const Eye& eye) {
-  return finite(eye.position) && finite(eye.forward) && finite(eye.up) && glm::length(glm::cross(eye.forward, eye.up)) > 1e-6;
+  return finite(eye.position) && finite(eye.forward) && finite(eye.up) &&
+         glm::length(glm::cross(eye.forward, eye.up)) > 1e-6;
 }
 
 // A train is where its motion took it, or somewhere else: reset, put there, or moved by an edit.
 bool leapt(const CameraRig& rig, const Ridden& ridden, int ticks) {
   constexpr double kSlack = 1.0;  // m, more than one edit of a drag moves it
-  return glm::distance(rig.anchor, ridden.front.position) > kSlack + 1.5 * std::abs(ridden.motion.speed) * ticks * world::kTick;
+  return glm::distance(rig.anchor, ridden.front.position) >
+         kSlack + 1.5 * std::abs(ridden.motion.speed) * ticks * world::kTick;
 }
 
 Eye with_train(CameraRig& rig, const Watched& w, int ticks, bool switched) {
@@ -111,7 +112,8 @@ bool steps(const CameraRig& rig) { return rig.mode == CameraMode::ride || rig.mo
 
 void follow(CameraRig& rig, const Watched& w, int ticks) {
   const CameraMode mode = shown_mode(w);
-  const bool reduced = w.settings.feel.reduced_motion, changed = !rig.begun || mode != rig.mode || reduced != rig.reduced;
+  const bool reduced = w.settings.feel.reduced_motion,
+             changed = !rig.begun || mode != rig.mode || reduced != rig.reduced;
   const Eye before = rig.eye;
   const bool switched = mode != rig.mode;
   rig.with_train = rig.with_train && (mode == CameraMode::ride || mode == CameraMode::chase);

@@ -1,4 +1,5 @@
-// Four floats side by side: one register of every x86-64 processor and of most others. What is picked never depends on which.
+// Four floats side by side: one register of every x86-64 processor and of most others. What is picked never depends on
+// which.
 #pragma once
 
 #include <array>

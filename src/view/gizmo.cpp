@@ -21,14 +21,17 @@ glm::vec3 axis(int i) {
   v[i] = 1;
   return v;
 }
-glm::vec3 along(const Gizmo& gizmo, float scale, int i, float px) { return gizmo.at + axis(i) * (px * scale / gizmo.metre_px); }
+glm::vec3 along(const Gizmo& gizmo, float scale, int i, float px) {
+  return gizmo.at + axis(i) * (px * scale / gizmo.metre_px);
+}
 glm::vec3 corner(const Gizmo& gizmo, float scale, int normal, float a, float b) {
   const int u = (normal + 1) % 3, v = (normal + 2) % 3;
   return gizmo.at + (axis(u) * a + axis(v) * b) * (scale / gizmo.metre_px);
 }
 std::array<glm::vec3, 4> square(const Gizmo& gizmo, float scale, int normal) {
   constexpr float n = kGizmoPlaneNear, f = kGizmoPlaneFar;
-  return {corner(gizmo, scale, normal, n, n), corner(gizmo, scale, normal, f, n), corner(gizmo, scale, normal, f, f), corner(gizmo, scale, normal, n, f)};
+  return {corner(gizmo, scale, normal, n, n), corner(gizmo, scale, normal, f, n), corner(gizmo, scale, normal, f, f),
+          corner(gizmo, scale, normal, n, f)};
 }
 
 double distance_to_segment(dvec2 p, dvec2 a, dvec2 b) {
@@ -56,7 +59,8 @@ PickKind plane_kind(int i) { return static_cast<PickKind>(static_cast<int>(PickK
 }  // namespace
 
 std::optional<Gizmo> gizmo_of(const world::Document& document, const world::Settings& settings, const View& view) {
-  if (!settings.show_gizmo || !settings.show_panels || settings.append_mode) return std::nullopt;  // clicks append beside it
+  if (!settings.show_gizmo || !settings.show_panels || settings.append_mode)
+    return std::nullopt;  // clicks append beside it
   const std::vector<world::Entity> knots = world::selected_knots(document, settings);
   if (knots.empty()) return std::nullopt;
   glm::dvec3 sum(0);
@@ -72,7 +76,8 @@ PickKind pick_gizmo(const Gizmo& gizmo, const View& view, float scale, glm::vec2
   PickKind best = PickKind::none;
   double least = static_cast<double>(kGizmoReach) * scale;
   for (int i = 0; i < 3; ++i) {
-    const auto from = projector(glm::dvec3(along(gizmo, scale, i, kGizmoGap))), to = projector(glm::dvec3(along(gizmo, scale, i, kGizmoLength)));
+    const auto from = projector(glm::dvec3(along(gizmo, scale, i, kGizmoGap))),
+               to = projector(glm::dvec3(along(gizmo, scale, i, kGizmoLength)));
     if (!from || !to || glm::length(*to - *from) < kFewest * scale) continue;
     const double distance = distance_to_segment(dvec2(pixel), *from, *to);
     if (distance < least) least = distance, best = axis_kind(i);
@@ -97,15 +102,19 @@ PickKind pick_gizmo(const Gizmo& gizmo, const View& view, float scale, glm::vec2
 
 glm::vec3 gizmo_place(const Gizmo& gizmo, float scale, PickKind kind) {
   constexpr float kOnArrow = 0.82f * kGizmoLength, kOnSquare = (kGizmoPlaneNear + kGizmoPlaneFar) / 2;
-  return is_axis(kind) ? along(gizmo, scale, gizmo_axis(kind), kOnArrow) : corner(gizmo, scale, gizmo_axis(kind), kOnSquare, kOnSquare);
+  return is_axis(kind) ? along(gizmo, scale, gizmo_axis(kind), kOnArrow)
+                       : corner(gizmo, scale, gizmo_axis(kind), kOnSquare, kOnSquare);
 }
 
 void add_gizmo(const Gizmo& gizmo, const View& view, float scale, PickKind hovered, Overlay& overlay) {
   const Projector projector(view);
   for (int i = 0; i < 3; ++i) {
-    const std::uint32_t colour = hovered == plane_kind(i) ? kHovered : faded(kColours[static_cast<std::size_t>(i)], 0xb0);
+    const std::uint32_t colour =
+        hovered == plane_kind(i) ? kHovered : faded(kColours[static_cast<std::size_t>(i)], 0xb0);
     const auto corners = square(gizmo, scale, i);
-    for (std::size_t k = 0; k < 4; ++k) overlay.lines.push_back({corners[k], corners[(k + 1) % 4], (hovered == plane_kind(i) ? 3.0f : 2.0f) * scale, colour});
+    for (std::size_t k = 0; k < 4; ++k)
+      overlay.lines.push_back(
+          {corners[k], corners[(k + 1) % 4], (hovered == plane_kind(i) ? 3.0f : 2.0f) * scale, colour});
   }
   for (int i = 0; i < 3; ++i) {
     const glm::vec3 from = along(gizmo, scale, i, kGizmoGap), to = along(gizmo, scale, i, kGizmoLength);

@@ -1,4 +1,5 @@
-// The arrows and squares at the selected knots that move them along one axis or in one plane. Constant in size on the screen.
+// The arrows and squares at the selected knots that move them along one axis or in one plane. Constant in size on the
+// screen.
 #pragma once
 
 #include <array>
@@ -18,11 +19,12 @@ struct Gizmo {
   float metre_px = 1;  // pixels of a metre across the line of sight there
 };
 
-// Nothing when no knot is selected, the gizmo or all panels are hidden, clicks append, or its place is not in front of the eye.
+// Nothing when no knot is selected, the gizmo or all panels are hidden, clicks append, or its place is not in front of
+// the eye.
 std::optional<Gizmo> gizmo_of(const world::Document& document, const world::Settings& settings, const View& view);
 
-// The arrow (axis_x ..) or square (plane_x: normal to x ..) under a pixel, PickKind::none where there is none. Arrows that point at the eye
-// and squares seen from their edge cannot be picked.
+// The arrow (axis_x ..) or square (plane_x: normal to x ..) under a pixel, PickKind::none where there is none. Arrows
+// that point at the eye and squares seen from their edge cannot be picked.
 PickKind pick_gizmo(const Gizmo& gizmo, const View& view, float scale, glm::vec2 pixel);
 
 // A place on the part's mark, m: what scripts aim at. `kind` is one of its parts.

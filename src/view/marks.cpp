@@ -24,11 +24,13 @@ std::optional<glm::dvec2> Projector::operator()(glm::dvec3 world) const {
 
 std::vector<world::Entity> knots_with_handles(const world::Document& document, const world::Settings& settings) {
   if (document.entities.find<world::Knot>(settings.selected)) return {settings.selected};
-  if (const world::Segment* const s = document.entities.find<world::Segment>(settings.selected)) return {s->from, s->to};
+  if (const world::Segment* const s = document.entities.find<world::Segment>(settings.selected))
+    return {s->from, s->to};
   return {};
 }
 
-std::vector<PlacedMark> marks_on_screen(const world::Document& document, const world::Settings& settings, const View& view) {
+std::vector<PlacedMark> marks_on_screen(const world::Document& document, const world::Settings& settings,
+                                        const View& view) {
   const Projector projector(view);
   std::vector<PlacedMark> marks;
   const auto add = [&](PickKind kind, world::Entity knot, glm::vec3 position, std::size_t order) {
@@ -38,7 +40,8 @@ std::vector<PlacedMark> marks_on_screen(const world::Document& document, const w
     marks.push_back({kind, knot, position, *pixel, glm::dot(away, away), order});
   };
   const std::vector<world::Entity>& knots = document.track.knots;
-  for (std::size_t i = 0; i < knots.size(); ++i) add(PickKind::knot, knots[i], world::knot(document, knots[i]).position, i);
+  for (std::size_t i = 0; i < knots.size(); ++i)
+    add(PickKind::knot, knots[i], world::knot(document, knots[i]).position, i);
   for (const world::Entity e : knots_with_handles(document, settings)) {
     const world::Knot& knot = world::knot(document, e);
     const std::size_t order = 2 * world::index_of(knots, e).value_or(0);

@@ -25,12 +25,13 @@ struct PlacedMark {
   world::Entity knot;
   glm::vec3 position{0};
   glm::dvec2 pixel{0};
-  double distance = 0;     // m^2, square of the distance from the eye
-  std::size_t order = 0;   // place in the track; the in-handle counts before the out-handle
+  double distance = 0;    // m^2, square of the distance from the eye
+  std::size_t order = 0;  // place in the track; the in-handle counts before the out-handle
 };
 
 // Knots, and the handles of the selection, in no special order.
-std::vector<PlacedMark> marks_on_screen(const world::Document& document, const world::Settings& settings, const View& view);
+std::vector<PlacedMark> marks_on_screen(const world::Document& document, const world::Settings& settings,
+                                        const View& view);
 
 // True when `a` is drawn over `b`: handles over knots, then the nearer one, then the earlier in the track.
 bool covers(const PlacedMark& a, const PlacedMark& b);

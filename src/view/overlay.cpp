@@ -14,13 +14,14 @@
 namespace coaster::view {
 namespace {
 
-constexpr std::uint32_t kKnotColour = 0xffffffff, kSelectedColour = 0xff8a1fff, kAlsoColour = 0xffc08aff, kHandleColour = 0xf2b84bff, kHandleHovered = 0xffdc96ff;
+constexpr std::uint32_t kKnotColour = 0xffffffff, kSelectedColour = 0xff8a1fff, kAlsoColour = 0xffc08aff,
+                        kHandleColour = 0xf2b84bff, kHandleHovered = 0xffdc96ff;
 constexpr std::uint32_t kPolygonColour = 0xf2b84bff, kPlaceColour = 0xff8a1fff, kHoveredPlaceColour = 0xffffffff;
 constexpr std::uint32_t kFailureColour = 0xd7263dff;
 constexpr double kFailureHeight = 1.6;  // m over the rails: over the cart
 constexpr float kHoveredGrowth = 1.35f;
-constexpr float kPlaceRadius = 4.5f;   // px
-constexpr float kLineWidth = 1.5f;     // px
+constexpr float kPlaceRadius = 4.5f;  // px
+constexpr float kLineWidth = 1.5f;    // px
 
 // Segments whose control polygon shows: the selected one, or those at the selected knot.
 std::vector<world::Entity> shown_segments(const world::Document& document, world::Entity selected) {
@@ -61,25 +62,32 @@ Mark mark_of(const PlacedMark& placed, const world::Settings& settings, const Pi
   const float growth = (under_cursor ? kHoveredGrowth : 1.0f) * settings.ui_scale;
   if (placed.kind != PickKind::knot)
     return {placed.position, kHandleHalf * growth, under_cursor ? kHandleHovered : kHandleColour, MarkShape::square};
-  return {placed.position, kKnotRadius * growth, placed.knot == settings.selected ? kSelectedColour : world::is_selected(settings, placed.knot) ? kAlsoColour : kKnotColour, MarkShape::disc};
+  return {placed.position, kKnotRadius * growth,
+          placed.knot == settings.selected            ? kSelectedColour
+          : world::is_selected(settings, placed.knot) ? kAlsoColour
+                                                      : kKnotColour,
+          MarkShape::disc};
 }
 
 // A red disc with a cross over the rails.
-void add_failure(const sim::Derived& derived, const world::Failure& failure, const View& view, float scale, Overlay& overlay) {
+void add_failure(const sim::Derived& derived, const world::Failure& failure, const View& view, float scale,
+                 Overlay& overlay) {
   if (failure.kind == world::FailureKind::none || derived.order.empty()) return;
   const sim::TrackPlace place = sim::place_at(derived, failure.distance);
   const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
-  const glm::dvec3 at = curve::point(shape.key.cubic, shape.arc.parameter(place.s)) + kFailureHeight * sim::frame_at(shape, place.s).up;
+  const glm::dvec3 at =
+      curve::point(shape.key.cubic, shape.arc.parameter(place.s)) + kFailureHeight * sim::frame_at(shape, place.s).up;
   std::array<glm::dvec2, 14> cross;
   for (int i = 0; i < 7; ++i)
-    for (const int side : {0, 1}) cross[static_cast<std::size_t>(2 * i + side)] = 1.35 * (i - 3) * glm::dvec2(1, 2 * side - 1);
+    for (const int side : {0, 1})
+      cross[static_cast<std::size_t>(2 * i + side)] = 1.35 * (i - 3) * glm::dvec2(1, 2 * side - 1);
   add_sign(at, kFailureColour, cross, view, scale, overlay);
 }
 
 }  // namespace
 
-Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,
-                      const Pick& hovered, const Findings& findings) {
+Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+                      const View& view, const Pick& hovered, const Findings& findings) {
   Overlay overlay;
   add_laboratory(document, derived, settings, view, findings, overlay);
   const float scale = settings.ui_scale;
@@ -87,14 +95,18 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   add_polygons(document, settings, overlay);
   // Places on the curve cannot be picked as marks, so they lie under all that can.
   if (const sim::SegmentShape* const shape = derived.segments.find(settings.selected))
-    overlay.marks.push_back({glm::vec3(curve::point(shape->key.cubic, settings.selected_t)), kPlaceRadius * scale, kPlaceColour, MarkShape::disc});
+    overlay.marks.push_back({glm::vec3(curve::point(shape->key.cubic, settings.selected_t)), kPlaceRadius * scale,
+                             kPlaceColour, MarkShape::disc});
   if (hovered.kind == PickKind::curve)
     overlay.marks.push_back({hovered.position, kPlaceRadius * scale, kHoveredPlaceColour, MarkShape::disc});
-  if (const auto gizmo = gizmo_of(document, settings, view); gizmo && !findings.riding) add_gizmo(*gizmo, view, scale, hovered.kind, overlay);
+  if (const auto gizmo = gizmo_of(document, settings, view); gizmo && !findings.riding)
+    add_gizmo(*gizmo, view, scale, hovered.kind, overlay);
   std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
   std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
   for (const PlacedMark& placed : marks)
-    if ((!findings.riding && settings.layers.has(world::Layer::knots)) || world::is_selected(settings, placed.knot) || hovered == Pick{placed.kind, placed.knot}) overlay.marks.push_back(mark_of(placed, settings, hovered));
+    if ((!findings.riding && settings.layers.has(world::Layer::knots)) || world::is_selected(settings, placed.knot) ||
+        hovered == Pick{placed.kind, placed.knot})
+      overlay.marks.push_back(mark_of(placed, settings, hovered));
   add_failure(derived, findings.failure, view, scale, overlay);
   return overlay;
 }

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "sim/shape/frame_methods.h"
 #include "sim/study/element_room.h"
 #include "sim/study/envelope.h"
-#include "sim/shape/frame_methods.h"
 #include "view/pick.h"
 
 namespace coaster::view {
@@ -39,17 +39,19 @@ struct Overlay {
 
 // What was found out about the track and its ride, and is marked on it.
 struct Findings {
-  std::span<const sim::FrenetBreak> breaks;  // read for Layer::flips
-  std::span<const sim::RedSpan> spans;       // read for Layer::limits
-  std::span<const sim::Conflict> conflicts;  // read for Layer::conflicts
-  world::Failure failure;                    // of the ride; kind none: none
+  std::span<const sim::FrenetBreak> breaks;   // read for Layer::flips
+  std::span<const sim::RedSpan> spans;        // read for Layer::limits
+  std::span<const sim::Conflict> conflicts;   // read for Layer::conflicts
+  world::Failure failure;                     // of the ride; kind none: none
   const sim::ElementPlan* element = nullptr;  // of the palette, where it would go; null: not shown
   std::span<const sim::Narrow> narrow;        // parts of it that lack room
-  bool riding = false;                       // the eye goes with a running train: knots that are neither chosen nor under the cursor would hide the ride
+  bool riding = false;  // the eye goes with a running train: knots that are neither chosen nor under the cursor would
+                        // hide the ride
 };
 
-// Knots, handles of the selection, the control polygon of the selected segment (or of the segments at the selected knot), the picked
-// place, where the ride has failed; what is under the cursor is larger and brighter. Under them the laboratory's layers that are on.
+// Knots, handles of the selection, the control polygon of the selected segment (or of the segments at the selected
+// knot), the picked place, where the ride has failed; what is under the cursor is larger and brighter. Under them the
+// laboratory's layers that are on.
 Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
                       const View& view, const Pick& hovered, const Findings& findings = {});
 

@@ -42,7 +42,9 @@ class Sampler {
 struct Sketch {
   Overlay& overlay;
   float scale;
-  void line(dvec3 from, dvec3 to, float width_px, std::uint32_t rgba) const { overlay.lines.push_back({glm::vec3(from), glm::vec3(to), width_px * scale, rgba}); }
+  void line(dvec3 from, dvec3 to, float width_px, std::uint32_t rgba) const {
+    overlay.lines.push_back({glm::vec3(from), glm::vec3(to), width_px * scale, rgba});
+  }
   void rimmed(dvec3 from, dvec3 to, float width_px, std::uint32_t rgba) const {
     line(from, to, width_px + 2, kRimColour);
     line(from, to, width_px, rgba);
@@ -55,11 +57,17 @@ struct Shown {
 };
 
 std::uint32_t colour_at(const Shown& shown, const ElementPoint& p) {
-  const bool lacks_room = std::any_of(shown.narrow.begin(), shown.narrow.end(), [&](const sim::Narrow& part) { return part.from <= p.s && p.s <= part.to; });
-  return p.position.y < 0 ? kBuriedColour : lacks_room ? kNarrowColour : p.s < shown.plan.lead ? kLeadColour : kElementColour;
+  const bool lacks_room = std::any_of(shown.narrow.begin(), shown.narrow.end(),
+                                      [&](const sim::Narrow& part) { return part.from <= p.s && p.s <= part.to; });
+  return p.position.y < 0        ? kBuriedColour
+         : lacks_room            ? kNarrowColour
+         : p.s < shown.plan.lead ? kLeadColour
+                                 : kElementColour;
 }
 
-dvec3 rail(const ElementPoint& p, double side) { return p.position + (0.5 * side * sim::kGauge) * glm::cross(p.up, p.tangent); }
+dvec3 rail(const ElementPoint& p, double side) {
+  return p.position + (0.5 * side * sim::kGauge) * glm::cross(p.up, p.tangent);
+}
 
 // Rails in short lines, a tie at every other step, plumb lines.
 void add_rails(const Shown& shown, const Sketch& sketch) {
@@ -72,7 +80,8 @@ void add_rails(const Shown& shown, const Sketch& sketch) {
   for (int i = 1; i <= steps; ++i) {
     const ElementPoint here = sample(plan.length * i / steps);
     const std::uint32_t colour = colour_at(shown, here);
-    for (const double side : {-1.0, 1.0}) sketch.rimmed(rail(before, side), rail(here, side), 2.0f, faded(colour, 0xd0));
+    for (const double side : {-1.0, 1.0})
+      sketch.rimmed(rail(before, side), rail(here, side), 2.0f, faded(colour, 0xd0));
     if (i % 2 == 0) sketch.line(rail(here, -1), rail(here, 1), 1.25f, faded(colour, 0x70));
     if ((i % plumb == 0 || i == steps) && here.position.y > kLeastPlumb)
       sketch.line(here.position, {here.position.x, 0, here.position.z}, 1.0f, faded(colour, 0x50));
@@ -86,7 +95,8 @@ void add_dashes(const Shown& shown, const View& view, const Sketch& sketch) {
   const std::vector<ElementPoint>& points = plan.ideal.points;
   double px_per_metre = 0;
   const PixelScale scale(view);
-  for (std::size_t i = 0; i < points.size(); i += std::max<std::size_t>(1, points.size() / 32)) px_per_metre = std::max(px_per_metre, scale(points[i].position));
+  for (std::size_t i = 0; i < points.size(); i += std::max<std::size_t>(1, points.size() / 32))
+    px_per_metre = std::max(px_per_metre, scale(points[i].position));
   if (!(px_per_metre > 0)) return;
   const double wanted = std::exp2(std::ceil(std::log2(kDashPx * static_cast<double>(sketch.scale) / px_per_metre)));
   const double dash = std::max(wanted, plan.length / (2 * kMaxElementSteps));
@@ -99,13 +109,15 @@ void add_dashes(const Shown& shown, const View& view, const Sketch& sketch) {
 
 }  // namespace
 
-void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, const View& view, float scale, Overlay& overlay) {
+void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, const View& view, float scale,
+                 Overlay& overlay) {
   if (!plan.refusal.empty() || plan.ideal.points.size() < 2) return;
   const Sketch sketch{overlay, scale};
   add_rails({plan, narrow}, sketch);
   add_dashes({plan, narrow}, view, sketch);
   const ElementPoint& end = plan.ideal.points.back();
-  add_arrow(end.position, end.tangent, std::clamp(0.05 * plan.length, 3.0, 12.0), view, 3.0f * scale, kElementColour, overlay);
+  add_arrow(end.position, end.tangent, std::clamp(0.05 * plan.length, 3.0, 12.0), view, 3.0f * scale, kElementColour,
+            overlay);
   constexpr std::size_t kMostKnots = 400;
   const std::vector<world::Knot>& knots = plan.fit.knots;
   for (std::size_t k = 1; k < knots.size() && knots.size() <= kMostKnots; ++k) {

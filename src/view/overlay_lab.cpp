@@ -1,4 +1,5 @@
-// The pictures about one place or segment: construction, circle, rounding. Those along the track are in overlay_lab_track.cpp.
+// The pictures about one place or segment: construction, circle, rounding. Those along the track are in
+// overlay_lab_track.cpp.
 #include "view/overlay_lab.h"
 
 #include <algorithm>
@@ -14,10 +15,13 @@ namespace {
 
 constexpr double kMaxOffset = 1e4;  // m, of a magnified error
 
-void disc(glm::dvec3 at, float radius_px, std::uint32_t rgba, Overlay& overlay) { overlay.marks.push_back({glm::vec3(at), radius_px, rgba, MarkShape::disc}); }
+void disc(glm::dvec3 at, float radius_px, std::uint32_t rgba, Overlay& overlay) {
+  overlay.marks.push_back({glm::vec3(at), radius_px, rgba, MarkShape::disc});
+}
 
 // Segments whose rounding shows, at most as many as have kMaxRoundingVertices together.
-std::vector<world::Entity> rounded_segments(const world::Document& document, const sim::Derived& derived, const world::Settings& settings) {
+std::vector<world::Entity> rounded_segments(const world::Document& document, const sim::Derived& derived,
+                                            const world::Settings& settings) {
   const world::Entity selected = settings.selected;
   if (document.entities.find<world::Segment>(selected)) return {selected};
   std::vector<world::Entity> out;
@@ -28,7 +32,8 @@ std::vector<world::Entity> rounded_segments(const world::Document& document, con
     return out;
   }
   const auto most = static_cast<std::size_t>(kMaxRoundingVertices / (settings.steps + 1));
-  out.assign(derived.order.begin(), derived.order.begin() + static_cast<std::ptrdiff_t>(std::min(most, derived.order.size())));
+  out.assign(derived.order.begin(),
+             derived.order.begin() + static_cast<std::ptrdiff_t>(std::min(most, derived.order.size())));
   return out;
 }
 
@@ -45,20 +50,23 @@ void add_rounding(const sim::SegmentShape& shape, const world::Settings& setting
     moved[i] = r.exact[i] + offset;
   }
   const std::size_t every = last / kWhiskers + 1;
-  for (std::size_t i = every; i < last; i += every) add_line(r.exact[i], moved[i], 1.0f * scale, faded(kRoundingColour, 0x60), overlay);
+  for (std::size_t i = every; i < last; i += every)
+    add_line(r.exact[i], moved[i], 1.0f * scale, faded(kRoundingColour, 0x60), overlay);
   for (std::size_t i = 0; i + 1 < last; ++i) add_line(moved[i], moved[i + 1], 1.75f * scale, kRoundingColour, overlay);
   add_line(moved[last - 1], moved[last], 3.0f * scale, kSeamColour, overlay);
   if (last > 1) disc(moved[last - 1], 3.5f * scale, kSeamColour, overlay);
 }
 
-// A layer's lines over a dark rim each, so that they read on sky, ground and rails alike; those in thousands go without.
+// A layer's lines over a dark rim each, so that they read on sky, ground and rails alike; those in thousands go
+// without.
 void append_rimmed(const Overlay& layer, float scale, Overlay& overlay) {
   constexpr std::size_t kFew = 2500;
   constexpr std::uint32_t kDiscRimColour = 0x1b1f2778;
   constexpr float kThin = 1.5f, kDiscRim = 2.0f;  // px at scale 1: rimmed from this width on, and wider by this
   if (layer.lines.size() <= kFew)
     for (const Line& one : layer.lines)
-      if (one.width_px >= kThin * scale && (one.rgba & 0xffu) == 0xffu) overlay.lines.push_back({one.from, one.to, one.width_px + kDiscRim * scale, kDiscRimColour});
+      if (one.width_px >= kThin * scale && (one.rgba & 0xffu) == 0xffu)
+        overlay.lines.push_back({one.from, one.to, one.width_px + kDiscRim * scale, kDiscRimColour});
   overlay.lines.insert(overlay.lines.end(), layer.lines.begin(), layer.lines.end());
   overlay.marks.insert(overlay.marks.end(), layer.marks.begin(), layer.marks.end());
 }
@@ -86,7 +94,9 @@ void add_circle(const sim::SegmentShape& shape, double t, float scale, Overlay& 
   glm::dvec3 before = touch;
   for (int i = 1; i <= kCircleSides; ++i) {
     const double angle = 2 * base::kPi * i / kCircleSides;
-    const glm::dvec3 at = i == kCircleSides ? touch : centre + radius * (std::sin(angle) * frame->tangent - std::cos(angle) * frame->normal);
+    const glm::dvec3 at = i == kCircleSides
+                              ? touch
+                              : centre + radius * (std::sin(angle) * frame->tangent - std::cos(angle) * frame->normal);
     add_line(before, at, 2.25f * scale, kCircleColour, overlay);
     before = at;
   }
@@ -94,12 +104,14 @@ void add_circle(const sim::SegmentShape& shape, double t, float scale, Overlay& 
   disc(centre, 3.0f * scale, kCircleColour, overlay);
 }
 
-void add_rounding(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, Overlay& overlay) {
-  for (const world::Entity e : rounded_segments(document, derived, settings)) add_rounding(derived.shape(e), settings, overlay);
+void add_rounding(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+                  Overlay& overlay) {
+  for (const world::Entity e : rounded_segments(document, derived, settings))
+    add_rounding(derived.shape(e), settings, overlay);
 }
 
-void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,
-                    const Findings& findings, Overlay& overlay) {
+void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+                    const View& view, const Findings& findings, Overlay& overlay) {
   using world::Layer;
   const float scale = settings.ui_scale;
   const sim::SegmentShape* const probed = derived.segments.find(settings.selected);
@@ -114,7 +126,8 @@ void add_laboratory(const world::Document& document, const sim::Derived& derived
   layer(Layer::frames, true, [&](Overlay& o) { add_frames(derived, settings, view, o); });
   layer(Layer::flips, true, [&](Overlay& o) { add_breaks(derived, findings.breaks, view, scale, o); });
   layer(Layer::limits, true, [&](Overlay& o) { add_spans(derived, findings.spans, scale, o); });
-  layer(Layer::conflicts, !findings.riding, [&](Overlay& o) { add_conflicts(derived, findings.conflicts, view, scale, o); });
+  layer(Layer::conflicts, !findings.riding,
+        [&](Overlay& o) { add_conflicts(derived, findings.conflicts, view, scale, o); });
   layer(Layer::rounding, true, [&](Overlay& o) { add_rounding(document, derived, settings, o); });
   layer(Layer::circle, probed != nullptr, [&](Overlay& o) { add_circle(*probed, t, scale, o); });
   layer(Layer::construction, probed != nullptr, [&](Overlay& o) { add_construction(*probed, t, view, scale, o); });

@@ -15,8 +15,10 @@ double PixelScale::operator()(glm::dvec3 at) const {
   return depth > 0 ? focal_px_ / depth : 0;
 }
 
-void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px, std::uint32_t rgba, Overlay& overlay) {
-  constexpr double kBarb = 0.3, kHalfWidth = 0.14, kAlong = 0.05;  // of the length; sine of the least angle to the line of sight
+void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px,
+               std::uint32_t rgba, Overlay& overlay) {
+  constexpr double kBarb = 0.3, kHalfWidth = 0.14,
+                   kAlong = 0.05;  // of the length; sine of the least angle to the line of sight
   const glm::dvec3 tip = from + length * direction;
   overlay.lines.push_back({glm::vec3(from), glm::vec3(tip), width_px, rgba});
   const glm::dvec3 side = glm::cross(direction, glm::dvec3(view.eye) - from);
@@ -27,18 +29,23 @@ void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View&
   overlay.lines.push_back({glm::vec3(tip), glm::vec3(back - out), width_px, rgba});
 }
 
-void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> glyph, const View& view, float scale, Overlay& overlay) {
+void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> glyph, const View& view, float scale,
+              Overlay& overlay) {
   constexpr std::uint32_t kInk = 0x1b1f27ff;
   const double px_per_metre = PixelScale(view)(at);
   if (!(px_per_metre > 0)) return;
   overlay.marks.push_back({glm::vec3(at), 11 * scale, rgba, MarkShape::disc});
   // Dots, since marks are drawn over lines.
-  const glm::dvec3 right(view.view[0][0], view.view[1][0], view.view[2][0]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  const glm::dvec3 right(view.view[0][0], view.view[1][0], view.view[2][0]),
+      up(view.view[0][1], view.view[1][1], view.view[2][1]);
   const double metres = static_cast<double>(scale) / px_per_metre;
-  for (const glm::dvec2 dot : glyph) overlay.marks.push_back({glm::vec3(at + metres * (dot.x * right + dot.y * up)), 1.5f * scale, kInk, MarkShape::disc});
+  for (const glm::dvec2 dot : glyph)
+    overlay.marks.push_back(
+        {glm::vec3(at + metres * (dot.x * right + dot.y * up)), 1.5f * scale, kInk, MarkShape::disc});
 }
 
-void add_band(const sim::Derived& derived, double from, double to, int pieces, float width_px, std::uint32_t rgba, Overlay& overlay) {
+void add_band(const sim::Derived& derived, double from, double to, int pieces, float width_px, std::uint32_t rgba,
+              Overlay& overlay) {
   constexpr double kOver = 0.35;  // m over the rails
   const auto at = [&](double distance) {
     const sim::TrackPlace place = sim::place_at(derived, distance);
@@ -56,7 +63,8 @@ void add_band(const sim::Derived& derived, double from, double to, int pieces, f
 std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& view) {
   constexpr float kNearest = 1;  // m: nearer than this nothing gets more detail
   // Rows of the view matrix are the camera's axes; a sphere is outside when it lies beyond a side plane of the pyramid.
-  const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]),
+      up(view.view[0][1], view.view[1][1], view.view[2][1]);
   const glm::vec3 forward = line_of_sight(view);
   const float fx = view.projection[0][0], fy = view.projection[1][1];
   const float side_x = std::sqrt(1 + fx * fx), side_y = std::sqrt(1 + fy * fy);
@@ -65,11 +73,14 @@ std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& 
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const sim::SegmentShape& shape = derived.shape(derived.order[i]);
     const curve::Cubic& c = shape.key.cubic;
-    const glm::vec3 low = glm::min(glm::min(c.p0, c.p1), glm::min(c.p2, c.p3)), high = glm::max(glm::max(c.p0, c.p1), glm::max(c.p2, c.p3));
+    const glm::vec3 low = glm::min(glm::min(c.p0, c.p1), glm::min(c.p2, c.p3)),
+                    high = glm::max(glm::max(c.p0, c.p1), glm::max(c.p2, c.p3));
     const float radius = 0.5f * glm::length(high - low);
     const glm::vec3 off = 0.5f * (low + high) - view.eye;
     const float depth = glm::dot(off, forward);
-    if (depth < -radius || std::abs(glm::dot(off, right)) * fx - depth > radius * side_x || std::abs(glm::dot(off, up)) * fy - depth > radius * side_y) continue;
+    if (depth < -radius || std::abs(glm::dot(off, right)) * fx - depth > radius * side_x ||
+        std::abs(glm::dot(off, up)) * fy - depth > radius * side_y)
+      continue;
     const double px_per_metre = static_cast<double>(focal_px / std::max(depth - radius, kNearest));
     seen.push_back({i, px_per_metre, px_per_metre * shape.arc.length()});
   }

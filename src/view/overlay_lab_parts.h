@@ -1,4 +1,5 @@
-// What the laboratory's pictures share: lines and arrows of constant size on screen, and how much of the track is worth detail.
+// What the laboratory's pictures share: lines and arrows of constant size on screen, and how much of the track is worth
+// detail.
 #pragma once
 
 #include <span>
@@ -25,14 +26,19 @@ inline void add_line(glm::dvec3 from, glm::dvec3 to, float width_px, std::uint32
   overlay.lines.push_back({glm::vec3(from), glm::vec3(to), width_px, rgba});
 }
 
-// From `from` along the unit `direction`, `length` metres; the head, two barbs that face the eye, is left out where one looks along it.
-void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px, std::uint32_t rgba, Overlay& overlay);
+// From `from` along the unit `direction`, `length` metres; the head, two barbs that face the eye, is left out where one
+// looks along it.
+void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px,
+               std::uint32_t rgba, Overlay& overlay);
 
-// A round sign of constant size on screen that faces the eye: a disc, and on it dark dots, `glyph` in pixels to the right and up.
-void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> glyph, const View& view, float scale, Overlay& overlay);
+// A round sign of constant size on screen that faces the eye: a disc, and on it dark dots, `glyph` in pixels to the
+// right and up.
+void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> glyph, const View& view, float scale,
+              Overlay& overlay);
 
 // A broad line over the rails from one place of the track to another, m along it, in `pieces`.
-void add_band(const sim::Derived& derived, double from, double to, int pieces, float width_px, std::uint32_t rgba, Overlay& overlay);
+void add_band(const sim::Derived& derived, double from, double to, int pieces, float width_px, std::uint32_t rgba,
+              Overlay& overlay);
 
 // A segment that may be seen: outside the picture none is listed.
 struct SeenSegment {

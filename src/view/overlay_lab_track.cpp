@@ -1,5 +1,5 @@
-// The pictures along the whole track: frames, comb, Frenet's failures. Only what is in the picture is looked at, in steps that are some pixels
-// long, so that the work does not grow with the detail that nobody sees.
+// The pictures along the whole track: frames, comb, Frenet's failures. Only what is in the picture is looked at, in
+// steps that are some pixels long, so that the work does not grow with the detail that nobody sees.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +11,9 @@ namespace coaster::view {
 namespace {
 
 // How many multiples of `step` lie in [from, to).
-int multiples(double from, double to, double step) { return static_cast<int>(std::ceil(to / step) - std::ceil(from / step)); }
+int multiples(double from, double to, double step) {
+  return static_cast<int>(std::ceil(to / step) - std::ceil(from / step));
+}
 
 // The power of two metres that is at least `px` pixels long on the segment.
 double step_of(const SeenSegment& seen, double px) { return std::exp2(std::ceil(std::log2(px / seen.px_per_metre))); }
@@ -29,10 +31,11 @@ double fitting_distance(std::span<const SeenSegment> seen, double px, int most, 
 
 constexpr int kFewestTeeth = 8, kMostTeeth = 64;
 
-// Of a segment, both ends included. Those smaller than `px` on screen share teeth: one at the start of a segment on which a multiple of the
-// step lies.
+// Of a segment, both ends included. Those smaller than `px` on screen share teeth: one at the start of a segment on
+// which a multiple of the step lies.
 int teeth_of(const sim::Derived& derived, const SeenSegment& seen, double px) {
-  if (seen.length_px < px) return multiples(derived.starts[seen.index], derived.starts[seen.index + 1], step_of(seen, px)) > 0 ? 1 : 0;
+  if (seen.length_px < px)
+    return multiples(derived.starts[seen.index], derived.starts[seen.index + 1], step_of(seen, px)) > 0 ? 1 : 0;
   return std::clamp(static_cast<int>(seen.length_px / px), kFewestTeeth, kMostTeeth) + 1;
 }
 
@@ -97,7 +100,8 @@ void add_frames(const sim::Derived& derived, const world::Settings& settings, co
       const auto paint = [&](std::uint32_t rgba) { return f.defined ? rgba : faded(rgba, 0x50); };
       add_arrow(at, f.frame.forward, length, view, 2.25f * scale, paint(kTangentColour), overlay);
       add_arrow(at, f.frame.up, length, view, 2.25f * scale, paint(kNormalColour), overlay);
-      add_arrow(at, glm::cross(f.frame.forward, f.frame.up), length, view, 2.25f * scale, paint(kBinormalColour), overlay);
+      add_arrow(at, glm::cross(f.frame.forward, f.frame.up), length, view, 2.25f * scale, paint(kBinormalColour),
+                overlay);
     }
   }
 }
@@ -116,11 +120,13 @@ void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans,
   }
 }
 
-void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> breaks, const View& view, float scale, Overlay& overlay) {
+void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> breaks, const View& view, float scale,
+                Overlay& overlay) {
   constexpr int kPieces = 12;
   constexpr double kCrossPx = 7, kNormalPx = 40, kBeside = 0.02;
   const PixelScale pixels(view);
-  const glm::dvec3 right(view.view[0][0], view.view[1][0], view.view[2][0]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  const glm::dvec3 right(view.view[0][0], view.view[1][0], view.view[2][0]),
+      up(view.view[0][1], view.view[1][1], view.view[2][1]);
   int drawn = 0;
   for (const sim::FrenetBreak& at : breaks) {
     const sim::SegmentShape* const shape = derived.segments.find(at.segment);
@@ -137,27 +143,33 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
       }
       continue;
     }
-    const double size = kCrossPx * static_cast<double>(scale) / px_per_metre, length = kNormalPx * static_cast<double>(scale) / px_per_metre;
+    const double size = kCrossPx * static_cast<double>(scale) / px_per_metre,
+                 length = kNormalPx * static_cast<double>(scale) / px_per_metre;
     for (const double beside : {-kBeside, kBeside}) {
       const double t = std::clamp(at.t + beside, 0.0, 1.0);
-      if (const auto frame = curve::frenet(cubic, t)) add_arrow(curve::point(cubic, t), frame->normal, length, view, 2.0f * scale, kNormalColour, overlay);
+      if (const auto frame = curve::frenet(cubic, t))
+        add_arrow(curve::point(cubic, t), frame->normal, length, view, 2.0f * scale, kNormalColour, overlay);
     }
     add_line(place - size * (right + up), place + size * (right + up), 3.0f * scale, kBreakColour, overlay);
     add_line(place - size * (right - up), place + size * (right - up), 3.0f * scale, kBreakColour, overlay);
   }
 }
 
-void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> conflicts, const View& view, float scale, Overlay& overlay) {
-  constexpr int kPieces = 24;     // of a stretch
+void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> conflicts, const View& view, float scale,
+                   Overlay& overlay) {
+  constexpr int kPieces = 24;    // of a stretch
   constexpr double kOver = 1.6;  // m
-  constexpr std::array<glm::dvec2, 6> kExclamation{{{0, 4.8}, {0, 3.5}, {0, 2.2}, {0, 0.9}, {0, -0.4}, {0, -4.2}}};  // px
+  constexpr std::array<glm::dvec2, 6> kExclamation{
+      {{0, 4.8}, {0, 3.5}, {0, 2.2}, {0, 0.9}, {0, -0.4}, {0, -4.2}}};  // px
   const auto shown = conflicts.first(std::min(conflicts.size(), static_cast<std::size_t>(kMaxConflicts)));
   for (const sim::Conflict& conflict : shown) {
     add_band(derived, conflict.from, conflict.to, kPieces, 5.0f * scale, kConflictColour, overlay);
     add_band(derived, conflict.other_from, conflict.other_to, kPieces, 5.0f * scale, kConflictColour, overlay);
     add_line(conflict.at_place, conflict.other_place, 3.0f * scale, kConflictColour, overlay);
   }
-  for (const sim::Conflict& conflict : shown) add_sign(0.5 * (glm::dvec3(conflict.at_place) + glm::dvec3(conflict.other_place)) + glm::dvec3(0, kOver, 0), kConflictColour, kExclamation, view, scale, overlay);
+  for (const sim::Conflict& conflict : shown)
+    add_sign(0.5 * (glm::dvec3(conflict.at_place) + glm::dvec3(conflict.other_place)) + glm::dvec3(0, kOver, 0),
+             kConflictColour, kExclamation, view, scale, overlay);
 }
 
 }  // namespace coaster::view

@@ -17,7 +17,6 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-
 bool inside(const PlacedMark& mark, dvec2 pixel, double scale) {
   const dvec2 off = pixel - mark.pixel;
   if (mark.kind != PickKind::knot) return std::max(std::abs(off.x), std::abs(off.y)) <= kHandleHalf * scale;
@@ -67,8 +66,8 @@ class MarksAt {
   std::optional<PlacedMark> best_;
 };
 
-std::optional<Pick> pick_mark(const world::Document& document, const sim::Derived& derived, const world::Settings& settings, const View& view,
-                              glm::vec2 pixel) {
+std::optional<Pick> pick_mark(const world::Document& document, const sim::Derived& derived,
+                              const world::Settings& settings, const View& view, glm::vec2 pixel) {
   MarksAt marks(document, settings, view, pixel);
   for (const world::Entity e : knots_with_handles(document, settings)) marks.try_handles(e);
   if (const auto handle = marks.best()) return handle;  // handles are over knots
@@ -78,9 +77,11 @@ std::optional<Pick> pick_mark(const world::Document& document, const sim::Derive
   } else {
     // Segment i goes from knot i to the next one.
     const double reach = 1.001 * static_cast<double>(kKnotRadius * settings.ui_scale);
-    (void)visit_near(derived.tree, Beam(view, pixel), [reach] { return reach; }, [&](std::size_t i) {
-      if (i < count) marks.try_knot(i), marks.try_knot((i + 1) % count);
-    });
+    (void)visit_near(
+        derived.tree, Beam(view, pixel), [reach] { return reach; },
+        [&](std::size_t i) {
+          if (i < count) marks.try_knot(i), marks.try_knot((i + 1) % count);
+        });
   }
   return marks.best();
 }
@@ -94,14 +95,15 @@ glm::vec3 cart_middle(const sim::Pose& pose) {
 struct CarBox {
   std::array<double, 3> low, high;
 };
-constexpr CarBox kCarBoxes[] = {{{-1.1, 0.0, -0.65}, {1.1, 1.1, 0.65}},    // body, wheels, riders up to their chins
+constexpr CarBox kCarBoxes[] = {{{-1.1, 0.0, -0.65}, {1.1, 1.1, 0.65}},   // body, wheels, riders up to their chins
                                 {{-1.1, 1.1, -0.4}, {0.25, 1.45, 0.4}}};  // heads and head-rests
 
 // Distances along the ray at which it enters a box and leaves it again; the first is the greater where it misses.
 std::pair<double, double> through_box(const CarBox& box, const dvec3& origin, const dvec3& direction) {
   double enter = -kNowhere, leave = kNowhere;
   for (int i = 0; i < 3; ++i) {
-    const double low = box.low[static_cast<std::size_t>(i)] - origin[i], high = box.high[static_cast<std::size_t>(i)] - origin[i];
+    const double low = box.low[static_cast<std::size_t>(i)] - origin[i],
+                 high = box.high[static_cast<std::size_t>(i)] - origin[i];
     if (std::abs(direction[i]) < 1e-12) {
       if (low > 0 || high < 0) return {kNowhere, -kNowhere};
       continue;
@@ -115,7 +117,9 @@ std::pair<double, double> through_box(const CarBox& box, const dvec3& origin, co
 // Distance along the ray to a car, kNowhere when it misses or starts inside.
 double distance_to_car(const Ray& ray, const sim::Pose& pose) {
   constexpr double kInside = 0.05;  // m: the riders' own eye is where the two boxes meet, and that near is inside
-  const auto in_car = [&](const dvec3& v) { return dvec3(glm::dot(v, pose.frame.forward), glm::dot(v, pose.frame.up), glm::dot(v, pose.frame.left())); };
+  const auto in_car = [&](const dvec3& v) {
+    return dvec3(glm::dot(v, pose.frame.forward), glm::dot(v, pose.frame.up), glm::dot(v, pose.frame.left()));
+  };
   const dvec3 origin = in_car(dvec3(ray.origin) - pose.position), direction = in_car(dvec3(ray.direction));
   double nearest = kNowhere;
   for (const CarBox& box : kCarBoxes) {
@@ -129,16 +133,18 @@ double distance_to_car(const Ray& ray, const sim::Pose& pose) {
 
 // Calls visit(cart, pose) for every car of every train.
 template <class Visit>
-void for_each_car(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings, Visit visit) {
+void for_each_car(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
+                  const world::Settings& settings, Visit visit) {
   for (std::size_t i = 0; i < motion.carts.size(); ++i) {
     const world::CartMotion& cart = motion.carts.items()[i];
     if (!derived.segments.contains(cart.segment)) continue;
-    for (const sim::Pose& car : sim::car_poses(document, derived, motion.carts.entities()[i], cart, settings.frames)) visit(motion.carts.entities()[i], car);
+    for (const sim::Pose& car : sim::car_poses(document, derived, motion.carts.entities()[i], cart, settings.frames))
+      visit(motion.carts.entities()[i], car);
   }
 }
 
-std::optional<Pick> pick_cart(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings,
-                              const View& view, glm::vec2 pixel) {
+std::optional<Pick> pick_cart(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
+                              const world::Settings& settings, const View& view, glm::vec2 pixel) {
   if (motion.carts.size() == 0) return std::nullopt;
   const Ray ray = ray_through(view, pixel);
   double nearest = kNowhere;
@@ -153,9 +159,11 @@ std::optional<Pick> pick_cart(const world::Document& document, const sim::Derive
   return best;
 }
 
-// A cart far away is smaller than the knot that it stands on: around its middle a few pixels are its own, too. The one nearest to the eye wins.
-std::optional<Pick> pick_distant_cart(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings,
-                                      const View& view, glm::vec2 pixel) {
+// A cart far away is smaller than the knot that it stands on: around its middle a few pixels are its own, too. The one
+// nearest to the eye wins.
+std::optional<Pick> pick_distant_cart(const world::Document& document, const sim::Derived& derived,
+                                      const world::Motion& motion, const world::Settings& settings, const View& view,
+                                      glm::vec2 pixel) {
   constexpr double kNotTheRiders = 2.5;  // m from the eye
   const float reach = kCartReach * settings.ui_scale;
   double nearest = kNowhere;
@@ -177,30 +185,33 @@ std::optional<Pick> pick_distant_cart(const world::Document& document, const sim
 namespace {
 
 // The selected segment, when the pixel is on the mark of its picked place.
-std::optional<Pick> pick_place(const sim::Derived& derived, const world::Settings& settings, const View& view, glm::vec2 pixel) {
+std::optional<Pick> pick_place(const sim::Derived& derived, const world::Settings& settings, const View& view,
+                               glm::vec2 pixel) {
   const sim::SegmentShape* const shape = derived.segments.find(settings.selected);
   if (shape == nullptr) return std::nullopt;
   const auto place = Projector(view)(curve::point(shape->key.cubic, settings.selected_t));
-  if (!place || glm::length(*place - dvec2(pixel)) > static_cast<double>(kCurveReach * settings.ui_scale)) return std::nullopt;
+  if (!place || glm::length(*place - dvec2(pixel)) > static_cast<double>(kCurveReach * settings.ui_scale))
+    return std::nullopt;
   return pick_segment(derived, view, pixel, settings.selected);
 }
 
 }  // namespace
 
-Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, const world::Settings& settings,
-          const View& view, glm::vec2 pixel) {
+Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
+          const world::Settings& settings, const View& view, glm::vec2 pixel) {
   if (!view.viewport.contains(pixel)) return {};
   if (const auto mark = pick_mark(document, derived, settings, view, pixel)) return *mark;
   if (const auto gizmo = gizmo_of(document, settings, view))
-    if (const PickKind part = pick_gizmo(*gizmo, view, settings.ui_scale, pixel); part != PickKind::none) return {part, world::kNone, 0, gizmo->at};
+    if (const PickKind part = pick_gizmo(*gizmo, view, settings.ui_scale, pixel); part != PickKind::none)
+      return {part, world::kNone, 0, gizmo->at};
   if (const auto cart = pick_cart(document, derived, motion, settings, view, pixel)) return *cart;
   if (const auto cart = pick_distant_cart(document, derived, motion, settings, view, pixel)) return *cart;
   if (const auto place = pick_place(derived, settings, view, pixel)) return *place;
   return pick_curve(derived, view, pixel, kCurveReach * settings.ui_scale).value_or(Pick{});
 }
 
-std::optional<glm::vec3> position_of(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
-                                     PickKind kind, world::Entity entity, double t) {
+std::optional<glm::vec3> position_of(const world::Document& document, const sim::Derived& derived,
+                                     const world::Motion& motion, PickKind kind, world::Entity entity, double t) {
   const world::Knot* const knot = document.entities.find<world::Knot>(entity);
   switch (kind) {
     case PickKind::none:

@@ -10,8 +10,8 @@
 namespace coaster::view {
 namespace {
 
-constexpr double kSameDepth = 1e-3;   // of the depth: places this near to each other hide nothing from each other
-constexpr double kSamePlace = 1e-4;   // px: what a pixel's coordinates in float are good to
+constexpr double kSameDepth = 1e-3;  // of the depth: places this near to each other hide nothing from each other
+constexpr double kSamePlace = 1e-4;  // px: what a pixel's coordinates in float are good to
 
 struct Candidate {
   std::size_t index = 0;  // of the segment in the track
@@ -41,7 +41,8 @@ bool is_nearest_at_joint(const sim::Derived& derived, const Beam& beam, const Ca
 // The places that may be meant, as segments are looked at one after the other in any order.
 class Search {
  public:
-  Search(const sim::Derived& derived, const Beam& beam, double reach) : derived_(derived), beam_(beam), least_(kNowhere), reach_(reach) {}
+  Search(const sim::Derived& derived, const Beam& beam, double reach)
+      : derived_(derived), beam_(beam), least_(kNowhere), reach_(reach) {}
 
   // Places farther than this are out of the question, px.
   double limit() const { return std::min(reach_, least_ + kOneBehindAnother); }
@@ -59,7 +60,8 @@ class Search {
 
   // The one that is meant (pick.h tells the rule). It does not depend on the order in which segments were looked at.
   const Candidate* meant() {
-    std::erase_if(candidates_, [&](const Candidate& c) { return c.distance > limit() || !is_nearest_at_joint(derived_, beam_, c); });
+    std::erase_if(candidates_,
+                  [&](const Candidate& c) { return c.distance > limit() || !is_nearest_at_joint(derived_, beam_, c); });
     double front = kNowhere, nearest = kNowhere;
     for (const Candidate& c : candidates_) front = std::min(front, c.depth);
     const auto in_front = [&](const Candidate& c) { return c.depth <= front * (1 + kSameDepth); };
@@ -80,7 +82,8 @@ class Search {
 
 std::optional<Pick> picked(const sim::Derived& derived, const Candidate* place) {
   if (!place) return std::nullopt;
-  return Pick{PickKind::curve, derived.order[place->index], place->t, glm::vec3(curve::point(derived.tree.cubics[place->index], place->t))};
+  return Pick{PickKind::curve, derived.order[place->index], place->t,
+              glm::vec3(curve::point(derived.tree.cubics[place->index], place->t))};
 }
 
 }  // namespace
@@ -88,7 +91,8 @@ std::optional<Pick> picked(const sim::Derived& derived, const Candidate* place) 
 std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach) {
   const Beam beam(view, pixel);
   Search search(derived, beam, reach);
-  (void)visit_near(derived.tree, beam, [&] { return search.limit(); }, [&](std::size_t index) { search.look_at(index); });
+  (void)visit_near(
+      derived.tree, beam, [&] { return search.limit(); }, [&](std::size_t index) { search.look_at(index); });
   return picked(derived, search.meant());
 }
 
@@ -100,12 +104,14 @@ std::optional<Pick> pick_curve_of_all(const sim::Derived& derived, const View& v
   return picked(derived, search.meant());
 }
 
-std::optional<Pick> pick_segment(const sim::Derived& derived, const View& view, glm::vec2 pixel, world::Entity segment) {
+std::optional<Pick> pick_segment(const sim::Derived& derived, const View& view, glm::vec2 pixel,
+                                 world::Entity segment) {
   const sim::SegmentShape* const shape = derived.segments.find(segment);
   const Beam beam(view, pixel);
   if (shape == nullptr || !beam.has_eye()) return std::nullopt;
   const SightedPlaces places = nearest_places(sighted(shape->key.cubic, beam));
-  const SightedPlace* const best = std::min_element(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.square < b.square; });
+  const SightedPlace* const best =
+      std::min_element(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.square < b.square; });
   if (best == places.end()) return std::nullopt;
   return Pick{PickKind::curve, segment, best->t, glm::vec3(curve::point(shape->key.cubic, best->t))};
 }

@@ -1,5 +1,6 @@
-// Roots in (0, 1) of polynomials in Bernstein form, by halving until the coefficients change sign once at most (Descartes' rule of signs for
-// Bernstein's basis: there are as many roots as sign changes, or fewer by an even number).
+// Roots in (0, 1) of polynomials in Bernstein form, by halving until the coefficients change sign once at most
+// (Descartes' rule of signs for Bernstein's basis: there are as many roots as sign changes, or fewer by an even
+// number).
 #pragma once
 
 #include <array>
@@ -41,7 +42,8 @@ double polygon_crossing(const std::array<double, N>& c) {
   return (static_cast<double>(i) + c[i] / (c[i] - c[i + 1])) / static_cast<double>(N - 1);
 }
 
-// Calls found(bracket, rising) for every root of odd order; roots closer to each other than 1e-7 may be taken for one or for none.
+// Calls found(bracket, rising) for every root of odd order; roots closer to each other than 1e-7 may be taken for one
+// or for none.
 template <std::size_t N, class Found>
 void each_crossing(const std::array<double, N>& c, double low, double high, const Found& found) {
   constexpr double kLeastWidth = 1e-7;

@@ -25,7 +25,8 @@ double white(std::uint32_t& seed) {
 struct Ring {
   double a1, a2, gain;
 };
-// Poles at radius r, so that the ring falls to 1/e in `decay` seconds; the response to an impulse of 1 is a sine that begins at 0 with amplitude 1.
+// Poles at radius r, so that the ring falls to 1/e in `decay` seconds; the response to an impulse of 1 is a sine that
+// begins at 0 with amplitude 1.
 Ring ring(double hertz, double decay, int rate) {
   const double r = std::exp(-1 / (decay * rate)), w = kTurn * std::min(hertz, 0.45 * rate) / rate;
   return {2 * r * std::cos(w), -r * r, std::sin(w)};
@@ -86,16 +87,19 @@ double bounded(double x) {
 
 }  // namespace
 
-RideNoise ride_noise(const world::Document& document, const sim::Derived& derived, const world::Motion& motion, double volume) {
+RideNoise ride_noise(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
+                     double volume) {
   RideNoise noise;
   noise.volume = volume;
   const world::Entity cart = world::first_cart(document);
   const world::CartMotion* const moving = motion.carts.find(cart);
   const world::Cart* const design = document.entities.find<world::Cart>(cart);
-  if (!moving || !design || motion.state != world::RideState::running || !derived.segments.contains(moving->segment)) return noise;
+  if (!moving || !design || motion.state != world::RideState::running || !derived.segments.contains(moving->segment))
+    return noise;
   noise.speed = std::abs(moving->speed);
   noise.load = std::abs(sim::felt(document, derived, cart, *moving).up);
-  const double front = moving->track_distance, length = (sim::cars_on(derived, *design) - 1) * static_cast<double>(design->spacing);
+  const double front = moving->track_distance,
+               length = (sim::cars_on(derived, *design) - 1) * static_cast<double>(design->spacing);
   for (const sim::EquipmentSpan& span : sim::equipment_spans(document, derived)) {
     if (span.equipment.kind != world::EquipmentKind::lift) continue;
     const auto over = [&](double to) { return to >= span.from && to - length <= span.to; };
@@ -107,7 +111,8 @@ RideNoise ride_noise(const world::Document& document, const sim::Derived& derive
 
 void synthesise(RideVoice& voice, const RideNoise& noise, int rate, std::span<float> out) {
   constexpr double kSlow = 0.03, kMostSpeed = 150, kWheelRound = 1.1;  // s, m/s, m
-  const RideNoise wanted{finite(noise.speed, 0, kMostSpeed), finite(noise.rack, 0, kMostSpeed), finite(noise.load, 0, 10), finite(noise.volume, 0, 1)};
+  const RideNoise wanted{finite(noise.speed, 0, kMostSpeed), finite(noise.rack, 0, kMostSpeed),
+                         finite(noise.load, 0, 10), finite(noise.volume, 0, 1)};
   const double nearer = 1 - std::exp(-1 / (kSlow * rate));
   std::array<Ring, 3> rings{};
   for (std::size_t i = 0; i < rings.size(); ++i) rings[i] = ring(kSteel[i].hertz, kSteel[i].decay, rate);

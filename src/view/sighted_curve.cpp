@@ -21,7 +21,9 @@ Screen screen_of(const SightedControls& c) {
 
 // Coefficients times their binomials: then a product is a convolution.
 Four64 scaled(const Four64& c) { return {c[0], 3 * c[1], 3 * c[2], c[3]}; }
-std::array<double, 3> scaled_slope(const Four64& c) { return {3 * (c[1] - c[0]), 6 * (c[2] - c[1]), 3 * (c[3] - c[2])}; }
+std::array<double, 3> scaled_slope(const Four64& c) {
+  return {3 * (c[1] - c[0]), 6 * (c[2] - c[1]), 3 * (c[3] - c[2])};
+}
 
 template <std::size_t A, std::size_t B>
 std::array<double, A + B - 1> product(const std::array<double, A>& a, const std::array<double, B>& b) {
@@ -67,7 +69,8 @@ SightedPlace place_at(const Screen& s, double t) {
   return {t, (u * u + v * v) / (w * w), w};
 }
 
-// Newton's method on N inside a bracket where it goes from negative to positive; halves the bracket where a step would leave it.
+// Newton's method on N inside a bracket where it goes from negative to positive; halves the bracket where a step would
+// leave it.
 double refined(const Screen& s, Bracket at) {
   constexpr int kMostSteps = 60;
   double t = at.guess;
@@ -134,7 +137,8 @@ void add_visible_parts(const SightedControls& c, const Screen& s, SightedPlaces&
   std::array<double, 11> ends{};
   std::size_t count = 1;
   const auto add_roots = [&](auto value) {
-    each_root(std::array<double, 4>{value(c[0]), value(c[1]), value(c[2]), value(c[3])}, [&](double t) { ends[count++] = t; });
+    each_root(std::array<double, 4>{value(c[0]), value(c[1]), value(c[2]), value(c[3])},
+              [&](double t) { ends[count++] = t; });
   };
   add_roots([](const Sighted& p) { return p.w - kLeastDepth; });
   add_roots([](const Sighted& p) { return p.w - p.z; });
@@ -157,12 +161,15 @@ void add_visible_parts(const SightedControls& c, const Screen& s, SightedPlaces&
 
 }  // namespace
 
-SightedControls sighted(const curve::Cubic& cubic, const Beam& beam) { return {beam(cubic.p0), beam(cubic.p1), beam(cubic.p2), beam(cubic.p3)}; }
+SightedControls sighted(const curve::Cubic& cubic, const Beam& beam) {
+  return {beam(cubic.p0), beam(cubic.p1), beam(cubic.p2), beam(cubic.p3)};
+}
 
 bool may_come_near(const SightedControls& c, double limit) {
   for (const Sighted& p : c)
     if (!(p.w > kLeastDepth)) return true;
-  // The hull is to one side of the pixel, by the limit, along the chord's normal or its direction: as a line of homogeneous points.
+  // The hull is to one side of the pixel, by the limit, along the chord's normal or its direction: as a line of
+  // homogeneous points.
   double x = c[3].u * c[0].w - c[0].u * c[3].w, y = c[3].v * c[0].w - c[0].v * c[3].w;
   const double length = std::sqrt(x * x + y * y);
   if (!(length > 0)) x = 1, y = 0;

@@ -20,13 +20,13 @@ inline constexpr std::size_t kMaxNameBytes = 200;    // of a track's name
 inline constexpr int kMaxTurns = 16;                 // whole turns of roll within a segment
 inline constexpr double kMaxSpeed = 150.0;           // m/s, of the start speed
 inline constexpr std::size_t kMaxKnots = 1'000'000;
-inline constexpr int kMaxCars = 32;                  // of a train
+inline constexpr int kMaxCars = 32;                              // of a train
 inline constexpr float kMinSpacing = 1.0f, kMaxSpacing = 20.0f;  // m between the middles of neighbouring cars
-inline constexpr float kMaxAcceleration = 60.0f;     // m/s^2, of lifts, launches and brakes
-inline constexpr float kMaxRolling = 1.0f, kMaxDrag = 0.1f;  // of resistance; 1, 1/m
-inline constexpr double kMaxHeartline = 5.0;         // m over the rails
-inline constexpr float kMinAcceleration = 0.1f;      // m/s^2
-inline constexpr float kMaxDwell = 600.0f;           // s, of stations
+inline constexpr float kMaxAcceleration = 60.0f;                 // m/s^2, of lifts, launches and brakes
+inline constexpr float kMaxRolling = 1.0f, kMaxDrag = 0.1f;      // of resistance; 1, 1/m
+inline constexpr double kMaxHeartline = 5.0;                     // m over the rails
+inline constexpr float kMinAcceleration = 0.1f;                  // m/s^2
+inline constexpr float kMaxDwell = 600.0f;                       // s, of stations
 
 // smooth: equal handle lengths (C1). aligned: a common tangent line (G1). automatic: direction and lengths follow from
 // the neighbours (as Catmull-Rom: along the chord between them, a third of each side's chord).
@@ -34,11 +34,11 @@ enum class JointKind : std::uint8_t { smooth, aligned, automatic };
 
 // A place the track goes through. Knots own the geometry; a common tangent line at every joint (G1) cannot be broken.
 struct Knot {
-  glm::vec3 position{0};      // m, |coordinate| <= kMaxCoordinate
+  glm::vec3 position{0};       // m, |coordinate| <= kMaxCoordinate
   glm::vec3 tangent{1, 0, 0};  // unit, direction of travel
   glm::vec3 up{0, 1, 0};       // unit, perpendicular to tangent: what the riders' heads point to
-  float in_length = 5;        // m, from the knot back to the handle before it; kMinHandle..kMaxHandle
-  float out_length = 5;       // m, to the handle after it
+  float in_length = 5;         // m, from the knot back to the handle before it; kMinHandle..kMaxHandle
+  float out_length = 5;        // m, to the handle after it
   JointKind joint = JointKind::smooth;
   friend bool operator==(const Knot&, const Knot&) = default;
 };
@@ -54,18 +54,20 @@ inline constexpr float kCarLength = 2.2f;  // m
 inline constexpr float kCarMass = 500.0f;  // kg: the car that drag is told for
 inline constexpr float kMinCarLength = 0.5f, kMaxCarLength = 20.0f, kMinCarMass = 1.0f, kMaxCarMass = 100'000.0f;
 
-// A cart as designed: where its first car starts, and how many cars follow it. All cars of a train weigh the same, so that without
-// losses the motion depends on their places alone; drag slows heavy cars less.
+// A cart as designed: where its first car starts, and how many cars follow it. All cars of a train weigh the same, so
+// that without losses the motion depends on their places alone; drag slows heavy cars less.
 struct Cart {
   Entity segment;
-  double fraction = 0;  // of the segment's arc length, [0,1)
-  std::int32_t cars = 1;  // 1..kMaxCars
-  float spacing = 3.0f;   // m of rail between the middles of neighbouring cars
+  double fraction = 0;        // of the segment's arc length, [0,1)
+  std::int32_t cars = 1;      // 1..kMaxCars
+  float spacing = 3.0f;       // m of rail between the middles of neighbouring cars
   float length = kCarLength;  // m of a car's body
   float mass = kCarMass;      // kg of a car with its riders
   // What is drawn, and what collides: cars of one train do not overlap.
   float body() const { return length < spacing ? length : spacing; }
-  double behind() const { return (cars - 1) * double{spacing}; }  // m of rail from the first car's middle to the last one's
+  double behind() const {
+    return (cars - 1) * double{spacing};
+  }  // m of rail from the first car's middle to the last one's
   friend bool operator==(const Cart&, const Cart&) = default;
 };
 
@@ -78,14 +80,15 @@ struct Cart {
 enum class EquipmentKind : std::uint8_t { station, lift, launch, brake, block };
 struct Equipment {
   EquipmentKind kind = EquipmentKind::lift;
-  float speed = 4;         // m/s, 0..kMaxSpeed
-  float acceleration = 3;  // m/s^2, above 0, at most kMaxAcceleration
+  float speed = 4;          // m/s, 0..kMaxSpeed
+  float acceleration = 3;   // m/s^2, above 0, at most kMaxAcceleration
   float hysteresis = 0.5f;  // m/s, brakes alone
-  float seconds = 5;       // s, stations alone
+  float seconds = 5;        // s, stations alone
   friend bool operator==(const Equipment&, const Equipment&) = default;
 };
 
-inline constexpr std::array<std::string_view, 5> kEquipmentNames{"station", "lift", "launch", "brake", "block"};  // by EquipmentKind, in files and scripts
+inline constexpr std::array<std::string_view, 5> kEquipmentNames{"station", "lift", "launch", "brake",
+                                                                 "block"};  // by EquipmentKind, in files and scripts
 
 // Resistance to motion: s'' = ... - sign(v) (rolling g + drag v^2).
 struct Resistance {

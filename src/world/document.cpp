@@ -9,7 +9,8 @@ namespace coaster::world {
 
 Entity first_cart(const Document& document) {
   const auto& carts = document.entities.pool<Cart>().entities();
-  const auto first = std::min_element(carts.begin(), carts.end(), [&](Entity a, Entity b) { return name_of(document, a) < name_of(document, b); });
+  const auto first = std::min_element(carts.begin(), carts.end(),
+                                      [&](Entity a, Entity b) { return name_of(document, a) < name_of(document, b); });
   return first == carts.end() ? kNone : *first;
 }
 
@@ -20,21 +21,15 @@ Entity find(const Document& document, Name name) {
   return kNone;
 }
 
-Name name_of(const Document& document, Entity entity) {
-  return document.entities.get<Name>(entity);
-}
+Name name_of(const Document& document, Entity entity) { return document.entities.get<Name>(entity); }
 
 std::string label_of(const Document& document, Entity entity) {
   const Name* const name = document.entities.find<Name>(entity);
   return name ? to_text(*name) : "-";
 }
 
-const Knot& knot(const Document& document, Entity e) {
-  return document.entities.get<Knot>(e);
-}
-const Segment& segment(const Document& document, Entity e) {
-  return document.entities.get<Segment>(e);
-}
+const Knot& knot(const Document& document, Entity e) { return document.entities.get<Knot>(e); }
+const Segment& segment(const Document& document, Entity e) { return document.entities.get<Segment>(e); }
 
 curve::Cubic cubic_of(const Document& document, Entity segment_entity) {
   const Segment& s = segment(document, segment_entity);
@@ -42,22 +37,16 @@ curve::Cubic cubic_of(const Document& document, Entity segment_entity) {
   return {from.position, out_handle(from), in_handle(to), to.position};
 }
 
-glm::vec3 in_handle(const Knot& k) {
-  return k.position - k.tangent * k.in_length;
-}
-glm::vec3 out_handle(const Knot& k) {
-  return k.position + k.tangent * k.out_length;
-}
+glm::vec3 in_handle(const Knot& k) { return k.position - k.tangent * k.in_length; }
+glm::vec3 out_handle(const Knot& k) { return k.position + k.tangent * k.out_length; }
 
 Neighbours neighbours(const Document& document, Entity knot_entity) {
   const Track& track = document.track;
   const auto index = index_of(track.knots, knot_entity);
   COASTER_CHECK(index, "the knot is on the track");
   Neighbours result;
-  if (*index > 0)
-    result.before = track.segments[*index - 1];
-  else if (track.closed)
-    result.before = track.segments.back();
+  if (*index > 0) result.before = track.segments[*index - 1];
+  else if (track.closed) result.before = track.segments.back();
   if (*index < track.segments.size()) result.after = track.segments[*index];
   return result;
 }

@@ -25,12 +25,12 @@ struct Document {
   Registry<Name, Knot, Segment, Cart, Equipment, Extra> entities;  // equipment stands on segments
   Track track;
   std::string name = "Untitled";  // UTF-8
-  double start_speed = 1.0;  // m/s along the track, may be negative; |start_speed| <= kMaxSpeed
-  double datum = 0.0;        // m, the height whose potential energy is 0
-  Resistance resistance;     // none by default: the frictionless circuit of the paper
-  double heartline = 1.1;    // m over the rails, where the riders' hearts are and what forces are told for
-  bool rollback_fails = true;  // a train that rolls back ends the ride; else it rolls on
-  Extra extra;               // unknown top-level members of the file
+  double start_speed = 1.0;       // m/s along the track, may be negative; |start_speed| <= kMaxSpeed
+  double datum = 0.0;             // m, the height whose potential energy is 0
+  Resistance resistance;          // none by default: the frictionless circuit of the paper
+  double heartline = 1.1;         // m over the rails, where the riders' hearts are and what forces are told for
+  bool rollback_fails = true;     // a train that rolls back ends the ride; else it rolls on
+  Extra extra;                    // unknown top-level members of the file
   std::array<std::uint32_t, 3> last_number{};  // by Kind: the last name given
   friend bool operator==(const Document&, const Document&) = default;
 };
@@ -47,7 +47,8 @@ Entity first_cart(const Document& document);
 const Knot& knot(const Document& document, Entity e);
 const Segment& segment(const Document& document, Entity e);
 
-// Control points of a segment: p0 and p3 are exactly the knots' positions, p1 and p2 lie on their tangents at the handle lengths.
+// Control points of a segment: p0 and p3 are exactly the knots' positions, p1 and p2 lie on their tangents at the
+// handle lengths.
 curve::Cubic cubic_of(const Document& document, Entity segment);
 glm::vec3 in_handle(const Knot& knot);   // position - tangent * in_length
 glm::vec3 out_handle(const Knot& knot);  // position + tangent * out_length
@@ -63,12 +64,13 @@ std::optional<std::size_t> index_of(const std::vector<Entity>& order, Entity e);
 // The sum of arc lengths by adaptive Gauss-Legendre, m.
 double exact_length(const Document& document);
 
-// Hash of everything but the slots that entities happen to have: equal for a document and its saved-and-loaded copy, and
-// for documents that read the same by names, in track order. Extras count. Fixed by tests: changing it changes scripts.
+// Hash of everything but the slots that entities happen to have: equal for a document and its saved-and-loaded copy,
+// and for documents that read the same by names, in track order. Extras count. Fixed by tests: changing it changes
+// scripts.
 std::uint64_t hash(const Document& document);
 
-// Nothing when every promise of this file and components.h holds, else one line that says which is broken. For tests and
-// after loading.
+// Nothing when every promise of this file and components.h holds, else one line that says which is broken. For tests
+// and after loading.
 std::optional<std::string> broken_invariant(const Document& document);
 
 }  // namespace coaster::world

@@ -1,5 +1,5 @@
-// The elements of the palette as plain data: which there are, and their parameters with units, defaults and limits. Their geometry is in
-// sim/plan/elements.h.
+// The elements of the palette as plain data: which there are, and their parameters with units, defaults and limits.
+// Their geometry is in sim/plan/elements.h.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ struct ElementRow {
   std::string_view name;   // in scripts and recordings: "element curve ..."
   std::string_view label;  // in the panel
   std::string_view help;
-  bool sided;              // left or right makes a difference
+  bool sided;  // left or right makes a difference
   std::span<const ElementParameter> parameters;
 };
 std::span<const ElementRow> elements();

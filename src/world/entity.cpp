@@ -10,9 +10,7 @@ constexpr std::string_view kLetters = "ksc";  // in the order of Kind
 
 }  // namespace
 
-std::string to_text(Name name) {
-  return kLetters[static_cast<std::size_t>(name.kind)] + std::to_string(name.number);
-}
+std::string to_text(Name name) { return kLetters[static_cast<std::size_t>(name.kind)] + std::to_string(name.number); }
 
 std::optional<Name> parse_name(std::string_view text) {
   if (text.size() < 2 || text[1] < '1' || text[1] > '9') return std::nullopt;

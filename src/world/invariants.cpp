@@ -13,26 +13,20 @@ using Broken = std::optional<std::string>;
 // Twice the tolerance of orthonormalise(): rounding to float after it must not break the promise.
 constexpr double kUnitTolerance = 2e-6;
 
-bool within(double value, double low, double high) {
-  return value >= low && value <= high;
-}  // false for NaN
+bool within(double value, double low, double high) { return value >= low && value <= high; }  // false for NaN
 
 Broken broken_knot(const Document& document, Entity e) {
   const Knot& k = knot(document, e);
   const auto broken = [&](const char* what) { return label_of(document, e) + ": " + what; };
   for (int axis = 0; axis < 3; ++axis)
-    if (!within(k.position[axis], -kMaxCoordinate, kMaxCoordinate))
-      return broken("position beyond the limit");
+    if (!within(k.position[axis], -kMaxCoordinate, kMaxCoordinate)) return broken("position beyond the limit");
   const glm::dvec3 tangent(k.tangent), up(k.up);
-  if (!within(glm::dot(tangent, tangent), 1 - kUnitTolerance, 1 + kUnitTolerance))
-    return broken("tangent is not unit");
+  if (!within(glm::dot(tangent, tangent), 1 - kUnitTolerance, 1 + kUnitTolerance)) return broken("tangent is not unit");
   if (!within(glm::dot(up, up), 1 - kUnitTolerance, 1 + kUnitTolerance)) return broken("up is not unit");
-  if (!within(glm::dot(tangent, up), -kUnitTolerance, kUnitTolerance))
-    return broken("up is not perpendicular");
+  if (!within(glm::dot(tangent, up), -kUnitTolerance, kUnitTolerance)) return broken("up is not perpendicular");
   if (!within(k.in_length, kMinHandle, kMaxHandle) || !within(k.out_length, kMinHandle, kMaxHandle))
     return broken("handle length beyond the limits");
-  if (k.joint == JointKind::smooth && k.in_length != k.out_length)
-    return broken("smooth joint with unequal lengths");
+  if (k.joint == JointKind::smooth && k.in_length != k.out_length) return broken("smooth joint with unequal lengths");
   return {};
 }
 
@@ -70,13 +64,11 @@ Broken broken_chain(const Document& document) {
     if (!document.entities.find<Knot>(e) || !seen.insert(e).second) return "the order of knots is broken";
   for (std::size_t i = 0; i < expected; ++i) {
     const Entity e = track.segments[i];
-    if (!document.entities.find<Segment>(e) || !seen.insert(e).second)
-      return "the order of segments is broken";
+    if (!document.entities.find<Segment>(e) || !seen.insert(e).second) return "the order of segments is broken";
     const Segment& s = segment(document, e);
     if (s.from != track.knots[i] || s.to != track.knots[(i + 1) % count])
       return label_of(document, e) + ": does not lead from its knot to the next";
-    if (s.turns < -kMaxTurns || s.turns > kMaxTurns)
-      return label_of(document, e) + ": turns beyond the limit";
+    if (s.turns < -kMaxTurns || s.turns > kMaxTurns) return label_of(document, e) + ": turns beyond the limit";
   }
   return {};
 }
@@ -85,8 +77,7 @@ Broken broken_chain(const Document& document) {
 
 std::optional<std::string> broken_invariant(const Document& document) {
   if (!within(document.start_speed, -kMaxSpeed, kMaxSpeed)) return "start speed beyond the limit";
-  if (!within(document.datum, -double{kMaxCoordinate}, double{kMaxCoordinate}))
-    return "datum beyond the limit";
+  if (!within(document.datum, -double{kMaxCoordinate}, double{kMaxCoordinate})) return "datum beyond the limit";
   if (Broken broken = broken_names(document)) return broken;
   if (Broken broken = broken_chain(document)) return broken;
   for (const Entity e : document.track.knots)

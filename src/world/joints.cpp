@@ -7,13 +7,9 @@
 namespace coaster::world {
 namespace {
 
-double chord(glm::vec3 a, glm::vec3 b) {
-  return glm::length(glm::dvec3(b) - glm::dvec3(a));
-}
+double chord(glm::vec3 a, glm::vec3 b) { return glm::length(glm::dvec3(b) - glm::dvec3(a)); }
 
-float third(double length) {
-  return std::clamp(static_cast<float>(length / 3.0), kMinHandle, kMaxHandle);
-}
+float third(double length) { return std::clamp(static_cast<float>(length / 3.0), kMinHandle, kMaxHandle); }
 
 }  // namespace
 

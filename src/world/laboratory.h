@@ -1,5 +1,5 @@
-// What of the laboratory shows: the layers that are drawn over the scene, what the track is coloured by, and the pages of its strip. Tables
-// of names; how a layer is drawn is the view's affair, what is on a page the panels'.
+// What of the laboratory shows: the layers that are drawn over the scene, what the track is coloured by, and the pages
+// of its strip. Tables of names; how a layer is drawn is the view's affair, what is on a page the panels'.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,19 @@
 namespace coaster::world {
 
 // Rows of layers(), in its order.
-enum class Layer : std::uint8_t { polyline, frames, comb, circle, construction, rounding, flips, limits, supports, knots, conflicts };
+enum class Layer : std::uint8_t {
+  polyline,
+  frames,
+  comb,
+  circle,
+  construction,
+  rounding,
+  flips,
+  limits,
+  supports,
+  knots,
+  conflicts
+};
 
 struct LayerRow {
   std::string_view name;   // in scripts and recordings: "show comb on"
@@ -26,7 +38,9 @@ class Layers {
   friend bool operator==(const Layers&, const Layers&) = default;
 
  private:
-  static constexpr std::uint16_t bit(Layer layer) { return static_cast<std::uint16_t>(1u << static_cast<unsigned>(layer)); }
+  static constexpr std::uint16_t bit(Layer layer) {
+    return static_cast<std::uint16_t>(1u << static_cast<unsigned>(layer));
+  }
   std::uint16_t bits_ = bit(Layer::polyline) | bit(Layer::supports) | bit(Layer::knots) | bit(Layer::conflicts);
 };
 
@@ -38,12 +52,23 @@ struct ColouringRow {
   std::string_view label;  // in the panel and over the legend
   std::string_view unit;
   std::string_view help;
-  bool of_ride = false;    // the whole ride is simulated for it
+  bool of_ride = false;  // the whole ride is simulated for it
 };
 std::span<const ColouringRow> colourings();
 
 // Pages of the laboratory's strip: rows of lab_pages(), in its order.
-enum class LabPage : std::uint8_t { construction, weights, hodograph, error, lengths, frames, joints, errata, measurements, forces };
+enum class LabPage : std::uint8_t {
+  construction,
+  weights,
+  hodograph,
+  error,
+  lengths,
+  frames,
+  joints,
+  errata,
+  measurements,
+  forces
+};
 
 struct LabPageRow {
   std::string_view name;  // in scripts and recordings: "page weights"

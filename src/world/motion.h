@@ -13,25 +13,26 @@ inline constexpr int kTicksPerSecond = 120;
 inline constexpr double kTick = 1.0 / kTicksPerSecond;  // s
 inline constexpr double kGravity = 9.81;                // m/s^2, downwards (-Y); the one value in the whole program
 
-// Where a timetable of the whole ride began, and how many ticks of it have passed: with the document it tells the motion again.
+// Where a timetable of the whole ride began, and how many ticks of it have passed: with the document it tells the
+// motion again.
 struct TimetablePlace {
   bool valid = false;
   double front = 0, speed = 0;  // m from the track's start, m/s
   std::int32_t dwell = 0;
   bool braking = false;
   std::int64_t tick = 0;
-  double phase = 0;             // of a ride whose laps repeat: ticks into the present one
+  double phase = 0;  // of a ride whose laps repeat: ticks into the present one
   friend bool operator==(const TimetablePlace&, const TimetablePlace&) = default;
 };
 
 struct CartMotion {
   Entity segment;
-  double s = 0;               // m of arc length from the segment's start
-  double speed = 0;           // m/s along the track, negative backwards
-  double segment_length = 0;  // m, the length that `s` was measured on: an edit scales s by new / old
-  double track_distance = 0;  // m from the start of the track: where to go when the segment vanishes
-  double travelled = 0;       // m since the start, signed
-  std::int64_t laps = 0;      // whole rounds of a closed track, signed
+  double s = 0;                 // m of arc length from the segment's start
+  double speed = 0;             // m/s along the track, negative backwards
+  double segment_length = 0;    // m, the length that `s` was measured on: an edit scales s by new / old
+  double track_distance = 0;    // m from the start of the track: where to go when the segment vanishes
+  double travelled = 0;         // m since the start, signed
+  std::int64_t laps = 0;        // whole rounds of a closed track, signed
   double reference_energy = 0;  // J/kg, set at the start and anew by an edit under the cart
   double peak_kinetic = 0;      // J/kg, the largest since the reference was set
   double work = 0;              // J/kg done on the train by losses and equipment since then
@@ -52,16 +53,16 @@ enum class RideState : std::uint8_t { stopped, running, paused, ended, failed };
 enum class FailureKind : std::uint8_t { none, stall, rollback, off_end, collision };
 struct Failure {
   FailureKind kind = FailureKind::none;
-  Entity cart;           // the one that failed
-  double distance = 0;   // m from the track's start
-  double speed = 0;      // m/s, when it happened
+  Entity cart;          // the one that failed
+  double distance = 0;  // m from the track's start
+  double speed = 0;     // m/s, when it happened
   friend bool operator==(const Failure&, const Failure&) = default;
 };
 
 struct Motion {
   Pool<CartMotion> carts;  // by the document's cart entities
   RideState state = RideState::stopped;
-  Failure failure;         // none while all is well
+  Failure failure;  // none while all is well
   friend bool operator==(const Motion&, const Motion&) = default;
 };
 

@@ -9,29 +9,24 @@
 namespace coaster::world {
 namespace {
 
-constexpr double kAcceptedTolerance = 1e-6;   // of squared length and of the cosine between tangent and up
-constexpr double kShortDirection = 1e-9;  // m, below it a direction is noise
+constexpr double kAcceptedTolerance = 1e-6;  // of squared length and of the cosine between tangent and up
+constexpr double kShortDirection = 1e-9;     // m, below it a direction is noise
 
 bool unit(glm::vec3 v) {
   const glm::dvec3 d(v);
   return std::abs(glm::dot(d, d) - 1.0) <= kAcceptedTolerance;
 }
-glm::dvec3 forward_of(const Knot& knot) {
-  return glm::normalize(glm::dvec3(knot.tangent));
-}
+glm::dvec3 forward_of(const Knot& knot) { return glm::normalize(glm::dvec3(knot.tangent)); }
 
 }  // namespace
 
 void orthonormalise(Knot& knot) {
   const glm::dvec3 tangent(knot.tangent);
   const double length = glm::length(tangent);
-  if (!(length > 0) || !std::isfinite(length))
-    knot.tangent = {1, 0, 0};
-  else if (!unit(knot.tangent))
-    knot.tangent = glm::vec3(tangent / length);
+  if (!(length > 0) || !std::isfinite(length)) knot.tangent = {1, 0, 0};
+  else if (!unit(knot.tangent)) knot.tangent = glm::vec3(tangent / length);
   const bool right = std::abs(glm::dot(glm::dvec3(knot.tangent), glm::dvec3(knot.up))) <= kAcceptedTolerance;
-  if (!unit(knot.up) || !right)
-    knot.up = glm::vec3(curve::perpendicular(forward_of(knot), glm::dvec3(knot.up)));
+  if (!unit(knot.up) || !right) knot.up = glm::vec3(curve::perpendicular(forward_of(knot), glm::dvec3(knot.up)));
 }
 
 void set_tangent(Knot& knot, glm::vec3 direction) {

@@ -1,5 +1,5 @@
-// A registry that is a value: copy it for a snapshot, compare it for equality. Sparse-set pools over a compile-time list of
-// components; no type erasure, no signals.
+// A registry that is a value: copy it for a snapshot, compare it for equality. Sparse-set pools over a compile-time
+// list of components; no type erasure, no signals.
 #pragma once
 
 #include <cstdint>
@@ -115,15 +115,25 @@ class Registry {
   std::size_t size() const { return alive_; }
 
   template <class T>
-  Pool<T>& pool() { return std::get<Pool<T>>(pools_); }
+  Pool<T>& pool() {
+    return std::get<Pool<T>>(pools_);
+  }
   template <class T>
-  const Pool<T>& pool() const { return std::get<Pool<T>>(pools_); }
+  const Pool<T>& pool() const {
+    return std::get<Pool<T>>(pools_);
+  }
   template <class T>
-  T& get(Entity e) { return pool<T>().get(e); }
+  T& get(Entity e) {
+    return pool<T>().get(e);
+  }
   template <class T>
-  const T& get(Entity e) const { return pool<T>().get(e); }
+  const T& get(Entity e) const {
+    return pool<T>().get(e);
+  }
   template <class T>
-  const T* find(Entity e) const { return pool<T>().find(e); }
+  const T* find(Entity e) const {
+    return pool<T>().find(e);
+  }
   template <class T>
   T& put(Entity e, T value) {
     COASTER_CHECK(alive(e), "components go on living entities");

@@ -42,7 +42,8 @@ void add_equipment(base::Hasher& hasher, const Equipment* equipment) {
 
 void add_operation(base::Hasher& hasher, const Document& document) {
   const Document plain;
-  if (!(document.resistance == plain.resistance)) hasher.add(document.resistance.rolling), hasher.add(document.resistance.drag);
+  if (!(document.resistance == plain.resistance))
+    hasher.add(document.resistance.rolling), hasher.add(document.resistance.drag);
   if (document.heartline != plain.heartline) hasher.add(document.heartline);
   if (document.rollback_fails != plain.rollback_fails) hasher.add(document.rollback_fails);
 }
@@ -73,8 +74,7 @@ std::uint64_t hash(const Document& document) {
   hasher.add(carts.size());
   for (const Entity e : by_number(document, carts.entities())) {
     const Cart& cart = carts.get(e);
-    hasher.add(number_of(document, e)), hasher.add(number_of(document, cart.segment)),
-        hasher.add(cart.fraction);
+    hasher.add(number_of(document, e)), hasher.add(number_of(document, cart.segment)), hasher.add(cart.fraction);
     if (cart.cars != 1 || cart.spacing != Cart{}.spacing) hasher.add(cart.cars), hasher.add(cart.spacing);
     if (cart.length != Cart{}.length || cart.mass != Cart{}.mass) hasher.add(cart.length), hasher.add(cart.mass);
     add_extra(hasher, document, e);
@@ -89,12 +89,13 @@ std::uint64_t hash(const Document& document, const Motion& motion) {
   for (const Entity e : by_number(document, motion.carts.entities())) {
     const CartMotion& cart = motion.carts.get(e);
     hasher.add(number_of(document, e)), hasher.add(number_of(document, cart.segment));
-    hasher.add(cart.s), hasher.add(cart.speed), hasher.add(cart.segment_length),
-        hasher.add(cart.track_distance);
+    hasher.add(cart.s), hasher.add(cart.speed), hasher.add(cart.segment_length), hasher.add(cart.track_distance);
     hasher.add(cart.travelled), hasher.add(cart.laps);
     hasher.add(cart.reference_energy), hasher.add(cart.peak_kinetic), hasher.add(cart.work);
-    hasher.add(cart.furthest), hasher.add(cart.carry), hasher.add(cart.still), hasher.add(cart.dwell), hasher.add(cart.braking);
-    hasher.add(cart.timetable.valid), hasher.add(cart.timetable.front), hasher.add(cart.timetable.speed), hasher.add(cart.timetable.tick);
+    hasher.add(cart.furthest), hasher.add(cart.carry), hasher.add(cart.still), hasher.add(cart.dwell),
+        hasher.add(cart.braking);
+    hasher.add(cart.timetable.valid), hasher.add(cart.timetable.front), hasher.add(cart.timetable.speed),
+        hasher.add(cart.timetable.tick);
     if (cart.timetable.phase != 0) hasher.add(cart.timetable.phase);
   }
   return hasher.digest();

@@ -32,8 +32,7 @@ void for_carts_on(Document& document, Entity segment_entity, Fn fn) {
 }
 
 void remove_carts_on(Document& document, Entity segment_entity) {
-  const std::vector<Entity> carts =
-      document.entities.pool<Cart>().entities();  // a copy: destroying reorders the pool
+  const std::vector<Entity> carts = document.entities.pool<Cart>().entities();  // a copy: destroying reorders the pool
   for (const Entity e : carts)
     if (document.entities.get<Cart>(e).segment == segment_entity) document.entities.destroy(e);
 }
@@ -51,17 +50,14 @@ double as_fraction(double part, double whole) {
   return whole > 0 ? std::clamp(part / whole, 0.0, below_one) : 0.0;
 }
 
-void set_length(float& length, double value) {
-  length = std::clamp(static_cast<float>(value), kMinHandle, kMaxHandle);
-}
+void set_length(float& length, double value) { length = std::clamp(static_cast<float>(value), kMinHandle, kMaxHandle); }
 
 // Makes segments[before] lead over the knot between it and segments[after], and removes the latter.
 void merge_segments(Document& document, std::size_t before_index, std::size_t after_index) {
   const Entity before = document.track.segments[before_index], after = document.track.segments[after_index];
   const double first = curve::arc_length(cubic_of(document, before)),
                second = curve::arc_length(cubic_of(document, after));
-  for_carts_on(document, before,
-               [&](Cart& c) { c.fraction = as_fraction(c.fraction * first, first + second); });
+  for_carts_on(document, before, [&](Cart& c) { c.fraction = as_fraction(c.fraction * first, first + second); });
   for_carts_on(document, after, [&](Cart& c) {
     c.segment = before, c.fraction = as_fraction(first + c.fraction * second, first + second);
   });
@@ -96,10 +92,9 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
   const curve::Cubic whole = cubic_of(document, first);
   const curve::SplitCubic parts = curve::split(whole, t);
   const Entity from = segment(document, first).from, to = segment(document, first).to;
-  const double lengths[4] = {t * knot(document, from).out_length,
-                             glm::length(glm::dvec3(parts.left.p3) - glm::dvec3(parts.left.p2)),
-                             glm::length(glm::dvec3(parts.right.p1) - glm::dvec3(parts.right.p0)),
-                             (1 - t) * knot(document, to).in_length};
+  const double lengths[4] = {
+      t * knot(document, from).out_length, glm::length(glm::dvec3(parts.left.p3) - glm::dvec3(parts.left.p2)),
+      glm::length(glm::dvec3(parts.right.p1) - glm::dvec3(parts.right.p0)), (1 - t) * knot(document, to).in_length};
   for (const double length : lengths)
     if (!(length >= kMinHandle && length <= kMaxHandle)) return {kNone, first, kNone};
   // Between knots at the border of the world a curve may reach beyond it.
@@ -118,7 +113,8 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
   document.entities.put(e, middle);
   const Entity second = create_segment(document, e, to);
   document.entities.get<Segment>(first).to = e;
-  if (const Equipment* const equipment = document.entities.find<Equipment>(first)) document.entities.put(second, Equipment(*equipment));
+  if (const Equipment* const equipment = document.entities.find<Equipment>(first))
+    document.entities.put(second, Equipment(*equipment));
   const auto place = static_cast<std::ptrdiff_t>(*index) + 1;
   document.track.knots.insert(document.track.knots.begin() + place, e);
   document.track.segments.insert(document.track.segments.begin() + place, second);
@@ -133,7 +129,8 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
                right = curve::arc_length(cubic_of(document, second));
   for_carts_on(document, first, [&](Cart& cart) {
     const double s = cart.fraction * (left + right);
-    cart.segment = s < left ? first : second, cart.fraction = s < left ? as_fraction(s, left) : as_fraction(s - left, right);
+    cart.segment = s < left ? first : second,
+    cart.fraction = s < left ? as_fraction(s, left) : as_fraction(s - left, right);
   });
   return {e, first, second};
 }
@@ -163,7 +160,8 @@ void set_closed(Document& document, bool closed) {
   if (closed) {
     track.segments.push_back(create_segment(document, track.knots.back(), track.knots.front()));
   } else {
-    for_carts_on(document, track.segments.back(), [&](Cart& cart) { cart.segment = track.segments.front(), cart.fraction = 0; });
+    for_carts_on(document, track.segments.back(),
+                 [&](Cart& cart) { cart.segment = track.segments.front(), cart.fraction = 0; });
     remove_segment(document, track.segments.size() - 1);
   }
   track.closed = closed;

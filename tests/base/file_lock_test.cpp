@@ -19,7 +19,8 @@ using Outcome = LockAttempt::Outcome;
 class file_lock : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::temp_directory_path() / ("coaster_lock_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    folder = fs::temp_directory_path() /
+             ("coaster_lock_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder);
     fs::create_directories(folder);
     std::ofstream(folder / "a.json") << "x";

@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 class files : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::temp_directory_path() / ("coaster_files_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    folder = fs::temp_directory_path() /
+             ("coaster_files_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder);
     fs::create_directories(folder);
   }
@@ -29,7 +30,9 @@ class files : public testing::Test {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
   }
-  std::size_t entries() { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator())); }
+  std::size_t entries() {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+  }
 
   fs::path folder;
   Files io;
@@ -56,7 +59,8 @@ TEST_F(files, what_is_no_file_is_refused_with_the_reason) {
 
 TEST_F(files, each_failing_operation_leaves_the_old_file_and_nothing_else) {
   ASSERT_TRUE(io.write_atomic(folder / "a", "old").ok());
-  for (IoOperation operation : {IoOperation::open, IoOperation::write, IoOperation::fsync, IoOperation::close, IoOperation::rename}) {
+  for (IoOperation operation :
+       {IoOperation::open, IoOperation::write, IoOperation::fsync, IoOperation::close, IoOperation::rename}) {
     io.inject(operation, 1);
     const Status status = io.write_atomic(folder / "a", "new");
     EXPECT_EQ(status.code, Code::io);
@@ -174,7 +178,9 @@ TEST_F(files, names_that_look_alike_are_nobody_s_leftovers) {
   const fs::path left = temporary_of(folder / "a", 0);
   const std::string name = left.filename().string();
   fs::remove(left);
-  for (const std::string& other : std::vector<std::string>{name + "x", name.substr(1), ".a.00000000.1.0", ".a.", ".a.json.lock"}) std::ofstream(folder / other) << "mine";
+  for (const std::string& other :
+       std::vector<std::string>{name + "x", name.substr(1), ".a.00000000.1.0", ".a.", ".a.json.lock"})
+    std::ofstream(folder / other) << "mine";
   EXPECT_EQ(remove_leftovers_in(folder), 0);
   EXPECT_EQ(entries(), 5u);
 }

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 class folders : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::temp_directory_path() / ("coaster_folders_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    folder = fs::temp_directory_path() /
+             ("coaster_folders_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder);
     fs::create_directories(folder);
   }

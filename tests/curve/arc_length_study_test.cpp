@@ -13,7 +13,8 @@ TEST(arc_length_study, reference_agrees_with_tanh_sinh_on_every_kind_of_cubic) {
     for (const Cubic& c : set.cubics) {
       const LengthOracle oracle(c);
       ASSERT_LT(fabsl(reference_length(c) - oracle.length()), 1e-15L * oracle.length()) << set.name;
-      ASSERT_LT(fabsl(reference_length(c, 0.125, 0.625) - oracle.length(0.125L, 0.625L)), 1e-15L * oracle.length()) << set.name;
+      ASSERT_LT(fabsl(reference_length(c, 0.125, 0.625) - oracle.length(0.125L, 0.625L)), 1e-15L * oracle.length())
+          << set.name;
     }
 }
 
@@ -28,9 +29,14 @@ TEST(arc_length_study, every_row_converges_within_the_evaluations_allowed) {
         for (std::size_t i = 0; i < one.points.size(); ++i) {
           ASSERT_LE(one.points[i].evaluations, 512) << row.name;
           ASSERT_GE(one.points[i].relative_error, kSmallestError) << row.name;
-          if (i > 0) { ASSERT_GE(one.points[i].evaluations, one.points[i - 1].evaluations) << row.name; }
+          if (i > 0) {
+            ASSERT_GE(one.points[i].evaluations, one.points[i - 1].evaluations) << row.name;
+          }
         }
-        if (row.control == LengthControl::count) { EXPECT_LT(one.points.back().relative_error, 0.1 * one.points.front().relative_error + 1e-6) << row.name << set.name; }
+        if (row.control == LengthControl::count) {
+          EXPECT_LT(one.points.back().relative_error, 0.1 * one.points.front().relative_error + 1e-6)
+              << row.name << set.name;
+        }
       }
     }
 }
@@ -47,7 +53,9 @@ TEST(arc_length_study, gauss_legendre_needs_fewer_evaluations_than_any_other_row
       needed[i] += first;
     }
   }
-  const auto of = [&](std::string_view name) { return needed[static_cast<std::size_t>(*find_arc_length_method(name))] / 40; };
+  const auto of = [&](std::string_view name) {
+    return needed[static_cast<std::size_t>(*find_arc_length_method(name))] / 40;
+  };
   EXPECT_LE(of("gauss_legendre_fixed"), 20);
   EXPECT_LE(of("gauss_legendre"), 30);
   EXPECT_GT(of("simpson"), 3 * of("gauss_legendre"));
@@ -74,7 +82,9 @@ TEST(arc_length_study, comparisons_of_a_track_are_the_sums_of_its_segments) {
     EXPECT_NEAR(all[i].error, sum[i].error, 1e-12);
     EXPECT_EQ(all[i].evaluations, sum[i].evaluations);
     EXPECT_EQ(all[i].error_bound < 0, arc_length_methods()[i].bound == LengthBound::none);
-    if (arc_length_methods()[i].bound == LengthBound::guaranteed) { EXPECT_LE(std::abs(all[i].error), all[i].error_bound); }
+    if (arc_length_methods()[i].bound == LengthBound::guaranteed) {
+      EXPECT_LE(std::abs(all[i].error), all[i].error_bound);
+    }
   }
 }
 

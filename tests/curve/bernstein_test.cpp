@@ -38,7 +38,8 @@ TEST(bernstein, basis_is_the_binomial_formula) {
     for (int i = 0; i <= n; ++i)
       for (const double t : {0.0, 0.137, 0.5, 0.913, 1.0}) {
         const double binomial = std::round(std::tgamma(n + 1.0) / (std::tgamma(i + 1.0) * std::tgamma(n - i + 1.0)));
-        EXPECT_NEAR(bernstein(i, n, t), binomial * std::pow(t, i) * std::pow(1 - t, n - i), 1e-14) << i << " of " << n << " at " << t;
+        EXPECT_NEAR(bernstein(i, n, t), binomial * std::pow(t, i) * std::pow(1 - t, n - i), 1e-14)
+            << i << " of " << n << " at " << t;
       }
 }
 
@@ -62,23 +63,28 @@ TEST(bernstein, elevation_keeps_the_curve) {
     ASSERT_EQ(higher.size(), controls.size() + 2);
     for (int i = 0; i <= 16; ++i) {
       const double t = i / 16.0;
-      EXPECT_LT(glm::length(de_casteljau<double, dvec3>(controls, t) - bernstein_point<double, dvec3>(higher, t)), 1e-12);
+      EXPECT_LT(glm::length(de_casteljau<double, dvec3>(controls, t) - bernstein_point<double, dvec3>(higher, t)),
+                1e-12);
     }
   }
 }
 
 TEST(bernstein, hodograph_is_the_derivative) {
-  // Against the cubic's own derivative, and central differences in long double at degree 7 (error h^2 = 1e-10 of the third derivative).
+  // Against the cubic's own derivative, and central differences in long double at degree 7 (error h^2 = 1e-10 of the
+  // third derivative).
   for (const Cubic& c : random_cubics(20, 41)) {
     const auto legs = hodograph(c);
-    for (const double t : {0.0, 0.31, 1.0}) EXPECT_LT(glm::length(de_casteljau<double, dvec3>(legs, t) - derivative(c, t)), 1e-11);
+    for (const double t : {0.0, 0.31, 1.0})
+      EXPECT_LT(glm::length(de_casteljau<double, dvec3>(legs, t) - derivative(c, t)), 1e-11);
   }
   std::vector<long double> y{3.1L, -2.7L, 11.3L, 0.9L, 5.5L, -8.1L, 2.2L, 7.7L};
   const std::vector<long double> slope = hodograph_controls<long double, long double>(y);
   ASSERT_EQ(slope.size(), y.size() - 1);
   const long double t = 0.37L, h = 1e-5L;
-  const long double difference = (de_casteljau<long double, long double>(y, t + h) - de_casteljau<long double, long double>(y, t - h)) / (2 * h);
-  EXPECT_NEAR(static_cast<double>((de_casteljau<long double, long double>(slope, t))), static_cast<double>(difference), 1e-6);
+  const long double difference =
+      (de_casteljau<long double, long double>(y, t + h) - de_casteljau<long double, long double>(y, t - h)) / (2 * h);
+  EXPECT_NEAR(static_cast<double>((de_casteljau<long double, long double>(slope, t))), static_cast<double>(difference),
+              1e-6);
 }
 
 TEST(bernstein, construction_agrees_with_the_cubic_and_its_split) {

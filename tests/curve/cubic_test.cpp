@@ -13,7 +13,8 @@ bool finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && s
 
 TEST(cubic, points_agree_with_the_bernstein_form_in_long_double) {
   for (const Cubic& c : random_cubics(200, 1))
-    for (double t : {0.0, 0.1, 0.377, 0.5, 0.9, 1.0}) EXPECT_LT(glm::length(point(c, t) - point_long_double(c, t)), 1e-12);
+    for (double t : {0.0, 0.1, 0.377, 0.5, 0.9, 1.0})
+      EXPECT_LT(glm::length(point(c, t) - point_long_double(c, t)), 1e-12);
 }
 
 TEST(cubic, derivatives_agree_with_central_differences) {
@@ -21,7 +22,8 @@ TEST(cubic, derivatives_agree_with_central_differences) {
     const double t = 0.41, h = 1e-4;
     EXPECT_LT(glm::length(derivative(c, t) - (point(c, t + h) - point(c, t - h)) / (2 * h)), 1e-5);
     EXPECT_LT(glm::length(second_derivative(c, t) - (derivative(c, t + h) - derivative(c, t - h)) / (2 * h)), 1e-5);
-    EXPECT_LT(glm::length(third_derivative(c) - (second_derivative(c, t + h) - second_derivative(c, t - h)) / (2 * h)), 1e-5);
+    EXPECT_LT(glm::length(third_derivative(c) - (second_derivative(c, t + h) - second_derivative(c, t - h)) / (2 * h)),
+              1e-5);
   }
 }
 

@@ -30,7 +30,8 @@ std::vector<CubicSet> all_kinds(int count, unsigned seed) {
 
 // The greatest leg of the control polygon: what "small" means for the cubic.
 double size_of(const Cubic& c) {
-  return std::max({glm::length(dvec3(c.p1) - dvec3(c.p0)), glm::length(dvec3(c.p2) - dvec3(c.p1)), glm::length(dvec3(c.p3) - dvec3(c.p2))});
+  return std::max({glm::length(dvec3(c.p1) - dvec3(c.p0)), glm::length(dvec3(c.p2) - dvec3(c.p1)),
+                   glm::length(dvec3(c.p3) - dvec3(c.p2))});
 }
 
 TEST(degenerate, every_evaluator_keeps_its_bound_and_its_ends_even_at_one_step) {
@@ -48,7 +49,8 @@ TEST(degenerate, every_evaluator_keeps_its_bound_and_its_ends_even_at_one_step) 
           const double bound = row.error_bound(extent, 3 * size_of(c), steps);
           for (std::size_t i = 0; i < points.size(); ++i) {
             ASSERT_TRUE(finite(dvec3(tangents[i]))) << row.name << set.name;
-            ASSERT_LE(glm::length(dvec3(points[i]) - point_long_double(c, static_cast<double>(i) / steps)), bound) << row.name << set.name;
+            ASSERT_LE(glm::length(dvec3(points[i]) - point_long_double(c, static_cast<double>(i) / steps)), bound)
+                << row.name << set.name;
           }
         }
     }
@@ -62,7 +64,8 @@ TEST(degenerate, every_length_is_finite_and_within_the_polygon_and_its_work_boun
           const LengthEstimate estimate = row.measure(c, {count, 1e-5});
           ASSERT_TRUE(std::isfinite(estimate.length) && estimate.length >= 0) << row.name << set.name;
           ASSERT_TRUE(std::isfinite(estimate.error_bound)) << row.name << set.name;
-          ASSERT_LE(estimate.length, 3 * 3.001 * size_of(c)) << row.name << set.name;  // a sum of |B'| <= 3 * the greatest leg, by weights up to 1
+          ASSERT_LE(estimate.length, 3 * 3.001 * size_of(c))
+              << row.name << set.name;  // a sum of |B'| <= 3 * the greatest leg, by weights up to 1
           ASSERT_LE(estimate.evaluations, 20'000) << row.name << set.name;
           if (row.control != LengthControl::count) break;
         }
@@ -128,20 +131,24 @@ TEST(degenerate, splits_add_up_and_the_nearest_point_is_no_farther_than_the_ends
   for (const CubicSet& set : all_kinds(1000, 96))
     for (const Cubic& c : set.cubics) {
       const SplitCubic halves = split(c, share(random));
-      const double ulp = 1e-7 * (glm::length(dvec3(c.p0)) + size_of(c)), whole = arc_length(c);  // the halves are rounded to float
+      const double ulp = 1e-7 * (glm::length(dvec3(c.p0)) + size_of(c)),
+                   whole = arc_length(c);  // the halves are rounded to float
       ASSERT_NEAR(arc_length(halves.left) + arc_length(halves.right), whole, 8 * ulp + 1e-9 * whole) << set.name;
       const dvec3 target = dvec3(c.p0) + dvec3{place(random), place(random), place(random)};
       const NearestPoint near = nearest_point(c, target);
       ASSERT_TRUE(near.t >= 0 && near.t <= 1) << set.name;
-      ASSERT_LE(near.distance, std::min(glm::length(target - dvec3(c.p0)), glm::length(target - dvec3(c.p3)))) << set.name;
+      ASSERT_LE(near.distance, std::min(glm::length(target - dvec3(c.p0)), glm::length(target - dvec3(c.p3))))
+          << set.name;
       ASSERT_NEAR(near.distance, glm::length(target - point(c, near.t)), 1e-9) << set.name;
       const Joint j = joint(halves.left, halves.right);
       ASSERT_EQ(j.gap, 0) << set.name;
-      ASSERT_TRUE(std::isfinite(j.angle) && std::isfinite(j.speed_ratio) && std::isfinite(j.curvature_jump)) << set.name;
+      ASSERT_TRUE(std::isfinite(j.angle) && std::isfinite(j.speed_ratio) && std::isfinite(j.curvature_jump))
+          << set.name;
     }
 }
 
-// --- the documented results, shape by shape ---------------------------------------------------------------------------
+// --- the documented results, shape by shape
+// ---------------------------------------------------------------------------
 
 TEST(degenerate, four_equal_points_have_no_length_and_point_along_x) {
   const Cubic c{a, a, a, a};
@@ -234,7 +241,8 @@ TEST(degenerate, a_nanometre_is_measured_with_the_same_relative_error) {
 }
 
 TEST(degenerate, at_a_hundred_kilometres_the_rounded_control_points_are_measured_exactly) {
-  const Cubic c{{1e5f, 1e5f, -1e5f}, {100010.0f, 1e5f, -1e5f}, {100020.0f, 100005.0f, -1e5f}, {100030.0f, 100005.0f, -99990.0f}};
+  const Cubic c{
+      {1e5f, 1e5f, -1e5f}, {100010.0f, 1e5f, -1e5f}, {100020.0f, 100005.0f, -1e5f}, {100030.0f, 100005.0f, -99990.0f}};
   Cubic home = c;  // the same offsets at the origin: all are whole numbers, so nothing rounds
   for (glm::vec3* p : {&home.p0, &home.p1, &home.p2, &home.p3}) *p -= c.p0;
   EXPECT_EQ(arc_length(c), arc_length(home));

@@ -68,7 +68,8 @@ TEST(curve_errata, degenerate_curves_give_finite_numbers) {
     const GravesenClaim g = gravesen_claim(c);
     const FlipClaim f = flip_claim(c);
     const PenClaim pen = pen_claim(c);
-    for (const double v : {g.product, g.mean, g.length, line_claim(c, 64).distance, f.frenet_angle, f.minimising_angle, pen.outside, pen.outside_hull})
+    for (const double v : {g.product, g.mean, g.length, line_claim(c, 64).distance, f.frenet_angle, f.minimising_angle,
+                           pen.outside, pen.outside_hull})
       EXPECT_TRUE(std::isfinite(v));
   }
 }

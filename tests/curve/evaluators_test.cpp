@@ -18,14 +18,17 @@ double extent_of(const Cubic& c) {
   for (const glm::vec3 p : {c.p0, c.p1, c.p2, c.p3}) extent = std::max(extent, static_cast<double>(glm::length(p)));
   return extent;
 }
-double size_of(const Cubic& c) { return glm::length(c.p1 - c.p0) + glm::length(c.p2 - c.p1) + glm::length(c.p3 - c.p2); }
+double size_of(const Cubic& c) {
+  return glm::length(c.p1 - c.p0) + glm::length(c.p2 - c.p1) + glm::length(c.p3 - c.p2);
+}
 
 // The oracle, apart from the program's: Bernstein's form in long double.
 glm::dvec3 exact(const Cubic& c, int i, int n) {
   const long double t = static_cast<long double>(i) / n, s = 1 - t;
   glm::dvec3 out;
   for (int a = 0; a < 3; ++a)
-    out[a] = static_cast<double>(s * s * s * c.p0[a] + 3 * t * s * s * c.p1[a] + 3 * t * t * s * c.p2[a] + t * t * t * c.p3[a]);
+    out[a] = static_cast<double>(s * s * s * c.p0[a] + 3 * t * s * s * c.p1[a] + 3 * t * t * s * c.p2[a] +
+                                 t * t * t * c.p3[a]);
   return out;
 }
 
@@ -33,7 +36,8 @@ double worst_error(const Evaluator& row, const Cubic& c, int steps, std::vector<
   points.resize(static_cast<std::size_t>(steps) + 1);
   row.polyline(prepare(c), points, {});
   double worst = 0;
-  for (int i = 0; i <= steps; ++i) worst = std::max(worst, glm::length(glm::dvec3(points[static_cast<std::size_t>(i)]) - exact(c, i, steps)));
+  for (int i = 0; i <= steps; ++i)
+    worst = std::max(worst, glm::length(glm::dvec3(points[static_cast<std::size_t>(i)]) - exact(c, i, steps)));
   return worst;
 }
 
@@ -48,7 +52,8 @@ TEST(evaluators, names_and_labels_are_unique_and_found) {
     EXPECT_FALSE(row.cost.empty());
   }
   EXPECT_EQ(find_evaluator("no such row"), std::nullopt);
-  for (const char* label : {"Cubic (Bernstein)", "de Casteljau", "Horner", "Forward differences"}) EXPECT_TRUE(labels.count(label)) << label;
+  for (const char* label : {"Cubic (Bernstein)", "de Casteljau", "Horner", "Forward differences"})
+    EXPECT_TRUE(labels.count(label)) << label;
 }
 
 TEST(evaluators, every_row_keeps_its_error_bound_on_ten_thousand_cubics) {
@@ -62,7 +67,8 @@ TEST(evaluators, every_row_keeps_its_error_bound_on_ten_thousand_cubics) {
     unsigned seed = 11;
     for (const auto [steps, count] : plan)
       for (const Cubic& c : random_cubics(count, seed++)) {
-        const double error = worst_error(row, c, steps, points), bound = row.error_bound(extent_of(c), size_of(c), steps);
+        const double error = worst_error(row, c, steps, points),
+                     bound = row.error_bound(extent_of(c), size_of(c), steps);
         ASSERT_LE(error, bound) << row.name << " at " << steps << " steps";
         closest = std::max(closest, error / bound);
       }
@@ -90,7 +96,8 @@ TEST(evaluators, tangents_are_the_derivative) {
       row.polyline(prepare(c), points, tangents);
       for (int i = 0; i <= 64; ++i)
         // |B'| is about 60; control points 350 m out round by 3e-5, which the factor 3 and 64 sums enlarge.
-        ASSERT_LT(glm::length(glm::dvec3(tangents[static_cast<std::size_t>(i)]) - derivative(c, i / 64.0)), 5e-3) << row.name;
+        ASSERT_LT(glm::length(glm::dvec3(tangents[static_cast<std::size_t>(i)]) - derivative(c, i / 64.0)), 5e-3)
+            << row.name;
     }
 }
 
@@ -128,7 +135,8 @@ TEST(evaluators, horner_uses_the_stored_coefficients_alone) {
 double worst_of(const char* name, int steps, const std::vector<Cubic>& cubics) {
   std::vector<glm::vec3> points;
   double worst = 0;
-  for (const Cubic& c : cubics) worst = std::max(worst, worst_error(evaluator(*find_evaluator(name)), c, steps, points));
+  for (const Cubic& c : cubics)
+    worst = std::max(worst, worst_error(evaluator(*find_evaluator(name)), c, steps, points));
   return worst;
 }
 

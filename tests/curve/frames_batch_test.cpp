@@ -1,4 +1,5 @@
-// Chains side by side have the bits of chains alone, on every processor path, also where single chains need transport()'s branches.
+// Chains side by side have the bits of chains alone, on every processor path, also where single chains need
+// transport()'s branches.
 #include "curve/frames_batch.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,9 @@ std::vector<glm::dvec3> one_by_one(const Chains& chains) {
   std::vector<glm::dvec3> ups = chains.ups;
   for (std::size_t i = 0; i < ups.size(); ++i)
     if (i % static_cast<std::size_t>(chains.count) != 0)
-      ups[i] = transport({chains.tangents[i - 1], ups[i - 1]}, chains.points[i - 1], chains.points[i], chains.tangents[i]).up;
+      ups[i] =
+          transport({chains.tangents[i - 1], ups[i - 1]}, chains.points[i - 1], chains.points[i], chains.tangents[i])
+              .up;
   return ups;
 }
 
@@ -44,7 +47,8 @@ void expect_the_same_bits(const Chains& chains) {
     transport_chains(chains.count, chains.points, chains.tangents, ups, on);
     for (std::size_t i = 0; i < ups.size(); ++i)
       for (int a = 0; a < 3; ++a)
-        ASSERT_EQ(std::bit_cast<std::uint64_t>(ups[i][a]), std::bit_cast<std::uint64_t>(expected[i][a])) << "place " << i << " axis " << a;
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(ups[i][a]), std::bit_cast<std::uint64_t>(expected[i][a]))
+            << "place " << i << " axis " << a;
   }
 }
 

@@ -12,8 +12,8 @@ namespace frames_test {
 
 using glm::dvec3;
 
-// A helix of radius r and rise c per radian: curvature r/(r^2+c^2), torsion c/(r^2+c^2). Its rotation-minimising frame turns by
-// -torsion against the Frenet frame per metre.
+// A helix of radius r and rise c per radian: curvature r/(r^2+c^2), torsion c/(r^2+c^2). Its rotation-minimising frame
+// turns by -torsion against the Frenet frame per metre.
 struct Helix {
   double r = 9.3, c = 2.1;
   dvec3 point(double a) const { return {31.7 + r * std::cos(a), 5.1 + c * a, -12.9 + r * std::sin(a)}; }
@@ -26,7 +26,8 @@ double transported_error(int steps) {
   const double turn = 2 * base::kPi;
   Frame frame{helix.tangent(0), helix.normal(0)};
   for (int i = 1; i <= steps; ++i)
-    frame = transport(frame, helix.point(turn * (i - 1) / steps), helix.point(turn * i / steps), helix.tangent(turn * i / steps));
+    frame = transport(frame, helix.point(turn * (i - 1) / steps), helix.point(turn * i / steps),
+                      helix.tangent(turn * i / steps));
   // torsion x length, with the sign of this parametrisation's handedness
   const dvec3 b = glm::cross(helix.tangent(turn), helix.normal(turn));
   const double angle = helix.c / std::sqrt(helix.r * helix.r + helix.c * helix.c) * turn;
@@ -44,7 +45,8 @@ TEST(frames, double_reflection_is_exact_to_fourth_order_on_a_helix) {
 TEST(frames, transport_keeps_frames_orthonormal_even_on_degenerate_steps) {
   const Frame start{{1, 0, 0}, {0, 0, 1}};
   for (const dvec3 to : {dvec3(0, 0, 0), dvec3(1e-13, 0, 0), dvec3(3, 1, 2), dvec3(-3, 0, 0)})
-    for (const dvec3 tangent : {dvec3(1, 0, 0), dvec3(-1, 0, 0), dvec3(0, 1, 0), glm::normalize(dvec3(1, 2, 3)), dvec3(0, 0, 1)}) {
+    for (const dvec3 tangent :
+         {dvec3(1, 0, 0), dvec3(-1, 0, 0), dvec3(0, 1, 0), glm::normalize(dvec3(1, 2, 3)), dvec3(0, 0, 1)}) {
       const Frame f = transport(start, {0, 0, 0}, to, tangent);
       EXPECT_NEAR(glm::length(f.up), 1, 1e-12);
       EXPECT_NEAR(glm::dot(f.up, tangent), 0, 1e-12);
@@ -76,7 +78,8 @@ TEST(frames, frenet_is_undefined_on_straight_lines_and_flips_across_an_inflectio
 }
 
 TEST(frames, the_least_rotation_takes_one_vector_to_the_other_and_leaves_their_normal) {
-  const dvec3 a = glm::normalize(dvec3(1, 2, -3)), b = glm::normalize(dvec3(-2, 0.3, 1)), axis = perpendicular(a, {0, 1, 0});
+  const dvec3 a = glm::normalize(dvec3(1, 2, -3)), b = glm::normalize(dvec3(-2, 0.3, 1)),
+              axis = perpendicular(a, {0, 1, 0});
   EXPECT_LT(glm::length(least_rotation(a, b, a, axis) - b), 1e-14);
   const dvec3 n = glm::normalize(glm::cross(a, b));
   EXPECT_LT(glm::length(least_rotation(a, b, n, axis) - n), 1e-14);
@@ -87,7 +90,8 @@ TEST(frames, the_least_rotation_takes_one_vector_to_the_other_and_leaves_their_n
 TEST(frames, rotations_are_right_handed_and_signed_angles_undo_them) {
   EXPECT_LT(glm::length(rotate({1, 0, 0}, {0, 0, 1}, base::kPi / 2) - dvec3(0, 1, 0)), 1e-15);
   const dvec3 axis = glm::normalize(dvec3(1, -2, 0.5)), v = perpendicular(axis, {0, 1, 0});
-  for (double angle : {-3.0, -1.2, 0.0, 0.4, 3.1}) EXPECT_NEAR(signed_angle(v, rotate(v, axis, angle), axis), angle, 1e-14);
+  for (double angle : {-3.0, -1.2, 0.0, 0.4, 3.1})
+    EXPECT_NEAR(signed_angle(v, rotate(v, axis, angle), axis), angle, 1e-14);
 }
 
 TEST(frames, perpendicular_is_unit_for_every_wish) {

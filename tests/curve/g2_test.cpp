@@ -43,7 +43,8 @@ dvec3 across(dvec3 v, dvec3 unit) { return v - glm::dot(v, unit) * unit; }
 
 // (2/3) of what the far handle is off the tangent, over the square of the handle: both curvature vectors at the joint.
 std::array<dvec3, 2> curvatures(const G2Problem& p, const G2Solution& s) {
-  const dvec3 t = glm::normalize(s.out_handle - s.in_handle), a = p.before.anchor + s.before_length * p.before.direction,
+  const dvec3 t = glm::normalize(s.out_handle - s.in_handle),
+              a = p.before.anchor + s.before_length * p.before.direction,
               b = p.after.anchor + s.after_length * p.after.direction;
   const double in = glm::length(s.position - s.in_handle), out = glm::length(s.out_handle - s.position);
   return {across(a - s.position, t) * (2.0 / 3.0) / (in * in), across(b - s.position, t) * (2.0 / 3.0) / (out * out)};
@@ -52,30 +53,36 @@ dvec3 far_curvature(const G2Side& side, double length, dvec3 handle) {
   return across(handle - side.anchor, side.direction) * (2.0 / 3.0) / (length * length);
 }
 
-// The oracle knows the set of all G2 joints in closed form: for any place, handle lengths and far handles the tangent must be that of
-// in^2 (b - p) - out^2 (a - p). So a compass search over those seven numbers needs no conditions at all.
+// The oracle knows the set of all G2 joints in closed form: for any place, handle lengths and far handles the tangent
+// must be that of in^2 (b - p) - out^2 (a - p). So a compass search over those seven numbers needs no conditions at
+// all.
 double movement_of(const G2Problem& p, const std::array<double, 7>& x) {
   const dvec3 place = p.position + dvec3(x[0], x[1], x[2]);
   const double in = x[3], out = p.equal_lengths ? x[3] : x[4];
   const double a = p.before.length_fixed ? p.before.length : x[5], b = p.after.length_fixed ? p.after.length : x[6];
   if (!(in > 0.05) || !(out > 0.05) || !(a > 0.05) || !(b > 0.05)) return 1e9;
-  const dvec3 t = glm::normalize(in * in * (p.after.anchor + b * p.after.direction - place) - out * out * (p.before.anchor + a * p.before.direction - place));
+  const dvec3 t = glm::normalize(in * in * (p.after.anchor + b * p.after.direction - place) -
+                                 out * out * (p.before.anchor + a * p.before.direction - place));
   double sum = (a - p.before.length) * (a - p.before.length) + (b - p.after.length) * (b - p.after.length);
-  for (const dvec3 d : {place - p.position, place - in * t - p.in_handle, place + out * t - p.out_handle}) sum += glm::dot(d, d);
+  for (const dvec3 d : {place - p.position, place - in * t - p.in_handle, place + out * t - p.out_handle})
+    sum += glm::dot(d, d);
   return std::sqrt(sum);
 }
 double compass_search(const G2Problem& p, Chance& chance, double spread) {
-  std::array<double, 7> x{chance.number(-spread, spread), chance.number(-spread, spread), chance.number(-spread, spread),
+  std::array<double, 7> x{chance.number(-spread, spread),
+                          chance.number(-spread, spread),
+                          chance.number(-spread, spread),
                           glm::length(p.position - p.in_handle) + chance.number(-spread, spread),
-                          glm::length(p.out_handle - p.position) + chance.number(-spread, spread), p.before.length, p.after.length};
+                          glm::length(p.out_handle - p.position) + chance.number(-spread, spread),
+                          p.before.length,
+                          p.after.length};
   double best = movement_of(p, x);
   for (double step = 0.5; step > 1e-7;) {
     bool better = false;
     // Random directions besides the axes: valleys are crooked.
     for (int i = 0; i < 28; ++i) {
       std::array<double, 7> y = x;
-      if (i < 14)
-        y[static_cast<std::size_t>(i / 2)] += i % 2 ? step : -step;
+      if (i < 14) y[static_cast<std::size_t>(i / 2)] += i % 2 ? step : -step;
       else
         for (double& v : y) v += chance.number(-step, step);
       if (const double m = movement_of(p, y); m < best) best = m, x = y, better = true;

@@ -18,14 +18,16 @@ glm::dvec3 exact(const Cubic& c, int i, int n) {
   const long double t = static_cast<long double>(i) / n, s = 1 - t;
   glm::dvec3 out;
   for (int a = 0; a < 3; ++a)
-    out[a] = static_cast<double>(s * s * s * c.p0[a] + 3 * t * s * s * c.p1[a] + 3 * t * t * s * c.p2[a] + t * t * t * c.p3[a]);
+    out[a] = static_cast<double>(s * s * s * c.p0[a] + 3 * t * s * s * c.p1[a] + 3 * t * t * s * c.p2[a] +
+                                 t * t * t * c.p3[a]);
   return out;
 }
 glm::dvec3 exact_derivative(const Cubic& c, int i, int n) {
   const long double t = static_cast<long double>(i) / n, s = 1 - t;
   glm::dvec3 out;
   for (int a = 0; a < 3; ++a) {
-    const long double d0 = static_cast<long double>(c.p1[a]) - c.p0[a], d1 = static_cast<long double>(c.p2[a]) - c.p1[a];
+    const long double d0 = static_cast<long double>(c.p1[a]) - c.p0[a],
+                      d1 = static_cast<long double>(c.p2[a]) - c.p1[a];
     const long double d2 = static_cast<long double>(c.p3[a]) - c.p2[a];
     out[a] = static_cast<double>(3 * (s * s * d0 + 2 * s * t * d1 + t * t * d2));
   }
@@ -36,7 +38,9 @@ double extent_of(const Cubic& c) {
   for (const glm::vec3 p : {c.p0, c.p1, c.p2, c.p3}) extent = std::max(extent, static_cast<double>(glm::length(p)));
   return extent;
 }
-double size_of(const Cubic& c) { return glm::length(c.p1 - c.p0) + glm::length(c.p2 - c.p1) + glm::length(c.p3 - c.p2); }
+double size_of(const Cubic& c) {
+  return glm::length(c.p1 - c.p0) + glm::length(c.p2 - c.p1) + glm::length(c.p3 - c.p2);
+}
 
 std::vector<PreparedCubic> prepared(const std::vector<Cubic>& cubics) {
   std::vector<PreparedCubic> all;
@@ -56,8 +60,11 @@ TEST(kernels, every_path_and_method_keeps_its_bound_for_every_number_of_steps) {
         vector_polyline(VectorMethod::differences, prepare(c), by_differences, on);
         for (int i = 0; i <= n; ++i) {
           const auto k = static_cast<std::size_t>(i);
-          ASSERT_LE(glm::length(glm::dvec3(by_horner[k]) - exact(c, i, n)), vector_horner_error_bound(extent_of(c), size_of(c))) << n << " " << i;
-          ASSERT_LE(glm::length(glm::dvec3(by_differences[k]) - exact(c, i, n)), vector_differences_error_bound(extent_of(c), size_of(c)))
+          ASSERT_LE(glm::length(glm::dvec3(by_horner[k]) - exact(c, i, n)),
+                    vector_horner_error_bound(extent_of(c), size_of(c)))
+              << n << " " << i;
+          ASSERT_LE(glm::length(glm::dvec3(by_differences[k]) - exact(c, i, n)),
+                    vector_differences_error_bound(extent_of(c), size_of(c)))
               << n << " " << i;
         }
         ASSERT_EQ(by_horner.front(), c.p0);
@@ -137,7 +144,8 @@ TEST(kernels, unit_tangents_have_length_one_and_the_exact_direction) {
         track_points(all, n, layout, alone, on);
         EXPECT_EQ(points, alone);
         EXPECT_EQ(tangents.back(), glm::vec3(-7)) << "written past the end";
-        for (std::size_t k = 0; k < count; ++k) ASSERT_NEAR(glm::length(glm::dvec3(tangents[k])), 1.0, 2e-4) << n << " " << k;
+        for (std::size_t k = 0; k < count; ++k)
+          ASSERT_NEAR(glm::length(glm::dvec3(tangents[k])), 1.0, 2e-4) << n << " " << k;
         for (std::size_t s = 0; s < regular; ++s)
           for (std::size_t i = 0; i < own; ++i) {
             const glm::dvec3 d = exact_derivative(cubics[s], static_cast<int>(i), n);

@@ -1,5 +1,6 @@
-// The length of a cubic by the tanh-sinh rule in long double, cut where the curve is slowest: an oracle that shares neither nodes,
-// nor subdivision, nor the integrand's form with what it judges. The rule's nodes crowd at the ends of each piece, so cusps cost nothing.
+// The length of a cubic by the tanh-sinh rule in long double, cut where the curve is slowest: an oracle that shares
+// neither nodes, nor subdivision, nor the integrand's form with what it judges. The rule's nodes crowd at the ends of
+// each piece, so cusps cost nothing.
 #pragma once
 
 #include <algorithm>
@@ -69,7 +70,8 @@ class LengthOracle {
     for (int i = 0; i <= kScan; ++i) v[i] = speed(static_cast<long double>(i) / kScan);
     for (int i = 0; i <= kScan; ++i) {
       if ((i > 0 && v[i] > v[i - 1]) || (i < kScan && v[i] >= v[i + 1])) continue;
-      long double low = std::max(0, i - 1) / static_cast<long double>(kScan), high = std::min(kScan, i + 1) / static_cast<long double>(kScan);
+      long double low = std::max(0, i - 1) / static_cast<long double>(kScan),
+                  high = std::min(kScan, i + 1) / static_cast<long double>(kScan);
       for (int k = 0; k < 100; ++k) {  // by thirds: (2/3)^100 of an interval
         const long double a = low + (high - low) / 3, b = high - (high - low) / 3;
         const bool before = speed(a) < speed(b);

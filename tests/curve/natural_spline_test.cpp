@@ -23,9 +23,14 @@ std::vector<double> random_steps(std::size_t n) {
   return steps;
 }
 
-// Second derivative of the cubic Hermite piece of length h between p0, m0 and p1, m1 at its start and at its end, by the polynomial.
-dvec3 second_at_start(dvec3 p0, dvec3 m0, dvec3 p1, dvec3 m1, double h) { return (6.0 * (p1 - p0) / h - 4.0 * m0 - 2.0 * m1) / h; }
-dvec3 second_at_end(dvec3 p0, dvec3 m0, dvec3 p1, dvec3 m1, double h) { return (-6.0 * (p1 - p0) / h + 2.0 * m0 + 4.0 * m1) / h; }
+// Second derivative of the cubic Hermite piece of length h between p0, m0 and p1, m1 at its start and at its end, by
+// the polynomial.
+dvec3 second_at_start(dvec3 p0, dvec3 m0, dvec3 p1, dvec3 m1, double h) {
+  return (6.0 * (p1 - p0) / h - 4.0 * m0 - 2.0 * m1) / h;
+}
+dvec3 second_at_end(dvec3 p0, dvec3 m0, dvec3 p1, dvec3 m1, double h) {
+  return (-6.0 * (p1 - p0) / h + 2.0 * m0 + 4.0 * m1) / h;
+}
 
 void expect_zero(dvec3 v, double scale) { RC_ASSERT(glm::length(v) <= 1e-11 * scale); }
 
@@ -38,7 +43,9 @@ RC_GTEST_PROP(NaturalSpline, second_derivatives_agree_inside_and_vanish_at_free_
   expect_zero(second_at_start(p[0], m[0], p[1], m[1], h[0]), 1e4);
   expect_zero(second_at_end(p[n - 2], m[n - 2], p[n - 1], m[n - 1], h[n - 2]), 1e4);
   for (std::size_t i = 1; i + 1 < n; ++i)
-    expect_zero(second_at_end(p[i - 1], m[i - 1], p[i], m[i], h[i - 1]) - second_at_start(p[i], m[i], p[i + 1], m[i + 1], h[i]), 1e4);
+    expect_zero(
+        second_at_end(p[i - 1], m[i - 1], p[i], m[i], h[i - 1]) - second_at_start(p[i], m[i], p[i + 1], m[i + 1], h[i]),
+        1e4);
 }
 
 RC_GTEST_PROP(NaturalSpline, clamped_ends_keep_their_derivatives, ()) {
@@ -50,7 +57,9 @@ RC_GTEST_PROP(NaturalSpline, clamped_ends_keep_their_derivatives, ()) {
   RC_ASSERT(m.front() == first);
   RC_ASSERT(m.back() == last);
   for (std::size_t i = 1; i + 1 < n; ++i)
-    expect_zero(second_at_end(p[i - 1], m[i - 1], p[i], m[i], h[i - 1]) - second_at_start(p[i], m[i], p[i + 1], m[i + 1], h[i]), 1e4);
+    expect_zero(
+        second_at_end(p[i - 1], m[i - 1], p[i], m[i], h[i - 1]) - second_at_start(p[i], m[i], p[i + 1], m[i + 1], h[i]),
+        1e4);
 }
 
 RC_GTEST_PROP(NaturalSpline, a_closed_one_is_smooth_all_the_way_round, ()) {
@@ -60,13 +69,16 @@ RC_GTEST_PROP(NaturalSpline, a_closed_one_is_smooth_all_the_way_round, ()) {
   const std::vector<dvec3> m = spline_derivatives({p, h, {}, {}, true});
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t before = (i + n - 1) % n, after = (i + 1) % n;
-    expect_zero(second_at_end(p[before], m[before], p[i], m[i], h[before]) - second_at_start(p[i], m[i], p[after], m[after], h[i]), 1e4);
+    expect_zero(second_at_end(p[before], m[before], p[i], m[i], h[before]) -
+                    second_at_start(p[i], m[i], p[after], m[after], h[i]),
+                1e4);
   }
 }
 
 TEST(NaturalSpline, a_straight_line_at_even_steps_stays_one) {
   const std::vector<dvec3> p{{0, 0, 0}, {1, 2, 0}, {2, 4, 0}, {3, 6, 0}};
-  for (const dvec3 m : spline_derivatives({p, std::vector<double>(3, 0.5), {}, {}, false})) EXPECT_LT(glm::length(m - dvec3(2, 4, 0)), 1e-14);
+  for (const dvec3 m : spline_derivatives({p, std::vector<double>(3, 0.5), {}, {}, false}))
+    EXPECT_LT(glm::length(m - dvec3(2, 4, 0)), 1e-14);
 }
 
 }  // namespace natural_spline_test

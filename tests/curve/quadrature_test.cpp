@@ -23,8 +23,11 @@ TEST(quadrature, gauss_legendre_is_exact_to_degree_two_n_minus_one_and_no_furthe
   for (int n = 1; n <= kMaxRule; ++n) {
     const RuleLongDouble rule = gauss_legendre_rule_long_double(n);
     ASSERT_EQ(rule.nodes.size(), static_cast<std::size_t>(n));
-    for (int k = 0; k < 2 * n; ++k) ASSERT_NEAR(static_cast<double>(monomial_error(rule.nodes, rule.weights, k)), 0, 5e-18) << n << " nodes, x^" << k;
-    if (n <= 16) { EXPECT_GT(std::abs(static_cast<double>(monomial_error(rule.nodes, rule.weights, 2 * n))), 1e-12) << n; }
+    for (int k = 0; k < 2 * n; ++k)
+      ASSERT_NEAR(static_cast<double>(monomial_error(rule.nodes, rule.weights, k)), 0, 5e-18) << n << " nodes, x^" << k;
+    if (n <= 16) {
+      EXPECT_GT(std::abs(static_cast<double>(monomial_error(rule.nodes, rule.weights, 2 * n))), 1e-12) << n;
+    }
   }
 }
 
@@ -45,7 +48,9 @@ TEST(quadrature, rules_are_ascending_symmetric_and_positive) {
         EXPECT_GT(rule.weights[i], 0);
         EXPECT_EQ(rule.nodes[i], -rule.nodes[rule.nodes.size() - 1 - i]);
         EXPECT_EQ(rule.weights[i], rule.weights[rule.nodes.size() - 1 - i]);
-        if (i > 0) { EXPECT_GT(rule.nodes[i], rule.nodes[i - 1]); }
+        if (i > 0) {
+          EXPECT_GT(rule.nodes[i], rule.nodes[i - 1]);
+        }
       }
 }
 

@@ -10,7 +10,8 @@
 namespace coaster::curve {
 
 // Braces, not parentheses, around the draws: they fix their order, so every compiler gets the same cubics.
-// Track-like: about `size` metres long, within `reach` metres of the origin in each coordinate, handles about a third of the chord.
+// Track-like: about `size` metres long, within `reach` metres of the origin in each coordinate, handles about a third
+// of the chord.
 inline std::vector<Cubic> random_cubics(int count, unsigned seed, float reach = 200, float size = 20) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> place(-reach, reach), bend(-0.35f, 0.35f), stretch(0.4f, 1.6f);
@@ -31,19 +32,19 @@ inline std::vector<Cubic> random_cubics(int count, unsigned seed, float reach = 
 inline std::vector<Cubic> degenerate_cubics() {
   const glm::vec3 a(13.3f, -4.7f, 21.9f), x(7.1f, 0, 0), y(0, 5.3f, 0);
   return {
-      {a, a, a, a},                                         // four equal points
-      {a, a, a + y, a + x},                                 // handle on its anchor
-      {a, a + x, a + x, a + x},                             // handle on the far anchor
-      {a, a + x + y, a + y, a + x},                         // crossed handles
-      {a, a + x + 2.0f * y, a + 2.0f * y - x, a + x},       // loop
-      {a, a + x + y, a + y, a + x},                         // near a cusp
-      {{0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}},         // exact interior cusp at t = 1/2
-      {a, a + y, a + 2.0f * y, a + 3.0f * y},               // vertical, straight, even speed
-      {a, a + 0.1f * x, a + 2.9f * x, a + 3.0f * x},        // straight, uneven speed
-      {a, a + 2.0f * x, a - x, a + x},                      // straight, backwards and forwards
-      {a, a + x, a - x, a},                                 // closed, opposed ends
-      {a, a + x + y, a + x - y, a + 2.0f * x},              // inflection
-      {a, a + 1e-9f * x, a + 2e-9f * x, a + 3e-9f * x},     // a few nanometres: rounds to a point
+      {a, a, a, a},                                                          // four equal points
+      {a, a, a + y, a + x},                                                  // handle on its anchor
+      {a, a + x, a + x, a + x},                                              // handle on the far anchor
+      {a, a + x + y, a + y, a + x},                                          // crossed handles
+      {a, a + x + 2.0f * y, a + 2.0f * y - x, a + x},                        // loop
+      {a, a + x + y, a + y, a + x},                                          // near a cusp
+      {{0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}},                          // exact interior cusp at t = 1/2
+      {a, a + y, a + 2.0f * y, a + 3.0f * y},                                // vertical, straight, even speed
+      {a, a + 0.1f * x, a + 2.9f * x, a + 3.0f * x},                         // straight, uneven speed
+      {a, a + 2.0f * x, a - x, a + x},                                       // straight, backwards and forwards
+      {a, a + x, a - x, a},                                                  // closed, opposed ends
+      {a, a + x + y, a + x - y, a + 2.0f * x},                               // inflection
+      {a, a + 1e-9f * x, a + 2e-9f * x, a + 3e-9f * x},                      // a few nanometres: rounds to a point
       {{1e-10f, 0, 0}, {3e-10f, 1e-10f, 0}, {6e-10f, 0, 0}, {1e-9f, 0, 0}},  // a nanometre
       {{1e5f, 1e5f, -1e5f}, {100010.0f, 1e5f, -1e5f}, {100020.0f, 100005.0f, -1e5f}, {100030.0f, 100005.0f, -99990.0f}},
   };
@@ -55,13 +56,19 @@ struct CubicSet {
   std::vector<Cubic> cubics;
 };
 
-// `count` of each: track-like; all four points anywhere; nearly straight, with uneven speed and turning back; loops with handles
-// longer than the chord; a cusp (B' = 0 at some t in (0,1), up to the rounding of float); and nearly a cusp.
+// `count` of each: track-like; all four points anywhere; nearly straight, with uneven speed and turning back; loops
+// with handles longer than the chord; a cusp (B' = 0 at some t in (0,1), up to the rounding of float); and nearly a
+// cusp.
 inline std::vector<CubicSet> cubic_sets(int count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> place(-90, 90), near(-20, 20), share(-0.4f, 1.4f), unit(0, 1);
   const auto offset = [&] { return glm::vec3{near(random), near(random), near(random)}; };
-  std::vector<CubicSet> sets{{"track", random_cubics(count, seed + 1)}, {"random", {}}, {"near_straight", {}}, {"looping", {}}, {"cusped", {}}, {"near_cusp", {}}};
+  std::vector<CubicSet> sets{{"track", random_cubics(count, seed + 1)},
+                             {"random", {}},
+                             {"near_straight", {}},
+                             {"looping", {}},
+                             {"cusped", {}},
+                             {"near_cusp", {}}};
   for (int i = 0; i < count; ++i) {
     const glm::vec3 p{place(random), place(random), place(random)}, d = offset(), e = offset(), f = offset();
     sets[1].cubics.push_back({p, p + d, p + e, p + f});
@@ -87,14 +94,17 @@ inline std::vector<CubicSet> degenerate_sets(int count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> place(-90, 90), near(-20, 20), share(0.02f, 0.98f), far(-1e5f, 1e5f);
   const auto offset = [&] { return glm::vec3{near(random), near(random), near(random)}; };
-  std::vector<CubicSet> sets{{"point", {}},        {"handle_on_anchor", {}}, {"crossed", {}},      {"vertical", {}},     {"closed", {}},
-                             {"out_and_back", {}}, {"inflection", {}},       {"uneven_straight", {}}, {"nanometre", {}}, {"far", {}}};
+  std::vector<CubicSet> sets{
+      {"point", {}},        {"handle_on_anchor", {}}, {"crossed", {}},         {"vertical", {}},  {"closed", {}},
+      {"out_and_back", {}}, {"inflection", {}},       {"uneven_straight", {}}, {"nanometre", {}}, {"far", {}}};
   for (int i = 0; i < count; ++i) {
     const glm::vec3 p{place(random), place(random), place(random)}, d = offset(), e = offset(), f = offset();
     const glm::vec3 up{0, near(random), 0};
     const float a = share(random), b = share(random);
     sets[0].cubics.push_back({p, p, p, p});
-    sets[1].cubics.push_back(i % 3 == 0 ? Cubic{p, p, p + d, p + e} : i % 3 == 1 ? Cubic{p, p + d, p + e, p + e} : Cubic{p, p, p + e, p + e});
+    sets[1].cubics.push_back(i % 3 == 0   ? Cubic{p, p, p + d, p + e}
+                             : i % 3 == 1 ? Cubic{p, p + d, p + e, p + e}
+                                          : Cubic{p, p, p + e, p + e});
     sets[2].cubics.push_back({p, p + 1.7f * d + e, p + e - 0.6f * d, p + d});
     sets[3].cubics.push_back({p, p + a * up, p + b * up, p + up});
     sets[4].cubics.push_back({p, p + d, p + e, p});

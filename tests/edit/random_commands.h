@@ -37,7 +37,8 @@ class RandomCommands {
   void fill(edit::Knots& v) {
     const std::uint32_t which = below(6);
     if (which < 2) v = which == 0 ? edit::Knots::Which::all : edit::Knots::Which::selected;
-    else for (std::uint32_t i = below(4); i > 0; --i) v.names.push_back({world::Kind::knot, 1 + below(9)});
+    else
+      for (std::uint32_t i = below(4); i > 0; --i) v.names.push_back({world::Kind::knot, 1 + below(9)});
   }
   void fill(world::Axis& v) { v = static_cast<world::Axis>(below(3)); }
   void fill(world::SplineSteps& v) { v = static_cast<world::SplineSteps>(below(2)); }
@@ -68,9 +69,7 @@ class RandomCommands {
   void fill(world::Theme& v) { v = static_cast<world::Theme>(below(world::kThemeNames.size())); }
   void fill(world::Style& v) { v = static_cast<world::Style>(below(world::kStyleNames.size())); }
   void fill(curve::EvaluatorId& v) { v = static_cast<curve::EvaluatorId>(below(curve::evaluators().size())); }
-  void fill(curve::ArcLengthId& v) {
-    v = static_cast<curve::ArcLengthId>(below(curve::arc_length_methods().size()));
-  }
+  void fill(curve::ArcLengthId& v) { v = static_cast<curve::ArcLengthId>(below(curve::arc_length_methods().size())); }
   void fill(edit::IntegratorId& v) { v.row = static_cast<int>(below(sim::integrators().size())); }
 
   std::mt19937 bits_;

@@ -15,8 +15,7 @@ namespace coaster::test {
 class SessionTest : public testing::Test {
  protected:
   // Starts on `document` as if it had been loaded.
-  explicit SessionTest(const world::Document& document = sample_document())
-      : session(edit::make_session({})) {
+  explicit SessionTest(const world::Document& document = sample_document()) : session(edit::make_session({})) {
     start_on(document);
   }
   void start_on(const world::Document& document) {
@@ -75,9 +74,7 @@ class SessionTest : public testing::Test {
   const world::Knot& knot(std::uint32_t number) const {
     return world::knot(session.document, world::find(session.document, {world::Kind::knot, number}));
   }
-  world::Entity entity(const char* name) const {
-    return world::find(session.document, *world::parse_name(name));
-  }
+  world::Entity entity(const char* name) const { return world::find(session.document, *world::parse_name(name)); }
   std::uint64_t hash() const { return world::hash(session.document); }
 
   edit::Session session;

@@ -13,9 +13,12 @@ namespace challenge_file_test {
 std::string standard() {
   std::string track = print_track(test::sample_document());
   track.pop_back();
-  return "{\n  \"format\": \"coaster-challenge\",\n  \"version\": 1,\n  \"name\": \"A \\\"name\\\"\",\n  \"teaches\": \"Something.\",\n  \"judged\": \"time\",\n  \"seconds\": 12.5,\n"
-         "  \"goals\": [\n    {\"expect\": \"knots <= 12\", \"text\": \"Twelve knots\"},\n    {\"expect\": \"ride.lap == 1\", \"text\": \"A lap\"}\n  ],\n"
-         "  \"gold\": [{\"expect\": \"knots <= 4\", \"text\": \"Four\"}],\n  \"hints\": [\"One.\", \"Two.\"],\n  \"track\": " +
+  return "{\n  \"format\": \"coaster-challenge\",\n  \"version\": 1,\n  \"name\": \"A \\\"name\\\"\",\n  \"teaches\": "
+         "\"Something.\",\n  \"judged\": \"time\",\n  \"seconds\": 12.5,\n"
+         "  \"goals\": [\n    {\"expect\": \"knots <= 12\", \"text\": \"Twelve knots\"},\n    {\"expect\": \"ride.lap "
+         "== 1\", \"text\": \"A lap\"}\n  ],\n"
+         "  \"gold\": [{\"expect\": \"knots <= 4\", \"text\": \"Four\"}],\n  \"hints\": [\"One.\", \"Two.\"],\n  "
+         "\"track\": " +
          track + "\n}\n";
 }
 std::string with(const std::string& from, const std::string& to) {
@@ -29,7 +32,9 @@ base::Result<LoadedChallenge> parse(const std::string& text, const std::filesyst
   base::Files files;
   return parse_challenge(text, "c.json", folder, files);
 }
-void expect_error(const std::string& text, std::string_view expected) { test::expect_bad_file(parse(text), "c.json", expected); }
+void expect_error(const std::string& text, std::string_view expected) {
+  test::expect_bad_file(parse(text), "c.json", expected);
+}
 
 TEST(challenge_file, all_members_are_read) {
   const auto loaded = parse(standard());
@@ -59,7 +64,8 @@ TEST(challenge_file, errors_name_the_place_and_what_was_expected) {
   expect_error("[]", "expected an object, found an array");
   expect_error(with("coaster-challenge", "coaster-envelope"), "format: expected \"coaster-challenge\"");
   expect_error(with("\"version\": 1", "\"version\": 2"), "version 2 is newer");
-  expect_error(with("\"judged\": \"time\"", "\"judged\": \"day\""), "judged: expected \"lap\", \"time\" or \"build\", found \"day\"");
+  expect_error(with("\"judged\": \"time\"", "\"judged\": \"day\""),
+               "judged: expected \"lap\", \"time\" or \"build\", found \"day\"");
   expect_error(with("\"seconds\": 12.5,", ""), "seconds: missing");
   expect_error(with("\"seconds\": 12.5", "\"seconds\": 0"), "seconds: expected a number from 1 to 900");
   expect_error(with("\"name\": \"A \\\"name\\\"\"", "\"name\": 3"), "name: expected a text, found 3");
@@ -87,7 +93,8 @@ TEST(challenge_file, unknown_members_are_told_and_ignored) {
 TEST(challenge_file, those_that_come_with_the_program_are_read_without_a_warning) {
   base::Files files;
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(COASTER_SOURCE_DIR) / "challenges")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(COASTER_SOURCE_DIR) / "challenges")) {
     if (entry.path().extension() != ".json") continue;
     ++count;
     const auto loaded = load_challenge(files, entry.path());

@@ -49,18 +49,22 @@ unsigned duration_of(Work work) {
   constexpr int kTimes = 20;
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < kTimes; ++i) work(i);
-  return static_cast<unsigned>(std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - start).count() / kTimes);
+  return static_cast<unsigned>(
+      std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - start).count() / kTimes);
 }
 
 class killed : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::temp_directory_path() / ("coaster_killed_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    folder = fs::temp_directory_path() /
+             ("coaster_killed_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder);
     fs::create_directories(folder);
   }
   void TearDown() override { fs::remove_all(folder); }
-  std::size_t entries() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator())); }
+  std::size_t entries() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+  }
 
   fs::path folder;
   base::Files files;
@@ -70,7 +74,8 @@ class killed : public testing::Test {
 TEST_F(killed, a_thousand_kills_during_save_leave_no_unreadable_file) {
   const fs::path file = folder / "track.json";
   ASSERT_TRUE(save_track(files, file, document_of(0)));
-  const unsigned longest = std::clamp(4 * duration_of([&](int serial) { (void)save_track(files, file, document_of(serial)); }), 2000u, 16000u);
+  const unsigned longest = std::clamp(
+      4 * duration_of([&](int serial) { (void)save_track(files, file, document_of(serial)); }), 2000u, 16000u);
   std::size_t most = 0;
   std::set<std::string> seen;
   for (int kill = 0; kill < 1000; ++kill) {
@@ -91,7 +96,9 @@ TEST_F(killed, a_thousand_kills_during_save_leave_no_unreadable_file) {
 
 TEST_F(killed, an_autosave_is_found_whole_whenever_its_program_was_killed) {
   Autosave measured;
-  const unsigned longest = std::clamp(8 * duration_of([&](int serial) { (void)measured.write(files, folder, document_of(serial), "", serial); }), 8000u, 40000u);
+  const unsigned longest = std::clamp(
+      8 * duration_of([&](int serial) { (void)measured.write(files, folder, document_of(serial), "", serial); }), 8000u,
+      40000u);
   measured.remove();
   int found_some = 0;
   for (int kill = 0; kill < 100; ++kill) {
@@ -111,7 +118,8 @@ TEST_F(killed, an_autosave_is_found_whole_whenever_its_program_was_killed) {
     }
     found.clear();
     (void)find_autosaves(files, folder);
-    for (const auto& entry : fs::directory_iterator(folder)) EXPECT_TRUE(entry.path().string().ends_with(".lock")) << entry.path();
+    for (const auto& entry : fs::directory_iterator(folder))
+      EXPECT_TRUE(entry.path().string().ends_with(".lock")) << entry.path();
   }
   EXPECT_GT(found_some, 10);
 }

@@ -4,10 +4,10 @@
 
 #include "base/check.h"
 #include "exchange/challenge_file.h"
-#include "exchange/own/envelope_file.h"
 #include "exchange/nolimits/nl2_csv.h"
 #include "exchange/nolimits/nl2elem.h"
 #include "exchange/nolimits/nltrack.h"
+#include "exchange/own/envelope_file.h"
 #include "exchange/own/progress_file.h"
 #include "exchange/own/settings_file.h"
 #include "exchange/own/track_file.h"
@@ -25,7 +25,8 @@ void check_error(const base::Status& status) {
 void check_track(const base::Result<exchange::LoadedTrack>& loaded) {
   if (!loaded) return check_error(loaded.status());
   COASTER_CHECK(!world::broken_invariant(loaded->document), "what a reader accepts is a document");
-  COASTER_CHECK(exchange::parse_track(exchange::print_track(loaded->document), "again").ok(), "what a reader accepts can be saved and read again");
+  COASTER_CHECK(exchange::parse_track(exchange::print_track(loaded->document), "again").ok(),
+                "what a reader accepts can be saved and read again");
 }
 
 void track(std::string_view bytes) {
@@ -48,14 +49,16 @@ void nl2elem(std::string_view bytes) {
 void envelope(std::string_view bytes) {
   const auto loaded = exchange::parse_envelope(bytes, "envelope");
   if (!loaded) return check_error(loaded.status());
-  COASTER_CHECK(exchange::parse_envelope(exchange::print_envelope(loaded->envelope, loaded->name), "again").ok(), "an envelope can be saved and read again");
+  COASTER_CHECK(exchange::parse_envelope(exchange::print_envelope(loaded->envelope, loaded->name), "again").ok(),
+                "an envelope can be saved and read again");
 }
 
 void settings(std::string_view bytes) {
   const auto loaded = exchange::parse_settings(bytes, "settings");
   if (!loaded) return check_error(loaded.status());
   const auto again = exchange::parse_settings(exchange::print_settings(loaded->settings), "again");
-  COASTER_CHECK(again.ok() && again->warnings.empty() && again->settings == loaded->settings, "what is kept of settings is read back the same");
+  COASTER_CHECK(again.ok() && again->warnings.empty() && again->settings == loaded->settings,
+                "what is kept of settings is read back the same");
 }
 
 void challenge(std::string_view bytes) {
@@ -82,8 +85,9 @@ void script(std::string_view bytes) {
 #endif
 
 constexpr std::array kTargets{
-    Target{"track", track},       Target{"nl2_csv", nl2_csv},   Target{"nltrack", nltrack}, Target{"nl2elem", nl2elem},
-    Target{"envelope", envelope}, Target{"settings", settings}, Target{"challenge", challenge}, Target{"progress", progress},
+    Target{"track", track},         Target{"nl2_csv", nl2_csv},   Target{"nltrack", nltrack},
+    Target{"nl2elem", nl2elem},     Target{"envelope", envelope}, Target{"settings", settings},
+    Target{"challenge", challenge}, Target{"progress", progress},
 #ifdef COASTER_FUZZ_SCRIPTS
     Target{"script", script},
 #endif

@@ -1,4 +1,5 @@
-// What is fuzzed: one row a reader. Each takes any bytes, must not crash, and checks what a reader promises about what it accepts.
+// What is fuzzed: one row a reader. Each takes any bytes, must not crash, and checks what a reader promises about what
+// it accepts.
 #pragma once
 
 #include <span>

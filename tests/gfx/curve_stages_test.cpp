@@ -1,4 +1,5 @@
-// Polylines from control points alone: the same picture as from cached vertices, whatever the stage, and no more uploaded than needed.
+// Polylines from control points alone: the same picture as from cached vertices, whatever the stage, and no more
+// uploaded than needed.
 #include "gfx/curve_stages.h"
 
 #include <array>
@@ -42,20 +43,24 @@ class Stages : public test::Studio, public testing::WithParamInterface<Stage> {
     const view::Viewport viewport{0, 0, static_cast<float>(width_), static_cast<float>(height_)};
     world::Camera all = view::frame_all({}, track.document, viewport), close = all, inside = all;
     close.distance *= 0.3f, close.yaw_deg += 77, close.pitch_deg = 61;
-    inside.distance = 1.3f, inside.yaw_deg -= 41, inside.target = world::knot(track.document, track.document.track.knots[1]).position;
+    inside.distance = 1.3f, inside.yaw_deg -= 41,
+    inside.target = world::knot(track.document, track.document.track.knots[1]).position;
     for (const world::Camera& camera : {all, close, inside}) {
       const Image cached = seen(track, Stage::processor, camera), shaded = seen(track, GetParam(), camera);
       long differing = 0;
       for (std::size_t i = 0; i < cached.rgba.size(); i += 4) {
         int most = 0;
-        for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int(cached.rgba[i + c]) - int(shaded.rgba[i + c])));
+        for (std::size_t c = 0; c < 3; ++c)
+          most = std::max(most, std::abs(int(cached.rgba[i + c]) - int(shaded.rgba[i + c])));
         differing += most > 16;
       }
-      EXPECT_LE(differing, long(width_) * height_ / 2000) << what << ", " << track.settings.steps << " steps, " << camera.distance << " m";
+      EXPECT_LE(differing, long(width_) * height_ / 2000)
+          << what << ", " << track.settings.steps << " steps, " << camera.distance << " m";
     }
   }
 };
-INSTANTIATE_TEST_SUITE_P(all, Stages, testing::Values(Stage::vertex_shader, Stage::geometry_shader, Stage::tessellation_shader));
+INSTANTIATE_TEST_SUITE_P(all, Stages,
+                         testing::Values(Stage::vertex_shader, Stage::geometry_shader, Stage::tessellation_shader));
 
 TEST_P(Stages, draw_the_picture_of_the_cached_vertices) {
   width_ = 320, height_ = 180;
@@ -77,7 +82,8 @@ TEST_P(Stages, the_pictures_lines_are_there) {
   show_polyline_ = false;
   const Image without = picture(track);
   long differing = 0;
-  for (std::size_t i = 0; i < with.rgba.size(); ++i) differing += std::abs(int(with.rgba[i]) - int(without.rgba[i])) > 16;
+  for (std::size_t i = 0; i < with.rgba.size(); ++i)
+    differing += std::abs(int(with.rgba[i]) - int(without.rgba[i])) > 16;
   EXPECT_GT(differing, 1000) << "the comparison with cached vertices would prove nothing";
 }
 
@@ -143,8 +149,8 @@ TEST_P(Stages, measure_the_deviation_of_what_the_gpu_computes) {
     const DrawStats stats = draw(track);
     EXPECT_EQ(stats.deviation_pending, 0);
     const curve::Evaluator& row = curve::evaluator(track.settings.evaluator);
-    // Contracted or not, each operation rounds by at most half a unit in the last place of the twin's operands; division and
-    // the reciprocal of the resolution are allowed 2.5.
+    // Contracted or not, each operation rounds by at most half a unit in the last place of the twin's operands;
+    // division and the reciprocal of the resolution are allowed 2.5.
     EXPECT_LE(stats.deviation, 3 * row.error_bound(2000, 4000, steps));
     EXPECT_EQ(draw(track).deviation, stats.deviation) << "a still frame keeps it";
     Track twin(test::ring_document(9, 170.3f), steps);

@@ -55,9 +55,11 @@ TEST(gl, an_older_version_is_refused_with_both_versions) {
     auto made = platform::make_offscreen({});
     base::Status status = made.ok() ? base::Status{} : made.status();
     if (made.ok())
-      if (const auto gl = load_gl([&](const char* name) { return (*made)->gl_proc(name); }); !gl.ok()) status = gl.status();
+      if (const auto gl = load_gl([&](const char* name) { return (*made)->gl_proc(name); }); !gl.ok())
+        status = gl.status();
     std::fprintf(stderr, "%s\n", status.message.c_str());
-    const bool both = status.message.find("3.3") != std::string::npos && status.message.find("3.2") != std::string::npos;
+    const bool both =
+        status.message.find("3.3") != std::string::npos && status.message.find("3.2") != std::string::npos;
     std::_Exit(status.code == base::Code::graphics && both ? 0 : 1);
   };
   EXPECT_EXIT(try_old(), testing::ExitedWithCode(0), "");

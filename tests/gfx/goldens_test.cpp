@@ -22,14 +22,16 @@ void spoil(Image& image, int left, int top, int side, int by) {
 TEST(goldens, show_a_defect_of_ten_by_ten_pixels_anywhere) {
   base::Files files;
   int pictures = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(COASTER_SOURCE_DIR) / "tests/scripts/golden")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(COASTER_SOURCE_DIR) / "tests/scripts/golden")) {
     const auto bytes = files.read(entry.path());
     ASSERT_TRUE(bytes.ok()) << bytes.status().message;
     const auto golden = decode_png(*bytes, entry.path().string());
     ASSERT_TRUE(golden.ok()) << golden.status().message;
     EXPECT_TRUE(compare(*golden, *golden).acceptable);
     const int right = golden->width - 10, bottom = golden->height - 10;
-    for (const auto& [left, top] : {std::pair{0, 0}, {right, bottom}, {right / 2, bottom / 2}, {right / 3 + 1, 3}, {5, bottom / 4 + 2}}) {
+    for (const auto& [left, top] :
+         {std::pair{0, 0}, {right, bottom}, {right / 2, bottom / 2}, {right / 3 + 1, 3}, {5, bottom / 4 + 2}}) {
       Image spoilt = *golden;
       spoil(spoilt, left, top, 10, 24);
       EXPECT_FALSE(compare(spoilt, *golden).acceptable) << entry.path().filename() << " at " << left << ", " << top;

@@ -44,7 +44,8 @@ TEST_F(GrowingBuffers, segments_that_are_copied_to_a_larger_one_are_no_uploads) 
   EXPECT_EQ(cache.sync(track.derived, {}).uploads, 7);
   // One segment at a time from 11 KB of polylines to 245 KB, past the buffer's first 64 KB and the next two sizes.
   for (int i = 0; i < 150; ++i) {
-    world::append_knot(track.document, test::skew_knot({13.3f + 7.1f * float(i), 9.7f, -50.3f}, {1, 0.1f, 0.2f}, 3.1f, 3.7f));
+    world::append_knot(track.document,
+                       test::skew_knot({13.3f + 7.1f * float(i), 9.7f, -50.3f}, {1, 0.1f, 0.2f}, 3.1f, 3.7f));
     track.derive();
     ASSERT_EQ(cache.sync(track.derived, {}).uploads, 1) << "at segment " << i;
   }
@@ -58,7 +59,8 @@ TEST_F(GrowingBuffers, a_track_that_outgrew_them_looks_as_to_a_fresh_renderer) {
   track.derive();
   draw(track);
   for (int i = 0; i < 150; ++i)
-    world::append_knot(track.document, test::skew_knot({13.3f + 7.1f * float(i), 9.7f, -50.3f}, {1, 0.1f, 0.2f}, 3.1f, 3.7f));
+    world::append_knot(track.document,
+                       test::skew_knot({13.3f + 7.1f * float(i), 9.7f, -50.3f}, {1, 0.1f, 0.2f}, 3.1f, 3.7f));
   track.derive();
   EXPECT_EQ(draw(track).uploads, 150);
   EXPECT_EQ(renderer_->read_pixels().rgba, picture(*fresh(), track).rgba);

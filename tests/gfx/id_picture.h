@@ -1,5 +1,5 @@
-// A sight of a track, and its picture whose colours are ids: drawn from the rules of view/pick.h alone, with marks sorted by the depth
-// buffer, as an oracle for pick(). The curve is not in it.
+// A sight of a track, and its picture whose colours are ids: drawn from the rules of view/pick.h alone, with marks
+// sorted by the depth buffer, as an oracle for pick(). The curve is not in it.
 #pragma once
 
 #include <array>
@@ -37,7 +37,8 @@ struct Sight {
   view::View view;
   std::vector<sim::Pose> carts() const {
     std::vector<sim::Pose> poses;
-    for (const world::CartMotion& cart : motion.carts.items()) poses.push_back(sim::pose(derived, cart, settings.frames));
+    for (const world::CartMotion& cart : motion.carts.items())
+      poses.push_back(sim::pose(derived, cart, settings.frames));
     return poses;
   }
   view::Pick at(glm::vec2 pixel) const { return view::pick(document, derived, motion, settings, view, pixel); }
@@ -47,18 +48,22 @@ inline Sight make_sight() {
   Sight sight;
   sight.settings.show_gizmo = false;  // its parts are no entities
   sight.document = ring_document(9, 17.3);
-  for (const double fraction : {0.21, 0.43, 0.67}) world::add_cart(sight.document, sight.document.track.segments[2], fraction);
+  for (const double fraction : {0.21, 0.43, 0.67})
+    world::add_cart(sight.document, sight.document.track.segments[2], fraction);
   sim::derive(sight.document, sight.settings, {}, sight.derived);
   sim::reset(sight.document, sight.derived, sight.motion);
   return sight;
 }
 
-inline double uniform(std::mt19937& bits, double low, double high) { return low + (high - low) * (bits() / 4294967296.0); }
+inline double uniform(std::mt19937& bits, double low, double high) {
+  return low + (high - low) * (bits() / 4294967296.0);
+}
 
 inline void look_around(std::mt19937& bits, Sight& sight) {
   const std::vector<world::Entity>& knots = sight.document.track.knots;
   const std::vector<world::Entity>& segments = sight.document.track.segments;
-  const std::array<world::Entity, 3> choices{world::kNone, knots[bits() % knots.size()], segments[bits() % segments.size()]};
+  const std::array<world::Entity, 3> choices{world::kNone, knots[bits() % knots.size()],
+                                             segments[bits() % segments.size()]};
   sight.settings.selected = choices[bits() % choices.size()];
   sight.settings.ui_scale = bits() % 2 ? 1.0f : 1.5f;
   sight.settings.frames = bits() % 2 ? world::FrameMethod::knots : world::FrameMethod::frenet;
@@ -71,10 +76,13 @@ inline void look_around(std::mt19937& bits, Sight& sight) {
   sight.view = view::orbit_view(camera, {13, 7, kIdWidth, kIdHeight});
 }
 
-// The boxes of a cart, low and high corner, m ahead, up, left: the body stands on the rails' plane, the riders' heads on the body.
-inline constexpr double kCartBoxes[2][2][3] = {{{-1.1, 0, -0.65}, {1.1, 1.1, 0.65}}, {{-1.1, 1.1, -0.4}, {0.25, 1.45, 0.4}}};
+// The boxes of a cart, low and high corner, m ahead, up, left: the body stands on the rails' plane, the riders' heads
+// on the body.
+inline constexpr double kCartBoxes[2][2][3] = {{{-1.1, 0, -0.65}, {1.1, 1.1, 0.65}},
+                                               {{-1.1, 1.1, -0.4}, {0.25, 1.45, 0.4}}};
 inline glm::vec3 corner_of(const sim::Pose& pose, const double (&box)[2][3], int i) {
-  return glm::vec3(pose.position + box[i & 1][0] * pose.frame.forward + box[i >> 1 & 1][1] * pose.frame.up + box[i >> 2][2] * pose.frame.left());
+  return glm::vec3(pose.position + box[i & 1][0] * pose.frame.forward + box[i >> 1 & 1][1] * pose.frame.up +
+                   box[i >> 2][2] * pose.frame.left());
 }
 // Nearer than this the near plane and the rider's own cart play a part, which is not this test's.
 inline bool near_a_cart(const Sight& sight) {
@@ -107,12 +115,16 @@ void main() {
 }
 )";
 
-// Draws ids of discs about the middles of carts, then carts over them, then knots over them, then handles over all; within a kind the depth buffer decides.
+// Draws ids of discs about the middles of carts, then carts over them, then knots over them, then handles over all;
+// within a kind the depth buffer decides.
 class IdPicture {
  public:
   explicit IdPicture(const gfx::Gl& gl)
-      : gl_(gl), program_(std::move(*gfx::make_program(gl, "ids", "", kIdVertexShader, kIdFragmentShader))),
-        target_(std::move(*gfx::make_target(gl, kIdWidth, kIdHeight, 0))), array_(gfx::make_vertex_array(gl)), buffer_(gfx::make_buffer(gl)) {}
+      : gl_(gl),
+        program_(std::move(*gfx::make_program(gl, "ids", "", kIdVertexShader, kIdFragmentShader))),
+        target_(std::move(*gfx::make_target(gl, kIdWidth, kIdHeight, 0))),
+        array_(gfx::make_vertex_array(gl)),
+        buffer_(gfx::make_buffer(gl)) {}
 
   void draw(const Sight& sight) {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer.id());
@@ -124,22 +136,28 @@ class IdPicture {
     std::vector<Corner> corners;
     for (std::size_t i = 0; i < sight.motion.carts.size(); ++i) {
       const sim::Pose pose = sight.carts()[i];
-      add_mark(sight, glm::vec3(pose.position + 0.55 * pose.frame.up), view::kCartReach, false, id_of(PickKind::cart, sight.motion.carts.entities()[i]), corners);
+      add_mark(sight, glm::vec3(pose.position + 0.55 * pose.frame.up), view::kCartReach, false,
+               id_of(PickKind::cart, sight.motion.carts.entities()[i]), corners);
     }
     flush(corners);
     for (std::size_t i = 0; i < sight.motion.carts.size(); ++i)
-      for (const auto& box : kCartBoxes) add_box(sight, sight.carts()[i], box, id_of(PickKind::cart, sight.motion.carts.entities()[i]), corners);
+      for (const auto& box : kCartBoxes)
+        add_box(sight, sight.carts()[i], box, id_of(PickKind::cart, sight.motion.carts.entities()[i]), corners);
     flush(corners);
     for (const world::Entity e : sight.document.track.knots)
-      add_mark(sight, world::knot(sight.document, e).position, view::kKnotRadius, false, id_of(PickKind::knot, e), corners);
+      add_mark(sight, world::knot(sight.document, e).position, view::kKnotRadius, false, id_of(PickKind::knot, e),
+               corners);
     flush(corners);
     std::vector<world::Entity> shown;
     if (sight.document.entities.find<world::Knot>(sight.settings.selected)) shown = {sight.settings.selected};
-    if (const auto* segment = sight.document.entities.find<world::Segment>(sight.settings.selected)) shown = {segment->from, segment->to};
+    if (const auto* segment = sight.document.entities.find<world::Segment>(sight.settings.selected))
+      shown = {segment->from, segment->to};
     for (const world::Entity e : shown) {
       const world::Knot& knot = world::knot(sight.document, e);
-      add_mark(sight, knot.position - knot.in_length * knot.tangent, view::kHandleHalf, true, id_of(PickKind::handle_in, e), corners);
-      add_mark(sight, knot.position + knot.out_length * knot.tangent, view::kHandleHalf, true, id_of(PickKind::handle_out, e), corners);
+      add_mark(sight, knot.position - knot.in_length * knot.tangent, view::kHandleHalf, true,
+               id_of(PickKind::handle_in, e), corners);
+      add_mark(sight, knot.position + knot.out_length * knot.tangent, view::kHandleHalf, true,
+               id_of(PickKind::handle_out, e), corners);
     }
     flush(corners);
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
@@ -156,16 +174,19 @@ class IdPicture {
     glm::vec4 place;
     glm::vec3 middle, paint;
   };
-  static void add_box(const Sight& sight, const sim::Pose& pose, const double (&box)[2][3], Id id, std::vector<Corner>& corners) {
+  static void add_box(const Sight& sight, const sim::Pose& pose, const double (&box)[2][3], Id id,
+                      std::vector<Corner>& corners) {
     constexpr std::array<std::array<int, 4>, 6> kFaces{
         {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
     for (const auto& face : kFaces)
       for (const int i : {0, 1, 2, 0, 2, 3}) {
-        const glm::vec4 place = sight.view.projection * sight.view.view * glm::vec4(corner_of(pose, box, face[std::size_t(i)]), 1);
+        const glm::vec4 place =
+            sight.view.projection * sight.view.view * glm::vec4(corner_of(pose, box, face[std::size_t(i)]), 1);
         corners.push_back({place, glm::vec3(0), glm::vec3(id[0], id[1], 0)});
       }
   }
-  static void add_mark(const Sight& sight, glm::vec3 position, float size, bool square, Id id, std::vector<Corner>& corners) {
+  static void add_mark(const Sight& sight, glm::vec3 position, float size, bool square, Id id,
+                       std::vector<Corner>& corners) {
     const glm::dvec4 clip = glm::dmat4(sight.view.projection) * glm::dmat4(sight.view.view) * glm::dvec4(position, 1);
     if (clip.w <= 0 || std::abs(clip.z) > clip.w) return;
     const glm::dvec2 half(0.5 * kIdWidth, 0.5 * kIdHeight), middle = (glm::dvec2(clip) / clip.w + 1.0) * half;

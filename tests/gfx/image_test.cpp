@@ -113,7 +113,9 @@ TEST(image, half_the_size_is_the_mean_of_four) {
 }
 
 TEST(image, a_contact_sheet_has_every_picture_in_its_cell_and_ground_between) {
-  const auto plain = [](int width, int height, std::uint8_t value) { return Image{width, height, std::vector<std::uint8_t>(std::size_t(width * height * 4), value)}; };
+  const auto plain = [](int width, int height, std::uint8_t value) {
+    return Image{width, height, std::vector<std::uint8_t>(std::size_t(width * height * 4), value)};
+  };
   const std::vector<Image> pictures{plain(4, 3, 10), plain(2, 1, 200), plain(4, 3, 90)};
   const Image sheet = contact_sheet(pictures, 2, 5);
   ASSERT_EQ(sheet.width, 2 * 4 + 3 * 5);

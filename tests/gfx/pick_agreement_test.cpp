@@ -1,5 +1,5 @@
-// What is picked is what is seen: pick() against an id picture of its rules, and against the renderer's own picture with the overlay's
-// marks repainted.
+// What is picked is what is seen: pick() against an id picture of its rules, and against the renderer's own picture
+// with the overlay's marks repainted.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@ using test::kNothing;
 using test::Sight;
 using view::PickKind;
 
-// Counts how pick() and a picture agree at pixels. At edges, where the sample of a pixel and the rasteriser may round apart, a
-// neighbour's id will do.
+// Counts how pick() and a picture agree at pixels. At edges, where the sample of a pixel and the rasteriser may round
+// apart, a neighbour's id will do.
 struct Agreement {
   int same = 0, at_edges = 0, not_shown = 0;
   std::array<int, 6> by_kind{};
@@ -50,9 +50,9 @@ struct Agreement {
           return;
         }
     const glm::vec3 eye = sight.view.eye;
-    ADD_FAILURE() << "at " << column << ", " << row << " from " << eye.x << " " << eye.y << " " << eye.z << " the picture has kind "
-                  << int((*seen)[1]) << " of slot " << int((*seen)[0]) - 1 << ", picked is kind " << int(expected[1]) << " of slot "
-                  << int(expected[0]) - 1;
+    ADD_FAILURE() << "at " << column << ", " << row << " from " << eye.x << " " << eye.y << " " << eye.z
+                  << " the picture has kind " << int((*seen)[1]) << " of slot " << int((*seen)[0]) - 1
+                  << ", picked is kind " << int(expected[1]) << " of slot " << int(expected[0]) - 1;
   }
   int compared() const { return same + at_edges + not_shown; }
 };
@@ -101,15 +101,19 @@ TEST_F(PickAgreement, a_thousand_views_are_picked_as_an_id_picture_shows_them) {
     ++views;
     picture.draw(sight);
     for (const glm::ivec2 p : places(sight, bits, 20))
-      agreement.compare(sight, [&](int column, int row) { return std::optional(picture.at(column, row)); }, p.x, p.y);
+      agreement.compare(
+          sight, [&](int column, int row) { return std::optional(picture.at(column, row)); }, p.x, p.y);
   }
   EXPECT_EQ(gl.GetError(), GLenum(GL_NO_ERROR));
   EXPECT_LT(agreement.at_edges, agreement.compared() / 100);
-  for (const PickKind kind : {PickKind::none, PickKind::knot, PickKind::handle_in, PickKind::handle_out, PickKind::cart, PickKind::curve})
-    EXPECT_GT(agreement.by_kind[static_cast<std::size_t>(kind)], 100) << "too few of kind " << int(kind) << " to prove anything";
+  for (const PickKind kind :
+       {PickKind::none, PickKind::knot, PickKind::handle_in, PickKind::handle_out, PickKind::cart, PickKind::curve})
+    EXPECT_GT(agreement.by_kind[static_cast<std::size_t>(kind)], 100)
+        << "too few of kind " << int(kind) << " to prove anything";
 }
 
-// Magenta with the id in green appears nowhere in a scene, which has no pure colours. Rims of marks and antialiased edges have no id.
+// Magenta with the id in green appears nowhere in a scene, which has no pure colours. Rims of marks and antialiased
+// edges have no id.
 std::uint32_t paint_of(std::size_t index) { return 0xff00ffffu | static_cast<std::uint32_t>(index + 1) << 16; }
 
 TEST_F(PickAgreement, the_renderer_shows_at_each_mark_the_mark_that_is_picked_there) {
@@ -145,7 +149,8 @@ TEST_F(PickAgreement, the_renderer_shows_at_each_mark_the_mark_that_is_picked_th
     };
     for (const glm::ivec2 p : places(sight, bits, 0)) {
       const PickKind kind = sight.at(glm::vec2(p) + 0.5f).kind;
-      if (kind == PickKind::knot || kind == PickKind::handle_in || kind == PickKind::handle_out) agreement.compare(sight, id_at, p.x, p.y);
+      if (kind == PickKind::knot || kind == PickKind::handle_in || kind == PickKind::handle_out)
+        agreement.compare(sight, id_at, p.x, p.y);
     }
   }
   EXPECT_GT(agreement.by_kind[static_cast<std::size_t>(PickKind::knot)], 500);

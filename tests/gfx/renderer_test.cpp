@@ -1,4 +1,5 @@
-// Pictures of a small track: what is in them, and that they depend on the scene alone, not on how the renderer came to it.
+// Pictures of a small track: what is in them, and that they depend on the scene alone, not on how the renderer came to
+// it.
 #include "gfx/renderer.h"
 
 #include <random>
@@ -25,7 +26,8 @@ TEST_F(Pictures, show_track_sky_and_ground) {
   const Image image = picture(ring());
   EXPECT_GT(count(image, red), 150);
   EXPECT_GT(count(image, green), 320 * 180 / 3);
-  EXPECT_EQ(count(image, [](glm::ivec3 c) { return c == glm::ivec3(255) || c == glm::ivec3(0); }), 0) << "no pure black or white";
+  EXPECT_EQ(count(image, [](glm::ivec3 c) { return c == glm::ivec3(255) || c == glm::ivec3(0); }), 0)
+      << "no pure black or white";
 }
 
 TEST_F(Pictures, values_colour_the_track_and_are_written_where_they_change) {
@@ -53,7 +55,8 @@ TEST_F(Pictures, values_colour_the_track_and_are_written_where_they_change) {
   std::fill(values.values.begin(), values.values.end(), sim::kUnknownValue);
   draw(track);
   const Image unknown = renderer_->read_pixels();
-  EXPECT_EQ(count(unknown, yellow) + count(unknown, navy), count(picture(*fresh(), track), yellow) + count(picture(*fresh(), track), navy));
+  EXPECT_EQ(count(unknown, yellow) + count(unknown, navy),
+            count(picture(*fresh(), track), yellow) + count(picture(*fresh(), track), navy));
   EXPECT_EQ(count(unknown, yellow), 0);
   // Painted again, as if there had never been values.
   values_ = nullptr;
@@ -104,7 +107,8 @@ TEST_F(Pictures, a_cart_is_blue_and_where_its_pose_is) {
 TEST_F(Pictures, a_lines_width_is_in_pixels_and_its_ends_are_where_they_project) {
   view::Overlay overlay;
   Track track = ring();
-  const glm::vec3 from = track.derived.shape(track.derived.order[0]).key.cubic.p0, to = track.derived.shape(track.derived.order[4]).key.cubic.p0;
+  const glm::vec3 from = track.derived.shape(track.derived.order[0]).key.cubic.p0,
+                  to = track.derived.shape(track.derived.order[4]).key.cubic.p0;
   overlay.lines.push_back({from, to, 5.0f, 0xff00ffff});
   const Image image = picture(track, overlay);
   const auto a = view::project(look(track), from), b = view::project(look(track), to);
@@ -131,8 +135,10 @@ TEST_F(Pictures, only_the_viewport_is_drawn_into) {
   viewport_ = {40, 20, 80, 50};
   const Image image = picture(ring());
   const glm::ivec3 background(27, 31, 39);
-  for (const auto& [x, y] : {std::pair{39, 30}, {120, 30}, {60, 19}, {60, 70}, {0, 0}, {159, 89}}) EXPECT_EQ(colour_at(image, x, y), background) << x << "," << y;
-  for (const auto& [x, y] : {std::pair{40, 20}, {119, 20}, {40, 69}, {119, 69}}) EXPECT_NE(colour_at(image, x, y), background) << x << "," << y;
+  for (const auto& [x, y] : {std::pair{39, 30}, {120, 30}, {60, 19}, {60, 70}, {0, 0}, {159, 89}})
+    EXPECT_EQ(colour_at(image, x, y), background) << x << "," << y;
+  for (const auto& [x, y] : {std::pair{40, 20}, {119, 20}, {40, 69}, {119, 69}})
+    EXPECT_NE(colour_at(image, x, y), background) << x << "," << y;
 }
 
 TEST_F(Pictures, a_viewport_without_area_or_outside_draws_nothing) {
@@ -140,11 +146,13 @@ TEST_F(Pictures, a_viewport_without_area_or_outside_draws_nothing) {
   view::View view = look(track);
   const view::Overlay overlay = view::build_overlay(track.document, track.derived, track.settings, view, {});
   ASSERT_FALSE(overlay.marks.empty());
-  for (const view::Viewport viewport : {view::Viewport{40, 40, 0, 0}, {40, 40, 50, 0}, {500, 40, 30, 30}, {-90, -90, 40, 40}}) {
+  for (const view::Viewport viewport :
+       {view::Viewport{40, 40, 0, 0}, {40, 40, 50, 0}, {500, 40, 30, 30}, {-90, -90, 40, 40}}) {
     view.viewport = viewport;
     renderer_->draw(Scene{track.derived, view, overlay, {}}, width_, height_);
     const Image image = renderer_->read_pixels();
-    EXPECT_EQ(count(image, [](glm::ivec3 c) { return c != glm::ivec3(27, 31, 39); }), 0) << viewport.x << " " << viewport.width;
+    EXPECT_EQ(count(image, [](glm::ivec3 c) { return c != glm::ivec3(27, 31, 39); }), 0)
+        << viewport.x << " " << viewport.width;
     EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
   }
 }
@@ -218,7 +226,8 @@ TEST_F(Pictures, after_any_edits_are_those_of_a_fresh_renderer) {
     if (i % 4 != 3) continue;
     const Image expected = picture(*fresh(), track);
     const Difference difference = compare(incremental, expected);
-    ASSERT_TRUE(incremental.rgba == expected.rgba) << "after edit " << i << ": " << difference.pixels << " pixels differ by much";
+    ASSERT_TRUE(incremental.rgba == expected.rgba)
+        << "after edit " << i << ": " << difference.pixels << " pixels differ by much";
   }
 }
 

@@ -33,7 +33,8 @@ TEST(shaders, all_compile_for_the_desktop_and_for_webgl_2) {
   ASSERT_TRUE(surface.ok()) << surface.status().message;
   const auto gl = load_gl([&](const char* name) { return (*surface)->gl_proc(name); });
   ASSERT_TRUE(gl.ok()) << gl.status().message;
-  const std::string es = "#version 300 es\nprecision highp float;\nprecision highp int;\n", desktop = "#version 330 core\n";
+  const std::string es = "#version 300 es\nprecision highp float;\nprecision highp int;\n",
+                    desktop = "#version 330 core\n";
   // ES has no implicit conversions: a driver that takes this one would check nothing here.
   const std::string implicit = "void main() { float one = 1; gl_Position = vec4(one); }\n";
   ASSERT_EQ(complaint(*gl, GL_VERTEX_SHADER, desktop + implicit), "");
@@ -46,13 +47,15 @@ TEST(shaders, all_compile_for_the_desktop_and_for_webgl_2) {
     return text.ok() ? *text : std::string();
   };
   const std::filesystem::path folder = std::filesystem::path(COASTER_SOURCE_DIR) / "shaders";
-  const std::string common = source(folder / "common.glsl") + source(folder / "shade.glsl") + source(folder / "line.glsl") + source(folder / "curve.glsl");
+  const std::string common = source(folder / "common.glsl") + source(folder / "shade.glsl") +
+                             source(folder / "line.glsl") + source(folder / "curve.glsl");
   int compiled = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string extension = entry.path().extension().string();
     if (extension != ".vert" && extension != ".frag") continue;
     for (const std::string& header : {es, desktop})
-      for (const char* defines : {"", "#define CARTS\n", "#define SHADOW\n", "#define CARTS\n#define SHADOW\n", "#define OUTLINE\n", "#define OUTLINE\n#define CARTS\n", "#define MEASURE\n"}) {
+      for (const char* defines : {"", "#define CARTS\n", "#define SHADOW\n", "#define CARTS\n#define SHADOW\n",
+                                  "#define OUTLINE\n", "#define OUTLINE\n#define CARTS\n", "#define MEASURE\n"}) {
         const std::string text = header + defines + common + source(entry.path());
         EXPECT_EQ(complaint(*gl, extension == ".vert" ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER, text), "")
             << entry.path().filename() << " with " << defines << header;

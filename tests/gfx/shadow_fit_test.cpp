@@ -99,9 +99,13 @@ TEST(shadow_fit, a_large_track_has_its_map_about_the_eye_and_all_of_it_from_far_
 RC_GTEST_PROP(shadow_fit, texels_stay_where_they_are_while_the_eye_moves, ()) {
   const SunAxes axes(kSun);
   LightBox box;
-  for (const glm::vec3 corner : {glm::vec3(-3000, 0, -3000), glm::vec3(3000, 0, -3000), glm::vec3(-3000, 60, 3000), glm::vec3(3000, 60, 3000)}) box.add(axes.of(corner), 3);
-  const glm::vec3 eye = random_vector(800) * glm::vec3(1, 0, 1) + glm::vec3(0, 12, 0), step = random_vector(30) * glm::vec3(1, 0, 1);
-  const ShadowFit a = fit_shadow(axes, box, 128, eye, {0, 0, -1}), b = fit_shadow(axes, box, 128, eye + step, {0, 0, -1});
+  for (const glm::vec3 corner :
+       {glm::vec3(-3000, 0, -3000), glm::vec3(3000, 0, -3000), glm::vec3(-3000, 60, 3000), glm::vec3(3000, 60, 3000)})
+    box.add(axes.of(corner), 3);
+  const glm::vec3 eye = random_vector(800) * glm::vec3(1, 0, 1) + glm::vec3(0, 12, 0),
+                  step = random_vector(30) * glm::vec3(1, 0, 1);
+  const ShadowFit a = fit_shadow(axes, box, 128, eye, {0, 0, -1}),
+                  b = fit_shadow(axes, box, 128, eye + step, {0, 0, -1});
   RC_ASSERT(a.side == b.side);
   RC_ASSERT(a.depth == b.depth);
   const glm::vec3 moved = (b.middle - a.middle) / (a.side / 8);

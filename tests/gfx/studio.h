@@ -70,7 +70,9 @@ class Studio : public testing::Test {
     draw(renderer, track, overlay);
     return renderer.read_pixels();
   }
-  gfx::Image picture(const Track& track, const view::Overlay& overlay = {}) { return picture(*renderer_, track, overlay); }
+  gfx::Image picture(const Track& track, const view::Overlay& overlay = {}) {
+    return picture(*renderer_, track, overlay);
+  }
 
   int width_ = 160, height_ = 90, samples_ = 0;
   bool show_polyline_ = true, shadows_ = true;

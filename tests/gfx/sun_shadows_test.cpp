@@ -42,7 +42,8 @@ TEST_F(Shadows, fall_where_the_light_through_the_track_meets_the_ground) {
         int least = 0;
         for (int y = -1; y <= 1; ++y)
           for (int x = -1; x <= 1; ++x)
-            least = std::min(least, brightness(colour_at(with, int(pixel->x) + x, int(pixel->y) + y)) - brightness(colour_at(without, int(pixel->x) + x, int(pixel->y) + y)));
+            least = std::min(least, brightness(colour_at(with, int(pixel->x) + x, int(pixel->y) + y)) -
+                                        brightness(colour_at(without, int(pixel->x) + x, int(pixel->y) + y)));
         ++seen;
         darker += least < -8;
       }
@@ -67,7 +68,8 @@ TEST_F(Shadows, of_a_train_fall_on_the_rails_below_it) {
   int darker = 0;
   for (int y = -4; y <= 4; ++y)
     for (int x = -4; x <= 4; ++x) {
-      const glm::ivec3 a = colour_at(lit, int(pixel->x) + x, int(pixel->y) + y), b = colour_at(shaded, int(pixel->x) + x, int(pixel->y) + y);
+      const glm::ivec3 a = colour_at(lit, int(pixel->x) + x, int(pixel->y) + y),
+                       b = colour_at(shaded, int(pixel->x) + x, int(pixel->y) + y);
       darker += a.x > a.y + 60 && b.x < a.x - 25;  // paint in the sun before
     }
   EXPECT_GT(darker, 3);
@@ -93,7 +95,8 @@ TEST_F(Shadows, are_drawn_anew_only_when_something_changed) {
   EXPECT_EQ(draw(track).shadow_maps, 0);
   // Another eye sees the same maps.
   const view::Overlay overlay;
-  view::View view = view::orbit_view({.target = {13, 20, -8}, .yaw_deg = 140, .pitch_deg = 40, .distance = 60}, {0, 0, 160, 90});
+  view::View view =
+      view::orbit_view({.target = {13, 20, -8}, .yaw_deg = 140, .pitch_deg = 40, .distance = 60}, {0, 0, 160, 90});
   const Scene scene{track.derived, view, overlay, {}, true, nullptr, {}, {}, style_};
   EXPECT_EQ(renderer_->draw(scene, 160, 90).shadow_maps, 0);
 }

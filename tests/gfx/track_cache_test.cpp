@@ -37,7 +37,8 @@ TEST_F(Cache, another_evaluator_uploads_everything_once_and_another_stage_of_the
   EXPECT_EQ(draw(track).uploads, 9);
   for (std::size_t row = curve::evaluators().size(); row-- > 0;) {
     const auto id = static_cast<curve::EvaluatorId>(row);
-    const bool was_on_gpu = track.derived.stage != curve::Stage::processor, is_on_gpu = curve::evaluator(id).stage != curve::Stage::processor;
+    const bool was_on_gpu = track.derived.stage != curve::Stage::processor,
+               is_on_gpu = curve::evaluator(id).stage != curve::Stage::processor;
     const int expected = id == track.settings.evaluator || (was_on_gpu && is_on_gpu) ? 0 : 9;
     track.settings.evaluator = id;
     track.derive();
@@ -71,7 +72,8 @@ TEST_F(Cache, equipment_uploads_its_own_segment_and_builds_no_shape_anew) {
   EXPECT_EQ(cache.sync(track.derived, {}).uploads, 1);
   EXPECT_GT(cache.index_count(), plain);
   EXPECT_EQ(cache.sync(track.derived, {}).uploads, 0);
-  track.document.entities.put(segment, world::Equipment{world::EquipmentKind::block});  // looks the same, yet may not have
+  track.document.entities.put(segment,
+                              world::Equipment{world::EquipmentKind::block});  // looks the same, yet may not have
   track.derive();
   EXPECT_EQ(cache.sync(track.derived, {}).uploads, 1);
   track.document.entities.pool<world::Equipment>().erase(segment);

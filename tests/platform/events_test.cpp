@@ -14,8 +14,19 @@ TEST(events, chords_read_in_any_case_and_print_in_one) {
 }
 
 TEST(events, every_named_key_reads_back) {
-  for (const char* text : {"A", "Z", "0", "9", "Space", "Escape", "Enter", "Tab", "Backspace", "Delete", "Left", "Right", "Up", "Down",
-                           "PageUp", "PageDown", "Home", "End", "F1", "F12", ".", ",", "-", "=", "[", "Ctrl+Shift+Alt+Delete"}) {
+  for (const char* text : {"A",         "Z",
+                           "0",         "9",
+                           "Space",     "Escape",
+                           "Enter",     "Tab",
+                           "Backspace", "Delete",
+                           "Left",      "Right",
+                           "Up",        "Down",
+                           "PageUp",    "PageDown",
+                           "Home",      "End",
+                           "F1",        "F12",
+                           ".",         ",",
+                           "-",         "=",
+                           "[",         "Ctrl+Shift+Alt+Delete"}) {
     const auto chord = parse_chord(text);
     ASSERT_TRUE(chord) << text;
     EXPECT_EQ(to_text(*chord), text);
@@ -23,7 +34,8 @@ TEST(events, every_named_key_reads_back) {
 }
 
 TEST(events, unknown_keys_are_refused) {
-  for (const char* text : {"", "Hyper+Z", "Ctrl+", "Ctrl", "Nope", "F13", "AB"}) EXPECT_FALSE(parse_chord(text)) << text;
+  for (const char* text : {"", "Hyper+Z", "Ctrl+", "Ctrl", "Nope", "F13", "AB"})
+    EXPECT_FALSE(parse_chord(text)) << text;
 }
 
 }  // namespace events_test

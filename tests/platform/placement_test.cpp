@@ -11,7 +11,8 @@ constexpr Screen kLeft{0, 24, 1920, 1056}, kRight{1920, 0, 1280, 1024};
 constexpr Screen kBoth[] = {kLeft, kRight};
 
 TEST(placement, a_window_that_can_be_reached_stays_where_it_was) {
-  for (const Placement p : {Placement{100, 100, 1280, 720}, Placement{2000, 50, 1000, 700, true}, Placement{-900, 200, 1280, 720}})
+  for (const Placement p :
+       {Placement{100, 100, 1280, 720}, Placement{2000, 50, 1000, 700, true}, Placement{-900, 200, 1280, 720}})
     EXPECT_EQ(fitted(p, kBoth), p);
 }
 
@@ -32,12 +33,15 @@ TEST(placement, nothing_is_larger_than_its_screen) {
 
 TEST(placement, whatever_was_kept_a_hundred_pixels_of_the_title_are_on_a_screen) {
   std::mt19937 bits(7);
-  const auto any = [&](int low, int high) { return low + static_cast<int>(bits() % static_cast<unsigned>(high - low)); };
+  const auto any = [&](int low, int high) {
+    return low + static_cast<int>(bits() % static_cast<unsigned>(high - low));
+  };
   for (int i = 0; i < 2000; ++i) {
     const Placement p = fitted({any(-5000, 5000), any(-5000, 5000), any(200, 4000), any(100, 3000)}, kBoth);
     int reach = 0;
     for (const Screen& s : kBoth)
-      if (p.y >= s.y && p.y + 32 <= s.y + s.height) reach = std::max(reach, std::min(p.x + p.width, s.x + s.width) - std::max(p.x, s.x));
+      if (p.y >= s.y && p.y + 32 <= s.y + s.height)
+        reach = std::max(reach, std::min(p.x + p.width, s.x + s.width) - std::max(p.x, s.x));
     EXPECT_GE(reach, 100) << p.x << " " << p.y << " " << p.width << " " << p.height;
     EXPECT_EQ(fitted(p, kBoth), p) << "fitting again moves nothing";
   }

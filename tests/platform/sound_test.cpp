@@ -31,7 +31,8 @@ TEST(sound, a_device_takes_its_blocks_at_first_and_one_for_each_that_was_played)
   EXPECT_EQ(device->feed(fill), kSoundBlocks);
   EXPECT_EQ(frames, static_cast<std::size_t>(kSoundBlocks * kSoundBlock));
   const int again = device->feed(fill);
-  const double seconds = std::chrono::duration<double>(now() - start).count();  // a busy machine may have kept this process waiting
+  const double seconds =
+      std::chrono::duration<double>(now() - start).count();  // a busy machine may have kept this process waiting
   EXPECT_LE(again, 1 + static_cast<int>(seconds * kSoundRate / kSoundBlock)) << "no more can have been played yet";
   // Waits, up to 5 s on a busy machine, for 0.3 s of sound to have been asked for.
   for (int i = 0; i < 500 && frames < 3 * kSoundRate / 10; ++i) {

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 class ChallengeTest : public test::SessionTest {
  protected:
   void SetUp() override {
-    folder = fs::temp_directory_path() / ("coaster_challenge_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    folder = fs::temp_directory_path() /
+             ("coaster_challenge_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder);
     fs::create_directories(folder);
     session.referee = referee();
@@ -24,10 +25,14 @@ class ChallengeTest : public test::SessionTest {
   // A challenge file on a shipped track, with these members besides name and track.
   std::string file(const std::string& members, const std::string& track = "tracks/gentle.json") {
     const fs::path path = folder / "c.json";
-    std::ofstream(path) << "{\"format\": \"coaster-challenge\", \"version\": 1, \"name\": \"N\", \"teaches\": \"T\", \"track\": \"" << COASTER_SOURCE_DIR << "/" << track << "\", " << members << "}";
+    std::ofstream(path)
+        << "{\"format\": \"coaster-challenge\", \"version\": 1, \"name\": \"N\", \"teaches\": \"T\", \"track\": \""
+        << COASTER_SOURCE_DIR << "/" << track << "\", " << members << "}";
     return path.string();
   }
-  base::Status begin(const std::string& members, const std::string& track = "tracks/gentle.json") { return apply(edit::StartChallenge{file(members, track)}); }
+  base::Status begin(const std::string& members, const std::string& track = "tracks/gentle.json") {
+    return apply(edit::StartChallenge{file(members, track)});
+  }
   void refuse(const std::string& members, std::string_view part) {
     good("new");
     const world::Document before = session.document;
@@ -38,19 +43,27 @@ class ChallengeTest : public test::SessionTest {
     EXPECT_FALSE(session.challenge);
     EXPECT_TRUE(session.document == before) << "nothing is opened";
   }
-  double number(std::string_view name, std::string_view argument = {}) const { return std::get<double>(*find_query(name)->evaluate({session, stats, "", ""}, argument)); }
+  double number(std::string_view name, std::string_view argument = {}) const {
+    return std::get<double>(*find_query(name)->evaluate({session, stats, "", ""}, argument));
+  }
 
   fs::path folder;
   FrameStats stats;
 };
 
 TEST_F(ChallengeTest, expressions_that_cannot_be_judged_are_refused_with_their_place) {
-  refuse(R"("judged": "lap", "goals": [{"expect": "knotz <= 3", "text": "x"}])", "goals[0].expect:1: no query \"knotz\"");
-  refuse(R"("judged": "lap", "goals": [{"expect": "knots <= 3", "text": "x"}], "gold": [{"expect": "knots =< 3", "text": "x"}])", "gold[0].expect:7: expected == !=");
-  refuse(R"("judged": "lap", "goals": [{"expect": "knots <= many", "text": "x"}])", "goals[0].expect:1: expected a number, found \"many\"");
+  refuse(R"("judged": "lap", "goals": [{"expect": "knotz <= 3", "text": "x"}])",
+         "goals[0].expect:1: no query \"knotz\"");
+  refuse(
+      R"("judged": "lap", "goals": [{"expect": "knots <= 3", "text": "x"}], "gold": [{"expect": "knots =< 3", "text": "x"}])",
+      "gold[0].expect:7: expected == !=");
+  refuse(R"("judged": "lap", "goals": [{"expect": "knots <= many", "text": "x"}])",
+         "goals[0].expect:1: expected a number, found \"many\"");
   refuse(R"("judged": "lap", "goals": [{"expect": "name < 3", "text": "x"}])", "goals[0].expect:1:");
-  refuse(R"("judged": "lap", "goals": [{"expect": "fps >= 30", "text": "x"}])", "does not speak of track and ride alone");
-  refuse(R"("judged": "lap", "goals": [{"expect": "challenge.met == 3", "text": "x"}])", "does not speak of track and ride alone");
+  refuse(R"("judged": "lap", "goals": [{"expect": "fps >= 30", "text": "x"}])",
+         "does not speak of track and ride alone");
+  refuse(R"("judged": "lap", "goals": [{"expect": "challenge.met == 3", "text": "x"}])",
+         "does not speak of track and ride alone");
   refuse(R"("judged": "lap", "goals": [{"expect": "\"knots", "text": "x"}])", "goals[0].expect");
   refuse(R"("judged": "lap", "goals": [{"expect": "", "text": "x"}])", "goals[0].expect: expected a text");
 }
@@ -59,15 +72,23 @@ TEST_F(ChallengeTest, what_may_be_judged_depends_on_track_and_ride_alone) {
   // The same session with every number of the picture changed: no query that rules may ask has another value.
   ASSERT_TRUE(begin(R"("judged": "build", "goals": [{"expect": "knots <= 3", "text": "x"}])"));
   FrameStats other;
-  other.frame = 77, other.uploads = 5, other.rebuilds = 3, other.upload_bytes = 1000, other.polyline_upload_bytes = 99, other.polyline_bytes = 12, other.drawn_by = curve::Stage::geometry_shader;
-  other.gpu_deviation = 3.25, other.deviation_pending = 2, other.recolours = 4, other.colour_low = -3, other.colour_high = 9, other.fps = 61, other.cpu_ms = 7, other.gl_ms = 8, other.gpu_ms = 9;
-  other.evaluation_ms = 4.5, other.evaluated_vertices = 1200, other.draw_calls = 31, other.samples = 4, other.width = 640, other.height = 480;
+  other.frame = 77, other.uploads = 5, other.rebuilds = 3, other.upload_bytes = 1000, other.polyline_upload_bytes = 99,
+  other.polyline_bytes = 12, other.drawn_by = curve::Stage::geometry_shader;
+  other.gpu_deviation = 3.25, other.deviation_pending = 2, other.recolours = 4, other.colour_low = -3,
+  other.colour_high = 9, other.fps = 61, other.cpu_ms = 7, other.gl_ms = 8, other.gpu_ms = 9;
+  other.evaluation_ms = 4.5, other.evaluated_vertices = 1200, other.draw_calls = 31, other.samples = 4,
+  other.width = 640, other.height = 480;
   int judged = 0;
   for (const Query& query : queries()) {
     if (!may_judge(query)) continue;
     ++judged;
-    const std::string_view argument = query.argument == "@knot" ? "@k2" : query.argument == "@segment" ? "@s3" : query.argument == "@cart" ? "@c1" : query.argument.substr(query.argument.rfind('|') + 1);
-    const auto a = query.evaluate({session, stats, "", ""}, argument), b = query.evaluate({session, other, "a notice", "a title"}, argument);
+    const std::string_view argument = query.argument == "@knot"      ? "@k2"
+                                      : query.argument == "@segment" ? "@s3"
+                                      : query.argument == "@cart"
+                                          ? "@c1"
+                                          : query.argument.substr(query.argument.rfind('|') + 1);
+    const auto a = query.evaluate({session, stats, "", ""}, argument),
+               b = query.evaluate({session, other, "a notice", "a title"}, argument);
     ASSERT_TRUE(a && b) << query.name;
     EXPECT_EQ(to_text(*a), to_text(*b)) << query.name;
     session.settings.steps = 7;  // nor on how the curve is shown
@@ -80,7 +101,8 @@ TEST_F(ChallengeTest, what_may_be_judged_depends_on_track_and_ride_alone) {
 }
 
 TEST_F(ChallengeTest, a_lap_is_judged_when_it_is_ridden_and_not_before) {
-  ASSERT_TRUE(begin(R"("judged": "lap", "goals": [{"expect": "closed == on", "text": "x"}], "silver": [{"expect": "ride.speed_max > 5", "text": "x"}], "gold": [{"expect": "ride.speed_max > 500", "text": "x"}])"));
+  ASSERT_TRUE(begin(
+      R"("judged": "lap", "goals": [{"expect": "closed == on", "text": "x"}], "silver": [{"expect": "ride.speed_max > 5", "text": "x"}], "gold": [{"expect": "ride.speed_max > 500", "text": "x"}])"));
   EXPECT_EQ(session.challenge->judged, 0u);
   good("ride.start");
   edit::advance(session, 120);
@@ -88,7 +110,8 @@ TEST_F(ChallengeTest, a_lap_is_judged_when_it_is_ridden_and_not_before) {
   edit::advance(session, 120 * 200);
   EXPECT_EQ(session.challenge->judged, 1u);
   EXPECT_EQ(session.challenge->medal, 2) << session.challenge->last.reason;
-  // The lap ended at the tick after the train was back, whatever the number of ticks asked for: the ghost's own lap says when.
+  // The lap ended at the tick after the train was back, whatever the number of ticks asked for: the ghost's own lap
+  // says when.
   ASSERT_TRUE(session.result);
   const double lap = edit::chosen_ride(session)->lap_time;
   EXPECT_NEAR(session.result->seconds, lap, 2 * world::kTick);
@@ -98,7 +121,8 @@ TEST_F(ChallengeTest, a_lap_is_judged_when_it_is_ridden_and_not_before) {
 }
 
 TEST_F(ChallengeTest, how_many_ticks_are_asked_for_at_once_changes_no_verdict) {
-  const std::string members = R"("judged": "time", "seconds": 3.5, "goals": [{"expect": "ride.travelled > 0", "text": "x"}])";
+  const std::string members =
+      R"("judged": "time", "seconds": 3.5, "goals": [{"expect": "ride.travelled > 0", "text": "x"}])";
   double at[2] = {};
   for (const int step : {1, 997}) {
     ASSERT_TRUE(begin(members));
@@ -155,7 +179,8 @@ TEST_F(ChallengeTest, what_is_built_is_judged_at_once_but_not_within_a_gesture) 
 }
 
 TEST_F(ChallengeTest, a_failing_goal_is_told_with_its_value_place_and_unit) {
-  ASSERT_TRUE(begin(R"("judged": "lap", "goals": [{"expect": "ride.g_side_max <= 0.01", "text": "Lateral"}])", "tracks/helix.json"));
+  ASSERT_TRUE(begin(R"("judged": "lap", "goals": [{"expect": "ride.g_side_max <= 0.01", "text": "Lateral"}])",
+                    "tracks/helix.json"));
   good("ride.start");
   edit::advance(session, 120 * 300);
   ASSERT_EQ(session.challenge->judged, 1u);
@@ -174,7 +199,8 @@ TEST_F(ChallengeTest, a_failing_goal_is_told_with_its_value_place_and_unit) {
 TEST_F(ChallengeTest, a_train_that_is_too_slow_is_told_how_much_is_missing) {
   // Up a straight slope of 20 m from y = 4 with 12 m/s: it turns round at a height of v^2 / 2g over the start.
   good("new");
-  good("append at 0 4 0"), good("append at 40 4 0"), good("append at 80 4 0"), good("append at 120 24 0"), good("append at 160 24 0");
+  good("append at 0 4 0"), good("append at 40 4 0"), good("append at 80 4 0"), good("append at 120 24 0"),
+      good("append at 160 24 0");
   if (session.document.entities.pool<world::Cart>().size() == 0) good("add_cart @s1 at 0");
   good("start_speed 12");
   good("ride.start");
@@ -184,7 +210,8 @@ TEST_F(ChallengeTest, a_train_that_is_too_slow_is_told_how_much_is_missing) {
   double highest = 0;  // over the flat parts, the spline may sag or swell by a little
   for (double s = 0; s < session.derived.length; s += 0.05) {
     const sim::TrackPlace place = sim::place_at(session.derived, s);
-    highest = std::max(highest, sim::rail_point(session.derived.shape(session.derived.order[place.index]), place.s).height);
+    highest =
+        std::max(highest, sim::rail_point(session.derived.shape(session.derived.order[place.index]), place.s).height);
   }
   const double reached = 4 + 144 / (2 * 9.81), missing = highest - reached;
   char part[64];
@@ -194,7 +221,8 @@ TEST_F(ChallengeTest, a_train_that_is_too_slow_is_told_how_much_is_missing) {
   EXPECT_NE(session.result->reason.find(part), std::string::npos) << session.result->reason << " / " << part;
   ASSERT_TRUE(session.result->place);
   const sim::TrackPlace turned = sim::place_at(session.derived, *session.result->place);
-  EXPECT_NEAR(sim::rail_point(session.derived.shape(session.derived.order[turned.index]), turned.s).height, reached, 0.02);
+  EXPECT_NEAR(sim::rail_point(session.derived.shape(session.derived.order[turned.index]), turned.s).height, reached,
+              0.02);
 }
 
 TEST_F(ChallengeTest, every_challenge_that_comes_with_the_program_can_be_judged) {

@@ -1,4 +1,5 @@
-// The same document, commands and ticks give the same hashes on every compiler and build: the expected numbers stand here.
+// The same document, commands and ticks give the same hashes on every compiler and build: the expected numbers stand
+// here.
 #include <gtest/gtest.h>
 
 #include "base/hash.h"
@@ -57,10 +58,12 @@ Hashes ride(const char* name, bool toggle, bool edits) {
   run(session, files, {"ride.start"});
   edit::advance(session, 1200);
   if (edits)
-    run(session, files, {"move @k3 to 44.25 4.5 1.75", "split @s2 at 0.4", "roll @k4 to 17.5", "handle @k5.out to 61 22 -1.5",
-                         "lengths @k6 in 3.25 out 4.5", "remove @k8", "add_curve", "turns @s9 to 1", "joint @k10 to automatic"});
+    run(session, files,
+        {"move @k3 to 44.25 4.5 1.75", "split @s2 at 0.4", "roll @k4 to 17.5", "handle @k5.out to 61 22 -1.5",
+         "lengths @k6 in 3.25 out 4.5", "remove @k8", "add_curve", "turns @s9 to 1", "joint @k10 to automatic"});
   for (int i = 0; i < 12; ++i) {
-    if (toggle) run(session, files, {"evaluator forward_differences", "resolution 7", "evaluator horner", "frames_by frenet"});
+    if (toggle)
+      run(session, files, {"evaluator forward_differences", "resolution 7", "evaluator horner", "frames_by frenet"});
     edit::advance(session, 100);
   }
   return hashes(session);
@@ -76,13 +79,15 @@ TEST(determinism, the_hashes_of_the_samples_are_those_written_down) {
 // Every integrator with a train, losses and equipment, and with banking by the ghost: all that moves a cart.
 TEST(determinism, every_integrator_moves_a_train_to_the_hashes_written_down) {
   const std::pair<const char*, const char*> expected[] = {
-      {"rk4", "e4b1bdc9c152a2e6"}, {"verlet", "133acfb8144bcf25"}, {"energy", "498113c17afe4600"}, {"euler", "4b546865781c0d88"},
-      {"precomputed", "a1c592ab3ba5075e"}, {"vertices", "9df3f99c96143ccf"}};
+      {"rk4", "e4b1bdc9c152a2e6"},   {"verlet", "133acfb8144bcf25"},      {"energy", "498113c17afe4600"},
+      {"euler", "4b546865781c0d88"}, {"precomputed", "a1c592ab3ba5075e"}, {"vertices", "9df3f99c96143ccf"}};
   for (const auto& [row, motion] : expected) {
     base::Files files;
     edit::Session session = open_sample(files, "loop");
-    run(session, files, {"train @c1 cars 5 spacing 2.75 mass 640", "losses rolling 0.004 drag 0.00003", "equip @s1 as launch speed 12 acceleration 3",
-                         "equip @s27 as brake speed 6 acceleration 4", "auto_bank", std::string("integrator ") + row, "ride.start"});
+    run(session, files,
+        {"train @c1 cars 5 spacing 2.75 mass 640", "losses rolling 0.004 drag 0.00003",
+         "equip @s1 as launch speed 12 acceleration 3", "equip @s27 as brake speed 6 acceleration 4", "auto_bank",
+         std::string("integrator ") + row, "ride.start"});
     edit::advance(session, 3600);
     EXPECT_EQ(hashes(session).motion, motion) << row << " at " << session.motion.carts.items().at(0).travelled << " m";
     EXPECT_GT(session.motion.carts.items().at(0).travelled, 200) << row;
@@ -90,7 +95,8 @@ TEST(determinism, every_integrator_moves_a_train_to_the_hashes_written_down) {
 }
 
 TEST(determinism, the_evaluator_and_the_resolution_change_neither_document_nor_motion) {
-  for (const Expected& expected : kExpected) EXPECT_EQ(ride(expected.name, true, true), ride(expected.name, false, true));
+  for (const Expected& expected : kExpected)
+    EXPECT_EQ(ride(expected.name, true, true), ride(expected.name, false, true));
 }
 
 TEST(determinism, a_saved_and_loaded_sample_rides_the_same) {
@@ -113,7 +119,8 @@ TEST(determinism, the_default_integrator_keeps_the_energy_over_ten_laps_of_each_
     for (int tick = 0; tick < 120 * 1200; tick += 7) {
       edit::advance(session, 7);
       const world::CartMotion& cart = session.motion.carts.items().at(0);
-      worst = std::max(worst, sim::energy_drift(session.document, session.derived, session.motion.carts.entities().at(0), cart));
+      worst = std::max(
+          worst, sim::energy_drift(session.document, session.derived, session.motion.carts.entities().at(0), cart));
       if (cart.laps == 10) break;
     }
     EXPECT_EQ(session.motion.carts.items().at(0).laps, 10) << expected.name;
@@ -126,7 +133,8 @@ TEST(determinism, the_default_integrator_keeps_the_energy_over_ten_laps_of_each_
 
 // A track that is fitted to rows has the same bits, too: its knots are part of the document's hash.
 TEST(determinism, an_imported_track_is_one_document_everywhere) {
-  const std::pair<const char*, const char*> expected[] = {{"loop", "99b7431641789f83"}, {"helix", "002c826e3aa524ec"}, {"gentle", "e1b24a99a55ec641"}};
+  const std::pair<const char*, const char*> expected[] = {
+      {"loop", "99b7431641789f83"}, {"helix", "002c826e3aa524ec"}, {"gentle", "e1b24a99a55ec641"}};
   for (const auto& [name, hash] : expected) {
     base::Files files;
     const edit::Session session = open_sample(files, name);
@@ -140,10 +148,12 @@ TEST(determinism, an_imported_track_is_one_document_everywhere) {
 TEST(determinism, shaping_several_knots_gives_one_document_everywhere) {
   base::Files files;
   edit::Session session = open_sample(files, "loop");
-  run(session, files, {"rotate @k2,@k3,@k4 by 17.3 about 40.1 3.7 2.9 axis 0.3 0.9 -0.2", "translate @k5,@k6 by 0.123 -0.456 0.789",
-                       "scale_knots @k7,@k8 by 1.1 0.9 1.3 about 30.3 5.5 -1.7", "mirror @k3,@k4 across 0.7 0.1 0.6 about 41.7 6.1 0.3", "smooth @k2,@k3,@k4,@k5",
-                       "smooth @k7,@k8 by uniform", "radius @k6 to 23.7", "straighten @k8,@k9,@k10", "equalise @k5,@k6", "drop @k9 to 1.3", "align @k2,@k8 axis z to 0.77",
-                       "reverse", "closed off", "duplicate @k5,@k6,@k7", "close within 0.5"});
+  run(session, files,
+      {"rotate @k2,@k3,@k4 by 17.3 about 40.1 3.7 2.9 axis 0.3 0.9 -0.2", "translate @k5,@k6 by 0.123 -0.456 0.789",
+       "scale_knots @k7,@k8 by 1.1 0.9 1.3 about 30.3 5.5 -1.7", "mirror @k3,@k4 across 0.7 0.1 0.6 about 41.7 6.1 0.3",
+       "smooth @k2,@k3,@k4,@k5", "smooth @k7,@k8 by uniform", "radius @k6 to 23.7", "straighten @k8,@k9,@k10",
+       "equalise @k5,@k6", "drop @k9 to 1.3", "align @k2,@k8 axis z to 0.77", "reverse", "closed off",
+       "duplicate @k5,@k6,@k7", "close within 0.5"});
   EXPECT_EQ(base::hex16(world::hash(session.document)), "2d6f4edfdfcebfa0");
 }
 

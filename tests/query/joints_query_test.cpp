@@ -17,18 +17,26 @@ class JointsQueryTest : public test::SessionTest {
     EXPECT_TRUE(query) << name;
     return query->evaluate({session, stats, "", ""}, argument);
   }
-  double number(std::string_view name, std::string_view argument = {}) const { return std::get<double>(*ask(name, argument)); }
-  std::string words(std::string_view name, std::string_view argument = {}) const { return to_text(*ask(name, argument)); }
-  curve::Cubic cubic(std::size_t i) const { return world::cubic_of(session.document, session.document.track.segments[i]); }
+  double number(std::string_view name, std::string_view argument = {}) const {
+    return std::get<double>(*ask(name, argument));
+  }
+  std::string words(std::string_view name, std::string_view argument = {}) const {
+    return to_text(*ask(name, argument));
+  }
+  curve::Cubic cubic(std::size_t i) const {
+    return world::cubic_of(session.document, session.document.track.segments[i]);
+  }
   FrameStats stats;
 };
 
 TEST_F(JointsQueryTest, a_joints_curvatures_are_the_closed_form_of_its_control_points) {
   const curve::Cubic before = cubic(1), after = cubic(2);
   const auto size = [](glm::vec3 d0, glm::vec3 d1) {
-    return 2.0 / 3.0 * glm::length(glm::cross(glm::dvec3(d0), glm::dvec3(d1))) / std::pow(glm::length(glm::dvec3(d0)), 3);
+    return 2.0 / 3.0 * glm::length(glm::cross(glm::dvec3(d0), glm::dvec3(d1))) /
+           std::pow(glm::length(glm::dvec3(d0)), 3);
   };
-  const auto at_end = std::get<glm::dvec3>(*ask("curvature_before", "@k3")), at_start = std::get<glm::dvec3>(*ask("curvature_after", "@k3"));
+  const auto at_end = std::get<glm::dvec3>(*ask("curvature_before", "@k3")),
+             at_start = std::get<glm::dvec3>(*ask("curvature_after", "@k3"));
   EXPECT_NEAR(glm::length(at_end), size(before.p3 - before.p2, before.p2 - before.p1), 1e-7);
   EXPECT_NEAR(glm::length(at_start), size(after.p1 - after.p0, after.p2 - after.p1), 1e-7);
   EXPECT_NEAR(number("curvature_jump", "@k3"), glm::length(at_start - at_end), 1e-12);

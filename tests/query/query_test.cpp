@@ -26,7 +26,9 @@ class QueryTest : public test::SessionTest {
     EXPECT_TRUE(value) << name << ": " << value.status().message;
     return value ? to_text(*value) : "";
   }
-  int rank(std::string_view name, std::string_view argument = {}) const { return std::get<Ranked>(*ask(name, argument)).rank; }
+  int rank(std::string_view name, std::string_view argument = {}) const {
+    return std::get<Ranked>(*ask(name, argument)).rank;
+  }
 
   FrameStats stats;
   std::string toast, title;
@@ -58,7 +60,9 @@ TEST_F(QueryTest, every_row_has_a_value_on_a_track_and_on_an_empty_one) {
   }
   good("new");
   for (const Query& query : queries())
-    EXPECT_EQ(query.evaluate({session, stats, toast, title}, sample_argument(query)).ok(), !query.argument.starts_with('@') && query.argument != kOfMeasurements) << query.name;
+    EXPECT_EQ(query.evaluate({session, stats, toast, title}, sample_argument(query)).ok(),
+              !query.argument.starts_with('@') && query.argument != kOfMeasurements)
+        << query.name;
 }
 
 TEST_F(QueryTest, names_are_unique_and_found) {
@@ -72,10 +76,40 @@ TEST_F(QueryTest, names_are_unique_and_found) {
 }
 
 TEST_F(QueryTest, the_names_that_scripts_rely_on_are_there) {
-  for (const char* name : {"knots", "segments", "closed", "length", "exact_length", "evaluator", "resolution", "frames_by", "name", "position",
-                           "geometric", "parametric", "gap", "hash", "vertices", "uploads", "rebuilds", "deviation", "ride.state", "ride.speed",
-                           "ride.height", "ride.distance", "ride.lap", "ride.energy", "ride.energy_drift", "ride.g_up", "ride.g_side",
-                           "ride.g_forward", "frame", "tick", "selected", "undo_depth", "toast", "title"})
+  for (const char* name : {"knots",
+                           "segments",
+                           "closed",
+                           "length",
+                           "exact_length",
+                           "evaluator",
+                           "resolution",
+                           "frames_by",
+                           "name",
+                           "position",
+                           "geometric",
+                           "parametric",
+                           "gap",
+                           "hash",
+                           "vertices",
+                           "uploads",
+                           "rebuilds",
+                           "deviation",
+                           "ride.state",
+                           "ride.speed",
+                           "ride.height",
+                           "ride.distance",
+                           "ride.lap",
+                           "ride.energy",
+                           "ride.energy_drift",
+                           "ride.g_up",
+                           "ride.g_side",
+                           "ride.g_forward",
+                           "frame",
+                           "tick",
+                           "selected",
+                           "undo_depth",
+                           "toast",
+                           "title"})
     EXPECT_TRUE(find_query(name)) << name;
 }
 
@@ -104,14 +138,16 @@ TEST_F(QueryTest, the_document_reads_as_it_is) {
 
 TEST_F(QueryTest, lengths_are_by_the_chosen_method_and_exact) {
   double exact = 0;
-  for (const world::Entity e : session.document.track.segments) exact += curve::arc_length(world::cubic_of(session.document, e));
+  for (const world::Entity e : session.document.track.segments)
+    exact += curve::arc_length(world::cubic_of(session.document, e));
   EXPECT_NEAR(number("length"), exact, 1e-9);
   good("resolution 2");
   good("arc_length " + std::string(curve::arc_length_methods()[2].name));
   double chords = 0, third = 0;
   for (const world::Entity e : session.document.track.segments) {
     const curve::Cubic c = world::cubic_of(session.document, e);
-    const double sum = glm::distance(curve::point(c, 0), curve::point(c, 0.5)) + glm::distance(curve::point(c, 0.5), curve::point(c, 1));
+    const double sum = glm::distance(curve::point(c, 0), curve::point(c, 0.5)) +
+                       glm::distance(curve::point(c, 0.5), curve::point(c, 1));
     chords += sum;
     if (e == session.document.track.segments[2]) third = sum;
   }
@@ -136,10 +172,13 @@ TEST_F(QueryTest, continuity_compares_by_rank) {
 
 TEST_F(QueryTest, words_have_the_ranks_of_the_values_they_name) {
   for (const char* name : {"geometric", "parametric"})
-    for (const char* knot : {"@k1", "@k2", "@k3"}) EXPECT_EQ(rank_of(name, words(name, knot)), rank(name, knot)) << name << knot;
-  for (const char* name : {"closed", "dirty", "panels", "polyline"}) EXPECT_EQ(rank_of(name, words(name)), rank(name)) << name;
+    for (const char* knot : {"@k1", "@k2", "@k3"})
+      EXPECT_EQ(rank_of(name, words(name, knot)), rank(name, knot)) << name << knot;
+  for (const char* name : {"closed", "dirty", "panels", "polyline"})
+    EXPECT_EQ(rank_of(name, words(name)), rank(name)) << name;
   const auto ranks = [](std::string_view name, std::vector<std::string_view> ascending) {
-    for (std::size_t i = 0; i + 1 < ascending.size(); ++i) EXPECT_LT(rank_of(name, ascending[i]), rank_of(name, ascending[i + 1])) << ascending[i];
+    for (std::size_t i = 0; i + 1 < ascending.size(); ++i)
+      EXPECT_LT(rank_of(name, ascending[i]), rank_of(name, ascending[i + 1])) << ascending[i];
   };
   ranks("geometric", {"none", "G0", "g1", "G2"});
   ranks("parametric", {"None", "C0", "C1", "c2"});
@@ -227,7 +266,8 @@ TEST_F(QueryTest, the_session_reads_as_it_is) {
 }
 
 TEST_F(QueryTest, frame_numbers_are_those_of_the_frame_loop) {
-  stats.frame = 42, stats.uploads = 2, stats.rebuilds = 3, stats.recolours = 4, stats.draw_calls = 17, stats.samples = 8;
+  stats.frame = 42, stats.uploads = 2, stats.rebuilds = 3, stats.recolours = 4, stats.draw_calls = 17,
+  stats.samples = 8;
   stats.triangles = 123'456, stats.shadow_maps = 1;
   stats.evaluation_ms = 0.5, stats.evaluated_vertices = 1000, stats.fps = 59.9, stats.cpu_ms = 1.7;
   toast = "At the limit", title = "Skew - coaster";

@@ -1,5 +1,5 @@
-// The motion is worth as much without the session that made it: the document saved and loaded by its file's text at every 100th tick, the
-// motion kept, nothing else, gives the bits of a ride that was never interrupted.
+// The motion is worth as much without the session that made it: the document saved and loaded by its file's text at
+// every 100th tick, the motion kept, nothing else, gives the bits of a ride that was never interrupted.
 #include <gtest/gtest.h>
 
 #include "edit/session/session.h"
@@ -66,7 +66,8 @@ world::Document operated() {
   return d;
 }
 
-void expect_resumable(const world::Document& document, const std::string& name, std::span<const sim::Integrator> rows = sim::integrators()) {
+void expect_resumable(const world::Document& document, const std::string& name,
+                      std::span<const sim::Integrator> rows = sim::integrators()) {
   for (std::size_t row = 0; row < rows.size(); ++row) {
     Ride whole(loaded(document));
     whole.begin();
@@ -91,7 +92,9 @@ TEST(ride_resume, samples_go_on_with_the_same_bits) {
   for (const char* name : {"helix", "gentle"}) expect_resumable(sample(name), name, sim::integrators().first(1));
 }
 
-TEST(ride_resume, trains_with_equipment_and_losses_go_on_with_the_same_bits) { expect_resumable(operated(), "operated"); }
+TEST(ride_resume, trains_with_equipment_and_losses_go_on_with_the_same_bits) {
+  expect_resumable(operated(), "operated");
+}
 
 }  // namespace ride_resume_test
 }  // namespace coaster

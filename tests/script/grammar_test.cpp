@@ -23,22 +23,33 @@ TEST(grammar, every_statement_of_the_language_is_accepted) {
       "env size 640x360 seed 7\nenv msaa 4 scale 1.5 size 800x600\n"
       "load \"tracks/hills.json\"\nsave \"$OUT/a.json\"\nnew\nframes 3\nticks 120\nframes\n"
       "expect knots == 12\nexpect geometric @k4 >= G1\nexpect length > 10.5 m\nexpect position @k3 == 1 2 3 +- 0.01\n"
-      "expect ride.energy_drift < 1e-4\nexpect length == 3 +-0.1\nexpect length == 3 \u00b1 0.1\nexpect not closed\nexpect closed == off\n"
-      "expect toast ~ \"limit\"\nexpect title ~ coaster\nexpect hash document == 5a1c09e27733d0b1\nexpect hash motion != 0000000000000001\n"
+      "expect ride.energy_drift < 1e-4\nexpect length == 3 +-0.1\nexpect length == 3 \u00b1 0.1\nexpect not "
+      "closed\nexpect closed == off\n"
+      "expect toast ~ \"limit\"\nexpect title ~ coaster\nexpect hash document == 5a1c09e27733d0b1\nexpect hash motion "
+      "!= 0000000000000001\n"
       "expect visible \"Track/Add curve\"\nexpect not visible \"A/b\"\nexpect enabled \"A\"\nexpect not enabled \"A\"\n"
       "expect file \"$OUT/a.json\" same \"golden/a.json\"\nexpect file \"a\" exists\nexpect not file \"a\" exists\n"
-      "expect error load \"x\"\nexpect error split @s1 at 0.5 ~ \"no\"\nexpect error move @k1 to 1e39 0 0\nexpect error ~ \"limit\"\n"
-      "wait ride.lap == 1 max 7200 ticks\nwait uploads == 0 max 5 frames\nwait ride.speed > 3 max 10 seconds\nwait ride.lap == 1\n"
+      "expect error load \"x\"\nexpect error split @s1 at 0.5 ~ \"no\"\nexpect error move @k1 to 1e39 0 0\nexpect "
+      "error ~ \"limit\"\n"
+      "wait ride.lap == 1 max 7200 ticks\nwait uploads == 0 max 5 frames\nwait ride.speed > 3 max 10 seconds\nwait "
+      "ride.lap == 1\n"
       "repeat 3\n  gesture\n    move @k4 to 1 2 3\n  end\nend\nselect @k4\nselect @s2 at 0.3\nselect none\nundo\nredo\n"
-      "ui.click \"Evaluation/Forward differences\"\nui.check \"Track/Closed\" on\nui.type \"Inspector/Position/x\" \"1e39\"\n"
-      "ui.drag \"A/b\" by 12 px\nui.drag \"A/b\" by -3.5\nui.drag \"A/b\" to 64\nui.open \"Track\"\nui.menu \"Edit/Undo\"\nui.scroll \"Track\" 3\n"
-      "key Ctrl+Z\ntext \"hello\"\nwheel -2\nwheel 1 at 30 40\ndrop \"a.json\"\nfocus off\nresize 800x600\nresize 800 600\nminimise\nscale 1.5\n"
-      "aim.click @k3\naim.click +shift @k3.in\naim.click @k3.out +ctrl\naim.hover @s2:0.4\naim.doubleclick @c1\naim.click ground 10 0 -4\n"
-      "aim.drag @k4.out by 0 3.5 0\naim.drag @k4 to 1 2 3\naim.drag +alt @k4 to @k5\naim.drag @k4 to ground 1 0 3\naim.click world 1 2 3\n"
+      "ui.click \"Evaluation/Forward differences\"\nui.check \"Track/Closed\" on\nui.type \"Inspector/Position/x\" "
+      "\"1e39\"\n"
+      "ui.drag \"A/b\" by 12 px\nui.drag \"A/b\" by -3.5\nui.drag \"A/b\" to 64\nui.open \"Track\"\nui.menu "
+      "\"Edit/Undo\"\nui.scroll \"Track\" 3\n"
+      "key Ctrl+Z\ntext \"hello\"\nwheel -2\nwheel 1 at 30 40\ndrop \"a.json\"\nfocus off\nresize 800x600\nresize 800 "
+      "600\nminimise\nscale 1.5\n"
+      "aim.click @k3\naim.click +shift @k3.in\naim.click @k3.out +ctrl\naim.hover @s2:0.4\naim.doubleclick "
+      "@c1\naim.click ground 10 0 -4\n"
+      "aim.drag @k4.out by 0 3.5 0\naim.drag @k4 to 1 2 3\naim.drag +alt @k4 to @k5\naim.drag @k4 to ground 1 0 "
+      "3\naim.click world 1 2 3\n"
       "camera target 1 2 3 yaw 10 pitch 20 distance 30\ncamera yaw 5\ncamera all\ncamera selection\ncamera fit\n"
       "ride.start\nride.pause\nride.stop\nride.seek 12\nride.seek to 3\n"
-      "snap \"apex\"\nshot \"$OUT/x.png\"\ndump \"x\"\nlog hash document\nlog \"text\"\nlog ride.speed \"m/s\" position @k1\n"
-      "fault io.fsync fail 3\nfault import slow 30\nraw.move 1 2\nraw.press left\nraw.release left\nraw.key F down\nraw.key F up\n");
+      "snap \"apex\"\nshot \"$OUT/x.png\"\ndump \"x\"\nlog hash document\nlog \"text\"\nlog ride.speed \"m/s\" "
+      "position @k1\n"
+      "fault io.fsync fail 3\nfault import slow 30\nraw.move 1 2\nraw.press left\nraw.release left\nraw.key F "
+      "down\nraw.key F up\n");
   // "ride.seek to 3" is no command: the distance follows at once.
   ASSERT_EQ(parsed.errors.size(), 1u) << parsed.errors.front();
   EXPECT_NE(parsed.errors[0].find("ride.seek to 3"), std::string::npos) << parsed.errors[0];
@@ -51,7 +62,8 @@ TEST(grammar, all_errors_are_reported_with_place_line_caret_and_nearest_word) {
             "a.coaster:2:1: error: no command \"fraems\"\n    fraems 3\n    ^ did you mean \"frames\"?");
   EXPECT_EQ(parsed.errors[1].find("a.coaster:4:7: error: expected a key"), 0u) << parsed.errors[1];
   EXPECT_NE(parsed.errors[1].find("\n    key Ctrl+Banana\n        ^"), std::string::npos) << parsed.errors[1];
-  EXPECT_EQ(parsed.errors[2], "a.coaster:5:8: error: no query \"knotz\"\n    expect knotz == 3\n           ^ did you mean \"knots\"?");
+  EXPECT_EQ(parsed.errors[2],
+            "a.coaster:5:8: error: no query \"knotz\"\n    expect knotz == 3\n           ^ did you mean \"knots\"?");
   EXPECT_EQ(parsed.errors[3].find("a.coaster:6:1: error: \"end\" without"), 0u) << parsed.errors[3];
 }
 
@@ -77,14 +89,62 @@ TEST(grammar, blocks_nest_and_must_be_closed) {
 }
 
 TEST(grammar, words_left_over_and_missing_ones_are_errors) {
-  for (const char* const line : {"frames 1 2", "frames -1", "ticks x", "env", "env size 640", "env size 0x3", "ui.click", "ui.click \"a\" \"b\"",
-                                 "ui.drag \"a\"", "aim.click", "aim.click @z3", "aim.click @s2:1.5", "aim.drag @k1", "aim.drag @k1 by 1 2",
-                                 "aim.click @c1.in", "expect", "expect knots", "expect knots ==", "expect knots 3", "expect position == 1 2 3",
-                                 "wait ride.lap == 1 max", "wait ride.lap == 1 max 3 days", "fault io.sync fail 1", "fault io.read", "fault import", "fault import slow", "fault import slow 0", "snap",
-                                 "snap \"../x\"", "dump \"../x\"", "log", "log nothing", "key", "raw.key F sideways", "repeat x\nend", "focus maybe",
-                                 "expect error", "expect error laod \"x\"", "expect length == 3 +-", "expect length == 3 +- -1", "camera", "camera roll 3",
-                                 "text \"open", "movie.start", "movie.start \"$OUT/m\" fps 25", "movie.start \"$OUT/m\" fps", "movie.start \"$OUT/m\" gif gif", "movie.stop now", "pad", "pad left 1", "pad left 0 1.5",
-                                 "pad triggers -1 0", "pad a b", "pad z", "expect visible", "expect file \"a\" like \"b\""}) {
+  for (const char* const line : {"frames 1 2",
+                                 "frames -1",
+                                 "ticks x",
+                                 "env",
+                                 "env size 640",
+                                 "env size 0x3",
+                                 "ui.click",
+                                 "ui.click \"a\" \"b\"",
+                                 "ui.drag \"a\"",
+                                 "aim.click",
+                                 "aim.click @z3",
+                                 "aim.click @s2:1.5",
+                                 "aim.drag @k1",
+                                 "aim.drag @k1 by 1 2",
+                                 "aim.click @c1.in",
+                                 "expect",
+                                 "expect knots",
+                                 "expect knots ==",
+                                 "expect knots 3",
+                                 "expect position == 1 2 3",
+                                 "wait ride.lap == 1 max",
+                                 "wait ride.lap == 1 max 3 days",
+                                 "fault io.sync fail 1",
+                                 "fault io.read",
+                                 "fault import",
+                                 "fault import slow",
+                                 "fault import slow 0",
+                                 "snap",
+                                 "snap \"../x\"",
+                                 "dump \"../x\"",
+                                 "log",
+                                 "log nothing",
+                                 "key",
+                                 "raw.key F sideways",
+                                 "repeat x\nend",
+                                 "focus maybe",
+                                 "expect error",
+                                 "expect error laod \"x\"",
+                                 "expect length == 3 +-",
+                                 "expect length == 3 +- -1",
+                                 "camera",
+                                 "camera roll 3",
+                                 "text \"open",
+                                 "movie.start",
+                                 "movie.start \"$OUT/m\" fps 25",
+                                 "movie.start \"$OUT/m\" fps",
+                                 "movie.start \"$OUT/m\" gif gif",
+                                 "movie.stop now",
+                                 "pad",
+                                 "pad left 1",
+                                 "pad left 0 1.5",
+                                 "pad triggers -1 0",
+                                 "pad a b",
+                                 "pad z",
+                                 "expect visible",
+                                 "expect file \"a\" like \"b\""}) {
     const std::string text = line;
     if (text == "expect knots") continue;  // a value alone: that it is true
     EXPECT_EQ(parse_lines(text).errors.size(), 1u) << line;

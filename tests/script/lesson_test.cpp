@@ -75,7 +75,8 @@ TEST(lesson, waits_for_the_players_own_hand_and_leaves_its_lines_alone) {
 
 TEST(lesson, shows_how_when_asked) {
   Class pupils;
-  pupils.answers = {query::LessonAnswer::none, query::LessonAnswer::show, query::LessonAnswer::none, query::LessonAnswer::show};
+  pupils.answers = {query::LessonAnswer::none, query::LessonAnswer::show, query::LessonAnswer::none,
+                    query::LessonAnswer::show};
   EXPECT_TRUE(pupils.take(kLesson).ok());
   EXPECT_EQ(pupils.knots(), 2u);
 }
@@ -89,7 +90,8 @@ TEST(lesson, leaving_ends_the_script_without_an_error) {
 
 TEST(lesson, needs_a_text_and_an_until) {
   base::Files files;
-  for (const char* line : {"lesson", "lesson \"a\"", "lesson \"a\" at", "lesson \"a\" at \"b\"", "lesson \"a\" until", "lesson \"a\" until nothing == 3"}) {
+  for (const char* line : {"lesson", "lesson \"a\"", "lesson \"a\" at", "lesson \"a\" at \"b\"", "lesson \"a\" until",
+                           "lesson \"a\" until nothing == 3"}) {
     const ParsedScript parsed = parse_script(std::string("coaster-script 1\n") + line + "\nend\n", "t", ".", files);
     EXPECT_FALSE(parsed.errors.empty()) << line;
   }

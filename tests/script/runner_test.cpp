@@ -8,12 +8,14 @@
 namespace coaster::script {
 namespace runner_test {
 
-const char* const kTrack =
-    "append at -3.25 1.5 2.75\nappend at 9.5 4.25 -1.125\nappend at 21.75 2.5 6.375\n";
+const char* const kTrack = "append at -3.25 1.5 2.75\nappend at 9.5 4.25 -1.125\nappend at 21.75 2.5 6.375\n";
 
 TEST(runner, an_expectation_sees_a_frame_that_is_younger_than_the_last_change) {
   FakeHost fake;
-  const base::Status status = run_lines(fake, std::string(kTrack) + "frames 1\nmove @k2 to 8 5 0.5\nexpect uploads == 1\nexpect uploads == 1\nticks 1\nexpect uploads == 0\n");
+  const base::Status status = run_lines(
+      fake,
+      std::string(kTrack) +
+          "frames 1\nmove @k2 to 8 5 0.5\nexpect uploads == 1\nexpect uploads == 1\nticks 1\nexpect uploads == 0\n");
   EXPECT_TRUE(status.ok()) << status.message;
 }
 
@@ -29,15 +31,18 @@ TEST(runner, a_settling_frame_has_no_ticks_and_comes_once) {
 
 TEST(runner, repeat_runs_its_lines_that_many_times_and_gesture_is_one_step_of_undo) {
   FakeHost fake;
-  const base::Status status = run_lines(fake, std::string(kTrack) + "repeat 3\n  repeat 2\n    ticks 5\n  end\nend\nexpect tick == 30\n"
-                                        "gesture\nmove @k1 to 0 1 0\nmove @k1 to 0 2 0.5\nend\nexpect position @k1 == 0 2 0.5\nundo\n"
-                                        "expect position @k1 == -3.25 1.5 2.75\n");
+  const base::Status status =
+      run_lines(fake, std::string(kTrack) +
+                          "repeat 3\n  repeat 2\n    ticks 5\n  end\nend\nexpect tick == 30\n"
+                          "gesture\nmove @k1 to 0 1 0\nmove @k1 to 0 2 0.5\nend\nexpect position @k1 == 0 2 0.5\nundo\n"
+                          "expect position @k1 == -3.25 1.5 2.75\n");
   EXPECT_TRUE(status.ok()) << status.message;
 }
 
 TEST(runner, wait_advances_until_it_is_so_or_times_out_with_its_own_code) {
   FakeHost fake;
-  ASSERT_TRUE(run_lines(fake, "wait tick == 12 max 100 ticks\nexpect tick == 12\nwait tick == 12\nexpect tick == 12\n").ok());
+  ASSERT_TRUE(
+      run_lines(fake, "wait tick == 12 max 100 ticks\nexpect tick == 12\nwait tick == 12\nexpect tick == 12\n").ok());
   const base::Status late = run_lines(fake, "wait tick == 1000 max 5 ticks\n");
   EXPECT_EQ(late.code, base::Code::timeout);
   EXPECT_NE(late.message.find("waited 5 ticks for tick == 1000, found 17"), std::string::npos) << late.message;
@@ -51,33 +56,45 @@ TEST(runner, a_failed_expectation_names_place_value_frame_and_evidence) {
   const base::Status status = run_lines(fake, "frames 2\n  expect knots == 4\n");
   EXPECT_EQ(status.code, base::Code::expectation);
   const std::string out = (test_folder() / "out").string();
-  EXPECT_EQ(status.message, "test.coaster:3:10: error: expected knots == 4, found 0\n    expect knots == 4\n           ^ (frame 2; " + out +
-                                "/frame.png, widgets.txt, state.json)");
-  for (const char* const name : {"frame.png", "widgets.txt", "state.json"}) EXPECT_TRUE(std::filesystem::exists(test_folder() / "out" / name)) << name;
+  EXPECT_EQ(status.message,
+            "test.coaster:3:10: error: expected knots == 4, found 0\n    expect knots == 4\n           ^ (frame 2; " +
+                out + "/frame.png, widgets.txt, state.json)");
+  for (const char* const name : {"frame.png", "widgets.txt", "state.json"})
+    EXPECT_TRUE(std::filesystem::exists(test_folder() / "out" / name)) << name;
 }
 
 TEST(runner, codes_tell_refused_commands_bad_files_and_forbidden_writes_apart) {
   FakeHost fake;
   EXPECT_EQ(base::exit_code(run_lines(fake, "move @k9 to 1 2 3\n").code), 2);
   EXPECT_EQ(run_lines(fake, "load \"not-there.json\"\n").code, base::Code::bad_file);
-  for (const char* const line : {"save \"a.json\"\n", "save \"$OUT/../a.json\"\n", "save \"/tmp/a.json\"\n", "save \"$OUTSIDE/a.json\"\n"})
+  for (const char* const line :
+       {"save \"a.json\"\n", "save \"$OUT/../a.json\"\n", "save \"/tmp/a.json\"\n", "save \"$OUTSIDE/a.json\"\n"})
     EXPECT_EQ(run_lines(fake, line).code, base::Code::usage) << line;
-  EXPECT_TRUE(run_lines(fake, "save \"$OUT/deep/a.json\"\nexpect file \"$OUT/deep/a.json\" exists\nload \"$OUT/deep/a.json\"\n").ok());
+  EXPECT_TRUE(
+      run_lines(fake, "save \"$OUT/deep/a.json\"\nexpect file \"$OUT/deep/a.json\" exists\nload \"$OUT/deep/a.json\"\n")
+          .ok());
 }
 
 TEST(runner, expect_error_wants_a_failure_and_its_words) {
   FakeHost fake;
-  EXPECT_TRUE(run_lines(fake, "expect error load \"not-there.json\"\nexpect error move @k9 to 1 2 3\nexpect error move @k9 to 1e39 0 0\n"
-                              "expect error ui.click \"Nothing\" ~ \"no widget\"\nexpect error expect knots == 4\n").ok());
+  EXPECT_TRUE(
+      run_lines(
+          fake,
+          "expect error load \"not-there.json\"\nexpect error move @k9 to 1 2 3\nexpect error move @k9 to 1e39 0 0\n"
+          "expect error ui.click \"Nothing\" ~ \"no widget\"\nexpect error expect knots == 4\n")
+          .ok());
   EXPECT_EQ(run_lines(fake, "expect error new\n").code, base::Code::expectation);
-  EXPECT_EQ(run_lines(fake, "expect error load \"not-there.json\" ~ \"unlikely words\"\n").code, base::Code::expectation);
+  EXPECT_EQ(run_lines(fake, "expect error load \"not-there.json\" ~ \"unlikely words\"\n").code,
+            base::Code::expectation);
 }
 
 TEST(runner, injected_faults_fail_the_next_save_and_leave_the_old_file) {
   FakeHost fake;
-  const base::Status status = run_lines(fake, std::string(kTrack) + "save \"$OUT/a.json\"\nsave \"$OUT/b.json\"\nmove @k1 to 5 5 5\nfault io.fsync fail 1\n"
-                                        "expect error save \"$OUT/a.json\"\nexpect file \"$OUT/a.json\" same \"$OUT/b.json\"\n"
-                                        "save \"$OUT/a.json\"\nexpect not file \"$OUT/a.json\" same \"$OUT/b.json\"\n");
+  const base::Status status =
+      run_lines(fake, std::string(kTrack) +
+                          "save \"$OUT/a.json\"\nsave \"$OUT/b.json\"\nmove @k1 to 5 5 5\nfault io.fsync fail 1\n"
+                          "expect error save \"$OUT/a.json\"\nexpect file \"$OUT/a.json\" same \"$OUT/b.json\"\n"
+                          "save \"$OUT/a.json\"\nexpect not file \"$OUT/a.json\" same \"$OUT/b.json\"\n");
   EXPECT_TRUE(status.ok()) << status.message;
 }
 

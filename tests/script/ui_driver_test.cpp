@@ -1,4 +1,5 @@
-// Widgets by label path: which one is meant, what is refused, and that a click takes a frame each for move, press and release.
+// Widgets by label path: which one is meant, what is refused, and that a click takes a frame each for move, press and
+// release.
 #include "script/ui_driver.h"
 
 #include <gtest/gtest.h>
@@ -16,16 +17,19 @@ WidgetState widget(const std::string& path, const std::string& kind = "button", 
 }
 
 TEST(widgets, a_path_is_found_whole_by_its_end_in_any_case_or_by_its_parts) {
-  const std::vector<WidgetState> all{widget("Track/Insert point"), widget("Track/Delete"), widget("Inspector/Position/x", "number"),
-                                     widget("Inspector/Delete"), widget("Ride/Start"), widget("Track/Start", "label")};
+  const std::vector<WidgetState> all{
+      widget("Track/Insert point"), widget("Track/Delete"), widget("Inspector/Position/x", "number"),
+      widget("Inspector/Delete"),   widget("Ride/Start"),   widget("Track/Start", "label")};
   EXPECT_EQ(*find_widget(all, "Track/Insert point"), 0u);
   EXPECT_EQ(*find_widget(all, "Insert point"), 0u);
   EXPECT_EQ(*find_widget(all, "track/insert POINT"), 0u);
   EXPECT_EQ(*find_widget(all, "Position/x"), 2u);
   EXPECT_EQ(*find_widget(all, "Inspector/x"), 2u);
   EXPECT_EQ(*find_widget(all, "Start"), 4u) << "labels stand back";
-  EXPECT_EQ(find_widget(all, "Delete").status().message, "\"Delete\" is the path of several widgets: \"Track/Delete\" (button), \"Inspector/Delete\" (button)");
-  EXPECT_EQ(find_widget(all, "Track/Insert pont").status().message, "no widget \"Track/Insert pont\" did you mean \"Track/Insert point\"?");
+  EXPECT_EQ(find_widget(all, "Delete").status().message,
+            "\"Delete\" is the path of several widgets: \"Track/Delete\" (button), \"Inspector/Delete\" (button)");
+  EXPECT_EQ(find_widget(all, "Track/Insert pont").status().message,
+            "no widget \"Track/Insert pont\" did you mean \"Track/Insert point\"?");
   EXPECT_FALSE(find_widget(all, "oint").ok());
 }
 
@@ -49,12 +53,16 @@ TEST(ui_driver, disabled_covered_hidden_missing_and_ambiguous_widgets_are_refuse
   fake.widgets[0].enabled = false;
   fake.widgets[1].covered = true;
   fake.widgets[2].visible = false;
-  EXPECT_NE(run_lines(fake, "ui.click \"A/off\"\n").message.find("test.coaster:2:10: error: \"A/off\" is disabled"), std::string::npos);
+  EXPECT_NE(run_lines(fake, "ui.click \"A/off\"\n").message.find("test.coaster:2:10: error: \"A/off\" is disabled"),
+            std::string::npos);
   EXPECT_NE(run_lines(fake, "ui.click \"A/under\"\n").message.find("covered"), std::string::npos);
   EXPECT_NE(run_lines(fake, "ui.click \"A/gone\"\n").message.find("out of sight"), std::string::npos);
   EXPECT_EQ(run_lines(fake, "ui.click \"A/of\"\n").code, base::Code::usage);
   EXPECT_EQ(run_lines(fake, "ui.click \"A/twin\"\n").code, base::Code::usage);
-  EXPECT_TRUE(run_lines(fake, "expect not enabled \"A/off\"\nexpect enabled \"A/under\"\nexpect not visible \"A/gone\"\nexpect not visible \"A/never\"\n").ok());
+  EXPECT_TRUE(run_lines(fake,
+                        "expect not enabled \"A/off\"\nexpect enabled \"A/under\"\nexpect not visible "
+                        "\"A/gone\"\nexpect not visible \"A/never\"\n")
+                  .ok());
   EXPECT_EQ(run_lines(fake, "expect visible \"A/never\"\n").code, base::Code::expectation);
   EXPECT_EQ(run_lines(fake, "expect enabled \"A/off\"\n").code, base::Code::expectation);
 }
@@ -82,8 +90,10 @@ TEST(ui_driver, typing_opens_the_field_selects_all_types_and_enters) {
   std::string seen;
   for (const auto& [events, ticks] : fake.frames)
     for (const platform::Event& event : events) {
-      if (const auto* const b = std::get_if<platform::MouseButton>(&event); b && b->down) seen += b->modifiers.ctrl ? "ctrl+press " : "press ";
-      if (const auto* const k = std::get_if<platform::KeyPress>(&event); k && k->down) seen += platform::to_text({k->key, k->modifiers}) + " ";
+      if (const auto* const b = std::get_if<platform::MouseButton>(&event); b && b->down)
+        seen += b->modifiers.ctrl ? "ctrl+press " : "press ";
+      if (const auto* const k = std::get_if<platform::KeyPress>(&event); k && k->down)
+        seen += platform::to_text({k->key, k->modifiers}) + " ";
       if (const auto* const t = std::get_if<platform::TextInput>(&event)) seen += t->utf8 + " ";
     }
   EXPECT_EQ(seen, "ctrl+press Ctrl+A -7.5 Enter ");

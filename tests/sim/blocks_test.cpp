@@ -1,4 +1,5 @@
-// Block sections as a signalman sees them: a section is the track from one block's end to the next one's, and no two trains are ever in the same.
+// Block sections as a signalman sees them: a section is the track from one block's end to the next one's, and no two
+// trains are ever in the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +13,8 @@
 namespace coaster::sim {
 namespace blocks_test {
 
-// A flat ring of 16 segments, driven everywhere by tyres, with the given blocks and three trains of 3 cars in different sections.
+// A flat ring of 16 segments, driven everywhere by tyres, with the given blocks and three trains of 3 cars in different
+// sections.
 world::Document operated_ring(const std::set<std::size_t>& blocks, double station_seconds) {
   world::Document d = test::ring_document(16, 30.7, 0.0);
   for (std::size_t i = 0; i < 16; ++i) {
@@ -22,7 +24,8 @@ world::Document operated_ring(const std::set<std::size_t>& blocks, double statio
     d.entities.put(d.track.segments[i], e);
   }
   d.start_speed = 3;
-  for (const std::size_t i : {1u, 6u, 10u}) d.entities.get<world::Cart>(world::add_cart(d, d.track.segments[i], 0.9)).cars = 3;
+  for (const std::size_t i : {1u, 6u, 10u})
+    d.entities.get<world::Cart>(world::add_cart(d, d.track.segments[i], 0.9)).cars = 3;
   return d;
 }
 
@@ -38,7 +41,7 @@ struct Watched {
   int shared = 0, held = 0;  // ticks with two trains in a section; ticks in which some train stood in a block
   std::vector<std::int64_t> laps;
   bool failed = false;
-  std::vector<int> stops;    // ticks that trains stood in the station, one for each stop
+  std::vector<int> stops;  // ticks that trains stood in the station, one for each stop
 };
 
 Watched watch(const world::Document& d, const std::set<std::size_t>& blocks, int ticks) {
@@ -59,7 +62,8 @@ Watched watch(const world::Document& d, const std::set<std::size_t>& blocks, int
       const world::CartMotion& cart = motion.carts.items()[train];
       std::set<std::size_t> mine;
       // A train that stands at a block's very end has not left it: half a car of grace.
-      for (int car = 0; car < 3; ++car) mine.insert(section_of(ends, derived.length, cart.track_distance - 3.0 * car - 0.1));
+      for (int car = 0; car < 3; ++car)
+        mine.insert(section_of(ends, derived.length, cart.track_distance - 3.0 * car - 0.1));
       for (const std::size_t section : mine) seen.shared += !taken.insert(section).second;
       const bool stands = cart.speed == 0;
       seen.held += stands && cart.segment != d.track.segments[0];
@@ -82,7 +86,8 @@ TEST(blocks, no_two_trains_are_ever_in_one_section_and_the_station_sets_the_head
   EXPECT_GT(seen.held, 120);  // the station is slow: those behind had to wait
   for (const std::int64_t laps : seen.laps) EXPECT_GE(laps, 2);
   // They keep their order, so no one is more than a lap ahead.
-  EXPECT_LE(*std::max_element(seen.laps.begin(), seen.laps.end()) - *std::min_element(seen.laps.begin(), seen.laps.end()), 1);
+  EXPECT_LE(
+      *std::max_element(seen.laps.begin(), seen.laps.end()) - *std::min_element(seen.laps.begin(), seen.laps.end()), 1);
   // Each stop takes its time, and trains leave at least a stop apart.
   ASSERT_GE(seen.stops.size(), 6u);
   for (const int stop : seen.stops) EXPECT_GE(stop, 120 * seconds);

@@ -28,7 +28,9 @@ class RandomElements {
     }
     return element;
   }
-  world::Element any() { return of_kind(static_cast<world::ElementKind>(below(static_cast<std::uint32_t>(world::elements().size())))); }
+  world::Element any() {
+    return of_kind(static_cast<world::ElementKind>(below(static_cast<std::uint32_t>(world::elements().size()))));
+  }
 
   // Up to 60 degrees up or down, up to 1/8 m of curvature, rolled anyhow. One in four is straight, level and upright.
   sim::TrackEnd end() {
@@ -36,9 +38,13 @@ class RandomElements {
     end.position = {uniform(-300, 300), uniform(5, 60), uniform(-300, 300)};
     const double yaw = uniform(-3.2, 3.2), pitch = uniform(-1, 1) * M_PI / 3;
     const bool plain = below(4) == 0;
-    end.forward = plain ? glm::dvec3(std::cos(yaw), 0, std::sin(yaw)) : glm::dvec3(std::cos(yaw) * std::cos(pitch), std::sin(pitch), std::sin(yaw) * std::cos(pitch));
-    end.up = curve::perpendicular(end.forward, plain ? glm::dvec3(0, 1, 0) : glm::dvec3(uniform(-1, 1), uniform(-0.3, 1), uniform(-1, 1)));
-    if (!plain) end.curvature = uniform(0, 0.125) * curve::perpendicular(end.forward, {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)});
+    end.forward = plain ? glm::dvec3(std::cos(yaw), 0, std::sin(yaw))
+                        : glm::dvec3(std::cos(yaw) * std::cos(pitch), std::sin(pitch), std::sin(yaw) * std::cos(pitch));
+    end.up = curve::perpendicular(
+        end.forward, plain ? glm::dvec3(0, 1, 0) : glm::dvec3(uniform(-1, 1), uniform(-0.3, 1), uniform(-1, 1)));
+    if (!plain)
+      end.curvature =
+          uniform(0, 0.125) * curve::perpendicular(end.forward, {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)});
     return end;
   }
 

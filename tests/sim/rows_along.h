@@ -1,18 +1,21 @@
-// Rows along known curves, and a check of a fitted track against rows that shares nothing with the one in sim/plan/fit_check.
+// Rows along known curves, and a check of a fitted track against rows that shares nothing with the one in
+// sim/plan/fit_check.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "sim/shape/derived.h"
 #include "sim/plan/fit_track.h"
+#include "sim/shape/derived.h"
 
 namespace coaster::test {
 
-// Rows at the parameters begin, begin + step, ... (count of them) of a curve, looking along it, `up` as near to the wish as can be.
-inline std::vector<sim::FitRow> rows_along(const std::function<glm::dvec3(double)>& place, const std::function<glm::dvec3(double)>& up, double step,
-                                           int count, double begin = 0) {
+// Rows at the parameters begin, begin + step, ... (count of them) of a curve, looking along it, `up` as near to the
+// wish as can be.
+inline std::vector<sim::FitRow> rows_along(const std::function<glm::dvec3(double)>& place,
+                                           const std::function<glm::dvec3(double)>& up, double step, int count,
+                                           double begin = 0) {
   std::vector<sim::FitRow> rows;
   for (int i = 0; i < count; ++i) {
     const double s = begin + step * i, h = 1e-4;
@@ -23,11 +26,13 @@ inline std::vector<sim::FitRow> rows_along(const std::function<glm::dvec3(double
   return rows;
 }
 
-// Whether the frame at each row counts: no step of over 5 degrees (and 100 degrees/m) begins or ends within 0.5 m, along the rows.
+// Whether the frame at each row counts: no step of over 5 degrees (and 100 degrees/m) begins or ends within 0.5 m,
+// along the rows.
 inline std::vector<bool> counted_rows(const std::vector<sim::FitRow>& rows, bool closed) {
   const std::size_t n = rows.size();
   std::vector<double> along{0};
-  for (std::size_t i = 0; i < n; ++i) along.push_back(along.back() + glm::distance(rows[i].position, rows[(i + 1) % n].position));
+  for (std::size_t i = 0; i < n; ++i)
+    along.push_back(along.back() + glm::distance(rows[i].position, rows[(i + 1) % n].position));
   std::vector<bool> counted(n, true);
   for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
     const sim::FitRow &a = rows[i], &b = rows[(i + 1) % n];
@@ -49,7 +54,8 @@ struct Misses {
   double distance = 0, angle_deg = 0;
 };
 
-// The worst distance of a row from the whole track, and the worst angle at a counted row from the frame at a place within 1 cm of it.
+// The worst distance of a row from the whole track, and the worst angle at a counted row from the frame at a place
+// within 1 cm of it.
 inline Misses misses_of(const world::Document& document, const std::vector<sim::FitRow>& rows) {
   sim::Derived derived;
   world::Settings settings;
@@ -64,7 +70,8 @@ inline Misses misses_of(const world::Document& document, const std::vector<sim::
       const curve::Box box = curve::control_box(shape.key.cubic);
       bool inside = true;
       for (int axis = 0; axis < 3; ++axis)
-        inside = inside && rows[i].position[axis] > box.low[axis] - 0.02 && rows[i].position[axis] < box.high[axis] + 0.02;
+        inside =
+            inside && rows[i].position[axis] > box.low[axis] - 0.02 && rows[i].position[axis] < box.high[axis] + 0.02;
       if (!inside) continue;
       const curve::NearestPoint found = curve::nearest_point(shape.key.cubic, rows[i].position);
       nearest = std::min(nearest, found.distance);

@@ -31,11 +31,13 @@ inline double volume(const sim::Mesh& mesh, sim::Part part, const std::vector<st
 }
 inline double volume(const sim::Mesh& mesh, sim::Part part) { return volume(mesh, part, mesh.indices); }
 
-// Edges that are not gone along as often in one direction as in the other: a closed surface has none. Vertices are the same where their positions
-// are, bit for bit.
+// Edges that are not gone along as often in one direction as in the other: a closed surface has none. Vertices are the
+// same where their positions are, bit for bit.
 inline int open_edges(const sim::Mesh& mesh, const std::vector<std::uint32_t>& indices) {
   using Point = std::array<float, 3>;
-  const auto point = [&](std::uint32_t i) { return Point{mesh.vertices.at(i).position.x, mesh.vertices.at(i).position.y, mesh.vertices.at(i).position.z}; };
+  const auto point = [&](std::uint32_t i) {
+    return Point{mesh.vertices.at(i).position.x, mesh.vertices.at(i).position.y, mesh.vertices.at(i).position.z};
+  };
   std::map<std::pair<Point, Point>, int> balance;
   for (std::size_t i = 0; i < indices.size(); i += 3)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -53,11 +55,15 @@ inline int open_edges(const sim::Mesh& mesh) { return open_edges(mesh, mesh.indi
 inline int wrong_normals(const sim::Mesh& mesh, const std::vector<std::uint32_t>& indices) {
   int wrong = 0;
   for (std::size_t i = 0; i < indices.size(); i += 3) {
-    const sim::MeshVertex *a = &mesh.vertices.at(indices[i]), *b = &mesh.vertices.at(indices[i + 1]), *c = &mesh.vertices.at(indices[i + 2]);
+    const sim::MeshVertex *a = &mesh.vertices.at(indices[i]), *b = &mesh.vertices.at(indices[i + 1]),
+                          *c = &mesh.vertices.at(indices[i + 2]);
     const glm::vec3 face = glm::cross(b->position - a->position, c->position - a->position);
     for (const sim::MeshVertex* v : {a, b, c}) {
-      // Fans over the ends of tubes use the tube's own normals, which are at right angles to them; thin slivers of float positions have any normal.
-      if (glm::dot(face, v->normal) < -2e-3f * glm::length(face) - 1e-6f || std::abs(glm::length(v->normal) - 1) > 1e-5f) ++wrong;
+      // Fans over the ends of tubes use the tube's own normals, which are at right angles to them; thin slivers of
+      // float positions have any normal.
+      if (glm::dot(face, v->normal) < -2e-3f * glm::length(face) - 1e-6f ||
+          std::abs(glm::length(v->normal) - 1) > 1e-5f)
+        ++wrong;
     }
   }
   return wrong;

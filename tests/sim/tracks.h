@@ -34,12 +34,13 @@ inline world::Document straight_document(glm::vec3 from, glm::vec3 to, int segme
   world::Document d;
   const float third = glm::distance(from, to) / static_cast<float>(3 * segments);
   for (int i = 0; i <= segments; ++i)
-    world::append_knot(d, skew_knot(glm::mix(from, to, static_cast<float>(i) / static_cast<float>(segments)), to - from, third, third));
+    world::append_knot(d, skew_knot(glm::mix(from, to, static_cast<float>(i) / static_cast<float>(segments)), to - from,
+                                    third, third));
   return d;
 }
 
-// A vertical circle in the plane of `forward` and +Y, through its lowest point, as close to round as cubics get: 64 segments are
-// within 1e-9 of the radius. `up` points to the centre.
+// A vertical circle in the plane of `forward` and +Y, through its lowest point, as close to round as cubics get: 64
+// segments are within 1e-9 of the radius. `up` points to the centre.
 inline world::Document circle_document(double radius, glm::dvec3 bottom, glm::dvec3 forward, int count = 64) {
   world::Document d;
   forward = glm::normalize(forward);
@@ -47,8 +48,10 @@ inline world::Document circle_document(double radius, glm::dvec3 bottom, glm::dv
   const auto handle = static_cast<float>(4.0 / 3.0 * std::tan(step / 4) * radius);
   for (int i = 0; i < count; ++i) {
     const double a = step * i;
-    const glm::dvec3 out = std::sin(a) * forward - std::cos(a) * glm::dvec3(0, 1, 0), along = std::cos(a) * forward + std::sin(a) * glm::dvec3(0, 1, 0);
-    world::Knot k = skew_knot(glm::vec3(bottom + radius * (out + glm::dvec3(0, 1, 0))), glm::vec3(along), handle, handle);
+    const glm::dvec3 out = std::sin(a) * forward - std::cos(a) * glm::dvec3(0, 1, 0),
+                     along = std::cos(a) * forward + std::sin(a) * glm::dvec3(0, 1, 0);
+    world::Knot k =
+        skew_knot(glm::vec3(bottom + radius * (out + glm::dvec3(0, 1, 0))), glm::vec3(along), handle, handle);
     k.up = glm::vec3(-out);
     world::orthonormalise(k);
     world::append_knot(d, k);

@@ -1,4 +1,5 @@
-// A UI on an off-screen surface with a session behind it, worked as a hand would: events in, commands out and applied, frame by frame.
+// A UI on an off-screen surface with a session behind it, worked as a hand would: events in, commands out and applied,
+// frame by frame.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -54,7 +55,8 @@ class Stage : public testing::Test {
   Output frame(platform::Events events = {}) {
     events.emplace_back(platform::Tick{1.0 / 60});
     seconds_ += 1.0 / 60;
-    Output out = host_->build(events, {session_, stats_, seconds_, scripted_, nullptr, user_ ? &*user_ : nullptr}, width_, height_);
+    Output out = host_->build(events, {session_, stats_, seconds_, scripted_, nullptr, user_ ? &*user_ : nullptr},
+                              width_, height_);
     for (const edit::Command& command : out.commands) {
       (void)edit::apply(session_, files_, command);
       commands_.push_back(command);
@@ -87,8 +89,12 @@ class Stage : public testing::Test {
     return false;
   }
   void hover(glm::vec2 pixel) { frame({platform::MouseMove{pixel.x, pixel.y}}); }
-  void press(platform::Modifiers m = {}, platform::Button b = platform::Button::left) { frame({platform::MouseButton{b, true, m}}); }
-  void release(platform::Modifiers m = {}, platform::Button b = platform::Button::left) { frame({platform::MouseButton{b, false, m}}); }
+  void press(platform::Modifiers m = {}, platform::Button b = platform::Button::left) {
+    frame({platform::MouseButton{b, true, m}});
+  }
+  void release(platform::Modifiers m = {}, platform::Button b = platform::Button::left) {
+    frame({platform::MouseButton{b, false, m}});
+  }
   void click_at(glm::vec2 pixel, platform::Modifiers m = {}) {
     hover(pixel);
     press(m);
@@ -113,12 +119,17 @@ class Stage : public testing::Test {
 
   // Where a knot is on the screen, in the view of the last frame.
   glm::vec2 pixel_of(std::uint32_t knot) const {
-    const auto at = view::project(host_->view(), world::knot(session_.document, entity(world::Kind::knot, knot)).position);
+    const auto at =
+        view::project(host_->view(), world::knot(session_.document, entity(world::Kind::knot, knot)).position);
     EXPECT_TRUE(at.has_value());
     return at ? glm::vec2(*at) : glm::vec2(0);
   }
-  world::Entity entity(world::Kind kind, std::uint32_t number) const { return world::find(session_.document, {kind, number}); }
-  const world::Knot& knot(std::uint32_t number) const { return world::knot(session_.document, entity(world::Kind::knot, number)); }
+  world::Entity entity(world::Kind kind, std::uint32_t number) const {
+    return world::find(session_.document, {kind, number});
+  }
+  const world::Knot& knot(std::uint32_t number) const {
+    return world::knot(session_.document, entity(world::Kind::knot, number));
+  }
   void select(world::Kind kind, std::uint32_t number) {
     ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{kind, number}}}).ok());
     frames(2);

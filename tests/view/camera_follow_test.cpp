@@ -34,7 +34,8 @@ TEST(chase_camera, it_keeps_its_distance_off_the_ground_and_off_the_track_for_a_
         const Eye& eye = w.rig.eye;
         expect_sound(eye);
         ASSERT_GE(eye.position.y, 1.0) << name << " tick " << ticks;
-        const sim::Pose middle = sim::car_poses(w.document, w.derived, w.motion.carts.entities()[0], w.cart(), w.settings.frames)[static_cast<std::size_t>(cars / 2)];
+        const sim::Pose middle = sim::car_poses(w.document, w.derived, w.motion.carts.entities()[0], w.cart(),
+                                                w.settings.frames)[static_cast<std::size_t>(cars / 2)];
         const double distance = glm::distance(eye.position, middle.position);
         nearest = std::min(nearest, distance), furthest = std::max(furthest, distance);
         from_track = std::min(from_track, nearest_track(w.derived, eye.position, 5).distance);
@@ -42,7 +43,8 @@ TEST(chase_camera, it_keeps_its_distance_off_the_ground_and_off_the_track_for_a_
         ASSERT_TRUE(seen) << name << " tick " << ticks;
         off_middle = std::max(off_middle, static_cast<double>(glm::length(glm::vec2(*seen) - glm::vec2(640, 360))));
       }
-      ASSERT_LT(ticks, kLap) << name << cars << " at " << w.cart().track_distance << " state " << static_cast<int>(w.motion.state);
+      ASSERT_LT(ticks, kLap) << name << cars << " at " << w.cart().track_distance << " state "
+                             << static_cast<int>(w.motion.state);
       EXPECT_GT(nearest, 0.5 * wanted) << name;
       EXPECT_LT(furthest, 1.6 * wanted) << name;
       EXPECT_GT(from_track, 0.7) << name;  // 0.45 m is half the track's width
@@ -58,7 +60,8 @@ TEST(cameras, an_eye_that_goes_with_a_train_moves_no_further_in_a_tick_than_the_
       for (int i = 0; i < kLap && (w.cart().laps == 0 || w.cart().track_distance < 20); ++i) {
         const Eye before = w.rig.eye;
         w.tick();
-        most = std::max(most, glm::distance(before.position, w.rig.eye.position) - std::abs(w.cart().speed) * world::kTick);
+        most = std::max(most,
+                        glm::distance(before.position, w.rig.eye.position) - std::abs(w.cart().speed) * world::kTick);
         most_turn = std::max(most_turn, glm::length(before.forward - w.rig.eye.forward));
       }
       // The rider sits 1.1 m off the rails and turns with them; the chaser swings about the train.

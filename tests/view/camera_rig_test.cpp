@@ -12,7 +12,8 @@ using world::CameraMode;
 
 TEST(transitions, they_take_48_ticks_are_continuous_and_are_cut_by_reduced_motion) {
   Watch w(sample_track("loop"), CameraMode::orbit);
-  for (const CameraMode to : {CameraMode::ride, CameraMode::chase, CameraMode::fly, CameraMode::ride, CameraMode::orbit}) {
+  for (const CameraMode to :
+       {CameraMode::ride, CameraMode::chase, CameraMode::fly, CameraMode::ride, CameraMode::orbit}) {
     const Eye before = w.rig.eye;
     w.settings.camera_mode = to;
     w.look(0);
@@ -70,11 +71,12 @@ TEST(cameras, vertical_inverted_still_and_degenerate_tracks_give_sound_eyes) {
   std::vector<world::Document> documents{
       test::straight_document({0, 5, 0}, {0, 90, 0}, 3),    // straight up
       test::straight_document({0, 90, 0}, {0, 0, 0}, 3),    // straight down, into the ground
-      test::circle_document(7, {0, 0.1, 0}, {1, 0, 0.3}),  // a loop from the ground
+      test::circle_document(7, {0, 0.1, 0}, {1, 0, 0.3}),   // a loop from the ground
       test::straight_document({1, -3, 1}, {40, -3, 1}, 2),  // below the ground
   };
   world::Document tiny;
-  for (int i = 0; i < 2; ++i) world::append_knot(tiny, {.position = {1, 2, 3}, .in_length = world::kMinHandle, .out_length = world::kMinHandle});
+  for (int i = 0; i < 2; ++i)
+    world::append_knot(tiny, {.position = {1, 2, 3}, .in_length = world::kMinHandle, .out_length = world::kMinHandle});
   documents.push_back(tiny);
   for (world::Document& d : documents)
     for (const double speed : {0.0, 30.0, -5.0})

@@ -9,7 +9,9 @@ namespace camera_test {
 
 const Viewport kViewport{137, 41, 913, 617};
 
-world::Camera camera(glm::vec3 target, float yaw, float pitch, float distance) { return {target, yaw, pitch, distance}; }
+world::Camera camera(glm::vec3 target, float yaw, float pitch, float distance) {
+  return {target, yaw, pitch, distance};
+}
 
 TEST(camera, yaw_0_looks_along_minus_z_and_turns_about_y) {
   const View a = orbit_view(camera({3.3f, 7.1f, -2.9f}, 0, 0, 10), kViewport);
@@ -20,7 +22,8 @@ TEST(camera, yaw_0_looks_along_minus_z_and_turns_about_y) {
 
 TEST(camera, the_target_is_in_the_middle_and_pixels_go_right_and_down) {
   const View v = orbit_view(camera({3.3f, 7.1f, -2.9f}, 0, 0, 10), kViewport);
-  const auto middle = project(v, {3.3f, 7.1f, -2.9f}), right = project(v, {4.3f, 7.1f, -2.9f}), up = project(v, {3.3f, 8.1f, -2.9f});
+  const auto middle = project(v, {3.3f, 7.1f, -2.9f}), right = project(v, {4.3f, 7.1f, -2.9f}),
+             up = project(v, {3.3f, 8.1f, -2.9f});
   ASSERT_TRUE(middle && right && up);
   EXPECT_NEAR(middle->x, 137 + 913 / 2.0, 1e-2);
   EXPECT_NEAR(middle->y, 41 + 617 / 2.0, 1e-2);
@@ -98,7 +101,8 @@ TEST(camera, planes_and_verticals_are_met) {
   EXPECT_FALSE(meet_vertical(ray, {-5, 0, -5}));
 }
 
-// Every corner inside; in the fuller direction the margins on both sides are the same tenth: nothing is cut, no camera is nearer.
+// Every corner inside; in the fuller direction the margins on both sides are the same tenth: nothing is cut, no camera
+// is nearer.
 TEST(camera, framing_fills_the_viewport_with_a_margin) {
   for (const Viewport viewport : {kViewport, Viewport{0, 0, 400, 900}, Viewport{50, 60, 1600, 300}})
     for (const float yaw : {-100.0f, 35.0f, 170.0f})
@@ -112,7 +116,9 @@ TEST(camera, framing_fills_the_viewport_with_a_margin) {
         for (int i = 0; i < 8; ++i) {
           const auto at = project(v, {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
           ASSERT_TRUE(at);
-          const glm::vec2 place = (glm::vec2(*at) - glm::vec2(viewport.x, viewport.y)) / glm::vec2(viewport.width, viewport.height) * 2.0f - 1.0f;
+          const glm::vec2 place =
+              (glm::vec2(*at) - glm::vec2(viewport.x, viewport.y)) / glm::vec2(viewport.width, viewport.height) * 2.0f -
+              1.0f;
           least = glm::min(least, place), most = glm::max(most, place);
         }
         const glm::vec2 size = most - least;
@@ -125,7 +131,8 @@ TEST(camera, framing_fills_the_viewport_with_a_margin) {
 }
 
 TEST(camera, framing_all_shows_every_place_of_the_track) {
-  for (const world::Document& d : {test::sample_document(), test::ring_document(8, 21.3), test::circle_document(7.5, {3, 30, 2}, {1, 0, 0.2}, 8)}) {
+  for (const world::Document& d : {test::sample_document(), test::ring_document(8, 21.3),
+                                   test::circle_document(7.5, {3, 30, 2}, {1, 0, 0.2}, 8)}) {
     const View v = orbit_view(frame_all({}, d, kViewport), kViewport);
     for (const world::Entity e : d.track.segments)
       for (int i = 0; i <= 50; ++i) {

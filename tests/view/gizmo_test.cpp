@@ -30,7 +30,8 @@ TEST(gizmo, stands_at_the_middle_of_the_selected_knots_and_nowhere_else) {
   Scene s;
   EXPECT_EQ(gizmo_of(s.document, s.settings, s.view())->at, world::knot(s.document, s.settings.selected).position);
   s.settings.also = {s.document.track.knots[3]};
-  const glm::vec3 a = world::knot(s.document, s.document.track.knots[1]).position, b = world::knot(s.document, s.document.track.knots[3]).position;
+  const glm::vec3 a = world::knot(s.document, s.document.track.knots[1]).position,
+                  b = world::knot(s.document, s.document.track.knots[3]).position;
   EXPECT_LT(glm::length(gizmo_of(s.document, s.settings, s.view())->at - 0.5f * (a + b)), 1e-4f);
   s.settings.selected = s.document.track.segments[0], s.settings.also.clear();
   EXPECT_FALSE(gizmo_of(s.document, s.settings, orbit_view({a, 30, 25, 60}, kViewport)));
@@ -73,7 +74,9 @@ TEST(gizmo, knots_and_handles_are_picked_before_it_and_it_before_the_curve) {
   sim::Derived derived;
   world::Motion motion;
   const auto gizmo = gizmo_of(s.document, s.settings, view);
-  const auto pick_at = [&](glm::vec3 place) { return pick(s.document, derived, motion, s.settings, view, pixel_of(view, place)).kind; };
+  const auto pick_at = [&](glm::vec3 place) {
+    return pick(s.document, derived, motion, s.settings, view, pixel_of(view, place)).kind;
+  };
   EXPECT_EQ(pick_at(world::knot(s.document, s.settings.selected).position), PickKind::knot);
   EXPECT_EQ(pick_at(world::out_handle(world::knot(s.document, s.settings.selected))), PickKind::handle_out);
   EXPECT_EQ(pick_at(gizmo_place(*gizmo, 1, PickKind::axis_y)), PickKind::axis_y);

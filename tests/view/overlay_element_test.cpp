@@ -32,7 +32,8 @@ TEST(overlay_element, rails_lie_half_a_gauge_beside_the_ideal_curve_and_knots_ar
     for (const Line& line : overlay.lines) {
       if (line.width_px != 2.0f) continue;
       double nearest = 1e9;
-      for (const sim::ElementPoint& p : plan.ideal.points) nearest = std::min(nearest, glm::distance(glm::dvec3(line.to), p.position));
+      for (const sim::ElementPoint& p : plan.ideal.points)
+        nearest = std::min(nearest, glm::distance(glm::dvec3(line.to), p.position));
       EXPECT_LT(nearest, sim::kGauge / 2 + 0.05);
       EXPECT_GT(nearest, sim::kGauge / 2 - 0.15) << "or of another turn nearby";
       ++rails;
@@ -71,7 +72,8 @@ TEST(overlay_element, what_lacks_room_is_yellow) {
 
 TEST(overlay_element, what_is_in_the_ground_is_red_and_what_cannot_be_placed_is_not_drawn) {
   const auto red = [](const Overlay& overlay) {
-    return std::count_if(overlay.lines.begin(), overlay.lines.end(), [](const Line& line) { return (line.rgba | 0xffu) == kBuriedColour; });
+    return std::count_if(overlay.lines.begin(), overlay.lines.end(),
+                         [](const Line& line) { return (line.rgba | 0xffu) == kBuriedColour; });
   };
   sim::TrackEnd end;
   EXPECT_GT(red(drawn(sim::plan_element(world::usual_element(world::ElementKind::dive), end))), 20);

@@ -47,12 +47,14 @@ TEST(overlay_lab, the_construction_has_three_lines_that_end_in_the_curves_point)
     ASSERT_GE(overlay.lines.size(), 4u);
     ASSERT_EQ(overlay.marks.size(), 6u);
     // Between the control points by hand, in long double would be the same: three mixes.
-    const glm::dvec3 a = glm::mix(glm::dvec3(c.p0), glm::dvec3(c.p1), t), b = glm::mix(glm::dvec3(c.p1), glm::dvec3(c.p2), t);
+    const glm::dvec3 a = glm::mix(glm::dvec3(c.p0), glm::dvec3(c.p1), t),
+                     b = glm::mix(glm::dvec3(c.p1), glm::dvec3(c.p2), t);
     EXPECT_LT(glm::length(glm::dvec3(overlay.lines[0].from) - a), kFloat);
     EXPECT_LT(glm::length(glm::dvec3(overlay.lines[0].to) - b), kFloat);
     EXPECT_EQ(overlay.lines[0].to, overlay.lines[1].from);
     // The point divides the second level's line like t, and is the curve's.
-    const glm::dvec3 on = glm::mix(glm::dvec3(overlay.lines[2].from), glm::dvec3(overlay.lines[2].to), t), point = curve::point(c, t);
+    const glm::dvec3 on = glm::mix(glm::dvec3(overlay.lines[2].from), glm::dvec3(overlay.lines[2].to), t),
+                     point = curve::point(c, t);
     EXPECT_LT(glm::length(on - point), 2 * kFloat);
     EXPECT_LT(glm::length(glm::dvec3(overlay.marks.back().position) - point), kFloat);
     // The arrow is B'/3.
@@ -68,9 +70,11 @@ TEST(overlay_lab, the_circle_has_the_radius_of_curvature_and_touches_the_curve) 
     add_circle(shape, t, 1, overlay);
     ASSERT_EQ(overlay.lines.size(), static_cast<std::size_t>(kCircleSides) + 1);
     ASSERT_EQ(overlay.marks.size(), 1u);
-    const glm::dvec3 centre = overlay.marks[0].position, touch = curve::point(shape.key.cubic, t), d1 = curve::derivative(shape.key.cubic, t);
+    const glm::dvec3 centre = overlay.marks[0].position, touch = curve::point(shape.key.cubic, t),
+                     d1 = curve::derivative(shape.key.cubic, t);
     const double radius = 1 / curve::curvature(shape.key.cubic, t);
-    for (int i = 0; i < kCircleSides; ++i) EXPECT_NEAR(glm::length(glm::dvec3(overlay.lines[static_cast<std::size_t>(i)].to) - centre), radius, 4 * kFloat);
+    for (int i = 0; i < kCircleSides; ++i)
+      EXPECT_NEAR(glm::length(glm::dvec3(overlay.lines[static_cast<std::size_t>(i)].to) - centre), radius, 4 * kFloat);
     EXPECT_LT(glm::length(glm::dvec3(overlay.lines[0].from) - touch), kFloat);
     EXPECT_EQ(overlay.lines[0].from, overlay.lines[static_cast<std::size_t>(kCircleSides) - 1].to);
     EXPECT_NEAR(glm::dot(centre - touch, glm::normalize(d1)), 0, 4 * kFloat);
@@ -121,17 +125,22 @@ TEST(overlay_lab, teeth_are_curvature_times_scale_long_and_point_away_from_the_c
 
 TEST(overlay_lab, arrows_of_a_frame_are_one_length_and_perpendicular) {
   Scene scene;
-  for (const auto method : {world::FrameMethod::knots, world::FrameMethod::rmf, world::FrameMethod::frenet, world::FrameMethod::world_up}) {
+  for (const auto method :
+       {world::FrameMethod::knots, world::FrameMethod::rmf, world::FrameMethod::frenet, world::FrameMethod::world_up}) {
     scene.settings.frames = method;
     Overlay overlay;
     add_frames(scene.derived, scene.settings, scene.view, overlay);
     std::vector<Line> shafts[3];  // barbs start where a shaft ends
     for (std::size_t i = 0; i < overlay.lines.size(); ++i) {
       const Line& line = overlay.lines[i];
-      const bool barb = i > 0 && (line.from == overlay.lines[i - 1].to || (i > 1 && line.from == overlay.lines[i - 2].to));
+      const bool barb =
+          i > 0 && (line.from == overlay.lines[i - 1].to || (i > 1 && line.from == overlay.lines[i - 2].to));
       if (barb) continue;
       const std::uint32_t colour = line.rgba & 0xffffff00u;
-      shafts[colour == (kTangentColour & 0xffffff00u) ? 0 : colour == (kNormalColour & 0xffffff00u) ? 1 : 2].push_back(line);
+      shafts[colour == (kTangentColour & 0xffffff00u)  ? 0
+             : colour == (kNormalColour & 0xffffff00u) ? 1
+                                                       : 2]
+          .push_back(line);
     }
     ASSERT_GT(shafts[0].size(), 5u);
     ASSERT_LE(shafts[0].size(), static_cast<std::size_t>(kMaxFrames));
@@ -176,7 +185,8 @@ TEST(overlay_lab, a_flip_has_a_cross_at_its_place) {
   const glm::dvec3 place = curve::point(scene.shape(2).key.cubic, 0.4);
   int crosses = 0;
   for (const Line& line : overlay.lines)
-    crosses += line.rgba == kBreakColour && glm::length(0.5 * (glm::dvec3(line.from) + glm::dvec3(line.to)) - place) < 2 * kFloat;
+    crosses += line.rgba == kBreakColour &&
+               glm::length(0.5 * (glm::dvec3(line.from) + glm::dvec3(line.to)) - place) < 2 * kFloat;
   EXPECT_EQ(crosses, 2);
 }
 
@@ -197,7 +207,9 @@ TEST(overlay_lab, a_red_span_runs_over_the_rails_from_end_to_end) {
     EXPECT_NEAR(drawn, to > from ? to - from : to - from + end, 0.5);
     const sim::TrackPlace place = sim::place_at(scene.derived, from);
     const sim::SegmentShape& shape = scene.shape(place.index);
-    EXPECT_NEAR(glm::distance(glm::dvec3(overlay.lines.front().from), curve::point(shape.key.cubic, shape.arc.parameter(place.s))), 0.35, 1e-5);
+    EXPECT_NEAR(glm::distance(glm::dvec3(overlay.lines.front().from),
+                              curve::point(shape.key.cubic, shape.arc.parameter(place.s))),
+                0.35, 1e-5);
   }
 }
 
@@ -222,7 +234,8 @@ TEST(overlay_lab, no_layer_outgrows_its_limit_on_a_long_track) {
 
 TEST(overlay_lab, an_empty_track_shows_nothing) {
   Scene scene{world::Document{}};
-  for (std::size_t i = 0; i < world::layers().size(); ++i) scene.settings.layers.set(static_cast<world::Layer>(i), true);
+  for (std::size_t i = 0; i < world::layers().size(); ++i)
+    scene.settings.layers.set(static_cast<world::Layer>(i), true);
   Overlay overlay;
   add_laboratory(scene.document, scene.derived, scene.settings, scene.view, {}, overlay);
   EXPECT_TRUE(overlay == Overlay{});
@@ -230,16 +243,26 @@ TEST(overlay_lab, an_empty_track_shows_nothing) {
 
 TEST(overlay_lab, a_conflict_has_a_band_over_both_stretches_and_a_sign_above_while_nobody_rides) {
   Scene scene;
-  const sim::Conflict conflict{.at = 12, .other = 110, .from = 10, .to = 15, .other_from = 107, .other_to = 113, .missing = 1, .at_place = {3, 4, 5}, .other_place = {5, 6, 7}};
+  const sim::Conflict conflict{.at = 12,
+                               .other = 110,
+                               .from = 10,
+                               .to = 15,
+                               .other_from = 107,
+                               .other_to = 113,
+                               .missing = 1,
+                               .at_place = {3, 4, 5},
+                               .other_place = {5, 6, 7}};
   Findings findings;
   findings.conflicts = {&conflict, 1};
   Overlay overlay;
   add_laboratory(scene.document, scene.derived, scene.settings, scene.view, findings, overlay);
   const auto ends_at = [&](double distance) {
     const sim::TrackPlace place = sim::place_at(scene.derived, distance);
-    const glm::dvec3 rails = curve::point(scene.shape(place.index).key.cubic, scene.shape(place.index).arc.parameter(place.s));
+    const glm::dvec3 rails =
+        curve::point(scene.shape(place.index).key.cubic, scene.shape(place.index).arc.parameter(place.s));
     return std::any_of(overlay.lines.begin(), overlay.lines.end(), [&](const Line& line) {
-      return line.rgba == kConflictColour && (glm::distance(glm::dvec3(line.from), rails) < 0.36 || glm::distance(glm::dvec3(line.to), rails) < 0.36);
+      return line.rgba == kConflictColour &&
+             (glm::distance(glm::dvec3(line.from), rails) < 0.36 || glm::distance(glm::dvec3(line.to), rails) < 0.36);
     });
   };
   for (const double distance : {10.0, 12.5, 15.0, 107.0, 110.0, 113.0}) EXPECT_TRUE(ends_at(distance)) << distance;

@@ -23,7 +23,8 @@ struct Eye {
   glm::dvec3 pixel_and_depth(glm::dvec3 world) const {
     const glm::dvec3 d = world - at;
     const double depth = glm::dot(d, forward), scale = kViewport.height / (2 * std::tan(M_PI / 8)) / depth;
-    return {kViewport.x + kViewport.width / 2 + scale * glm::dot(d, right), kViewport.y + kViewport.height / 2 - scale * glm::dot(d, up), depth};
+    return {kViewport.x + kViewport.width / 2 + scale * glm::dot(d, right),
+            kViewport.y + kViewport.height / 2 - scale * glm::dot(d, up), depth};
   }
 };
 
@@ -61,9 +62,12 @@ TEST(overlay, what_is_painted_last_is_what_is_picked) {
     if (d.track.knots.empty()) continue;
     world::Settings settings;
     settings.show_gizmo = false;  // its parts are no marks: view/gizmo_test.cpp
-    settings.camera = {{uniform(-90, 90), uniform(0, 60), uniform(-90, 90)}, static_cast<float>(uniform(-180, 180)),
-                       static_cast<float>(uniform(5, 85)), static_cast<float>(uniform(300, 30000))};
-    settings.selected = !d.track.segments.empty() && trial % 2 ? d.track.segments[bits() % d.track.segments.size()] : d.track.knots[bits() % d.track.knots.size()];
+    settings.camera = {{uniform(-90, 90), uniform(0, 60), uniform(-90, 90)},
+                       static_cast<float>(uniform(-180, 180)),
+                       static_cast<float>(uniform(5, 85)),
+                       static_cast<float>(uniform(300, 30000))};
+    settings.selected = !d.track.segments.empty() && trial % 2 ? d.track.segments[bits() % d.track.segments.size()]
+                                                               : d.track.knots[bits() % d.track.knots.size()];
     const View view = orbit_view(settings.camera, kViewport);
     const Eye eye(settings.camera);
     sim::Derived nothing;  // no curve and no carts: marks alone
@@ -79,15 +83,22 @@ TEST(overlay, what_is_painted_last_is_what_is_picked) {
       int covering = 0;
       for (const Candidate& c : all) {
         const glm::dvec3 at = eye.pixel_and_depth(c.position);
-        if (at.z < 80) { doubtful |= at.z > 0; continue; }  // about the near plane, which moves with the distance
+        if (at.z < 80) {
+          doubtful |= at.z > 0;
+          continue;
+        }  // about the near plane, which moves with the distance
         const bool square = c.kind != PickKind::knot;
         const double gap = outside(square, square ? kHandleHalf : kKnotRadius, glm::dvec2(pixel) - glm::dvec2(at));
         doubtful |= std::abs(gap) < 0.05;
         if (gap > 0) continue;
         ++covering;
-        if (!wanted) { wanted = &c; continue; }
+        if (!wanted) {
+          wanted = &c;
+          continue;
+        }
         const bool wanted_handle = wanted->kind != PickKind::knot;
-        const double mine = glm::distance(glm::dvec3(c.position), eye.at), its = glm::distance(glm::dvec3(wanted->position), eye.at);
+        const double mine = glm::distance(glm::dvec3(c.position), eye.at),
+                     its = glm::distance(glm::dvec3(wanted->position), eye.at);
         if (square == wanted_handle) doubtful |= std::abs(mine - its) < 1e-2;
         if (square != wanted_handle ? square : mine < its) wanted = &c;
       }
@@ -139,7 +150,9 @@ TEST(overlay, a_selected_knot_is_orange_with_handles_and_polygons) {
   scene.settings.show_gizmo = false;
   const Overlay overlay = scene.overlay();
   ASSERT_EQ(overlay.marks.size(), 7u);
-  EXPECT_EQ(std::count_if(overlay.marks.begin(), overlay.marks.end(), [](const Mark& m) { return m.rgba == 0xff8a1fffu; }), 1);
+  EXPECT_EQ(
+      std::count_if(overlay.marks.begin(), overlay.marks.end(), [](const Mark& m) { return m.rgba == 0xff8a1fffu; }),
+      1);
   EXPECT_EQ(overlay.marks[5].shape, MarkShape::square);
   EXPECT_EQ(overlay.marks[6].shape, MarkShape::square);
   EXPECT_EQ(overlay.marks[6].rgba, 0xf2b84bffu);

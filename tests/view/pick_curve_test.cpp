@@ -21,16 +21,17 @@ class Random {
   std::mt19937 bits_;
 };
 
-// A track of `count` knots anywhere in a box, which crosses itself on screen from everywhere; some handles are long enough for loops, some
-// segments are crumpled to a point nearly.
+// A track of `count` knots anywhere in a box, which crosses itself on screen from everywhere; some handles are long
+// enough for loops, some segments are crumpled to a point nearly.
 world::Document knotted_document(Random& random, int count, bool closed) {
   world::Document d;
   const double size = 12 * std::cbrt(count);
   for (int i = 0; i < count; ++i) {
-    const double x = random(-size, size), y = random(1, size), z = random(-size, size), dx = random(-1, 1), dy = random(-0.6, 0.6), dz = random(-1, 1);
+    const double x = random(-size, size), y = random(1, size), z = random(-size, size), dx = random(-1, 1),
+                 dy = random(-0.6, 0.6), dz = random(-1, 1);
     const double handle = i % 7 == 3 ? random(15, 60) : i % 11 == 5 ? 0.01 : random(1, 9);
-    world::append_knot(d, test::skew_knot(glm::vec3(x, y, z), glm::vec3(dx, dy, dz) + glm::vec3(0, 0, 0.01f), static_cast<float>(handle),
-                                          static_cast<float>(handle * random(0.5, 2))));
+    world::append_knot(d, test::skew_knot(glm::vec3(x, y, z), glm::vec3(dx, dy, dz) + glm::vec3(0, 0, 0.01f),
+                                          static_cast<float>(handle), static_cast<float>(handle * random(0.5, 2))));
   }
   if (closed) world::set_closed(d, true);
   return d;
@@ -40,7 +41,8 @@ world::Document knotted_document(Random& random, int count, bool closed) {
 View random_view(Random& random, const world::Document& d, const sim::Derived& derived) {
   const world::Entity segment = derived.order[random.below(derived.order.size())];
   const glm::vec3 at(curve::point(world::cubic_of(d, segment), random(0, 1)));
-  world::Camera camera{at, static_cast<float>(random(-180, 180)), static_cast<float>(random(-20, 85)), static_cast<float>(std::pow(10.0, random(-1, 3.3)))};
+  world::Camera camera{at, static_cast<float>(random(-180, 180)), static_cast<float>(random(-20, 85)),
+                       static_cast<float>(std::pow(10.0, random(-1, 3.3)))};
   const std::array<float, 3> lenses{world::kMinFieldOfView, 45, world::kMaxFieldOfView};
   camera.field_of_view_deg = lenses[random.below(3)];
   if (random(0, 1) < 0.7) return orbit_view(camera, kViewport);
@@ -71,7 +73,8 @@ TEST(pick_curve, the_hierarchy_finds_what_looking_at_every_segment_finds) {
       const View view = random_view(random, d, derived);
       const glm::vec2 pixel = random_pixel(random);
       const float reach = std::array{1.0f, 8.0f, 200.0f, 1e6f}[random.below(4)];
-      const auto found = pick_curve(derived, view, pixel, reach), of_all = pick_curve_of_all(derived, view, pixel, reach);
+      const auto found = pick_curve(derived, view, pixel, reach),
+                 of_all = pick_curve_of_all(derived, view, pixel, reach);
       ASSERT_EQ(found.has_value(), of_all.has_value()) << trial << " " << i;
       if (!found) continue;
       ++found_some;
@@ -91,12 +94,14 @@ struct ByHand {
 
 class Eye {
  public:
-  Eye(const View& view, glm::vec2 pixel) : matrix_(glm::dmat4(view.projection) * glm::dmat4(view.view)), port_(view.viewport), pixel_(pixel) {}
+  Eye(const View& view, glm::vec2 pixel)
+      : matrix_(glm::dmat4(view.projection) * glm::dmat4(view.view)), port_(view.viewport), pixel_(pixel) {}
   // Pixels from the pixel and depth; infinitely far when it cannot be seen.
   std::pair<double, double> operator()(dvec3 p) const {
     const glm::dvec4 clip = matrix_ * glm::dvec4(p, 1);
     if (!(clip.w > 1e-4) || std::abs(clip.z) > clip.w) return {INFINITY, clip.w};
-    const dvec2 at(port_.x + (clip.x / clip.w + 1) / 2 * port_.width, port_.y + (1 - clip.y / clip.w) / 2 * port_.height);
+    const dvec2 at(port_.x + (clip.x / clip.w + 1) / 2 * port_.width,
+                   port_.y + (1 - clip.y / clip.w) / 2 * port_.height);
     return {glm::distance(at, pixel_), clip.w};
   }
 
@@ -146,8 +151,11 @@ TEST(pick_curve, of_the_places_within_a_pixel_of_the_nearest_the_front_one_is_fo
   for (int trial = 0; trial < 400; ++trial) {
     const world::Document d = knotted_document(random, 9, trial % 2 == 0);
     const sim::Derived derived = test::derived_of(d);
-    const View view = orbit_view({{random(-5, 5), random(5, 20), random(-5, 5)}, static_cast<float>(random(-180, 180)), static_cast<float>(random(0, 80)),
-                                  static_cast<float>(random(25, 120))}, kViewport);
+    const View view = orbit_view({{random(-5, 5), random(5, 20), random(-5, 5)},
+                                  static_cast<float>(random(-180, 180)),
+                                  static_cast<float>(random(0, 80)),
+                                  static_cast<float>(random(25, 120))},
+                                 kViewport);
     // On the track, where another passes before or behind it more often.
     const std::size_t aimed = random.below(derived.order.size());
     const auto seen = project(view, glm::vec3(curve::point(derived.tree.cubics[aimed], random(0, 1))));
@@ -212,8 +220,12 @@ world::Document crossing(bool upright_first) {
   world::Document d;
   const auto knot = [&](glm::vec3 p, glm::vec3 along) { world::append_knot(d, test::skew_knot(p, along, 6, 6)); };
   const glm::vec3 left{-20, 15, 1}, right{20, 15, 1}, low{0.3f, 2, -9}, high{0.3f, 40, -9};
-  if (upright_first) knot(low, {0, 1, 0}), knot(high, {0, 1, 0}), knot({-60, 50, -4}, {0, 0, 1}), knot(left, {1, 0, 0}), knot(right, {1, 0, 0});
-  else knot(left, {1, 0, 0}), knot(right, {1, 0, 0}), knot({60, 50, -4}, {-1, 0, 0}), knot(high, {0, -1, 0}), knot(low, {0, -1, 0});
+  if (upright_first)
+    knot(low, {0, 1, 0}), knot(high, {0, 1, 0}), knot({-60, 50, -4}, {0, 0, 1}), knot(left, {1, 0, 0}),
+        knot(right, {1, 0, 0});
+  else
+    knot(left, {1, 0, 0}), knot(right, {1, 0, 0}), knot({60, 50, -4}, {-1, 0, 0}), knot(high, {0, -1, 0}),
+        knot(low, {0, -1, 0});
   return d;
 }
 
@@ -221,13 +233,15 @@ TEST(pick_curve, where_the_track_crosses_itself_on_screen_the_front_one_is_picke
   for (const bool upright_first : {false, true}) {
     const world::Document d = crossing(upright_first);
     const sim::Derived derived = test::derived_of(d);
-    const world::Entity across = d.track.segments[upright_first ? 3 : 0], upright = d.track.segments[upright_first ? 0 : 3];
+    const world::Entity across = d.track.segments[upright_first ? 3 : 0],
+                        upright = d.track.segments[upright_first ? 0 : 3];
     for (const float yaw : {0.0f, 180.0f}) {  // from the other side the upright one is in front
       const View view = orbit_view({{0.3f, 15, -4}, yaw, 0, 60}, kViewport);
       const glm::vec2 crossing(*project(view, {0.3f, 15, 1})), behind(*project(view, {0.3f, 15, -9}));
       const world::Entity front = yaw == 0 ? across : upright, back = yaw == 0 ? upright : across;
       const glm::vec2 at(behind.x, crossing.y);
-      const glm::vec2 off = yaw == 0 ? glm::vec2(0, 1) : glm::vec2(1, 0);  // away from the front one, along the one behind
+      const glm::vec2 off =
+          yaw == 0 ? glm::vec2(0, 1) : glm::vec2(1, 0);  // away from the front one, along the one behind
       EXPECT_EQ(pick_curve(derived, view, at, 8)->entity, front);
       EXPECT_EQ(pick_curve(derived, view, at + 0.8f * off, 8)->entity, front);
       EXPECT_EQ(pick_curve(derived, view, at + 1.3f * off, 8)->entity, back);
@@ -267,7 +281,8 @@ TEST(pick_curve, without_segments_or_an_eye_nothing_is_found) {
   EXPECT_FALSE(pick_curve_of_all(nothing, view, {100, 100}, 8));
   const world::Document d = test::ring_document(12, 31);
   const sim::Derived derived = test::derived_of(d);
-  for (const View& blind : {View{}, View{glm::mat4(0), glm::mat4(0), {0, 0, 0}, kViewport}, View{glm::mat4(1), glm::mat4(NAN), {0, 0, 0}, kViewport}}) {
+  for (const View& blind : {View{}, View{glm::mat4(0), glm::mat4(0), {0, 0, 0}, kViewport},
+                            View{glm::mat4(1), glm::mat4(NAN), {0, 0, 0}, kViewport}}) {
     EXPECT_FALSE(pick_curve(derived, blind, {100, 100}, 8));
     EXPECT_FALSE(pick_curve_of_all(derived, blind, {100, 100}, 8));
     EXPECT_FALSE(pick_segment(derived, blind, {100, 100}, derived.order[0]));

@@ -17,12 +17,15 @@ struct Scene {
   world::Settings settings;
   View view;
 
-  explicit Scene(world::Document d, world::Camera camera) : document(std::move(d)), derived(test::derived_of(document)) {
+  explicit Scene(world::Document d, world::Camera camera)
+      : document(std::move(d)), derived(test::derived_of(document)) {
     sim::reset(document, derived, motion);
     view = orbit_view(camera, kViewport);
   }
   explicit Scene(world::Document d) : Scene(d, frame_all({}, d, kViewport)) {}
-  Pick at(glm::vec3 position) const { return pick(document, derived, motion, settings, view, glm::vec2(*project(view, position))); }
+  Pick at(glm::vec3 position) const {
+    return pick(document, derived, motion, settings, view, glm::vec2(*project(view, position)));
+  }
 };
 
 TEST(pick, every_place_of_the_curve_is_found_where_it_is_seen) {
@@ -45,8 +48,10 @@ TEST(pick, the_curve_is_nearest_on_screen_as_by_brute_force) {
   const auto uniform = [&](double low, double high) { return low + (high - low) * (bits() / 4294967296.0); };
   int found_some = 0;
   for (int trial = 0; trial < 120; ++trial) {
-    const world::Camera camera{{uniform(100, 150), uniform(3, 20), uniform(-40, 30)}, static_cast<float>(uniform(-180, 180)),
-                               static_cast<float>(uniform(0, 80)), static_cast<float>(uniform(1, 90))};
+    const world::Camera camera{{uniform(100, 150), uniform(3, 20), uniform(-40, 30)},
+                               static_cast<float>(uniform(-180, 180)),
+                               static_cast<float>(uniform(0, 80)),
+                               static_cast<float>(uniform(1, 90))};
     const Scene scene(test::sample_document(), camera);
     const glm::vec2 pixel(uniform(57, 697), uniform(31, 511));
     constexpr float kReach = 150;
@@ -87,13 +92,18 @@ TEST(pick, beyond_its_reach_the_curve_is_not_picked) {
   const glm::vec2 middle = glm::vec2(*project(scene.view, {3.7f, 5, 1}));
   EXPECT_TRUE(pick_curve(scene.derived, scene.view, middle + glm::vec2(0, 7.9f), 8));
   EXPECT_FALSE(pick_curve(scene.derived, scene.view, middle + glm::vec2(0, 8.1f), 8));
-  EXPECT_EQ(pick(scene.document, scene.derived, scene.motion, scene.settings, scene.view, middle + glm::vec2(0, 7.5f)).kind, PickKind::curve);
-  EXPECT_EQ(pick(scene.document, scene.derived, scene.motion, scene.settings, scene.view, middle + glm::vec2(0, 50)).kind, PickKind::none);
+  EXPECT_EQ(
+      pick(scene.document, scene.derived, scene.motion, scene.settings, scene.view, middle + glm::vec2(0, 7.5f)).kind,
+      PickKind::curve);
+  EXPECT_EQ(
+      pick(scene.document, scene.derived, scene.motion, scene.settings, scene.view, middle + glm::vec2(0, 50)).kind,
+      PickKind::none);
 }
 
 TEST(pick, outside_the_viewport_is_nothing) {
   const Scene scene(test::ring_document(9, 23.1));
-  EXPECT_EQ(pick(scene.document, scene.derived, scene.motion, scene.settings, scene.view, {20, 20}).kind, PickKind::none);
+  EXPECT_EQ(pick(scene.document, scene.derived, scene.motion, scene.settings, scene.view, {20, 20}).kind,
+            PickKind::none);
 }
 
 TEST(pick, handles_can_be_picked_of_the_selection_alone) {
@@ -110,18 +120,22 @@ TEST(pick, handles_can_be_picked_of_the_selection_alone) {
 }
 
 TEST(pick, carts_are_boxes_on_the_rails) {
-  // Seen from the side (along -Z): the rails run along X, so the body's box covers 2.2 m by 1.1 m of the picture, the heads' 1.35 m by 0.35 m.
+  // Seen from the side (along -Z): the rails run along X, so the body's box covers 2.2 m by 1.1 m of the picture, the
+  // heads' 1.35 m by 0.35 m.
   world::Document d = test::straight_document({-20, 5, 1}, {20, 5, 1});
   world::add_cart(d, d.track.segments[0], 0.6);  // at x = 4
   const Scene scene(d, {{4, 5.5f, 1}, 0, 0, 20});
   const world::Entity cart = d.entities.pool<world::Cart>().entities()[0];
   // On the near side, z = 1 + 0.65.
-  for (const auto& [x, y, hit] : {std::tuple(4.0f, 5.55f, true), std::tuple(5.05f, 6.05f, true), std::tuple(2.95f, 5.05f, true),
-                                  std::tuple(5.15f, 5.55f, false), std::tuple(2.85f, 5.55f, false), std::tuple(5.0f, 6.15f, false), std::tuple(4.0f, 4.7f, false)})
+  for (const auto& [x, y, hit] :
+       {std::tuple(4.0f, 5.55f, true), std::tuple(5.05f, 6.05f, true), std::tuple(2.95f, 5.05f, true),
+        std::tuple(5.15f, 5.55f, false), std::tuple(2.85f, 5.55f, false), std::tuple(5.0f, 6.15f, false),
+        std::tuple(4.0f, 4.7f, false)})
     EXPECT_EQ(scene.at({x, y, 1.65f}) == (Pick{PickKind::cart, cart}), hit) << x << " " << y;
   EXPECT_NEAR(scene.at({4.2f, 5.55f, 1.65f}).position.z, 1.65, 1e-3);
   // Heads, z = 1 + 0.4.
-  for (const auto& [x, y, hit] : {std::tuple(4.2f, 6.4f, true), std::tuple(2.95f, 6.4f, true), std::tuple(4.3f, 6.4f, false), std::tuple(4.2f, 6.5f, false)})
+  for (const auto& [x, y, hit] : {std::tuple(4.2f, 6.4f, true), std::tuple(2.95f, 6.4f, true),
+                                  std::tuple(4.3f, 6.4f, false), std::tuple(4.2f, 6.5f, false)})
     EXPECT_EQ(scene.at({x, y, 1.4f}) == (Pick{PickKind::cart, cart}), hit) << x << " " << y;
   EXPECT_NEAR(scene.at({4.2f, 6.3f, 1.4f}).position.z, 1.4, 1e-3);
 }
@@ -143,15 +157,18 @@ TEST(pick, the_cart_that_the_eye_rides_on_is_not_picked) {
   scene.view = ride_view(sim::pose(scene.derived, scene.motion.carts.items()[0], world::FrameMethod::knots), kViewport);
   for (float x = 60; x < 690; x += 37)
     for (float y = 35; y < 500; y += 31)
-      EXPECT_NE(pick(scene.document, scene.derived, scene.motion, scene.settings, scene.view, {x, y}).kind, PickKind::cart);
+      EXPECT_NE(pick(scene.document, scene.derived, scene.motion, scene.settings, scene.view, {x, y}).kind,
+                PickKind::cart);
 }
 
 TEST(pick, positions_of_things_lead_back_to_them) {
   Scene scene(test::sample_document());
   scene.settings.selected = scene.document.track.knots[1];
   for (const auto& [kind, entity, t] :
-       {std::tuple(PickKind::knot, scene.document.track.knots[3], 0.0), std::tuple(PickKind::handle_in, scene.settings.selected, 0.0),
-        std::tuple(PickKind::handle_out, scene.settings.selected, 0.0), std::tuple(PickKind::curve, scene.document.track.segments[2], 0.41),
+       {std::tuple(PickKind::knot, scene.document.track.knots[3], 0.0),
+        std::tuple(PickKind::handle_in, scene.settings.selected, 0.0),
+        std::tuple(PickKind::handle_out, scene.settings.selected, 0.0),
+        std::tuple(PickKind::curve, scene.document.track.segments[2], 0.41),
         std::tuple(PickKind::cart, scene.document.entities.pool<world::Cart>().entities()[0], 0.0)}) {
     const auto position = position_of(scene.document, scene.derived, scene.motion, kind, entity, t);
     ASSERT_TRUE(position);
@@ -161,7 +178,8 @@ TEST(pick, positions_of_things_lead_back_to_them) {
       EXPECT_NEAR(found.t, t, 1e-3);
     }
   }
-  EXPECT_FALSE(position_of(scene.document, scene.derived, scene.motion, PickKind::knot, scene.document.track.segments[0], 0));
+  EXPECT_FALSE(
+      position_of(scene.document, scene.derived, scene.motion, PickKind::knot, scene.document.track.segments[0], 0));
   EXPECT_FALSE(position_of(scene.document, scene.derived, scene.motion, PickKind::cart, {}, 0));
 }
 
@@ -172,7 +190,9 @@ TEST(pick, of_five_thousand_segments_a_few_are_looked_at) {
     const glm::vec2 pixel(*project(scene.view, scene.derived.shape(scene.derived.order[i]).points[20]));
     std::size_t segments = 0;
     bool seen = false;
-    const std::size_t nodes = visit_near(scene.derived.tree, Beam(scene.view, pixel), [] { return 0.25; }, [&](std::size_t s) { ++segments, seen |= s == i; });
+    const std::size_t nodes = visit_near(
+        scene.derived.tree, Beam(scene.view, pixel), [] { return 0.25; },
+        [&](std::size_t s) { ++segments, seen |= s == i; });
     ASSERT_TRUE(seen) << i;
     most_nodes = std::max(most_nodes, nodes), most_segments = std::max(most_segments, segments);
   }

@@ -118,7 +118,8 @@ TEST(ride_sound, has_no_step_where_speed_leaps_or_sound_begins) {
   float last = 0, most = 0;
   for (const RideNoise& noise : leaps) {
     synthesise(voice, noise, kRate, block);
-    for (std::size_t i = 0; i < block.size(); i += 2) most = std::max(most, std::abs(block[i] - std::exchange(last, block[i])));
+    for (std::size_t i = 0; i < block.size(); i += 2)
+      most = std::max(most, std::abs(block[i] - std::exchange(last, block[i])));
   }
   // The largest step of steady sound at full speed, which is noise of up to some kHz.
   const std::vector<float> steady = sound_of(at_speed(40), 1);
@@ -128,7 +129,8 @@ TEST(ride_sound, has_no_step_where_speed_leaps_or_sound_begins) {
 }
 
 RC_GTEST_PROP(ride_sound, is_finite_and_within_one_for_every_noise, ()) {
-  const auto any = rc::gen::element(0.0, -3.0, 1.0, 50.0, 1e9, -1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN());
+  const auto any = rc::gen::element(0.0, -3.0, 1.0, 50.0, 1e9, -1e300, std::numeric_limits<double>::infinity(),
+                                    std::numeric_limits<double>::quiet_NaN());
   RideVoice voice;
   std::vector<float> block(300);
   for (int i = 0; i < 4; ++i) {

@@ -17,7 +17,8 @@ TEST(sighted_curve, roots_of_a_polynomial_are_found_between_zero_and_one) {
     std::vector<double> roots;
     for (int i = 0; i < 8; ++i) roots.push_back(uniform(bits, -0.5, 1.5));
     if (trial % 4 == 0) roots[3] = 0.5, roots[4] = 0.25;  // on the middle of halves
-    // In Bernstein form by blossoms: coefficient k is the mean over all ways to give k of the eight factors t = 1, the others t = 0.
+    // In Bernstein form by blossoms: coefficient k is the mean over all ways to give k of the eight factors t = 1, the
+    // others t = 0.
     Bernstein8 c{};
     std::array<double, 9> ways{};
     for (unsigned set = 0; set < 256; ++set) {
@@ -50,7 +51,8 @@ TEST(sighted_curve, roots_of_a_polynomial_are_found_between_zero_and_one) {
   }
 }
 
-// Against 10,000 samples: each least distance on screen is among the places, near the eye and far off, with curves that pass it.
+// Against 10,000 samples: each least distance on screen is among the places, near the eye and far off, with curves that
+// pass it.
 TEST(sighted_curve, no_place_nearest_among_its_neighbours_is_missed) {
   std::mt19937 bits(9);
   std::vector<curve::Cubic> cubics = curve::random_cubics(500, 17, 15, 20);
@@ -58,7 +60,8 @@ TEST(sighted_curve, no_place_nearest_among_its_neighbours_is_missed) {
   int partly = 0, several = 0;
   for (const curve::Cubic& cubic : cubics) {
     const glm::vec3 near = cubic.p1 + glm::vec3(uniform(bits, -3, 3), uniform(bits, -3, 3), uniform(bits, -3, 3));
-    world::Camera camera{near, static_cast<float>(uniform(bits, -180, 180)), static_cast<float>(uniform(bits, 0, 80)), static_cast<float>(uniform(bits, 0.5, 30))};
+    world::Camera camera{near, static_cast<float>(uniform(bits, -180, 180)), static_cast<float>(uniform(bits, 0, 80)),
+                         static_cast<float>(uniform(bits, 0.5, 30))};
     const View view = orbit_view(camera, {0, 0, 800, 600});
     const glm::vec2 pixel(uniform(bits, 0, 800), uniform(bits, 0, 600));
     const Beam beam(view, pixel);
@@ -85,7 +88,8 @@ TEST(sighted_curve, no_place_nearest_among_its_neighbours_is_missed) {
       const double before = i > 0 ? distance[i - 1] : INFINITY, after = i < kSamples ? distance[i + 1] : INFINITY;
       if (!(distance[i] + 1e-9 < before && distance[i] + 1e-9 < after)) continue;
       const bool found = std::any_of(places.begin(), places.end(), [&](const SightedPlace& place) {
-        return std::abs(place.t - i / double(kSamples)) < 2.0 / kSamples && std::sqrt(place.square) <= distance[i] + 1e-6;
+        return std::abs(place.t - i / double(kSamples)) < 2.0 / kSamples &&
+               std::sqrt(place.square) <= distance[i] + 1e-6;
       });
       EXPECT_TRUE(found) << "t = " << i / double(kSamples) << ", " << distance[i] << " px";
     }
@@ -98,7 +102,9 @@ TEST(sighted_curve, what_is_said_to_be_far_is_far) {
   std::mt19937 bits(12);
   int far = 0;
   for (const curve::Cubic& cubic : curve::random_cubics(2000, 31, 15, 20)) {
-    const View view = orbit_view({cubic.p1, static_cast<float>(uniform(bits, -180, 180)), 20, static_cast<float>(uniform(bits, 1, 60))}, {0, 0, 800, 600});
+    const View view = orbit_view(
+        {cubic.p1, static_cast<float>(uniform(bits, -180, 180)), 20, static_cast<float>(uniform(bits, 1, 60))},
+        {0, 0, 800, 600});
     const Beam beam(view, {uniform(bits, 0, 800), uniform(bits, 0, 600)});
     const SightedControls controls = sighted(cubic, beam);
     const double limit = uniform(bits, 1, 100);

@@ -12,8 +12,8 @@ TEST(entity, names_print_and_parse_back) {
 }
 
 TEST(entity, other_texts_are_no_names) {
-  for (const char* text : {"", "k", "3", "k0", "k03", "K3", "x3", "k-1", "k+1", "k3 ", " k3", "k3.in",
-                           "k4294967296", "k1e3", "@k3"})
+  for (const char* text :
+       {"", "k", "3", "k0", "k03", "K3", "x3", "k-1", "k+1", "k3 ", " k3", "k3.in", "k4294967296", "k1e3", "@k3"})
     EXPECT_FALSE(parse_name(text)) << text;
 }
 

@@ -26,8 +26,7 @@ void expect_broken(Spoil spoil, const char* part) {
 TEST(invariants, every_broken_promise_is_noticed) {
   const auto knot_of = [](Document& d) -> Knot& { return d.entities.get<Knot>(d.track.knots[1]); };
   expect_broken([&](Document& d) { knot_of(d).position.y = 100'001.0f; }, "k2: position");
-  expect_broken([&](Document& d) { knot_of(d).position.x = std::numeric_limits<float>::quiet_NaN(); },
-                "k2: position");
+  expect_broken([&](Document& d) { knot_of(d).position.x = std::numeric_limits<float>::quiet_NaN(); }, "k2: position");
   expect_broken([&](Document& d) { knot_of(d).tangent *= 1.01f; }, "k2: tangent");
   expect_broken([&](Document& d) { knot_of(d).up *= 0.99f; }, "k2: up is not unit");
   expect_broken([&](Document& d) { knot_of(d).up = knot_of(d).tangent; }, "perpendicular");
@@ -44,11 +43,7 @@ TEST(invariants, every_broken_promise_is_noticed) {
   expect_broken([](Document& d) { std::swap(d.track.segments[0], d.track.segments[1]); }, "lead");
   expect_broken([](Document& d) { std::swap(d.track.knots[0], d.track.knots[1]); }, "lead");
   expect_broken([](Document& d) { d.entities.get<Segment>(d.track.segments[0]).turns = 17; }, "turns");
-  expect_broken(
-      [](Document& d) {
-        d.entities.get<Cart>(find(d, {Kind::cart, 1})).fraction = 1;
-      },
-      "c1: fraction");
+  expect_broken([](Document& d) { d.entities.get<Cart>(find(d, {Kind::cart, 1})).fraction = 1; }, "c1: fraction");
   expect_broken(
       [](Document& d) {
         d.entities.get<Cart>(find(d, {Kind::cart, 1})).segment = kNone;

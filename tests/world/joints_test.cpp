@@ -5,9 +5,7 @@
 namespace coaster::world {
 namespace joints_test {
 
-Knot& at(Document& d, std::size_t i) {
-  return d.entities.get<Knot>(d.track.knots[i]);
-}
+Knot& at(Document& d, std::size_t i) { return d.entities.get<Knot>(d.track.knots[i]); }
 
 TEST(joints, an_automatic_knot_runs_along_the_chord_of_its_neighbours) {
   Document d = test::sample_document();

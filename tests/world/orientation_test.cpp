@@ -31,8 +31,8 @@ TEST(orientation, turning_the_tangent_is_the_least_rotation) {
   // Rodrigues' formula about from x to, in libm's angles.
   const glm::dvec3 to(k.tangent), axis = glm::normalize(glm::cross(from, to));
   const double angle = std::acos(glm::dot(from, to));
-  const glm::dvec3 expected = up * std::cos(angle) + glm::cross(axis, up) * std::sin(angle) +
-                              axis * glm::dot(axis, up) * (1 - std::cos(angle));
+  const glm::dvec3 expected =
+      up * std::cos(angle) + glm::cross(axis, up) * std::sin(angle) + axis * glm::dot(axis, up) * (1 - std::cos(angle));
   EXPECT_NEAR(glm::distance(expected, glm::dvec3(k.up)), 0.0, 1e-6);
 }
 
@@ -56,8 +56,7 @@ TEST(orientation, directions_without_length_are_ignored) {
   Knot k = test::skew_knot({0, 0, 0}, {0.3f, 0.2f, -0.7f}, 4, 4);
   const Knot before = k;
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
-  for (const glm::vec3 v :
-       {glm::vec3(0), glm::vec3(1e-12f, 0, 0), glm::vec3(nan, 0, 1), glm::vec3(inf, 0, 0)}) {
+  for (const glm::vec3 v : {glm::vec3(0), glm::vec3(1e-12f, 0, 0), glm::vec3(nan, 0, 1), glm::vec3(inf, 0, 0)}) {
     set_tangent(k, v);
     EXPECT_EQ(k, before);
   }

@@ -48,8 +48,8 @@ inline world::Document random_document(std::uint32_t seed) {
     const auto length = static_cast<float>(uniform(0.5, 30));
     const auto other = static_cast<float>(uniform(0.5, 30));
     const glm::vec3 tangent(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1.1));
-    world::append_knot(d, skew_knot({uniform(-900, 900), uniform(-20, 90), uniform(-900, 900)}, tangent,
-                                    length, joint == world::JointKind::smooth ? length : other, joint));
+    world::append_knot(d, skew_knot({uniform(-900, 900), uniform(-20, 90), uniform(-900, 900)}, tangent, length,
+                                    joint == world::JointKind::smooth ? length : other, joint));
     world::set_roll(d.entities.get<world::Knot>(d.track.knots.back()), uniform(-180, 180));
   }
   if (knots > 2 && whole(2)) world::set_closed(d, true);

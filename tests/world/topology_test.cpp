@@ -150,11 +150,8 @@ RC_GTEST_PROP(topology, any_sequence_keeps_every_invariant, ()) {
       rc::gen::pair(rc::gen::inRange(0, 6), rc::gen::inRange(0, 1000)));
   for (const auto& step : steps) {
     const int what = step.first, where = step.second;
-    const auto pick = [&](const std::vector<Entity>& v) {
-      return v[static_cast<std::size_t>(where) % v.size()];
-    };
-    if (what == 0 && !d.track.closed)
-      append_knot(d, test::skew_knot({where, 1.3f, 2.9f}, {1, 0.1f, 0.3f}, 2.1f, 2.3f));
+    const auto pick = [&](const std::vector<Entity>& v) { return v[static_cast<std::size_t>(where) % v.size()]; };
+    if (what == 0 && !d.track.closed) append_knot(d, test::skew_knot({where, 1.3f, 2.9f}, {1, 0.1f, 0.3f}, 2.1f, 2.3f));
     if (what == 1 && !d.track.knots.empty()) remove_knot(d, pick(d.track.knots));
     if (what == 2 && !d.track.segments.empty())
       split_segment(d, pick(d.track.segments), (where + 0.5) / 1000, {0, 1, 0.1f});

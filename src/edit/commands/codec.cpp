@@ -12,8 +12,8 @@
 namespace coaster::edit {
 namespace {
 
-// "at?" is the keyword "at" of a field that may be left out. Where a command takes entities of any kind it makes sense for segments alone and is
-// printed for them alone.
+// "at?" is the keyword "at" of a field that may be left out. Where a command takes entities of any kind it makes sense
+// for segments alone and is printed for them alone.
 struct Keyword {
   std::string word;
   bool optional = false;
@@ -52,16 +52,11 @@ constexpr std::string_view kAnyTarget = "@knot|@segment|@cart|none";
 
 template <class C>
 constexpr std::string_view target_usage() {
-  if constexpr (requires(C c) { c.segment; })
-    return "@segment";
-  else if constexpr (requires(C c) { c.cart; })
-    return "@cart";
-  else if constexpr (std::is_same_v<C, RemoveKnot>)
-    return "@knot|@cart";
-  else if constexpr (requires(C c) { c.knot; })
-    return "@knot";
-  else
-    return kAnyTarget;
+  if constexpr (requires(C c) { c.segment; }) return "@segment";
+  else if constexpr (requires(C c) { c.cart; }) return "@cart";
+  else if constexpr (std::is_same_v<C, RemoveKnot>) return "@knot|@cart";
+  else if constexpr (requires(C c) { c.knot; }) return "@knot";
+  else return kAnyTarget;
 }
 
 // A kind of command: one row for each, in the order of the list.
@@ -141,7 +136,8 @@ std::string print(const Command& command) {
   Command copy = command;  // fields are read and written through the same list
   std::string text(info(copy).name);
   const Fields fields = fields_of(copy);
-  const bool of_anything = kKinds[copy.index()].target == kAnyTarget && std::any_of(fields.begin(), fields.end(), [](const Field& f) { return f.is_target(); });
+  const bool of_anything = kKinds[copy.index()].target == kAnyTarget &&
+                           std::any_of(fields.begin(), fields.end(), [](const Field& f) { return f.is_target(); });
   bool on_segment = false;
   for (const Field& field : fields) {
     if (field.is_target()) {
@@ -179,8 +175,8 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
   const auto row = std::find_if(kKinds.begin(), kKinds.end(),
                                 [&](const CommandKind& kind) { return kind.info->name == tokens[0].text; });
   if (row == kKinds.end()) {
-    error = {tokens[0].column, "no command " + base::quoted(tokens[0].text) +
-                                   base::suggestion(tokens[0].text, command_names())};
+    error = {tokens[0].column,
+             "no command " + base::quoted(tokens[0].text) + base::suggestion(tokens[0].text, command_names())};
     return failed();
   }
   WordReader words(tokens, error);

@@ -22,8 +22,8 @@ const std::vector<CommandHelp>& command_table();
 // True when `word` is the first word of some command.
 bool is_command(std::string_view word);
 
-// Parses the tokens of a line. Vectors take three numbers; switches on/off; methods their names. On failure `error` has the column
-// of the offending word (or one past the last) and says what was expected, with the nearest valid word.
+// Parses the tokens of a line. Vectors take three numbers; switches on/off; methods their names. On failure `error` has
+// the column of the offending word (or one past the last) and says what was expected, with the nearest valid word.
 base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError& error);
 
 }  // namespace coaster::edit

@@ -21,7 +21,8 @@ std::string print_value(const world::Element& value) {
   const world::ElementRow& row = world::element_row(value.kind);
   std::string text(row.name);
   if (row.sided) text += " " + std::string(value.right ? kRight : kLeft);
-  for (std::size_t i = 0; i < row.parameters.size(); ++i) text += " " + std::string(row.parameters[i].name) + " " + base::to_text(value.values[i]);
+  for (std::size_t i = 0; i < row.parameters.size(); ++i)
+    text += " " + std::string(row.parameters[i].name) + " " + base::to_text(value.values[i]);
   return text;
 }
 
@@ -45,7 +46,8 @@ std::string usage_of(const world::Element&) {
   std::string text;
   for (const world::ElementRow& row : world::elements()) {
     text += (text.empty() ? "" : " | ") + std::string(row.name) + (row.sided ? " [left|right]" : "");
-    for (const world::ElementParameter& parameter : row.parameters) text += " [" + std::string(parameter.name) + " NUMBER]";
+    for (const world::ElementParameter& parameter : row.parameters)
+      text += " [" + std::string(parameter.name) + " NUMBER]";
   }
   return text;
 }

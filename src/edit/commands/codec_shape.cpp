@@ -44,12 +44,18 @@ bool read_value(WordReader& words, Knots& value) {
 std::string usage_of(const Knots&) { return std::string(kKnotsUsage); }
 
 std::string print_value(world::Axis value) { return row_name(words_of(world::kAxisNames), static_cast<int>(value)); }
-std::string print_value(world::SplineSteps value) { return row_name(words_of(world::kSplineStepNames), static_cast<int>(value)); }
+std::string print_value(world::SplineSteps value) {
+  return row_name(words_of(world::kSplineStepNames), static_cast<int>(value));
+}
 std::string print_value(world::SnapTo value) { return row_name(words_of(world::kSnapNames), static_cast<int>(value)); }
 
 bool read_value(WordReader& words, world::Axis& value) { return read_enum(words, words_of(world::kAxisNames), value); }
-bool read_value(WordReader& words, world::SplineSteps& value) { return read_enum(words, words_of(world::kSplineStepNames), value); }
-bool read_value(WordReader& words, world::SnapTo& value) { return read_enum(words, words_of(world::kSnapNames), value); }
+bool read_value(WordReader& words, world::SplineSteps& value) {
+  return read_enum(words, words_of(world::kSplineStepNames), value);
+}
+bool read_value(WordReader& words, world::SnapTo& value) {
+  return read_enum(words, words_of(world::kSnapNames), value);
+}
 
 std::string usage_of(world::Axis) { return joined(words_of(world::kAxisNames)); }
 std::string usage_of(world::SplineSteps) { return joined(words_of(world::kSplineStepNames)); }

@@ -4,32 +4,20 @@
 #include <limits>
 #include <vector>
 
-#include "sim/shape/frame_methods.h"
 #include "sim/ride/ride.h"
+#include "sim/shape/frame_methods.h"
 
 namespace coaster::edit {
 namespace {
 
 // In the order of the enumerators.
-Names joint_names() {
-  return {"smooth", "aligned", "automatic"};
-}
-Names mode_names() {
-  return Names(world::kCameraModeNames.begin(), world::kCameraModeNames.end());
-}
+Names joint_names() { return {"smooth", "aligned", "automatic"}; }
+Names mode_names() { return Names(world::kCameraModeNames.begin(), world::kCameraModeNames.end()); }
 
-Names evaluator_names() {
-  return names_of(curve::evaluators());
-}
-Names arc_length_names() {
-  return names_of(curve::arc_length_methods());
-}
-Names frame_names() {
-  return names_of(sim::frame_methods());
-}
-Names integrator_names() {
-  return names_of(sim::integrators());
-}
+Names evaluator_names() { return names_of(curve::evaluators()); }
+Names arc_length_names() { return names_of(curve::arc_length_methods()); }
+Names frame_names() { return names_of(sim::frame_methods()); }
+Names integrator_names() { return names_of(sim::integrators()); }
 
 template <class T, class Parse>
 bool read_number(WordReader& words, std::string_view what, Parse parse, T& value) {
@@ -50,8 +38,7 @@ std::string joined(const Names& names) {
 }
 
 std::string row_name(const Names& names, int row) {
-  COASTER_CHECK(row >= 0 && static_cast<std::size_t>(row) < names.size(),
-                "a command names a row of its table");
+  COASTER_CHECK(row >= 0 && static_cast<std::size_t>(row) < names.size(), "a command names a row of its table");
   return names[static_cast<std::size_t>(row)];
 }
 
@@ -73,8 +60,7 @@ const base::Token* WordReader::take(std::string_view what) {
 
 bool WordReader::reject(std::string_view what, std::string_view hint) {
   const base::Token& word = words_[next_ - 1];
-  return fail(word.column,
-              "expected " + std::string(what) + ", found " + base::quoted(word.text) + std::string(hint));
+  return fail(word.column, "expected " + std::string(what) + ", found " + base::quoted(word.text) + std::string(hint));
 }
 
 bool WordReader::fail(int column, std::string message) {
@@ -97,45 +83,21 @@ std::string print_value(const HandleTarget& value) {
 std::string print_value(glm::vec3 v) {
   return base::to_text(v.x) + " " + base::to_text(v.y) + " " + base::to_text(v.z);
 }
-std::string print_value(float value) {
-  return base::to_text(value);
-}
-std::string print_value(double value) {
-  return base::to_text(value);
-}
-std::string print_value(int value) {
-  return std::to_string(value);
-}
-std::string print_value(std::int64_t value) {
-  return std::to_string(value);
-}
-std::string print_value(bool value) {
-  return value ? "on" : "off";
-}
-std::string print_value(const std::string& value) {
-  return base::quoted(value);
-}
-std::string print_value(world::JointKind value) {
-  return row_name(joint_names(), static_cast<int>(value));
-}
-std::string print_value(world::FrameMethod value) {
-  return row_name(frame_names(), static_cast<int>(value));
-}
+std::string print_value(float value) { return base::to_text(value); }
+std::string print_value(double value) { return base::to_text(value); }
+std::string print_value(int value) { return std::to_string(value); }
+std::string print_value(std::int64_t value) { return std::to_string(value); }
+std::string print_value(bool value) { return value ? "on" : "off"; }
+std::string print_value(const std::string& value) { return base::quoted(value); }
+std::string print_value(world::JointKind value) { return row_name(joint_names(), static_cast<int>(value)); }
+std::string print_value(world::FrameMethod value) { return row_name(frame_names(), static_cast<int>(value)); }
 std::string print_value(world::EquipmentKind value) {
   return std::string(world::kEquipmentNames[static_cast<std::size_t>(value)]);
 }
-std::string print_value(world::CameraMode value) {
-  return row_name(mode_names(), static_cast<int>(value));
-}
-std::string print_value(curve::EvaluatorId value) {
-  return row_name(evaluator_names(), static_cast<int>(value));
-}
-std::string print_value(curve::ArcLengthId value) {
-  return row_name(arc_length_names(), static_cast<int>(value));
-}
-std::string print_value(IntegratorId value) {
-  return row_name(integrator_names(), value.row);
-}
+std::string print_value(world::CameraMode value) { return row_name(mode_names(), static_cast<int>(value)); }
+std::string print_value(curve::EvaluatorId value) { return row_name(evaluator_names(), static_cast<int>(value)); }
+std::string print_value(curve::ArcLengthId value) { return row_name(arc_length_names(), static_cast<int>(value)); }
+std::string print_value(IntegratorId value) { return row_name(integrator_names(), value.row); }
 
 bool read_value(WordReader& words, Target& value) {
   constexpr std::string_view kExpected = "an entity such as @k3, @s2 or @c1";
@@ -164,18 +126,13 @@ bool read_value(WordReader& words, HandleTarget& value) {
 }
 
 bool read_value(WordReader& words, glm::vec3& value) {
-  for (const auto& [axis, what] :
-       {std::pair{0, "a number (x of three)"}, std::pair{1, "a number (y of three)"},
-        std::pair{2, "a number (z of three)"}})
+  for (const auto& [axis, what] : {std::pair{0, "a number (x of three)"}, std::pair{1, "a number (y of three)"},
+                                   std::pair{2, "a number (z of three)"}})
     if (!read_number(words, what, base::parse_float, value[axis])) return false;
   return true;
 }
-bool read_value(WordReader& words, float& value) {
-  return read_number(words, "a number", base::parse_float, value);
-}
-bool read_value(WordReader& words, double& value) {
-  return read_number(words, "a number", base::parse_double, value);
-}
+bool read_value(WordReader& words, float& value) { return read_number(words, "a number", base::parse_float, value); }
+bool read_value(WordReader& words, double& value) { return read_number(words, "a number", base::parse_double, value); }
 bool read_value(WordReader& words, std::int64_t& value) {
   return read_number(words, "a whole number", base::parse_int, value);
 }
@@ -199,72 +156,32 @@ bool read_value(WordReader& words, std::string& value) {
   if (word) value = word->text;
   return word != nullptr;
 }
-bool read_value(WordReader& words, world::JointKind& value) {
-  return read_enum(words, joint_names(), value);
-}
-bool read_value(WordReader& words, world::FrameMethod& value) {
-  return read_enum(words, frame_names(), value);
-}
+bool read_value(WordReader& words, world::JointKind& value) { return read_enum(words, joint_names(), value); }
+bool read_value(WordReader& words, world::FrameMethod& value) { return read_enum(words, frame_names(), value); }
 bool read_value(WordReader& words, world::EquipmentKind& value) {
   return read_enum(words, Names(world::kEquipmentNames.begin(), world::kEquipmentNames.end()), value);
 }
-bool read_value(WordReader& words, world::CameraMode& value) {
-  return read_enum(words, mode_names(), value);
-}
-bool read_value(WordReader& words, curve::EvaluatorId& value) {
-  return read_enum(words, evaluator_names(), value);
-}
-bool read_value(WordReader& words, curve::ArcLengthId& value) {
-  return read_enum(words, arc_length_names(), value);
-}
-bool read_value(WordReader& words, IntegratorId& value) {
-  return read_name(words, integrator_names(), value.row);
-}
+bool read_value(WordReader& words, world::CameraMode& value) { return read_enum(words, mode_names(), value); }
+bool read_value(WordReader& words, curve::EvaluatorId& value) { return read_enum(words, evaluator_names(), value); }
+bool read_value(WordReader& words, curve::ArcLengthId& value) { return read_enum(words, arc_length_names(), value); }
+bool read_value(WordReader& words, IntegratorId& value) { return read_name(words, integrator_names(), value.row); }
 
-std::string usage_of(const HandleTarget&) {
-  return "@knot.in|@knot.out";
-}
-std::string usage_of(glm::vec3) {
-  return "X Y Z";
-}
-std::string usage_of(float) {
-  return "NUMBER";
-}
-std::string usage_of(double) {
-  return "NUMBER";
-}
-std::string usage_of(int) {
-  return "N";
-}
-std::string usage_of(std::int64_t) {
-  return "N";
-}
-std::string usage_of(bool) {
-  return "on|off";
-}
-std::string usage_of(const std::string&) {
-  return "\"TEXT\"";
-}
-std::string usage_of(world::JointKind) {
-  return joined(joint_names());
-}
-std::string usage_of(world::FrameMethod) {
-  return joined(frame_names());
-}
+std::string usage_of(const HandleTarget&) { return "@knot.in|@knot.out"; }
+std::string usage_of(glm::vec3) { return "X Y Z"; }
+std::string usage_of(float) { return "NUMBER"; }
+std::string usage_of(double) { return "NUMBER"; }
+std::string usage_of(int) { return "N"; }
+std::string usage_of(std::int64_t) { return "N"; }
+std::string usage_of(bool) { return "on|off"; }
+std::string usage_of(const std::string&) { return "\"TEXT\""; }
+std::string usage_of(world::JointKind) { return joined(joint_names()); }
+std::string usage_of(world::FrameMethod) { return joined(frame_names()); }
 std::string usage_of(world::EquipmentKind) {
   return joined(Names(world::kEquipmentNames.begin(), world::kEquipmentNames.end()));
 }
-std::string usage_of(world::CameraMode) {
-  return joined(mode_names());
-}
-std::string usage_of(curve::EvaluatorId) {
-  return joined(evaluator_names());
-}
-std::string usage_of(curve::ArcLengthId) {
-  return joined(arc_length_names());
-}
-std::string usage_of(IntegratorId) {
-  return joined(integrator_names());
-}
+std::string usage_of(world::CameraMode) { return joined(mode_names()); }
+std::string usage_of(curve::EvaluatorId) { return joined(evaluator_names()); }
+std::string usage_of(curve::ArcLengthId) { return joined(arc_length_names()); }
+std::string usage_of(IntegratorId) { return joined(integrator_names()); }
 
 }  // namespace coaster::edit

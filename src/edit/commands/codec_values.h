@@ -54,7 +54,8 @@ bool read_enum(WordReader& words, const Names& names, Enum& value) {
   return true;
 }
 
-// Each type of field: text that read_value() gives back exactly, reading, and the words for help. reading fails through `words`.
+// Each type of field: text that read_value() gives back exactly, reading, and the words for help. reading fails through
+// `words`.
 std::string print_value(const Target& value);  // "@k3", "none"
 std::string print_value(const HandleTarget& value);
 std::string print_value(const Knots& value);  // "@k1,@k2", "all", "selected"
@@ -105,7 +106,8 @@ bool read_value(WordReader& words, IntegratorId& value);
 bool read_value(WordReader& words, world::Layer& value);
 bool read_value(WordReader& words, world::Colouring& value);
 bool read_value(WordReader& words, world::LabPage& value);
-bool read_value(WordReader& words, world::Element& value);  // to the end of the line; what is not named has its usual value
+bool read_value(WordReader& words,
+                world::Element& value);  // to the end of the line; what is not named has its usual value
 bool read_value(WordReader& words, world::Theme& value);
 bool read_value(WordReader& words, world::Style& value);
 

@@ -19,7 +19,8 @@ struct Target {
   friend bool operator==(const Target&, const Target&) = default;
 };
 
-// Several knots: "@k1,@k2,@k7", "all", or "selected": those that are selected when the command is applied. Their order does not count.
+// Several knots: "@k1,@k2,@k7", "all", or "selected": those that are selected when the command is applied. Their order
+// does not count.
 struct Knots {
   enum class Which : std::uint8_t { named, all, selected } which = Which::named;
   std::vector<world::Name> names;
@@ -52,10 +53,10 @@ struct CommandInfo {
 // "move @k4 to 1 2 3" has the fields ("", knot) and ("to", position).
 #define COASTER_COMMAND(name, help, effect) \
   static constexpr CommandInfo kInfo { name, help, effect }
-#define COASTER_FIELDS(...)                              \
-  template <class Self, class Visit>                     \
+#define COASTER_FIELDS(...)                                                         \
+  template <class Self, class Visit>                                                \
   static void fields([[maybe_unused]] Self& self, [[maybe_unused]] Visit&& visit) { \
-    __VA_ARGS__;                                         \
+    __VA_ARGS__;                                                                    \
   }
 
 }  // namespace coaster::edit

@@ -1,8 +1,9 @@
-// The one vocabulary: everything that a person, a script or a recording can make the program do to document, motion and settings.
-// Plain structs with a name, a line of help and a list of fields; from these come printing, parsing, help and completion.
-// Those that shape several knots are in commands_shape.h, those on how things are shown in commands_settings.h, of the cameras in commands_camera.h, of
-// the game in commands_challenge.h, of the palette in commands_elements.h, of the laboratory in commands_lab.h, of the ride's operation in commands_operation.h.
-// Commands carry names and numbers, never screen coordinates.
+// The one vocabulary: everything that a person, a script or a recording can make the program do to document, motion and
+// settings. Plain structs with a name, a line of help and a list of fields; from these come printing, parsing, help and
+// completion. Those that shape several knots are in commands_shape.h, those on how things are shown in
+// commands_settings.h, of the cameras in commands_camera.h, of the game in commands_challenge.h, of the palette in
+// commands_elements.h, of the laboratory in commands_lab.h, of the ride's operation in commands_operation.h. Commands
+// carry names and numbers, never screen coordinates.
 #pragma once
 
 #include <any>
@@ -26,7 +27,8 @@
 
 namespace coaster::edit {
 
-// --- document ---------------------------------------------------------------------------------------------------------
+// --- document
+// ---------------------------------------------------------------------------------------------------------
 struct MoveKnot {
   Target knot;
   glm::vec3 to{0};
@@ -36,7 +38,10 @@ struct MoveKnot {
 struct MoveHandle {
   HandleTarget handle;
   glm::vec3 to{0};
-  COASTER_COMMAND("handle", "Move a handle to a position (m): sets the knot's direction and that side's length; a smooth joint keeps both sides equal.", Effect::document);
+  COASTER_COMMAND("handle",
+                  "Move a handle to a position (m): sets the knot's direction and that side's length; a smooth joint "
+                  "keeps both sides equal.",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.handle), visit("to", self.to))
 };
 struct SetDirection {
@@ -48,13 +53,15 @@ struct SetDirection {
 struct SetLengths {
   Knots knots;
   float in = 5, out = 5;
-  COASTER_COMMAND("lengths", "Set handle lengths of knots (m); different ones make a smooth joint aligned.", Effect::document);
+  COASTER_COMMAND("lengths", "Set handle lengths of knots (m); different ones make a smooth joint aligned.",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("in", self.in), visit("out", self.out))
 };
 struct SetRoll {
   Knots knots;
   double to = 0;
-  COASTER_COMMAND("roll", "Set the roll of knots (degrees from the horizon, positive to the rider's right).", Effect::document);
+  COASTER_COMMAND("roll", "Set the roll of knots (degrees from the horizon, positive to the rider's right).",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct SetJoint {
@@ -72,11 +79,14 @@ struct SetTurns {
 struct SplitSegment {
   Target segment;
   double at = 0.5;
-  COASTER_COMMAND("split", "Insert a knot into a segment at a parameter, keeping the shape (de Casteljau).", Effect::document);
+  COASTER_COMMAND("split", "Insert a knot into a segment at a parameter, keeping the shape (de Casteljau).",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.segment), visit("at", self.at))
 };
 struct AddCurve {
-  COASTER_COMMAND("add_curve", "Split the longest segment at half its arc length; on an open track with no segment, append a knot.", Effect::document);
+  COASTER_COMMAND("add_curve",
+                  "Split the longest segment at half its arc length; on an open track with no segment, append a knot.",
+                  Effect::document);
   COASTER_FIELDS()
 };
 struct AppendKnot {
@@ -119,7 +129,9 @@ struct SetDatum {
 // The joints of a track made G2 by the least movement (edit/perform/joint_repair.h).
 struct MakeG2 {
   Target knot;
-  COASTER_COMMAND("make_g2", "Give a knot's two segments one curvature (G2) by moving the least; other joints keep their class.", Effect::document);
+  COASTER_COMMAND("make_g2",
+                  "Give a knot's two segments one curvature (G2) by moving the least; other joints keep their class.",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.knot))
 };
 struct MakeAllG2 {
@@ -127,7 +139,8 @@ struct MakeAllG2 {
   COASTER_FIELDS()
 };
 
-// --- motion -----------------------------------------------------------------------------------------------------------
+// --- motion
+// -----------------------------------------------------------------------------------------------------------
 struct RideStart {
   COASTER_COMMAND("ride.start", "Let the carts run, from where they are.", Effect::motion);
   COASTER_FIELDS()
@@ -147,11 +160,15 @@ struct RideStep {
 };
 struct RideSeek {
   double to = 0;
-  COASTER_COMMAND("ride.seek", "Put the selected cart, else the first, at a distance from the track's start (m), keeping its energy.", Effect::motion);
+  COASTER_COMMAND(
+      "ride.seek",
+      "Put the selected cart, else the first, at a distance from the track's start (m), keeping its energy.",
+      Effect::motion);
   COASTER_FIELDS(visit("", self.to))
 };
 
-// --- history and session ----------------------------------------------------------------------------------------------
+// --- history and session
+// ----------------------------------------------------------------------------------------------
 struct Undo {
   COASTER_COMMAND("undo", "Undo the last step.", Effect::history);
   COASTER_FIELDS()
@@ -185,7 +202,8 @@ struct Save {
 };
 struct RecoverTrack {
   std::string path, original;
-  COASTER_COMMAND("recover", "Open an autosaved track as the unsaved state of another file, which may be \"\": none.", Effect::session);
+  COASTER_COMMAND("recover", "Open an autosaved track as the unsaved state of another file, which may be \"\": none.",
+                  Effect::session);
   COASTER_FIELDS(visit("", self.path), visit("as", self.original))
 };
 struct NewTrack {
@@ -209,36 +227,44 @@ struct CommandList {
     return std::array{make.template operator()<C>()...};
   }
 };
-using Commands = CommandList<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve, AppendKnot,
-                             RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2, Translate, Rotate, Scale, Mirror,
-                             Smooth, Equalise, Straighten, SetRadius, DropToGround, Align, Reverse, Duplicate, CloseExactly, SetEquipment,
-                             RemoveEquipment, SetTrain, SetLosses, SetHeartline, SetRollbackFails, AutoBank, PlaceElement, SetEvaluator,
-                             SetResolution, SetVertexBudget, SetArcLength, SetFrames, SetIntegrator, SetCamera, SetCameraMode, SetFly,
-                             SetFieldOfView, SetRideView, SetWidening, SetRollDamping, SetChaseDistance, SetHeadBob, SetReducedMotion, Select,
-                             SelectKnots, SetSnapping, SetGizmo, SetHints, SetPanels, SetPolyline, SetAppendMode, SetScale, SetTheme, SetStyle,
-                             SetShadows, SetSound, ShowLayer, SetColouring, SetMagnification, SetCombScale, ShowLaboratory, OpenPage, Measure, StopMeasuring,
-                             ChooseElement, PreviewElement, RideStart, RidePause, RideStop, RideStep, RideSeek, Undo, Redo, BeginGesture, EndGesture,
-                             CancelGesture, Load, Save, SaveMeasurements, SaveReport, LoadEnvelope, RecoverTrack, NewTrack, StartChallenge,
-                             LeaveChallenge, ShowHint, SetCard, CloseCard>;
+using Commands =
+    CommandList<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve,
+                AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2,
+                Translate, Rotate, Scale, Mirror, Smooth, Equalise, Straighten, SetRadius, DropToGround, Align, Reverse,
+                Duplicate, CloseExactly, SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetHeartline,
+                SetRollbackFails, AutoBank, PlaceElement, SetEvaluator, SetResolution, SetVertexBudget, SetArcLength,
+                SetFrames, SetIntegrator, SetCamera, SetCameraMode, SetFly, SetFieldOfView, SetRideView, SetWidening,
+                SetRollDamping, SetChaseDistance, SetHeadBob, SetReducedMotion, Select, SelectKnots, SetSnapping,
+                SetGizmo, SetHints, SetPanels, SetPolyline, SetAppendMode, SetScale, SetTheme, SetStyle, SetShadows,
+                SetSound, ShowLayer, SetColouring, SetMagnification, SetCombScale, ShowLaboratory, OpenPage, Measure,
+                StopMeasuring, ChooseElement, PreviewElement, RideStart, RidePause, RideStop, RideStep, RideSeek, Undo,
+                Redo, BeginGesture, EndGesture, CancelGesture, Load, Save, SaveMeasurements, SaveReport, LoadEnvelope,
+                RecoverTrack, NewTrack, StartChallenge, LeaveChallenge, ShowHint, SetCard, CloseCard>;
 
 // One command of any kind. A std::variant of so many kinds would take half a minute to compile.
 class Command {
  public:
   Command() : Command(MoveKnot{}) {}
   template <class C>
-    requires requires { C::kInfo; }
+  requires requires { C::kInfo; }
   Command(C command) : value_(std::move(command)), index_(Commands::index_of<C>()) {
     static_assert(Commands::index_of<C>() < Commands::size, "the kind stands in the list of commands");
   }
 
   std::size_t index() const { return index_; }  // in Commands
   template <class C>
-  bool is() const { return as<C>() != nullptr; }
+  bool is() const {
+    return as<C>() != nullptr;
+  }
   // Null when it is of another kind.
   template <class C>
-  const C* as() const { return std::any_cast<C>(&value_); }
+  const C* as() const {
+    return std::any_cast<C>(&value_);
+  }
   template <class C>
-  C* as() { return std::any_cast<C>(&value_); }
+  C* as() {
+    return std::any_cast<C>(&value_);
+  }
 
  private:
   std::any value_;

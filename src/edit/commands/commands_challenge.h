@@ -9,7 +9,10 @@ namespace coaster::edit {
 
 struct StartChallenge {
   std::string path;
-  COASTER_COMMAND("challenge", "Begin a challenge: opens its start track, which has no file then. Forces are held against the built-in limits.", Effect::session);
+  COASTER_COMMAND(
+      "challenge",
+      "Begin a challenge: opens its start track, which has no file then. Forces are held against the built-in limits.",
+      Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
 struct LeaveChallenge {

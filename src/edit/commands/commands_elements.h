@@ -8,12 +8,16 @@ namespace coaster::edit {
 
 struct PlaceElement {
   world::Element what;
-  COASTER_COMMAND("element", "Add an element at the open end of the track, e.g. element loop right height 20; what is not named has its usual value.", Effect::document);
+  COASTER_COMMAND("element",
+                  "Add an element at the open end of the track, e.g. element loop right height 20; what is not named "
+                  "has its usual value.",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.what))
 };
 struct ChooseElement {
   world::Element what;
-  COASTER_COMMAND("element.choose", "Choose the palette's element and its parameters, and show where it would go.", Effect::settings);
+  COASTER_COMMAND("element.choose", "Choose the palette's element and its parameters, and show where it would go.",
+                  Effect::settings);
   COASTER_FIELDS(visit("", self.what))
 };
 struct PreviewElement {

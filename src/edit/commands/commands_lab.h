@@ -21,12 +21,14 @@ struct SetColouring {
 };
 struct SetMagnification {
   double to = 100'000;
-  COASTER_COMMAND("magnification", "Set how many times the rounding layer magnifies an evaluator's errors (1..1e7).", Effect::settings);
+  COASTER_COMMAND("magnification", "Set how many times the rounding layer magnifies an evaluator's errors (1..1e7).",
+                  Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };
 struct SetCombScale {
   double to = 100;
-  COASTER_COMMAND("comb_scale", "Set the length of the comb's teeth: metres for a curvature of 1/m (0.001..1e6).", Effect::settings);
+  COASTER_COMMAND("comb_scale", "Set the length of the comb's teeth: metres for a curvature of 1/m (0.001..1e6).",
+                  Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };
 struct ShowLaboratory {
@@ -41,7 +43,10 @@ struct OpenPage {
 };
 // The table of sim/study/measure.h, a part in each frame.
 struct Measure {
-  COASTER_COMMAND("measure", "Measure time and error of every evaluator on this machine, a part in each frame, on curves of this track.", Effect::settings);
+  COASTER_COMMAND(
+      "measure",
+      "Measure time and error of every evaluator on this machine, a part in each frame, on curves of this track.",
+      Effect::settings);
   COASTER_FIELDS()
 };
 struct StopMeasuring {

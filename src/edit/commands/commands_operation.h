@@ -13,9 +13,11 @@ struct SetEquipment {
   world::EquipmentKind to{};
   float speed = world::Equipment{}.speed, acceleration = world::Equipment{}.acceleration;
   float hysteresis = world::Equipment{}.hysteresis, seconds = world::Equipment{}.seconds;
-  COASTER_COMMAND("equip", "Put a station, lift, launch, brake or block on a segment (m/s, m/s^2, m/s, s).", Effect::document);
-  COASTER_FIELDS(visit("", self.segment), visit("as", self.to), visit("speed?", self.speed), visit("acceleration?", self.acceleration),
-                 visit("hysteresis?", self.hysteresis), visit("seconds?", self.seconds))
+  COASTER_COMMAND("equip", "Put a station, lift, launch, brake or block on a segment (m/s, m/s^2, m/s, s).",
+                  Effect::document);
+  COASTER_FIELDS(visit("", self.segment), visit("as", self.to), visit("speed?", self.speed),
+                 visit("acceleration?", self.acceleration), visit("hysteresis?", self.hysteresis),
+                 visit("seconds?", self.seconds))
 };
 struct RemoveEquipment {
   Target segment;
@@ -26,13 +28,17 @@ struct SetTrain {
   Target cart;
   int cars = 1;
   float spacing = 0, length = 0, mass = 0;  // 0: as it is
-  COASTER_COMMAND("train", "Set how many cars a train has, how far their middles are apart (m), how long (m) and how heavy (kg) each is; what is 0 or left out stays.", Effect::document);
-  COASTER_FIELDS(visit("", self.cart), visit("cars", self.cars), visit("spacing?", self.spacing), visit("length?", self.length),
-                 visit("mass?", self.mass))
+  COASTER_COMMAND("train",
+                  "Set how many cars a train has, how far their middles are apart (m), how long (m) and how heavy (kg) "
+                  "each is; what is 0 or left out stays.",
+                  Effect::document);
+  COASTER_FIELDS(visit("", self.cart), visit("cars", self.cars), visit("spacing?", self.spacing),
+                 visit("length?", self.length), visit("mass?", self.mass))
 };
 struct SetLosses {
   float rolling = 0, drag = 0;
-  COASTER_COMMAND("losses", "Set rolling friction (of the weight) and drag (1/m); 0 0 is the frictionless circuit.", Effect::document);
+  COASTER_COMMAND("losses", "Set rolling friction (of the weight) and drag (1/m); 0 0 is the frictionless circuit.",
+                  Effect::document);
   COASTER_FIELDS(visit("rolling", self.rolling), visit("drag", self.drag))
 };
 struct SetHeartline {
@@ -47,16 +53,24 @@ struct SetRollbackFails {
 };
 struct SaveReport {
   std::string path;
-  COASTER_COMMAND("report", "Write the report of the selected cart's whole ride, else the first one's, to a file; one that ends in .csv gets the ride by time.", Effect::session);
+  COASTER_COMMAND("report",
+                  "Write the report of the selected cart's whole ride, else the first one's, to a file; one that ends "
+                  "in .csv gets the ride by time.",
+                  Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
 struct LoadEnvelope {
   std::string path;
-  COASTER_COMMAND("envelope", "Hold forces against the limits by duration in a file (.json): data to edit, not a compliance check.", Effect::session);
+  COASTER_COMMAND("envelope",
+                  "Hold forces against the limits by duration in a file (.json): data to edit, not a compliance check.",
+                  Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
 struct AutoBank {
-  COASTER_COMMAND("auto_bank", "Roll every knot so that the riders of the selected cart, else of the first, feel no lateral g there.", Effect::document);
+  COASTER_COMMAND(
+      "auto_bank",
+      "Roll every knot so that the riders of the selected cart, else of the first, feel no lateral g there.",
+      Effect::document);
   COASTER_FIELDS()
 };
 

@@ -1,5 +1,5 @@
-// Commands on how things are shown and measured: they change settings alone, neither document nor motion. Those of the cameras and of the laboratory
-// have files of their own.
+// Commands on how things are shown and measured: they change settings alone, neither document nor motion. Those of the
+// cameras and of the laboratory have files of their own.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,10 @@ struct SetArcLength {
 };
 struct SetFrames {
   world::FrameMethod to{};
-  COASTER_COMMAND("frames_by", "Turn carts by the knots' banked frames (knots), rotation-minimising along the track (rmf), Frenet-Serret (frenet) or upright (world_up).", Effect::settings);
+  COASTER_COMMAND("frames_by",
+                  "Turn carts by the knots' banked frames (knots), rotation-minimising along the track (rmf), "
+                  "Frenet-Serret (frenet) or upright (world_up).",
+                  Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };
 // A row of sim::integrators(), by name in text.
@@ -64,7 +67,10 @@ struct SelectKnots {
 struct SetSnapping {
   world::SnapTo to{};
   double step = world::Snapping{}.step, angle = world::Snapping{}.angle;
-  COASTER_COMMAND("snapping", "Let what is moved by hand snap to a grid (step in m), to other knots or to the ground; turns to an angle (degrees).", Effect::settings);
+  COASTER_COMMAND("snapping",
+                  "Let what is moved by hand snap to a grid (step in m), to other knots or to the ground; turns to an "
+                  "angle (degrees).",
+                  Effect::settings);
   COASTER_FIELDS(visit("", self.to), visit("step?", self.step), visit("angle?", self.angle))
 };
 struct SetGizmo {
@@ -84,7 +90,9 @@ struct SetPanels {
 };
 struct SetPolyline {
   bool to = true;
-  COASTER_COMMAND("polyline", "Show or hide the evaluated polyline over the track (on, off); the same as show polyline.", Effect::settings);
+  COASTER_COMMAND("polyline",
+                  "Show or hide the evaluated polyline over the track (on, off); the same as show polyline.",
+                  Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };
 struct SetAppendMode {
@@ -109,7 +117,8 @@ struct SetStyle {
 };
 struct SetShadows {
   bool on = true;
-  COASTER_COMMAND("shadows", "Show what track and trains take of the sun (on or off); without them frames cost less.", Effect::settings);
+  COASTER_COMMAND("shadows", "Show what track and trains take of the sun (on or off); without them frames cost less.",
+                  Effect::settings);
   COASTER_FIELDS(visit("", self.on))
 };
 struct SetSound {

@@ -8,13 +8,14 @@
 
 namespace coaster::edit {
 
-// Of these, those with `anew on` start from where the knots were when the open gesture began: however often a drag sends them, the result
-// is that of the last one alone.
+// Of these, those with `anew on` start from where the knots were when the open gesture began: however often a drag
+// sends them, the result is that of the last one alone.
 struct Translate {
   Knots knots;
   glm::vec3 by{0};
   bool anew = false;
-  COASTER_COMMAND("translate", "Move knots by a distance (m); anew on: from where they were when the gesture began.", Effect::document);
+  COASTER_COMMAND("translate", "Move knots by a distance (m); anew on: from where they were when the gesture began.",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("anew?", self.anew))
 };
 struct Rotate {
@@ -22,8 +23,10 @@ struct Rotate {
   double by = 0;
   glm::vec3 about{0}, axis{0, 1, 0};
   bool anew = false;
-  COASTER_COMMAND("rotate", "Turn knots by an angle (degrees, right-handed) about a point and an axis.", Effect::document);
-  COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("about", self.about), visit("axis?", self.axis), visit("anew?", self.anew))
+  COASTER_COMMAND("rotate", "Turn knots by an angle (degrees, right-handed) about a point and an axis.",
+                  Effect::document);
+  COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("about", self.about), visit("axis?", self.axis),
+                 visit("anew?", self.anew))
 };
 struct Scale {
   Knots knots;
@@ -48,7 +51,10 @@ struct Align {
 struct Smooth {
   Knots knots;
   world::SplineSteps by = world::SplineSteps::chord;
-  COASTER_COMMAND("smooth", "Give knots the direction and handles of the natural C2 spline through them, with chords or equal steps as the parameter.", Effect::document);
+  COASTER_COMMAND("smooth",
+                  "Give knots the direction and handles of the natural C2 spline through them, with chords or equal "
+                  "steps as the parameter.",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("by?", self.by))
 };
 struct Equalise {
@@ -58,13 +64,15 @@ struct Equalise {
 };
 struct Straighten {
   Knots knots;
-  COASTER_COMMAND("straighten", "Put neighbouring knots on the line from the first to the last of them.", Effect::document);
+  COASTER_COMMAND("straighten", "Put neighbouring knots on the line from the first to the last of them.",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.knots))
 };
 struct SetRadius {
   Knots knots;
   double to = 20;
-  COASTER_COMMAND("radius", "Set the radius of curvature at knots (m), by the lengths of their handles.", Effect::document);
+  COASTER_COMMAND("radius", "Set the radius of curvature at knots (m), by the lengths of their handles.",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct DropToGround {
@@ -79,12 +87,17 @@ struct Reverse {
 };
 struct Duplicate {
   Knots knots;
-  COASTER_COMMAND("duplicate", "Copy the track between neighbouring knots to the end of an open track, turned to go on from there.", Effect::document);
+  COASTER_COMMAND("duplicate",
+                  "Copy the track between neighbouring knots to the end of an open track, turned to go on from there.",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.knots))
 };
 struct CloseExactly {
   double within = 2;
-  COASTER_COMMAND("close", "Close the track: ends that are within a distance (m) become one knot, others get a segment between them.", Effect::document);
+  COASTER_COMMAND(
+      "close",
+      "Close the track: ends that are within a distance (m) become one knot, others get a segment between them.",
+      Effect::document);
   COASTER_FIELDS(visit("within?", self.within))
 };
 

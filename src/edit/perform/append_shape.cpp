@@ -19,8 +19,7 @@ void shape_smooth(Knot& knot, const glm::vec3* before, const glm::vec3* after) {
 }
 
 bool same_shape(const Knot& a, const Knot& b) {
-  return a.joint == b.joint && a.tangent == b.tangent && a.in_length == b.in_length &&
-         a.out_length == b.out_length;
+  return a.joint == b.joint && a.tangent == b.tangent && a.in_length == b.in_length && a.out_length == b.out_length;
 }
 
 }  // namespace
@@ -56,10 +55,8 @@ void reshape_end(world::Document& document, bool last, glm::vec3 beyond) {
     shape_smooth(untouched, last ? beside : nullptr, last ? nullptr : beside);
   }
   if (!same_shape(knot, untouched)) return;
-  if (last)
-    shape_smooth(knot, beside, &beyond);
-  else
-    shape_smooth(knot, &beyond, beside);
+  if (last) shape_smooth(knot, beside, &beyond);
+  else shape_smooth(knot, &beyond, beside);
 }
 
 void close_by_segment(world::Document& document, double longest) {
@@ -73,7 +70,8 @@ void close_by_segment(world::Document& document, double longest) {
   for (float* const handle : {&start.in_length, &end.out_length})
     if (double{*handle} > longest * gap) *handle = third;
   for (Knot* const knot : {&start, &end})
-    if (knot->in_length != knot->out_length && knot->joint == world::JointKind::smooth) knot->joint = world::JointKind::aligned;
+    if (knot->in_length != knot->out_length && knot->joint == world::JointKind::smooth)
+      knot->joint = world::JointKind::aligned;
 }
 
 }  // namespace coaster::edit

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "base/portable_math.h"
-#include "edit/perform/perform.h"
 #include "edit/commands/codec.h"
-#include "edit/session/history.h"
 #include "edit/perform/motion_follow.h"
+#include "edit/perform/perform.h"
+#include "edit/session/history.h"
 #include "edit/session/ride_watch.h"
-#include "exchange/own/envelope_file.h"
 #include "exchange/formats.h"
+#include "exchange/own/envelope_file.h"
 #include "exchange/own/track_file.h"
 #include "world/selection.h"
 #include "world/topology.h"
@@ -21,18 +21,14 @@ namespace {
 
 using base::Status;
 
-void derive(Session& session) {
-  sim::derive(session.document, session.settings, session.clock, session.derived);
-}
+void derive(Session& session) { sim::derive(session.document, session.settings, session.clock, session.derived); }
 
 // A ride that has not started shows the carts as designed (so does one without carts: nothing is left that
 // could go on); any other keeps them where they are.
 void settle_motion(Session& session) {
-  if (session.motion.state == world::RideState::stopped ||
-      session.document.entities.pool<world::Cart>().size() == 0)
+  if (session.motion.state == world::RideState::stopped || session.document.entities.pool<world::Cart>().size() == 0)
     sim::reset(session.document, session.derived, session.motion);
-  else
-    sim::reconcile(session.document, session.derived, session.motion);
+  else sim::reconcile(session.document, session.derived, session.motion);
 }
 
 // A split knows only `up` at the new knot, which fixes the twist of both halves up to whole turns: those
@@ -73,10 +69,8 @@ Status document_command(Session& session, const C& command, Change& change) {
   // The derived data are still those of the document before.
   const sim::SegmentShape* const split = session.derived.segments.find(change.motion.first);
   follow_document(session, change, split ? split->twist : 0.0);
-  if (history.in_gesture)
-    history.gesture_label = print(command);
-  else if (!(*before == session.document))
-    record(history, print(command), std::move(*before));
+  if (history.in_gesture) history.gesture_label = print(command);
+  else if (!(*before == session.document)) record(history, print(command), std::move(*before));
   return {};
 }
 
@@ -154,10 +148,12 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
 Status files_command(Session& session, base::Files& files, const Load& command) {
   std::optional<ReadAhead> ahead = std::exchange(session.read_ahead, std::nullopt);
   const bool read = ahead && ahead->path == command.path;
-  base::Result<exchange::LoadedTrack> loaded = read ? std::move(ahead->track) : exchange::load_track(files, command.path);
+  base::Result<exchange::LoadedTrack> loaded =
+      read ? std::move(ahead->track) : exchange::load_track(files, command.path);
   if (!loaded) return loaded.status();
   // A format that does not hold everything is imported: the next save is to a file of its own.
-  start_over(session, std::move(loaded->document), exchange::format_of(command.path)->whole ? command.path : std::string());
+  start_over(session, std::move(loaded->document),
+             exchange::format_of(command.path)->whole ? command.path : std::string());
   session.import = loaded->import;
   for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
   return {};
@@ -188,7 +184,8 @@ Status files_command(Session& session, base::Files& files, const SaveReport& com
   if (command.path.empty()) return refused("expected a file to write to");
   const sim::Ghost* const ghost = chosen_ride(session);
   if (!ghost) return refused("a report needs a track with a cart");
-  const Status status = files.write_atomic(command.path, command.path.ends_with(".csv") ? ride_csv(session, *ghost) : ride_report(session, *ghost));
+  const Status status = files.write_atomic(
+      command.path, command.path.ends_with(".csv") ? ride_csv(session, *ghost) : ride_report(session, *ghost));
   if (!status) return status;
   notify(session, NoticeKind::info, "saved " + command.path);
   return {};
@@ -221,15 +218,19 @@ Status files_command(Session& session, base::Files& files, const StartChallenge&
 Status files_command(Session& session, base::Files& files, const RecoverTrack& command) {
   base::Result<exchange::LoadedTrack> loaded = exchange::load_track(files, command.path);
   if (!loaded) return loaded.status();
-  // What its own file holds now is what it is compared with: another document, or none, and then it is unsaved whatever it says.
+  // What its own file holds now is what it is compared with: another document, or none, and then it is unsaved whatever
+  // it says.
   const exchange::Format* const format = command.original.empty() ? nullptr : exchange::format_of(command.original);
   std::uint64_t saved = ~world::hash(loaded->document);
   if (format != nullptr && format->whole)
-    if (const base::Result<exchange::LoadedTrack> old = exchange::load_track(files, command.original)) saved = world::hash(old->document);
-  start_over(session, std::move(loaded->document), format != nullptr && format->whole ? command.original : std::string());
+    if (const base::Result<exchange::LoadedTrack> old = exchange::load_track(files, command.original))
+      saved = world::hash(old->document);
+  start_over(session, std::move(loaded->document),
+             format != nullptr && format->whole ? command.original : std::string());
   session.saved_hash = saved;
   for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
-  notify(session, NoticeKind::info, "recovered " + (command.original.empty() ? std::string("a track that had no file") : command.original));
+  notify(session, NoticeKind::info,
+         "recovered " + (command.original.empty() ? std::string("a track that had no file") : command.original));
   return {};
 }
 Status files_command(Session& session, base::Files&, const NewTrack&) {
@@ -239,18 +240,14 @@ Status files_command(Session& session, base::Files&, const NewTrack&) {
 
 using Perform = Status (*)(Session&, base::Files&, Change&, const Command&);
 constexpr auto kPerform = Commands::table([]<class C>() -> Perform {
-  return [](Session& session, [[maybe_unused]] base::Files& files, [[maybe_unused]] Change& change, const Command& command) -> Status {
+  return [](Session& session, [[maybe_unused]] base::Files& files, [[maybe_unused]] Change& change,
+            const Command& command) -> Status {
     const C& c = *command.as<C>();
-    if constexpr (C::kInfo.effect == Effect::document)
-      return document_command(session, c, change);
-    else if constexpr (C::kInfo.effect == Effect::settings)
-      return settings_command(session, c, change);
-    else if constexpr (C::kInfo.effect == Effect::motion)
-      return perform(session, change, c);
-    else if constexpr (C::kInfo.effect == Effect::history)
-      return steps(session, c);
-    else
-      return files_command(session, files, c);
+    if constexpr (C::kInfo.effect == Effect::document) return document_command(session, c, change);
+    else if constexpr (C::kInfo.effect == Effect::settings) return settings_command(session, c, change);
+    else if constexpr (C::kInfo.effect == Effect::motion) return perform(session, change, c);
+    else if constexpr (C::kInfo.effect == Effect::history) return steps(session, c);
+    else return files_command(session, files, c);
   };
 });
 
@@ -264,8 +261,7 @@ Status apply(Session& session, base::Files& files, const Command& command) {
   if (status && (effect == Effect::document || effect == Effect::history)) watch_built(session);
   const std::string name(info(command).name);
   if (status.code == base::Code::refused) status.message = name + ": " + status.message;
-  if (!status)
-    notify(session, NoticeKind::error, status.message);
+  if (!status) notify(session, NoticeKind::error, status.message);
   else
     for (const std::string& line : change.clamped) notify(session, NoticeKind::warning, name + ": " + line);
   if (status && !change.note.empty()) notify(session, NoticeKind::info, name + ": " + change.note);

@@ -11,7 +11,8 @@ using base::Status;
 constexpr float kMaxWidening = 20, kMaxRollDamping = 2;  // degrees, s
 
 // One number of the settings, cut to its limits.
-Status set(Change& change, std::string_view what, float to, float low, float high, std::string_view unit, float& value) {
+Status set(Change& change, std::string_view what, float to, float low, float high, std::string_view unit,
+           float& value) {
   if (!std::isfinite(to)) return refused("expected a finite number");
   value = change.clamp(what, to, low, high, unit);
   return {};
@@ -27,7 +28,8 @@ Status perform(Session& session, Change&, const SetCameraMode& command) {
 
 Status perform(Session& session, Change& change, const SetFly& command) {
   world::FlyCamera fly = command.to;
-  if (!finite(fly.eye) || !std::isfinite(fly.yaw_deg) || !std::isfinite(fly.pitch_deg)) return refused("expected finite numbers");
+  if (!finite(fly.eye) || !std::isfinite(fly.yaw_deg) || !std::isfinite(fly.pitch_deg))
+    return refused("expected finite numbers");
   fly.eye = change.clamp_position("eye", fly.eye);
   fly.eye.y = change.clamp("height", fly.eye.y, world::kLowestFlight, world::kMaxCoordinate, "m");
   fly.yaw_deg = std::remainder(fly.yaw_deg, 360.0f);
@@ -51,7 +53,8 @@ Status perform(Session& session, Change& change, const SetRollDamping& command) 
   return set(change, "roll damping", command.to, 0, kMaxRollDamping, "s", session.settings.feel.roll_damping);
 }
 Status perform(Session& session, Change& change, const SetChaseDistance& command) {
-  return set(change, "chase distance", command.to, world::kMinChase, world::kMaxChase, "m", session.settings.feel.chase_distance);
+  return set(change, "chase distance", command.to, world::kMinChase, world::kMaxChase, "m",
+             session.settings.feel.chase_distance);
 }
 
 Status perform(Session& session, Change&, const SetHeadBob& command) {

@@ -21,8 +21,7 @@ Status perform(Session& session, Change&, const SetName& command) {
 
 Status perform(Session& session, Change& change, const SetStartSpeed& command) {
   if (!std::isfinite(command.to)) return refused("expected a finite speed");
-  session.document.start_speed =
-      change.clamp("start speed", command.to, -world::kMaxSpeed, world::kMaxSpeed, "m/s");
+  session.document.start_speed = change.clamp("start speed", command.to, -world::kMaxSpeed, world::kMaxSpeed, "m/s");
   return {};
 }
 

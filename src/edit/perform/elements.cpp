@@ -13,7 +13,8 @@ using base::Status;
 
 Status well_formed(const world::Element& element) {
   if (static_cast<std::size_t>(element.kind) >= world::elements().size()) return refused("there is no such element");
-  if (!std::all_of(element.values.begin(), element.values.end(), [](double value) { return std::isfinite(value); })) return refused("expected finite numbers");
+  if (!std::all_of(element.values.begin(), element.values.end(), [](double value) { return std::isfinite(value); }))
+    return refused("expected finite numbers");
   return {};
 }
 
@@ -23,12 +24,17 @@ std::string metres(double value, double step) { return base::to_text(std::round(
 void report(const sim::ElementPlan& plan, double missing, Change& change) {
   change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
   if (plan.lowest < 0) change.clamped.push_back("goes " + metres(-plan.lowest, 0.125) + " m below the ground");
-  if (missing > 0) change.clamped.push_back("comes " + metres(missing, 0.125) + " m too near to other track: a train would not get by");
+  if (missing > 0)
+    change.clamped.push_back("comes " + metres(missing, 0.125) +
+                             " m too near to other track: a train would not get by");
   const std::string shape = " of its shape";
-  if (!plan.fit.within) change.clamped.push_back("so far from the origin it keeps within " + base::to_text(static_cast<float>(plan.fit.error)) + " m" + shape);
+  if (!plan.fit.within)
+    change.clamped.push_back("so far from the origin it keeps within " +
+                             base::to_text(static_cast<float>(plan.fit.error)) + " m" + shape);
   if (!change.clamped.empty()) return;  // the warning is to be the newest notice
-  change.note = std::string(world::element_row(plan.element.kind).name) + " of " + std::to_string(plan.spans()) + (plan.spans() == 1 ? " span, " : " spans, ") +
-                metres(plan.length, 0.125) + " m, within " + std::to_string(static_cast<int>(std::ceil(plan.fit.error * 1000))) + " mm" + shape;
+  change.note = std::string(world::element_row(plan.element.kind).name) + " of " + std::to_string(plan.spans()) +
+                (plan.spans() == 1 ? " span, " : " spans, ") + metres(plan.length, 0.125) + " m, within " +
+                std::to_string(static_cast<int>(std::ceil(plan.fit.error * 1000))) + " mm" + shape;
 }
 
 // The end keeps its place, direction and roll; its outgoing handle becomes the first span's.
@@ -50,11 +56,14 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
   const sim::ElementPlan& plan = session.elements.plan(command.what, document);
   if (!plan.refusal.empty()) return refused(plan.refusal);
   const std::size_t knots = std::max<std::size_t>(document.track.knots.size(), 1) + plan.spans();
-  if (knots > world::kMaxKnots) return refused("the track is at the limit of " + std::to_string(world::kMaxKnots) + " knots");
-  if (const Status room = within_budget(knots - 1, session.settings.steps, session.settings.vertex_budget); !room) return room;
+  if (knots > world::kMaxKnots)
+    return refused("the track is at the limit of " + std::to_string(world::kMaxKnots) + " knots");
+  if (const Status room = within_budget(knots - 1, session.settings.steps, session.settings.vertex_budget); !room)
+    return room;
   const double missing = sim::worst(narrow_parts(session, command.what));
   open_out(document, plan.fit.knots.front());
-  for (std::size_t k = 1; k < plan.fit.knots.size(); ++k) change.select = world::append_knot(document, plan.fit.knots[k]);
+  for (std::size_t k = 1; k < plan.fit.knots.size(); ++k)
+    change.select = world::append_knot(document, plan.fit.knots[k]);
   // As for the first appended segment: without a cart there would be nothing to watch.
   if (document.track.segments.size() == plan.spans() && document.entities.pool<world::Cart>().size() == 0)
     world::add_cart(document, document.track.segments.front(), 0.0);

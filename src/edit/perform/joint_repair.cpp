@@ -33,9 +33,15 @@ Joint joint_at(const Document& document, std::size_t index) {
   return {(index + count - 1) % count, index, (index + 1) % count};
 }
 
-const Knot& knot_at(const Document& document, std::size_t index) { return world::knot(document, document.track.knots[index]); }
-Knot& knot_at(Document& document, std::size_t index) { return document.entities.get<Knot>(document.track.knots[index]); }
-curve::Cubic cubic_from(const Document& document, std::size_t index) { return world::cubic_of(document, document.track.segments[index]); }
+const Knot& knot_at(const Document& document, std::size_t index) {
+  return world::knot(document, document.track.knots[index]);
+}
+Knot& knot_at(Document& document, std::size_t index) {
+  return document.entities.get<Knot>(document.track.knots[index]);
+}
+curve::Cubic cubic_from(const Document& document, std::size_t index) {
+  return world::cubic_of(document, document.track.segments[index]);
+}
 
 curve::Joint class_at(const Document& document, std::size_t index) {
   return curve::joint(cubic_from(document, joint_at(document, index).before), cubic_from(document, index));
@@ -61,7 +67,9 @@ G2Side side_of(const Document& document, std::size_t far, bool out, bool strict,
   } else if (strict && joint.geometric == curve::Geometric::g2) {
     side.keep = G2Side::Keep::curvature;
     // What the other side of that joint has: it does not move, unless both sides are this joint's.
-    side.curvature = one_neighbour ? 0.5 * (joint.curvature_before + joint.curvature_after) : out ? joint.curvature_before : joint.curvature_after;
+    side.curvature = one_neighbour ? 0.5 * (joint.curvature_before + joint.curvature_after)
+                     : out         ? joint.curvature_before
+                                   : joint.curvature_after;
     side.curvature -= glm::dot(side.curvature, side.direction) * side.direction;
   }
   return side;
@@ -75,15 +83,18 @@ curve::G2Problem problem_of(const Document& document, const Joint& j, bool stric
   problem.position = p;
   problem.in_handle = p - t * double{knot.in_length};
   problem.out_handle = p + t * double{knot.out_length};
-  problem.equal_lengths = knot.joint == JointKind::smooth || class_at(document, j.at).parametric >= curve::Parametric::c1;
-  problem.position_fixed = knot_at(document, j.before).joint == JointKind::automatic || knot_at(document, j.after).joint == JointKind::automatic;
+  problem.equal_lengths =
+      knot.joint == JointKind::smooth || class_at(document, j.at).parametric >= curve::Parametric::c1;
+  problem.position_fixed = knot_at(document, j.before).joint == JointKind::automatic ||
+                           knot_at(document, j.after).joint == JointKind::automatic;
   problem.before = side_of(document, j.before, true, strict, one_neighbour);
   problem.after = side_of(document, j.after, false, strict, one_neighbour);
   return problem;
 }
 
 double polygon(const curve::Cubic& c) {
-  return glm::length(dvec3(c.p1) - dvec3(c.p0)) + glm::length(dvec3(c.p2) - dvec3(c.p1)) + glm::length(dvec3(c.p3) - dvec3(c.p2));
+  return glm::length(dvec3(c.p1) - dvec3(c.p0)) + glm::length(dvec3(c.p2) - dvec3(c.p1)) +
+         glm::length(dvec3(c.p3) - dvec3(c.p2));
 }
 
 double farthest(const curve::G2Problem& problem, const curve::G2Solution& s) {
@@ -95,17 +106,23 @@ double farthest(const curve::G2Problem& problem, const curve::G2Solution& s) {
 std::string metres(double value) { return base::to_text(std::round(value * 1000.0) / 1000.0) + " m"; }
 
 // Within what a knot can be, and near enough to be called a repair?
-base::Status acceptable(const Document& document, const Joint& j, const curve::G2Problem& problem, const curve::G2Solution& s) {
+base::Status acceptable(const Document& document, const Joint& j, const curve::G2Problem& problem,
+                        const curve::G2Solution& s) {
   if (s.outcome == curve::G2Outcome::degenerate) return refusal("a handle has no length");
   if (s.outcome == curve::G2Outcome::no_convergence)
     return refusal("there is no G2 shape nearby that leaves the neighbouring joints as they are");
-  const double most = 0.5 * std::min(polygon(cubic_from(document, j.before)), polygon(cubic_from(document, j.at))), far = farthest(problem, s);
-  if (far > most) return refusal("a control point would move " + metres(far) + ", more than half a segment (" + metres(most) + ")");
-  for (const double length : {glm::length(s.position - s.in_handle), glm::length(s.out_handle - s.position), s.before_length, s.after_length})
+  const double most = 0.5 * std::min(polygon(cubic_from(document, j.before)), polygon(cubic_from(document, j.at))),
+               far = farthest(problem, s);
+  if (far > most)
+    return refusal("a control point would move " + metres(far) + ", more than half a segment (" + metres(most) + ")");
+  for (const double length :
+       {glm::length(s.position - s.in_handle), glm::length(s.out_handle - s.position), s.before_length, s.after_length})
     if (!(length >= double{world::kMinHandle} && length <= double{world::kMaxHandle}))
-      return refusal("a handle would leave the limits of " + base::to_text(world::kMinHandle) + " to " + base::to_text(world::kMaxHandle) + " m");
+      return refusal("a handle would leave the limits of " + base::to_text(world::kMinHandle) + " to " +
+                     base::to_text(world::kMaxHandle) + " m");
   for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(s.position[axis]) > double{world::kMaxCoordinate}) return refusal("the knot would leave the limit of coordinates");
+    if (std::abs(s.position[axis]) > double{world::kMaxCoordinate})
+      return refusal("the knot would leave the limit of coordinates");
   return {};
 }
 
@@ -167,8 +184,9 @@ double movement_between(const Document& a, const Document& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.track.knots.size(); ++i) {
     const Knot &from = knot_at(a, i), &to = knot_at(b, i);
-    for (const dvec3 d : {dvec3(to.position) - dvec3(from.position), dvec3(world::in_handle(to)) - dvec3(world::in_handle(from)),
-                          dvec3(world::out_handle(to)) - dvec3(world::out_handle(from))})
+    for (const dvec3 d :
+         {dvec3(to.position) - dvec3(from.position), dvec3(world::in_handle(to)) - dvec3(world::in_handle(from)),
+          dvec3(world::out_handle(to)) - dvec3(world::out_handle(from))})
       sum += glm::dot(d, d);
   }
   return std::sqrt(sum);
@@ -183,7 +201,8 @@ void pass_along(Document& document, std::vector<std::string>& reasons) {
   }
 }
 
-// To and fro, each repair free to disturb its neighbours, until every jump is well below the tolerance or nothing gets better.
+// To and fro, each repair free to disturb its neighbours, until every jump is well below the tolerance or nothing gets
+// better.
 void sweeps(Document& document, std::vector<std::string>& reasons) {
   constexpr double kWellBelow = 2e-4;  // 1/m
   const std::size_t count = document.track.knots.size();
@@ -202,18 +221,16 @@ void sweeps(Document& document, std::vector<std::string>& reasons) {
 }
 
 // What became of a document by one of the two ways.
-RepairReport report(const Document& before, const Document& now, const std::vector<std::string>& reasons, bool& spoilt) {
+RepairReport report(const Document& before, const Document& now, const std::vector<std::string>& reasons,
+                    bool& spoilt) {
   RepairReport result;
   for (std::size_t i = 0; i < now.track.knots.size(); ++i) {
     if (!joins(now, i)) continue;
     const std::optional<Classes> was = classes_at(before, i), is = classes_at(now, i);
     if (lowered(was, is)) spoilt = true;
-    if (was->geometric == curve::Geometric::g2)
-      ++result.already;
-    else if (is->geometric == curve::Geometric::g2)
-      ++result.changed;
-    else
-      result.refused.push_back({now.track.knots[i], reasons[i].empty() ? "the sweeps did not settle" : reasons[i]});
+    if (was->geometric == curve::Geometric::g2) ++result.already;
+    else if (is->geometric == curve::Geometric::g2) ++result.changed;
+    else result.refused.push_back({now.track.knots[i], reasons[i].empty() ? "the sweeps did not settle" : reasons[i]});
   }
   result.movement = movement_between(before, now);
   return result;
@@ -232,8 +249,9 @@ base::Status make_g2(Document& document, std::size_t index, double* movement) {
   double sum = 0;
   for (const auto& [from, at] : {std::pair{&was[0], j.before}, std::pair{&was[1], j.at}, std::pair{&was[2], j.after}}) {
     const Knot& to = knot_at(document, at);
-    for (const dvec3 d : {dvec3(to.position) - dvec3(from->position), dvec3(world::in_handle(to)) - dvec3(world::in_handle(*from)),
-                          dvec3(world::out_handle(to)) - dvec3(world::out_handle(*from))})
+    for (const dvec3 d :
+         {dvec3(to.position) - dvec3(from->position), dvec3(world::in_handle(to)) - dvec3(world::in_handle(*from)),
+          dvec3(world::out_handle(to)) - dvec3(world::out_handle(*from))})
       sum += glm::dot(d, d);
   }
   *movement = std::sqrt(sum);
@@ -255,7 +273,9 @@ RepairReport make_all_g2(Document& document) {
     document = std::move(settled);
     return other;
   }
-  if (spoilt) return report(document, document, std::vector<std::string>(reasons.size(), "a neighbouring joint would lose its class"), spoilt);
+  if (spoilt)
+    return report(document, document,
+                  std::vector<std::string>(reasons.size(), "a neighbouring joint would lose its class"), spoilt);
   document = std::move(once);
   return best;
 }

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edit/perform/perform.h"
 #include "edit/perform/joint_repair.h"
+#include "edit/perform/perform.h"
 
 namespace coaster::edit {
 namespace {
@@ -13,16 +13,19 @@ using base::Status;
 constexpr std::size_t kMostNamed = 4;  // refused joints named in a notice
 
 std::string as_movement(double value) {
-  return value >= 1.0 ? base::to_text(std::round(value * 1e3) / 1e3) + " m" : base::to_text(std::round(value * 1e6) / 1e3) + " mm";
+  return value >= 1.0 ? base::to_text(std::round(value * 1e3) / 1e3) + " m"
+                      : base::to_text(std::round(value * 1e6) / 1e3) + " mm";
 }
 
 std::string told(const world::Document& document, const RepairReport& report) {
-  std::string text = "made " + std::to_string(report.changed) + (report.changed == 1 ? " joint" : " joints") + " G2 by moving " + as_movement(report.movement) +
-                     "; " + std::to_string(report.already) + " were already";
+  std::string text = "made " + std::to_string(report.changed) + (report.changed == 1 ? " joint" : " joints") +
+                     " G2 by moving " + as_movement(report.movement) + "; " + std::to_string(report.already) +
+                     " were already";
   if (report.refused.empty()) return text;
   text += "; " + std::to_string(report.refused.size()) + " refused: ";
   for (std::size_t i = 0; i < std::min(kMostNamed, report.refused.size()); ++i)
-    text += (i ? ", " : "") + std::string("@") + world::label_of(document, report.refused[i].knot) + " (" + report.refused[i].reason + ")";
+    text += (i ? ", " : "") + std::string("@") + world::label_of(document, report.refused[i].knot) + " (" +
+            report.refused[i].reason + ")";
   return text + (report.refused.size() > kMostNamed ? ", ..." : "");
 }
 
@@ -36,7 +39,8 @@ Status perform(Session& session, Change& change, const MakeG2& command) {
   const world::Document before = session.document;
   const Status status = make_g2(session.document, index, &movement);
   if (!status) return status;
-  change.note = before == session.document ? "the joint is G2 already" : "made the joint G2 by moving " + as_movement(movement);
+  change.note =
+      before == session.document ? "the joint is G2 already" : "made the joint G2 by moving " + as_movement(movement);
   return {};
 }
 

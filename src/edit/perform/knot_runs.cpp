@@ -14,7 +14,8 @@ base::Result<std::vector<world::Entity>> named(const Session& session, const std
   std::vector<world::Entity> found;
   std::map<std::uint32_t, world::Entity> numbers;
   if (names.size() > 4)
-    for (const world::Entity e : session.document.track.knots) numbers.emplace(world::name_of(session.document, e).number, e);
+    for (const world::Entity e : session.document.track.knots)
+      numbers.emplace(world::name_of(session.document, e).number, e);
   for (const world::Name name : names) {
     const auto place = name.kind == world::Kind::knot ? numbers.find(name.number) : numbers.end();
     if (place != numbers.end()) {
@@ -44,7 +45,9 @@ base::Result<std::vector<world::Entity>> knots_of(const Session& session, const 
   }
   chosen = world::in_track_order(document, chosen);
   if (!chosen.empty()) return chosen;
-  return refused(knots.which == Knots::Which::selected ? "no knot is selected" : knots.which == Knots::Which::all ? "the track has no knots" : "expected a knot, found none");
+  return refused(knots.which == Knots::Which::selected ? "no knot is selected"
+                 : knots.which == Knots::Which::all    ? "the track has no knots"
+                                                       : "expected a knot, found none");
 }
 
 std::vector<KnotRun> runs_of(const world::Document& document, const std::vector<world::Entity>& in_track_order) {

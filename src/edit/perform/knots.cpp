@@ -15,9 +15,7 @@ using world::Knot;
 
 constexpr double kShortDirection = 1e-9;  // m, as world::set_tangent has it
 
-Knot& knot_at(Session& session, world::Entity e) {
-  return session.document.entities.get<Knot>(e);
-}
+Knot& knot_at(Session& session, world::Entity e) { return session.document.entities.get<Knot>(e); }
 
 // An automatic joint would undo what was just shaped by hand.
 void shaped_by_hand(Knot& knot) {
@@ -46,8 +44,8 @@ Status perform(Session& session, Change& change, const MoveHandle& command) {
   shaped_by_hand(knot);
   // On its knot a handle has no direction: the old one stays.
   if (length >= double{world::kMinHandle}) world::set_tangent(knot, glm::vec3(arm));
-  const float clamped = change.clamp("handle length", static_cast<float>(std::max(length, 0.0)),
-                                     world::kMinHandle, world::kMaxHandle, "m");
+  const float clamped = change.clamp("handle length", static_cast<float>(std::max(length, 0.0)), world::kMinHandle,
+                                     world::kMaxHandle, "m");
   (in ? knot.in_length : knot.out_length) = clamped;
   if (knot.joint == JointKind::smooth) knot.in_length = knot.out_length = clamped;
   return {};

@@ -6,8 +6,7 @@ namespace {
 
 // A split keeps the shape, so distances carry over; they are scaled by the rounding of the lengths alone.
 void follow_split(const MotionFollowUp& change, const sim::Derived& derived, world::CartMotion& cart) {
-  const double left = derived.shape(change.first).arc.length(),
-               right = derived.shape(change.second).arc.length();
+  const double left = derived.shape(change.first).arc.length(), right = derived.shape(change.second).arc.length();
   const double s = cart.segment_length > 0 ? cart.s * ((left + right) / cart.segment_length) : 0;
   const bool beyond = s > left;
   cart.segment = beyond ? change.second : change.first;
@@ -22,7 +21,8 @@ void follow_merge(const MotionFollowUp& change, world::CartMotion& cart) {
   cart.segment_length = change.first_length + change.second_length;
 }
 
-// The rails stay, their direction changes: what was the rear of a train is its front, and it goes on the same way through space.
+// The rails stay, their direction changes: what was the rear of a train is its front, and it goes on the same way
+// through space.
 void follow_reversal(const world::Document& document, const sim::Derived& derived, world::Motion& motion) {
   for (std::size_t i = 0; i < motion.carts.size(); ++i) {
     world::CartMotion& cart = motion.carts.items()[i];
@@ -32,7 +32,8 @@ void follow_reversal(const world::Document& document, const sim::Derived& derive
     // `s` was measured from what is the segment's end now.
     const double front = derived.starts[*index + 1] - cart.s, behind = design->behind();
     cart.track_distance = front + behind;
-    if (derived.closed && derived.length > 0 && cart.track_distance >= derived.length) cart.track_distance -= derived.length;
+    if (derived.closed && derived.length > 0 && cart.track_distance >= derived.length)
+      cart.track_distance -= derived.length;
     cart.segment = world::kNone;
     cart.speed = -cart.speed, cart.travelled = -cart.travelled, cart.laps = -cart.laps, cart.furthest = cart.travelled;
     cart.timetable = {};
@@ -41,20 +42,19 @@ void follow_reversal(const world::Document& document, const sim::Derived& derive
 
 }  // namespace
 
-void follow(const MotionFollowUp& change, const world::Document& document, const sim::Derived& derived, world::Motion& motion) {
+void follow(const MotionFollowUp& change, const world::Document& document, const sim::Derived& derived,
+            world::Motion& motion) {
   if (change.kind == MotionFollowUp::Kind::none) return;
   if (change.kind == MotionFollowUp::Kind::reversed) return follow_reversal(document, derived, motion);
   for (world::CartMotion& cart : motion.carts.items()) {
     if (cart.segment != change.first && cart.segment != change.second) continue;
-    if (change.kind == MotionFollowUp::Kind::split)
-      follow_split(change, derived, cart);
-    else
-      follow_merge(change, cart);
+    if (change.kind == MotionFollowUp::Kind::split) follow_split(change, derived, cart);
+    else follow_merge(change, cart);
   }
 }
 
-void follow_by_distance(const world::Document& present, const world::Document& next,
-                        const sim::Derived& derived, world::Motion& motion) {
+void follow_by_distance(const world::Document& present, const world::Document& next, const sim::Derived& derived,
+                        world::Motion& motion) {
   for (world::CartMotion& cart : motion.carts.items()) {
     const auto* const now = present.entities.find<world::Segment>(cart.segment);
     const auto* const then = next.entities.find<world::Segment>(cart.segment);

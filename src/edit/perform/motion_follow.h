@@ -7,10 +7,11 @@
 namespace coaster::edit {
 
 // After a split, a merge or a reversal, once the new shapes are derived.
-void follow(const MotionFollowUp& change, const world::Document& document, const sim::Derived& derived, world::Motion& motion);
+void follow(const MotionFollowUp& change, const world::Document& document, const sim::Derived& derived,
+            world::Motion& motion);
 
-// Before the whole document is exchanged for `next` (undo, redo, cancel): carts on segments that are not the same in both
-// are left to their distance from the start, which `derived` (of the present document) tells.
+// Before the whole document is exchanged for `next` (undo, redo, cancel): carts on segments that are not the same in
+// both are left to their distance from the start, which `derived` (of the present document) tells.
 void follow_by_distance(const world::Document& present, const world::Document& next, const sim::Derived& derived,
                         world::Motion& motion);
 

@@ -21,11 +21,13 @@ bool finite(std::initializer_list<double> values) {
 Status perform(Session& session, Change& change, const SetEquipment& command) {
   const auto segment = require(session, command.segment, world::Kind::segment);
   if (!segment) return segment.status();
-  if (!finite({command.speed, command.acceleration, command.hysteresis, command.seconds})) return refused("expected finite numbers");
+  if (!finite({command.speed, command.acceleration, command.hysteresis, command.seconds}))
+    return refused("expected finite numbers");
   world::Equipment equipment{command.to};
   const auto fastest = static_cast<float>(world::kMaxSpeed);
   equipment.speed = change.clamp("speed", command.speed, 0.0f, fastest, "m/s");
-  equipment.acceleration = change.clamp("acceleration", command.acceleration, world::kMinAcceleration, world::kMaxAcceleration, "m/s^2");
+  equipment.acceleration =
+      change.clamp("acceleration", command.acceleration, world::kMinAcceleration, world::kMaxAcceleration, "m/s^2");
   equipment.hysteresis = change.clamp("hysteresis", command.hysteresis, 0.0f, fastest, "m/s");
   equipment.seconds = change.clamp("seconds", command.seconds, 0.0f, world::kMaxDwell, "s");
   session.document.entities.put(*segment, equipment);
@@ -35,7 +37,8 @@ Status perform(Session& session, Change& change, const SetEquipment& command) {
 Status perform(Session& session, Change&, const RemoveEquipment& command) {
   const auto segment = require(session, command.segment, world::Kind::segment);
   if (!segment) return segment.status();
-  if (!session.document.entities.find<world::Equipment>(*segment)) return refused("there is no equipment on @" + world::label_of(session.document, *segment));
+  if (!session.document.entities.find<world::Equipment>(*segment))
+    return refused("there is no equipment on @" + world::label_of(session.document, *segment));
   session.document.entities.pool<world::Equipment>().erase(*segment);
   return {};
 }
@@ -46,8 +49,10 @@ Status perform(Session& session, Change& change, const SetTrain& command) {
   if (!finite({command.spacing, command.length, command.mass})) return refused("expected finite numbers");
   world::Cart& design = session.document.entities.get<world::Cart>(*cart);
   design.cars = change.clamp("cars", command.cars, 1, world::kMaxCars);
-  if (command.spacing != 0) design.spacing = change.clamp("spacing", command.spacing, world::kMinSpacing, world::kMaxSpacing, "m");
-  if (command.length != 0) design.length = change.clamp("length", command.length, world::kMinCarLength, world::kMaxCarLength, "m");
+  if (command.spacing != 0)
+    design.spacing = change.clamp("spacing", command.spacing, world::kMinSpacing, world::kMaxSpacing, "m");
+  if (command.length != 0)
+    design.length = change.clamp("length", command.length, world::kMinCarLength, world::kMaxCarLength, "m");
   if (command.mass != 0) design.mass = change.clamp("mass", command.mass, world::kMinCarMass, world::kMaxCarMass, "kg");
   return {};
 }

@@ -42,18 +42,14 @@ std::int64_t Change::clamp(std::string_view what, std::int64_t value, std::int64
 glm::vec3 Change::clamp_position(std::string_view what, glm::vec3 position) {
   constexpr std::string_view kAxes[] = {".x", ".y", ".z"};
   for (int axis = 0; axis < 3; ++axis)
-    position[axis] = clamp(std::string(what) + std::string(kAxes[axis]), position[axis],
-                           -world::kMaxCoordinate, world::kMaxCoordinate, "m");
+    position[axis] = clamp(std::string(what) + std::string(kAxes[axis]), position[axis], -world::kMaxCoordinate,
+                           world::kMaxCoordinate, "m");
   return position;
 }
 
-base::Status refused(std::string message) {
-  return {base::Code::refused, std::move(message)};
-}
+base::Status refused(std::string message) { return {base::Code::refused, std::move(message)}; }
 
-bool finite(glm::vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 base::Result<world::Entity> require(const Session& session, Target target, world::Kind kind) {
   constexpr std::string_view kKinds[] = {"knot", "segment", "cart"};

@@ -14,13 +14,13 @@ namespace coaster::edit {
 // How carts in motion follow a change of the track's segments: they stay where they are on the rails.
 struct MotionFollowUp {
   enum class Kind : std::uint8_t { none, split, merged, reversed } kind = Kind::none;
-  world::Entity first, second;               // the new halves, or survivor and removed
+  world::Entity first, second;                 // the new halves, or survivor and removed
   double first_length = 0, second_length = 0;  // m, merged: before the change
 };
 
 struct Change {
-  std::vector<std::string> clamped;     // one line for each number that was cut to its limit
-  std::string note;                     // what was done, where that is not plain to see; shown when all went well
+  std::vector<std::string> clamped;  // one line for each number that was cut to its limit
+  std::string note;                  // what was done, where that is not plain to see; shown when all went well
   MotionFollowUp motion;
   std::optional<world::Entity> select;  // what becomes selected when all went well
   std::vector<world::Entity> also;      // and further knots with it
@@ -46,7 +46,8 @@ base::Status room_for(const Session& session, std::size_t knots, std::size_t seg
 // Lowers the resolution until the document fits the budget, with a warning notice.
 void fit_budget(Session& session);
 
-// perform() checks first and changes nothing when it fails. Document commands change the document, nothing else of the session.
+// perform() checks first and changes nothing when it fails. Document commands change the document, nothing else of the
+// session.
 base::Status perform(Session& session, Change& change, const MoveKnot& command);
 base::Status perform(Session& session, Change& change, const MoveHandle& command);
 base::Status perform(Session& session, Change& change, const SetDirection& command);

@@ -14,10 +14,8 @@ using world::RideState;
 constexpr int kMaxStepTicks = 100'000;
 
 Status rideable(const Session& session) {
-  if (session.document.track.segments.empty())
-    return refused("the track has no segments: append knots first");
-  if (session.document.entities.pool<world::Cart>().size() == 0)
-    return refused("there is no cart: add one first");
+  if (session.document.track.segments.empty()) return refused("the track has no segments: append knots first");
+  if (session.document.entities.pool<world::Cart>().size() == 0) return refused("there is no cart: add one first");
   return {};
 }
 
@@ -36,7 +34,8 @@ Status perform(Session& session, Change&, const RideStart&) {
 Status perform(Session& session, Change&, const RidePause&) {
   const Status status = rideable(session);
   if (!status) return status;
-  if (session.motion.state != RideState::running && session.motion.state != RideState::paused) return refused("the ride is not running");
+  if (session.motion.state != RideState::running && session.motion.state != RideState::paused)
+    return refused("the ride is not running");
   session.motion.state = RideState::paused;
   return {};
 }
@@ -68,9 +67,8 @@ Status perform(Session& session, Change& change, const RideSeek& command) {
   const Status status = rideable(session);
   if (!status) return status;
   if (!std::isfinite(command.to)) return refused("expected a finite distance");
-  const double distance = session.derived.closed
-                              ? command.to
-                              : change.clamp("distance", command.to, 0.0, session.derived.length, "m");
+  const double distance =
+      session.derived.closed ? command.to : change.clamp("distance", command.to, 0.0, session.derived.length, "m");
   sim::seek(session.document, session.derived, chosen_cart(session), distance, session.motion);
   // Stopped means at the start, ended and failed at some end: a cart put elsewhere is none of these.
   session.motion.failure = {};

@@ -29,7 +29,9 @@ Status perform(Session& session, Change&, const SelectKnots& command) {
   if (!knots) return knots.status();
   world::Settings& settings = session.settings;
   // The one named last is active; of all or of those selected the one that was, where there is one.
-  world::Entity active = command.knots.which == Knots::Which::named ? world::find(session.document, command.knots.names.back()) : settings.selected;
+  world::Entity active = command.knots.which == Knots::Which::named
+                             ? world::find(session.document, command.knots.names.back())
+                             : settings.selected;
   if (std::find(knots->begin(), knots->end(), active) == knots->end()) active = knots->back();
   std::erase(*knots, active);
   settings.selected = active, settings.also = std::move(*knots);
@@ -38,7 +40,8 @@ Status perform(Session& session, Change&, const SelectKnots& command) {
 
 Status perform(Session& session, Change& change, const SetSnapping& command) {
   if (!std::isfinite(command.step) || !std::isfinite(command.angle)) return refused("expected finite numbers");
-  session.settings.snapping = {command.to, change.clamp("step", command.step, 0.001, 1000.0, "m"), change.clamp("angle", command.angle, 0.1, 180.0, "degrees")};
+  session.settings.snapping = {command.to, change.clamp("step", command.step, 0.001, 1000.0, "m"),
+                               change.clamp("angle", command.angle, 0.1, 180.0, "degrees")};
   return {};
 }
 

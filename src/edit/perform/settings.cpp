@@ -21,8 +21,7 @@ template <class Id, class Rows>
 Status known_row(Id id, const Rows& rows) {
   const int row = static_cast<int>(id);
   if (row >= 0 && static_cast<std::size_t>(row) < rows.size()) return {};
-  return refused("there is no row " + std::to_string(row) + " in the table of " +
-                 std::to_string(rows.size()));
+  return refused("there is no row " + std::to_string(row) + " in the table of " + std::to_string(rows.size()));
 }
 
 }  // namespace
@@ -37,8 +36,7 @@ Status perform(Session& session, Change& change, const SetEvaluator& command) {
 
 Status perform(Session& session, Change& change, const SetResolution& command) {
   const int steps = change.clamp("resolution", command.to, curve::kMinSteps, curve::kMaxSteps);
-  const Status room =
-      within_budget(session.document.track.segments.size(), steps, session.settings.vertex_budget);
+  const Status room = within_budget(session.document.track.segments.size(), steps, session.settings.vertex_budget);
   if (!room) return room;
   session.settings.steps = steps;
   change.remeasure = true;

@@ -17,7 +17,9 @@ using world::Knot;
 
 constexpr double kShortChord = 1e-4;  // m; a spline's step is never shorter
 
-float handle(double length) { return static_cast<float>(std::clamp(length, double{world::kMinHandle}, double{world::kMaxHandle})); }
+float handle(double length) {
+  return static_cast<float>(std::clamp(length, double{world::kMinHandle}, double{world::kMaxHandle}));
+}
 
 // Track order by place, with the neighbours over the joint of a closed track.
 struct Places {
@@ -42,17 +44,22 @@ void smooth_run(const Places& at, const KnotRun& run, world::SplineSteps by) {
   for (const std::size_t place : places) points.push_back(at.position(place));
   std::vector<double> steps;
   for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i)
-    steps.push_back(by == world::SplineSteps::uniform ? 1.0 : std::max(kShortChord, glm::length(points[(i + 1) % points.size()] - points[i])));
+    steps.push_back(by == world::SplineSteps::uniform
+                        ? 1.0
+                        : std::max(kShortChord, glm::length(points[(i + 1) % points.size()] - points[i])));
   curve::SplinePoints spline{points, steps, {}, {}, closed};
-  if (before) spline.first = dvec3(at.knot(places.front()).tangent) * (3.0 * at.knot(places.front()).out_length / steps.front());
-  if (after) spline.last = dvec3(at.knot(places.back()).tangent) * (3.0 * at.knot(places.back()).in_length / steps.back());
+  if (before)
+    spline.first = dvec3(at.knot(places.front()).tangent) * (3.0 * at.knot(places.front()).out_length / steps.front());
+  if (after)
+    spline.last = dvec3(at.knot(places.back()).tangent) * (3.0 * at.knot(places.back()).in_length / steps.back());
   const std::vector<dvec3> derivative = curve::spline_derivatives(spline);
   for (std::size_t i = before ? 1 : 0; i + (after ? 1 : 0) < places.size(); ++i) {
     Knot& knot = at.knot(places[i]);
     const double speed = glm::length(derivative[i]);
     world::set_tangent(knot, glm::vec3(derivative[i]));
     const bool first = i == 0 && !closed, last = i + 1 == places.size() && !closed;
-    const double in = steps[first ? 0 : (i + steps.size() - 1) % steps.size()], out = steps[last ? steps.size() - 1 : i];
+    const double in = steps[first ? 0 : (i + steps.size() - 1) % steps.size()],
+                 out = steps[last ? steps.size() - 1 : i];
     knot.in_length = handle(speed * in / 3), knot.out_length = handle(speed * out / 3);
     knot.joint = knot.in_length == knot.out_length ? JointKind::smooth : JointKind::aligned;
   }
@@ -63,9 +70,12 @@ Status straighten_run(const Places& at, const KnotRun& run) {
   const std::vector<std::size_t>& places = run.places;
   const dvec3 start = at.position(places.front()), way = at.position(places.back()) - start;
   const double length = glm::length(way);
-  if (!(length >= places.size() * 3.0 * world::kMinHandle)) return refused("the ends of the straight are too near to each other");
+  if (!(length >= places.size() * 3.0 * world::kMinHandle))
+    return refused("the ends of the straight are too near to each other");
   std::vector<double> share{0};
-  for (std::size_t i = 1; i < places.size(); ++i) share.push_back(share.back() + std::max(kShortChord, glm::length(at.position(places[i]) - at.position(places[i - 1]))));
+  for (std::size_t i = 1; i < places.size(); ++i)
+    share.push_back(share.back() +
+                    std::max(kShortChord, glm::length(at.position(places[i]) - at.position(places[i - 1]))));
   for (std::size_t i = 0; i < places.size(); ++i) {
     Knot& knot = at.knot(places[i]);
     const bool first = i == 0, last = i + 1 == places.size();
@@ -78,8 +88,9 @@ Status straighten_run(const Places& at, const KnotRun& run) {
   return {};
 }
 
-// The handle length with which a segment leaves a knot at curvature 1 / radius: kappa = 2/3 h / a^2, with h the distance of the segment's
-// next control point from the tangent line. Nothing where that is none: the track runs straight there, whatever the length.
+// The handle length with which a segment leaves a knot at curvature 1 / radius: kappa = 2/3 h / a^2, with h the
+// distance of the segment's next control point from the tangent line. Nothing where that is none: the track runs
+// straight there, whatever the length.
 std::optional<double> length_for(double radius, dvec3 position, dvec3 tangent, dvec3 control) {
   const dvec3 off = control - position;
   const double h = glm::length(off - glm::dot(off, tangent) * tangent);
@@ -130,7 +141,7 @@ Status perform(Session& session, Change&, const Straighten& command) {
 
 Status perform(Session& session, Change& change, const SetRadius& command) {
   constexpr double kLeast = 0.1, kMost = 1e5;  // m
-  constexpr int kSweeps = 30;                   // neighbours that are both set depend on each other
+  constexpr int kSweeps = 30;                  // neighbours that are both set depend on each other
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
   if (!std::isfinite(command.to)) return refused("expected a finite radius");
@@ -144,7 +155,8 @@ Status perform(Session& session, Change& change, const SetRadius& command) {
       Knot& knot = at.knot(place);
       if (before ? !at.has_before(place) : !at.has_after(place)) return;
       const Knot& other = at.knot(before ? at.before(place) : place + 1);
-      const auto length = length_for(radius, dvec3(knot.position), dvec3(knot.tangent), dvec3(before ? world::out_handle(other) : world::in_handle(other)));
+      const auto length = length_for(radius, dvec3(knot.position), dvec3(knot.tangent),
+                                     dvec3(before ? world::out_handle(other) : world::in_handle(other)));
       if (!length) return;
       (before ? knot.in_length : knot.out_length) = handle(*length);
       knot.joint = JointKind::aligned;
@@ -165,7 +177,8 @@ Status perform(Session& session, Change& change, const DropToGround& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
   if (!std::isfinite(command.to)) return refused("expected a finite height");
-  const float to = static_cast<float>(change.clamp("height", command.to, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}, "m"));
+  const float to = static_cast<float>(
+      change.clamp("height", command.to, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}, "m"));
   for (const Entity e : *knots) {
     Knot& knot = session.document.entities.get<Knot>(e);
     knot.position.y = to;

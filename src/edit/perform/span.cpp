@@ -15,13 +15,13 @@ using glm::dvec3;
 using world::Entity;
 using world::Knot;
 
-// Where the front of a train is once the track is turned round: at what was its rear, so that it stays on the same rails.
+// Where the front of a train is once the track is turned round: at what was its rear, so that it stays on the same
+// rails.
 double turned(const sim::Derived& derived, double front, double behind) {
   const double place = derived.length - (front - behind);
   if (derived.closed) return derived.length > 0 ? place - derived.length * std::floor(place / derived.length) : 0;
   return std::clamp(place, 0.0, derived.length);
 }
-
 
 // tangent, up, tangent x up as columns.
 dmat3 frame_of(const Knot& knot) {
@@ -33,11 +33,13 @@ dmat3 frame_of(const Knot& knot) {
 // Takes a knot from where the frame `from` is to where `to` is.
 Knot carried(Change& change, Knot knot, const Knot& from, const Knot& to) {
   const dmat3 turn = frame_of(to) * glm::transpose(frame_of(from));
-  knot.position = change.clamp_position("position", glm::vec3(dvec3(to.position) + turn * (dvec3(knot.position) - dvec3(from.position))));
+  knot.position = change.clamp_position(
+      "position", glm::vec3(dvec3(to.position) + turn * (dvec3(knot.position) - dvec3(from.position))));
   knot.tangent = glm::vec3(glm::normalize(turn * dvec3(knot.tangent)));
   knot.up = glm::vec3(glm::normalize(turn * dvec3(knot.up)));
   world::orthonormalise(knot);
-  if (knot.joint == world::JointKind::automatic) knot.joint = world::JointKind::aligned;  // its neighbours are others now
+  if (knot.joint == world::JointKind::automatic)
+    knot.joint = world::JointKind::aligned;  // its neighbours are others now
   return knot;
 }
 
@@ -65,7 +67,8 @@ Status perform(Session& session, Change& change, const Reverse&) {
     // Segment i of the new order is segment count - 1 - i of the old one.
     const auto upper = std::upper_bound(derived.starts.begin(), derived.starts.end() - 1, derived.length - start.place);
     const std::size_t old = static_cast<std::size_t>(std::max<std::ptrdiff_t>(upper - derived.starts.begin() - 1, 0));
-    const double length = derived.starts[old + 1] - derived.starts[old], s = derived.starts[old + 1] - (derived.length - start.place);
+    const double length = derived.starts[old + 1] - derived.starts[old],
+                 s = derived.starts[old + 1] - (derived.length - start.place);
     world::Cart& cart = document.entities.get<world::Cart>(start.cart);
     cart.segment = document.track.segments[count - 1 - old];
     cart.fraction = length > 0 ? std::clamp(s / length, 0.0, std::nextafter(1.0, 0.0)) : 0.0;
@@ -86,13 +89,15 @@ Status perform(Session& session, Change& change, const Duplicate& command) {
   const Knot from = world::knot(document, knots->front()), to = world::knot(document, document.track.knots.back());
   Knot& end = document.entities.get<Knot>(document.track.knots.back());
   end.out_length = from.out_length;
-  if (end.in_length != end.out_length || end.joint == world::JointKind::automatic) end.joint = world::JointKind::aligned;
+  if (end.in_length != end.out_length || end.joint == world::JointKind::automatic)
+    end.joint = world::JointKind::aligned;
   for (std::size_t i = 1; i <= more; ++i) {
     const Entity original = document.track.segments[runs[0].places[i] - 1];
     const Entity copy = world::append_knot(document, carried(change, world::knot(document, (*knots)[i]), from, to));
     const Entity segment = document.track.segments.back();
     document.entities.get<world::Segment>(segment).turns = world::segment(document, original).turns;
-    if (const auto* const equipment = document.entities.find<world::Equipment>(original)) document.entities.put(segment, world::Equipment(*equipment));
+    if (const auto* const equipment = document.entities.find<world::Equipment>(original))
+      document.entities.put(segment, world::Equipment(*equipment));
     if (i < more) change.also.push_back(copy);
     change.select = copy;
   }
@@ -106,7 +111,8 @@ Status perform(Session& session, Change& change, const CloseExactly& command) {
   if (track.knots.size() < 2) return refused("a closed track needs at least 2 knots");
   if (!std::isfinite(command.within) || command.within < 0) return refused("expected a distance of 0 m or more");
   const Entity first = track.knots.front(), last = track.knots.back();
-  const double gap = glm::length(dvec3(world::knot(document, last).position) - dvec3(world::knot(document, first).position));
+  const double gap =
+      glm::length(dvec3(world::knot(document, last).position) - dvec3(world::knot(document, first).position));
   if (gap <= command.within && track.knots.size() >= 3) {
     world::weld_ends(document);
     change.note = "the ends were " + base::to_text(std::round(gap * 1e3) / 1e3) + " m apart and are one knot now";

@@ -67,8 +67,7 @@ Status perform(Session& session, Change& change, const AddCurve&) {
   if (track.segments.empty()) {
     if (track.knots.empty()) return append_at(session, change, kFirstPosition);
     const world::Knot& last = world::knot(session.document, track.knots.back());
-    return append_at(session, change,
-                     change.clamp_position("position", last.position + last.tangent * kStep));
+    return append_at(session, change, change.clamp_position("position", last.position + last.tangent * kStep));
   }
   const Entity longest = longest_segment(session.derived);
   const curve::ArcLengthMap& arc = session.derived.shape(longest).arc;
@@ -94,8 +93,7 @@ Status perform(Session& session, Change& change, const RemoveKnot& command) {
   const bool merge = sides.before.valid() && sides.after.valid() && document.track.knots.size() > 2;
   if (merge)
     change.motion = {MotionFollowUp::Kind::merged, sides.before, sides.after,
-                     session.derived.shape(sides.before).arc.length(),
-                     session.derived.shape(sides.after).arc.length()};
+                     session.derived.shape(sides.before).arc.length(), session.derived.shape(sides.after).arc.length()};
   world::remove_knot(document, *e);
   return {};
 }

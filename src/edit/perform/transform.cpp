@@ -46,7 +46,8 @@ void turn(Knot& knot, const dmat3& linear, bool& cut) {
   world::set_tangent(knot, glm::vec3(tangent / stretch));
   knot.up = glm::vec3(curve::perpendicular(dvec3(knot.tangent), up));
   world::orthonormalise(knot);
-  knot.in_length = cut_length(knot.in_length * stretch, cut), knot.out_length = cut_length(knot.out_length * stretch, cut);
+  knot.in_length = cut_length(knot.in_length * stretch, cut),
+  knot.out_length = cut_length(knot.out_length * stretch, cut);
 }
 
 // Mirrors turn twists round: whole turns between two mirrored knots change their sign.
@@ -55,7 +56,8 @@ void turn_back_twists(world::Document& document, const std::vector<Entity>& knot
     world::Segment& segment = document.entities.get<world::Segment>(e);
     const world::Segment* const before = then ? then->entities.find<world::Segment>(e) : nullptr;
     const auto chosen = [&](Entity k) { return std::binary_search(knots.begin(), knots.end(), k); };
-    if (segment.turns != 0 && chosen(segment.from) && chosen(segment.to)) segment.turns = -(before ? before->turns : segment.turns);
+    if (segment.turns != 0 && chosen(segment.from) && chosen(segment.to))
+      segment.turns = -(before ? before->turns : segment.turns);
   }
 }
 
@@ -65,18 +67,23 @@ Status transform(Session& session, Change& change, const Knots& which, const Map
   bool cut = false;
   for (const Entity e : *knots) {
     Knot next = source(session, e, anew);
-    const dvec3 position = map.rigid_shift ? dvec3(next.position) + map.by : map.about + map.linear * (dvec3(next.position) - map.about);
+    const dvec3 position =
+        map.rigid_shift ? dvec3(next.position) + map.by : map.about + map.linear * (dvec3(next.position) - map.about);
     if (!map.rigid_shift) turn(next, map.linear, cut);
     constexpr double kMost = world::kMaxCoordinate;
     const dvec3 within = glm::clamp(position, dvec3(-kMost), dvec3(kMost));
-    if (within != position) change.clamp_position("position", glm::vec3(glm::clamp(position, dvec3(-1e30), dvec3(1e30))));
+    if (within != position)
+      change.clamp_position("position", glm::vec3(glm::clamp(position, dvec3(-1e30), dvec3(1e30))));
     next.position = glm::vec3(within);
     session.document.entities.get<Knot>(e) = next;
   }
-  if (cut) change.clamped.push_back("handle lengths are cut to the limits of " + base::to_text(world::kMinHandle) + " to " + base::to_text(world::kMaxHandle) + " m");
+  if (cut)
+    change.clamped.push_back("handle lengths are cut to the limits of " + base::to_text(world::kMinHandle) + " to " +
+                             base::to_text(world::kMaxHandle) + " m");
   if (glm::determinant(map.linear) < 0) {
     std::sort(knots->begin(), knots->end());
-    turn_back_twists(session.document, *knots, anew && session.history.in_gesture ? &session.history.gesture_start : nullptr);
+    turn_back_twists(session.document, *knots,
+                     anew && session.history.in_gesture ? &session.history.gesture_start : nullptr);
   }
   return {};
 }
@@ -89,12 +96,14 @@ Status perform(Session& session, Change& change, const Translate& command) {
 }
 
 Status perform(Session& session, Change& change, const Rotate& command) {
-  if (!finite(command.about) || !finite(command.axis) || !std::isfinite(command.by)) return refused("expected finite numbers");
+  if (!finite(command.about) || !finite(command.axis) || !std::isfinite(command.by))
+    return refused("expected finite numbers");
   const dvec3 axis(command.axis);
   if (!(glm::length(axis) >= kShortAxis)) return refused("an axis needs a length");
   const dvec3 unit = axis / glm::length(axis);
   const double angle = base::radians(std::remainder(command.by, 360.0));
-  const dmat3 linear(curve::rotate({1, 0, 0}, unit, angle), curve::rotate({0, 1, 0}, unit, angle), curve::rotate({0, 0, 1}, unit, angle));
+  const dmat3 linear(curve::rotate({1, 0, 0}, unit, angle), curve::rotate({0, 1, 0}, unit, angle),
+                     curve::rotate({0, 0, 1}, unit, angle));
   return transform(session, change, command.knots, {.linear = linear, .about = dvec3(command.about)}, command.anew);
 }
 
@@ -102,7 +111,8 @@ Status perform(Session& session, Change& change, const Scale& command) {
   if (!finite(command.about) || !finite(command.by)) return refused("expected finite numbers");
   dmat3 linear(1.0);
   for (int i = 0; i < 3; ++i) {
-    if (!(std::abs(double{command.by[i]}) >= kLeastFactor)) return refused("a factor below " + base::to_text(kLeastFactor) + " would leave nothing to scale back");
+    if (!(std::abs(double{command.by[i]}) >= kLeastFactor))
+      return refused("a factor below " + base::to_text(kLeastFactor) + " would leave nothing to scale back");
     linear[i][i] = command.by[i];
   }
   return transform(session, change, command.knots, {.linear = linear, .about = dvec3(command.about)}, command.anew);

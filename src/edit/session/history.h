@@ -1,4 +1,5 @@
-// Undo and redo stacks and gestures. These functions know documents alone: apply() brings the rest of the session in line.
+// Undo and redo stacks and gestures. These functions know documents alone: apply() brings the rest of the session in
+// line.
 #pragma once
 
 #include <string>
@@ -7,7 +8,8 @@
 
 namespace coaster::edit {
 
-// Puts a step on the undo stack and empties the redo stack; drops the oldest steps beyond `limit` bytes, but never this one.
+// Puts a step on the undo stack and empties the redo stack; drops the oldest steps beyond `limit` bytes, but never this
+// one.
 void record(History& history, std::string label, world::Document before, std::size_t limit = kMaxHistoryBytes);
 // Exchange `document` with the newest step; false when there is none.
 bool undo(History& history, world::Document& document);

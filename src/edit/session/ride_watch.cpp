@@ -24,7 +24,8 @@ double mean_height(const sim::Ghost& ghost, const sim::RailTables& tables, doubl
   return sum / ghost.start.cars;
 }
 
-// The train's next top after its furthest place: how much higher, and where its first car would be; nothing where the rails do not go up from there.
+// The train's next top after its furthest place: how much higher, and where its first car would be; nothing where the
+// rails do not go up from there.
 struct Shortfall {
   double height = 0, distance = 0, furthest = 0;  // m; m along the track, both of them
 };
@@ -44,7 +45,8 @@ std::optional<Shortfall> shortfall(const sim::Ghost& ghost, const sim::RailTable
   if (top - from < kRise) return std::nullopt;
   const auto along = [&](double travelled) {
     const double at = ghost.start.front + travelled;
-    return ghost.closed && ghost.track_length > 0 ? at - ghost.track_length * std::floor(at / ghost.track_length) : std::min(at, ghost.track_length);
+    return ghost.closed && ghost.track_length > 0 ? at - ghost.track_length * std::floor(at / ghost.track_length)
+                                                  : std::min(at, ghost.track_length);
   };
   return Shortfall{top - from, along(top_at), along(furthest)};
 }
@@ -54,14 +56,17 @@ std::string failure_words(const Session& session, const sim::Ghost* ghost, doubl
   place = failure.distance;
   char words[256];
   const bool climbed = failure.kind == FailureKind::stall || failure.kind == FailureKind::rollback;
-  const auto missing = ghost && climbed ? shortfall(*ghost, session.ghosts.tables(session.document, session.derived)) : std::nullopt;
+  const auto missing =
+      ghost && climbed ? shortfall(*ghost, session.ghosts.tables(session.document, session.derived)) : std::nullopt;
   if (!missing) {
-    std::snprintf(words, sizeof words, "%s at %.1f m, %.1f m/s", std::string(sim::text(failure.kind)).c_str(), failure.distance, std::abs(failure.speed));
+    std::snprintf(words, sizeof words, "%s at %.1f m, %.1f m/s", std::string(sim::text(failure.kind)).c_str(),
+                  failure.distance, std::abs(failure.speed));
     return words;
   }
   place = missing->furthest;
-  std::snprintf(words, sizeof words, "%s at %.1f m, %.1f m below the top at %.1f m: %.1f m/s more would take it over", std::string(sim::text(failure.kind)).c_str(), missing->furthest,
-                missing->height, missing->distance, std::sqrt(2 * world::kGravity * missing->height));
+  std::snprintf(words, sizeof words, "%s at %.1f m, %.1f m below the top at %.1f m: %.1f m/s more would take it over",
+                std::string(sim::text(failure.kind)).c_str(), missing->furthest, missing->height, missing->distance,
+                std::sqrt(2 * world::kGravity * missing->height));
   return words;
 }
 
@@ -72,10 +77,13 @@ void judge(Session& session, RideResult* result) {
   challenge.last = session.referee.judge(session, result);
   challenge.medal = std::max(challenge.medal, challenge.last.medal);
   ++challenge.judged;
-  if (challenge.last.medal > 0) exchange::merge(session.earned, {std::filesystem::path(challenge.path).stem().string(), challenge.last.medal, challenge.last.values});
+  if (challenge.last.medal > 0)
+    exchange::merge(session.earned, {std::filesystem::path(challenge.path).stem().string(), challenge.last.medal,
+                                     challenge.last.values});
   if (result) result->verdict = challenge.last;
   constexpr const char* kMedals[] = {"", "bronze", "silver", "gold"};
-  if (challenge.medal > before) notify(session, NoticeKind::info, challenge.file.name + ": passed, " + kMedals[challenge.medal]);
+  if (challenge.medal > before)
+    notify(session, NoticeKind::info, challenge.file.name + ": passed, " + kMedals[challenge.medal]);
 }
 
 // The ride is over: told once.
@@ -113,7 +121,8 @@ void watch_start(Session& session, bool from_start) {
 
 void watch_disturbed(Session& session) {
   session.run.whole = false;
-  session.run.under_way = session.run.under_way && session.motion.state != RideState::failed && session.motion.state != RideState::ended;
+  session.run.under_way =
+      session.run.under_way && session.motion.state != RideState::failed && session.motion.state != RideState::ended;
 }
 
 void watch_reset(Session& session) {
@@ -127,13 +136,15 @@ void watch_ticks(Session& session, int ticks) {
   run.ticks += static_cast<std::uint64_t>(ticks);
   const bool timed = session.challenge && session.challenge->file.judged == exchange::Judged::time;
   if (session.motion.state == RideState::failed) return end_ride(session, RideEnd::failed);
-  if (timed && static_cast<double>(run.ticks) * world::kTick >= session.challenge->file.seconds) return end_ride(session, RideEnd::time);
+  if (timed && static_cast<double>(run.ticks) * world::kTick >= session.challenge->file.seconds)
+    return end_ride(session, RideEnd::time);
   if (session.motion.state == RideState::ended) return end_ride(session, RideEnd::open_end);
   if (!timed && came_round(session)) end_ride(session, RideEnd::lap);
 }
 
 void watch_built(Session& session) {
-  if (!session.challenge || session.challenge->file.judged != exchange::Judged::build || session.history.in_gesture) return;
+  if (!session.challenge || session.challenge->file.judged != exchange::Judged::build || session.history.in_gesture)
+    return;
   judge(session, nullptr);
 }
 

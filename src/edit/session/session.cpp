@@ -27,9 +27,7 @@ bool dirty(const Session& session) {
   return *session.document_hash != session.saved_hash;
 }
 
-void advance_measurement(Session& session) {
-  sim::measure_next(session.measurement, session.clock);
-}
+void advance_measurement(Session& session) { sim::measure_next(session.measurement, session.clock); }
 
 world::Entity chosen_cart(const Session& session) {
   const bool selected = session.document.entities.find<world::Cart>(session.settings.selected) != nullptr;
@@ -43,7 +41,9 @@ const sim::Ghost* chosen_ride(const Session& session) {
 const sim::Ratings& chosen_ratings(const Session& session) {
   static const sim::Ratings kNone;
   const sim::Ghost* const ghost = chosen_ride(session);
-  return ghost ? session.ratings.update(*ghost, session.ghosts.tables(session.document, session.derived), session.envelope.cutoff) : kNone;
+  return ghost ? session.ratings.update(*ghost, session.ghosts.tables(session.document, session.derived),
+                                        session.envelope.cutoff)
+               : kNone;
 }
 const std::vector<sim::RedSpan>& chosen_red_spans(const Session& session) {
   static const std::vector<sim::RedSpan> kNone;
@@ -51,16 +51,20 @@ const std::vector<sim::RedSpan>& chosen_red_spans(const Session& session) {
   return ghost ? session.red.update(*ghost, session.envelope) : kNone;
 }
 
-const std::vector<sim::Conflict>& conflicts(const Session& session) { return session.conflicts.update(session.derived); }
+const std::vector<sim::Conflict>& conflicts(const Session& session) {
+  return session.conflicts.update(session.derived);
+}
 
 const std::vector<sim::Narrow>& narrow_parts(const Session& session, const world::Element& element) {
   (void)conflicts(session);
-  return session.element_room.update(session.elements.plan(element, session.document), session.conflicts, session.derived);
+  return session.element_room.update(session.elements.plan(element, session.document), session.conflicts,
+                                     session.derived);
 }
 
 std::string ride_report(const Session& session, const sim::Ghost& ghost) {
   const sim::Envelope& envelope = session.envelope;
-  const sim::Ratings ratings = sim::rate(ghost, session.ghosts.tables(session.document, session.derived), envelope.cutoff);
+  const sim::Ratings ratings =
+      sim::rate(ghost, session.ghosts.tables(session.document, session.derived), envelope.cutoff);
   return sim::report_text(ghost, ratings, sim::red_spans(ghost, envelope), session.document.name);
 }
 std::string ride_csv(const Session& session, const sim::Ghost& ghost) {
@@ -80,7 +84,8 @@ void advance(Session& session, int ticks) {
   const world::FailureKind before = session.motion.failure.kind;
   const bool timed = session.clock && session.motion.state == world::RideState::running;
   const double start = timed ? session.clock() : 0.0;
-  // A challenge's ride is looked at tick by tick, so that its verdict does not depend on how many are asked for at once.
+  // A challenge's ride is looked at tick by tick, so that its verdict does not depend on how many are asked for at
+  // once.
   const bool watched = session.challenge && session.run.under_way && session.motion.state == world::RideState::running;
   for (int done = 0; done < ticks;) {
     const int some = watched && session.run.under_way ? 1 : ticks - done;

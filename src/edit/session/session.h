@@ -1,4 +1,5 @@
-// What one running program holds: document, settings, motion, derived, history and notices; and apply(), the only way to change it.
+// What one running program holds: document, settings, motion, derived, history and notices; and apply(), the only way
+// to change it.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +10,17 @@
 #include <vector>
 
 #include "base/files.h"
-#include "edit/session/challenge.h"
 #include "edit/commands/commands.h"
+#include "edit/session/challenge.h"
 #include "exchange/own/track_file.h"
-#include "sim/solids/conflicts.h"
-#include "sim/shape/derived.h"
-#include "sim/study/element_room.h"
 #include "sim/plan/elements.h"
-#include "sim/study/envelope.h"
-#include "sim/study/measure.h"
 #include "sim/ride/ghost.h"
 #include "sim/ride/ride.h"
+#include "sim/shape/derived.h"
+#include "sim/solids/conflicts.h"
+#include "sim/study/element_room.h"
+#include "sim/study/envelope.h"
+#include "sim/study/measure.h"
 
 namespace coaster::edit {
 
@@ -32,7 +33,7 @@ struct HistoryStep {
 struct History {
   std::deque<HistoryStep> undo;  // oldest first; the oldest are dropped beyond kMaxHistoryBytes (estimated)
   std::vector<HistoryStep> redo;
-  std::size_t undo_bytes = 0;    // estimate of what the undo stack holds
+  std::size_t undo_bytes = 0;  // estimate of what the undo stack holds
   bool in_gesture = false;
   world::Document gesture_start;
   std::string gesture_label;
@@ -46,7 +47,8 @@ struct Notice {
   std::uint64_t serial = 0;  // counts up; the panel fades old ones
 };
 
-// What the ticks of the live ride take on this machine; nobody's hash depends on it. 0 without a clock and before the first tick.
+// What the ticks of the live ride take on this machine; nobody's hash depends on it. 0 without a clock and before the
+// first tick.
 struct RideCost {
   double ns_per_tick = 0;  // all carts together, a mean that forgets: the newest call counts for a tenth
 };
@@ -63,23 +65,25 @@ struct Session {
   world::Motion motion;
   sim::Derived derived;
   History history;
-  std::vector<Notice> notices;     // the newest last, at most 32
+  std::vector<Notice> notices;  // the newest last, at most 32
   std::uint64_t notice_serial = 0;
-  std::filesystem::path path;      // of the document; empty when it has none
+  std::filesystem::path path;  // of the document; empty when it has none
   std::optional<ReadAhead> read_ahead;
-  std::optional<exchange::ImportReport> import;  // how well the document, as it was loaded, meets the file it was fitted to
-  std::uint64_t saved_hash = 0;    // document hash when last loaded, saved or made
+  std::optional<exchange::ImportReport>
+      import;                    // how well the document, as it was loaded, meets the file it was fitted to
+  std::uint64_t saved_hash = 0;  // document hash when last loaded, saved or made
   mutable std::optional<std::uint64_t> document_hash;  // a memo for dirty(), which every frame asks; apply() forgets it
-  std::uint64_t tick = 0;          // ticks since the program's start
-  mutable sim::GhostMemo ghosts;   // whole rides of the carts, simulated when something asks: a memo of what document and derived say
-  mutable sim::RatingsMemo ratings;  // of the ride that was asked about last
-  mutable sim::RedSpans red;         // the same
-  mutable sim::Conflicts conflicts;  // of the track with itself, looked for when something asks
-  mutable sim::ElementMemo elements;  // what the palette's element would be, planned when something asks
-  mutable sim::ElementRoom element_room;  // where that would be in the way of track
-  sim::Clock clock;                // to measure evaluation with
-  std::string machine;             // a line about it, for files of measurements
-  sim::Measurement measurement;    // of the evaluators; advanced by advance_measurement()
+  std::uint64_t tick = 0;                              // ticks since the program's start
+  mutable sim::GhostMemo
+      ghosts;  // whole rides of the carts, simulated when something asks: a memo of what document and derived say
+  mutable sim::RatingsMemo ratings;                  // of the ride that was asked about last
+  mutable sim::RedSpans red;                         // the same
+  mutable sim::Conflicts conflicts;                  // of the track with itself, looked for when something asks
+  mutable sim::ElementMemo elements;                 // what the palette's element would be, planned when something asks
+  mutable sim::ElementRoom element_room;             // where that would be in the way of track
+  sim::Clock clock;                                  // to measure evaluation with
+  std::string machine;                               // a line about it, for files of measurements
+  sim::Measurement measurement;                      // of the evaluators; advanced by advance_measurement()
   sim::Envelope envelope = sim::default_envelope();  // what forces are held against; not a compliance check
   std::string envelope_name = "default";
   std::uint64_t envelope_serial = 0;  // grows with each envelope that is read
@@ -95,11 +99,11 @@ struct Session {
 void notify(Session& session, NoticeKind kind, std::string text);
 bool dirty(const Session& session);  // the document differs from its file
 
-// Checks first, changes nothing on error. On success document, settings, motion, derived and history are consistent again (derive and
-// reconcile have run). Numbers beyond the limits are clamped with a warning notice that contains the word "limit"; what cannot be done
-// (unknown names, over the vertex budget, too short handles) is refused with Code::refused, file errors pass through, and either way an error
-// notice is shown. A document command outside a gesture is one step of undo; a command that leaves the document equal adds none.
-// undo inside a gesture cancels it.
+// Checks first, changes nothing on error. On success document, settings, motion, derived and history are consistent
+// again (derive and reconcile have run). Numbers beyond the limits are clamped with a warning notice that contains the
+// word "limit"; what cannot be done (unknown names, over the vertex budget, too short handles) is refused with
+// Code::refused, file errors pass through, and either way an error notice is shown. A document command outside a
+// gesture is one step of undo; a command that leaves the document equal adds none. undo inside a gesture cancels it.
 base::Status apply(Session& session, base::Files& files, const Command& command);
 
 // Does a part of a measurement that is under way, some ms; nothing else does: a frame without one costs nothing.
@@ -114,7 +118,8 @@ const sim::Ghost* chosen_ride(const Session& session);
 const sim::Ratings& chosen_ratings(const Session& session);
 const std::vector<sim::RedSpan>& chosen_red_spans(const Session& session);
 
-// Where the track is in its own way, and where `element`, placed at its open end, would be in the way of it or of itself.
+// Where the track is in its own way, and where `element`, placed at its open end, would be in the way of it or of
+// itself.
 const std::vector<sim::Conflict>& conflicts(const Session& session);
 const std::vector<sim::Narrow>& narrow_parts(const Session& session, const world::Element& element);
 

@@ -2,9 +2,9 @@
 #include <bit>
 #include <span>
 
-#include "exchange/own/json_text.h"
 #include "exchange/export/track_shapes.h"
 #include "exchange/export/track_solid.h"
+#include "exchange/own/json_text.h"
 
 namespace coaster::exchange {
 namespace {
@@ -18,11 +18,13 @@ struct BinaryBuilder {
   Json views = Json::array(), accessors = Json::array();
   std::string bytes;
 
-  // A view of its own for each accessor; all are multiples of 4 bytes, so all are aligned. Returns the accessor's number.
+  // A view of its own for each accessor; all are multiples of 4 bytes, so all are aligned. Returns the accessor's
+  // number.
   template <class T>
   std::size_t add(std::span<const T> items, int component, int target, Json accessor) {
     static_assert(sizeof(T) % 4 == 0);
-    views.push_back({{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", items.size_bytes()}, {"target", target}});
+    views.push_back(
+        {{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", items.size_bytes()}, {"target", target}});
     bytes.append(reinterpret_cast<const char*>(items.data()), items.size_bytes());
     accessor["bufferView"] = views.size() - 1;
     accessor["componentType"] = component;
@@ -33,7 +35,8 @@ struct BinaryBuilder {
   std::size_t positions(std::span<const glm::vec3> points) {
     glm::vec3 low = points[0], high = points[0];
     for (const glm::vec3 p : points) low = glm::min(low, p), high = glm::max(high, p);
-    return add(points, kFloat, kVertices, {{"type", "VEC3"}, {"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}});
+    return add(points, kFloat, kVertices,
+               {{"type", "VEC3"}, {"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}});
   }
 };
 
@@ -43,14 +46,18 @@ std::string base64(std::string_view bytes) {
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
     for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
   }
   return text;
 }
 
 Json material(std::string_view name, glm::vec3 colour) {
-  return {{"name", name}, {"pbrMetallicRoughness", {{"baseColorFactor", {colour.x, colour.y, colour.z, 1.0}}, {"metallicFactor", 0.6}, {"roughnessFactor", 0.5}}}};
+  return {
+      {"name", name},
+      {"pbrMetallicRoughness",
+       {{"baseColorFactor", {colour.x, colour.y, colour.z, 1.0}}, {"metallicFactor", 0.6}, {"roughnessFactor", 0.5}}}};
 }
 
 Json track_mesh(BinaryBuilder& builder, const TrackSolid& solid) {
@@ -61,7 +68,8 @@ Json track_mesh(BinaryBuilder& builder, const TrackSolid& solid) {
     Json attributes{{"POSITION", builder.positions(part.positions)}};
     attributes["NORMAL"] = builder.add(std::span(part.normals), kFloat, kVertices, {{"type", "VEC3"}});
     const std::size_t indices = builder.add(std::span(part.indices), kUnsigned, kIndices, {{"type", "SCALAR"}});
-    primitives.push_back({{"attributes", std::move(attributes)}, {"indices", indices}, {"material", i}, {"mode", kTriangles}});
+    primitives.push_back(
+        {{"attributes", std::move(attributes)}, {"indices", indices}, {"material", i}, {"mode", kTriangles}});
   }
   return {{"name", "track"}, {"primitives", std::move(primitives)}};
 }
@@ -85,7 +93,8 @@ std::string print_gltf(const world::Document& document) {
     Json& materials = file["materials"] = Json::array();
     for (const SolidPart& part : solid.parts) materials.push_back(material(part.name, part.colour));
     materials.push_back(material("centre line", {1, 0.8f, 0}));
-    const Json buffer{{"byteLength", builder.bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(builder.bytes)}};
+    const Json buffer{{"byteLength", builder.bytes.size()},
+                      {"uri", "data:application/octet-stream;base64," + base64(builder.bytes)}};
     file["buffers"] = Json::array({buffer});
     file["bufferViews"] = std::move(builder.views);
     file["accessors"] = std::move(builder.accessors);

@@ -39,7 +39,9 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-std::string attribute(const char* name, double value) { return std::string(" ") + name + "=\"" + base::to_text(static_cast<float>(value)) + "\""; }
+std::string attribute(const char* name, double value) {
+  return std::string(" ") + name + "=\"" + base::to_text(static_cast<float>(value)) + "\"";
+}
 
 // The control points' box: contains the curve.
 Extent extent_of(const std::vector<curve::Cubic>& cubics, Project project) {
@@ -83,18 +85,23 @@ struct Drawing {
 };
 
 // The label above, the drawing, the bar with its length below. `top` is where it starts on the sheet.
-std::string print_drawing(const Drawing& drawing, const std::vector<curve::Cubic>& cubics, bool closed, const Style& style, double top) {
+std::string print_drawing(const Drawing& drawing, const std::vector<curve::Cubic>& cubics, bool closed,
+                          const Style& style, double top) {
   const Extent& e = drawing.extent;
-  const double x = style.margin, y = top + 2 * style.text, below = y + e.height() + style.text, bar = bar_length(e.width());
+  const double x = style.margin, y = top + 2 * style.text, below = y + e.height() + style.text,
+               bar = bar_length(e.width());
   const std::string font = attribute("font-size", style.text) + " font-family=\"sans-serif\"";
-  std::string out = "<text" + attribute("x", x) + attribute("y", top + style.text) + font + ">" + drawing.label + "</text>\n";
-  out += std::string("<g id=\"") + drawing.id + "\" transform=\"translate(" + base::to_text(x - e.left) + " " + base::to_text(y - e.top) +
-         ")\" fill=\"none\" stroke=\"#1f4e79\"" + attribute("stroke-width", style.line) + ">\n";
+  std::string out =
+      "<text" + attribute("x", x) + attribute("y", top + style.text) + font + ">" + drawing.label + "</text>\n";
+  out += std::string("<g id=\"") + drawing.id + "\" transform=\"translate(" + base::to_text(x - e.left) + " " +
+         base::to_text(y - e.top) + ")\" fill=\"none\" stroke=\"#1f4e79\"" + attribute("stroke-width", style.line) +
+         ">\n";
   if (!cubics.empty()) out += "<path d=\"" + path(cubics, drawing.project, closed) + "\"/>\n";
   out += "</g>\n";
-  out += std::string("<path id=\"") + drawing.id + "-bar\" d=\"M" + base::to_text(x) + " " + base::to_text(below) + " h" + base::to_text(bar) + "\" stroke=\"black\"" +
-         attribute("stroke-width", 2 * style.line) + "/>\n";
-  out += "<text" + attribute("x", x + bar + 0.5 * style.text) + attribute("y", below + 0.35 * style.text) + font + ">" + base::to_text(static_cast<float>(bar)) + " m</text>\n";
+  out += std::string("<path id=\"") + drawing.id + "-bar\" d=\"M" + base::to_text(x) + " " + base::to_text(below) +
+         " h" + base::to_text(bar) + "\" stroke=\"black\"" + attribute("stroke-width", 2 * style.line) + "/>\n";
+  out += "<text" + attribute("x", x + bar + 0.5 * style.text) + attribute("y", below + 0.35 * style.text) + font + ">" +
+         base::to_text(static_cast<float>(bar)) + " m</text>\n";
   return out;
 }
 
@@ -109,10 +116,13 @@ std::string print_svg(const world::Document& document) {
   const Style style{size * 0.05, size * 0.025, size * 0.003};
   const double extra = 5 * style.text;  // label and bar
   const double width = std::max(above.extent.width(), 20 * style.text) + 2 * style.margin;
-  const double second = style.margin + above.extent.height() + extra, height = second + beside.extent.height() + extra + style.margin;
-  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", kPaperWidth) +
-                    attribute("height", kPaperWidth * height / width) + " viewBox=\"0 0 " + base::to_text(static_cast<float>(width)) + " " +
-                    base::to_text(static_cast<float>(height)) + "\">\n<title>" + escaped(document.name) + "</title>\n<desc>1 unit is 1 metre</desc>\n" +
+  const double second = style.margin + above.extent.height() + extra,
+               height = second + beside.extent.height() + extra + style.margin;
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" +
+                    attribute("width", kPaperWidth) + attribute("height", kPaperWidth * height / width) +
+                    " viewBox=\"0 0 " + base::to_text(static_cast<float>(width)) + " " +
+                    base::to_text(static_cast<float>(height)) + "\">\n<title>" + escaped(document.name) +
+                    "</title>\n<desc>1 unit is 1 metre</desc>\n" +
                     "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
   out += print_drawing(above, cubics, document.track.closed, style, style.margin);
   out += print_drawing(beside, cubics, document.track.closed, style, second);

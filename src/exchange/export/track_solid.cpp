@@ -1,4 +1,5 @@
-// Builds segment after segment and sorts the triangles by part; the centre line with as many chords as its bend asks for.
+// Builds segment after segment and sorts the triangles by part; the centre line with as many chords as its bend asks
+// for.
 #include "exchange/export/track_solid.h"
 
 #include <algorithm>
@@ -36,9 +37,11 @@ void add_mesh(const sim::Mesh& mesh, TrackSolid& solid) {
   for (const std::uint32_t i : mesh.indices) solid.parts[part_of(mesh.vertices[i])].indices.push_back(moved[i]);
 }
 
-// A chord over h of the parameter is off by at most h^2/8 of the largest second derivative, which is at one of the ends.
+// A chord over h of the parameter is off by at most h^2/8 of the largest second derivative, which is at one of the
+// ends.
 int chords(const curve::Cubic& cubic) {
-  const double bend = std::max(glm::length(curve::second_derivative(cubic, 0)), glm::length(curve::second_derivative(cubic, 1)));
+  const double bend =
+      std::max(glm::length(curve::second_derivative(cubic, 0)), glm::length(curve::second_derivative(cubic, 1)));
   return static_cast<int>(std::clamp(std::ceil(std::sqrt(bend / (8 * kLineTolerance))), 1.0, 1000.0));
 }
 
@@ -63,7 +66,8 @@ TrackSolid track_solid(const world::Document& document) {
     const curve::Cubic& cubic = shape.key.cubic;
     if (solid.centre_line.empty()) solid.centre_line.push_back(cubic.p0);
     const int count = chords(cubic);
-    for (int i = 1; i <= count; ++i) solid.centre_line.push_back(glm::vec3(curve::point(cubic, static_cast<double>(i) / count)));
+    for (int i = 1; i <= count; ++i)
+      solid.centre_line.push_back(glm::vec3(curve::point(cubic, static_cast<double>(i) / count)));
   }
   return solid;
 }

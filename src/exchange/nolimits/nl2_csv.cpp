@@ -14,8 +14,8 @@ namespace {
 using glm::dvec3;
 
 constexpr auto& kColumns = kNl2Columns;
-constexpr double kSquare = 0.01;        // how far frames may be from unit and perpendicular
-constexpr double kSamePlace = 2e-6;     // m: rounding of printed places
+constexpr double kSquare = 0.01;     // how far frames may be from unit and perpendicular
+constexpr double kSamePlace = 2e-6;  // m: rounding of printed places
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -40,7 +40,7 @@ class Lines {
     return true;
   }
   int number() const { return number_; }
-  bool ended() const { return ended_; }                                                  // the line has a newline
+  bool ended() const { return ended_; }  // the line has a newline
   bool only_blanks_left() const { return rest_.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
  private:
@@ -63,7 +63,8 @@ std::size_t split(std::string_view line, std::array<std::string_view, kColumns.s
 
 bool same_word(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [&](char x, char y) { return lower(x) == lower(y); });
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(), [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 std::size_t decimals(std::string_view number) {
@@ -81,7 +82,8 @@ struct Reader {
   std::string error;
 
   bool fail(std::string_view expected, std::string_view found) {
-    error = std::string(name) + ":" + std::to_string(lines.number()) + ": error: expected " + std::string(expected) + ", found " + std::string(found);
+    error = std::string(name) + ":" + std::to_string(lines.number()) + ": error: expected " + std::string(expected) +
+            ", found " + std::string(found);
     return false;
   }
   std::string place() const { return std::string(name) + ":" + std::to_string(lines.number()); }
@@ -99,35 +101,48 @@ bool read_header(Reader& r) {
     std::string_view cell = cells[i];
     if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = trimmed(cell.substr(1, cell.size() - 2));
     if (i == 0 && same_word(cell, "No")) cell = kColumns[0];
-    if (!same_word(cell, kColumns[i])) return r.fail("column " + std::to_string(i + 1) + " of the header to be \"" + std::string(kColumns[i]) + "\"", base::quoted_start(cells[i]));
+    if (!same_word(cell, kColumns[i]))
+      return r.fail("column " + std::to_string(i + 1) + " of the header to be \"" + std::string(kColumns[i]) + "\"",
+                    base::quoted_start(cells[i]));
   }
-  if (count != kColumns.size()) return r.fail("a header of 13 columns, separated by tabs", count > kColumns.size() ? "more" : std::to_string(count));
+  if (count != kColumns.size())
+    return r.fail("a header of 13 columns, separated by tabs",
+                  count > kColumns.size() ? "more" : std::to_string(count));
   return true;
 }
 
-bool read_vector(Reader& r, const std::array<std::string_view, kColumns.size()>& cells, std::size_t first, double limit, dvec3& v) {
+bool read_vector(Reader& r, const std::array<std::string_view, kColumns.size()>& cells, std::size_t first, double limit,
+                 dvec3& v) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t i = first + static_cast<std::size_t>(axis);
     const auto number = base::parse_double(cells[i]);
-    const auto expected = [&](std::string_view what) { return std::string(what) + " in column " + std::string(kColumns[i]); };
+    const auto expected = [&](std::string_view what) {
+      return std::string(what) + " in column " + std::string(kColumns[i]);
+    };
     if (!number) return r.fail(expected("a finite number"), base::quoted_start(cells[i]));
-    if (!(std::abs(*number) <= limit)) return r.fail(expected("a number within " + std::to_string(static_cast<int>(limit))), base::quoted_start(cells[i]));
+    if (!(std::abs(*number) <= limit))
+      return r.fail(expected("a number within " + std::to_string(static_cast<int>(limit))),
+                    base::quoted_start(cells[i]));
     v[axis] = *number;
   }
   return true;
 }
 
-// Takes a frame that is nearly right-handed, unit and perpendicular, and makes it exactly so; Front keeps its direction.
+// Takes a frame that is nearly right-handed, unit and perpendicular, and makes it exactly so; Front keeps its
+// direction.
 bool read_frame(Reader& r, const std::array<std::string_view, kColumns.size()>& cells, sim::FitRow& row) {
   dvec3 front, left, up;
-  if (!read_vector(r, cells, 4, 2, front) || !read_vector(r, cells, 7, 2, left) || !read_vector(r, cells, 10, 2, up)) return false;
+  if (!read_vector(r, cells, 4, 2, front) || !read_vector(r, cells, 7, 2, left) || !read_vector(r, cells, 10, 2, up))
+    return false;
   const auto unit = [&](dvec3 v, std::string_view which) {
     const double length = glm::length(v);
-    return std::abs(length - 1) <= kSquare || r.fail(std::string(which) + " to be a unit vector", "one of length " + base::to_text(length));
+    return std::abs(length - 1) <= kSquare ||
+           r.fail(std::string(which) + " to be a unit vector", "one of length " + base::to_text(length));
   };
   if (!unit(front, "Front") || !unit(left, "Left") || !unit(up, "Up")) return false;
   const double cosine = glm::dot(front, up);
-  if (std::abs(cosine) > kSquare) return r.fail("Up perpendicular to Front", "a cosine of " + base::to_text(cosine) + " between them");
+  if (std::abs(cosine) > kSquare)
+    return r.fail("Up perpendicular to Front", "a cosine of " + base::to_text(cosine) + " between them");
   const double off = glm::distance(glm::cross(front, left), up);
   if (off > 2 * kSquare) return r.fail("Up = Front x Left", "a vector that is " + base::to_text(off) + " off");
   row.forward = glm::normalize(front);
@@ -135,11 +150,13 @@ bool read_frame(Reader& r, const std::array<std::string_view, kColumns.size()>& 
   return true;
 }
 
-// A file that was cut off within its last number would read well; but not when numbers have the format's six decimals elsewhere.
+// A file that was cut off within its last number would read well; but not when numbers have the format's six decimals
+// elsewhere.
 bool check_cut(Reader& r, const std::array<std::string_view, kColumns.size()>& cells) {
   if (r.data_rows == 0) {
     r.first_decimals = decimals(cells[1]);
-    for (std::size_t i = 2; i + 1 < cells.size(); ++i) r.first_decimals = std::min(r.first_decimals, decimals(cells[i]));
+    for (std::size_t i = 2; i + 1 < cells.size(); ++i)
+      r.first_decimals = std::min(r.first_decimals, decimals(cells[i]));
   }
   if (r.lines.ended() || r.first_decimals != 6 || decimals(cells.back()) >= 6) return true;
   return r.fail("a last number with 6 decimals", base::quoted_start(cells.back()) + ": the file is cut off");
@@ -148,16 +165,21 @@ bool check_cut(Reader& r, const std::array<std::string_view, kColumns.size()>& c
 bool read_row(Reader& r, std::string_view line) {
   std::array<std::string_view, kColumns.size()> cells;
   const std::size_t count = split(line, cells);
-  if (count != kColumns.size()) return r.fail("13 columns, separated by tabs", count > kColumns.size() ? "more" : std::to_string(count));
+  if (count != kColumns.size())
+    return r.fail("13 columns, separated by tabs", count > kColumns.size() ? "more" : std::to_string(count));
   if (r.data_rows >= kMaxNl2Rows) return r.fail("at most " + std::to_string(kMaxNl2Rows) + " rows", "more");
   const auto number = base::parse_int(cells[0]);
   const auto expected = static_cast<std::int64_t>(r.data_rows + 1);
-  if (!number || *number != expected) return r.fail("the row's number " + std::to_string(expected), base::quoted_start(cells[0]));
+  if (!number || *number != expected)
+    return r.fail("the row's number " + std::to_string(expected), base::quoted_start(cells[0]));
   sim::FitRow row;
-  if (!read_vector(r, cells, 1, world::kMaxCoordinate, row.position) || !read_frame(r, cells, row) || !check_cut(r, cells)) return false;
+  if (!read_vector(r, cells, 1, world::kMaxCoordinate, row.position) || !read_frame(r, cells, row) ||
+      !check_cut(r, cells))
+    return false;
   ++r.data_rows;
   if (!r.rows.empty() && glm::distance(r.rows.back().position, row.position) <= kSamePlace) {
-    if (r.warnings.size() < 20) r.warnings.push_back(r.place() + ": warning: the row is where the one before it is; left out");
+    if (r.warnings.size() < 20)
+      r.warnings.push_back(r.place() + ": warning: the row is where the one before it is; left out");
     return true;
   }
   r.rows.push_back(row);
@@ -175,15 +197,20 @@ bool read_rows(Reader& r) {
 
 }  // namespace
 
-base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name) { return parse_nl2_csv_watched(text, name, nullptr); }
+base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name) {
+  return parse_nl2_csv_watched(text, name, nullptr);
+}
 
-base::Result<LoadedTrack> parse_nl2_csv_watched(std::string_view text, std::string_view name, base::Progress* progress) {
+base::Result<LoadedTrack> parse_nl2_csv_watched(std::string_view text, std::string_view name,
+                                                base::Progress* progress) {
   Reader r{name, Lines(text), {}, {}, 0, 0, {}};
   if (!read_rows(r)) return base::Status{base::Code::bad_file, r.error};
-  const bool repeated = r.rows.size() > 4 && glm::distance(r.rows.front().position, r.rows.back().position) <= kSamePlace;
+  const bool repeated =
+      r.rows.size() > 4 && glm::distance(r.rows.front().position, r.rows.back().position) <= kSamePlace;
   if (repeated && sim::rows_close(r.rows)) r.rows.pop_back();
   sim::FittedTrack fitted = sim::fit_track(r.rows, sim::rows_close(r.rows), progress);
-  if (progress && progress->cancelled) return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
+  if (progress && progress->cancelled)
+    return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
   LoadedTrack loaded;
   loaded.document = std::move(fitted.document);
   loaded.document.name = name_of_file(name);

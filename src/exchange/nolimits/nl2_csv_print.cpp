@@ -38,10 +38,12 @@ sim::Derived shapes_of(const world::Document& document) {
 }  // namespace
 
 base::Status check_nl2_csv(const world::Document& document, double spacing) {
-  if (document.track.segments.empty()) return {base::Code::refused, "error: expected a track with segments, found none"};
+  if (document.track.segments.empty())
+    return {base::Code::refused, "error: expected a track with segments, found none"};
   const double length = world::exact_length(document);
   if (!(length / spacing < static_cast<double>(kMaxNl2Rows - 1)))
-    return {base::Code::refused, "error: expected at most " + std::to_string(kMaxNl2Rows) + " rows, found " + base::to_text(length) + " m of track"};
+    return {base::Code::refused, "error: expected at most " + std::to_string(kMaxNl2Rows) + " rows, found " +
+                                     base::to_text(length) + " m of track"};
   return {};
 }
 

@@ -1,4 +1,5 @@
-// The spline of NoLimits 2 elements: a uniform cubic B-spline whose strict vertices are on the curve and whose others are control vertices.
+// The spline of NoLimits 2 elements: a uniform cubic B-spline whose strict vertices are on the curve and whose others
+// are control vertices.
 #pragma once
 
 #include <array>
@@ -17,8 +18,8 @@ struct SplineVertex {
 
 class UniformSpline {
  public:
-  // Needs 2 vertices, 3 when closed. An open spline starts at the first vertex and ends at the last one, without curvature there; a
-  // closed one goes on from the last vertex to the first.
+  // Needs 2 vertices, 3 when closed. An open spline starts at the first vertex and ends at the last one, without
+  // curvature there; a closed one goes on from the last vertex to the first.
   UniformSpline(const std::vector<SplineVertex>& vertices, bool closed);
 
   std::size_t spans() const { return closed_ ? controls_.size() : controls_.size() - 1; }
@@ -33,6 +34,8 @@ class UniformSpline {
 };
 
 // A span as the cubic of the document, rounded to float.
-inline curve::Cubic in_float(const std::array<glm::dvec3, 4>& c) { return {glm::vec3(c[0]), glm::vec3(c[1]), glm::vec3(c[2]), glm::vec3(c[3])}; }
+inline curve::Cubic in_float(const std::array<glm::dvec3, 4>& c) {
+  return {glm::vec3(c[0]), glm::vec3(c[1]), glm::vec3(c[2]), glm::vec3(c[3])};
+}
 
 }  // namespace coaster::exchange

@@ -33,17 +33,23 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
 }
 
-std::string_view text_of(const XMLElement& element) { return element.GetText() ? without_blanks(element.GetText()) : std::string_view(); }
+std::string_view text_of(const XMLElement& element) {
+  return element.GetText() ? without_blanks(element.GetText()) : std::string_view();
+}
 
 bool read_number(XmlReader& r, const XMLElement& parent, const char* tag, double limit, double& value) {
   const XMLElement* const element = parent.FirstChildElement(tag);
   const std::string what = std::string("<") + tag + ">";
   if (!element) return r.fail(parent.GetLineNum(), what + " in <" + parent.Name() + ">", "none");
-  if (const XMLElement* const second = element->NextSiblingElement(tag)) return r.fail(second->GetLineNum(), "one " + what, "a second one");
+  if (const XMLElement* const second = element->NextSiblingElement(tag))
+    return r.fail(second->GetLineNum(), "one " + what, "a second one");
   const std::string_view text = text_of(*element);
   const auto number = base::parse_double(text);
-  if (!number || !std::isfinite(*number)) return r.fail(element->GetLineNum(), "a finite number in " + what, base::quoted_start(text));
-  if (!(std::abs(*number) <= limit)) return r.fail(element->GetLineNum(), "a number within " + base::to_text(limit) + " in " + what, base::quoted_start(text));
+  if (!number || !std::isfinite(*number))
+    return r.fail(element->GetLineNum(), "a finite number in " + what, base::quoted_start(text));
+  if (!(std::abs(*number) <= limit))
+    return r.fail(element->GetLineNum(), "a number within " + base::to_text(limit) + " in " + what,
+                  base::quoted_start(text));
   value = *number;
   return true;
 }
@@ -54,11 +60,13 @@ bool read_strict(XmlReader& r, const XMLElement& parent, bool& strict) {
   if (!element) return true;
   const std::string_view text = text_of(*element);
   strict = text == "true" || text == "1";
-  return strict || text.empty() || text == "false" || text == "0" || r.fail(element->GetLineNum(), "true or false in <strict>", base::quoted_start(text));
+  return strict || text.empty() || text == "false" || text == "0" ||
+         r.fail(element->GetLineNum(), "true or false in <strict>", base::quoted_start(text));
 }
 
 bool read_vertex(XmlReader& r, const XMLElement& element, ElementFile& file) {
-  if (file.vertices.size() >= world::kMaxKnots) return r.fail(element.GetLineNum(), "at most " + std::to_string(world::kMaxKnots) + " vertices", "more");
+  if (file.vertices.size() >= world::kMaxKnots)
+    return r.fail(element.GetLineNum(), "at most " + std::to_string(world::kMaxKnots) + " vertices", "more");
   SplineVertex v;
   constexpr double kLimit = world::kMaxCoordinate;
   if (!read_number(r, element, "x", kLimit, v.position.x) || !read_number(r, element, "y", kLimit, v.position.y) ||
@@ -70,20 +78,28 @@ bool read_vertex(XmlReader& r, const XMLElement& element, ElementFile& file) {
 }
 
 bool read_roll(XmlReader& r, const XMLElement& element, ElementFile& file) {
-  if (file.rolls.size() >= world::kMaxKnots) return r.fail(element.GetLineNum(), "at most " + std::to_string(world::kMaxKnots) + " rolls", "more");
+  if (file.rolls.size() >= world::kMaxKnots)
+    return r.fail(element.GetLineNum(), "at most " + std::to_string(world::kMaxKnots) + " rolls", "more");
   ElementRoll roll;
   dvec3 right(0);
   constexpr double kLimit = 2;
-  const std::array<std::pair<const char*, double*>, 6> numbers{{{"ux", &roll.up.x}, {"uy", &roll.up.y}, {"uz", &roll.up.z},
-                                                                {"rx", &right.x}, {"ry", &right.y}, {"rz", &right.z}}};
+  const std::array<std::pair<const char*, double*>, 6> numbers{{{"ux", &roll.up.x},
+                                                                {"uy", &roll.up.y},
+                                                                {"uz", &roll.up.z},
+                                                                {"rx", &right.x},
+                                                                {"ry", &right.y},
+                                                                {"rz", &right.z}}};
   for (const auto& [tag, value] : numbers)
     if (!read_number(r, element, tag, kLimit, *value)) return false;
   bool strict = false;
   if (!read_number(r, element, "coord", 1, roll.coord) || !read_strict(r, element, strict)) return false;
   if (roll.coord < 0) return r.fail(element.GetLineNum(), "a <coord> from 0 to 1", base::to_text(roll.coord));
   for (const dvec3& v : {roll.up, right})
-    if (std::abs(glm::length(v) - 1) > kElementSquare) return r.fail(element.GetLineNum(), "unit vectors in <roll>", "one of length " + base::to_text(glm::length(v)));
-  if (std::abs(glm::dot(roll.up, right)) > kElementSquare) return r.fail(element.GetLineNum(), "perpendicular vectors in <roll>", "a cosine of " + base::to_text(glm::dot(roll.up, right)));
+    if (std::abs(glm::length(v) - 1) > kElementSquare)
+      return r.fail(element.GetLineNum(), "unit vectors in <roll>", "one of length " + base::to_text(glm::length(v)));
+  if (std::abs(glm::dot(roll.up, right)) > kElementSquare)
+    return r.fail(element.GetLineNum(), "perpendicular vectors in <roll>",
+                  "a cosine of " + base::to_text(glm::dot(roll.up, right)));
   roll.up = glm::normalize(roll.up);
   file.rolls.push_back(roll);
   return true;
@@ -97,7 +113,8 @@ bool read_element(XmlReader& r, const XMLElement& element, ElementFile& file) {
   }
   const int line = element.GetLineNum();
   if (file.vertices.size() < 2) return r.fail(line, "at least 2 vertices", std::to_string(file.vertices.size()));
-  file.closed = file.vertices.size() > 3 && glm::distance(file.vertices.front().position, file.vertices.back().position) <= kSameVertex;
+  file.closed = file.vertices.size() > 3 &&
+                glm::distance(file.vertices.front().position, file.vertices.back().position) <= kSameVertex;
   if (file.closed) file.vertices.pop_back();
   return true;
 }
@@ -105,13 +122,16 @@ bool read_element(XmlReader& r, const XMLElement& element, ElementFile& file) {
 bool read_file(XmlReader& r, std::string_view text, ElementFile& file, std::vector<std::string>& warnings) {
   tinyxml2::XMLDocument xml;
   if (xml.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
-    return r.fail(std::max(xml.ErrorLineNum(), 1), "XML", "an error: " + std::string(tinyxml2::XMLDocument::ErrorIDToName(xml.ErrorID())));
+    return r.fail(std::max(xml.ErrorLineNum(), 1), "XML",
+                  "an error: " + std::string(tinyxml2::XMLDocument::ErrorIDToName(xml.ErrorID())));
   const XMLElement* const root = xml.RootElement();
-  if (!root || std::string_view(root->Name()) != "root") return r.fail(root ? root->GetLineNum() : 1, "<root>", root ? base::quoted_start(root->Name()) : "none");
+  if (!root || std::string_view(root->Name()) != "root")
+    return r.fail(root ? root->GetLineNum() : 1, "<root>", root ? base::quoted_start(root->Name()) : "none");
   const XMLElement* const element = root->FirstChildElement("element");
   if (!element) return r.fail(root->GetLineNum(), "<element> in <root>", "none");
   if (const XMLElement* const second = element->NextSiblingElement("element"))
-    warnings.push_back(r.name + ":" + std::to_string(second->GetLineNum()) + ": warning: only the first <element> is read");
+    warnings.push_back(r.name + ":" + std::to_string(second->GetLineNum()) +
+                       ": warning: only the first <element> is read");
   return read_element(r, *element, file);
 }
 

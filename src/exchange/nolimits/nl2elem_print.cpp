@@ -25,10 +25,12 @@ PlaceOnTrack place_on(const sim::Derived& derived, double s) {
   return {curve::point(shape.key.cubic, shape.arc.parameter(within)), sim::frame_at(shape, within)};
 }
 
-// Whether the spline is near the place at the same share of the length, which is no nearer than the track, and leads the same way there, and
-// whether roll goes on evenly between the vertices.
+// Whether the spline is near the place at the same share of the length, which is no nearer than the track, and leads
+// the same way there, and whether roll goes on evenly between the vertices.
 bool is_close(const UniformSpline& spline, const sim::Derived& derived) {
-  const auto place = [&](double spans) { return place_on(derived, derived.length * spans / static_cast<double>(spline.spans())); };
+  const auto place = [&](double spans) {
+    return place_on(derived, derived.length * spans / static_cast<double>(spline.spans()));
+  };
   for (std::size_t i = 0; i < spline.spans(); ++i) {
     const curve::Cubic cubic = in_float(spline.span(i));
     const dvec3 from = place(static_cast<double>(i)).frame.up, to = place(static_cast<double>(i + 1)).frame.up;
@@ -46,7 +48,8 @@ bool is_close(const UniformSpline& spline, const sim::Derived& derived) {
 std::vector<SplineVertex> vertices_of(const sim::Derived& derived, std::size_t spans) {
   std::vector<SplineVertex> vertices;
   for (std::size_t i = 0; i < spans + (derived.closed ? 0 : 1); ++i)
-    vertices.push_back({place_on(derived, derived.length * static_cast<double>(i) / static_cast<double>(spans)).position, true});
+    vertices.push_back(
+        {place_on(derived, derived.length * static_cast<double>(i) / static_cast<double>(spans)).position, true});
   return vertices;
 }
 
@@ -57,7 +60,8 @@ void print_line(std::string& out, int depth, const char* tag, const std::string&
 
 void print_vertex(std::string& out, dvec3 p) {
   out += "\t\t<vertex>\r\n";
-  print_line(out, 3, "x", base::to_text(p.x)), print_line(out, 3, "y", base::to_text(p.y)), print_line(out, 3, "z", base::to_text(p.z));
+  print_line(out, 3, "x", base::to_text(p.x)), print_line(out, 3, "y", base::to_text(p.y)),
+      print_line(out, 3, "z", base::to_text(p.z));
   print_line(out, 3, "strict", "true");
   out += "\t\t</vertex>\r\n";
 }
@@ -65,8 +69,10 @@ void print_vertex(std::string& out, dvec3 p) {
 void print_roll(std::string& out, const curve::Frame& frame, double coord) {
   const dvec3 up = frame.up, right = -frame.left();
   out += "\t\t<roll>\r\n";
-  print_line(out, 3, "ux", base::to_text(up.x)), print_line(out, 3, "uy", base::to_text(up.y)), print_line(out, 3, "uz", base::to_text(up.z));
-  print_line(out, 3, "rx", base::to_text(right.x)), print_line(out, 3, "ry", base::to_text(right.y)), print_line(out, 3, "rz", base::to_text(right.z));
+  print_line(out, 3, "ux", base::to_text(up.x)), print_line(out, 3, "uy", base::to_text(up.y)),
+      print_line(out, 3, "uz", base::to_text(up.z));
+  print_line(out, 3, "rx", base::to_text(right.x)), print_line(out, 3, "ry", base::to_text(right.y)),
+      print_line(out, 3, "rz", base::to_text(right.z));
   print_line(out, 3, "coord", base::to_text(std::min(coord, 1.0)));
   print_line(out, 3, "strict", "true");
   out += "\t\t</roll>\r\n";
@@ -75,9 +81,11 @@ void print_roll(std::string& out, const curve::Frame& frame, double coord) {
 }  // namespace
 
 base::Status check_nl2elem(const world::Document& document) {
-  if (document.track.segments.empty()) return {base::Code::refused, "error: expected a track with segments, found none"};
+  if (document.track.segments.empty())
+    return {base::Code::refused, "error: expected a track with segments, found none"};
   if (const double length = world::exact_length(document); !(length <= kMaxNl2ElemLength && length > 0.01))
-    return {base::Code::refused, "error: expected a track of 0.01 to " + base::to_text(kMaxNl2ElemLength) + " m, found " + base::to_text(length) + " m"};
+    return {base::Code::refused, "error: expected a track of 0.01 to " + base::to_text(kMaxNl2ElemLength) +
+                                     " m, found " + base::to_text(length) + " m"};
   return {};
 }
 
@@ -88,13 +96,17 @@ std::string print_nl2elem(const world::Document& document) {
   sim::Derived derived;
   sim::derive(document, settings, {}, derived);
   double spacing = 1;
-  const auto spans_at = [&](double m) { return std::max<std::size_t>(4, static_cast<std::size_t>(std::ceil(derived.length / m))); };
+  const auto spans_at = [&](double m) {
+    return std::max<std::size_t>(4, static_cast<std::size_t>(std::ceil(derived.length / m)));
+  };
   std::vector<SplineVertex> vertices = vertices_of(derived, spans_at(spacing));
-  while (spacing > 0.125 && !is_close(UniformSpline(vertices, derived.closed), derived)) vertices = vertices_of(derived, spans_at(spacing /= 2));
+  while (spacing > 0.125 && !is_close(UniformSpline(vertices, derived.closed), derived))
+    vertices = vertices_of(derived, spans_at(spacing /= 2));
 
   const UniformSpline spline(vertices, derived.closed);
   std::vector<double> starts{0};
-  for (std::size_t i = 0; i < spline.spans(); ++i) starts.push_back(starts.back() + curve::ArcLengthMap(in_float(spline.span(i))).length());
+  for (std::size_t i = 0; i < spline.spans(); ++i)
+    starts.push_back(starts.back() + curve::ArcLengthMap(in_float(spline.span(i))).length());
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"no\" ?>\r\n<root>\r\n\t<element>\r\n";
   print_line(out, 2, "description", "coaster");
   for (const SplineVertex& v : vertices) print_vertex(out, v.position);

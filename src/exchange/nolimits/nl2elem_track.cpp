@@ -14,8 +14,9 @@ using glm::dvec3;
 using Controls = std::array<dvec3, 4>;
 
 constexpr double kNoDirection = 1e-4;  // m: shorter differences of control vertices tell no direction
-constexpr double kSnap = 0.03;         // m: a roll this near to a knot belongs to it, since shorter segments would have handles too short
-constexpr int kFrameSteps = 32;        // of a piece, as derived frames have
+constexpr double kSnap =
+    0.03;  // m: a roll this near to a knot belongs to it, since shorter segments would have handles too short
+constexpr int kFrameSteps = 32;  // of a piece, as derived frames have
 
 dvec3 at(const Controls& c, double t) {
   const double u = 1 - t;
@@ -50,7 +51,8 @@ std::vector<Piece> pieces_of(const UniformSpline& spline, const ElementFile& fil
   std::vector<std::vector<Cut>> cuts(spline.spans() + 1);
   for (auto& of_span : cuts) of_span.push_back({});
   std::vector<ElementRoll> rolls = file.rolls;
-  std::stable_sort(rolls.begin(), rolls.end(), [](const ElementRoll& a, const ElementRoll& b) { return a.coord < b.coord; });
+  std::stable_sort(rolls.begin(), rolls.end(),
+                   [](const ElementRoll& a, const ElementRoll& b) { return a.coord < b.coord; });
   for (const ElementRoll& roll : rolls) {
     const double s = roll.coord * starts.back();
     const auto above = std::upper_bound(starts.begin() + 1, starts.end() - 1, s);
@@ -85,8 +87,8 @@ curve::Frame transported(curve::Frame frame, const Piece& piece) {
   return frame;
 }
 
-// `ups[i]` of knot i: between rolls the angle about the frame that turns least goes on evenly; before the first and behind the last of an
-// open track it stays.
+// `ups[i]` of knot i: between rolls the angle about the frame that turns least goes on evenly; before the first and
+// behind the last of an open track it stays.
 std::vector<dvec3> ups_of(const std::vector<Piece>& pieces, const std::optional<dvec3>& end_up, bool closed) {
   std::vector<curve::Frame> frames;
   const dvec3 first = glm::normalize(slope(pieces[0].span, 0));
@@ -100,7 +102,9 @@ std::vector<dvec3> ups_of(const std::vector<Piece>& pieces, const std::optional<
     if (!angles.empty()) value += 2 * base::kPi * std::round((angles.back().value - value) / (2 * base::kPi));
     angles.push_back({s, value});
   };
-  const auto angle_of = [&](std::size_t i, dvec3 up) { return curve::signed_angle(frames[i].up, curve::perpendicular(frames[i].forward, up), frames[i].forward); };
+  const auto angle_of = [&](std::size_t i, dvec3 up) {
+    return curve::signed_angle(frames[i].up, curve::perpendicular(frames[i].forward, up), frames[i].forward);
+  };
   for (std::size_t i = 0; i < pieces.size(); ++i)
     if (pieces[i].up) add(pieces[i].start, angle_of(i, *pieces[i].up));
   const double length = pieces.back().start + pieces.back().length;
@@ -121,7 +125,9 @@ std::vector<dvec3> ups_of(const std::vector<Piece>& pieces, const std::optional<
     double angle = 0;
     if (next == 0) angle = angles.front().value;
     else if (next == angles.size()) angle = angles.back().value;
-    else angle = angles[next - 1].value + (angles[next].value - angles[next - 1].value) * (s - angles[next - 1].s) / (angles[next].s - angles[next - 1].s);
+    else
+      angle = angles[next - 1].value + (angles[next].value - angles[next - 1].value) * (s - angles[next - 1].s) /
+                                           (angles[next].s - angles[next - 1].s);
     ups.push_back(curve::rotate(frames[i].up, frames[i].forward, angle));
   }
   return ups;
@@ -136,7 +142,8 @@ world::Knot knot_of(const std::vector<Piece>& pieces, std::size_t i, bool closed
   knot.position = glm::vec3(at(after.span, t));
   knot.tangent = glm::vec3(glm::normalize(d));
   const auto handle = [&](const Piece& piece) {
-    return std::clamp(static_cast<float>(glm::length(d) * (piece.to - piece.from) / 3), world::kMinHandle, world::kMaxHandle);
+    return std::clamp(static_cast<float>(glm::length(d) * (piece.to - piece.from) / 3), world::kMinHandle,
+                      world::kMaxHandle);
   };
   knot.in_length = handle(before), knot.out_length = handle(after);
   knot.joint = knot.in_length == knot.out_length ? world::JointKind::smooth : world::JointKind::aligned;
@@ -154,13 +161,16 @@ ImportReport report_of(const world::Document& document, const std::vector<Piece>
     for (int k = 0; k <= 16; ++k) {
       const Piece& piece = pieces[i];
       const dvec3 wanted = at(piece.span, piece.from + (piece.to - piece.from) * k / 16);
-      report.max_error = std::max(report.max_error, glm::distance(wanted, curve::point(derived.shape(derived.order[i]).key.cubic, k / 16.0)));
+      report.max_error = std::max(
+          report.max_error, glm::distance(wanted, curve::point(derived.shape(derived.order[i]).key.cubic, k / 16.0)));
     }
   for (const ElementRoll& roll : file.rolls) {
-    const sim::TrackPlace place = sim::place_at(derived, std::min(roll.coord, derived.closed ? 1 - 1e-12 : 1.0) * derived.length);
+    const sim::TrackPlace place =
+        sim::place_at(derived, std::min(roll.coord, derived.closed ? 1 - 1e-12 : 1.0) * derived.length);
     const curve::Frame frame = sim::frame_at(derived.shape(derived.order[place.index]), place.s);
     const dvec3 wanted = curve::perpendicular(frame.forward, roll.up);
-    report.frame_error = std::max(report.frame_error, base::degrees(std::abs(curve::signed_angle(frame.up, wanted, frame.forward))));
+    report.frame_error =
+        std::max(report.frame_error, base::degrees(std::abs(curve::signed_angle(frame.up, wanted, frame.forward))));
   }
   return report;
 }

@@ -23,7 +23,8 @@ struct ElementFile {
 struct ElementTrack {
   world::Document document;
   ImportReport report;
-  std::optional<std::size_t> pathless;  // the vertex where the curve has no direction, or is beyond the limits: there is no document then
+  std::optional<std::size_t>
+      pathless;  // the vertex where the curve has no direction, or is beyond the limits: there is no document then
 };
 
 ElementTrack track_of(const ElementFile& file);

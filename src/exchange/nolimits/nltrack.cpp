@@ -16,15 +16,15 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::size_t kTagBytes = 4, kHeadBytes = 8;      // a chunk's tag and size
-constexpr std::size_t kVerticesHead = 20;                 // 16 bytes and the count
+constexpr std::size_t kTagBytes = 4, kHeadBytes = 8;  // a chunk's tag and size
+constexpr std::size_t kVerticesHead = 20;             // 16 bytes and the count
 constexpr std::size_t kRecordBytes = 60;
-constexpr std::size_t kSegmentsHead = 5;                  // the count and the closed byte
-constexpr double kWorthATell = base::radians(0.1);        // turn between handles that is told of
-constexpr double kCorner = base::radians(90.0);           // more is no track
-constexpr double kRollSign = -1.0;  // the file counts to the left, the document to the right
-constexpr double kSteep = 0.9;  // sine of the slope from which on the horizon says little about roll
-constexpr int kHorizonSteps = 64;                         // of a segment, to follow how the horizon turns against the frame
+constexpr std::size_t kSegmentsHead = 5;            // the count and the closed byte
+constexpr double kWorthATell = base::radians(0.1);  // turn between handles that is told of
+constexpr double kCorner = base::radians(90.0);     // more is no track
+constexpr double kRollSign = -1.0;                  // the file counts to the left, the document to the right
+constexpr double kSteep = 0.9;     // sine of the slope from which on the horizon says little about roll
+constexpr int kHorizonSteps = 64;  // of a segment, to follow how the horizon turns against the frame
 
 struct Record {
   glm::vec3 point, in, out;
@@ -52,12 +52,15 @@ struct Chunk {
   std::size_t end() const { return payload + size; }
 };
 
-// The first chunk of that tag at or behind `from` that lies within the file and has at least `least` bytes. What lies before it is of no
-// interest, and may have the tag in a text: then the next one counts, and the first one's fault is told when there is none.
+// The first chunk of that tag at or behind `from` that lies within the file and has at least `least` bytes. What lies
+// before it is of no interest, and may have the tag in a text: then the next one counts, and the first one's fault is
+// told when there is none.
 base::Result<Chunk> find_chunk(const ChunkReader& reader, std::string_view tag, std::size_t from, std::size_t least) {
-  base::Status fault = reader.fail(from, "expected a chunk \"" + std::string(tag) + "\", found none to the end of the file");
+  base::Status fault =
+      reader.fail(from, "expected a chunk \"" + std::string(tag) + "\", found none to the end of the file");
   bool found = false;
-  for (std::size_t at = reader.bytes.find(tag, from); at != std::string_view::npos; at = reader.bytes.find(tag, at + 1)) {
+  for (std::size_t at = reader.bytes.find(tag, from); at != std::string_view::npos;
+       at = reader.bytes.find(tag, at + 1)) {
     const std::size_t left = reader.bytes.size() - at;
     base::Status wrong;
     if (left < kHeadBytes) {
@@ -65,13 +68,12 @@ base::Result<Chunk> find_chunk(const ChunkReader& reader, std::string_view tag, 
     } else {
       const Chunk chunk{at, at + kHeadBytes, reader.whole(at + kTagBytes)};
       if (chunk.size > left - kHeadBytes)
-        wrong = reader.fail(at + kTagBytes, "chunk \"" + std::string(tag) + "\" has " + std::to_string(chunk.size) + " bytes, but the file " +
-                                                std::to_string(left - kHeadBytes) + " more");
+        wrong = reader.fail(at + kTagBytes, "chunk \"" + std::string(tag) + "\" has " + std::to_string(chunk.size) +
+                                                " bytes, but the file " + std::to_string(left - kHeadBytes) + " more");
       else if (chunk.size < least)
-        wrong = reader.fail(at + kTagBytes, "expected a chunk \"" + std::string(tag) + "\" of at least " + std::to_string(least) +
-                                                " bytes, found " + std::to_string(chunk.size));
-      else
-        return chunk;
+        wrong = reader.fail(at + kTagBytes, "expected a chunk \"" + std::string(tag) + "\" of at least " +
+                                                std::to_string(least) + " bytes, found " + std::to_string(chunk.size));
+      else return chunk;
     }
     if (!found) fault = std::move(wrong);
     found = true;
@@ -79,11 +81,12 @@ base::Result<Chunk> find_chunk(const ChunkReader& reader, std::string_view tag, 
   return fault;
 }
 
-// Where the closed byte is. Chunk SEGM has a size before its count of segments, which files of some writers lack: the count, which is that of
-// `knots` or one less, tells which it is. Where it is neither, the chunk is taken by its size.
+// Where the closed byte is. Chunk SEGM has a size before its count of segments, which files of some writers lack: the
+// count, which is that of `knots` or one less, tells which it is. Where it is neither, the chunk is taken by its size.
 base::Result<std::size_t> closed_byte(const ChunkReader& reader, std::size_t from, std::size_t knots) {
   const auto counts = [&](std::size_t at) { return reader.whole(at) == knots || reader.whole(at) + 1 == knots; };
-  for (std::size_t at = reader.bytes.find("SEGM", from); at != std::string_view::npos; at = reader.bytes.find("SEGM", at + 1)) {
+  for (std::size_t at = reader.bytes.find("SEGM", from); at != std::string_view::npos;
+       at = reader.bytes.find("SEGM", at + 1)) {
     const std::size_t left = reader.bytes.size() - at;
     if (left >= kHeadBytes + kSegmentsHead && counts(at + kHeadBytes)) break;
     if (left >= kTagBytes + kSegmentsHead && counts(at + kTagBytes)) return at + kHeadBytes;
@@ -99,8 +102,9 @@ base::Result<glm::vec3> read_point(const ChunkReader& reader, std::size_t at, co
     const std::size_t place = at + 4u * static_cast<std::size_t>(axis);
     value[axis] = reader.number(place);
     if (!(std::abs(value[axis]) <= world::kMaxCoordinate))
-      return reader.fail(place, std::string("expected a coordinate of the ") + what + " within " + base::to_text(world::kMaxCoordinate) +
-                                    " m, found " + (std::isfinite(value[axis]) ? base::to_text(value[axis]) : "no finite number"));
+      return reader.fail(place, std::string("expected a coordinate of the ") + what + " within " +
+                                    base::to_text(world::kMaxCoordinate) + " m, found " +
+                                    (std::isfinite(value[axis]) ? base::to_text(value[axis]) : "no finite number"));
   }
   return value;
 }
@@ -108,13 +112,15 @@ base::Result<glm::vec3> read_point(const ChunkReader& reader, std::size_t at, co
 base::Result<std::vector<Record>> read_records(const ChunkReader& reader, const Chunk& chunk) {
   const std::size_t count = reader.whole(chunk.payload + 16), room = (chunk.size - kVerticesHead) / kRecordBytes;
   if (count > room || count > world::kMaxKnots)
-    return reader.fail(chunk.payload + 16, "expected at most " + std::to_string(std::min(room, world::kMaxKnots)) + " knots, found " + std::to_string(count));
+    return reader.fail(chunk.payload + 16, "expected at most " + std::to_string(std::min(room, world::kMaxKnots)) +
+                                               " knots, found " + std::to_string(count));
   std::vector<Record> records;
   records.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     Record record;
     record.offset = chunk.payload + kVerticesHead + i * kRecordBytes;
-    const std::pair<glm::vec3*, const char*> points[]{{&record.point, "point"}, {&record.in, "in-handle"}, {&record.out, "out-handle"}};
+    const std::pair<glm::vec3*, const char*> points[]{
+        {&record.point, "point"}, {&record.in, "in-handle"}, {&record.out, "out-handle"}};
     std::size_t at = record.offset;
     for (const auto& [point, what] : points) {
       const auto value = read_point(reader, at, what);
@@ -125,7 +131,9 @@ base::Result<std::vector<Record>> read_records(const ChunkReader& reader, const 
     record.roll = reader.number(at);
     constexpr double kMostRoll = 2.0 * base::kPi * 1e4;
     if (!(std::abs(record.roll) <= kMostRoll))
-      return reader.fail(at, "expected a roll in radians within 10000 turns, found " + (std::isfinite(record.roll) ? base::to_text(record.roll) : std::string("no finite number")));
+      return reader.fail(
+          at, "expected a roll in radians within 10000 turns, found " +
+                  (std::isfinite(record.roll) ? base::to_text(record.roll) : std::string("no finite number")));
     records.push_back(record);
   }
   return records;
@@ -146,7 +154,8 @@ dvec3 between_neighbours(const std::vector<Record>& records, std::size_t i, bool
   return after - before;
 }
 
-base::Result<world::Knot> make_knot(const ChunkReader& reader, const std::vector<Record>& records, std::size_t i, bool closed, Changes& changes) {
+base::Result<world::Knot> make_knot(const ChunkReader& reader, const std::vector<Record>& records, std::size_t i,
+                                    bool closed, Changes& changes) {
   const Record& r = records[i];
   const bool comes = i > 0 || closed, goes = i + 1 < records.size() || closed;  // whether a segment uses the handle
   dvec3 in = dvec3(r.point) - dvec3(r.in), out = dvec3(r.out) - dvec3(r.point);
@@ -155,12 +164,16 @@ base::Result<world::Knot> make_knot(const ChunkReader& reader, const std::vector
   const double a = glm::length(in), b = glm::length(out);
   dvec3 direction = a + b > 0 ? in + out : between_neighbours(records, i, closed);
   if (!(glm::length(direction) > 0)) {
-    if (records.size() > 1) return reader.fail(r.offset, "knot " + std::to_string(i + 1) + " has no direction: its handles cancel out or have no length");
+    if (records.size() > 1)
+      return reader.fail(
+          r.offset, "knot " + std::to_string(i + 1) + " has no direction: its handles cancel out or have no length");
     direction = {1, 0, 0};
   }
   if (a > 0 && b > 0) {
     const double turn = base::arc_tangent(glm::length(glm::cross(in, out)), glm::dot(in, out));
-    if (turn > kCorner) return reader.fail(r.offset, "knot " + std::to_string(i + 1) + " is a corner of " + base::to_text(static_cast<float>(base::degrees(turn))) + " degrees");
+    if (turn > kCorner)
+      return reader.fail(r.offset, "knot " + std::to_string(i + 1) + " is a corner of " +
+                                       base::to_text(static_cast<float>(base::degrees(turn))) + " degrees");
     if (turn > kWorthATell) ++changes.straightened, changes.largest_turn = std::max(changes.largest_turn, turn);
   }
   world::Knot knot;
@@ -169,7 +182,8 @@ base::Result<world::Knot> make_knot(const ChunkReader& reader, const std::vector
   knot.tangent = glm::vec3(glm::normalize(direction));
   for (const auto& [length, stored, used] : {std::tuple{a, &knot.in_length, comes}, {b, &knot.out_length, goes}}) {
     if (length > world::kMaxHandle)
-      return reader.fail(r.offset, "knot " + std::to_string(i + 1) + " has a handle of " + base::to_text(static_cast<float>(length)) + " m, over the limit of " +
+      return reader.fail(r.offset, "knot " + std::to_string(i + 1) + " has a handle of " +
+                                       base::to_text(static_cast<float>(length)) + " m, over the limit of " +
                                        base::to_text(world::kMaxHandle));
     *stored = std::max(static_cast<float>(length), world::kMinHandle);
     if (used && length < world::kMinHandle) ++changes.lengthened;
@@ -184,12 +198,13 @@ struct Twist {
   double whole = 0;  // the same but for whole turns, as the file means it
 };
 
-// How the horizon turns against the rotation-minimising frame, plus what the track rolled against the horizon. Where the track is steep the horizon
-// turns over, one way or the other by what little the track leans, and no file tells which was meant: each steep stretch counts as the way that brings
-// the sum nearer to 0.
+// How the horizon turns against the rotation-minimising frame, plus what the track rolled against the horizon. Where
+// the track is steep the horizon turns over, one way or the other by what little the track leans, and no file tells
+// which was meant: each steep stretch counts as the way that brings the sum nearer to 0.
 Twist twist_of(const curve::Cubic& cubic, glm::vec3 up_from, glm::vec3 up_to, double rolled) {
   const dvec3 up(0, 1, 0), start = curve::unit_tangent(cubic, 0);
-  curve::Frame carried{start, curve::perpendicular(start, dvec3(up_from))}, horizon{start, curve::perpendicular(start, up)};
+  curve::Frame carried{start, curve::perpendicular(start, dvec3(up_from))},
+      horizon{start, curve::perpendicular(start, up)};
   Twist twist{0, rolled};
   std::vector<double> stretches;  // by how much the horizon turned over each
   bool was_steep = false;
@@ -216,7 +231,8 @@ Twist twist_of(const curve::Cubic& cubic, glm::vec3 up_from, glm::vec3 up_to, do
 }
 
 // Whole turns that the least twist between the knots' `up` lacks.
-base::Status set_turns(const ChunkReader& reader, world::Document& document, std::size_t i, const std::vector<Record>& records) {
+base::Status set_turns(const ChunkReader& reader, world::Document& document, std::size_t i,
+                       const std::vector<Record>& records) {
   const Record &from = records[i], &to = records[(i + 1) % records.size()];
   const world::Entity e = document.track.segments[i];
   world::Segment& segment = document.entities.get<world::Segment>(e);
@@ -224,10 +240,13 @@ base::Status set_turns(const ChunkReader& reader, world::Document& document, std
   // Back at the first knot the roll may be whole turns away from where it started: that joint gets the least turn.
   double rolled = kRollSign * (double{to.roll} - double{from.roll});
   if (i + 1 == records.size()) rolled = std::remainder(rolled, 2 * base::kPi);
-  const Twist twist = twist_of(cubic, world::knot(document, segment.from).up, world::knot(document, segment.to).up, rolled);
+  const Twist twist =
+      twist_of(cubic, world::knot(document, segment.from).up, world::knot(document, segment.to).up, rolled);
   const double turns = std::round((twist.whole - twist.least) / (2 * base::kPi));
   if (std::abs(turns) > world::kMaxTurns)
-    return reader.fail(to.offset + 36, "the roll goes over " + base::to_text(turns) + " turns from the knot before, the limit is " + std::to_string(world::kMaxTurns));
+    return reader.fail(to.offset + 36, "the roll goes over " + base::to_text(turns) +
+                                           " turns from the knot before, the limit is " +
+                                           std::to_string(world::kMaxTurns));
   segment.turns = static_cast<std::int32_t>(turns);
   return {};
 }
@@ -235,10 +254,12 @@ base::Status set_turns(const ChunkReader& reader, world::Document& document, std
 std::vector<std::string> warnings_of(const Changes& changes) {
   std::vector<std::string> warnings;
   if (changes.lengthened > 0)
-    warnings.push_back(std::to_string(changes.lengthened) + " handles shorter than " + base::to_text(world::kMinHandle) + " m were made that long");
+    warnings.push_back(std::to_string(changes.lengthened) + " handles shorter than " +
+                       base::to_text(world::kMinHandle) + " m were made that long");
   if (changes.straightened > 0)
     warnings.push_back(std::to_string(changes.straightened) + " knots had handles that are not on one line, by up to " +
-                       base::to_text(static_cast<float>(base::degrees(changes.largest_turn))) + " degrees; they were turned onto one");
+                       base::to_text(static_cast<float>(base::degrees(changes.largest_turn))) +
+                       " degrees; they were turned onto one");
   return warnings;
 }
 
@@ -254,9 +275,11 @@ base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view
   if (!place) return place.status();
   const std::size_t at = *place;
   const auto mark = static_cast<unsigned char>(bytes[at]);
-  if (mark != 0 && mark != 0xff) return reader.fail(at, "expected the closed byte 0 or 255, found " + std::to_string(mark));
+  if (mark != 0 && mark != 0xff)
+    return reader.fail(at, "expected the closed byte 0 or 255, found " + std::to_string(mark));
   const bool closed = mark == 0xff;
-  if (closed && records->size() < 2) return reader.fail(at, "a closed track has at least 2 knots, found " + std::to_string(records->size()));
+  if (closed && records->size() < 2)
+    return reader.fail(at, "a closed track has at least 2 knots, found " + std::to_string(records->size()));
 
   LoadedTrack track;
   world::Document& document = track.document;
@@ -270,7 +293,8 @@ base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view
   if (closed) world::set_closed(document, true);
   for (std::size_t i = 0; i < document.track.segments.size(); ++i)
     if (const base::Status status = set_turns(reader, document, i, *records); !status) return status;
-  if (const auto broken = world::broken_invariant(document)) return base::Status{base::Code::bad_file, reader.name + ": error: " + *broken};
+  if (const auto broken = world::broken_invariant(document))
+    return base::Status{base::Code::bad_file, reader.name + ": error: " + *broken};
   track.warnings = warnings_of(changes);
   return track;
 }

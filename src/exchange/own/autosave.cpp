@@ -25,7 +25,8 @@ void remove_file(const std::filesystem::path& file) {
 std::filesystem::path free_info(const std::filesystem::path& folder) {
   std::error_code ignored;
   for (int i = 1;; ++i) {
-    std::filesystem::path info = folder / (std::to_string(::getpid()) + "-" + std::to_string(i) + std::string(kInfoEnding));
+    std::filesystem::path info =
+        folder / (std::to_string(::getpid()) + "-" + std::to_string(i) + std::string(kInfoEnding));
     if (!std::filesystem::exists(info, ignored)) return info;
   }
 }
@@ -45,10 +46,13 @@ base::Result<AutosaveInfo> parse_autosave_info(std::string_view text, std::strin
   AutosaveInfo info;
   Fields fields(*tree, {}, error);
   constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / 2;
-  const bool read = fields.text("format", format) && (format == kAutosaveFormat || fields.reject("format", "\"" + std::string(kAutosaveFormat) + "\"")) &&
-                    fields.whole("version", version, 1, kAutosaveVersion) && fields.text("track", track) && fields.text("original", info.original) &&
-                    fields.text("name", info.name) && fields.whole("time", info.time, 0, kMost) &&
-                    fields.whole("pid", pid, 0, std::numeric_limits<int>::max()) && fields.text("hash", info.hash);
+  const bool read =
+      fields.text("format", format) &&
+      (format == kAutosaveFormat || fields.reject("format", "\"" + std::string(kAutosaveFormat) + "\"")) &&
+      fields.whole("version", version, 1, kAutosaveVersion) && fields.text("track", track) &&
+      fields.text("original", info.original) && fields.text("name", info.name) &&
+      fields.whole("time", info.time, 0, kMost) && fields.whole("pid", pid, 0, std::numeric_limits<int>::max()) &&
+      fields.text("hash", info.hash);
   if (read && std::filesystem::path(track).filename() != track) fields.reject("track", "a name without a folder");
   if (!error.empty()) return base::Status{base::Code::bad_file, std::string(name) + ": error: " + error};
   info.track = track;
@@ -69,8 +73,8 @@ std::string print_autosave_info(const AutosaveInfo& info) {
   return json_file(tree);
 }
 
-base::Status Autosave::write(base::Files& files, const std::filesystem::path& folder, const world::Document& document, const std::string& original,
-                             std::int64_t time) {
+base::Status Autosave::write(base::Files& files, const std::filesystem::path& folder, const world::Document& document,
+                             const std::string& original, std::int64_t time) {
   if (folder.empty()) return {base::Code::io, "there is no folder for autosaves: HOME is not set"};
   if (const base::Status made = base::make_folders(folder); !made) return made;
   if (info_.empty() || info_.parent_path() != folder) {
@@ -120,7 +124,8 @@ std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesys
     base::LockAttempt attempt = base::try_lock(file);
     if (attempt.outcome == base::LockAttempt::Outcome::held) continue;
     const base::Result<std::string> text = files.read(file);
-    base::Result<AutosaveInfo> info = text ? parse_autosave_info(*text, entry.name) : base::Result<AutosaveInfo>(text.status());
+    base::Result<AutosaveInfo> info =
+        text ? parse_autosave_info(*text, entry.name) : base::Result<AutosaveInfo>(text.status());
     if (!info) continue;
     if (attempt.outcome == base::LockAttempt::Outcome::impossible && base::process_runs(info->pid)) continue;
     info->track = folder / info->track;
@@ -135,7 +140,8 @@ std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesys
     if (pid && base::process_runs(static_cast<int>(*pid))) continue;
     remove_file(folder / entry.name);
   }
-  std::sort(found.begin(), found.end(), [](const FoundAutosave& a, const FoundAutosave& b) { return a.info.time > b.info.time; });
+  std::sort(found.begin(), found.end(),
+            [](const FoundAutosave& a, const FoundAutosave& b) { return a.info.time > b.info.time; });
   return found;
 }
 

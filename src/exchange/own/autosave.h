@@ -1,5 +1,6 @@
-// Autosaves: what was not saved when a program ended without being asked. Each running program has one: a track file, and beside it a small file that
-// says whose it is, "ID.info.json", which is locked while its program runs. So a start finds what crashed ones left, and no live one's.
+// Autosaves: what was not saved when a program ended without being asked. Each running program has one: a track file,
+// and beside it a small file that says whose it is, "ID.info.json", which is locked while its program runs. So a start
+// finds what crashed ones left, and no live one's.
 #pragma once
 
 #include <cstdint>
@@ -32,10 +33,11 @@ std::string print_autosave_info(const AutosaveInfo& info);
 // The autosave of this program.
 class Autosave {
  public:
-  // Writes the track under a new name, then the small file that names it, then removes the track before: at any time what the small file names is whole.
-  // On an error what was there before stays. Code::io with the reason. Makes the folder when there is none.
-  base::Status write(base::Files& files, const std::filesystem::path& folder, const world::Document& document, const std::string& original,
-                     std::int64_t time);
+  // Writes the track under a new name, then the small file that names it, then removes the track before: at any time
+  // what the small file names is whole. On an error what was there before stays. Code::io with the reason. Makes the
+  // folder when there is none.
+  base::Status write(base::Files& files, const std::filesystem::path& folder, const world::Document& document,
+                     const std::string& original, std::int64_t time);
   // Forgets what was written: it is saved, or not wanted.
   void remove();
   bool exists() const { return !track_.empty(); }
@@ -54,8 +56,8 @@ struct FoundAutosave {
   std::int64_t file_time = 0;  // of the original's last change, s since 1970; 0: there is no such file
 };
 
-// All that programs that no longer run have left in a folder, the newest first. Removes what belongs to none: tracks that no small file names,
-// temporary files of killed writers. A small file that cannot be read is left alone.
+// All that programs that no longer run have left in a folder, the newest first. Removes what belongs to none: tracks
+// that no small file names, temporary files of killed writers. A small file that cannot be read is left alone.
 std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesystem::path& folder);
 
 // Removes the track and its small file.

@@ -18,14 +18,18 @@ bool read_envelope_head(EnvelopeParse& parse, Fields& fields) {
   std::string note;
   if (!fields.head(kEnvelopeFormat, kEnvelopeVersion)) return false;
   if (fields.has("note") && !fields.text("note", note)) return false;
-  return fields.text("name", parse.loaded.name) && fields.number("shortest", parse.loaded.envelope.shortest, 0, kMaxShortest) &&
+  return fields.text("name", parse.loaded.name) &&
+         fields.number("shortest", parse.loaded.envelope.shortest, 0, kMaxShortest) &&
          fields.number("cutoff", parse.loaded.envelope.cutoff, kMinCutoff, kMaxCutoff);
 }
 
-bool read_point(EnvelopeParse& parse, const Json& value, std::string_view axis, std::size_t index, sim::EnvelopeCurve& curve) {
+bool read_point(EnvelopeParse& parse, const Json& value, std::string_view axis, std::size_t index,
+                sim::EnvelopeCurve& curve) {
   Fields fields(value, {axis, index}, parse.error);
   sim::EnvelopePoint point{0, 0};
-  if (!fields.number("seconds", point.seconds, 0, kMaxEnvelopeSeconds) || !fields.number("g", point.g, 0, kMaxEnvelopeG)) return false;
+  if (!fields.number("seconds", point.seconds, 0, kMaxEnvelopeSeconds) ||
+      !fields.number("g", point.g, 0, kMaxEnvelopeG))
+    return false;
   if (!curve.empty() && !(point.seconds > curve.back().seconds))
     return fields.reject("seconds", "more than " + base::to_text(curve.back().seconds) + " (durations ascend)");
   fields.unknown(parse.loaded.warnings);
@@ -38,7 +42,8 @@ bool read_curves(EnvelopeParse& parse, Fields& fields) {
     const std::string_view name = sim::name(static_cast<sim::ForceAxis>(axis));
     const Json* const list = fields.list(name);
     if (!list) return false;
-    if (list->size() > kMaxEnvelopePoints) return fields.fail(name, "more than the limit of " + std::to_string(kMaxEnvelopePoints) + " points");
+    if (list->size() > kMaxEnvelopePoints)
+      return fields.fail(name, "more than the limit of " + std::to_string(kMaxEnvelopePoints) + " points");
     for (std::size_t i = 0; i < list->size(); ++i)
       if (!read_point(parse, (*list)[i], name, i, parse.loaded.envelope.curves[axis])) return false;
   }
@@ -64,14 +69,16 @@ base::Result<LoadedEnvelope> parse_envelope(std::string_view text, std::string_v
 }
 
 std::string print_envelope(const sim::Envelope& envelope, std::string_view name) {
-  std::string out = "{\n  \"format\": " + json_string(kEnvelopeFormat) + ",\n  \"version\": " + std::to_string(kEnvelopeVersion) + ",\n  \"name\": " + json_string(name) +
-                    ",\n  \"note\": " + json_string(kEnvelopeNote) + ",\n  \"shortest\": " + base::to_text(envelope.shortest) +
-                    ",\n  \"cutoff\": " + base::to_text(envelope.cutoff);
+  std::string out =
+      "{\n  \"format\": " + json_string(kEnvelopeFormat) + ",\n  \"version\": " + std::to_string(kEnvelopeVersion) +
+      ",\n  \"name\": " + json_string(name) + ",\n  \"note\": " + json_string(kEnvelopeNote) +
+      ",\n  \"shortest\": " + base::to_text(envelope.shortest) + ",\n  \"cutoff\": " + base::to_text(envelope.cutoff);
   for (std::size_t axis = 0; axis < sim::kForceAxes; ++axis) {
     out += ",\n  " + json_string(sim::name(static_cast<sim::ForceAxis>(axis))) + ": [";
     const char* before = "\n";
     for (const sim::EnvelopePoint& point : envelope.curves[axis]) {
-      out += before + ("    {\"seconds\": " + base::to_text(point.seconds)) + ", \"g\": " + base::to_text(point.g) + "}";
+      out +=
+          before + ("    {\"seconds\": " + base::to_text(point.seconds)) + ", \"g\": " + base::to_text(point.g) + "}";
       before = ",\n";
     }
     out += envelope.curves[axis].empty() ? "]" : "\n  ]";
@@ -80,7 +87,8 @@ std::string print_envelope(const sim::Envelope& envelope, std::string_view name)
 }
 
 base::Result<LoadedEnvelope> load_envelope(base::Files& files, const std::filesystem::path& path) {
-  if (path.extension() != ".json") return base::Status{base::Code::bad_file, path.string() + ": error: expected a file ending in .json"};
+  if (path.extension() != ".json")
+    return base::Status{base::Code::bad_file, path.string() + ": error: expected a file ending in .json"};
   const base::Result<std::string> text = files.read(path);
   if (!text) return text.status();
   return parse_envelope(*text, path.string());

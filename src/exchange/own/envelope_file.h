@@ -1,5 +1,5 @@
-// The format of force limits, JSON (docs/ride.md): which acceleration may last how long. Data to edit, not a compliance check. Reading checks
-// everything; a bad file never yields an envelope.
+// The format of force limits, JSON (docs/ride.md): which acceleration may last how long. Data to edit, not a compliance
+// check. Reading checks everything; a bad file never yields an envelope.
 #pragma once
 
 #include <filesystem>
@@ -27,12 +27,14 @@ struct LoadedEnvelope {
   std::vector<std::string> warnings;  // one line each: unknown members
 };
 
-// Parses a whole file's text. Errors are Code::bad_file with one line "NAME:LINE:COLUMN: error: ..." for broken JSON and
-// "NAME: error: down[3].g: expected ..., found ..." for everything else. Refuses: wrong format or a newer version, missing or duplicate members,
-// numbers beyond the limits above, durations that do not ascend. A curve without points limits nothing.
+// Parses a whole file's text. Errors are Code::bad_file with one line "NAME:LINE:COLUMN: error: ..." for broken JSON
+// and "NAME: error: down[3].g: expected ..., found ..." for everything else. Refuses: wrong format or a newer version,
+// missing or duplicate members, numbers beyond the limits above, durations that do not ascend. A curve without points
+// limits nothing.
 base::Result<LoadedEnvelope> parse_envelope(std::string_view text, std::string_view name);
 
-// The text of an envelope: one point a line, shortest exact numbers; ends with a newline. parse_envelope() gives the same envelope back.
+// The text of an envelope: one point a line, shortest exact numbers; ends with a newline. parse_envelope() gives the
+// same envelope back.
 std::string print_envelope(const sim::Envelope& envelope, std::string_view name);
 
 // A file that ends in ".json".

@@ -24,10 +24,8 @@ std::string Place::text() const {
 }
 
 Fields::Fields(const Json& value, Place place, std::string& error) : place_(place), error_(error) {
-  if (value.is_object())
-    object_ = &value;
-  else
-    fail({}, "expected an object, found " + describe(value));
+  if (value.is_object()) object_ = &value;
+  else fail({}, "expected an object, found " + describe(value));
 }
 
 bool Fields::fail(std::string_view member, std::string_view message) {
@@ -52,8 +50,8 @@ bool Fields::head(std::string_view format, std::int32_t newest) {
   if (!text("format", found)) return false;
   if (found != format) return reject("format", "\"" + std::string(format) + "\"");
   if (!whole("version", version, 1, std::numeric_limits<std::int32_t>::max())) return false;
-  return version <= newest ||
-         fail("version", "version " + std::to_string(version) + " is newer than this program reads (" + std::to_string(newest) + ")");
+  return version <= newest || fail("version", "version " + std::to_string(version) +
+                                                  " is newer than this program reads (" + std::to_string(newest) + ")");
 }
 
 const Json* Fields::member(std::string_view name, std::string_view expected) {
@@ -126,8 +124,8 @@ bool Fields::vector(std::string_view name, glm::dvec3& value, double limit) {
     if (!component.is_number()) return fail(at, "expected a finite number, found " + describe(component));
     value[axis] = component.get<double>();
     if (!(std::abs(value[axis]) <= limit))
-      return fail(at, "expected a number from " + limit_text(-limit) + " to " + limit_text(limit) +
-                          ", found " + describe(component));
+      return fail(at, "expected a number from " + limit_text(-limit) + " to " + limit_text(limit) + ", found " +
+                          describe(component));
   }
   return true;
 }
@@ -150,8 +148,7 @@ std::string Fields::unknown(std::vector<std::string>& warnings) const {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
     members.emplace_back(key, value);
     const std::string where = place_.text();
-    warnings.push_back(where + (where.empty() ? "" : ": ") + "unknown member " + describe(Json(key)) +
-                       " is kept");
+    warnings.push_back(where + (where.empty() ? "" : ": ") + "unknown member " + describe(Json(key)) + " is kept");
   }
   return members.empty() ? std::string() : json_line(extra);
 }

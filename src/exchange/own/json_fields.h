@@ -1,5 +1,5 @@
-// Checked getters for the members of a JSON object. They never throw; the first thing that is wrong is kept with its place.
-// Private to this room.
+// Checked getters for the members of a JSON object. They never throw; the first thing that is wrong is kept with its
+// place. Private to this room.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ struct Place {
   std::string text() const;
 };
 
-// Every getter fills `value` and returns true, or keeps "PLACE.MEMBER: expected ..., found ..." in `error` and returns false. Members
-// are required: ask has() first for those that are not. Members never asked for are the unknown ones.
+// Every getter fills `value` and returns true, or keeps "PLACE.MEMBER: expected ..., found ..." in `error` and returns
+// false. Members are required: ask has() first for those that are not. Members never asked for are the unknown ones.
 class Fields {
  public:
   Fields(const Json& value, Place place, std::string& error);

@@ -24,8 +24,7 @@ std::string clipped(std::string text, std::size_t most) {
 }
 
 // Line and column of a byte.
-std::string at_byte(std::string_view text, std::size_t offset, std::string_view name,
-                    std::string_view message) {
+std::string at_byte(std::string_view text, std::size_t offset, std::string_view name, std::string_view message) {
   offset = std::min(offset, text.size());
   const std::string_view before = text.substr(0, offset);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
@@ -54,8 +53,7 @@ class Builder {
   bool end_object() { return close(); }
   bool end_array() { return close(); }
   bool key(std::string& key) {
-    if (!open_.back().keys.insert(key).second)
-      return fail("member \"" + clipped(key, kClip) + "\" appears twice");
+    if (!open_.back().keys.insert(key).second) return fail("member \"" + clipped(key, kClip) + "\" appears twice");
     open_.back().key = std::move(key);
     return true;
   }
@@ -89,8 +87,7 @@ class Builder {
   }
   bool add(Json value) { return append(std::move(value)), true; }
   bool open(Json value) {
-    if (open_.size() == kMaxNesting)
-      return fail("nesting deeper than the limit of " + std::to_string(kMaxNesting));
+    if (open_.size() == kMaxNesting) return fail("nesting deeper than the limit of " + std::to_string(kMaxNesting));
     // The pointer stays good: nothing is appended to the parent before this one closes.
     Json* const node = append(std::move(value));
     open_.push_back({node, {}, {}});
@@ -106,8 +103,7 @@ class Builder {
       if (parent.is_array()) {
         path += "[" + std::to_string(parent.size() - 1) + "]";
       } else {
-        const auto& members =
-            static_cast<const Json::object_t::Container&>(parent.get_ref<const Json::object_t&>());
+        const auto& members = static_cast<const Json::object_t::Container&>(parent.get_ref<const Json::object_t&>());
         path += (path.empty() ? "" : ".") + clipped(members.back().first, kClip);
       }
     }

@@ -10,8 +10,8 @@ namespace coaster::exchange {
 
 using Json = nlohmann::ordered_json;  // members keep their order
 
-// The text of a file: members on lines of their own, `indent` blanks a level, a line feed at the end. Here and below, bytes that are no
-// UTF-8 become U+FFFD.
+// The text of a file: members on lines of their own, `indent` blanks a level, a line feed at the end. Here and below,
+// bytes that are no UTF-8 become U+FFFD.
 std::string json_file(const Json& tree, int indent = 2);
 
 // A value on one line, without blanks.

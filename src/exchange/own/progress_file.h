@@ -1,4 +1,5 @@
-// What a user has reached in challenges, JSON (docs/challenges.md): the best medal of each, and the best values it was reached with.
+// What a user has reached in challenges, JSON (docs/challenges.md): the best medal of each, and the best values it was
+// reached with.
 #pragma once
 
 #include <string>
@@ -16,7 +17,7 @@ inline constexpr std::size_t kMaxProgressEntries = 10'000, kMaxProgressValues = 
 
 // A value that a challenge asks about, the best one that it was ever passed with.
 struct BestValue {
-  std::string query;        // as in the challenge, with its argument
+  std::string query;  // as in the challenge, with its argument
   double value = 0;
   bool less_is_better = false;
   friend bool operator==(const BestValue&, const BestValue&) = default;
@@ -34,8 +35,8 @@ struct Progress {
   friend bool operator==(const Progress&, const Progress&) = default;
 };
 
-// Parses a whole file's text. Code::bad_file with one line as for tracks for what is no such file in every part: half a memory is no memory,
-// and the caller sets it aside.
+// Parses a whole file's text. Code::bad_file with one line as for tracks for what is no such file in every part: half a
+// memory is no memory, and the caller sets it aside.
 base::Result<Progress> parse_progress(std::string_view text, std::string_view name);
 // Ends with a newline; parse_progress() gives the same back.
 std::string print_progress(const Progress& progress);

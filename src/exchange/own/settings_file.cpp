@@ -1,4 +1,5 @@
-// A user's settings from and to JSON: one row for each member, each with its own default where the file has something else.
+// A user's settings from and to JSON: one row for each member, each with its own default where the file has something
+// else.
 #include "exchange/own/settings_file.h"
 
 #include <algorithm>
@@ -32,9 +33,12 @@ bool read(const Json& value, std::vector<std::string>& to, std::size_t most) {
   to = std::move(texts);
   return true;
 }
-Json numbers(double value) { return value == std::floor(value) && std::abs(value) < 1e9 ? Json(static_cast<std::int64_t>(value)) : Json(value); }
+Json numbers(double value) {
+  return value == std::floor(value) && std::abs(value) < 1e9 ? Json(static_cast<std::int64_t>(value)) : Json(value);
+}
 
-// Members in the order of the file. Each reads its value and leaves the settings alone where it is no such thing, and says what it expects.
+// Members in the order of the file. Each reads its value and leaves the settings alone where it is no such thing, and
+// says what it expects.
 struct Member {
   std::string_view name, expected;
   bool (*read)(const Json& value, UserSettings& to);
@@ -42,7 +46,8 @@ struct Member {
 };
 template <bool UserSettings::*flag>
 constexpr Member flag_row(std::string_view name) {
-  return {name, "true or false", [](const Json& v, UserSettings& to) { return read(v, to.*flag); }, [](const UserSettings& s) { return Json(s.*flag); }};
+  return {name, "true or false", [](const Json& v, UserSettings& to) { return read(v, to.*flag); },
+          [](const UserSettings& s) { return Json(s.*flag); }};
 }
 
 bool read_scale(const Json& value, UserSettings& to) {
@@ -63,7 +68,9 @@ bool read_name(const Json& value, UserSettings& to) {
   return true;
 }
 template <auto member, const auto& names>
-Json print_name(const UserSettings& s) { return std::string(names[static_cast<std::size_t>(s.*member)]); }
+Json print_name(const UserSettings& s) {
+  return std::string(names[static_cast<std::size_t>(s.*member)]);
+}
 template <auto member, const auto& names>
 constexpr Member name_row(std::string_view name, std::string_view expected) {
   return {name, expected, read_name<member, names>, print_name<member, names>};
@@ -77,7 +84,9 @@ bool read_sound(const Json& value, UserSettings& to) {
 }
 Json print_sound(const UserSettings& s) { return numbers(std::round(double{s.sound} * 1e4) / 1e4); }
 
-bool read_autosave(const Json& value, UserSettings& to) { return read(value, kMinAutosave, kMaxAutosave, to.autosave_seconds); }
+bool read_autosave(const Json& value, UserSettings& to) {
+  return read(value, kMinAutosave, kMaxAutosave, to.autosave_seconds);
+}
 Json print_autosave(const UserSettings& s) { return numbers(s.autosave_seconds); }
 
 bool read_window(const Json& value, UserSettings& to) {
@@ -88,16 +97,22 @@ bool read_window(const Json& value, UserSettings& to) {
   std::array<double, 4> numbers{};
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto found = value.find(std::string(names[i]));
-    if (found == value.end() || !read(*found, i < 2 ? -kFarthest : 1, i < 2 ? kFarthest : kLargest, numbers[i])) return false;
+    if (found == value.end() || !read(*found, i < 2 ? -kFarthest : 1, i < 2 ? kFarthest : kLargest, numbers[i]))
+      return false;
   }
-  WindowPlace place{static_cast<int>(numbers[0]), static_cast<int>(numbers[1]), static_cast<int>(numbers[2]), static_cast<int>(numbers[3])};
+  WindowPlace place{static_cast<int>(numbers[0]), static_cast<int>(numbers[1]), static_cast<int>(numbers[2]),
+                    static_cast<int>(numbers[3])};
   if (const auto found = value.find("maximised"); found != value.end() && !read(*found, place.maximised)) return false;
   to.window = place;
   return true;
 }
 Json print_window(const UserSettings& s) {
   if (!s.window) return nullptr;
-  return {{"x", s.window->x}, {"y", s.window->y}, {"width", s.window->width}, {"height", s.window->height}, {"maximised", s.window->maximised}};
+  return {{"x", s.window->x},
+          {"y", s.window->y},
+          {"width", s.window->width},
+          {"height", s.window->height},
+          {"maximised", s.window->maximised}};
 }
 
 bool read_keys(const Json& value, UserSettings& to) {
@@ -117,7 +132,10 @@ bool read_keys(const Json& value, UserSettings& to) {
 }
 Json print_keys(const UserSettings& s) {
   Json keys = Json::object();
-  for (const KeyChoice& choice : s.keys) keys[choice.action] = choice.keys.size() == 1 ? Json(choice.keys[0]) : choice.keys.empty() ? Json("") : Json(choice.keys);
+  for (const KeyChoice& choice : s.keys)
+    keys[choice.action] = choice.keys.size() == 1 ? Json(choice.keys[0])
+                          : choice.keys.empty()   ? Json("")
+                                                  : Json(choice.keys);
   return keys;
 }
 
@@ -133,7 +151,8 @@ constexpr std::array kMembers{
     flag_row<&UserSettings::head_bob>("head_bob"),
     Member{"autosave_seconds", "a number from 5 to 3600", read_autosave, print_autosave},
     Member{"window", "x, y, width and height", read_window, print_window},
-    Member{"recent", "a list of at most 10 files", [](const Json& v, UserSettings& to) { return read(v, to.recent, kMaxRecent); },
+    Member{"recent", "a list of at most 10 files",
+           [](const Json& v, UserSettings& to) { return read(v, to.recent, kMaxRecent); },
            [](const UserSettings& s) { return Json(s.recent); }},
     flag_row<&UserSettings::hints>("hints"),
     flag_row<&UserSettings::card>("card"),
@@ -143,7 +162,8 @@ constexpr std::array kMembers{
 };
 
 bool is_known(std::string_view name) {
-  return name == "format" || name == "version" || std::any_of(kMembers.begin(), kMembers.end(), [&](const Member& m) { return m.name == name; });
+  return name == "format" || name == "version" ||
+         std::any_of(kMembers.begin(), kMembers.end(), [&](const Member& m) { return m.name == name; });
 }
 
 }  // namespace
@@ -151,15 +171,19 @@ bool is_known(std::string_view name) {
 base::Result<LoadedSettings> parse_settings(std::string_view text, std::string_view name) {
   const base::Result<Json> tree = read_json(text, name);
   if (!tree) return tree.status();
-  const auto bad = [&](const std::string& what) { return base::Status{base::Code::bad_file, std::string(name) + ": error: " + what}; };
+  const auto bad = [&](const std::string& what) {
+    return base::Status{base::Code::bad_file, std::string(name) + ": error: " + what};
+  };
   if (!tree->is_object()) return bad("expected an object, found " + describe(*tree));
   if (const auto format = tree->find("format"); format == tree->end() || *format != kSettingsFormat)
-    return bad("format: expected \"" + std::string(kSettingsFormat) + "\", found " + (format == tree->end() ? "none" : describe(*format)));
+    return bad("format: expected \"" + std::string(kSettingsFormat) + "\", found " +
+               (format == tree->end() ? "none" : describe(*format)));
   LoadedSettings loaded;
   for (const Member& member : kMembers) {
     const auto found = tree->find(std::string(member.name));
     if (found == tree->end() || member.read(*found, loaded.settings)) continue;
-    loaded.warnings.push_back(std::string(member.name) + ": expected " + std::string(member.expected) + ", found " + describe(*found));
+    loaded.warnings.push_back(std::string(member.name) + ": expected " + std::string(member.expected) + ", found " +
+                              describe(*found));
   }
   Json others = Json::object();
   for (const auto& [key, value] : tree->items())

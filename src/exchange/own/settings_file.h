@@ -1,4 +1,5 @@
-// The settings file of a user, JSON (docs/files.md): what is theirs and not a track's. What it cannot use it says, and keeps where it can.
+// The settings file of a user, JSON (docs/files.md): what is theirs and not a track's. What it cannot use it says, and
+// keeps where it can.
 #pragma once
 
 #include <optional>
@@ -36,17 +37,17 @@ struct UserSettings {
   world::Theme theme = world::Theme::dark;
   world::Style style = world::Style::day;
   bool shadows = true;
-  float sound = world::Settings{}.sound;    // 0 (silent) to 1
+  float sound = world::Settings{}.sound;  // 0 (silent) to 1
   bool panels = true, laboratory = false;
   bool reduced_motion = false, head_bob = false;
-  double autosave_seconds = 30;             // kMinAutosave..kMaxAutosave
-  std::optional<WindowPlace> window;        // none: where the window system puts it
-  std::vector<std::string> recent;          // files, the newest first, at most kMaxRecent
-  bool hints = true, gizmo = true;          // the first steps, and the arrows on what is selected
-  bool start_screen = true;                 // whether a window without a track opens with it
-  bool card = true;                         // the score card at the end of a ride
-  std::vector<KeyChoice> keys;              // as written, names that no action has included
-  std::string others;                       // members of later versions, the text of a JSON object; "" without any
+  double autosave_seconds = 30;       // kMinAutosave..kMaxAutosave
+  std::optional<WindowPlace> window;  // none: where the window system puts it
+  std::vector<std::string> recent;    // files, the newest first, at most kMaxRecent
+  bool hints = true, gizmo = true;    // the first steps, and the arrows on what is selected
+  bool start_screen = true;           // whether a window without a track opens with it
+  bool card = true;                   // the score card at the end of a ride
+  std::vector<KeyChoice> keys;        // as written, names that no action has included
+  std::string others;                 // members of later versions, the text of a JSON object; "" without any
   friend bool operator==(const UserSettings&, const UserSettings&) = default;
 };
 
@@ -55,8 +56,9 @@ struct LoadedSettings {
   std::vector<std::string> warnings;  // one line each: members that could not be used, and what stands in their place
 };
 
-// Parses a whole file's text. A member that is wrong becomes its default, with a warning. Code::bad_file, with one line as for tracks, for what is
-// no settings file at all: broken JSON, another format. A newer version is read as far as it is known.
+// Parses a whole file's text. A member that is wrong becomes its default, with a warning. Code::bad_file, with one line
+// as for tracks, for what is no settings file at all: broken JSON, another format. A newer version is read as far as it
+// is known.
 base::Result<LoadedSettings> parse_settings(std::string_view text, std::string_view name);
 
 // Ends with a newline; parse_settings() gives the same settings back.

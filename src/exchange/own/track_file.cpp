@@ -28,11 +28,11 @@ base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::
   if (!format || !format->parse) return base::Status{base::Code::bad_file, unfit_ending(path, format, Direction::read)};
   const base::Result<std::string> bytes = files.read(path);
   if (!bytes) return bytes.status();
-  return progress && format->parse_watched ? format->parse_watched(*bytes, path.string(), progress) : format->parse(*bytes, path.string());
+  return progress && format->parse_watched ? format->parse_watched(*bytes, path.string(), progress)
+                                           : format->parse(*bytes, path.string());
 }
 
-base::Status save_track(base::Files& files, const std::filesystem::path& path,
-                        const world::Document& document) {
+base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document) {
   const Format* const format = format_of(path);
   if (!format || !format->print) return {base::Code::refused, unfit_ending(path, format, Direction::write)};
   if (format->check)

@@ -88,18 +88,13 @@ bool read_orientation(Fields& fields, world::Knot& knot) {
 bool read_joint(Fields& fields, world::Knot& knot) {
   std::string joint;
   if (!fields.text("joint", joint)) return false;
-  if (joint == "smooth")
-    knot.joint = world::JointKind::smooth;
-  else if (joint == "aligned")
-    knot.joint = world::JointKind::aligned;
-  else if (joint == "automatic")
-    knot.joint = world::JointKind::automatic;
-  else
-    return fields.reject("joint", R"("smooth", "aligned" or "automatic")");
+  if (joint == "smooth") knot.joint = world::JointKind::smooth;
+  else if (joint == "aligned") knot.joint = world::JointKind::aligned;
+  else if (joint == "automatic") knot.joint = world::JointKind::automatic;
+  else return fields.reject("joint", R"("smooth", "aligned" or "automatic")");
   if (knot.joint == world::JointKind::smooth && knot.in_length != knot.out_length)
-    return fields.fail("joint", "a smooth joint has equal handle lengths, found in " +
-                                    base::to_text(knot.in_length) + " and out " +
-                                    base::to_text(knot.out_length));
+    return fields.fail("joint", "a smooth joint has equal handle lengths, found in " + base::to_text(knot.in_length) +
+                                    " and out " + base::to_text(knot.out_length));
   return true;
 }
 
@@ -109,10 +104,8 @@ bool read_knot(TrackParse& parse, const Json& value, std::size_t index) {
   world::Knot knot;
   glm::dvec3 position;
   if (!create(parse, fields, Kind::knot, e) || !fields.vector("position", position, world::kMaxCoordinate) ||
-      !read_orientation(fields, knot) ||
-      !fields.length("in", knot.in_length, world::kMinHandle, world::kMaxHandle) ||
-      !fields.length("out", knot.out_length, world::kMinHandle, world::kMaxHandle) ||
-      !read_joint(fields, knot))
+      !read_orientation(fields, knot) || !fields.length("in", knot.in_length, world::kMinHandle, world::kMaxHandle) ||
+      !fields.length("out", knot.out_length, world::kMinHandle, world::kMaxHandle) || !read_joint(fields, knot))
     return false;
   knot.position = glm::vec3(position);
   parse.document.entities.put(e, knot);
@@ -131,11 +124,13 @@ bool read_equipment(Fields& fields, Document& document, Entity segment) {
   std::string kind;
   if (!fields.text("equipment", kind)) return false;
   const auto found = std::find(world::kEquipmentNames.begin(), world::kEquipmentNames.end(), kind);
-  if (found == world::kEquipmentNames.end()) return fields.reject("equipment", R"("station", "lift", "launch", "brake" or "block")");
+  if (found == world::kEquipmentNames.end())
+    return fields.reject("equipment", R"("station", "lift", "launch", "brake" or "block")");
   world::Equipment equipment;
   equipment.kind = static_cast<world::EquipmentKind>(found - world::kEquipmentNames.begin());
   if (!optional_length(fields, "speed", equipment.speed, 0, static_cast<float>(world::kMaxSpeed)) ||
-      !optional_length(fields, "acceleration", equipment.acceleration, world::kMinAcceleration, world::kMaxAcceleration) ||
+      !optional_length(fields, "acceleration", equipment.acceleration, world::kMinAcceleration,
+                       world::kMaxAcceleration) ||
       !optional_length(fields, "hysteresis", equipment.hysteresis, 0, static_cast<float>(world::kMaxSpeed)) ||
       !optional_length(fields, "seconds", equipment.seconds, 0, world::kMaxDwell))
     return false;
@@ -154,8 +149,7 @@ bool read_segment(TrackParse& parse, const Json& value, std::size_t index) {
     const std::uint32_t expected = world::name_of(parse.document, knot).number;
     if (!read_id(fields, member, Kind::knot, number)) return false;
     if (number != expected)
-      return fields.reject(member,
-                           quoted_id(Kind::knot, expected) + " (segments follow the order of the knots)");
+      return fields.reject(member, quoted_id(Kind::knot, expected) + " (segments follow the order of the knots)");
   }
   std::int64_t turns = 0;
   if (!fields.whole("turns", turns, -world::kMaxTurns, world::kMaxTurns)) return false;
@@ -172,16 +166,13 @@ bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
   Entity e;
   std::uint32_t number = 0;
   world::Cart cart;
-  if (!create(parse, fields, Kind::cart, e) || !read_id(fields, "segment", Kind::segment, number))
-    return false;
+  if (!create(parse, fields, Kind::cart, e) || !read_id(fields, "segment", Kind::segment, number)) return false;
   const auto& segments = parse.by_number[static_cast<std::size_t>(Kind::segment)];
   const auto found = segments.find(number);
-  if (found == segments.end())
-    return fields.fail("segment", "there is no segment " + quoted_id(Kind::segment, number));
+  if (found == segments.end()) return fields.fail("segment", "there is no segment " + quoted_id(Kind::segment, number));
   cart.segment = found->second;
   if (!fields.number("fraction", cart.fraction, 0.0, 1.0)) return false;
-  if (cart.fraction == 1.0)
-    return fields.fail("fraction", "expected a number below 1 (1 is the next segment's 0)");
+  if (cart.fraction == 1.0) return fields.fail("fraction", "expected a number below 1 (1 is the next segment's 0)");
   std::int64_t cars = cart.cars;
   if (fields.has("cars") && !fields.whole("cars", cars, 1, world::kMaxCars)) return false;
   cart.cars = static_cast<std::int32_t>(cars);
@@ -197,7 +188,8 @@ bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
 bool read_operation(Fields& fields, Document& document) {
   return optional_length(fields, "rolling", document.resistance.rolling, 0, world::kMaxRolling) &&
          optional_length(fields, "drag", document.resistance.drag, 0, world::kMaxDrag) &&
-         (!fields.has("heartline") || fields.number("heartline", document.heartline, -world::kMaxHeartline, world::kMaxHeartline)) &&
+         (!fields.has("heartline") ||
+          fields.number("heartline", document.heartline, -world::kMaxHeartline, world::kMaxHeartline)) &&
          (!fields.has("rollback_fails") || fields.flag("rollback_fails", document.rollback_fails));
 }
 
@@ -206,8 +198,7 @@ bool read_track_head(TrackParse& parse, Fields& fields) {
   Document& document = parse.document;
   return fields.text("name", document.name) && fields.flag("closed", document.track.closed) &&
          fields.number("start_speed", document.start_speed, -world::kMaxSpeed, world::kMaxSpeed) &&
-         fields.number("datum", document.datum, -double{world::kMaxCoordinate},
-                       double{world::kMaxCoordinate}) &&
+         fields.number("datum", document.datum, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}) &&
          read_operation(fields, document);
 }
 
@@ -253,8 +244,7 @@ base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view na
     world::settle_joints(parse.document);
     if (const auto broken = world::broken_invariant(parse.document)) parse.error = *broken;
   }
-  if (!parse.error.empty())
-    return base::Status{base::Code::bad_file, std::string(name) + ": error: " + parse.error};
+  if (!parse.error.empty()) return base::Status{base::Code::bad_file, std::string(name) + ": error: " + parse.error};
   shorten(parse.warnings);
   for (std::string& warning : parse.warnings) warning = std::string(name) + ": warning: " + warning;
   return LoadedTrack{std::move(parse.document), std::move(parse.warnings)};

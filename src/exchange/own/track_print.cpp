@@ -12,9 +12,7 @@ using world::Document;
 using world::Entity;
 
 // -0 reads back as the whole number 0: written as 0, or printing twice would differ.
-std::string number(double value) {
-  return value == 0 ? "0" : base::to_text(value);
-}
+std::string number(double value) { return value == 0 ? "0" : base::to_text(value); }
 
 // Readers go through double. Where rounding twice would miss the float, its exact value in double is written.
 std::string number(float value) {
@@ -24,13 +22,9 @@ std::string number(float value) {
   return wide && static_cast<float>(*wide) == value ? text : base::to_text(static_cast<double>(value));
 }
 
-std::string vector(glm::vec3 v) {
-  return "[" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + "]";
-}
+std::string vector(glm::vec3 v) { return "[" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + "]"; }
 
-std::string id(const Document& document, Entity e) {
-  return json_string(world::label_of(document, e));
-}
+std::string id(const Document& document, Entity e) { return json_string(world::label_of(document, e)); }
 
 std::string_view name_of_joint(world::JointKind joint) {
   switch (joint) {
@@ -47,31 +41,31 @@ void for_each_extra(const world::Extra& extra, Write write) {
   if (extra.json.empty()) return;
   const auto tree = read_json(extra.json, "extra");
   COASTER_CHECK(tree && tree->is_object(), "what is kept is the text of a JSON object");
-  for (const auto& [key, value] : tree->items())
-    write(json_string(key), json_line(value));
+  for (const auto& [key, value] : tree->items()) write(json_string(key), json_line(value));
 }
 
 std::string extra_members(const Document& document, Entity e) {
   std::string text;
   if (const auto* const extra = document.entities.find<world::Extra>(e))
-    for_each_extra(
-        *extra, [&](const std::string& key, const std::string& value) { text += ", " + key + ": " + value; });
+    for_each_extra(*extra,
+                   [&](const std::string& key, const std::string& value) { text += ", " + key + ": " + value; });
   return text + "}";
 }
 
 std::string knot_line(const Document& document, Entity e) {
   const world::Knot& k = world::knot(document, e);
   return "{\"id\": " + id(document, e) + ", \"position\": " + vector(k.position) +
-         ", \"tangent\": " + vector(k.tangent) + ", \"up\": " + vector(k.up) +
-         ", \"in\": " + number(k.in_length) + ", \"out\": " + number(k.out_length) + ", \"joint\": \"" +
-         std::string(name_of_joint(k.joint)) + "\"" + extra_members(document, e);
+         ", \"tangent\": " + vector(k.tangent) + ", \"up\": " + vector(k.up) + ", \"in\": " + number(k.in_length) +
+         ", \"out\": " + number(k.out_length) + ", \"joint\": \"" + std::string(name_of_joint(k.joint)) + "\"" +
+         extra_members(document, e);
 }
 
 // What a plain segment, cart or track does not have is not written.
 std::string equipment_members(const Document& document, Entity e) {
   const auto* const found = document.entities.find<world::Equipment>(e);
   if (!found) return {};
-  std::string text = ", \"equipment\": \"" + std::string(world::kEquipmentNames[static_cast<std::size_t>(found->kind)]) +
+  std::string text = ", \"equipment\": \"" +
+                     std::string(world::kEquipmentNames[static_cast<std::size_t>(found->kind)]) +
                      "\", \"speed\": " + number(found->speed) + ", \"acceleration\": " + number(found->acceleration);
   const world::Equipment plain;
   if (found->hysteresis != plain.hysteresis) text += ", \"hysteresis\": " + number(found->hysteresis);
@@ -92,7 +86,8 @@ std::string train_members(const world::Cart& cart) {
 std::string operation_members(const Document& document) {
   const Document plain;
   std::string text;
-  if (document.resistance.rolling != plain.resistance.rolling) text += ",\n  \"rolling\": " + number(document.resistance.rolling);
+  if (document.resistance.rolling != plain.resistance.rolling)
+    text += ",\n  \"rolling\": " + number(document.resistance.rolling);
   if (document.resistance.drag != plain.resistance.drag) text += ",\n  \"drag\": " + number(document.resistance.drag);
   if (document.heartline != plain.heartline) text += ",\n  \"heartline\": " + number(document.heartline);
   if (document.rollback_fails != plain.rollback_fails) text += ",\n  \"rollback_fails\": false";
@@ -101,9 +96,8 @@ std::string operation_members(const Document& document) {
 
 std::string segment_line(const Document& document, Entity e) {
   const world::Segment& s = world::segment(document, e);
-  return "{\"id\": " + id(document, e) + ", \"from\": " + id(document, s.from) +
-         ", \"to\": " + id(document, s.to) + ", \"turns\": " + std::to_string(s.turns) +
-         equipment_members(document, e) + extra_members(document, e);
+  return "{\"id\": " + id(document, e) + ", \"from\": " + id(document, s.from) + ", \"to\": " + id(document, s.to) +
+         ", \"turns\": " + std::to_string(s.turns) + equipment_members(document, e) + extra_members(document, e);
 }
 
 std::string cart_line(const Document& document, Entity e) {
@@ -114,8 +108,8 @@ std::string cart_line(const Document& document, Entity e) {
 
 // ,\n  "key": [ one line each ]
 template <class Line>
-void print_list(std::string& out, std::string_view key, const Document& document,
-                const std::vector<Entity>& entities, Line line) {
+void print_list(std::string& out, std::string_view key, const Document& document, const std::vector<Entity>& entities,
+                Line line) {
   out += ",\n  \"" + std::string(key) + "\": [";
   for (std::size_t i = 0; i < entities.size(); ++i)
     out += (i == 0 ? "\n    " : ",\n    ") + line(document, entities[i]);
@@ -125,8 +119,8 @@ void print_list(std::string& out, std::string_view key, const Document& document
 }  // namespace
 
 std::string print_track(const Document& document) {
-  std::string out = "{\n  \"format\": \"" + std::string(kTrackFormat) +
-                    "\",\n  \"version\": " + std::to_string(kTrackVersion);
+  std::string out =
+      "{\n  \"format\": \"" + std::string(kTrackFormat) + "\",\n  \"version\": " + std::to_string(kTrackVersion);
   out += ",\n  \"name\": " + json_string(document.name);
   out += std::string(",\n  \"closed\": ") + (document.track.closed ? "true" : "false");
   out += ",\n  \"start_speed\": " + number(document.start_speed);
@@ -138,9 +132,8 @@ std::string print_track(const Document& document) {
   std::sort(carts.begin(), carts.end(),
             [&](Entity a, Entity b) { return world::name_of(document, a) < world::name_of(document, b); });
   print_list(out, "carts", document, carts, cart_line);
-  for_each_extra(document.extra, [&](const std::string& key, const std::string& value) {
-    out += ",\n  " + key + ": " + value;
-  });
+  for_each_extra(document.extra,
+                 [&](const std::string& key, const std::string& value) { out += ",\n  " + key + ": " + value; });
   return out + "\n}\n";
 }
 

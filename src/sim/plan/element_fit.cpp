@@ -10,7 +10,7 @@
 namespace coaster::sim {
 namespace {
 
-constexpr double kTurnOfSpan = 1.6;           // rad: what a first span may turn
+constexpr double kTurnOfSpan = 1.6;  // rad: what a first span may turn
 constexpr int kMostRounds = 60, kMostSpans = 2000;
 constexpr std::size_t kMostThinning = 400'000;  // points times knots: beyond it no knot is tried to be left out
 constexpr double kFarFromExact = 1e-9;
@@ -19,16 +19,19 @@ struct Bounds {
   double distance, roll, jump;
 };
 
-// Float rounds a coordinate by half an ulp: that is nobody's fault. A control point that is off by e changes a curvature by about 8 e / handle^2.
+// Float rounds a coordinate by half an ulp: that is nobody's fault. A control point that is off by e changes a
+// curvature by about 8 e / handle^2.
 Bounds bounds_for(const ElementCurve& curve, std::span<const std::size_t> at) {
   double largest = 0, shortest = curve.length();
   for (const std::size_t i : at) {
     const glm::dvec3 p = glm::abs(curve.points[i].position);
     largest = std::max({largest, p.x, p.y, p.z});
   }
-  for (std::size_t k = 1; k < at.size(); ++k) shortest = std::min(shortest, curve.points[at[k]].s - curve.points[at[k - 1]].s);
+  for (std::size_t k = 1; k < at.size(); ++k)
+    shortest = std::min(shortest, curve.points[at[k]].s - curve.points[at[k - 1]].s);
   const double half_ulp = largest * 0x1p-24, handle = std::max(shortest / 3.0, kFarFromExact);
-  return {kElementDistance + 2.0 * half_ulp, base::radians(kElementRoll_deg), kElementJump + 8.0 * half_ulp / (handle * handle)};
+  return {kElementDistance + 2.0 * half_ulp, base::radians(kElementRoll_deg),
+          kElementJump + 8.0 * half_ulp / (handle * handle)};
 }
 
 // A choice of knots, and what its spans are like.
@@ -50,9 +53,10 @@ Trial try_places(const ElementCurve& curve, std::vector<std::size_t> at) {
 // Checks span k.
 bool holds(const ElementCurve& curve, Trial& t, std::size_t k) {
   const std::span<const ElementPoint> points(curve.points);
-  const SpanCheck& check = t.checks[k] = check_span(points.subspan(t.at[k], t.at[k + 1] - t.at[k] + 1), t.spans.knots[k], t.spans.knots[k + 1]);
-  return check.sound && check.error <= t.bounds.distance && check.roll_error <= t.bounds.roll && t.spans.jumps[k] <= t.bounds.jump &&
-         t.spans.jumps[k + 1] <= t.bounds.jump;
+  const SpanCheck& check = t.checks[k] =
+      check_span(points.subspan(t.at[k], t.at[k + 1] - t.at[k] + 1), t.spans.knots[k], t.spans.knots[k + 1]);
+  return check.sound && check.error <= t.bounds.distance && check.roll_error <= t.bounds.roll &&
+         t.spans.jumps[k] <= t.bounds.jump && t.spans.jumps[k + 1] <= t.bounds.jump;
 }
 
 // Checks spans from `first` on, round to the one before it, until one does not hold.
@@ -66,7 +70,8 @@ bool all_hold(const ElementCurve& curve, Trial& t, std::size_t first) {
 // How far a piece turns, rad, by its points.
 double turn_of(const ElementCurve& curve, std::size_t first, std::size_t last) {
   double turn = 0;
-  for (std::size_t i = first + 1; i <= last; ++i) turn += glm::length(curve.points[i].curvature) * (curve.points[i].s - curve.points[i - 1].s);
+  for (std::size_t i = first + 1; i <= last; ++i)
+    turn += glm::length(curve.points[i].curvature) * (curve.points[i].s - curve.points[i - 1].s);
   return turn;
 }
 
@@ -78,7 +83,8 @@ std::vector<std::size_t> places_for(const ElementCurve& curve, std::span<const i
     const double from = curve.points[first].s, length = curve.points[last].s - from;
     for (int i = 1; i < counts[p]; ++i) {
       const double wanted = from + length * i / counts[p];
-      const auto found = std::lower_bound(curve.points.begin() + static_cast<std::ptrdiff_t>(first), curve.points.begin() + static_cast<std::ptrdiff_t>(last), wanted,
+      const auto found = std::lower_bound(curve.points.begin() + static_cast<std::ptrdiff_t>(first),
+                                          curve.points.begin() + static_cast<std::ptrdiff_t>(last), wanted,
                                           [](const ElementPoint& point, double s) { return point.s < s; });
       const auto place = static_cast<std::size_t>(found - curve.points.begin());
       if (place > at.back() && place < last) at.push_back(place);
@@ -88,22 +94,26 @@ std::vector<std::size_t> places_for(const ElementCurve& curve, std::span<const i
   return at;
 }
 
-// More spans in the pieces in which some do not hold. 0: all hold; 1: there is more to try; -1: there is nothing more to do.
+// More spans in the pieces in which some do not hold. 0: all hold; 1: there is more to try; -1: there is nothing more
+// to do.
 int refine(const ElementCurve& curve, Trial& trial, std::vector<int>& counts) {
   bool changed = false, all = true;
   std::size_t k = 0;
   for (std::size_t p = 0; p + 1 < curve.breaks.size(); ++p) {
     bool good = true;
-    for (; k + 1 < trial.at.size() && trial.at[k + 1] <= curve.breaks[p + 1]; ++k) good = holds(curve, trial, k) && good;
+    for (; k + 1 < trial.at.size() && trial.at[k + 1] <= curve.breaks[p + 1]; ++k)
+      good = holds(curve, trial, k) && good;
     all = all && good;
-    if (good || counts[p] >= kMostSpans || static_cast<std::size_t>(counts[p]) >= curve.breaks[p + 1] - curve.breaks[p]) continue;
+    if (good || counts[p] >= kMostSpans || static_cast<std::size_t>(counts[p]) >= curve.breaks[p + 1] - curve.breaks[p])
+      continue;
     counts[p] += 1 + counts[p] / 8;
     changed = true;
   }
   return all ? 0 : changed ? 1 : -1;
 }
 
-// Leaves out knots while everything holds: first in pairs that lie alike from both ends, as most elements are symmetric, then singly.
+// Leaves out knots while everything holds: first in pairs that lie alike from both ends, as most elements are
+// symmetric, then singly.
 void thin(const ElementCurve& curve, Trial& best) {
   const auto attempt = [&](std::size_t k, std::size_t other) {
     std::vector<std::size_t> fewer = best.at;
@@ -124,14 +134,16 @@ void thin(const ElementCurve& curve, Trial& best) {
 std::vector<std::size_t> evened(const ElementCurve& curve, const Trial& trial, std::size_t count) {
   std::vector<double> sums{0.0};
   for (const SpanCheck& check : trial.checks) {
-    const double distance = std::sqrt(std::sqrt(check.error / trial.bounds.distance)), roll = std::sqrt(check.roll_error / trial.bounds.roll);
+    const double distance = std::sqrt(std::sqrt(check.error / trial.bounds.distance)),
+                 roll = std::sqrt(check.roll_error / trial.bounds.roll);
     sums.push_back(sums.back() + std::max({distance, roll, 0.1}));
   }
   std::vector<std::size_t> places{0};
   for (std::size_t i = 1, k = 1; i < count; ++i) {
     const double wanted = sums.back() * static_cast<double>(i) / static_cast<double>(count);
     while (k + 1 < sums.size() && sums[k] < wanted) ++k;
-    const double share = (wanted - sums[k - 1]) / (sums[k] - sums[k - 1]), many = static_cast<double>(trial.at[k] - trial.at[k - 1]);
+    const double share = (wanted - sums[k - 1]) / (sums[k] - sums[k - 1]),
+                 many = static_cast<double>(trial.at[k] - trial.at[k - 1]);
     const auto place = trial.at[k - 1] + static_cast<std::size_t>(share * many + 0.5);
     if (place > places.back() && place + 1 < curve.points.size()) places.push_back(place);
   }
@@ -148,7 +160,8 @@ void even_out(const ElementCurve& curve, Trial& best) {
     for (int round = 0; round < kRounds && !better; ++round) {
       trial = try_places(curve, evened(curve, trial, best.at.size() - 2));
       better = true;
-      for (std::size_t k = 0; k < trial.checks.size(); ++k) better = holds(curve, trial, k) && better;  // all: the next round needs them
+      for (std::size_t k = 0; k < trial.checks.size(); ++k)
+        better = holds(curve, trial, k) && better;  // all: the next round needs them
     }
     if (better) best = std::move(trial);
   }
@@ -160,7 +173,8 @@ ElementFit fit_element(const ElementCurve& curve) {
   COASTER_CHECK(curve.points.size() >= 2 && curve.breaks.size() >= 2, "an element has a length");
   std::vector<int> counts;
   for (std::size_t p = 0; p + 1 < curve.breaks.size(); ++p)
-    counts.push_back(std::clamp(static_cast<int>(turn_of(curve, curve.breaks[p], curve.breaks[p + 1]) / kTurnOfSpan) + 1, 1, kMostSpans));
+    counts.push_back(std::clamp(
+        static_cast<int>(turn_of(curve, curve.breaks[p], curve.breaks[p + 1]) / kTurnOfSpan) + 1, 1, kMostSpans));
   Trial trial = try_places(curve, places_for(curve, counts));
   int more = refine(curve, trial, counts);
   for (int round = 0; round < kMostRounds && more > 0; ++round) {
@@ -170,7 +184,8 @@ ElementFit fit_element(const ElementCurve& curve) {
   ElementFit fit;
   fit.within = more == 0;
   if (fit.within && curve.points.size() * trial.at.size() <= kMostThinning) thin(curve, trial), even_out(curve, trial);
-  for (const SpanCheck& check : trial.checks) fit.error = std::max(fit.error, check.error), fit.roll_error = std::max(fit.roll_error, check.roll_error);
+  for (const SpanCheck& check : trial.checks)
+    fit.error = std::max(fit.error, check.error), fit.roll_error = std::max(fit.roll_error, check.roll_error);
   for (const double jump : trial.spans.jumps) fit.jump = std::max(fit.jump, jump);
   fit.knots = std::move(trial.spans.knots);
   return fit;

@@ -29,7 +29,8 @@ dvec2 integral(double length, int steps, const std::function<dvec2(double)>& f) 
   return sum * step;
 }
 
-Bend::Bend(double from_angle, double to_angle, double least_radius) : from(from_angle), to(to_angle), radius(least_radius) {
+Bend::Bend(double from_angle, double to_angle, double least_radius)
+    : from(from_angle), to(to_angle), radius(least_radius) {
   const double angle = std::abs(to - from);
   if (angle > 0 && length() < kShortest) radius *= kShortest / length();
 }
@@ -62,7 +63,8 @@ dvec2 Bend::run_and_rise() const {
   return part(0, ramp()) + part(ramp(), arc()) + part(ramp() + arc(), ramp());
 }
 
-ElementPath::ElementPath(dvec3 position, dvec3 tangent, dvec3 curvature, dvec3 up) : start_up_(curve::perpendicular(tangent, up)) {
+ElementPath::ElementPath(dvec3 position, dvec3 tangent, dvec3 curvature, dvec3 up)
+    : start_up_(curve::perpendicular(tangent, up)) {
   curve_.points.push_back({0, position, tangent, curvature, start_up_});
   curve_.breaks.push_back(0);
 }
@@ -130,7 +132,9 @@ ElementCurve ElementPath::finish(double reach) {
   // A piece too short for a span of its own goes with a neighbour.
   std::vector<std::size_t> breaks{0};
   for (const std::size_t at : curve_.breaks)
-    if (curve_.points[at].s - curve_.points[breaks.back()].s >= kShortestSpan && curve_.length() - curve_.points[at].s >= kShortestSpan) breaks.push_back(at);
+    if (curve_.points[at].s - curve_.points[breaks.back()].s >= kShortestSpan &&
+        curve_.length() - curve_.points[at].s >= kShortestSpan)
+      breaks.push_back(at);
   breaks.push_back(curve_.points.size() - 1);
   curve_.breaks = std::move(breaks);
   return std::move(curve_);

@@ -1,4 +1,5 @@
-// The ideal curve of an element, before Bezier spans are fitted to it: pieces in closed form by derivative, integrated to dense points.
+// The ideal curve of an element, before Bezier spans are fitted to it: pieces in closed form by derivative, integrated
+// to dense points.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +13,19 @@
 namespace coaster::sim {
 
 struct ElementPoint {
-  double s = 0;                  // m, arc length from the curve's start
-  glm::dvec3 position{0};        // m
-  glm::dvec3 tangent{1, 0, 0};   // unit
-  glm::dvec3 curvature{0};       // 1/m, what turns the tangent per metre: towards the centre
-  glm::dvec3 up{0, 1, 0};        // unit, perpendicular to the tangent
+  double s = 0;                 // m, arc length from the curve's start
+  glm::dvec3 position{0};       // m
+  glm::dvec3 tangent{1, 0, 0};  // unit
+  glm::dvec3 curvature{0};      // 1/m, what turns the tangent per metre: towards the centre
+  glm::dvec3 up{0, 1, 0};       // unit, perpendicular to the tangent
 };
 
 // Tangent and curvature are continuous all along; what changes at a break is how the curvature changes.
 struct ElementCurve {
   std::vector<ElementPoint> points;
   std::vector<std::size_t> breaks;  // places in `points` where pieces begin, and the last point
-  std::size_t lead = 0;             // where the element proper begins: before it the curvature and the slope of the track's end are eased out
+  std::size_t lead =
+      0;  // where the element proper begins: before it the curvature and the slope of the track's end are eased out
   double length() const { return points.empty() ? 0 : points.back().s; }
 };
 
@@ -35,12 +37,12 @@ struct ElementRate {
 };
 using ElementPiece = std::function<ElementRate(double u)>;
 
-// A bend from one angle to another: clothoid, circle, clothoid. Curvature rises from 0 to 1/radius, in proportion to the length, over a quarter
-// of the angle, at most 30 degrees of it; and falls alike.
+// A bend from one angle to another: clothoid, circle, clothoid. Curvature rises from 0 to 1/radius, in proportion to
+// the length, over a quarter of the angle, at most 30 degrees of it; and falls alike.
 struct Bend {
   static constexpr double kShortest = 6;  // m: a slight bend gets a larger radius instead
-  double from = 0, to = 0;  // rad
-  double radius = 1;        // m
+  double from = 0, to = 0;                // rad
+  double radius = 1;                      // m
   Bend(double from_angle, double to_angle, double least_radius);
   double ramp_angle() const;
   double ramp() const { return 2.0 * radius * ramp_angle(); }  // m, length of each clothoid
@@ -55,9 +57,9 @@ struct Bend {
 // Integral of f over [0, length] by 4-point Gauss-Legendre on `steps` equal parts.
 glm::dvec2 integral(double length, int steps, const std::function<glm::dvec2(double)>& f);
 
-// Puts pieces one behind the other. Positions are integrated in steps of at most kStep (longer pieces: kMaxSteps) by 4-point Gauss-Legendre:
-// for what turns by less than 0.2 rad a step the error is below 1e-12 of the length. Nothing but + - * / sqrt and base::sin_cos: the same bits
-// everywhere.
+// Puts pieces one behind the other. Positions are integrated in steps of at most kStep (longer pieces: kMaxSteps) by
+// 4-point Gauss-Legendre: for what turns by less than 0.2 rad a step the error is below 1e-12 of the length. Nothing
+// but + - * / sqrt and base::sin_cos: the same bits everywhere.
 class ElementPath {
  public:
   static constexpr double kStep = 0.25;  // m
@@ -75,7 +77,8 @@ class ElementPath {
 
   const ElementPoint& end() const { return curve_.points.back(); }
   const ElementCurve& curve() const { return curve_; }
-  // No more pieces. The roll that the start has over what the pieces say there fades out to the first break that is `reach` metres away, else to the end.
+  // No more pieces. The roll that the start has over what the pieces say there fades out to the first break that is
+  // `reach` metres away, else to the end.
   ElementCurve finish(double reach);
 
  private:

@@ -15,16 +15,19 @@ using base::kPi;
 using glm::dvec3;
 using world::ElementKind;
 
-constexpr double kMostHelixSlope = 0.6;  // m per m of plan
-constexpr double kLongestHelix = 14'000; // m, in plan, without what the clothoids add
+constexpr double kMostHelixSlope = 0.6;   // m per m of plan
+constexpr double kLongestHelix = 14'000;  // m, in plan, without what the clothoids add
 constexpr double kMostRollRate_deg = 60;  // a metre
-constexpr double kLevel = 1e-4;          // rad: what is as level as this needs no levelling
-constexpr double kRollFade = 8;          // m, at least, over which a rolled end is turned upright
+constexpr double kLevel = 1e-4;           // rad: what is as level as this needs no levelling
+constexpr double kRollFade = 8;           // m, at least, over which a rolled end is turned upright
 
 // Rad over the horizon.
-double slope_of(dvec3 forward) { return base::arc_tangent(forward.y, std::sqrt(forward.x * forward.x + forward.z * forward.z)); }
+double slope_of(dvec3 forward) {
+  return base::arc_tangent(forward.y, std::sqrt(forward.x * forward.x + forward.z * forward.z));
+}
 
-// From the end's curvature to none, linearly in the length, in the plane of the bend. `upright`: else up is carried along.
+// From the end's curvature to none, linearly in the length, in the plane of the bend. `upright`: else up is carried
+// along.
 void ease(ElementPath& path, bool upright) {
   const dvec3 bend = path.end().curvature, forward = path.end().tangent;
   const double k = glm::length(bend);
@@ -37,7 +40,10 @@ void ease(ElementPath& path, bool upright) {
   path.add(length, [=](double u) {
     const double angle = k * (u - u * u / (2.0 * length)), rate = k * (1.0 - u / length);
     const auto [sin, cos] = base::sin_cos(angle);
-    return ElementRate{{cos, sin, 0}, {-sin * rate, cos * rate, 0}, upright ? dvec3(0) : curve::rotate(carried_here, {0, 0, 1}, angle), 0};
+    return ElementRate{{cos, sin, 0},
+                       {-sin * rate, cos * rate, 0},
+                       upright ? dvec3(0) : curve::rotate(carried_here, {0, 0, 1}, angle),
+                       0};
   });
 }
 
@@ -50,7 +56,8 @@ double head(ElementPath& path) {
 
 void add_straight(world::Element& element, ElementPath& path, bool upright, std::vector<std::string>& lines) {
   const double most = kMostRollRate_deg * world::value_of(element, "length");
-  if (const double wanted = world::value_of(element, "roll"); std::abs(wanted) > most) give_way(element, "roll", wanted < 0 ? -most : most, "so short a straight cannot roll as far", lines);
+  if (const double wanted = world::value_of(element, "roll"); std::abs(wanted) > most)
+    give_way(element, "roll", wanted < 0 ? -most : most, "so short a straight cannot roll as far", lines);
   const double length = world::value_of(element, "length"), roll = base::radians(world::value_of(element, "roll"));
   const dvec3 forward = path.end().tangent, level = upright ? curve::perpendicular(forward, {0, 1, 0}) : path.end().up;
   path.set_axes(forward, level, glm::cross(level, forward));
@@ -84,44 +91,53 @@ void add_round(ElementPath& path, const Round& round, const std::function<Slope(
 
 // A speed makes the bank: gravity and the turn together press straight into the seat.
 Round round_of(const world::Element& element, double angle) {
-  const double side = element.right ? 1.0 : -1.0, radius = world::value_of(element, "radius"), speed = world::value_of(element, "speed");
-  const double bank = speed > 0 ? base::arc_tangent(speed * speed / radius, world::kGravity) : base::radians(world::value_of(element, "bank"));
+  const double side = element.right ? 1.0 : -1.0, radius = world::value_of(element, "radius"),
+               speed = world::value_of(element, "speed");
+  const double bank = speed > 0 ? base::arc_tangent(speed * speed / radius, world::kGravity)
+                                : base::radians(world::value_of(element, "bank"));
   return {{0, side * angle, radius}, bank};
 }
 
-bool begins_level(ElementKind kind) { return kind == ElementKind::camelback || kind == ElementKind::loop || kind == ElementKind::corkscrew; }
+bool begins_level(ElementKind kind) {
+  return kind == ElementKind::camelback || kind == ElementKind::loop || kind == ElementKind::corkscrew;
+}
 
 // m, of the bend that levels out before an element.
 double levelling_radius(const world::Element& element) {
-  return element.kind == ElementKind::camelback ? world::value_of(element, "radius") : std::max(12.0, 1.2 * world::value_of(element, "height"));
+  return element.kind == ElementKind::camelback ? world::value_of(element, "radius")
+                                                : std::max(12.0, 1.2 * world::value_of(element, "height"));
 }
 
 }  // namespace
 
-void give_way(world::Element& element, std::string_view parameter, double limit, std::string_view reason, std::vector<std::string>& lines) {
+void give_way(world::Element& element, std::string_view parameter, double limit, std::string_view reason,
+              std::vector<std::string>& lines) {
   const std::span<const world::ElementParameter> parameters = world::element_row(element.kind).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (parameters[i].name != parameter) continue;
     const std::string unit = parameters[i].unit.empty() ? "" : " " + std::string(parameters[i].unit);
-    lines.push_back(std::string(parameter) + " " + base::to_text(element.values[i]) + unit + " is beyond the limit of " +
-                    base::to_text(std::round(limit * 1000.0) / 1000.0) + unit + ": " + std::string(reason));
+    lines.push_back(std::string(parameter) + " " + base::to_text(element.values[i]) + unit +
+                    " is beyond the limit of " + base::to_text(std::round(limit * 1000.0) / 1000.0) + unit + ": " +
+                    std::string(reason));
     element.values[i] = limit;
   }
 }
 
 void add_curve(ShapeTask& task) {
   const double angle = base::radians(world::value_of(task.element, "angle")), least = Bend{0, angle, 1e-3}.radius;
-  if (world::value_of(task.element, "radius") < least) give_way(task.element, "radius", least, "a curve of this angle would be too short", task.lines);
+  if (world::value_of(task.element, "radius") < least)
+    give_way(task.element, "radius", least, "a curve of this angle would be too short", task.lines);
   const auto [sin, cos] = base::sin_cos(task.slope);
   const double rise = sin / cos;
   add_round(task.path, round_of(task.element, angle), [rise](double) { return Slope{rise, 0}; });
 }
 
-// The slope goes smoothly (3v^2 - 2v^3, whose derivative is 0 at both ends) from the end's to that of the helix over the first clothoid, and to
-// none over the last; so its curvature begins and ends at none.
+// The slope goes smoothly (3v^2 - 2v^3, whose derivative is 0 at both ends) from the end's to that of the helix over
+// the first clothoid, and to none over the last; so its curvature begins and ends at none.
 void add_helix(ShapeTask& task) {
   const double most = kLongestHelix / (2.0 * kPi * world::value_of(task.element, "radius"));
-  if (world::value_of(task.element, "turns") > most) give_way(task.element, "turns", most, "a helix of this radius would be longer than 15 km", task.lines);
+  if (world::value_of(task.element, "turns") > most)
+    give_way(task.element, "turns", most, "a helix of this radius would be longer than 15 km", task.lines);
   const double angle = 2.0 * kPi * world::value_of(task.element, "turns");
   const Round round = round_of(task.element, angle);
   const double ramp = round.bend.ramp(), whole = round.bend.length(), room = whole - ramp;
@@ -131,24 +147,28 @@ void add_helix(ShapeTask& task) {
   double steady = slope_for(world::value_of(task.element, "height"));
   if (std::abs(steady) > kMostHelixSlope) {
     steady = std::clamp(steady, -kMostHelixSlope, kMostHelixSlope);
-    give_way(task.element, "height", steady * room + 0.5 * ramp * first, "a helix of this radius would be too steep", task.lines);
+    give_way(task.element, "height", steady * room + 0.5 * ramp * first, "a helix of this radius would be too steep",
+             task.lines);
   }
   add_round(task.path, round, [=](double u) {
     const bool late = u > 0.5 * whole;
     const double v = std::clamp((late ? whole - u : u) / ramp, 0.0, 1.0);
     const double share = v * v * (3.0 - 2.0 * v), rate = 6.0 * v * (1.0 - v) / ramp;
-    return late ? Slope{steady * share, -steady * rate} : Slope{first + (steady - first) * share, (steady - first) * rate};
+    return late ? Slope{steady * share, -steady * rate}
+                : Slope{first + (steady - first) * share, (steady - first) * rate};
   });
 }
 
 ElementShape element_shape(world::Element& element, const TrackEnd& end, std::vector<std::string>& lines) {
   ElementShape shape;
   if (const double k = glm::length(end.curvature); k > kSharpestEnd) {
-    shape.refusal = "the track's end bends too sharply to go on from it: its radius is " + base::to_text(std::round(1000.0 / k) / 1000.0) + " m";
+    shape.refusal = "the track's end bends too sharply to go on from it: its radius is " +
+                    base::to_text(std::round(1000.0 / k) / 1000.0) + " m";
     return shape;
   }
   const auto steep = [](dvec3 forward) { return std::abs(slope_of(forward)) > base::radians(kSteepestEnd_deg); };
-  ElementPath path(end.position, end.forward, glm::length(end.curvature) < kStraightEnd ? dvec3(0) : end.curvature, end.up);
+  ElementPath path(end.position, end.forward, glm::length(end.curvature) < kStraightEnd ? dvec3(0) : end.curvature,
+                   end.up);
   const bool straight = element.kind == ElementKind::straight;
   const bool upright = !straight || !steep(end.forward);
   ease(path, upright);
@@ -159,7 +179,8 @@ ElementShape element_shape(world::Element& element, const TrackEnd& end, std::ve
     return shape;
   }
   if (steep(end.forward) || steep(path.end().tangent)) {
-    shape.refusal = "the track's end is steeper than " + base::to_text(kSteepestEnd_deg) + " degrees: only a straight can go on from it";
+    shape.refusal = "the track's end is steeper than " + base::to_text(kSteepestEnd_deg) +
+                    " degrees: only a straight can go on from it";
     return shape;
   }
   double slope = head(path);

@@ -33,13 +33,14 @@ ElementPiece upright_piece(std::function<double(double)> angle, std::function<do
   };
 }
 
-// The foot of a camelback, by its steepest angle: clothoid to 1/radius, circle, and a clothoid that goes on through the inflection to the
-// curvature of the parabola -bend. Mirrored it is the other foot.
+// The foot of a camelback, by its steepest angle: clothoid to 1/radius, circle, and a clothoid that goes on through the
+// inflection to the curvature of the parabola -bend. Mirrored it is the other foot.
 struct Foot {
   double angle, radius, crest_bend;
-  double first, second, arc;   // m: clothoids and circle
+  double first, second, arc;  // m: clothoids and circle
   double first_angle, second_angle;
-  Foot(double steepest, double least_radius, double p) : angle(steepest), radius(Bend(0, steepest, least_radius).radius) {
+  Foot(double steepest, double least_radius, double p)
+      : angle(steepest), radius(Bend(0, steepest, least_radius).radius) {
     const double r = radius;
     const double cos = base::sin_cos(steepest).cos;
     crest_bend = cos * cos * cos / p;
@@ -66,7 +67,9 @@ struct Foot {
     constexpr int kSteps = 16;
     double sum = 0;
     for (const auto& [begin, part] : {dvec2(0, first), dvec2(first, arc), dvec2(first + arc, second)})
-      sum += integral(part, kSteps, [&, from = begin](double u) { return dvec2(0, base::sin_cos(angle_at(from + u)).sin); }).y;
+      sum += integral(part, kSteps, [&, from = begin](double u) {
+               return dvec2(0, base::sin_cos(angle_at(from + u)).sin);
+             }).y;
     return sum;
   }
 };
@@ -76,9 +79,10 @@ double tangent_of(double angle) {
   return sin / cos;
 }
 
-// A turn about an axis that lies level: in the plane across the axis a teardrop of clothoid, circle, clothoid, one whole turn, while it
-// goes along the axis in proportion. The tangent keeps its angle to the axis, and curvature and torsion their ratio (a generalised helix), so
-// that after a whole turn the frame is what it was: upright and straight ahead. What is up is the normal: nothing pushes sideways but gravity.
+// A turn about an axis that lies level: in the plane across the axis a teardrop of clothoid, circle, clothoid, one
+// whole turn, while it goes along the axis in proportion. The tangent keeps its angle to the axis, and curvature and
+// torsion their ratio (a generalised helix), so that after a whole turn the frame is what it was: upright and straight
+// ahead. What is up is the normal: nothing pushes sideways but gravity.
 class Winding {
  public:
   // `top`: rad of the turn that are a circle in the plane across.
@@ -119,7 +123,8 @@ void add_winding(ElementPath& path, const Winding& w, double sin_axis, double si
     return [=](double along) {
       const auto [sin, cos] = base::sin_cos(w.turned(begin + along));
       const dvec3 normal = cos * up - sin * across;
-      return ElementRate{(sin_axis / cos_axis) * axis + cos * across + sin * up, w.bend(begin + along) * normal, normal, 0};
+      return ElementRate{(sin_axis / cos_axis) * axis + cos * across + sin * up, w.bend(begin + along) * normal, normal,
+                         0};
     };
   };
   path.add(w.ramp(), piece(0));
@@ -130,7 +135,8 @@ void add_winding(ElementPath& path, const Winding& w, double sin_axis, double si
 }  // namespace
 
 void add_climb_or_dive(ShapeTask& task) {
-  const double side = task.element.kind == world::ElementKind::climb ? 1.0 : -1.0, radius = world::value_of(task.element, "radius");
+  const double side = task.element.kind == world::ElementKind::climb ? 1.0 : -1.0,
+               radius = world::value_of(task.element, "radius");
   const double steepest = base::radians(world::value_of(task.element, "angle"));
   const auto bends = [&](double angle) {
     const double to = side * angle;
@@ -145,18 +151,21 @@ void add_climb_or_dive(ShapeTask& task) {
   }
   const double to = side * angle, sin = base::sin_cos(angle).sin, missing = height - bends(angle);
   task.path.add(Bend{task.slope, to, radius});
-  if (angle > 0 && missing > 0) task.path.add(missing / sin, upright_piece([to](double) { return to; }, [](double) { return 0.0; }));
+  if (angle > 0 && missing > 0)
+    task.path.add(missing / sin, upright_piece([to](double) { return to; }, [](double) { return 0.0; }));
   task.path.add(Bend{to, 0, radius});
 }
 
-// A train of speed v at the foot has v^2 - 2 g h left at the crest, h higher: thrown from there it would fly along the parabola of
-// parameter p = (v^2 - 2 g h) / g, y = -x^2 / (2 p); on rails of that shape its riders float.
+// A train of speed v at the foot has v^2 - 2 g h left at the crest, h higher: thrown from there it would fly along the
+// parabola of parameter p = (v^2 - 2 g h) / g, y = -x^2 / (2 p); on rails of that shape its riders float.
 void add_camelback(ShapeTask& task) {
   constexpr double kLeastRest = 1.15;  // of the energy that the crest takes
   const double height = world::value_of(task.element, "height"), g = world::kGravity;
   const double least = std::sqrt(2 * kLeastRest * g * height);
-  if (world::value_of(task.element, "speed") < least) give_way(task.element, "speed", least, "a slower train would not get over the crest", task.lines);
-  const double speed = world::value_of(task.element, "speed"), p = speed * speed / g - 2 * height, radius = world::value_of(task.element, "radius");
+  if (world::value_of(task.element, "speed") < least)
+    give_way(task.element, "speed", least, "a slower train would not get over the crest", task.lines);
+  const double speed = world::value_of(task.element, "speed"), p = speed * speed / g - 2 * height,
+               radius = world::value_of(task.element, "radius");
   const auto rise = [&](double angle) {
     const double tangent = tangent_of(angle);
     return Foot(angle, radius, p).rise() + 0.5 * p * tangent * tangent;
@@ -164,9 +173,13 @@ void add_camelback(ShapeTask& task) {
   const double angle = root(base::radians(0.5), base::radians(78), [&](double a) { return rise(a) - height; });
   const Foot foot(angle, radius, p);
   const double edge = p * tangent_of(angle), whole = foot.length();
-  const auto up = [&](double begin) { return upright_piece([=](double u) { return foot.angle_at(begin + u); }, [=](double u) { return foot.bend(begin + u); }); };
+  const auto up = [&](double begin) {
+    return upright_piece([=](double u) { return foot.angle_at(begin + u); },
+                         [=](double u) { return foot.bend(begin + u); });
+  };
   const auto down = [&](double begin) {
-    return upright_piece([=](double u) { return -foot.angle_at(whole - begin - u); }, [=](double u) { return foot.bend(whole - begin - u); });
+    return upright_piece([=](double u) { return -foot.angle_at(whole - begin - u); },
+                         [=](double u) { return foot.bend(whole - begin - u); });
   };
   task.path.add(foot.first, up(0));
   task.path.add(foot.arc, up(foot.first));
@@ -183,15 +196,18 @@ void add_camelback(ShapeTask& task) {
 void add_loop(ShapeTask& task) {
   constexpr double kMostAxis = 0.5;  // sine: 30 degrees
   const Winding w(world::value_of(task.element, "height"), base::radians(world::value_of(task.element, "top")));
-  // Along an axis at the angle a it goes length * tan(a), of which cos(a) is to the side; the teardrop takes width * sin(a) back.
+  // Along an axis at the angle a it goes length * tan(a), of which cos(a) is to the side; the teardrop takes width *
+  // sin(a) back.
   const double room = w.length() - w.width();
-  if (world::value_of(task.element, "shift") > kMostAxis * room) give_way(task.element, "shift", kMostAxis * room, "a loop of this height would lie on its side", task.lines);
+  if (world::value_of(task.element, "shift") > kMostAxis * room)
+    give_way(task.element, "shift", kMostAxis * room, "a loop of this height would lie on its side", task.lines);
   add_winding(task.path, w, world::value_of(task.element, "shift") / room, task.element.right ? -1.0 : 1.0);
 }
 
 void add_corkscrew(ShapeTask& task) {
   const Winding w(world::value_of(task.element, "height"), base::radians(world::value_of(task.element, "top")));
-  add_winding(task.path, w, base::sin_cos(base::radians(world::value_of(task.element, "angle"))).sin, task.element.right ? -1.0 : 1.0);
+  add_winding(task.path, w, base::sin_cos(base::radians(world::value_of(task.element, "angle"))).sin,
+              task.element.right ? -1.0 : 1.0);
 }
 
 }  // namespace coaster::sim

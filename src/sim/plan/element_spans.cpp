@@ -19,7 +19,8 @@ constexpr double kShortest = 0.1, kLongest = 0.8;  // of a span's length: handle
 
 dvec3 across(dvec3 v, dvec3 tangent) { return v - tangent * glm::dot(v, tangent); }
 
-// The unit direction in which a span bends at one of its ends; 0 where it is straight. `other` is the tangent at its far end.
+// The unit direction in which a span bends at one of its ends; 0 where it is straight. `other` is the tangent at its
+// far end.
 dvec3 bend_direction(const ElementPoint& p, dvec3 other, double length) {
   constexpr double kFelt = 1e-6;  // rad
   for (const dvec3 wish : {p.curvature * length, across(other, p.tangent)})
@@ -32,15 +33,17 @@ struct Nodes {
   std::vector<double> out, in;  // by knot: the handle after it and the one before it
 };
 
-// The jump of the curvature vector at an inner knot: (2/3) |handle polygon's second leg across the tangent| / handle^2 on both sides.
+// The jump of the curvature vector at an inner knot: (2/3) |handle polygon's second leg across the tangent| / handle^2
+// on both sides.
 struct JumpTerms {
   dvec3 after, before;  // m, from the knot to the far handle
   double out_square, in_square;
   dvec3 jump;  // 1/m
 };
 JumpTerms jump_at(const Nodes& n, std::size_t k) {
-  JumpTerms j{n.place[k + 1] - n.in[k + 1] * n.tangent[k + 1] - n.place[k], n.place[k - 1] + n.out[k - 1] * n.tangent[k - 1] - n.place[k], n.out[k] * n.out[k],
-              n.in[k] * n.in[k], dvec3(0)};
+  JumpTerms j{n.place[k + 1] - n.in[k + 1] * n.tangent[k + 1] - n.place[k],
+              n.place[k - 1] + n.out[k - 1] * n.tangent[k - 1] - n.place[k], n.out[k] * n.out[k], n.in[k] * n.in[k],
+              dvec3(0)};
   j.jump = 2.0 / 3.0 * across(j.after / j.out_square - j.before / j.in_square, n.tangent[k]);
   return j;
 }
@@ -55,11 +58,12 @@ Basis basis_at(dvec3 tangent) {
 
 // The 2 x 2 block of what turning a tangent does to a jump: columns for turning along `of`, rows along `on`.
 dmat2 block(double factor, const Basis& of, const Basis& on) {
-  return dmat2(factor * dvec2(glm::dot(of.u, on.u), glm::dot(of.u, on.v)), factor * dvec2(glm::dot(of.v, on.u), glm::dot(of.v, on.v)));
+  return dmat2(factor * dvec2(glm::dot(of.u, on.u), glm::dot(of.u, on.v)),
+               factor * dvec2(glm::dot(of.v, on.u), glm::dot(of.v, on.v)));
 }
 
-// One step of Newton's method for the inner tangents; returns the largest jump before it. Turning a tangent changes the jump at its own knot
-// four times as much as at its neighbours', so elimination needs no pivots.
+// One step of Newton's method for the inner tangents; returns the largest jump before it. Turning a tangent changes the
+// jump at its own knot four times as much as at its neighbours', so elimination needs no pivots.
 double turn_tangents(Nodes& n) {
   constexpr double kMostTurn = 0.1;  // rad a step
   const std::size_t count = n.place.size();
@@ -71,7 +75,8 @@ double turn_tangents(Nodes& n) {
   for (std::size_t k = 1; k + 1 < count; ++k) {
     const JumpTerms j = jump_at(n, k);
     largest = std::max(largest, glm::length(j.jump));
-    const double own = 2.0 / 3.0 * (glm::dot(j.before, n.tangent[k]) / j.in_square - glm::dot(j.after, n.tangent[k]) / j.out_square);
+    const double own =
+        2.0 / 3.0 * (glm::dot(j.before, n.tangent[k]) / j.in_square - glm::dot(j.after, n.tangent[k]) / j.out_square);
     dmat2 diagonal = block(own, basis[k], basis[k]);
     dvec2 right(-glm::dot(j.jump, basis[k].u), -glm::dot(j.jump, basis[k].v));
     if (k > 1) {
@@ -92,15 +97,17 @@ double turn_tangents(Nodes& n) {
   return largest;
 }
 
-// A curvature at an end that torsion leaves over: there the tangent is fixed, so the next knot moves across it, by at most kMostShift off the
-// ideal curve. A shift changes the far handle by about 1.5 times as much, since the next tangent turns with it.
+// A curvature at an end that torsion leaves over: there the tangent is fixed, so the next knot moves across it, by at
+// most kMostShift off the ideal curve. A shift changes the far handle by about 1.5 times as much, since the next
+// tangent turns with it.
 void shift_second(Nodes& n, const ElementCurve& curve, std::span<const std::size_t> at, bool last) {
   constexpr double kMostShift = 0.5 * kElementDistance;
   const std::size_t count = n.place.size(), end = last ? count - 1 : 0, next = last ? count - 2 : 1;
   if (count < 4) return;
   const dvec3 far = last ? n.place[next] + n.out[next] * n.tangent[next] : n.place[next] - n.in[next] * n.tangent[next];
   const double handle = last ? n.in[end] : n.out[end];
-  const dvec3 wanted = curve.points[at[end]].curvature, is = 2.0 / 3.0 * across(far - n.place[end], n.tangent[end]) / (handle * handle);
+  const dvec3 wanted = curve.points[at[end]].curvature,
+              is = 2.0 / 3.0 * across(far - n.place[end], n.tangent[end]) / (handle * handle);
   const dvec3 ideal = curve.points[at[next]].position;
   dvec3 off = n.place[next] + handle * handle * (wanted - is) - ideal;
   if (const double size = glm::length(off); size > kMostShift) off *= kMostShift / size;
@@ -115,7 +122,8 @@ std::vector<world::Knot> knots_of(const ElementCurve& curve, std::span<const std
     world::Knot knot;
     knot.position = glm::vec3(n.place[k]);
     knot.tangent = glm::vec3(n.tangent[k]);
-    // From the tangent in double, not from the rounded one: gcc 12 at -O2 was seen to leave out a rounding to float and back, and the bits count.
+    // From the tangent in double, not from the rounded one: gcc 12 at -O2 was seen to leave out a rounding to float and
+    // back, and the bits count.
     knot.up = glm::vec3(curve::perpendicular(n.tangent[k], curve.points[at[k]].up));
     knot.in_length = as_handle(k > 0 ? n.in[k] : n.out[k]);
     knot.out_length = as_handle(k + 1 < at.size() ? n.out[k] : n.in[k]);
@@ -132,22 +140,26 @@ curve::Cubic cubic_between(const world::Knot& from, const world::Knot& to) {
 
 }  // namespace
 
-// Follows the ideal curve's points along a span; the frame is carried as the track's is (sim/shape/derived.cpp): rotation-minimising, and what is left
-// to the second knot's up spread over the length.
+// Follows the ideal curve's points along a span; the frame is carried as the track's is (sim/shape/derived.cpp):
+// rotation-minimising, and what is left to the second knot's up spread over the length.
 SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& from, const world::Knot& to) {
   const curve::Cubic c = cubic_between(from, to);
   SpanCheck check;
   const double length = points.back().s - points.front().s;
-  for (const float handle : {from.out_length, to.in_length}) check.sound = check.sound && handle > kShortest * length && handle < kLongest * length;
+  for (const float handle : {from.out_length, to.in_length})
+    check.sound = check.sound && handle > kShortest * length && handle < kLongest * length;
   curve::Frame frame{curve::unit_tangent(c, 0.0), glm::normalize(dvec3(from.up))};
   dvec3 place = curve::point(c, 0.0);
   std::vector<double> rolls{0.0};
   double t = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const bool last = i + 1 == points.size();
-    t = last ? 1.0 : std::min(1.0, t + (points[i].s - points[i - 1].s) / std::max(1e-9, glm::length(curve::derivative(c, t))));
+    t = last
+            ? 1.0
+            : std::min(1.0, t + (points[i].s - points[i - 1].s) / std::max(1e-9, glm::length(curve::derivative(c, t))));
     for (int newton = 0; newton < 3 && !last; ++newton) {
-      const dvec3 off = curve::point(c, t) - points[i].position, d = curve::derivative(c, t), dd = curve::second_derivative(c, t);
+      const dvec3 off = curve::point(c, t) - points[i].position, d = curve::derivative(c, t),
+                  dd = curve::second_derivative(c, t);
       const double slope = glm::dot(d, d) + glm::dot(off, dd);
       if (slope > 0) t = std::clamp(t - glm::dot(off, d) / slope, 0.0, 1.0);
     }
@@ -160,7 +172,8 @@ SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& fr
     rolls.push_back(rolls.back() + std::remainder(roll - rolls.back(), 2.0 * base::kPi));
   }
   for (std::size_t i = 1; i < points.size(); ++i)
-    check.roll_error = std::max(check.roll_error, std::abs(rolls[i] - rolls.back() * (points[i].s - points[0].s) / length));
+    check.roll_error =
+        std::max(check.roll_error, std::abs(rolls[i] - rolls.back() * (points[i].s - points[0].s) / length));
   check.sound = check.sound && std::abs(rolls.back()) < kMostRoll;
   return check;
 }
@@ -171,14 +184,17 @@ HandleLengths handle_lengths(const ElementPoint& from, const ElementPoint& to) {
   const double length = to.s - from.s, third = length / 3.0;
   const dvec3 chord = to.position - from.position;
   const dvec3 first = bend_direction(from, to.tangent, length), second = bend_direction(to, from.tangent, length);
-  const double k0 = glm::dot(from.curvature, first), k1 = glm::dot(to.curvature, second), turn0 = glm::dot(first, to.tangent), turn1 = glm::dot(second, from.tangent);
+  const double k0 = glm::dot(from.curvature, first), k1 = glm::dot(to.curvature, second),
+               turn0 = glm::dot(first, to.tangent), turn1 = glm::dot(second, from.tangent);
   double a = third, b = third;
   for (int i = 0; i < kSteps; ++i) {
-    const double r0 = glm::dot(first, chord) - b * turn0 - 1.5 * a * a * k0, r1 = a * turn1 - glm::dot(second, chord) - 1.5 * b * b * k1;
+    const double r0 = glm::dot(first, chord) - b * turn0 - 1.5 * a * a * k0,
+                 r1 = a * turn1 - glm::dot(second, chord) - 1.5 * b * b * k1;
     const dvec2 da(-3.0 * a * k0, turn1), db(-turn0, -3.0 * b * k1);
     // Normal equations of the two residuals and of the weak hold.
     const double aa = glm::dot(da, da) + kHold * kHold, bb = glm::dot(db, db) + kHold * kHold, ab = glm::dot(da, db);
-    const double ra = -(da.x * r0 + da.y * r1) - kHold * kHold * (a - third), rb = -(db.x * r0 + db.y * r1) - kHold * kHold * (b - third);
+    const double ra = -(da.x * r0 + da.y * r1) - kHold * kHold * (a - third),
+                 rb = -(db.x * r0 + db.y * r1) - kHold * kHold * (b - third);
     const double determinant = aa * bb - ab * ab;
     if (!(determinant > 0)) break;
     const double most = 0.25 * third;

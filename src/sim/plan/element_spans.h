@@ -1,4 +1,5 @@
-// The spans between chosen points of an element's ideal curve, and how well they follow it. Private to element_fit.cpp and element_spans.cpp.
+// The spans between chosen points of an element's ideal curve, and how well they follow it. Private to element_fit.cpp
+// and element_spans.cpp.
 #pragma once
 
 #include <span>

@@ -28,7 +28,8 @@ void clamp_values(world::Element& element, std::vector<std::string>& lines) {
     const double cut = std::clamp(value, p.low, p.high);
     if (cut == value) continue;
     const std::string unit = p.unit.empty() ? "" : " " + std::string(p.unit);
-    lines.push_back(std::string(p.name) + " " + base::to_text(value) + unit + " is beyond the limit of " + base::to_text(cut) + unit);
+    lines.push_back(std::string(p.name) + " " + base::to_text(value) + unit + " is beyond the limit of " +
+                    base::to_text(cut) + unit);
     value = cut;
   }
 }
@@ -69,8 +70,10 @@ ElementPlan plan_element(const world::Element& element, const TrackEnd& end) {
   plan.ideal = std::move(shape.curve);
   plan.length = plan.ideal.length();
   plan.lead = plan.ideal.points[plan.ideal.lead].s;
-  if (plan.length > kLongestElement) plan.refusal = "it would be longer than the limit of " + base::to_text(kLongestElement) + " m";
-  else if (!within_world(plan.ideal)) plan.refusal = "it would leave the limit of coordinates, " + base::to_text(double{world::kMaxCoordinate}) + " m";
+  if (plan.length > kLongestElement)
+    plan.refusal = "it would be longer than the limit of " + base::to_text(kLongestElement) + " m";
+  else if (!within_world(plan.ideal))
+    plan.refusal = "it would leave the limit of coordinates, " + base::to_text(double{world::kMaxCoordinate}) + " m";
   if (!plan.refusal.empty()) return plan;
   plan.fit = fit_element(plan.ideal);
   plan.lowest = plan.ideal.points.front().position.y;

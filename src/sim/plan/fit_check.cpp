@@ -13,7 +13,8 @@ using glm::dvec3;
 // The nearest parameter by Newton's method from `t`; where that ends badly, by searching the whole segment.
 curve::NearestPoint nearest_from(const curve::Cubic& cubic, const curve::CoefficientsD& c, dvec3 target, double t) {
   for (int i = 0; i < 4; ++i) {
-    const dvec3 off = c.c0 + t * (c.c1 + t * (c.c2 + t * c.c3)) - target, d = c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3));
+    const dvec3 off = c.c0 + t * (c.c1 + t * (c.c2 + t * c.c3)) - target,
+                d = c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3));
     const double slope = glm::dot(d, d) + glm::dot(off, 2.0 * c.c2 + t * (6.0 * c.c3));
     if (!(slope > 0)) break;
     t = std::clamp(t - glm::dot(off, d) / slope, 0.0, 1.0);
@@ -24,8 +25,8 @@ curve::NearestPoint nearest_from(const curve::Cubic& cubic, const curve::Coeffic
 
 }  // namespace
 
-std::vector<FitReport> measure_spans(const Derived& derived, std::span<const FitRow> rows, std::span<const std::size_t> ends,
-                                     std::span<const char> free) {
+std::vector<FitReport> measure_spans(const Derived& derived, std::span<const FitRow> rows,
+                                     std::span<const std::size_t> ends, std::span<const char> free) {
   COASTER_CHECK(ends.size() == derived.order.size() + 1, "every segment covers a span of rows");
   std::vector<FitReport> reports(derived.order.size());
   for (std::size_t i = 0; i < reports.size(); ++i) {

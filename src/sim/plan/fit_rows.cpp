@@ -26,8 +26,8 @@ std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double r
     const double angle = frame_angle_deg({a.forward, a.up}, {b.forward, b.up});
     jumps[i] = angle > kJumpAngle && angle > kJumpRate * steps[i];
   }
-  // How far the last jump is behind, on the way forward, then how far the next is ahead, on the way back; from the middle of its step. A
-  // closed track is gone round twice: the second time knows of the jumps of the first.
+  // How far the last jump is behind, on the way forward, then how far the next is ahead, on the way back; from the
+  // middle of its step. A closed track is gone round twice: the second time knows of the jumps of the first.
   const std::size_t laps = closed ? 2 * count : count;
   double gone = 2 * reach + 1;
   for (std::size_t n = 1; n < laps; ++n) {
@@ -48,10 +48,12 @@ bool rows_close(std::span<const FitRow> rows) {
   if (rows.size() < 4) return false;
   const FitRow &first = rows.front(), &last = rows.back();
   double longest = 0;
-  for (std::size_t i = 1; i < rows.size(); ++i) longest = std::max(longest, glm::distance(rows[i - 1].position, rows[i].position));
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    longest = std::max(longest, glm::distance(rows[i - 1].position, rows[i].position));
   const dvec3 gap = first.position - last.position;
   constexpr double kRounding = 1e-5, kSameWay = 0.5;  // m, of printed places; cosine
-  return glm::length(gap) <= 1.01 * longest + kRounding && glm::dot(gap, last.forward) >= -kRounding && glm::dot(first.forward, last.forward) > kSameWay;
+  return glm::length(gap) <= 1.01 * longest + kRounding && glm::dot(gap, last.forward) >= -kRounding &&
+         glm::dot(first.forward, last.forward) > kSameWay;
 }
 
 }  // namespace coaster::sim

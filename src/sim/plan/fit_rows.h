@@ -13,15 +13,17 @@ struct FitRow {
   glm::dvec3 position{0}, forward{1, 0, 0}, up{0, 1, 0};
 };
 
-// Where the frame turns by over kJumpAngle, and by over kJumpRate, from one row to the next the rows jump: no smooth rail turns so fast.
-inline constexpr double kJumpReach = 0.5;       // m along the rows
-inline constexpr double kJumpAngle = 5.0;       // degrees
-inline constexpr double kJumpRate = 100.0;      // degrees per m
+// Where the frame turns by over kJumpAngle, and by over kJumpRate, from one row to the next the rows jump: no smooth
+// rail turns so fast.
+inline constexpr double kJumpReach = 0.5;   // m along the rows
+inline constexpr double kJumpAngle = 5.0;   // degrees
+inline constexpr double kJumpRate = 100.0;  // degrees per m
 
 // The angle of the rotation from one frame to the other, degrees.
 double frame_angle_deg(const curve::Frame& a, const curve::Frame& b);
 
-// Whether the last row leads back to the first one: a step that is no longer than the others, ahead and about the same way.
+// Whether the last row leads back to the first one: a step that is no longer than the others, ahead and about the same
+// way.
 bool rows_close(std::span<const FitRow> rows);
 
 // For each row, whether it is within `reach` m of a jump.

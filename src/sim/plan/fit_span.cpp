@@ -12,7 +12,7 @@ namespace {
 
 using glm::dvec2, glm::dvec3;
 
-constexpr std::size_t kFittedRows = 40;    // rows that handle lengths are fitted to; all are checked
+constexpr std::size_t kFittedRows = 40;  // rows that handle lengths are fitted to; all are checked
 constexpr int kIterations = 12;
 constexpr double kMostFitRoll = 2 * base::kPi * (world::kMaxTurns - 1);
 
@@ -49,15 +49,19 @@ struct Handles {
   double out, in;
 };
 
-// Gauss-Newton on the distances across the curve: a row's place along it does not count, so that sliding parameters do not slow it down.
-Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last, const Ends& ends,
-                    std::vector<double>& parameters, std::vector<double>& stations) {
+// Gauss-Newton on the distances across the curve: a row's place along it does not count, so that sliding parameters do
+// not slow it down.
+Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first,
+                    std::size_t last, const Ends& ends, std::vector<double>& parameters,
+                    std::vector<double>& stations) {
   const double length = std::max(distances[last] - distances[first], 1e-9);
   const std::size_t inner = std::min(last - first - 1, kFittedRows);
   parameters.resize(inner + 2), stations.resize(inner + 2);
   const auto row_of = [&](std::size_t k) { return first + (last - first) * k / (inner + 1); };
-  for (std::size_t k = 0; k < inner + 2; ++k) parameters[k] = stations[k] = (distances[row_of(k)] - distances[first]) / length;
-  const double low = std::max(0.02 * length, double{world::kMinHandle}), high = std::clamp(2.0 * length, low, double{world::kMaxHandle});
+  for (std::size_t k = 0; k < inner + 2; ++k)
+    parameters[k] = stations[k] = (distances[row_of(k)] - distances[first]) / length;
+  const double low = std::max(0.02 * length, double{world::kMinHandle}),
+               high = std::clamp(2.0 * length, low, double{world::kMaxHandle});
   Handles h{std::clamp(length / 3, low, high), std::clamp(length / 3, low, high)};
   for (int iteration = 0; iteration < kIterations && inner > 0; ++iteration) {
     const Curve c = curve_of(ends, h.out, h.in);
@@ -77,7 +81,8 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
     a00 += damping, a11 += damping;
     const double determinant = a00 * a11 - a01 * a01;
     const double limit = 0.2 * length;
-    const double out = std::clamp((a11 * x0 - a01 * x1) / determinant, -limit, limit), in = std::clamp((a00 * x1 - a01 * x0) / determinant, -limit, limit);
+    const double out = std::clamp((a11 * x0 - a01 * x1) / determinant, -limit, limit),
+                 in = std::clamp((a00 * x1 - a01 * x0) / determinant, -limit, limit);
     h = {std::clamp(h.out + out, low, high), std::clamp(h.in + in, low, high)};
     if (std::max(std::abs(out), std::abs(in)) < 1e-4 * length) break;
   }
@@ -102,7 +107,8 @@ void clip(RollWindow& polygon, dvec2 normal, double limit, RollWindow& spare) {
 // The frame carried along the curve from row to row, in steps of at most 1/32, and the length travelled.
 class Carrier {
  public:
-  Carrier(const Curve& c, const curve::Frame& start) : c_(c), frame_(start), place_(c.point(0)), speed_(glm::length(c.derivative(0))) {}
+  Carrier(const Curve& c, const curve::Frame& start)
+      : c_(c), frame_(start), place_(c.point(0)), speed_(glm::length(c.derivative(0))) {}
   void go_to(double t) {
     const int steps = std::max(1, static_cast<int>(std::ceil((t - t_) * 32)));
     const double from = t_;
@@ -125,10 +131,10 @@ class Carrier {
   double speed_, t_ = 0, length_ = 0;
 };
 
-// Follows all rows along the curve: false when one is too far off or looks elsewhere. Fills rolls, shares of the length, and squared sines
-// between the directions, by row from `first`.
-bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last, const Curve& c, const Ends& ends,
-                 const SpanBounds& bounds, SpanScratch& s) {
+// Follows all rows along the curve: false when one is too far off or looks elsewhere. Fills rolls, shares of the
+// length, and squared sines between the directions, by row from `first`.
+bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
+                 const Curve& c, const Ends& ends, const SpanBounds& bounds, SpanScratch& s) {
   const std::size_t count = last - first + 1;
   s.rolls.assign(count, 0), s.shares.assign(count, 0), s.fronts.assign(count, 0);
   Carrier carrier(c, {ends.t0, curve::perpendicular(ends.t0, rows[first].up)});
@@ -139,7 +145,8 @@ bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances
     const FitRow& row = rows[first + i];
     const double station = (distances[first + i] - distances[first]) / length;
     while (knot + 1 < s.stations.size() && s.stations[knot] < station) ++knot;
-    const double gap = std::max(s.stations[knot] - s.stations[knot - 1], 1e-12), part = std::clamp((station - s.stations[knot - 1]) / gap, 0.0, 1.0);
+    const double gap = std::max(s.stations[knot] - s.stations[knot - 1], 1e-12),
+                 part = std::clamp((station - s.stations[knot - 1]) / gap, 0.0, 1.0);
     const double guess = s.parameters[knot - 1] + part * (s.parameters[knot] - s.parameters[knot - 1]);
     const double t = i + 1 == count ? 1.0 : std::max(before, nearer(c, row.position, guess, 3));
     before = t;
@@ -162,8 +169,8 @@ bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances
 
 }  // namespace
 
-SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last, double roll_low, double roll_high,
-                 const SpanBounds& bounds, SpanScratch& s) {
+SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
+                 double roll_low, double roll_high, const SpanBounds& bounds, SpanScratch& s) {
   const FitRow &from = rows[first], &to = rows[last];
   const Ends ends{dvec3(glm::vec3(from.position)), from.forward, dvec3(glm::vec3(to.position)), to.forward};
   const Handles h = fit_handles(rows, distances, first, last, ends, s.parameters, s.stations);

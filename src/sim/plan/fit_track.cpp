@@ -15,10 +15,10 @@ using glm::dvec3;
 
 constexpr double kInnerReach = 0.45;  // m: rows whose frames are not fitted; less than what is left out of the report
 constexpr int kMaxRounds = 12;        // of halving what the finished document misses
-constexpr std::size_t kFirstStride = 32;  // rows that the first span is tried with
-constexpr double kShortSpan = 0.06;       // m: handles, which have a least length, would be long for a shorter one
-constexpr int kEvenings = 3;              // bisections for the least bounds that the same number of knots keeps
-constexpr double kLeastScale = 0.4;       // of the bounds
+constexpr std::size_t kFirstStride = 32;     // rows that the first span is tried with
+constexpr double kShortSpan = 0.06;          // m: handles, which have a least length, would be long for a shorter one
+constexpr int kEvenings = 3;                 // bisections for the least bounds that the same number of knots keeps
+constexpr double kLeastScale = 0.4;          // of the bounds
 constexpr std::size_t kEvenedRows = 60'000;  // more rows are not evened out: that takes four times as long
 
 struct Span {
@@ -37,7 +37,7 @@ struct Work {
   std::vector<Span> spans;
   std::vector<double> rolls;  // additional roll of a knot on each row, radians
   base::Progress* progress = nullptr;
-  int passes = 0;             // of fit_spans() that are done
+  int passes = 0;  // of fit_spans() that are done
 
   bool cancelled() const { return progress && progress->cancelled; }
   // Within the present pass, 0..1. The passes take about the same time, what follows them little.
@@ -63,11 +63,13 @@ struct Work {
   }
 };
 
-// The longest span from `first`: doubling from the last one's length, then bisection. What fits is taken to fit when shorter, too.
+// The longest span from `first`: doubling from the last one's length, then bisection. What fits is taken to fit when
+// shorter, too.
 Span longest_span(Work& w, std::size_t first, double low, double high, std::size_t usual) {
   const std::size_t end = w.rows.size() - 1;
   Span good{first, first + 1, w.fit(first, first + 1, low, high)};
-  const auto beyond = std::lower_bound(w.distances.begin() + static_cast<std::ptrdiff_t>(first), w.distances.end(), w.distances[first] + kShortSpan);
+  const auto beyond = std::lower_bound(w.distances.begin() + static_cast<std::ptrdiff_t>(first), w.distances.end(),
+                                       w.distances[first] + kShortSpan);
   const auto short_rows = static_cast<std::size_t>(beyond - w.distances.begin()) - first;
   std::size_t bad = end + 1, length = std::max<std::size_t>({usual, 2, short_rows});
   while (good.last < end) {
@@ -114,7 +116,8 @@ void fit_spans(Work& w) {
   ++w.passes;
 }
 
-// The longest spans leave an odd short one at the end. As many spans within tighter bounds are alike, and nearer to the rows.
+// The longest spans leave an odd short one at the end. As many spans within tighter bounds are alike, and nearer to the
+// rows.
 void even_out(Work& w) {
   if (w.spans.size() < 2 || w.rows.size() > kEvenedRows) return;
   std::vector<Span> best = w.spans;
@@ -140,7 +143,8 @@ double middle_of_first(const RollWindow& window, double second) {
     const glm::dvec2 &a = window[i], &b = window[i + 1 < window.size() ? i + 1 : 0];
     if (!nearest || std::abs(a.y - second) < std::abs(nearest->y - second)) nearest = &a;
     if (a.y == second) take(a.x);
-    if ((a.y < second && b.y > second) || (a.y > second && b.y < second)) take(a.x + (second - a.y) / (b.y - a.y) * (b.x - a.x));
+    if ((a.y < second && b.y > second) || (a.y > second && b.y < second))
+      take(a.x + (second - a.y) / (b.y - a.y) * (b.x - a.x));
   }
   if (low > high) return nearest ? nearest->x : 0;  // rounding has left `second` just outside
   return 0.5 * (low + high);
@@ -163,7 +167,9 @@ void choose_rolls(Work& w) {
 
 world::Knot knot_of(const FitRow& row, double roll, double in, double out) {
   world::Knot k;
-  const auto handle = [](double length) { return std::clamp(static_cast<float>(length), world::kMinHandle, world::kMaxHandle); };
+  const auto handle = [](double length) {
+    return std::clamp(static_cast<float>(length), world::kMinHandle, world::kMaxHandle);
+  };
   k.position = glm::vec3(row.position);
   k.tangent = glm::vec3(row.forward);
   k.up = glm::vec3(curve::perpendicular(row.forward, curve::rotate(row.up, row.forward, roll)));
@@ -177,12 +183,17 @@ world::Document document_of(const Work& w, Derived& derived) {
   world::Document document;
   const std::size_t count = w.spans.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const double in = i > 0 ? w.spans[i - 1].fit.in_length : w.closed ? w.spans.back().fit.in_length : w.spans[i].fit.out_length;
-    world::append_knot(document, knot_of(w.rows[w.spans[i].first], w.rolls[w.spans[i].first], in, w.spans[i].fit.out_length));
+    const double in = i > 0      ? w.spans[i - 1].fit.in_length
+                      : w.closed ? w.spans.back().fit.in_length
+                                 : w.spans[i].fit.out_length;
+    world::append_knot(document,
+                       knot_of(w.rows[w.spans[i].first], w.rolls[w.spans[i].first], in, w.spans[i].fit.out_length));
   }
   const Span& last = w.spans.back();
   if (w.closed) world::set_closed(document, true);
-  else world::append_knot(document, knot_of(w.rows[last.last], w.rolls[last.last], last.fit.in_length, last.fit.in_length));
+  else
+    world::append_knot(document,
+                       knot_of(w.rows[last.last], w.rolls[last.last], last.fit.in_length, last.fit.in_length));
   world::Settings settings;
   settings.steps = 1;  // no polylines are looked at
   derived = {};
@@ -193,7 +204,8 @@ world::Document document_of(const Work& w, Derived& derived) {
     const double wanted = w.spans[i].fit.roll + w.rolls[w.spans[i].last] - w.rolls[w.spans[i].first];
     const double turns = std::round((wanted - derived.shape(derived.order[i]).twist) / (2 * base::kPi));
     if (turns == 0) continue;
-    document.entities.get<world::Segment>(derived.order[i]).turns = static_cast<std::int32_t>(std::clamp<double>(turns, -world::kMaxTurns, world::kMaxTurns));
+    document.entities.get<world::Segment>(derived.order[i]).turns =
+        static_cast<std::int32_t>(std::clamp<double>(turns, -world::kMaxTurns, world::kMaxTurns));
     turned = true;
   }
   if (turned) derive(document, settings, {}, derived);
@@ -216,7 +228,8 @@ Work prepare(std::span<const FitRow> rows, bool closed) {
   w.free = near_jumps(rows, closed, kInnerReach);
   if (closed) w.rows.push_back(rows[0]), w.free.push_back(w.free[0]);
   w.distances.resize(w.rows.size());
-  for (std::size_t i = 1; i < w.rows.size(); ++i) w.distances[i] = w.distances[i - 1] + glm::distance(w.rows[i - 1].position, w.rows[i].position);
+  for (std::size_t i = 1; i < w.rows.size(); ++i)
+    w.distances[i] = w.distances[i - 1] + glm::distance(w.rows[i - 1].position, w.rows[i].position);
   return w;
 }
 

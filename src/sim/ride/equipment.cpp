@@ -8,9 +8,9 @@ namespace {
 
 using world::EquipmentKind;
 
-constexpr double kStopWithin = 0.02;    // m from the stopping place
-constexpr double kStopSpeed = 0.05;     // m/s, slow enough to be stopped
-constexpr double kCreep = 0.3;          // m/s, at which tyres push a train that stopped short
+constexpr double kStopWithin = 0.02;  // m from the stopping place
+constexpr double kStopSpeed = 0.05;   // m/s, slow enough to be stopped
+constexpr double kCreep = 0.3;        // m/s, at which tyres push a train that stopped short
 
 double car_place(const Rails& rails, const TrainPlace& train, int car) {
   double at = train.front - car * train.spacing;
@@ -61,14 +61,16 @@ double brake(const world::Equipment& e, const Moment& now, double share, Control
 Drive stop_and_go(const EquipmentSpan& span, const Moment& now, double left, bool way_free, ControlState& state) {
   const world::Equipment& e = span.equipment;
   const double push = e.acceleration;
-  if (state.dwell < 0) return {std::max(steer(now, std::max<double>(e.speed, kCreep), push, 0.0), now.towards(0.0)), false};
+  if (state.dwell < 0)
+    return {std::max(steer(now, std::max<double>(e.speed, kCreep), push, 0.0), now.towards(0.0)), false};
   if (state.dwell > 0) {
     if (state.dwell > 1) --state.dwell;
     else if (way_free) state.dwell = -1;
     return {now.towards(0.0), true};
   }
   if (left <= kStopWithin && now.speed < kStopSpeed) {
-    state.dwell = 1 + static_cast<std::int32_t>(e.kind == EquipmentKind::station ? e.seconds * world::kTicksPerSecond : 0);
+    state.dwell =
+        1 + static_cast<std::int32_t>(e.kind == EquipmentKind::station ? e.seconds * world::kTicksPerSecond : 0);
     return {now.towards(0.0), true};
   }
   // Down along v^2 = 2 a d to the stopping place, with twice that much in reserve; never past it.
@@ -89,8 +91,8 @@ std::vector<EquipmentSpan> equipment_spans(const world::Document& document, cons
   return spans;
 }
 
-Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, double speed, double free, bool way_free,
-               double dt, ControlState& state) {
+Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, double speed,
+               double free, bool way_free, double dt, ControlState& state) {
   Drive drive;
   bool on_stop = false, on_brake = false;
   const double front = car_place(rails, train, 0);
@@ -99,16 +101,19 @@ Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const T
     const EquipmentKind kind = span.equipment.kind;
     const bool stops = kind == EquipmentKind::station || kind == EquipmentKind::block;
     // The stopping place is the span's very end: a first car that stands there belongs to it.
-    const bool front_on = inside(span, front) || (stops && state.dwell > 0 && std::abs(front - span.to) < 2 * kStopWithin);
+    const bool front_on =
+        inside(span, front) || (stops && state.dwell > 0 && std::abs(front - span.to) < 2 * kStopWithin);
     if (share == 0 && !front_on) continue;
-    const Moment now{speed, free + drive.acceleration, dt};  // what other spans do counts: a train on two lifts is pulled once
+    const Moment now{speed, free + drive.acceleration,
+                     dt};  // what other spans do counts: a train on two lifts is pulled once
     if (stops) {
       on_stop = true;
       if (front_on && (kind == EquipmentKind::station || !way_free || state.dwell > 0)) {
         const Drive stop = stop_and_go(span, now, span.to - front, way_free, state);
         drive.acceleration += stop.acceleration, drive.held |= stop.held;
       } else if (state.dwell < 0) {
-        drive.acceleration += std::max(steer(now, std::max<double>(span.equipment.speed, kCreep), span.equipment.acceleration, 0.0), 0.0);
+        drive.acceleration +=
+            std::max(steer(now, std::max<double>(span.equipment.speed, kCreep), span.equipment.acceleration, 0.0), 0.0);
       } else if (kind == EquipmentKind::block) {
         on_brake = true;
         drive.acceleration += brake(span.equipment, now, share, state);
@@ -131,10 +136,12 @@ Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const T
   return drive;
 }
 
-bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, std::span<const TrainPlace> others) {
+bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train,
+                  std::span<const TrainPlace> others) {
   std::vector<const EquipmentSpan*> stops;
   for (const EquipmentSpan& span : spans)
-    if (span.equipment.kind == EquipmentKind::station || span.equipment.kind == EquipmentKind::block) stops.push_back(&span);
+    if (span.equipment.kind == EquipmentKind::station || span.equipment.kind == EquipmentKind::block)
+      stops.push_back(&span);
   const double front = car_place(rails, train, 0);
   for (std::size_t i = 0; i < stops.size(); ++i) {
     if (!(front >= stops[i]->from && front <= stops[i]->to + 2 * kStopWithin)) continue;

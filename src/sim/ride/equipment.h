@@ -1,5 +1,5 @@
-// What stations, lifts, launches, brakes and blocks do to the trains on them: one acceleration for each tick. The same rules for the ride and
-// for the ghost.
+// What stations, lifts, launches, brakes and blocks do to the trains on them: one acceleration for each tick. The same
+// rules for the ride and for the ghost.
 #pragma once
 
 #include <span>
@@ -21,9 +21,9 @@ std::vector<EquipmentSpan> equipment_spans(const world::Document& document, cons
 
 // A train as equipment sees it.
 struct TrainPlace {
-  double front = 0;    // m from the track's start, of the first car
+  double front = 0;  // m from the track's start, of the first car
   int cars = 1;
-  double spacing = 3;  // m
+  double spacing = 3;                 // m
   double length = world::kCarLength;  // m, of a car
 };
 
@@ -43,13 +43,15 @@ struct Rails {
   bool closed = false;
 };
 
-// The drive of the next tick of `dt` seconds. `free` is the acceleration of gravity and losses at its start; `way_free` says whether the
-// section after a station or block on which the train stands is free. Changes `state`.
-Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, double speed, double free, bool way_free,
-               double dt, ControlState& state);
+// The drive of the next tick of `dt` seconds. `free` is the acceleration of gravity and losses at its start; `way_free`
+// says whether the section after a station or block on which the train stands is free. Changes `state`.
+Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, double speed,
+               double free, bool way_free, double dt, ControlState& state);
 
-// Whether no other train is between the end of the station or block that `train` is on and the end of the next one; true when it is on none.
-bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, std::span<const TrainPlace> others);
+// Whether no other train is between the end of the station or block that `train` is on and the end of the next one;
+// true when it is on none.
+bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train,
+                  std::span<const TrainPlace> others);
 
 // Whether two trains overlap: any two of their cars' bodies.
 bool collide(const Rails& rails, const TrainPlace& a, const TrainPlace& b);

@@ -9,8 +9,9 @@
 namespace coaster::sim {
 namespace {
 
-// The train's mean slope over the place of its first car, on a uniform grid: a train is a point in this landscape. Within a cell the slope is the
-// derivative of a cubic Hermite height, so that what the ride gains and loses by it adds up to the heights.
+// The train's mean slope over the place of its first car, on a uniform grid: a train is a point in this landscape.
+// Within a cell the slope is the derivative of a cubic Hermite height, so that what the ride gains and loses by it adds
+// up to the heights.
 class Landscape {
  public:
   Landscape(const RailTables& tables, std::span<const SegmentTable* const> segments, const GhostStart& start)
@@ -22,7 +23,8 @@ class Landscape {
     const double share = 1.0 / start.cars;
     cells_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
-      const double m0 = share * sums[i].slope, m1 = share * sums[i + 1].slope, rise = share * (sums[i + 1].height - sums[i].height) * per_metre_;
+      const double m0 = share * sums[i].slope, m1 = share * sums[i + 1].slope,
+                   rise = share * (sums[i + 1].height - sums[i].height) * per_metre_;
       cells_[i] = {m0, 2.0 * (3.0 * rise - 2.0 * m0 - m1), 3.0 * (m0 + m1 - 2.0 * rise)};
     }
   }
@@ -42,14 +44,16 @@ class Landscape {
     double a, b, c;
   };
   // Walks the segments in their order, as the grid does.
-  void add_car(const RailTables& tables, std::span<const SegmentTable* const> segments, double back, std::vector<TableRail>& sums) const {
+  void add_car(const RailTables& tables, std::span<const SegmentTable* const> segments, double back,
+               std::vector<TableRail>& sums) const {
     std::size_t index = segments.size();
     const double first = tables.locate(-back, index);
     double offset = first;  // the place in the segment is step * i + offset
     double left = tables.start(index + 1) - tables.start(index);
     for (std::size_t i = 0; i < sums.size(); ++i) {
       double s = step_ * static_cast<double>(i) + offset;
-      for (std::size_t joints = 0; s > left && (closed_ || index + 1 < segments.size()) && joints < segments.size(); ++joints) {
+      for (std::size_t joints = 0; s > left && (closed_ || index + 1 < segments.size()) && joints < segments.size();
+           ++joints) {
         offset -= left;
         index = index + 1 < segments.size() ? index + 1 : 0;
         left = tables.start(index + 1) - tables.start(index);
@@ -77,9 +81,18 @@ struct Moving {
 
 class Simulation {
  public:
-  Simulation(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document, const GhostStart& start)
-      : tables_(tables), equipment_(equipment), document_(document), resistance_(resistance_of(document, start.mass)), start_(start), segments_(segments_of(tables)),
-        landscape_(tables, segments_, start),        rails_{tables.length(), tables.closed()}, control_(start.control), moving_{start.front, start.speed, 0} {
+  Simulation(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
+             const GhostStart& start)
+      : tables_(tables),
+        equipment_(equipment),
+        document_(document),
+        resistance_(resistance_of(document, start.mass)),
+        start_(start),
+        segments_(segments_of(tables)),
+        landscape_(tables, segments_, start),
+        rails_{tables.length(), tables.closed()},
+        control_(start.control),
+        moving_{start.front, start.speed, 0} {
     settle();
   }
 
@@ -116,9 +129,11 @@ class Simulation {
     return drive - direction * (world::kGravity * resistance_.rolling + resistance_.drag * speed * speed);
   }
   double gravity(double at) const { return -world::kGravity * landscape_.slope(at - round_); }
-  // After each move: the gravity there, which is asked for several times, and the start of the round that the train is in.
+  // After each move: the gravity there, which is asked for several times, and the start of the round that the train is
+  // in.
   void settle() {
-    if (rails_.closed && !(moving_.at >= round_ && moving_.at < round_ + rails_.length)) round_ = rails_.length * std::floor(moving_.at / rails_.length);
+    if (rails_.closed && !(moving_.at >= round_ && moving_.at < round_ + rails_.length))
+      round_ = rails_.length * std::floor(moving_.at / rails_.length);
     gravity_here_ = gravity(moving_.at);
   }
   double direction(double drive) const {
@@ -132,7 +147,8 @@ class Simulation {
   bool control(double& drive) {
     if (equipment_.empty()) return false;
     const double free = acceleration(0);
-    const Drive now = drive_of(equipment_, rails_, {moving_.at, start_.cars, start_.spacing, start_.length}, moving_.speed, free, true, world::kTick, control_);
+    const Drive now = drive_of(equipment_, rails_, {moving_.at, start_.cars, start_.spacing, start_.length},
+                               moving_.speed, free, true, world::kTick, control_);
     drive = now.acceleration;
     if (now.held) {
       moving_.work -= 0.5 * moving_.speed * moving_.speed;
@@ -152,9 +168,12 @@ class Simulation {
     const auto moved = [&](const Moving& k, double h) {
       return Moving{moving_.at + h * k.at, moving_.speed + h * k.speed, moving_.work + h * k.work};
     };
-    const Moving k1 = with(moving_, gravity_here_), k2 = slope(moved(k1, 0.5 * dt)), k3 = slope(moved(k2, 0.5 * dt)), k4 = slope(moved(k3, dt));
+    const Moving k1 = with(moving_, gravity_here_), k2 = slope(moved(k1, 0.5 * dt)), k3 = slope(moved(k2, 0.5 * dt)),
+                 k4 = slope(moved(k3, dt));
     const auto mean = [](double a, double b, double c, double d) { return (a + 2.0 * b + 2.0 * c + d) / 6.0; };
-    Moving next = moved({mean(k1.at, k2.at, k3.at, k4.at), mean(k1.speed, k2.speed, k3.speed, k4.speed), mean(k1.work, k2.work, k3.work, k4.work)}, dt);
+    Moving next = moved({mean(k1.at, k2.at, k3.at, k4.at), mean(k1.speed, k2.speed, k3.speed, k4.speed),
+                         mean(k1.work, k2.work, k3.work, k4.work)},
+                        dt);
     const bool losses = !(resistance_ == world::Resistance{});
     if (losses && sign != 0 && next.speed * sign < 0) {  // friction brings it to rest, not beyond
       const double part = moving_.speed / (moving_.speed - next.speed);
@@ -171,7 +190,8 @@ class Simulation {
   world::FailureKind failure(bool held, const Ghost& ghost) {
     const double travelled = ghost.samples.back().travelled;
     furthest_ = std::max(furthest_, travelled);
-    if (document_.rollback_fails && furthest_ > kRollback && moving_.speed < 0 && travelled < furthest_ - kRollback) return world::FailureKind::rollback;
+    if (document_.rollback_fails && furthest_ > kRollback && moving_.speed < 0 && travelled < furthest_ - kRollback)
+      return world::FailureKind::rollback;
     still_ = std::abs(moving_.speed) < kStillSpeed && !held ? still_ + 1 : 0;
     return still_ >= kStillTicks ? world::FailureKind::stall : world::FailureKind::none;
   }
@@ -180,7 +200,8 @@ class Simulation {
     const double speed = moving_.speed;
     ghost.samples.push_back({moving_.at - start_.front, speed, along, moving_.work});
     if ((ghost.samples.size() - 1) % kForceEvery != 0) return;
-    const auto a = static_cast<float>(along / world::kGravity), v2 = static_cast<float>(speed * speed / world::kGravity);
+    const auto a = static_cast<float>(along / world::kGravity),
+               v2 = static_cast<float>(speed * speed / world::kGravity);
     hints_.resize(static_cast<std::size_t>(start_.cars), 0);
     for (int car = 0; car < start_.cars; ++car) {
       std::size_t& hint = hints_[static_cast<std::size_t>(car)];
@@ -216,8 +237,8 @@ double Ghost::distance(std::size_t sample) const {
   return at - track_length * std::floor(at / track_length);
 }
 
-Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document, const GhostStart& start,
-               const GhostLimits& limits, Ghost memory) {
+Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
+               const GhostStart& start, const GhostLimits& limits, Ghost memory) {
   if (tables.size() == 0 || !(tables.length() > 0)) {
     Ghost ghost;
     ghost.start = start;
@@ -231,7 +252,8 @@ Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipmen
 GhostStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design) {
   GhostStart start;
   for (std::size_t i = 0; i < derived.order.size(); ++i)
-    if (derived.order[i] == design.segment) start.front = derived.starts[i] + design.fraction * derived.shape(design.segment).arc.length();
+    if (derived.order[i] == design.segment)
+      start.front = derived.starts[i] + design.fraction * derived.shape(design.segment).arc.length();
   start.speed = document.start_speed;
   start.cars = cars_on(derived, design);
   start.spacing = design.spacing, start.length = design.body(), start.mass = design.mass;

@@ -1,5 +1,5 @@
-// The ghost: a whole ride of one train, simulated at once over tables of the rails. It answers what a ride will be like while the track
-// is still being dragged, and is the timetable of the integrator `precomputed`.
+// The ghost: a whole ride of one train, simulated at once over tables of the rails. It answers what a ride will be like
+// while the track is still being dragged, and is the timetable of the integrator `precomputed`.
 #pragma once
 
 #include <cstdint>
@@ -15,24 +15,25 @@ namespace coaster::sim {
 
 // Where and how fast a train sets off.
 struct GhostStart {
-  double front = 0;    // m from the track's start, of the first car
-  double speed = 0;    // m/s
+  double front = 0;  // m from the track's start, of the first car
+  double speed = 0;  // m/s
   int cars = 1;
   double spacing = 3;  // m
   ControlState control;
   double length = world::kCarLength;  // m, of a car
   double mass = world::kCarMass;      // kg, of a car
   friend bool operator==(const GhostStart& a, const GhostStart& b) {
-    return a.front == b.front && a.speed == b.speed && a.cars == b.cars && a.spacing == b.spacing && a.length == b.length && a.mass == b.mass && a.control.dwell == b.control.dwell &&
+    return a.front == b.front && a.speed == b.speed && a.cars == b.cars && a.spacing == b.spacing &&
+           a.length == b.length && a.mass == b.mass && a.control.dwell == b.control.dwell &&
            a.control.braking == b.control.braking;
   }
 };
 
 struct GhostSample {
-  double travelled = 0;  // m since the start, signed
-  double speed = 0;      // m/s
+  double travelled = 0;     // m since the start, signed
+  double speed = 0;         // m/s
   double acceleration = 0;  // m/s^2 along the rails
-  double work = 0;       // J/kg by losses and equipment
+  double work = 0;          // J/kg by losses and equipment
 };
 
 // Felt acceleration in g on the seat's axes, riders on the heartline.
@@ -45,12 +46,12 @@ struct Ghost {
   GhostStart start;
   double track_length = 0;
   bool closed = false;
-  std::vector<GhostSample> samples;  // one each tick of 1/120 s, the first at the start
-  std::vector<Force> forces;         // entry k of car c at [k * cars + c], at tick k * kForceEvery
+  std::vector<GhostSample> samples;                   // one each tick of 1/120 s, the first at the start
+  std::vector<Force> forces;                          // entry k of car c at [k * cars + c], at tick k * kForceEvery
   world::FailureKind end = world::FailureKind::none;  // none: a whole lap, or the time was up
-  bool lap = false;                  // came round once
-  std::uint64_t serial = 0;          // of the memo's simulations, from 1: a new number for a new ride
-  double lap_time = 0;               // s, from the start round to it again, when `lap`
+  bool lap = false;                                   // came round once
+  std::uint64_t serial = 0;                           // of the memo's simulations, from 1: a new number for a new ride
+  double lap_time = 0;                                // s, from the start round to it again, when `lap`
 
   double seconds() const { return samples.empty() ? 0.0 : static_cast<double>(samples.size() - 1) * world::kTick; }
   // Track distance of the first car at a sample, wrapped on a closed track.
@@ -58,28 +59,29 @@ struct Ghost {
 };
 
 struct GhostLimits {
-  double seconds = 900;      // of simulated time
+  double seconds = 900;  // of simulated time
   bool stop_after_lap = true;
 };
 
-// Runge-Kutta 4 over the train's mean height, one step a tick: on a frictionless 2 km circuit its energy stays within 1e-6 of the largest
-// kinetic energy, and a lap takes under 4 ms with 8 cars. The train is alone on the track. An empty track gives one sample. `memory` is used again for the result.
-Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document, const GhostStart& start,
-               const GhostLimits& limits = {}, Ghost memory = {});
+// Runge-Kutta 4 over the train's mean height, one step a tick: on a frictionless 2 km circuit its energy stays within
+// 1e-6 of the largest kinetic energy, and a lap takes under 4 ms with 8 cars. The train is alone on the track. An empty
+// track gives one sample. `memory` is used again for the result.
+Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
+               const GhostStart& start, const GhostLimits& limits = {}, Ghost memory = {});
 
 // How a designed train starts.
 GhostStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design);
 
-// Keeps the tables and the ghosts of a document's trains, and simulates again what has changed when it is asked. What it hands out is good
-// until kMostEntries other rides were asked for.
+// Keeps the tables and the ghosts of a document's trains, and simulates again what has changed when it is asked. What
+// it hands out is good until kMostEntries other rides were asked for.
 class GhostMemo {
  public:
   // The ride of a designed train from its start; null when there is no such cart or no track.
   const Ghost* ride(const world::Document& document, const Derived& derived, world::Entity cart);
   // A ride from anywhere: the timetable of a train in motion.
   const Ghost& from(const world::Document& document, const Derived& derived, const GhostStart& start);
-  // The same ride as a table of one lap, for as long as from()'s answer is good; not valid where laps do not repeat: with losses or equipment,
-  // and where none is completed.
+  // The same ride as a table of one lap, for as long as from()'s answer is good; not valid where laps do not repeat:
+  // with losses or equipment, and where none is completed.
   const LapTable& lap(const world::Document& document, const Derived& derived, const GhostStart& start);
   // Room for as many rides at least (up to kMostEntries * 16), so that that many trains do not push out each other's.
   void keep(std::size_t rides);
@@ -96,7 +98,8 @@ class GhostMemo {
     bool has_lap = false;  // `lap` was made from the ghost
     LapTable lap;
   };
-  Entry& find(const world::Document& document, const Derived& derived, const GhostStart& start, const GhostLimits& limits);
+  Entry& find(const world::Document& document, const Derived& derived, const GhostStart& start,
+              const GhostLimits& limits);
 
   RailTables tables_;
   std::vector<EquipmentSpan> equipment_;

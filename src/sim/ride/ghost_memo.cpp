@@ -11,12 +11,14 @@ const RailTables& GhostMemo::tables(const world::Document& document, const Deriv
   return tables_;
 }
 
-GhostMemo::Entry& GhostMemo::find(const world::Document& document, const Derived& derived, const GhostStart& start, const GhostLimits& limits) {
+GhostMemo::Entry& GhostMemo::find(const world::Document& document, const Derived& derived, const GhostStart& start,
+                                  const GhostLimits& limits) {
   tables(document, derived);
   equipment_ = equipment_spans(document, derived);
   base::Hasher hasher;
   hasher.add(tables_.serial()), hasher.add(limits.seconds), hasher.add(limits.stop_after_lap);
-  hasher.add(start.front), hasher.add(start.speed), hasher.add(start.cars), hasher.add(start.spacing), hasher.add(start.mass);
+  hasher.add(start.front), hasher.add(start.speed), hasher.add(start.cars), hasher.add(start.spacing),
+      hasher.add(start.mass);
   hasher.add(start.control.dwell), hasher.add(start.control.braking);
   hasher.add(document.resistance.rolling), hasher.add(document.resistance.drag), hasher.add(document.rollback_fails);
   for (const EquipmentSpan& span : equipment_) {
@@ -31,7 +33,8 @@ GhostMemo::Entry& GhostMemo::find(const world::Document& document, const Derived
       return entry;
     }
   if (entries_.size() < most_) entries_.emplace_back();  // used 0: the oldest
-  Entry& entry = *std::min_element(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.used < b.used; });
+  Entry& entry = *std::min_element(entries_.begin(), entries_.end(),
+                                   [](const Entry& a, const Entry& b) { return a.used < b.used; });
   ++simulations_;
   entry = {key, simulate(tables_, equipment_, document, start, limits, std::move(entry.ghost)), clock_, false, {}};
   entry.ghost.serial = simulations_;

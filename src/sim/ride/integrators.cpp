@@ -24,8 +24,11 @@ TrainState rk4(const TrainContext& context, TrainState state, double dt) {
   const Slopes k1 = slopes(context, state), k2 = slopes(context, moved(state, k1, 0.5 * dt));
   const Slopes k3 = slopes(context, moved(state, k2, 0.5 * dt)), k4 = slopes(context, moved(state, k3, dt));
   const auto mean = [](double a, double b, double c, double d) { return (a + 2.0 * b + 2.0 * c + d) / 6.0; };
-  return moved(state, {mean(k1.speed, k2.speed, k3.speed, k4.speed), mean(k1.acceleration, k2.acceleration, k3.acceleration, k4.acceleration),
-                       mean(k1.power, k2.power, k3.power, k4.power)}, dt);
+  return moved(state,
+               {mean(k1.speed, k2.speed, k3.speed, k4.speed),
+                mean(k1.acceleration, k2.acceleration, k3.acceleration, k4.acceleration),
+                mean(k1.power, k2.power, k3.power, k4.power)},
+               dt);
 }
 
 // Velocity Verlet: symplectic without losses, so its energy error stays bounded.
@@ -44,21 +47,26 @@ TrainState euler(const TrainContext& context, TrainState state, double dt) {
   return {state.x + dt * speed, speed, state.work + dt * k.power};
 }
 
-// Barrett 2012, section 4: the speed from the energy, then distance = speed x time. Paper erratum: where the speed is 0 it stays
-// there, so a cart at rest never starts and one that should roll back stops.
+// Barrett 2012, section 4: the speed from the energy, then distance = speed x time. Paper erratum: where the speed is 0
+// it stays there, so a cart at rest never starts and one that should roll back stops.
 TrainState energy_method(const TrainContext& context, TrainState state, double dt) {
-  const double kinetic = context.reference_energy + state.work - world::kGravity * (context.height(state.x) - context.datum);
+  const double kinetic =
+      context.reference_energy + state.work - world::kGravity * (context.height(state.x) - context.datum);
   const double speed = kinetic > 0 ? std::copysign(std::sqrt(2.0 * kinetic), state.speed) : 0.0;
   return {state.x + speed * dt, speed, state.work + context.others(speed) * speed * dt};
 }
 
 constexpr std::array<Integrator, 6> kIntegrators{{
     {"rk4", "Runge-Kutta 4", "s'' = -g T_y(s), four slopes, twice a tick", IntegratorKind::stepped, rk4, 2, true},
-    {"verlet", "Velocity Verlet", "s += v dt + a dt^2/2, v += (a_old + a_new) dt/2; equal steps, over joints too", IntegratorKind::stepped, verlet, 1, false},
-    {"energy", "Energy (the paper's)", "v = sqrt(2 (E - g h)), s += v dt; freezes at v = 0", IntegratorKind::stepped, energy_method, 1, true},
+    {"verlet", "Velocity Verlet", "s += v dt + a dt^2/2, v += (a_old + a_new) dt/2; equal steps, over joints too",
+     IntegratorKind::stepped, verlet, 1, false},
+    {"energy", "Energy (the paper's)", "v = sqrt(2 (E - g h)), s += v dt; freezes at v = 0", IntegratorKind::stepped,
+     energy_method, 1, true},
     {"euler", "Semi-implicit Euler", "v += a dt, s += v dt", IntegratorKind::stepped, euler, 1, true},
-    {"precomputed", "Precomputed timetable", "s(t) and v(t) of the whole ride from tables, looked up each tick", IntegratorKind::timetable, nullptr, 1, true},
-    {"vertices", "By polyline vertices", "from vertex to vertex, chord / speed apart; as smooth as the resolution", IntegratorKind::vertices, nullptr, 1, true},
+    {"precomputed", "Precomputed timetable", "s(t) and v(t) of the whole ride from tables, looked up each tick",
+     IntegratorKind::timetable, nullptr, 1, true},
+    {"vertices", "By polyline vertices", "from vertex to vertex, chord / speed apart; as smooth as the resolution",
+     IntegratorKind::vertices, nullptr, 1, true},
 }};
 
 }  // namespace

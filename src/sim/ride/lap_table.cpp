@@ -36,8 +36,8 @@ struct Columns {
 constexpr std::size_t kBlock = 64;  // what is handed from loop to loop stays in the first cache
 
 // One tick on: in which tick of the lap trains are then, and what part of it has passed.
-inline void turn(double period, std::size_t count, double* __restrict phase, double* __restrict laps, std::int32_t* __restrict entry,
-                 double* __restrict part) {
+inline void turn(double period, std::size_t count, double* __restrict phase, double* __restrict laps,
+                 std::int32_t* __restrict entry, double* __restrict part) {
   for (std::size_t i = 0; i < count; ++i) {
     const double next = phase[i] + 1.0, rounds = static_cast<double>(next >= period), now = next - rounds * period;
     phase[i] = now;
@@ -51,16 +51,16 @@ struct Pair {
   double along, speed;
 };
 
-inline void place(std::size_t count, const Pair* __restrict before, const Pair* __restrict after, const double* __restrict part,
-                  double* __restrict along, double* __restrict speed) {
+inline void place(std::size_t count, const Pair* __restrict before, const Pair* __restrict after,
+                  const double* __restrict part, double* __restrict along, double* __restrict speed) {
   for (std::size_t i = 0; i < count; ++i) {
     const Pair a = before[i], b = after[i];
     between(a.along, a.speed, b.along, b.speed, part[i], along[i], speed[i]);
   }
 }
 
-// Loops of one kind of work each, so that all but the look-up run on several trains at once. Every step is one rounded operation, whatever
-// the width, so that the bits are the same.
+// Loops of one kind of work each, so that all but the look-up run on several trains at once. Every step is one rounded
+// operation, whatever the width, so that the bits are the same.
 void advance_block(const LapTable& table, std::size_t count, const Columns& carts) {
   std::array<std::int32_t, kBlock> entry;
   std::array<double, kBlock> part;
@@ -117,7 +117,8 @@ void advance(const LapTable& table, LapCart& cart) {
 void advance(const LapTable& table, LapCarts& carts) {
   COASTER_CHECK(table.valid(), "trains run on a table of a whole lap");
   for (std::size_t i = 0; i < carts.size(); i += kBlock)
-    advance_block(table, std::min(kBlock, carts.size() - i), {&carts.phase[i], &carts.along[i], &carts.speed[i], &carts.laps[i]});
+    advance_block(table, std::min(kBlock, carts.size() - i),
+                  {&carts.phase[i], &carts.along[i], &carts.speed[i], &carts.laps[i]});
 }
 
 }  // namespace coaster::sim

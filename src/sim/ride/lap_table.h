@@ -1,5 +1,5 @@
-// One lap as a table over time: the ride of the paper's conclusion, computed once and looked up ever after. Any number of trains that share an
-// energy and a length run on one table, each at its own place in it.
+// One lap as a table over time: the ride of the paper's conclusion, computed once and looked up ever after. Any number
+// of trains that share an energy and a length run on one table, each at its own place in it.
 #pragma once
 
 #include <span>
@@ -14,13 +14,14 @@ struct LapEntry {
   double speed = 0;  // m/s
 };
 
-// Place and speed at a time: cubic Hermite in time between ticks (the speed is the place's exact derivative there), so that at whole ticks it
-// is the ghost's own samples, bit by bit, and between them within 1e-7 m of the curve through them.
+// Place and speed at a time: cubic Hermite in time between ticks (the speed is the place's exact derivative there), so
+// that at whole ticks it is the ghost's own samples, bit by bit, and between them within 1e-7 m of the curve through
+// them.
 class LapTable {
  public:
   LapTable() = default;
-  // Of a ghost that came round; otherwise, or where a lap takes less than a tick, the table is not valid. Whether laps repeat is
-  // for the caller to say: without losses and equipment they do.
+  // Of a ghost that came round; otherwise, or where a lap takes less than a tick, the table is not valid. Whether laps
+  // repeat is for the caller to say: without losses and equipment they do.
   explicit LapTable(const Ghost& ghost);
 
   bool valid() const { return entries_.size() >= 2; }
@@ -38,10 +39,10 @@ class LapTable {
 
 // A train on a table.
 struct LapCart {
-  double phase = 0;      // ticks into the lap, [0, period)
-  double along = 0;      // m into the lap
-  double speed = 0;      // m/s
-  double laps = 0;       // completed, a whole number: the way so far is laps * length + along - where it began
+  double phase = 0;  // ticks into the lap, [0, period)
+  double along = 0;  // m into the lap
+  double speed = 0;  // m/s
+  double laps = 0;   // completed, a whole number: the way so far is laps * length + along - where it began
   friend bool operator==(const LapCart&, const LapCart&) = default;
 };
 // At a phase in [0, period], no lap completed.

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "sim/shape/frame_methods.h"
 #include "sim/ride/ride_parts.h"
+#include "sim/shape/frame_methods.h"
 
 namespace coaster::sim {
 namespace {
@@ -15,17 +15,21 @@ dvec3 heartline_point(const SegmentShape& shape, double s, double heartline) {
   return curve::point(shape.key.cubic, shape.arc.parameter(s)) + heartline * frame_at(shape, s).up;
 }
 
-std::vector<CarPlace> places_of(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& motion) {
+std::vector<CarPlace> places_of(const world::Document& document, const Derived& derived, world::Entity entity,
+                                const world::CartMotion& motion) {
   const world::Cart* const design = document.entities.find<world::Cart>(entity);
   std::vector<CarPlace> places;
-  place_cars(derived, front_place(derived, motion), design ? cars_on(derived, *design) : 1, design ? design->spacing : 1.0, places);
+  place_cars(derived, front_place(derived, motion), design ? cars_on(derived, *design) : 1,
+             design ? design->spacing : 1.0, places);
   return places;
 }
 
 // The train's acceleration along the rails, as its last tick had it.
-double acceleration_of(const world::Document& document, const Derived& derived, world::Entity entity, std::span<const CarPlace> places, const world::CartMotion& cart) {
+double acceleration_of(const world::Document& document, const Derived& derived, world::Entity entity,
+                       std::span<const CarPlace> places, const world::CartMotion& cart) {
   const world::Cart* const design = document.entities.find<world::Cart>(entity);
-  const world::Resistance resistance = resistance_of(document, static_cast<double>(design ? design->mass : world::kCarMass));
+  const world::Resistance resistance =
+      resistance_of(document, static_cast<double>(design ? design->mass : world::kCarMass));
   TrainContext context{derived, places, document.datum, cart.reference_energy, resistance, 0.0, cart.drive};
   context.direction = cart.speed > 0 ? 1.0 : cart.speed < 0 ? -1.0 : 0.0;
   return context.gravity(0.0) + context.others(cart.speed);
@@ -38,15 +42,16 @@ Pose pose(const Derived& derived, CarPlace place, world::FrameMethod method) {
   const double length = shape.arc.length(), s = std::fmin(std::fmax(place.s, 0.0), length);
   const TrackFrame at = track_frame(derived, method, place.index, s);
   // A car beyond an open end stands on the straight continuation.
-  return {curve::point(shape.key.cubic, shape.arc.parameter(s)) + (place.s - s) * at.frame.forward, at.frame, at.defined};
+  return {curve::point(shape.key.cubic, shape.arc.parameter(s)) + (place.s - s) * at.frame.forward, at.frame,
+          at.defined};
 }
 
 Pose pose(const Derived& derived, const world::CartMotion& cart, world::FrameMethod method) {
   return pose(derived, front_place(derived, cart), method);
 }
 
-std::vector<Pose> car_poses(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& motion,
-                            world::FrameMethod method) {
+std::vector<Pose> car_poses(const world::Document& document, const Derived& derived, world::Entity entity,
+                            const world::CartMotion& motion, world::FrameMethod method) {
   std::vector<Pose> poses;
   const world::Cart* const design = document.entities.find<world::Cart>(entity);
   for (const CarPlace& place : places_of(document, derived, entity, motion)) {
@@ -57,19 +62,22 @@ std::vector<Pose> car_poses(const world::Document& document, const Derived& deri
   return poses;
 }
 
-Felt felt(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart, int car) {
+Felt felt(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart,
+          int car) {
   const std::vector<CarPlace> places = places_of(document, derived, entity, cart);
   COASTER_CHECK(car >= 0 && static_cast<std::size_t>(car) < places.size(), "a car of the train");
   const CarPlace place = places[static_cast<std::size_t>(car)];
-  // a = s'' h'(s) + s'^2 h''(s) along the heartline h, by central differences over +-step of rail. The stencil stays within the
-  // segment: the roll rate may jump at a joint, which the heartline answers with a corner, and a difference over it with noise.
+  // a = s'' h'(s) + s'^2 h''(s) along the heartline h, by central differences over +-step of rail. The stencil stays
+  // within the segment: the roll rate may jump at a joint, which the heartline answers with a corner, and a difference
+  // over it with noise.
   const SegmentShape& shape = derived.shape(derived.order[place.index]);
   const double length = shape.arc.length(), step = std::fmin(0.02, 0.25 * length);
   const double s = std::fmin(std::fmax(place.s, step), length - step);
   const curve::Frame frame = frame_at(shape, s);
   if (!(step > 0)) return {frame.up.y, frame.left().y, frame.forward.y};  // no length: at rest, whatever the speed
   const double d = document.heartline;
-  const dvec3 before = heartline_point(shape, s - step, d), here = heartline_point(shape, s, d), after = heartline_point(shape, s + step, d);
+  const dvec3 before = heartline_point(shape, s - step, d), here = heartline_point(shape, s, d),
+              after = heartline_point(shape, s + step, d);
   const dvec3 first = (after - before) / (2.0 * step), second = (after - 2.0 * here + before) / (step * step);
   const double along = acceleration_of(document, derived, entity, places, cart);
   const dvec3 a = along * first + cart.speed * cart.speed * second + dvec3(0, world::kGravity, 0);

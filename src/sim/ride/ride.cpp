@@ -5,17 +5,19 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "sim/shape/frame_methods.h"
 #include "sim/ride/ride_parts.h"
+#include "sim/shape/frame_methods.h"
 
 namespace coaster::sim {
 namespace {
 
 std::size_t index_in(const Derived& derived, world::Entity segment) {
-  return static_cast<std::size_t>(std::find(derived.order.begin(), derived.order.end(), segment) - derived.order.begin());
+  return static_cast<std::size_t>(std::find(derived.order.begin(), derived.order.end(), segment) -
+                                  derived.order.begin());
 }
 
-double mean_height(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart) {
+double mean_height(const world::Document& document, const Derived& derived, world::Entity entity,
+                   const world::CartMotion& cart) {
   std::vector<CarPlace> places;
   const world::Cart* const design = document.entities.find<world::Cart>(entity);
   const world::Cart single;
@@ -24,13 +26,15 @@ double mean_height(const world::Document& document, const Derived& derived, worl
   return TrainContext{derived, places}.height(0.0);
 }
 
-void set_reference(const world::Document& document, const Derived& derived, world::Entity entity, world::CartMotion& cart) {
+void set_reference(const world::Document& document, const Derived& derived, world::Entity entity,
+                   world::CartMotion& cart) {
   cart.reference_energy = energy(document, derived, entity, cart);
   cart.work = 0;
   cart.peak_kinetic = 0.5 * cart.speed * cart.speed;
 }
 
-world::CartMotion begin(const world::Document& document, const Derived& derived, world::Entity entity, const world::Cart& design) {
+world::CartMotion begin(const world::Document& document, const Derived& derived, world::Entity entity,
+                        const world::Cart& design) {
   world::CartMotion motion;
   const std::size_t index = index_in(derived, design.segment);
   COASTER_CHECK(index < derived.order.size(), "a cart starts on a segment of the track");
@@ -41,7 +45,8 @@ world::CartMotion begin(const world::Document& document, const Derived& derived,
 }
 
 // A train in motion after an edit: the same segment and fraction of it, else the same distance along the track.
-void follow_edit(const world::Document& document, const Derived& derived, world::Entity entity, world::CartMotion& cart) {
+void follow_edit(const world::Document& document, const Derived& derived, world::Entity entity,
+                 world::CartMotion& cart) {
   std::size_t index = index_in(derived, cart.segment);
   double s = cart.s;
   if (index < derived.order.size()) {
@@ -92,20 +97,20 @@ void reconcile(const world::Document& document, const Derived& derived, world::M
   for (std::size_t i = 0; i < designed.size(); ++i) {
     const world::Entity e = designed.entities()[i];
     world::CartMotion* const cart = motion.carts.find(e);
-    if (!cart)
-      motion.carts.put(e, begin(document, derived, e, designed.items()[i]));
+    if (!cart) motion.carts.put(e, begin(document, derived, e, designed.items()[i]));
     else if (motion.state == world::RideState::stopped)
       *cart = begin(document, derived, e, designed.items()[i]);  // a ride that has not begun follows the design
-    else
-      follow_edit(document, derived, e, *cart);
+    else follow_edit(document, derived, e, *cart);
   }
   if (motion.carts.size() == 0) motion.state = world::RideState::stopped, motion.failure = {};
 }
 
-void step(const world::Document& document, const Derived& derived, int integrator, int ticks, GhostMemo& memo, world::Motion& motion) {
+void step(const world::Document& document, const Derived& derived, int integrator, int ticks, GhostMemo& memo,
+          world::Motion& motion) {
   if (motion.state != world::RideState::running || derived.order.empty()) return;
   const auto rows = integrators();
-  COASTER_CHECK(integrator >= 0 && static_cast<std::size_t>(integrator) < rows.size(), "the integrator is a row of the table");
+  COASTER_CHECK(integrator >= 0 && static_cast<std::size_t>(integrator) < rows.size(),
+                "the integrator is a row of the table");
   const Integrator& row = rows[static_cast<std::size_t>(integrator)];
   const std::vector<EquipmentSpan> equipment = equipment_spans(document, derived);
   const RideInput input{document, derived, equipment};
@@ -119,7 +124,8 @@ void step(const world::Document& document, const Derived& derived, int integrato
   }
 }
 
-void seek(const world::Document& document, const Derived& derived, world::Entity entity, double distance, world::Motion& motion) {
+void seek(const world::Document& document, const Derived& derived, world::Entity entity, double distance,
+          world::Motion& motion) {
   world::CartMotion& cart = motion.carts.get(entity);
   const TrackPlace place = place_at(derived, distance);
   const double sign = cart.speed < 0 ? -1.0 : 1.0, total = cart.reference_energy + cart.work;
@@ -131,11 +137,14 @@ void seek(const world::Document& document, const Derived& derived, world::Entity
   set_reference(document, derived, entity, cart);
 }
 
-double energy(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart) {
-  return 0.5 * cart.speed * cart.speed + world::kGravity * (mean_height(document, derived, entity, cart) - document.datum);
+double energy(const world::Document& document, const Derived& derived, world::Entity entity,
+              const world::CartMotion& cart) {
+  return 0.5 * cart.speed * cart.speed +
+         world::kGravity * (mean_height(document, derived, entity, cart) - document.datum);
 }
 
-double energy_drift(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart) {
+double energy_drift(const world::Document& document, const Derived& derived, world::Entity entity,
+                    const world::CartMotion& cart) {
   if (!(cart.peak_kinetic > 0)) return 0.0;
   return std::abs(energy(document, derived, entity, cart) - cart.work - cart.reference_energy) / cart.peak_kinetic;
 }

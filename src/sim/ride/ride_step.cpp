@@ -1,4 +1,5 @@
-// The ride's ticks: trains advanced part by part between joints, equipment and losses, and the ways in which a ride ends.
+// The ride's ticks: trains advanced part by part between joints, equipment and losses, and the ways in which a ride
+// ends.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,10 +14,11 @@
 namespace coaster::sim {
 namespace {
 
-// A tick that meets more joints than this for each car (segments of no length) is cut short: the train waits for the next tick.
+// A tick that meets more joints than this for each car (segments of no length) is cut short: the train waits for the
+// next tick.
 constexpr int kMaxJointsPerTick = 64;
 // A car that hangs over an open end is this far out at least, so that it does not meet its joint again.
-constexpr double kOverhang = 1e-9;     // m
+constexpr double kOverhang = 1e-9;  // m
 
 struct TickContext {
   const RideInput& input;
@@ -24,14 +26,17 @@ struct TickContext {
   world::Resistance resistance;  // of the train whose tick it is
 };
 
-// The time in (0, dt] at which `value` (of the state after that time) first reaches zero from below: bisection and secants in turn,
-// on the side beyond, to 1e-15 s.
+// The time in (0, dt] at which `value` (of the state after that time) first reaches zero from below: bisection and
+// secants in turn, on the side beyond, to 1e-15 s.
 template <class Value>
-double time_of(const TickContext& tick, const TrainContext& context, const TrainState& state, double dt, const Value& value) {
+double time_of(const TickContext& tick, const TrainContext& context, const TrainState& state, double dt,
+               const Value& value) {
   double low = 0, high = dt, f_low = value(state), f_high = value(tick.row.advance(context, state, dt));
   for (int i = 0; i < 80 && high - low > 1e-15; ++i) {
     double t = 0.5 * (low + high);
-    if (i % 3 != 2 && f_high > f_low) t = std::clamp(high - f_high * (high - low) / (f_high - f_low), low + 1e-3 * (high - low), high - 1e-3 * (high - low));
+    if (i % 3 != 2 && f_high > f_low)
+      t = std::clamp(high - f_high * (high - low) / (f_high - f_low), low + 1e-3 * (high - low),
+                     high - 1e-3 * (high - low));
     const double f = value(tick.row.advance(context, state, t));
     (f >= 0 ? high : low) = t;
     (f >= 0 ? f_high : f_low) = f;
@@ -39,15 +44,18 @@ double time_of(const TickContext& tick, const TrainContext& context, const Train
   return high;
 }
 
-// Moves the cars by x; those that come to the joint at `reached` go over it. False where the first car comes to an open end.
-bool move_cars(const Derived& derived, double x, bool forward, bool at_joint, std::vector<CarPlace>& places, std::int64_t& laps) {
+// Moves the cars by x; those that come to the joint at `reached` go over it. False where the first car comes to an open
+// end.
+bool move_cars(const Derived& derived, double x, bool forward, bool at_joint, std::vector<CarPlace>& places,
+               std::int64_t& laps) {
   constexpr double kReached = 1e-12;  // m
   const std::size_t count = derived.order.size();
   bool on_track = true;
   for (std::size_t i = 0; i < places.size(); ++i) {
     CarPlace& car = places[i];
     const double length = derived.shape(derived.order[car.index]).arc.length();
-    const bool crosses = at_joint && (forward ? car.s <= length && length - car.s <= x + kReached : car.s >= 0 && car.s <= -x + kReached);
+    const bool crosses = at_joint && (forward ? car.s <= length && length - car.s <= x + kReached
+                                              : car.s >= 0 && car.s <= -x + kReached);
     if (!crosses) {
       car.s += x;
       continue;
@@ -65,7 +73,8 @@ bool move_cars(const Derived& derived, double x, bool forward, bool at_joint, st
   return on_track;
 }
 
-// The sign of the motion that losses oppose. At rest friction takes the side that gravity and drive pull away from, as far as it reaches.
+// The sign of the motion that losses oppose. At rest friction takes the side that gravity and drive pull away from, as
+// far as it reaches.
 double direction_of(const TrainContext& context, double speed) {
   if (speed != 0) return speed > 0 ? 1.0 : -1.0;
   const double pull = context.gravity(0.0) + context.drive;
@@ -77,9 +86,10 @@ bool stays_at_rest(const TrainContext& context, double speed) {
   return speed == 0 && context.resistance.rolling > 0 && direction_of(context, 0.0) == 0.0;
 }
 
-// Advances a train by `dt` in one step that goes over joints. False, and nothing is changed, where that will not do: at open ends, and where
-// losses bring it to rest.
-bool advance_across(const TickContext& tick, double dt, double drive, std::vector<CarPlace>& places, world::CartMotion& cart) {
+// Advances a train by `dt` in one step that goes over joints. False, and nothing is changed, where that will not do: at
+// open ends, and where losses bring it to rest.
+bool advance_across(const TickContext& tick, double dt, double drive, std::vector<CarPlace>& places,
+                    world::CartMotion& cart) {
   const Derived& derived = tick.input.derived;
   const world::Document& document = tick.input.document;
   TrainContext context{derived, places, document.datum, cart.reference_energy, tick.resistance, 0.0, drive, true};
@@ -93,7 +103,9 @@ bool advance_across(const TickContext& tick, double dt, double drive, std::vecto
   const CarPlace before = places.front();
   for (CarPlace& car : places) car = behind(derived, car, -next.x);
   // Further on and yet nearer to the track's start: round, unless the track is so short that one step is several laps.
-  const auto order = [](const CarPlace& a, const CarPlace& b) { return a.index != b.index ? a.index < b.index : a.s < b.s; };
+  const auto order = [](const CarPlace& a, const CarPlace& b) {
+    return a.index != b.index ? a.index < b.index : a.s < b.s;
+  };
   if (next.x > 0 && order(places.front(), before)) ++cart.laps;
   if (next.x < 0 && order(before, places.front())) --cart.laps;
   cart.travelled += next.x, cart.speed = next.speed, cart.work = next.work;
@@ -101,7 +113,8 @@ bool advance_across(const TickContext& tick, double dt, double drive, std::vecto
 }
 
 // Advances a train by `dt` in parts that end at joints and where losses bring it to rest. False at an open end.
-bool advance_stepped(const TickContext& tick, double dt, double drive, std::vector<CarPlace>& places, world::CartMotion& cart) {
+bool advance_stepped(const TickContext& tick, double dt, double drive, std::vector<CarPlace>& places,
+                     world::CartMotion& cart) {
   const Derived& derived = tick.input.derived;
   const world::Document& document = tick.input.document;
   const bool losses = !(tick.resistance == world::Resistance{});
@@ -117,7 +130,8 @@ bool advance_stepped(const TickContext& tick, double dt, double drive, std::vect
     const double ahead = joint_ahead(context), back = joint_behind(context);
     const bool forward = next.x > ahead, backward = next.x < back;
     if (forward || backward) {
-      used = time_of(tick, context, state, used, [&](const TrainState& at) { return forward ? at.x - ahead : back - at.x; });
+      used = time_of(tick, context, state, used,
+                     [&](const TrainState& at) { return forward ? at.x - ahead : back - at.x; });
       next = tick.row.advance(context, state, used);
     }
     bool at_joint = forward || backward;
@@ -137,7 +151,8 @@ bool advance_stepped(const TickContext& tick, double dt, double drive, std::vect
 }
 
 // What equipment does in this tick; true in `held` when it holds the train still.
-Drive drive_for(const TickContext& tick, std::size_t train, std::span<const TrainPlace> trains, std::span<const CarPlace> places, world::CartMotion& cart) {
+Drive drive_for(const TickContext& tick, std::size_t train, std::span<const TrainPlace> trains,
+                std::span<const CarPlace> places, world::CartMotion& cart) {
   const RideInput& input = tick.input;
   if (input.equipment.empty()) return {};
   std::vector<TrainPlace> others(trains.begin(), trains.end());
@@ -148,16 +163,19 @@ Drive drive_for(const TickContext& tick, std::size_t train, std::span<const Trai
   const double free = context.gravity(0.0) + context.others(cart.speed);
   ControlState control{cart.dwell, cart.braking};
   const bool way_free = section_free(input.equipment, rails, trains[train], others);
-  const Drive drive = drive_of(input.equipment, rails, trains[train], cart.speed, free, way_free, world::kTick, control);
+  const Drive drive =
+      drive_of(input.equipment, rails, trains[train], cart.speed, free, way_free, world::kTick, control);
   cart.dwell = control.dwell, cart.braking = control.braking;
   return drive;
 }
 
 // How a train's tick ended the ride, if it did.
-std::optional<world::FailureKind> failure_of(const TickContext& tick, bool held, bool on_track, double arrival, world::CartMotion& cart) {
+std::optional<world::FailureKind> failure_of(const TickContext& tick, bool held, bool on_track, double arrival,
+                                             world::CartMotion& cart) {
   cart.furthest = std::max(cart.furthest, cart.travelled);
   if (!on_track) return std::abs(arrival) > kStillSpeed ? std::optional(world::FailureKind::off_end) : std::nullopt;
-  if (tick.input.document.rollback_fails && cart.furthest > kRollback && cart.speed < 0 && cart.travelled < cart.furthest - kRollback)
+  if (tick.input.document.rollback_fails && cart.furthest > kRollback && cart.speed < 0 &&
+      cart.travelled < cart.furthest - kRollback)
     return world::FailureKind::rollback;
   const bool still = std::abs(cart.speed) < kStillSpeed && !held;
   cart.still = still ? cart.still + 1 : 0;
@@ -184,7 +202,13 @@ std::vector<Train> trains_of(const RideInput& input, world::Motion& motion) {
   for (std::size_t i = 0; i < motion.carts.size(); ++i) {
     const world::Entity entity = motion.carts.entities()[i];
     const world::Cart& design = input.document.entities.get<world::Cart>(entity);
-    Train train{entity, &motion.carts.items()[i], cars_on(input.derived, design), design.spacing, design.body(), resistance_of(input.document, static_cast<double>(design.mass)), {}};
+    Train train{entity,
+                &motion.carts.items()[i],
+                cars_on(input.derived, design),
+                design.spacing,
+                design.body(),
+                resistance_of(input.document, static_cast<double>(design.mass)),
+                {}};
     place_cars(input.derived, front_place(input.derived, *train.motion), train.cars, train.spacing, train.places);
     trains.push_back(std::move(train));
   }
@@ -205,7 +229,8 @@ bool advance_train(const TickContext& tick, const Drive& drive, Train& train) {
   }
   bool on_track = true;
   if (tick.row.kind == IntegratorKind::vertices) {
-    on_track = advance_by_vertices(tick.input, {train.cars, train.spacing, train.resistance, drive.acceleration}, world::kTick, cart);
+    on_track = advance_by_vertices(tick.input, {train.cars, train.spacing, train.resistance, drive.acceleration},
+                                   world::kTick, cart);
     place_cars(tick.input.derived, front_place(tick.input.derived, cart), train.cars, train.spacing, train.places);
   } else {
     for (int part = 0; part < tick.row.substeps && on_track; ++part)
@@ -226,7 +251,8 @@ void step_trains(const RideInput& input, const Integrator& row, int ticks, world
     if (kind != world::FailureKind::off_end) motion.state = world::RideState::failed;
   };
   for (int n = 0; n < ticks && motion.state == world::RideState::running; ++n) {
-    for (std::size_t i = 0; i < trains.size(); ++i) places[i] = {trains[i].motion->track_distance, trains[i].cars, trains[i].spacing, trains[i].length};
+    for (std::size_t i = 0; i < trains.size(); ++i)
+      places[i] = {trains[i].motion->track_distance, trains[i].cars, trains[i].spacing, trains[i].length};
     bool any = false;
     for (std::size_t i = 0; i < trains.size() && motion.state == world::RideState::running; ++i) {
       world::CartMotion& cart = *trains[i].motion;
@@ -238,13 +264,15 @@ void step_trains(const RideInput& input, const Integrator& row, int ticks, world
       if (!on_track) halt(cart);  // at the buffers
       cart.peak_kinetic = std::max(cart.peak_kinetic, 0.5 * cart.speed * cart.speed);
       any |= on_track;
-      if (const auto failure = failure_of(tick, drive.held, on_track, arrival, cart)) fail(*failure, trains[i], arrival);
+      if (const auto failure = failure_of(tick, drive.held, on_track, arrival, cart))
+        fail(*failure, trains[i], arrival);
       places[i].front = cart.track_distance;
     }
     const auto has_left = [&](const Train& train) { return at_open_end(input.derived, *train.motion); };
     for (std::size_t i = 0; i < trains.size() && motion.state == world::RideState::running; ++i)
       for (std::size_t j = i + 1; j < trains.size(); ++j)
-        if (!has_left(trains[i]) && !has_left(trains[j]) && collide(rails, places[i], places[j])) fail(world::FailureKind::collision, trains[i], trains[i].motion->speed);
+        if (!has_left(trains[i]) && !has_left(trains[j]) && collide(rails, places[i], places[j]))
+          fail(world::FailureKind::collision, trains[i], trains[i].motion->speed);
     if (!any && motion.state == world::RideState::running) motion.state = world::RideState::ended;
   }
 }

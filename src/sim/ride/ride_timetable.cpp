@@ -1,4 +1,5 @@
-// The integrators that are not stepped: by a timetable of the whole ride, and by the vertices of the polyline (Barrett 2012, section 6).
+// The integrators that are not stepped: by a timetable of the whole ride, and by the vertices of the polyline (Barrett
+// 2012, section 6).
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -19,11 +20,18 @@ void note_extremes(world::CartMotion& cart) {
 
 GhostStart start_of(const RideInput& input, world::Entity entity, const world::TimetablePlace& table) {
   const world::Cart& design = input.document.entities.get<world::Cart>(entity);
-  return {table.front, table.speed, cars_on(input.derived, design), design.spacing, {table.dwell, table.braking}, static_cast<double>(design.body()), static_cast<double>(design.mass)};
+  return {table.front,
+          table.speed,
+          cars_on(input.derived, design),
+          design.spacing,
+          {table.dwell, table.braking},
+          static_cast<double>(design.body()),
+          static_cast<double>(design.mass)};
 }
 
 // The next tick's entry. False when the timetable says that the ride is over.
-bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity entity, world::CartMotion& cart, world::FailureKind& failure) {
+bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity entity, world::CartMotion& cart,
+                      world::FailureKind& failure) {
   const Ghost* ghost = &memo.from(input.document, input.derived, start_of(input, entity, cart.timetable));
   const auto last = static_cast<std::int64_t>(ghost->samples.size()) - 1;
   if (cart.timetable.tick >= last) {
@@ -38,7 +46,9 @@ bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity ent
   const auto now = static_cast<std::size_t>(cart.timetable.tick), next = now + 1;
   const GhostSample &before = ghost->samples[now], &after = ghost->samples[next];
   const double from = ghost->start.front + before.travelled, to = ghost->start.front + after.travelled;
-  if (input.derived.closed) cart.laps += static_cast<std::int64_t>(std::floor(to / ghost->track_length) - std::floor(from / ghost->track_length));
+  if (input.derived.closed)
+    cart.laps +=
+        static_cast<std::int64_t>(std::floor(to / ghost->track_length) - std::floor(from / ghost->track_length));
   cart.travelled += after.travelled - before.travelled;
   cart.work += after.work - before.work;
   cart.speed = after.speed;
@@ -67,12 +77,15 @@ void follow_laps(const RideInput& input, const LapTable& table, int ticks, world
   settle_on(input.derived, {place.index, place.s}, cart);
 }
 
-// By the energy, with the first car at a place that is `height` m high (a vertex: not quite the curve), the others behind it on the curve.
-double speed_at(const RideInput& input, const TrainLoad& load, const world::CartMotion& cart, CarPlace front, double height) {
+// By the energy, with the first car at a place that is `height` m high (a vertex: not quite the curve), the others
+// behind it on the curve.
+double speed_at(const RideInput& input, const TrainLoad& load, const world::CartMotion& cart, CarPlace front,
+                double height) {
   if (load.cars > 1) {
     std::vector<CarPlace> places;
     place_cars(input.derived, front, load.cars, load.spacing, places);
-    for (std::size_t i = 1; i < places.size(); ++i) height += rail_point(input.derived.shape(input.derived.order[places[i].index]), places[i].s).height;
+    for (std::size_t i = 1; i < places.size(); ++i)
+      height += rail_point(input.derived.shape(input.derived.order[places[i].index]), places[i].s).height;
     height /= load.cars;
   }
   const double kinetic = cart.reference_energy + cart.work - world::kGravity * (height - input.document.datum);
@@ -87,7 +100,8 @@ void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
   for (std::size_t i = 0; i < motion.carts.size(); ++i) {
     world::CartMotion& cart = motion.carts.items()[i];
     if (!cart.timetable.valid) begin_timetable(cart, cart.timetable);
-    const bool repeats = memo.lap(input.document, input.derived, start_of(input, motion.carts.entities()[i], cart.timetable)).valid();
+    const bool repeats =
+        memo.lap(input.document, input.derived, start_of(input, motion.carts.entities()[i], cart.timetable)).valid();
     (repeats ? rounds : others).push_back(i);
   }
   int done = 0;  // ticks, the one in which the ride failed included: that one is everybody's last
@@ -97,13 +111,15 @@ void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
       world::CartMotion& cart = motion.carts.items()[i];
       world::FailureKind failure = world::FailureKind::none;
       const double arrival = cart.speed;
-      if (motion.state != world::RideState::running || follow_timetable(input, memo, motion.carts.entities()[i], cart, failure)) {
+      if (motion.state != world::RideState::running ||
+          follow_timetable(input, memo, motion.carts.entities()[i], cart, failure)) {
         any = true;
         continue;
       }
       halt(cart);
       if (failure == world::FailureKind::none) continue;
-      if (motion.failure.kind == world::FailureKind::none) motion.failure = {failure, motion.carts.entities()[i], cart.track_distance, arrival};
+      if (motion.failure.kind == world::FailureKind::none)
+        motion.failure = {failure, motion.carts.entities()[i], cart.track_distance, arrival};
       if (failure != world::FailureKind::off_end) motion.state = world::RideState::failed;
     }
     if (!any && motion.state == world::RideState::running) motion.state = world::RideState::ended;
@@ -111,7 +127,9 @@ void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
   if (others.empty()) done = ticks;
   for (const std::size_t i : rounds) {
     world::CartMotion& cart = motion.carts.items()[i];
-    follow_laps(input, memo.lap(input.document, input.derived, start_of(input, motion.carts.entities()[i], cart.timetable)), done, cart);
+    follow_laps(input,
+                memo.lap(input.document, input.derived, start_of(input, motion.carts.entities()[i], cart.timetable)),
+                done, cart);
   }
 }
 
@@ -125,14 +143,17 @@ bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double d
   for (int n = 0; n < kMostVertices; ++n) {
     const SegmentShape& shape = derived.shape(derived.order[index]);
     // A row on the GPU leaves no polyline here: as many steps of the exact curve.
-    const auto count = static_cast<int>(shape.points.empty() ? derived.steps + 1 : static_cast<int>(shape.points.size()));
+    const auto count =
+        static_cast<int>(shape.points.empty() ? derived.steps + 1 : static_cast<int>(shape.points.size()));
     const auto vertex = [&](int i) {
-      return shape.points.empty() ? curve::point(shape.key.cubic, static_cast<double>(i) / (count - 1)) : glm::dvec3(shape.points[static_cast<std::size_t>(i)]);
+      return shape.points.empty() ? curve::point(shape.key.cubic, static_cast<double>(i) / (count - 1))
+                                  : glm::dvec3(shape.points[static_cast<std::size_t>(i)]);
     };
     const double at = shape.arc.parameter(cart.s) * (count - 1);
     constexpr double kOnVertex = 1e-6;  // of a step
     const int from = std::clamp(static_cast<int>(std::lround(at)), 0, count - 1);
-    const int here = std::abs(at - from) < kOnVertex ? from : static_cast<int>(forward ? std::floor(at) : std::ceil(at));
+    const int here =
+        std::abs(at - from) < kOnVertex ? from : static_cast<int>(forward ? std::floor(at) : std::ceil(at));
     const int to = here + (forward ? 1 : -1);
     if (to < 0 || to >= count) {
       const bool at_end = forward ? index + 1 == derived.order.size() : index == 0;
@@ -146,7 +167,8 @@ bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double d
     const double chord = glm::length(b - a), s = shape.arc.distance(static_cast<double>(to) / (count - 1));
     cart.speed = sign * speed_at(input, load, cart, {index, cart.s}, a.y);
     // From rest equipment takes it over the first chord with v^2 = 2 a s, at half of that speed in the mean.
-    const double pace = cart.speed != 0 ? std::abs(cart.speed) : 0.5 * std::sqrt(std::max(0.0, 2.0 * sign * load.drive * chord));
+    const double pace =
+        cart.speed != 0 ? std::abs(cart.speed) : 0.5 * std::sqrt(std::max(0.0, 2.0 * sign * load.drive * chord));
     if (!(pace > 0) || !(time >= chord / pace)) break;
     time -= chord / pace;
     const double lost = world::kGravity * load.resistance.rolling + load.resistance.drag * pace * pace;

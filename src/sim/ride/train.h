@@ -1,4 +1,5 @@
-// A train on the rails: where its cars are, and what pulls it along. One speed and one energy for the whole train; cars of equal mass.
+// A train on the rails: where its cars are, and what pulls it along. One speed and one energy for the whole train; cars
+// of equal mass.
 #pragma once
 
 #include <span>
@@ -11,14 +12,14 @@ namespace coaster::sim {
 
 // A point of the rails as an integrator sees it.
 struct RailPoint {
-  double height;   // m (y)
-  double slope;    // dy/ds, the tangent's y
+  double height;  // m (y)
+  double slope;   // dy/ds, the tangent's y
 };
 // At arc length s of a segment; beyond its ends the rails go on straight.
 RailPoint rail_point(const SegmentShape& shape, double s);
 
-// The middle of a car: a segment by its place in derived.order, and the arc length within it. Cars that hang over the end of an open track
-// have s beyond [0, length] of its first or last segment.
+// The middle of a car: a segment by its place in derived.order, and the arc length within it. Cars that hang over the
+// end of an open track have s beyond [0, length] of its first or last segment.
 struct CarPlace {
   std::size_t index = 0;
   double s = 0;  // m
@@ -48,11 +49,13 @@ struct TrainContext {
   double datum = 0;                // m
   double reference_energy = 0;     // J/kg, the work so far included
   world::Resistance resistance;
-  double direction = 0;            // sign of the motion that losses oppose: +1, -1, or 0 at rest
-  double drive = 0;                // m/s^2 by equipment, the same during a tick
-  bool across = false;             // x may go over joints; else the rails go on straight there
+  double direction = 0;  // sign of the motion that losses oppose: +1, -1, or 0 at rest
+  double drive = 0;      // m/s^2 by equipment, the same during a tick
+  bool across = false;   // x may go over joints; else the rails go on straight there
 
-  CarPlace moved(const CarPlace& car, double x) const { return across ? behind(derived, car, -x) : CarPlace{car.index, car.s + x}; }
+  CarPlace moved(const CarPlace& car, double x) const {
+    return across ? behind(derived, car, -x) : CarPlace{car.index, car.s + x};
+  }
   double height(double x) const;   // m, the cars' mean
   double gravity(double x) const;  // m/s^2 along the rails: -g times the cars' mean slope
   // m/s^2 by losses and equipment.

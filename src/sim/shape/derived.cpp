@@ -11,7 +11,8 @@ namespace {
 
 using glm::dvec3;
 
-// Frames at uniform t: rotation-minimising from `up_from`, and the twist that is left to `up_to`, spread linearly in arc length.
+// Frames at uniform t: rotation-minimising from `up_from`, and the twist that is left to `up_to`, spread linearly in
+// arc length.
 void build_frames(const ShapeKey& key, SegmentShape& shape) {
   const curve::Cubic& c = key.cubic;
   shape.frames.resize(kFrameIntervals + 1);
@@ -30,7 +31,8 @@ void build_frames(const ShapeKey& key, SegmentShape& shape) {
   const double length = shape.arc.length();
   if (!(length > 0)) return;
   for (int i = 1; i <= kFrameIntervals; ++i) {
-    const double share = i == kFrameIntervals ? 1.0 : shape.arc.distance(static_cast<double>(i) / kFrameIntervals) / length;
+    const double share =
+        i == kFrameIntervals ? 1.0 : shape.arc.distance(static_cast<double>(i) / kFrameIntervals) / length;
     shape.frames[i].up = curve::rotate(shape.frames[i].up, shape.frames[i].forward, shape.twist * share);
   }
 }
@@ -42,7 +44,8 @@ void build_shape(const ShapeKey& key, SegmentShape& shape) {
   build_frames(key, shape);
 }
 
-// The largest distance of a vertex from the exact point at the same parameter: the deviation that the evaluator's rounding makes.
+// The largest distance of a vertex from the exact point at the same parameter: the deviation that the evaluator's
+// rounding makes.
 double deviation_of(const SegmentShape& shape) {
   const int n = static_cast<int>(shape.points.size()) - 1;
   double worst = 0;
@@ -56,10 +59,16 @@ double deviation_of(const SegmentShape& shape) {
 
 ShapeKey key_of(const world::Document& document, const world::Segment& segment) {
   const world::Knot &from = world::knot(document, segment.from), &to = world::knot(document, segment.to);
-  return {{from.position, world::out_handle(from), world::in_handle(to), to.position}, from.up, to.up, segment.turns, from.tangent, to.tangent};
+  return {{from.position, world::out_handle(from), world::in_handle(to), to.position},
+          from.up,
+          to.up,
+          segment.turns,
+          from.tangent,
+          to.tangent};
 }
 
-void evaluate_polyline(const curve::Evaluator& row, const PolylineKey& key, const Clock& clock, SegmentShape& shape, Derived& derived) {
+void evaluate_polyline(const curve::Evaluator& row, const PolylineKey& key, const Clock& clock, SegmentShape& shape,
+                       Derived& derived) {
   shape.points.resize(static_cast<std::size_t>(key.steps) + 1);
   shape.tangents.resize(shape.points.size());
   const double before = clock ? clock() : 0.0;
@@ -80,7 +89,8 @@ void drop_polyline(SegmentShape& shape) {
   shape.deviation = 0;
 }
 
-// `reshaped`: places in the order of segments whose cubics are new. Other segments, or most of them elsewhere, and the old tree is of no use.
+// `reshaped`: places in the order of segments whose cubics are new. Other segments, or most of them elsewhere, and the
+// old tree is of no use.
 void update_tree(bool reordered, std::span<const std::size_t> reshaped, Derived& derived) {
   if (!reordered && reshaped.empty()) return;
   if (reordered || reshaped.size() > derived.order.size() / 2) {
@@ -173,7 +183,8 @@ curve::Frame frame_at(const SegmentShape& shape, double s) {
   const double t = shape.arc.parameter(s);
   const int below = std::min(static_cast<int>(t * kFrameIntervals), kFrameIntervals - 1);
   const double t0 = static_cast<double>(below) / kFrameIntervals;
-  curve::Frame frame = curve::transport(shape.frames[below], curve::point(c, t0), curve::point(c, t), curve::unit_tangent(c, t));
+  curve::Frame frame =
+      curve::transport(shape.frames[below], curve::point(c, t0), curve::point(c, t), curve::unit_tangent(c, t));
   const double share = (s - shape.arc.distance(t0)) / length;
   frame.up = curve::rotate(frame.up, frame.forward, shape.twist * share);
   return frame;

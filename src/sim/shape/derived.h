@@ -1,5 +1,5 @@
-// Everything derived from document and settings: curves, lengths, frames, polylines. Rebuilt where the key differs, never
-// saved, never changed by hand.
+// Everything derived from document and settings: curves, lengths, frames, polylines. Rebuilt where the key differs,
+// never saved, never changed by hand.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,8 @@ struct ShapeKey {
   curve::Cubic cubic;
   glm::vec3 up_from{0}, up_to{0};
   std::int32_t turns = 0;
-  glm::vec3 tangent_from{1, 0, 0}, tangent_to{1, 0, 0};  // the knots': the control points' rounding hides a little of them
+  glm::vec3 tangent_from{1, 0, 0},
+      tangent_to{1, 0, 0};  // the knots': the control points' rounding hides a little of them
   friend bool operator==(const ShapeKey&, const ShapeKey&) = default;
 };
 
@@ -31,42 +32,47 @@ struct PolylineKey {
   friend bool operator==(const PolylineKey&, const PolylineKey&) = default;
 };
 
-// One segment's derived data. `shape_build` and `polyline_build` are fresh numbers at each rebuild: caches compare them.
+// One segment's derived data. `shape_build` and `polyline_build` are fresh numbers at each rebuild: caches compare
+// them.
 struct SegmentShape {
   ShapeKey key;
   curve::PreparedCubic curve;
   curve::ArcLengthMap arc;
-  double measured_length = 0;       // m, by the chosen arc-length method
+  double measured_length = 0;  // m, by the chosen arc-length method
   curve::ArcLengthId measured_by{};
   int measured_steps = 0;
   std::vector<curve::Frame> frames;  // kFrameIntervals+1 frames at uniform t: rotation-minimising plus the spread twist
-  double twist = 0;                 // radians spread linearly in arc length (frames include it)
+  double twist = 0;                  // radians spread linearly in arc length (frames include it)
   std::uint64_t shape_build = 0;
   std::optional<world::EquipmentKind> fitted;  // what stands on the segment; no part of its shape
 
-  PolylineKey polyline_key;                 // steps 0: there is no polyline
-  std::vector<glm::vec3> points, tangents;  // steps+1 vertices, or none when the evaluator runs on the GPU; tangents are B'(t), not normalised
-  double deviation = 0;             // m, largest |vertex - exact point at the same t|, long double oracle
+  PolylineKey polyline_key;  // steps 0: there is no polyline
+  std::vector<glm::vec3> points,
+      tangents;  // steps+1 vertices, or none when the evaluator runs on the GPU; tangents are B'(t), not normalised
+  double deviation = 0;  // m, largest |vertex - exact point at the same t|, long double oracle
   std::uint64_t polyline_build = 0;
 };
 inline constexpr int kFrameIntervals = 32;
 
 struct Derived {
-  world::Pool<SegmentShape> segments;    // by the document's segment entities
-  std::vector<world::Entity> order;      // as document.track.segments
-  std::vector<double> starts;            // m, distance along the track where segment i starts; size order.size()+1, back() = length
-  std::vector<double> twists;            // rad, what the knots' frames turned against rotation-minimising ones before segment i; as starts
-  SegmentTree tree;                      // over `order`: what is near a ray
+  world::Pool<SegmentShape> segments;  // by the document's segment entities
+  std::vector<world::Entity> order;    // as document.track.segments
+  std::vector<double>
+      starts;  // m, distance along the track where segment i starts; size order.size()+1, back() = length
+  std::vector<double>
+      twists;        // rad, what the knots' frames turned against rotation-minimising ones before segment i; as starts
+  SegmentTree tree;  // over `order`: what is near a ray
   bool closed = false;
-  double length = 0;                     // m, adaptive Gauss-Legendre
-  double measured_length = 0;            // m, by the chosen arc-length method
-  curve::Stage stage{};                  // where polylines are evaluated: beyond the processor, segments hold none and drawing makes them
-  int steps = 0;                         // of a segment's polyline
-  std::int64_t vertices = 0;             // of all polylines, wherever they are evaluated
-  double deviation = 0;                  // m, the largest of all segments; 0 where the processor evaluates nothing
+  double length = 0;           // m, adaptive Gauss-Legendre
+  double measured_length = 0;  // m, by the chosen arc-length method
+  curve::Stage
+      stage{};    // where polylines are evaluated: beyond the processor, segments hold none and drawing makes them
+  int steps = 0;  // of a segment's polyline
+  std::int64_t vertices = 0;  // of all polylines, wherever they are evaluated
+  double deviation = 0;       // m, the largest of all segments; 0 where the processor evaluates nothing
   // Of the last derive():
-  int rebuilds = 0;                      // segments whose shape or polyline was evaluated
-  double evaluation_seconds = 0;         // spent in the evaluator's polyline function alone
+  int rebuilds = 0;               // segments whose shape or polyline was evaluated
+  double evaluation_seconds = 0;  // spent in the evaluator's polyline function alone
   std::int64_t evaluated_vertices = 0;
   std::uint64_t last_build = 0;
 
@@ -86,7 +92,8 @@ struct TrackPlace {
 };
 TrackPlace place_at(const Derived& derived, double distance);
 
-// The frame at arc length s of a segment (rotation-minimising from the first knot's up, twist spread), forward exactly the unit tangent.
+// The frame at arc length s of a segment (rotation-minimising from the first knot's up, twist spread), forward exactly
+// the unit tangent.
 curve::Frame frame_at(const SegmentShape& shape, double s);
 // The same without a Derived, by parameter: for splitting a segment.
 curve::Frame frame_of(const world::Document& document, world::Entity segment, double t);

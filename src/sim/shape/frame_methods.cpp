@@ -28,7 +28,9 @@ curve::Frame rolled(curve::Frame frame, double radians) {
   return frame;
 }
 
-TrackFrame by_knots(const Derived& derived, std::size_t index, double s) { return {frame_at(shape_of(derived, index), s)}; }
+TrackFrame by_knots(const Derived& derived, std::size_t index, double s) {
+  return {frame_at(shape_of(derived, index), s)};
+}
 
 TrackFrame minimising(const Derived& derived, std::size_t index, double s) {
   // Carrying by double reflection turns a vector rigidly with the frame: one carried frame, the knots', stands for all.
@@ -36,7 +38,8 @@ TrackFrame minimising(const Derived& derived, std::size_t index, double s) {
   return {rolled(frame_at(shape_of(derived, index), s), spread - turned(derived, index, s))};
 }
 
-// The last Frenet normal before a place where there is none, as the angle from the knots' frame there, and what that had turned.
+// The last Frenet normal before a place where there is none, as the angle from the knots' frame there, and what that
+// had turned.
 struct LastNormal {
   double angle, turned;
 };
@@ -45,7 +48,8 @@ std::optional<LastNormal> last_normal(const Derived& derived, std::size_t index,
   double whole_laps = 0;
   for (std::size_t back = 0; back <= std::min<std::size_t>(kFrenetReach, count); ++back) {
     const SegmentShape& shape = shape_of(derived, index);
-    // The segment at hand is searched finely, those before it coarsely: mostly they are straight from end to end or not at all.
+    // The segment at hand is searched finely, those before it coarsely: mostly they are straight from end to end or not
+    // at all.
     const int intervals = back == 0 ? kFrameIntervals : 8;
     for (int i = intervals; i >= 0; --i) {
       const double t = static_cast<double>(i) / intervals;
@@ -54,7 +58,8 @@ std::optional<LastNormal> last_normal(const Derived& derived, std::size_t index,
       if (!found) continue;
       const double s = shape.arc.distance(t);
       const curve::Frame frame = frame_at(shape, s);
-      return LastNormal{curve::signed_angle(frame.up, found->normal, frame.forward), turned(derived, index, s) + whole_laps};
+      return LastNormal{curve::signed_angle(frame.up, found->normal, frame.forward),
+                        turned(derived, index, s) + whole_laps};
     }
     if (index == 0 && !derived.closed) return std::nullopt;
     if (index == 0) whole_laps -= derived.twists.back();
@@ -81,13 +86,20 @@ TrackFrame world_up(const Derived& derived, std::size_t index, double s) {
 }
 
 constexpr std::array<FrameMethodRow, 4> kFrameMethods{{
-    {"knots", "Banked by the knots", "The knots' up carried by double reflection; the twist to the next knot's up is spread over the segment.", by_knots},
-    {"rmf", "Rotation-minimising", "The first knot's up carried along the whole track by double reflection (Wang et al. 2008); a loop's left-over twist is spread.",
+    {"knots", "Banked by the knots",
+     "The knots' up carried by double reflection; the twist to the next knot's up is spread over the segment.",
+     by_knots},
+    {"rmf", "Rotation-minimising",
+     "The first knot's up carried along the whole track by double reflection (Wang et al. 2008); a loop's left-over "
+     "twist is spread.",
      minimising},
-    {"frenet", "Frenet-Serret", "T, N = T'/|T'|, B = T \u00D7 N. Undefined on straights, and flips across an inflection.", frenet_serret},
-    {"world_up", "World up", "As upright as can be: left is level. Undefined on a vertical, and turns wildly near one.", world_up},
+    {"frenet", "Frenet-Serret",
+     "T, N = T'/|T'|, B = T \u00D7 N. Undefined on straights, and flips across an inflection.", frenet_serret},
+    {"world_up", "World up", "As upright as can be: left is level. Undefined on a vertical, and turns wildly near one.",
+     world_up},
 }};
-static_assert(static_cast<std::size_t>(world::FrameMethod::world_up) + 1 == kFrameMethods.size(), "one row for each enumerator");
+static_assert(static_cast<std::size_t>(world::FrameMethod::world_up) + 1 == kFrameMethods.size(),
+              "one row for each enumerator");
 
 }  // namespace
 
@@ -103,7 +115,8 @@ std::size_t index_of_segment(const Derived& derived, world::Entity segment, doub
     const std::size_t guess = place_at(derived, near).index;
     if (derived.order[guess] == segment) return guess;
   }
-  return static_cast<std::size_t>(std::find(derived.order.begin(), derived.order.end(), segment) - derived.order.begin());
+  return static_cast<std::size_t>(std::find(derived.order.begin(), derived.order.end(), segment) -
+                                  derived.order.begin());
 }
 
 double loop_twist(const Derived& derived) {

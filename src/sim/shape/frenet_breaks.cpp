@@ -34,7 +34,8 @@ void add_undefined(const curve::Cubic& cubic, world::Entity segment, std::vector
   std::sort(found.begin(), found.end(), [](const FrenetBreak& a, const FrenetBreak& b) { return a.t < b.t; });
 }
 
-// The normal at an end of a segment, taken a little inside where the end itself has none; nothing where that has none either.
+// The normal at an end of a segment, taken a little inside where the end itself has none; nothing where that has none
+// either.
 struct EndNormal {
   std::optional<dvec3> normal;
   bool at_end = true;
@@ -45,7 +46,8 @@ EndNormal end_normal(const curve::Cubic& cubic, bool at_start) {
   return {f ? std::optional(f->normal) : std::nullopt, false};
 }
 
-// The joint before segment `index`, told at t = 0 of that segment. Beside a span without normals it is part of the span.
+// The joint before segment `index`, told at t = 0 of that segment. Beside a span without normals it is part of the
+// span.
 void add_joint(const Derived& derived, std::size_t index, std::vector<FrenetBreak>& found) {
   if (index == 0 && !derived.closed) return;
   const std::size_t before = index == 0 ? derived.order.size() - 1 : index - 1;
@@ -54,10 +56,8 @@ void add_joint(const Derived& derived, std::size_t index, std::vector<FrenetBrea
                   to = end_normal(derived.shape(segment).key.cubic, true);
   if (!from.normal || !to.normal) return;
   const double cosine = glm::dot(*from.normal, *to.normal);
-  if (cosine < 0.0)
-    found.push_back({Kind::flip, segment, 0, 0, std::acos(std::clamp(cosine, -1.0, 1.0))});
-  else if (!from.at_end && !to.at_end)
-    found.push_back({Kind::undefined, segment, 0, 0, 0});
+  if (cosine < 0.0) found.push_back({Kind::flip, segment, 0, 0, std::acos(std::clamp(cosine, -1.0, 1.0))});
+  else if (!from.at_end && !to.at_end) found.push_back({Kind::undefined, segment, 0, 0, 0});
 }
 
 }  // namespace
@@ -101,7 +101,8 @@ const std::vector<FrenetBreak>& FrenetBreaks::update(const Derived& derived) {
   for (std::size_t i = 0; i < order_.size(); ++i) {
     const SegmentShape& shape = derived.shape(order_[i]);
     Entry* entry = entries_.find(order_[i]);
-    if (!entry || entry->build != shape.shape_build) entry = &entries_.put(order_[i], {shape.shape_build, frenet_breaks(shape, order_[i])});
+    if (!entry || entry->build != shape.shape_build)
+      entry = &entries_.put(order_[i], {shape.shape_build, frenet_breaks(shape, order_[i])});
     // The joint depends on the segment before too: it is cheap enough to ask again whenever anything has changed.
     add_joint(derived, i, all_);
     all_.insert(all_.end(), entry->found.begin(), entry->found.end());

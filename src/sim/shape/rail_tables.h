@@ -1,5 +1,5 @@
-// Tables over arc length of everything that a ride needs of the rails: heights, slopes and what riders feel. Kept per segment, so that an
-// edit refills those that it changed alone; no ride over them inverts an arc length.
+// Tables over arc length of everything that a ride needs of the rails: heights, slopes and what riders feel. Kept per
+// segment, so that an edit refills those that it changed alone; no ride over them inverts an arc length.
 #pragma once
 
 #include <algorithm>
@@ -13,17 +13,18 @@ namespace coaster::sim {
 
 inline constexpr double kTableStep = 0.25;  // m, at most, between two entries
 
-// Felt acceleration of a rider on the heartline, as a linear function of the rail's s'' and s'^2 (m/s^2 each), on the seat's axes
-// forward, left, up: felt = (s'' along + s'^2 bend) / g + weight. Along and bend are h' and h'' of the heartline h(s) = r(s) + d U(s).
+// Felt acceleration of a rider on the heartline, as a linear function of the rail's s'' and s'^2 (m/s^2 each), on the
+// seat's axes forward, left, up: felt = (s'' along + s'^2 bend) / g + weight. Along and bend are h' and h'' of the
+// heartline h(s) = r(s) + d U(s).
 struct FeltEntry {
   glm::vec3 along{1, 0, 0}, bend{0}, weight{0, 0, 1};
 };
 
 struct SegmentTable {
-  std::uint64_t build = 0;   // of the shape it was filled from
-  double heartline = 0;      // m
-  double step = 0;           // m between entries; 0 for a segment of no length
-  double per_metre = 0;      // 1 / step, else 0
+  std::uint64_t build = 0;            // of the shape it was filled from
+  double heartline = 0;               // m
+  double step = 0;                    // m between entries; 0 for a segment of no length
+  double per_metre = 0;               // 1 / step, else 0
   std::vector<double> height, slope;  // n+1 entries, uniform in s
   std::vector<FeltEntry> felt;
 };
@@ -42,9 +43,11 @@ class RailTables {
   // Grows with each update that changed anything.
   std::uint64_t serial() const { return serial_; }
 
-  // The segment on which distance d lies, wrapped on a closed track, clamped on an open one; `hint` is looked at first and set.
+  // The segment on which distance d lies, wrapped on a closed track, clamped on an open one; `hint` is looked at first
+  // and set.
   double locate(double distance, std::size_t& hint) const {
-    if (hint < order_.size() && distance >= starts_[hint] && distance <= starts_[hint + 1]) return distance - starts_[hint];
+    if (hint < order_.size() && distance >= starts_[hint] && distance <= starts_[hint + 1])
+      return distance - starts_[hint];
     return search(distance, hint);
   }
 
@@ -58,16 +61,18 @@ class RailTables {
   std::uint64_t serial_ = 0;
 };
 
-// Height (m) and slope at s within a segment: cubic Hermite, so the slope is the height's exact derivative; beyond the ends the rails go on
-// straight. Error below 1e-6 m for tracks with bends above 5 m.
+// Height (m) and slope at s within a segment: cubic Hermite, so the slope is the height's exact derivative; beyond the
+// ends the rails go on straight. Error below 1e-6 m for tracks with bends above 5 m.
 struct TableRail {
   double height, slope;
 };
 inline TableRail rail_at(const SegmentTable& table, double s) {
-  if (s <= 0 || !(table.step > 0)) return {table.height.front() + std::min(s, 0.0) * table.slope.front(), table.slope.front()};
+  if (s <= 0 || !(table.step > 0))
+    return {table.height.front() + std::min(s, 0.0) * table.slope.front(), table.slope.front()};
   const double at = s * table.per_metre;
   const std::size_t n = table.height.size() - 1;
-  if (at >= static_cast<double>(n)) return {table.height.back() + (s - table.step * static_cast<double>(n)) * table.slope.back(), table.slope.back()};
+  if (at >= static_cast<double>(n))
+    return {table.height.back() + (s - table.step * static_cast<double>(n)) * table.slope.back(), table.slope.back()};
   const auto i = static_cast<std::size_t>(at);
   const double u = at - static_cast<double>(i), y0 = table.height[i], y1 = table.height[i + 1];
   const double m0 = table.step * table.slope[i], m1 = table.step * table.slope[i + 1];
@@ -75,8 +80,8 @@ inline TableRail rail_at(const SegmentTable& table, double s) {
   return {y0 + u * (m0 + u * (b + u * a)), (m0 + u * (2.0 * b + u * 3.0 * a)) * table.per_metre};
 }
 
-// What riders feel at s within a segment, in g on the seat's axes, while the train is accelerated by `a` g along the rails and the square of its
-// speed is `v2` g m; linear between entries.
+// What riders feel at s within a segment, in g on the seat's axes, while the train is accelerated by `a` g along the
+// rails and the square of its speed is `v2` g m; linear between entries.
 inline glm::vec3 felt_at(const SegmentTable& table, double s, float a, float v2) {
   const auto of = [&](const FeltEntry& entry) { return a * entry.along + v2 * entry.bend + entry.weight; };
   if (!(table.step > 0)) return of(table.felt.front());

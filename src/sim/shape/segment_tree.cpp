@@ -15,11 +15,13 @@ using glm::dvec3;
 constexpr int kPieces = 4;
 using PieceControls = std::array<dvec3, 3 * kPieces + 1>;
 
-// The control points of the curve's four quarters, by de Casteljau: their hull is a sixteenth as far off as that of the whole.
+// The control points of the curve's four quarters, by de Casteljau: their hull is a sixteenth as far off as that of the
+// whole.
 PieceControls quarters(const curve::Cubic& cubic) {
   PieceControls out;
   const auto halve = [](const std::array<dvec3, 4>& p, std::array<dvec3, 4>& left, std::array<dvec3, 4>& right) {
-    const dvec3 a = 0.5 * (p[0] + p[1]), b = 0.5 * (p[1] + p[2]), c = 0.5 * (p[2] + p[3]), d = 0.5 * (a + b), e = 0.5 * (b + c), f = 0.5 * (d + e);
+    const dvec3 a = 0.5 * (p[0] + p[1]), b = 0.5 * (p[1] + p[2]), c = 0.5 * (p[2] + p[3]), d = 0.5 * (a + b),
+                e = 0.5 * (b + c), f = 0.5 * (d + e);
     left = {p[0], a, d, f}, right = {f, e, c, p[3]};
   };
   std::array<dvec3, 4> half[2], quarter[kPieces];
@@ -112,7 +114,8 @@ void refit_block(SegmentTree& tree, SegmentBlock& block) {
 }
 
 void refit_all(SegmentTree& tree) {
-  for (SegmentBlock& block : tree.blocks) put_box(tree.nodes[static_cast<std::size_t>(block.parent)], block.lane, fill_block(tree, block));
+  for (SegmentBlock& block : tree.blocks)
+    put_box(tree.nodes[static_cast<std::size_t>(block.parent)], block.lane, fill_block(tree, block));
   for (std::size_t i = tree.nodes.size(); i-- > 1;)  // children stand behind their parents
     put_box(tree.nodes[static_cast<std::size_t>(tree.nodes[i].parent)], tree.nodes[i].lane, box_of(tree.nodes[i]));
 }

@@ -1,5 +1,6 @@
-// A hierarchy of boxes over the segments of a track, for finding those near a ray without asking all: four boxes a node, four segments of
-// the track in a row a leaf, so that a processor tests four at a time. Refitted where segments moved, built anew when there are others.
+// A hierarchy of boxes over the segments of a track, for finding those near a ray without asking all: four boxes a
+// node, four segments of the track in a row a leaf, so that a processor tests four at a time. Refitted where segments
+// moved, built anew when there are others.
 #pragma once
 
 #include <array>
@@ -13,7 +14,8 @@ namespace coaster::sim {
 
 using FourFloats = std::array<float, 4>;
 
-// Up to four segments that follow each other in the track: lane i is segment `first` + i. A segment lies within `radius` of its chord.
+// Up to four segments that follow each other in the track: lane i is segment `first` + i. A segment lies within
+// `radius` of its chord.
 struct alignas(64) SegmentBlock {
   std::array<FourFloats, 3> from{}, to{};  // by axis, m: the chords' ends, exactly p0 and p3
   FourFloats radius{};                     // m, rounded up
@@ -21,7 +23,8 @@ struct alignas(64) SegmentBlock {
   std::int32_t parent = -1, lane = 0;  // the node that holds this block's box, and where in it
 };
 
-// Up to four children, each a node (its index) or a block (the complement ~index). Boxes contain all of the child's curves.
+// Up to four children, each a node (its index) or a block (the complement ~index). Boxes contain all of the child's
+// curves.
 struct alignas(64) TreeNode {
   std::array<FourFloats, 6> bounds{};  // m: least x, y, z, greatest x, y, z
   std::array<std::int32_t, 4> child{};
@@ -29,7 +32,8 @@ struct alignas(64) TreeNode {
   std::int32_t parent = -1, lane = 0;
 };
 
-inline constexpr int kMaxTreeDepth = 48;  // nodes above each other, however the segments lie: far more segments than a document may have
+inline constexpr int kMaxTreeDepth =
+    48;  // nodes above each other, however the segments lie: far more segments than a document may have
 
 struct SegmentTree {
   std::vector<curve::Cubic> cubics;  // in the track's order
@@ -40,11 +44,13 @@ struct SegmentTree {
 // Builds the tree of `cubics` anew by the surface-area heuristic over blocks. About 0.1 microseconds a segment.
 void build_tree(std::vector<curve::Cubic> cubics, SegmentTree& tree);
 
-// Brings the tree up to date after tree.cubics changed at these places: their boxes and those on the way to the root; 0.5 microseconds a
-// segment, or all of them in one sweep when that is less work. The boxes are those of a tree built anew; which ones share a node is not.
+// Brings the tree up to date after tree.cubics changed at these places: their boxes and those on the way to the root;
+// 0.5 microseconds a segment, or all of them in one sweep when that is less work. The boxes are those of a tree built
+// anew; which ones share a node is not.
 void refit_tree(std::span<const std::size_t> changed, SegmentTree& tree);
 
-// Calls visit(place in the track) for the segments of all blocks whose box meets `box`, until one returns false: whether none did.
+// Calls visit(place in the track) for the segments of all blocks whose box meets `box`, until one returns false:
+// whether none did.
 template <class Visit>
 bool all_near(const SegmentTree& tree, const curve::Box& box, const Visit& visit) {
   if (tree.nodes.empty()) return true;
@@ -55,7 +61,9 @@ bool all_near(const SegmentTree& tree, const curve::Box& box, const Visit& visit
     const TreeNode& node = tree.nodes[static_cast<std::size_t>(stack[--waiting])];
     for (std::size_t lane = 0; lane < 4 && (node.lanes >> lane & 1u) != 0; ++lane) {
       bool apart = false;
-      for (std::size_t a = 0; a < 3; ++a) apart = apart || node.bounds[a][lane] > box.high[static_cast<int>(a)] || node.bounds[3 + a][lane] < box.low[static_cast<int>(a)];
+      for (std::size_t a = 0; a < 3; ++a)
+        apart = apart || node.bounds[a][lane] > box.high[static_cast<int>(a)] ||
+                node.bounds[3 + a][lane] < box.low[static_cast<int>(a)];
       if (apart) continue;
       if (node.child[lane] >= 0) {
         stack[waiting++] = node.child[lane];
@@ -69,8 +77,8 @@ bool all_near(const SegmentTree& tree, const curve::Box& box, const Visit& visit
   return true;
 }
 
-// The box that a curve's control points fill after two halvings: contains the curve, and is larger than need be by a few
-// thousandths of it.
+// The box that a curve's control points fill after two halvings: contains the curve, and is larger than need be by a
+// few thousandths of it.
 curve::Box tight_box(const curve::Cubic& cubic);
 
 }  // namespace coaster::sim

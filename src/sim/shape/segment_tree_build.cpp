@@ -1,5 +1,6 @@
-// Which blocks share a node: from the root down, the range with the largest surface is split where the surface-area heuristic, over sixteen
-// bins an axis, finds it cheapest (Wald, On fast construction of SAH-based bounding volume hierarchies, 2007, doi 10.1109/RT.2007.4342588).
+// Which blocks share a node: from the root down, the range with the largest surface is split where the surface-area
+// heuristic, over sixteen bins an axis, finds it cheapest (Wald, On fast construction of SAH-based bounding volume
+// hierarchies, 2007, doi 10.1109/RT.2007.4342588).
 #include <algorithm>
 #include <limits>
 
@@ -44,7 +45,9 @@ struct Bin {
 struct Binning {
   int axis = 0;
   float low = 0, scale = 0;
-  int bin_of(const Item& item) const { return std::min(static_cast<int>((item.middle[axis] - low) * scale), kBins - 1); }
+  int bin_of(const Item& item) const {
+    return std::min(static_cast<int>((item.middle[axis] - low) * scale), kBins - 1);
+  }
 };
 
 struct Split {
@@ -80,7 +83,8 @@ std::size_t split(std::span<Item> items, bool halve) {
     for (int axis = 0; axis < 3; ++axis)
       if (high[axis] - low[axis] > 1e-6f) try_axis(items, {axis, low[axis], kBins / (high[axis] - low[axis])}, best);
   if (best.cost < std::numeric_limits<float>::infinity()) {
-    const auto second = std::partition(items.begin(), items.end(), [&](const Item& item) { return best.binning.bin_of(item) < best.bin; });
+    const auto second = std::partition(items.begin(), items.end(),
+                                       [&](const Item& item) { return best.binning.bin_of(item) < best.bin; });
     return static_cast<std::size_t>(second - items.begin());
   }
   const glm::vec3 size = high - low;
@@ -106,7 +110,8 @@ Parts parts_of(std::span<Item> items, int depth) {
   while (parts.count < 4) {
     int widest = -1;
     for (int i = 0; i < parts.count; ++i)
-      if (parts.items[i].size() > 1 && (widest < 0 || surface(parts.boxes[i]) > surface(parts.boxes[widest]))) widest = i;
+      if (parts.items[i].size() > 1 && (widest < 0 || surface(parts.boxes[i]) > surface(parts.boxes[widest])))
+        widest = i;
     if (widest < 0) break;
     const std::span<Item> whole = parts.items[widest];
     const std::size_t at = split(whole, depth >= kDeepBeforeHalving);

@@ -7,7 +7,9 @@
 
 namespace coaster::sim {
 
-inline curve::Box joined(const curve::Box& a, const curve::Box& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+inline curve::Box joined(const curve::Box& a, const curve::Box& b) {
+  return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
+}
 
 // Writes the chords and radii of the block's segments from tree.cubics; returns the box about all of their curves.
 curve::Box fill_block(const SegmentTree& tree, SegmentBlock& block);

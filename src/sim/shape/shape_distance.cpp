@@ -14,8 +14,9 @@ double square_distance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec
   return glm::dot(off, off);
 }
 
-// How far the points of `from` get from the polygon `to`, squared. Places follow each other, so the search starts where the last one ended and stops
-// as soon as something is nearer than the largest distance found: that point cannot raise it.
+// How far the points of `from` get from the polygon `to`, squared. Places follow each other, so the search starts where
+// the last one ended and stops as soon as something is nearer than the largest distance found: that point cannot raise
+// it.
 double directed(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to) {
   const std::size_t spans = std::max<std::size_t>(1, to.size() - 1);
   double largest = 0;
@@ -47,13 +48,15 @@ ShapeTrace trace_of(const world::Document& document) {
   for (const world::Entity e : document.track.segments) {
     const curve::Cubic cubic = world::cubic_of(document, e);
     if (trace.points.empty()) trace.points.emplace_back(cubic.p0);
-    for (std::size_t i = 1; i <= steps; ++i) trace.points.push_back(curve::point(cubic, static_cast<double>(i) / static_cast<double>(steps)));
+    for (std::size_t i = 1; i <= steps; ++i)
+      trace.points.push_back(curve::point(cubic, static_cast<double>(i) / static_cast<double>(steps)));
   }
   return trace;
 }
 
 double shape_distance(const ShapeTrace& a, const ShapeTrace& b) {
-  if (a.points.empty() || b.points.empty()) return a.points.empty() == b.points.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+  if (a.points.empty() || b.points.empty())
+    return a.points.empty() == b.points.empty() ? 0.0 : std::numeric_limits<double>::infinity();
   return std::sqrt(std::max(directed(a.points, b.points), directed(b.points, a.points)));
 }
 

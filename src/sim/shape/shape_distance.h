@@ -17,9 +17,10 @@ inline constexpr int kTracePoints = 1024;  // at most, and about, however long t
 // At uniform parameters of each segment, at least 8 a segment up to kTracePoints segments. Exact points of the curves.
 ShapeTrace trace_of(const world::Document& document);
 
-// The larger of both directed Hausdorff distances between the traces as polygons, m: how far any place of one track is from the other track. A chord of c m
-// over a radius r errs by c^2 / (8 r): below 1 mm for tracks of 150 m with bends above 5 m. Infinite when one is empty and the other is not, 0 for two empty ones.
-// Cost: O(n^2), about 5 ms for two full traces.
+// The larger of both directed Hausdorff distances between the traces as polygons, m: how far any place of one track is
+// from the other track. A chord of c m over a radius r errs by c^2 / (8 r): below 1 mm for tracks of 150 m with bends
+// above 5 m. Infinite when one is empty and the other is not, 0 for two empty ones. Cost: O(n^2), about 5 ms for two
+// full traces.
 double shape_distance(const ShapeTrace& a, const ShapeTrace& b);
 
 }  // namespace coaster::sim

@@ -22,17 +22,22 @@ double nearest_place(dvec3 p, dvec3 a, dvec3 d) {
 
 // Metres along the rails from the held place to one of another segment, the shorter way round.
 double along_rails(const Derived& derived, Held held, std::size_t index, float along) {
-  const double start = derived.starts[index], ring = start + static_cast<double>(along) * (derived.starts[index + 1] - start);
+  const double start = derived.starts[index],
+               ring = start + static_cast<double>(along) * (derived.starts[index + 1] - start);
   const double onward = ring - derived.starts[held.index] - held.s;
   if (!derived.closed || std::abs(onward) <= 0.5 * derived.length) return onward;
   return onward > 0 ? onward - derived.length : onward + derived.length;
 }
 
 Ring between(const Ring& a, const Ring& b, double share) {
-  return {glm::mix(a.position, b.position, share), {glm::mix(a.frame.forward, b.frame.forward, share), glm::mix(a.frame.up, b.frame.up, share)}, 0};
+  return {glm::mix(a.position, b.position, share),
+          {glm::mix(a.frame.forward, b.frame.forward, share), glm::mix(a.frame.up, b.frame.up, share)},
+          0};
 }
 
-dvec3 over(const Ring& ring, double left, double up) { return ring.position + left * ring.frame.left() + up * ring.frame.up; }
+dvec3 over(const Ring& ring, double left, double up) {
+  return ring.position + left * ring.frame.left() + up * ring.frame.up;
+}
 
 struct Question {
   dvec3 from, to;
@@ -44,31 +49,37 @@ struct Question {
 
 bool clear_of_piece(const Question& bar, const Ring& a, const Ring& b, bool held) {
   if (!held) return bar.keeps(kEnvelopeRadius, a, b, 0, kEnvelopeLift);
-  return bar.keeps(kRiderRadius, a, b, 0, kRiderLift) && bar.keeps(kWheelRoom, a, b, 0.5 * kGauge, 0) && bar.keeps(kWheelRoom, a, b, -0.5 * kGauge, 0);
+  return bar.keeps(kRiderRadius, a, b, 0, kRiderLift) && bar.keeps(kWheelRoom, a, b, 0.5 * kGauge, 0) &&
+         bar.keeps(kWheelRoom, a, b, -0.5 * kGauge, 0);
 }
 
-// A chord from `from` to `to` metres along the rails beside the held place, in pieces that are within its reach and such that are not.
+// A chord from `from` to `to` metres along the rails beside the held place, in pieces that are within its reach and
+// such that are not.
 bool clear_of_chord(const Question& bar, const Ring& a, const Ring& b, double from, double to) {
-  std::array<double, 4> ends{from, std::clamp(-kHeldReach, std::min(from, to), std::max(from, to)), std::clamp(kHeldReach, std::min(from, to), std::max(from, to)), to};
+  std::array<double, 4> ends{from, std::clamp(-kHeldReach, std::min(from, to), std::max(from, to)),
+                             std::clamp(kHeldReach, std::min(from, to), std::max(from, to)), to};
   if (from > to) std::swap(ends[1], ends[2]);
   const auto ring = [&](double s) { return s == from ? a : s == to ? b : between(a, b, (s - from) / (to - from)); };
   for (std::size_t i = 0; i < 3; ++i) {
     if (ends[i] == ends[i + 1]) continue;
-    if (!clear_of_piece(bar, ring(ends[i]), ring(ends[i + 1]), std::abs(0.5 * (ends[i] + ends[i + 1])) < kHeldReach)) return false;
+    if (!clear_of_piece(bar, ring(ends[i]), ring(ends[i + 1]), std::abs(0.5 * (ends[i] + ends[i + 1])) < kHeldReach))
+      return false;
   }
   return true;
 }
 
 }  // namespace
 
-// The distance is a convex function of both places: where the unbounded lines' nearest places lie outside, it is least on a border.
+// The distance is a convex function of both places: where the unbounded lines' nearest places lie outside, it is least
+// on a border.
 double distance_between(dvec3 a, dvec3 b, dvec3 c, dvec3 d) {
   const dvec3 u = b - a, v = d - c, w = a - c;
   const double uu = square(u), uv = glm::dot(u, v), vv = square(v), det = uu * vv - uv * uv;
   double best = std::min({square(a - c - nearest_place(a, c, v) * v), square(b - c - nearest_place(b, c, v) * v),
                           square(c - a - nearest_place(c, a, u) * u), square(d - a - nearest_place(d, a, u) * u)});
   if (det > 1e-12 * uu * vv) {
-    const double s = (uv * glm::dot(v, w) - vv * glm::dot(u, w)) / det, t = (uu * glm::dot(v, w) - uv * glm::dot(u, w)) / det;
+    const double s = (uv * glm::dot(v, w) - vv * glm::dot(u, w)) / det,
+                 t = (uu * glm::dot(v, w) - uv * glm::dot(u, w)) / det;
     if (s > 0 && s < 1 && t > 0 && t < 1) best = std::min(best, square(w + s * u - t * v));
   }
   return std::sqrt(best);
@@ -83,7 +94,8 @@ bool meet(const curve::Box& a, const curve::Box& b) {
 curve::Box widened(curve::Box box, float by) { return {box.low - by, box.high + by}; }
 
 bool is_clear(const Derived& derived, std::span<const Lane* const> lanes, const Bar& bar, Held held) {
-  const Question question{dvec3(bar.from), dvec3(bar.to), static_cast<double>(std::max(bar.from_radius, bar.to_radius))};
+  const Question question{dvec3(bar.from), dvec3(bar.to),
+                          static_cast<double>(std::max(bar.from_radius, bar.to_radius))};
   const double reach = kEnvelopeRadius + kEnvelopeLift + question.radius + 0.1;
   const curve::Box box = widened({glm::min(bar.from, bar.to), glm::max(bar.from, bar.to)}, static_cast<float>(reach));
   return all_near(derived.tree, box, [&](std::size_t i) {
@@ -91,7 +103,9 @@ bool is_clear(const Derived& derived, std::span<const Lane* const> lanes, const 
     if (!meet(lane.box, box)) return true;
     for (std::size_t k = 0; k + 1 < lane.rings.size(); ++k) {
       const Ring &a = lane.rings[k], &b = lane.rings[k + 1];
-      if (!clear_of_chord(question, a, b, along_rails(derived, held, i, a.along), along_rails(derived, held, i, b.along))) return false;
+      if (!clear_of_chord(question, a, b, along_rails(derived, held, i, a.along),
+                          along_rails(derived, held, i, b.along)))
+        return false;
     }
     return true;
   });

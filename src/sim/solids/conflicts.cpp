@@ -10,21 +10,26 @@
 namespace coaster::sim {
 namespace {
 
-constexpr double kNeeded = kTrainRadius + kTrackRadius;         // m between the line of a train and that of track
+constexpr double kNeeded = kTrainRadius + kTrackRadius;       // m between the line of a train and that of track
 constexpr double kReach = kNeeded + kTrainLift + kTrackDrop;  // m: rails farther apart are in nobody's way
 
-// The shorter way along the rails from the end of one stretch to the start of another behind it, m; below 0 where they overlap.
+// The shorter way along the rails from the end of one stretch to the start of another behind it, m; below 0 where they
+// overlap.
 double between_stretches(const Derived& derived, double from, double to, double other_from, double other_to) {
   const double onward = other_from - to;
   return derived.closed ? std::min(onward, from + derived.length - other_to) : onward;
 }
 
-// How many of the chords after r to t, which are all as long along the curve, are sure to come no nearer than by `metres`.
-std::size_t chords_within(double metres, const LinePoint& r, const LinePoint& t) { return static_cast<std::size_t>(metres / std::max(double{t.s} - double{r.s}, 1e-6)); }
+// How many of the chords after r to t, which are all as long along the curve, are sure to come no nearer than by
+// `metres`.
+std::size_t chords_within(double metres, const LinePoint& r, const LinePoint& t) {
+  return static_cast<std::size_t>(metres / std::max(double{t.s} - double{r.s}, 1e-6));
+}
 
 glm::dvec3 lifted(glm::vec3 position, glm::vec3 up, double by) { return glm::dvec3(position) + by * glm::dvec3(up); }
 
-// By how much two chords, p to q and r to t, are farther apart than can matter, m; below 0 they may matter to each other.
+// By how much two chords, p to q and r to t, are farther apart than can matter, m; below 0 they may matter to each
+// other.
 double beyond_reach(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t) {
   constexpr double kRounding = 0.05;  // m, of coordinates in float at the border of the world
   const double apart = 0.5 * static_cast<double>(glm::distance(p.position + q.position, r.position + t.position));
@@ -34,19 +39,24 @@ double beyond_reach(const LinePoint& p, const LinePoint& q, const LinePoint& r, 
 // By how much a train on one of them lacks room for the other; 0 or less where it has enough.
 double missing_between(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t) {
   const auto distance = [&](double one, double other) {
-    return distance_between(lifted(p.position, p.up, one), lifted(q.position, q.up, one), lifted(r.position, r.up, other), lifted(t.position, t.up, other));
+    return distance_between(lifted(p.position, p.up, one), lifted(q.position, q.up, one),
+                            lifted(r.position, r.up, other), lifted(t.position, t.up, other));
   };
   return kNeeded - std::min(distance(kTrainLift, -kTrackDrop), distance(-kTrackDrop, kTrainLift));
 }
 
-// Segments that may have other neighbours than before: those between a common start and a common end of both orders, one on each side of them, and both
-// ends of the track, which may have been joined or cut.
-void mark_rearranged(const std::vector<world::Entity>& before, const std::vector<world::Entity>& now, std::vector<bool>& stale) {
+// Segments that may have other neighbours than before: those between a common start and a common end of both orders,
+// one on each side of them, and both ends of the track, which may have been joined or cut.
+void mark_rearranged(const std::vector<world::Entity>& before, const std::vector<world::Entity>& now,
+                     std::vector<bool>& stale) {
   if (now.empty()) return;
   const auto [was, is] = std::mismatch(before.begin(), before.end(), now.begin(), now.end());
-  const auto last = std::mismatch(before.rbegin(), std::make_reverse_iterator(was), now.rbegin(), std::make_reverse_iterator(is)).second;
+  const auto last =
+      std::mismatch(before.rbegin(), std::make_reverse_iterator(was), now.rbegin(), std::make_reverse_iterator(is))
+          .second;
   const auto first = is - now.begin(), end = last.base() - now.begin();
-  for (auto i = std::max<std::ptrdiff_t>(first - 1, 0); i < std::min<std::ptrdiff_t>(end + 1, std::ssize(now)); ++i) stale[static_cast<std::size_t>(i)] = true;
+  for (auto i = std::max<std::ptrdiff_t>(first - 1, 0); i < std::min<std::ptrdiff_t>(end + 1, std::ssize(now)); ++i)
+    stale[static_cast<std::size_t>(i)] = true;
   stale.front() = stale.back() = true;
 }
 
@@ -102,7 +112,9 @@ std::size_t Conflicts::look_at(const Derived& derived, world::Entity a, world::E
     const LinePoint &p = first.places[i], &q = first.places[i + 1];
     for (std::size_t k = a == b ? i + 1 : 0; k + 1 < second.places.size(); ++k) {
       const LinePoint &r = second.places[k], &t = second.places[k + 1];
-      if (between_stretches(derived, first_start + double{p.s}, first_start + double{q.s}, second_start + double{r.s}, second_start + double{t.s}) < kSameStretch) continue;
+      if (between_stretches(derived, first_start + double{p.s}, first_start + double{q.s}, second_start + double{r.s},
+                            second_start + double{t.s}) < kSameStretch)
+        continue;
       if (const double beyond = beyond_reach(p, q, r, t); beyond > 0) {
         k += chords_within(beyond, r, t);
         continue;
@@ -123,7 +135,8 @@ void Conflicts::look_around(const Derived& derived, std::size_t index, const std
   std::size_t count = 0;
   all_near(derived.tree, box, [&](std::size_t other) {
     if ((stale[other] && other < index) || !meet(entries_.get(derived.order[other]).box, box)) return true;
-    count += look_at(derived, derived.order[std::min(index, other)], derived.order[std::max(index, other)], most - count);
+    count +=
+        look_at(derived, derived.order[std::min(index, other)], derived.order[std::max(index, other)], most - count);
     return count < most;
   });
 }
@@ -131,8 +144,12 @@ void Conflicts::look_around(const Derived& derived, std::size_t index, const std
 // Hits that follow each other on both stretches are one conflict.
 void Conflicts::gather(const Derived& derived) {
   found_.clear();
-  const auto place = [&](world::Entity segment, std::size_t i) -> const LinePoint& { return entries_.get(segment).places[i]; };
-  const auto start = [&](world::Entity segment, std::size_t i) { return derived.starts[entries_.get(segment).index] + double{place(segment, i).s}; };
+  const auto place = [&](world::Entity segment, std::size_t i) -> const LinePoint& {
+    return entries_.get(segment).places[i];
+  };
+  const auto start = [&](world::Entity segment, std::size_t i) {
+    return derived.starts[entries_.get(segment).index] + double{place(segment, i).s};
+  };
   std::sort(hits_.begin(), hits_.end(), [&](const Hit& x, const Hit& y) {
     const double a = start(x.a, x.i), b = start(y.a, y.i);
     return a != b ? a < b : start(x.b, x.k) < start(y.b, y.k);
@@ -145,7 +162,8 @@ void Conflicts::gather(const Derived& derived) {
   for (const Hit& hit : hits_) {
     const double from = start(hit.a, hit.i), to = start(hit.a, hit.i + 1), other = start(hit.b, hit.k);
     std::erase_if(open, [&](const Open& one) { return from - found_[one.conflict].to >= kSameStretch; });
-    auto mine = std::find_if(open.begin(), open.end(), [&](const Open& one) { return std::abs(other - one.last) < 2 * kSameStretch; });
+    auto mine = std::find_if(open.begin(), open.end(),
+                             [&](const Open& one) { return std::abs(other - one.last) < 2 * kSameStretch; });
     if (mine == open.end()) {
       mine = open.insert(mine, {found_.size(), other});
       found_.push_back({.from = from, .other_from = other});
@@ -153,7 +171,8 @@ void Conflicts::gather(const Derived& derived) {
     Conflict& conflict = found_[mine->conflict];
     const double other_to = start(hit.b, hit.k + 1);
     conflict.to = std::max(conflict.to, to);
-    conflict.other_from = std::min(conflict.other_from, other), conflict.other_to = std::max(conflict.other_to, other_to);
+    conflict.other_from = std::min(conflict.other_from, other),
+    conflict.other_to = std::max(conflict.other_to, other_to);
     mine->last = other;
     if (hit.missing <= conflict.missing) continue;
     conflict.missing = hit.missing;
@@ -193,8 +212,10 @@ std::vector<Narrow> Conflicts::against(const Derived& derived, std::span<const L
     const LinePoint &p = line[i], &q = line[i + 1];
     double missing = 0;
     for (std::size_t k = 0; k < i && double{p.s} - double{line[k + 1].s} >= kSameStretch; ++k)
-      if (beyond_reach(line[k], line[k + 1], p, q) <= 0) missing = std::max(missing, missing_between(line[k], line[k + 1], p, q));
-    const curve::Box box = widened({glm::min(p.position, q.position), glm::max(p.position, q.position)}, static_cast<float>(kReach));
+      if (beyond_reach(line[k], line[k + 1], p, q) <= 0)
+        missing = std::max(missing, missing_between(line[k], line[k + 1], p, q));
+    const curve::Box box =
+        widened({glm::min(p.position, q.position), glm::max(p.position, q.position)}, static_cast<float>(kReach));
     all_near(derived.tree, box, [&](std::size_t index) {
       const Entry& entry = entries_.get(derived.order[index]);
       for (std::size_t k = 0; k + 1 < entry.places.size(); ++k) {
@@ -206,7 +227,8 @@ std::vector<Narrow> Conflicts::against(const Derived& derived, std::span<const L
       return true;
     });
     if (!(missing > 0)) continue;
-    if (!out.empty() && out.back().to == double{p.s}) out.back().to = double{q.s}, out.back().missing = std::max(out.back().missing, missing);
+    if (!out.empty() && out.back().to == double{p.s})
+      out.back().to = double{q.s}, out.back().missing = std::max(out.back().missing, missing);
     else out.push_back({double{p.s}, double{q.s}, missing});
   }
   return out;

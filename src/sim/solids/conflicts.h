@@ -1,5 +1,5 @@
-// Where a track is in its own way: stretches that come nearer to each other than a train on one of them needs. Kept by segment, and looked for
-// again where the track changed.
+// Where a track is in its own way: stretches that come nearer to each other than a train on one of them needs. Kept by
+// segment, and looked for again where the track changed.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,20 @@
 
 namespace coaster::sim {
 
-// A train needs a tube about a line over the rails, half a metre more than riders and their elbows fill; track fills one about a line under them.
+// A train needs a tube about a line over the rails, half a metre more than riders and their elbows fill; track fills
+// one about a line under them.
 inline constexpr double kTrainRadius = 1.5, kTrainLift = 0.45;  // m
 inline constexpr double kTrackRadius = 0.78, kTrackDrop = 0.3;  // m
 // Places nearer than this along the rails are one stretch, and never in each other's way.
-inline constexpr double kSameStretch = 8;                       // m
-inline constexpr double kConflictStep = 2;                      // m of the chords that stand for the curve, longer beyond 1,000 a segment
+inline constexpr double kSameStretch = 8;   // m
+inline constexpr double kConflictStep = 2;  // m of the chords that stand for the curve, longer beyond 1,000 a segment
 
 // Two stretches that are too near to each other all along.
 struct Conflict {
-  double at = 0, other = 0;         // m along the track, at < other: where it is narrowest
-  double from = 0, to = 0;          // m along the track, where the first stretch begins and ends
-  double other_from = 0, other_to = 0;    // m, the same of the other
-  double missing = 0;               // m of room that a train lacks there, above 0, at most kTrainRadius + kTrackRadius
+  double at = 0, other = 0;             // m along the track, at < other: where it is narrowest
+  double from = 0, to = 0;              // m along the track, where the first stretch begins and ends
+  double other_from = 0, other_to = 0;  // m, the same of the other
+  double missing = 0;  // m of room that a train lacks there, above 0, at most kTrainRadius + kTrackRadius
   glm::vec3 at_place{0}, other_place{0};  // m, on the rails' line
   friend bool operator==(const Conflict&, const Conflict&) = default;
 };
@@ -44,11 +45,13 @@ double worst(std::span<const Narrow> parts);
 
 class Conflicts {
  public:
-  // Brings them up to date with the same Derived as before: all conflicts in the track's order. Cost while nothing changed: a comparison for each
-  // segment; else some microseconds for each that changed and for what is within kSameStretch of it. Where a great many places are in each other's
-  // way, not all are found: no more than kMostHits for each chord of a segment.
+  // Brings them up to date with the same Derived as before: all conflicts in the track's order. Cost while nothing
+  // changed: a comparison for each segment; else some microseconds for each that changed and for what is within
+  // kSameStretch of it. Where a great many places are in each other's way, not all are found: no more than kMostHits
+  // for each chord of a segment.
   const std::vector<Conflict>& update(const Derived& derived);
-  // Where the line would be in the way of the track as last brought up to date, or in its own, if it went on from the track's end, which is open.
+  // Where the line would be in the way of the track as last brought up to date, or in its own, if it went on from the
+  // track's end, which is open.
   std::vector<Narrow> against(const Derived& derived, std::span<const LinePoint> line) const;
   int looked_at() const { return looked_at_; }  // segments in the last update
 

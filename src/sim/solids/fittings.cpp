@@ -1,5 +1,5 @@
-// What equipment puts on the rails of its segment: chain, fins, motor blocks, walkway, platforms. Lengthwise parts run from joint to joint,
-// so that a lift over several segments is one; rows of things divide each segment evenly.
+// What equipment puts on the rails of its segment: chain, fins, motor blocks, walkway, platforms. Lengthwise parts run
+// from joint to joint, so that a lift over several segments is one; rows of things divide each segment evenly.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,7 +28,9 @@ void along_track(const Fitting& fitting, double spacing, const Place& place) {
   for (int i = 0; i < count; ++i) place(ring_at(fitting.shape, fitting.length() * (i + 0.5) / count));
 }
 
-dvec3 place_of(const Ring& at, dvec2 offset) { return at.position + offset.x * at.frame.left() + offset.y * at.frame.up; }
+dvec3 place_of(const Ring& at, dvec2 offset) {
+  return at.position + offset.x * at.frame.left() + offset.y * at.frame.up;
+}
 
 // A block about (left, up) with half sides along forward, up and left.
 void add_block(const Ring& at, dvec2 middle, dvec3 half, Part part, bool from_afar, Mesh& mesh) {
@@ -38,7 +40,9 @@ void add_block(const Ring& at, dvec2 middle, dvec3 half, Part part, bool from_af
 // What carries the things between the rails: cross-bars from arm to arm and a beam along the track on them.
 constexpr double kBedTop = -0.17;
 void add_bed(const Fitting& fitting, double half_width) {
-  along_track(fitting, kTieSpacing, [&](const Ring& at) { add_block(at, {0, kBedTop - 0.11}, {0.04, 0.04, 0.36}, Part::tie, false, fitting.mesh); });
+  along_track(fitting, kTieSpacing, [&](const Ring& at) {
+    add_block(at, {0, kBedTop - 0.11}, {0.04, 0.04, 0.36}, Part::tie, false, fitting.mesh);
+  });
   add_beam(fitting.rings, {-half_width, kBedTop - 0.07}, {half_width, kBedTop}, Part::tie, true, fitting.mesh);
 }
 
@@ -48,11 +52,13 @@ void add_chain(const Fitting& fitting) {
   add_bed(fitting, kTroughHalf);
   for (const double side : {-1.0, 1.0}) {
     const double outer = side * kTroughHalf, inner = side * (kTroughHalf - 0.03);
-    add_beam(fitting.rings, {std::min(outer, inner), kBedTop}, {std::max(outer, inner), kBedTop + 0.06}, Part::tie, false, fitting.mesh);
+    add_beam(fitting.rings, {std::min(outer, inner), kBedTop}, {std::max(outer, inner), kBedTop + 0.06}, Part::tie,
+             false, fitting.mesh);
   }
   add_beam(fitting.rings, {-0.025, kBedTop}, {0.025, kBedTop + 0.055}, Part::chain, true, fitting.mesh);
   along_track(fitting, kPitch, [&](const Ring& at) {
-    for (const double side : {-1.0, 1.0}) add_block(at, {0.062 * side, kBedTop + 0.05}, {0.105, 0.05, 0.018}, Part::chain, false, fitting.mesh);
+    for (const double side : {-1.0, 1.0})
+      add_block(at, {0.062 * side, kBedTop + 0.05}, {0.105, 0.05, 0.018}, Part::chain, false, fitting.mesh);
     add_block(at, {0, kBedTop + 0.05}, {0.03, 0.028, 0.055}, Part::chain, false, fitting.mesh);
   });
 }
@@ -95,7 +101,8 @@ bool walkable(const std::vector<Ring>& rings, double most_slope, double least_up
 void add_handrail(const Fitting& fitting, const std::vector<Ring>& rings, dvec2 edge, double spacing, bool upright) {
   constexpr double kHeight = 1.05;
   for (const double height : {0.55, kHeight})
-    add_beam(rings, edge + dvec2(-0.025, height - 0.025), edge + dvec2(0.025, height + 0.025), Part::support, height == kHeight, fitting.mesh);
+    add_beam(rings, edge + dvec2(-0.025, height - 0.025), edge + dvec2(0.025, height + 0.025), Part::support,
+             height == kHeight, fitting.mesh);
   along_track(fitting, spacing, [&](Ring at) {
     if (upright) at = level({at}).front();
     add_block(at, edge + dvec2(0, 0.5 * kHeight), {0.025, 0.5 * kHeight, 0.025}, Part::support, false, fitting.mesh);
@@ -109,18 +116,21 @@ void add_walkway(const Fitting& fitting) {
   add_beam(fitting.rings, {kInner, kFloor - 0.05}, {kOuter, kFloor}, Part::deck, true, fitting.mesh);
   add_handrail(fitting, fitting.rings, {kOuter - 0.04, kFloor}, 2.0, false);
   along_track(fitting, 2.0, [&](const Ring& at) {
-    add_bar(place_of(at, {0.1, -kSpineDrop}), place_of(at, {kOuter - 0.05, kFloor - 0.09}), 0.05, 0.04, 6, Part::tie, at.along, true, fitting.mesh);
+    add_bar(place_of(at, {0.1, -kSpineDrop}), place_of(at, {kOuter - 0.05, kFloor - 0.09}), 0.05, 0.04, 6, Part::tie,
+            at.along, true, fitting.mesh);
   });
 }
 
-// Floors on both sides, a little under the cars' floor, with a yellow edge, a handrail at the back and legs to the ground.
+// Floors on both sides, a little under the cars' floor, with a yellow edge, a handrail at the back and legs to the
+// ground.
 void add_platforms(const Fitting& fitting) {
   constexpr double kInner = 1.02, kOuter = 3.4, kFloor = 0.22, kThick = 0.24, kEdge = 0.14;
   if (!walkable(fitting.rings, 0.35, 0.8)) return;
   const std::vector<Ring> rings = level(fitting.rings);
   for (const double side : {-1.0, 1.0}) {
     const auto strip = [&](double inner, double outer, double low, double high, Part part) {
-      add_beam(rings, {std::min(side * inner, side * outer), low}, {std::max(side * inner, side * outer), high}, part, true, fitting.mesh);
+      add_beam(rings, {std::min(side * inner, side * outer), low}, {std::max(side * inner, side * outer), high}, part,
+               true, fitting.mesh);
     };
     strip(kInner, kOuter, kFloor - kThick, kFloor, Part::concrete);
     strip(kInner + 0.06, kInner + 0.06 + kEdge, kFloor, kFloor + 0.012, Part::stripe);
@@ -129,7 +139,8 @@ void add_platforms(const Fitting& fitting) {
       const Ring at = level({place}).front();
       for (const double out : {kInner + 0.35, kOuter - 0.35}) {
         const dvec3 top = place_of(at, {side * out, kFloor - 0.5 * kThick});
-        if (top.y > kThick) add_bar({top.x, 0, top.z}, top, 0.14, 0.14, 8, Part::concrete, at.along, true, fitting.mesh);
+        if (top.y > kThick)
+          add_bar({top.x, 0, top.z}, top, 0.14, 0.14, 8, Part::concrete, at.along, true, fitting.mesh);
       }
     });
   }

@@ -32,16 +32,19 @@ std::vector<dvec2> circle(int sides) {
 void add_sides(std::span<const std::uint32_t> rings, std::uint32_t count, std::uint32_t step, Indices& out) {
   for (std::size_t ring = 0; ring + 1 < rings.size(); ++ring)
     for (std::uint32_t k = 0; k < count; k += step) {
-      const std::uint32_t next = (k + step) % count, a = rings[ring] + k, b = rings[ring] + next, c = rings[ring + 1] + k, d = rings[ring + 1] + next;
+      const std::uint32_t next = (k + step) % count, a = rings[ring] + k, b = rings[ring] + next,
+                          c = rings[ring + 1] + k, d = rings[ring + 1] + next;
       out.insert(out.end(), {a, b, c, b, d, c});
     }
   for (std::uint32_t k = step; k + step < count; k += step)
-    out.insert(out.end(), {rings.front(), rings.front() + k + step, rings.front() + k, rings.back(), rings.back() + k, rings.back() + k + step});
+    out.insert(out.end(), {rings.front(), rings.front() + k + step, rings.front() + k, rings.back(), rings.back() + k,
+                           rings.back() + k + step});
 }
 
-// A quadrilateral a, b, c, d with its own vertices. Its normal is that of the diagonals, whatever small bend there is; a face without
-// area gets one that is at least unit.
-void add_quad(const std::array<dvec3, 4>& corners, dvec3 otherwise, Part part, float along, bool from_afar, Mesh& mesh) {
+// A quadrilateral a, b, c, d with its own vertices. Its normal is that of the diagonals, whatever small bend there is;
+// a face without area gets one that is at least unit.
+void add_quad(const std::array<dvec3, 4>& corners, dvec3 otherwise, Part part, float along, bool from_afar,
+              Mesh& mesh) {
   const dvec3 across = glm::cross(corners[2] - corners[0], corners[3] - corners[1]);
   const double size = glm::length(across);
   const dvec3 normal = size > 1e-12 ? across / size : otherwise;
@@ -56,14 +59,16 @@ dvec3 some_normal(dvec3 forward) { return curve::perpendicular(forward, {0, 1, 0
 }  // namespace
 
 void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh) {
-  COASTER_CHECK(rings.size() >= 2 && tube.sides % tube.coarse_sides == 0, "a tube has two ends, and corners that it keeps from afar");
+  COASTER_CHECK(rings.size() >= 2 && tube.sides % tube.coarse_sides == 0,
+                "a tube has two ends, and corners that it keeps from afar");
   const std::vector<dvec2> unit = circle(tube.sides);
   Indices all, every_other;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     const Ring& at = rings[i];
     all.push_back(next_vertex(mesh));
     if (i % 2 == 0 || i + 1 == rings.size()) every_other.push_back(all.back());
-    const dvec3 left = at.frame.left(), up = at.frame.up, centre = at.position + tube.offset.x * left + tube.offset.y * up;
+    const dvec3 left = at.frame.left(), up = at.frame.up,
+                centre = at.position + tube.offset.x * left + tube.offset.y * up;
     for (const dvec2 u : unit) {
       const dvec3 normal = u.x * left + u.y * up;
       add_vertex(centre + tube.radius * normal, normal, tube.part, at.along, mesh);
@@ -76,10 +81,12 @@ void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh) {
 
 void add_face(std::span<const dvec3> corners, Part part, float along, bool from_afar, Mesh& mesh) {
   dvec3 area(0);
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) area += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    area += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
   const double size = glm::length(area);
   const std::uint32_t first = next_vertex(mesh);
-  for (const dvec3& corner : corners) add_vertex(corner, size > 1e-12 ? area / size : dvec3(0, 1, 0), part, along, mesh);
+  for (const dvec3& corner : corners)
+    add_vertex(corner, size > 1e-12 ? area / size : dvec3(0, 1, 0), part, along, mesh);
   for (std::uint32_t i = 1; i + 1 < corners.size(); ++i)
     for (Indices* out : {&mesh.indices, from_afar ? &mesh.coarse : nullptr})
       if (out) out->insert(out->end(), {first, first + i, first + i + 1});
@@ -114,7 +121,8 @@ void add_beam(std::span<const Ring> rings, dvec2 low, dvec2 high, Part part, boo
   add_extrusion(rings, std::array{low, dvec2(high.x, low.y), high, dvec2(low.x, high.y)}, part, from_afar, mesh);
 }
 
-void add_prism(const std::array<dvec3, 4>& near, const std::array<dvec3, 4>& far, Part part, float along, bool from_afar, Mesh& mesh) {
+void add_prism(const std::array<dvec3, 4>& near, const std::array<dvec3, 4>& far, Part part, float along,
+               bool from_afar, Mesh& mesh) {
   const dvec3 otherwise(0, 1, 0);
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t next = (k + 1) % 4;
@@ -125,12 +133,15 @@ void add_prism(const std::array<dvec3, 4>& near, const std::array<dvec3, 4>& far
 }
 
 void add_box(dvec3 middle, const curve::Frame& frame, dvec3 half, Part part, float along, bool from_afar, Mesh& mesh) {
-  const auto corner = [&](double f, double u, double l) { return middle + f * half.x * frame.forward + u * half.y * frame.up + l * half.z * frame.left(); };
-  add_prism({corner(1, -1, -1), corner(1, -1, 1), corner(1, 1, 1), corner(1, 1, -1)}, {corner(-1, -1, -1), corner(-1, -1, 1), corner(-1, 1, 1), corner(-1, 1, -1)},
-            part, along, from_afar, mesh);
+  const auto corner = [&](double f, double u, double l) {
+    return middle + f * half.x * frame.forward + u * half.y * frame.up + l * half.z * frame.left();
+  };
+  add_prism({corner(1, -1, -1), corner(1, -1, 1), corner(1, 1, 1), corner(1, 1, -1)},
+            {corner(-1, -1, -1), corner(-1, -1, 1), corner(-1, 1, 1), corner(-1, 1, -1)}, part, along, from_afar, mesh);
 }
 
-void add_bar(dvec3 from, dvec3 to, double from_radius, double to_radius, int sides, Part part, float along, bool from_afar, Mesh& mesh) {
+void add_bar(dvec3 from, dvec3 to, double from_radius, double to_radius, int sides, Part part, float along,
+             bool from_afar, Mesh& mesh) {
   const double length = glm::length(to - from);
   if (!(length > 1e-6)) return;
   const dvec3 forward = (to - from) / length, up = some_normal(forward), left = glm::cross(up, forward);
@@ -147,7 +158,8 @@ void add_bar(dvec3 from, dvec3 to, double from_radius, double to_radius, int sid
   for (Indices* list : {&mesh.indices, from_afar ? &mesh.coarse : nullptr}) {
     if (!list) continue;
     for (std::uint32_t k = 0; k < count; ++k) {
-      const std::uint32_t a = rings[0] + k, b = rings[0] + (k + 1) % count, c = rings[1] + k, d = rings[1] + (k + 1) % count;
+      const std::uint32_t a = rings[0] + k, b = rings[0] + (k + 1) % count, c = rings[1] + k,
+                          d = rings[1] + (k + 1) % count;
       list->insert(list->end(), {a, b, c, b, d, c});
     }
   }

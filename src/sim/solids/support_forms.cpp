@@ -18,10 +18,10 @@ constexpr double kUpright = -0.1;    // of the frame's up: below it the track ha
 constexpr double kLevelPart = 0.35;  // of a direction, to be called sideways
 
 struct Site {
-  dvec3 top;       // in the spine's axis
+  dvec3 top;  // in the spine's axis
   double height, radius;
-  dvec3 side;      // level, at right angles to the track
-  dvec3 back{0};   // level, away from the riders; none on track that lies flat
+  dvec3 side;     // level, at right angles to the track
+  dvec3 back{0};  // level, away from the riders; none on track that lies flat
   bool upright;
 };
 
@@ -33,7 +33,9 @@ Site site_at(const Ring& at) {
   site.height = site.top.y;
   site.radius = std::clamp(0.13 + 0.0055 * site.height, 0.13, 0.36);
   const dvec3 across(at.frame.forward.z, 0, -at.frame.forward.x), left = level(at.frame.left());
-  site.side = glm::length(across) > 0.2 ? glm::normalize(across) : glm::length(left) > 0.2 ? glm::normalize(left) : dvec3(1, 0, 0);
+  site.side = glm::length(across) > 0.2 ? glm::normalize(across)
+              : glm::length(left) > 0.2 ? glm::normalize(left)
+                                        : dvec3(1, 0, 0);
   const dvec3 back = level(-at.frame.up);
   if (glm::length(back) > kLevelPart) site.back = glm::normalize(back);
   site.upright = at.frame.up.y > kUpright;
@@ -51,22 +53,28 @@ class FormTrial {
   FormTrial(const Site& site, const std::function<bool(std::span<const Bar>)>& takes) : site_(site), takes_(takes) {}
 
   bool leg(double aside) const {
-    return takes_(std::array{bar(site_.top, on_ground(site_.top + aside * site_.side), 0.8 * site_.radius, site_.radius, true)});
+    return takes_(
+        std::array{bar(site_.top, on_ground(site_.top + aside * site_.side), 0.8 * site_.radius, site_.radius, true)});
   }
   bool two_legs(double spread) const {
-    const auto one = [&](double way) { return bar(site_.top, on_ground(site_.top + way * spread * site_.side), 0.7 * site_.radius, 0.9 * site_.radius, true); };
+    const auto one = [&](double way) {
+      return bar(site_.top, on_ground(site_.top + way * spread * site_.side), 0.7 * site_.radius, 0.9 * site_.radius,
+                 true);
+    };
     const Bar a = one(1), b = one(-1);
     if (site_.height < kStrutted) return takes_(std::array{a, b});
     constexpr float kDown = 0.55f;  // of the legs' way down
     const double thin = 0.55 * site_.radius;
-    return takes_(std::array{a, b, bar(dvec3(glm::mix(a.from, a.to, kDown)), dvec3(glm::mix(b.from, b.to, kDown)), thin, thin, false)});
+    return takes_(std::array{
+        a, b, bar(dvec3(glm::mix(a.from, a.to, kDown)), dvec3(glm::mix(b.from, b.to, kDown)), thin, thin, false)});
   }
   // Down a little on the way out where the track stands, level where it hangs.
   bool arm(dvec3 direction, double out) const {
     const dvec3 elbow = site_.top + out * direction - dvec3(0, site_.upright ? 0.25 * out : 0.0, 0);
     if (direction == dvec3(0) || elbow.y < kLowestSupport) return false;
     const double r = site_.radius;
-    return takes_(std::array{bar(site_.top, elbow, 0.8 * r, r, false), bar(elbow + dvec3(0, 0.5 * r, 0), on_ground(elbow), r, 1.1 * r, true)});
+    return takes_(std::array{bar(site_.top, elbow, 0.8 * r, r, false),
+                             bar(elbow + dvec3(0, 0.5 * r, 0), on_ground(elbow), r, 1.1 * r, true)});
   }
 
  private:
@@ -87,7 +95,8 @@ bool try_forms(const Ring& at, const std::function<bool(std::span<const Bar>)>& 
     for (const double aside : {1.6, -1.6, 2.8, -2.8, 4.2, -4.2})
       if (std::abs(aside) < 0.6 * site.height && trial.leg(aside)) return true;
   }
-  const std::array<dvec3, 3> ways = site.upright ? std::array{site.side, -site.side, site.back} : std::array{site.back, site.side, -site.side};
+  const std::array<dvec3, 3> ways =
+      site.upright ? std::array{site.side, -site.side, site.back} : std::array{site.back, site.side, -site.side};
   // Longer from higher up, so that columns of places above each other do not stand in each other.
   const double longer = 0.08 * std::min(site.height, 30.0);
   for (const double out : {2.2, 3.1, 4.2, 5.5, 7.0})

@@ -1,6 +1,6 @@
 // The solids of supports.
-#include <array>
 #include <algorithm>
+#include <array>
 
 #include "sim/solids/supports.h"
 #include "sim/solids/track_mesh.h"
@@ -38,7 +38,8 @@ void build_support_mesh(const SegmentSupports& supports, Mesh& mesh) {
     // Where it meets another bar it ends a little further on, so that there is no notch.
     // A leg that leans ends inside its footing.
     const double length = glm::length(to - from), over = bar.grounded ? -0.15 : 0.5 * to_radius;
-    add_bar(from, length > 0.2 ? to + over / length * (to - from) : to, from_radius, to_radius, kSides, Part::support, 0, true, mesh);
+    add_bar(from, length > 0.2 ? to + over / length * (to - from) : to, from_radius, to_radius, kSides, Part::support,
+            0, true, mesh);
     if (bar.grounded) add_footing(to, to_radius, mesh);
   }
   for (const Ring& hold : supports.holds) add_collar(hold, mesh);

@@ -12,21 +12,25 @@ namespace {
 
 // How far apart supports are to be on a segment.
 double wanted_spacing(const SegmentShape& shape) {
-  constexpr double kTight = 14;  // m of radius: here and below they are closest
+  constexpr double kTight = 14;      // m of radius: here and below they are closest
   constexpr double kHighTrack = 25;  // m
   const double length = shape.arc.length();
   double turned = 0;
-  for (std::size_t i = 0; i + 1 < shape.frames.size(); ++i) turned += glm::length(shape.frames[i + 1].forward - shape.frames[i].forward);
+  for (std::size_t i = 0; i + 1 < shape.frames.size(); ++i)
+    turned += glm::length(shape.frames[i + 1].forward - shape.frames[i].forward);
   const double bent = std::min(1.0, kTight * turned / length);
   const double high = std::clamp(curve::point(shape.key.cubic, 0.5).y / kHighTrack - 0.5, 0.0, 0.5);
-  return std::max(kMinSupportSpacing, kMaxSupportSpacing - (kMaxSupportSpacing - kMinSupportSpacing) * std::max(bent, high));
+  return std::max(kMinSupportSpacing,
+                  kMaxSupportSpacing - (kMaxSupportSpacing - kMinSupportSpacing) * std::max(bent, high));
 }
 
 // Whether the feet of `bars` stand at some distance from those of the segment's other supports.
 bool apart(std::span<const Bar> bars, std::span<const Bar> others) {
   constexpr float kApart = 1;  // m
   return std::none_of(bars.begin(), bars.end(), [&](const Bar& bar) {
-    return bar.grounded && std::any_of(others.begin(), others.end(), [&](const Bar& other) { return other.grounded && glm::distance(bar.to, other.to) < kApart; });
+    return bar.grounded && std::any_of(others.begin(), others.end(), [&](const Bar& other) {
+             return other.grounded && glm::distance(bar.to, other.to) < kApart;
+           });
   });
 }
 
@@ -41,7 +45,8 @@ curve::Box reach_of(const curve::Box& box) {
 }  // namespace
 
 SupportRow support_row(const SegmentShape& shape) {
-  constexpr double kShortest = 0.05, kMost = 1.7;  // m; of the wanted spacing over a segment's length, for a support on each
+  constexpr double kShortest = 0.05,
+                   kMost = 1.7;  // m; of the wanted spacing over a segment's length, for a support on each
   const double length = shape.arc.length();
   if (!(length > kShortest)) return {};
   double wanted = wanted_spacing(shape) / length;
@@ -62,10 +67,8 @@ void Supports::take_shapes(const Derived& derived) {
     const SegmentShape& shape = derived.shape(segment);
     Entry* entry = entries_.find(segment);
     if (entry && entry->shape_build == shape.shape_build) continue;
-    if (entry)
-      moved_.push_back(entry->lane.box);
-    else
-      entry = &entries_.put(segment, Entry{});
+    if (entry) moved_.push_back(entry->lane.box);
+    else entry = &entries_.put(segment, Entry{});
     entry->shape_build = shape.shape_build;
     entry->stale = true;
     entry->lane = {rings_of(shape), tight_box(shape.key.cubic)};
@@ -87,7 +90,8 @@ void Supports::take_turns() {
 
 void Supports::mark_disturbed() {
   for (Entry& entry : entries_.items())
-    entry.stale = entry.stale || std::any_of(moved_.begin(), moved_.end(), [&](const curve::Box& box) { return meet(entry.reach, box); });
+    entry.stale = entry.stale || std::any_of(moved_.begin(), moved_.end(),
+                                             [&](const curve::Box& box) { return meet(entry.reach, box); });
 }
 
 void Supports::find_stale(const Derived& derived) {
@@ -103,7 +107,9 @@ void Supports::find_stale(const Derived& derived) {
       const double s = shape.arc.length() * (k + 0.5) / entry.count;
       const Ring at = ring_at(shape, s);
       const bool held = try_forms(at, [&](std::span<const Bar> bars) {
-        const bool clear = apart(bars, found.bars) && std::all_of(bars.begin(), bars.end(), [&](const Bar& bar) { return is_clear(derived, lanes_, bar, {i, s}); });
+        const bool clear = apart(bars, found.bars) && std::all_of(bars.begin(), bars.end(), [&](const Bar& bar) {
+                             return is_clear(derived, lanes_, bar, {i, s});
+                           });
         if (clear) found.bars.insert(found.bars.end(), bars.begin(), bars.end());
         return clear;
       });

@@ -26,8 +26,8 @@ curve::Frame knot_frame(glm::vec3 tangent, glm::vec3 up) {
   return {forward, curve::perpendicular(forward, dvec3(up))};
 }
 
-// How many rings a stretch of `step` metres that bends by `bend` radians asks for: a chord over the angle b of a circle of radius r is off
-// by r b^2 / 8.
+// How many rings a stretch of `step` metres that bends by `bend` radians asks for: a chord over the angle b of a circle
+// of radius r is off by r b^2 / 8.
 double rings_wanted(double bend, double twist, double step) {
   const double by_sagitta = std::sqrt(bend * step / (8 * kSagitta));
   return std::max({by_sagitta, twist / kRingTwist, step / kRingSpacing});
@@ -36,13 +36,15 @@ double rings_wanted(double bend, double twist, double step) {
 // A plate from rail to spine, wider at the spine; its ends are inside both.
 void add_arm(const Ring& at, double side, Mesh& mesh) {
   constexpr double kHalfThickness = 0.045, kHalfAtRail = 0.06, kHalfAtSpine = 0.15;
-  const dvec2 rail(0.5 * kGauge * side, 0), spine(0.06 * side, -kSpineDrop + 0.04), along = glm::normalize(spine - rail);
+  const dvec2 rail(0.5 * kGauge * side, 0), spine(0.06 * side, -kSpineDrop + 0.04),
+      along = glm::normalize(spine - rail);
   const dvec2 across = side * dvec2(-along.y, along.x);  // downwards and outwards
   const dvec3 left = at.frame.left(), thick = kHalfThickness * at.frame.forward;
   const auto place = [&](dvec2 p) { return at.position + p.x * left + p.y * at.frame.up; };
   const auto end = [&](dvec2 middle, double half) {
     const dvec3 low = place(middle + half * across), high = place(middle - half * across);
-    return side < 0 ? std::array{low - thick, low + thick, high + thick, high - thick} : std::array{low + thick, low - thick, high - thick, high + thick};
+    return side < 0 ? std::array{low - thick, low + thick, high + thick, high - thick}
+                    : std::array{low + thick, low - thick, high - thick, high + thick};
   };
   add_prism(end(rail, kHalfAtRail), end(spine, kHalfAtSpine), Part::tie, at.along, true, mesh);
 }
@@ -60,7 +62,8 @@ std::vector<double> ring_places(const SegmentShape& shape) {
   const double length = shape.arc.length();
   std::array<double, kFrameIntervals + 1> place{}, wanted{};
   double turned = std::abs(shape.twist);
-  for (int i = 0; i < kFrameIntervals; ++i) turned += angle_between(shape.frames[i].forward, shape.frames[i + 1].forward);
+  for (int i = 0; i < kFrameIntervals; ++i)
+    turned += angle_between(shape.frames[i].forward, shape.frames[i + 1].forward);
   const bool straight = turned < kStraight;
   for (int i = 1; i <= kFrameIntervals; ++i) {
     place[i] = i == kFrameIntervals ? length : shape.arc.distance(static_cast<double>(i) / kFrameIntervals);
@@ -85,7 +88,8 @@ std::vector<Ring> rings_of(const SegmentShape& shape) {
   std::vector<Ring> rings;
   for (const double s : ring_places(shape)) rings.push_back(ring_at(shape, s));
   // Two places without distance between them are the start twice.
-  if (!(shape.arc.length() > 0)) rings.back() = {curve::point(shape.key.cubic, 1.0), knot_frame(shape.key.tangent_to, shape.key.up_to), 1};
+  if (!(shape.arc.length() > 0))
+    rings.back() = {curve::point(shape.key.cubic, 1.0), knot_frame(shape.key.tangent_to, shape.key.up_to), 1};
   return rings;
 }
 

@@ -22,7 +22,8 @@ void add_block(dvec3 low, dvec3 high, Part part, Mesh& mesh) {
 // A block whose upper face is moved by `lean` along X.
 void add_leaning(dvec3 low, dvec3 high, double lean, Part part, Mesh& mesh) {
   const auto face = [&](double x) {
-    return std::array{dvec3(x, low.y, high.z), dvec3(x, low.y, low.z), dvec3(x + lean, high.y, low.z), dvec3(x + lean, high.y, high.z)};
+    return std::array{dvec3(x, low.y, high.z), dvec3(x, low.y, low.z), dvec3(x + lean, high.y, low.z),
+                      dvec3(x + lean, high.y, high.z)};
   };
   add_prism(face(high.x), face(low.x), part, 0, true, mesh);
 }
@@ -31,7 +32,7 @@ void add_leaning(dvec3 low, dvec3 high, double lean, Part part, Mesh& mesh) {
 struct BodySection {
   double x, low, high, half_width;
 };
-constexpr int kCorner = 3;  // steps of a round corner
+constexpr int kCorner = 3;                                                  // steps of a round corner
 constexpr double kStripeLow = 0.38, kStripeHigh = 0.60, kTopStripe = 0.16;  // of the height, of the half width
 
 std::vector<dvec3> outline(const BodySection& s) {
@@ -83,10 +84,13 @@ void add_bogie(double x, double side, Mesh& mesh) {
   }
   add_wheel(at(0, -kRailRadius - kUnder, rail), outward, kUnder, mesh);
   const double axle = kRailRadius + kRoad;
-  add_box(at(0, 0.5 * (axle - 0.26), kPlate - 0.015), kAhead, {0.07, 0.5 * (axle + 0.26) - 0.02, 0.018}, Part::tie, 0, true, mesh);
+  add_box(at(0, 0.5 * (axle - 0.26), kPlate - 0.015), kAhead, {0.07, 0.5 * (axle + 0.26) - 0.02, 0.018}, Part::tie, 0,
+          true, mesh);
   add_box(at(0, axle + 0.01, kPlate - 0.015), kAhead, {0.22, 0.032, 0.02}, Part::tie, 0, true, mesh);
-  for (const double along : {-0.17, 0.17}) add_bar(at(along, axle, 0.3), at(along, axle, kPlate), 0.03, 0.03, 8, Part::tie, 0, true, mesh);
-  add_bar(at(0, -kRailRadius - kUnder, rail), at(0, -kRailRadius - kUnder, kPlate), 0.025, 0.025, 8, Part::tie, 0, false, mesh);
+  for (const double along : {-0.17, 0.17})
+    add_bar(at(along, axle, 0.3), at(along, axle, kPlate), 0.03, 0.03, 8, Part::tie, 0, true, mesh);
+  add_bar(at(0, -kRailRadius - kUnder, rail), at(0, -kRailRadius - kUnder, kPlate), 0.025, 0.025, 8, Part::tie, 0,
+          false, mesh);
 }
 
 void add_seat(double x, double z, Mesh& mesh) {
@@ -105,8 +109,11 @@ void add_loft(std::span<const std::vector<dvec3>> sections, std::span<const Part
   for (std::size_t row = 0; row + 1 < rows; ++row)
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t next = (k + 1) % count;
-      const dvec3 area = glm::cross(sections[row + 1][next] - sections[row][k], sections[row + 1][k] - sections[row][next]);
-      for (const std::size_t corner : {row * count + k, row * count + next, (row + 1) * count + k, (row + 1) * count + next}) normals[corner] += area;
+      const dvec3 area =
+          glm::cross(sections[row + 1][next] - sections[row][k], sections[row + 1][k] - sections[row][next]);
+      for (const std::size_t corner :
+           {row * count + k, row * count + next, (row + 1) * count + k, (row + 1) * count + next})
+        normals[corner] += area;
     }
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t next = (k + 1) % count;
@@ -115,10 +122,12 @@ void add_loft(std::span<const std::vector<dvec3>> sections, std::span<const Part
       for (const std::size_t corner : {k, next}) {
         COASTER_CHECK(sections[row].size() == count, "sections have equally many corners");
         const dvec3 normal = normals[row * count + corner];
-        mesh.vertices.push_back({glm::vec3(sections[row][corner]), glm::vec3(glm::normalize(normal)), static_cast<float>(parts[k])});
+        mesh.vertices.push_back(
+            {glm::vec3(sections[row][corner]), glm::vec3(glm::normalize(normal)), static_cast<float>(parts[k])});
       }
       if (row > 0)
-        for (auto* list : {&mesh.indices, &mesh.coarse}) list->insert(list->end(), {first - 2, first - 1, first, first - 1, first + 1, first});
+        for (auto* list : {&mesh.indices, &mesh.coarse})
+          list->insert(list->end(), {first - 2, first - 1, first, first - 1, first + 1, first});
     }
   }
   std::vector<dvec3> end(sections.back().begin(), sections.back().end());
@@ -135,7 +144,8 @@ void add_ball(dvec3 middle, dvec3 half, int sides, Part part, Mesh& mesh) {
     for (int k = 0; k < sides; ++k) {
       const base::SinCos turn = base::sin_cos(2 * base::kPi * k / sides);
       const dvec3 unit(high.cos * turn.cos, high.sin, -high.cos * turn.sin);
-      mesh.vertices.push_back({glm::vec3(middle + half * unit), glm::vec3(glm::normalize(unit / half)), static_cast<float>(part)});
+      mesh.vertices.push_back(
+          {glm::vec3(middle + half * unit), glm::vec3(glm::normalize(unit / half)), static_cast<float>(part)});
     }
   }
   for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(rows); ++row)
@@ -155,7 +165,8 @@ void add_rider(dvec3 hip, Part shirt, Part trousers, Mesh& mesh) {
   add_ball(head, {0.105, 0.125, 0.09}, 16, Part::skin, mesh);
   add_ball(head + dvec3(-0.022, 0.03, 0), {0.105, 0.112, 0.098}, 16, Part::hair, mesh);
   for (const double side : {-1.0, 1.0}) {
-    const dvec3 shoulder = hip + dvec3(-0.05, 0.45, 0.17 * side), elbow = hip + dvec3(0.06, 0.20, 0.235 * side), hand = hip + dvec3(0.24, 0.24, 0.12 * side);
+    const dvec3 shoulder = hip + dvec3(-0.05, 0.45, 0.17 * side), elbow = hip + dvec3(0.06, 0.20, 0.235 * side),
+                hand = hip + dvec3(0.24, 0.24, 0.12 * side);
     add_ball(shoulder, {0.07, 0.07, 0.07}, 8, shirt, mesh);
     add_bar(shoulder, elbow, 0.06, 0.048, 8, shirt, 0, false, mesh);
     add_bar(elbow, hand, 0.045, 0.035, 8, Part::skin, 0, false, mesh);
@@ -169,21 +180,27 @@ void add_rider(dvec3 hip, Part shirt, Part trousers, Mesh& mesh) {
 
 Mesh car_mesh(bool leading) {
   Mesh mesh;
-  const BodySection tub[] = {{-1.10, 0.34, 0.54, 0.40}, {-1.06, 0.28, 0.62, 0.49}, {-0.96, 0.24, 0.67, 0.55}, {-0.60, 0.23, 0.68, 0.575}, {0.20, 0.23, 0.68, 0.575}};
+  const BodySection tub[] = {{-1.10, 0.34, 0.54, 0.40},
+                             {-1.06, 0.28, 0.62, 0.49},
+                             {-0.96, 0.24, 0.67, 0.55},
+                             {-0.60, 0.23, 0.68, 0.575},
+                             {0.20, 0.23, 0.68, 0.575}};
   std::vector<BodySection> body(std::begin(tub), std::end(tub));
-  const BodySection plain[] = {{0.60, 0.23, 0.68, 0.575}, {0.96, 0.24, 0.67, 0.55}, {1.06, 0.28, 0.62, 0.49}, {1.10, 0.34, 0.54, 0.40}};
-  const BodySection nose[] = {{0.36, 0.23, 0.69, 0.575}, {0.50, 0.23, 0.715, 0.565}, {0.64, 0.23, 0.715, 0.54}, {0.80, 0.235, 0.68, 0.48}, {0.93, 0.25, 0.62, 0.40}, {1.02, 0.275, 0.56, 0.31}, {1.075, 0.31, 0.51, 0.22}, {1.10, 0.36, 0.45, 0.12}};
-  if (leading)
-    body.insert(body.end(), std::begin(nose), std::end(nose));
-  else
-    body.insert(body.end(), std::begin(plain), std::end(plain));
+  const BodySection plain[] = {
+      {0.60, 0.23, 0.68, 0.575}, {0.96, 0.24, 0.67, 0.55}, {1.06, 0.28, 0.62, 0.49}, {1.10, 0.34, 0.54, 0.40}};
+  const BodySection nose[] = {{0.36, 0.23, 0.69, 0.575}, {0.50, 0.23, 0.715, 0.565}, {0.64, 0.23, 0.715, 0.54},
+                              {0.80, 0.235, 0.68, 0.48}, {0.93, 0.25, 0.62, 0.40},   {1.02, 0.275, 0.56, 0.31},
+                              {1.075, 0.31, 0.51, 0.22}, {1.10, 0.36, 0.45, 0.12}};
+  if (leading) body.insert(body.end(), std::begin(nose), std::end(nose));
+  else body.insert(body.end(), std::begin(plain), std::end(plain));
   add_body(body, mesh);
   // The floor of the seats, and under the body what carries it.
   add_block({-0.98, 0.66, -0.44}, {leading ? 0.36 : 0.62, 0.69, 0.44}, Part::seat, mesh);
   add_block({-1.02, 0.14, -0.34}, {leading ? 0.98 : 1.02, 0.25, 0.34}, Part::tie, mesh);
   for (const double x : {-0.66, 0.66})
     for (const double side : {-1.0, 1.0}) add_bogie(x, side, mesh);
-  const Part shirts[] = {Part::teal, Part::sand, Part::linen, Part::plum}, trousers[] = {Part::hair, Part::tie, Part::tie, Part::hair};
+  const Part shirts[] = {Part::teal, Part::sand, Part::linen, Part::plum},
+             trousers[] = {Part::hair, Part::tie, Part::tie, Part::hair};
   int rider = 0;
   for (const double x : {-0.06, -0.74})
     for (const double z : {-0.265, 0.265}) {

@@ -8,7 +8,8 @@
 namespace coaster::sim {
 namespace {
 
-// How far a ride is beyond the envelope near the span: g times seconds of excess of all spans of its car and axis that touch its stretch of track.
+// How far a ride is beyond the envelope near the span: g times seconds of excess of all spans of its car and axis that
+// touch its stretch of track.
 double excess(const Ghost& ghost, const Envelope& envelope, const RedSpan& span) {
   constexpr double kNear = 10;  // m on each side
   const auto touches = [&](const RedSpan& other) {
@@ -23,7 +24,9 @@ double excess(const Ghost& ghost, const Envelope& envelope, const RedSpan& span)
 
 class Trials {
  public:
-  Trials(const world::Document& document, world::Entity cart) : original_(document), document_(document), cart_(cart) { derive(document_, settings_, {}, derived_); }
+  Trials(const world::Document& document, world::Entity cart) : original_(document), document_(document), cart_(cart) {
+    derive(document_, settings_, {}, derived_);
+  }
   const Derived& derived() const { return derived_; }
   // Of the document as it is.
   double excess_of(const Envelope& envelope, const RedSpan& span) {
@@ -59,7 +62,8 @@ class Trials {
 
 }  // namespace
 
-std::optional<Advice> advise(const world::Document& document, world::Entity cart, const Envelope& envelope, const RedSpan& span) {
+std::optional<Advice> advise(const world::Document& document, world::Entity cart, const Envelope& envelope,
+                             const RedSpan& span) {
   Trials trials(document, cart);
   if (trials.derived().order.empty()) return std::nullopt;
   const double before = trials.excess_of(envelope, span);

@@ -10,13 +10,15 @@ namespace coaster::sim {
 struct Advice {
   world::Entity knot;
   glm::vec3 direction{0};  // unit, along an axis of the world
-  double before = 0, after = 0;  // g over the limit, summed over the span's kind of red spans, now and after a move of kAdviceStep
+  double before = 0,
+         after = 0;  // g over the limit, summed over the span's kind of red spans, now and after a move of kAdviceStep
 };
 inline constexpr float kAdviceStep = 0.25f;  // m
 inline constexpr int kAdviceReach = 3;       // knots on each side of the span that are tried
 
-// Tries the knots from kAdviceReach before the span to as many after it, each along +-x, +-y and +-z, and returns what lowers the span's excess
-// most; nothing when no move does. Cost: about 40 rides, 2 ms each for a circuit of 1 km.
-std::optional<Advice> advise(const world::Document& document, world::Entity cart, const Envelope& envelope, const RedSpan& span);
+// Tries the knots from kAdviceReach before the span to as many after it, each along +-x, +-y and +-z, and returns what
+// lowers the span's excess most; nothing when no move does. Cost: about 40 rides, 2 ms each for a circuit of 1 km.
+std::optional<Advice> advise(const world::Document& document, world::Entity cart, const Envelope& envelope,
+                             const RedSpan& span);
 
 }  // namespace coaster::sim

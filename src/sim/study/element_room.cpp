@@ -18,7 +18,8 @@ std::vector<LinePoint> line_of(const ElementCurve& curve) {
 
 }  // namespace
 
-const std::vector<Narrow>& ElementRoom::update(const ElementPlan& plan, const Conflicts& conflicts, const Derived& derived) {
+const std::vector<Narrow>& ElementRoom::update(const ElementPlan& plan, const Conflicts& conflicts,
+                                               const Derived& derived) {
   if (plan_ == plan.serial && build_ == derived.last_build && order_ == derived.order) return found_;
   plan_ = plan.serial, build_ = derived.last_build, order_ = derived.order;
   found_.clear();

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "sim/solids/conflicts.h"
 #include "sim/plan/elements.h"
+#include "sim/solids/conflicts.h"
 
 namespace coaster::sim {
 

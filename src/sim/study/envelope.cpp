@@ -12,7 +12,8 @@ constexpr double kForceRate = static_cast<double>(world::kTicksPerSecond) / kFor
 struct Section {
   double b, a1, a2;  // (b, 2b, b) over (1, a1, a2)
   Section(double rate, double cutoff, double q) {
-    const double k = std::tan(3.14159265358979323846 * std::min(cutoff, 0.45 * rate) / rate), norm = 1.0 / (1.0 + k / q + k * k);
+    const double k = std::tan(3.14159265358979323846 * std::min(cutoff, 0.45 * rate) / rate),
+                 norm = 1.0 / (1.0 + k / q + k * k);
     b = k * k * norm, a1 = 2.0 * (k * k - 1.0) * norm, a2 = (1.0 - k / q + k * k) * norm;
   }
   void run(std::span<float> values) const {
@@ -85,10 +86,14 @@ void find_spans(const Ghost& ghost, const Envelope& envelope, int car, ForceAxis
     depth += i < values.size() ? edges[i] : -depth;
     if (before == 0 && depth > 0) begin = i;
     if (!(before > 0 && depth == 0)) continue;
-    const auto worst = static_cast<std::size_t>(std::max_element(over.begin() + static_cast<std::ptrdiff_t>(begin), over.begin() + static_cast<std::ptrdiff_t>(i),
-                                                                 [](const Over& a, const Over& b) { return a.excess < b.excess; }) - over.begin());
-    out.push_back({car, axis, static_cast<double>(begin) / kForceRate, static_cast<double>(i - 1) / kForceRate, distance(begin), distance(i - 1),
-                   values[worst], over[worst].allowed, static_cast<double>(worst) / kForceRate});
+    const auto worst =
+        static_cast<std::size_t>(std::max_element(over.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                  over.begin() + static_cast<std::ptrdiff_t>(i),
+                                                  [](const Over& a, const Over& b) { return a.excess < b.excess; }) -
+                                 over.begin());
+    out.push_back({car, axis, static_cast<double>(begin) / kForceRate, static_cast<double>(i - 1) / kForceRate,
+                   distance(begin), distance(i - 1), values[worst], over[worst].allowed,
+                   static_cast<double>(worst) / kForceRate});
   }
 }
 
@@ -99,17 +104,19 @@ std::string_view name(ForceAxis axis) {
   return kNames[static_cast<std::size_t>(axis)];
 }
 std::string_view label(ForceAxis axis) {
-  constexpr std::array<std::string_view, kForceAxes> kLabels{"into the seat (+Gz)", "out of the seat (-Gz)", "to a side (Gy)", "forwards (+Gx)", "backwards (-Gx)"};
+  constexpr std::array<std::string_view, kForceAxes> kLabels{"into the seat (+Gz)", "out of the seat (-Gz)",
+                                                             "to a side (Gy)", "forwards (+Gx)", "backwards (-Gx)"};
   return kLabels[static_cast<std::size_t>(axis)];
 }
 
 const Envelope& default_envelope() {
-  static const Envelope kDefault{{EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2}},
-                                  EnvelopeCurve{{0.2, 2}, {0.5, 1.5}, {4, 1.5}, {7, 1.1}},
-                                  EnvelopeCurve{{0.2, 3}, {1, 3}, {2, 2}},
-                                  EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2.5}},
-                                  EnvelopeCurve{{0.2, 3.5}, {2, 3.5}, {3, 2.5}, {4, 2.5}, {5, 2}}},
-                                 0.2, 5.0};
+  static const Envelope kDefault{
+      {EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2}},
+       EnvelopeCurve{{0.2, 2}, {0.5, 1.5}, {4, 1.5}, {7, 1.1}}, EnvelopeCurve{{0.2, 3}, {1, 3}, {2, 2}},
+       EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2.5}},
+       EnvelopeCurve{{0.2, 3.5}, {2, 3.5}, {3, 2.5}, {4, 2.5}, {5, 2}}},
+      0.2,
+      5.0};
   return kDefault;
 }
 
@@ -147,7 +154,8 @@ std::vector<float> pressed(const Ghost& ghost, int car, ForceAxis axis, double c
 std::vector<RedSpan> red_spans(const Ghost& ghost, const Envelope& envelope) {
   std::vector<RedSpan> spans;
   for (int car = 0; car < ghost.start.cars; ++car)
-    for (std::size_t axis = 0; axis < kForceAxes; ++axis) find_spans(ghost, envelope, car, static_cast<ForceAxis>(axis), spans);
+    for (std::size_t axis = 0; axis < kForceAxes; ++axis)
+      find_spans(ghost, envelope, car, static_cast<ForceAxis>(axis), spans);
   return spans;
 }
 

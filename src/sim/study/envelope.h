@@ -1,4 +1,5 @@
-// How long which acceleration may last: limits by duration, as third parties read ASTM F2291 and EN 13814. Data to edit, not a compliance check.
+// How long which acceleration may last: limits by duration, as third parties read ASTM F2291 and EN 13814. Data to
+// edit, not a compliance check.
 #pragma once
 
 #include <array>
@@ -33,25 +34,27 @@ struct Envelope {
 const Envelope& default_envelope();
 double limit(const EnvelopeCurve& curve, double seconds);
 
-// A Butterworth low-pass of four poles over samples `rate` a second apart, started in the steady state of the first one. In place.
+// A Butterworth low-pass of four poles over samples `rate` a second apart, started in the steady state of the first
+// one. In place.
 void low_pass(std::span<float> values, double rate, double cutoff);
 
-// Riders of car `car` on one axis, low-passed, positive into the direction that the axis limits (side: the size), one entry for each of
-// Ghost::forces.
+// Riders of car `car` on one axis, low-passed, positive into the direction that the axis limits (side: the size), one
+// entry for each of Ghost::forces.
 std::vector<float> pressed(const Ghost& ghost, int car, ForceAxis axis, double cutoff);
 
 // A stretch of a ride in which some acceleration lasts longer than it may.
 struct RedSpan {
   int car = 0;
   ForceAxis axis = ForceAxis::down;
-  double from = 0, to = 0;            // s since the start
+  double from = 0, to = 0;                    // s since the start
   double from_distance = 0, to_distance = 0;  // m along the track, of that car
-  double worst = 0, allowed = 0;      // g, where it is furthest beyond: the low-passed value and the limit for how long it lasts
-  double at = 0;                      // s, when
+  double worst = 0,
+         allowed = 0;  // g, where it is furthest beyond: the low-passed value and the limit for how long it lasts
+  double at = 0;       // s, when
 };
 
-// All of a ride, cars and axes in order. A moment is red when it belongs to a time in which a level is never left and that lasts longer than the
-// level may: found for all levels at once in O(n).
+// All of a ride, cars and axes in order. A moment is red when it belongs to a time in which a level is never left and
+// that lasts longer than the level may: found for all levels at once in O(n).
 std::vector<RedSpan> red_spans(const Ghost& ghost, const Envelope& envelope);
 
 // The same, kept while the ride and the envelope are the same.

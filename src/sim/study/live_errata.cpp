@@ -23,7 +23,8 @@ double steepest_place(const SegmentShape& shape) {
   return best;
 }
 
-// Metres that a cart goes in kFrozenTicks from rest at `from` on segment `index`, by a row of the integrators; it stops at the segment's ends.
+// Metres that a cart goes in kFrozenTicks from rest at `from` on segment `index`, by a row of the integrators; it stops
+// at the segment's ends.
 double way_from_rest(const Derived& derived, std::size_t index, double from, const Integrator& row) {
   const SegmentShape& shape = derived.shape(derived.order[index]);
   const std::array<CarPlace, 1> car{CarPlace{index, from}};
@@ -39,10 +40,14 @@ double way_from_rest(const Derived& derived, std::size_t index, double from, con
 Erratum frozen(const Derived& derived, std::size_t index) {
   const auto rows = integrators();
   const double from = steepest_place(derived.shape(derived.order[index]));
-  return {"frozen", "The speed follows from the energy, then distance = speed x time.",
-          way_from_rest(derived, index, from, rows[static_cast<std::size_t>(*find_integrator("energy"))]), "m",
-          way_from_rest(derived, index, from, rows[static_cast<std::size_t>(*find_integrator("rk4"))]), "m",
-          "A cart put at rest on a slope never starts that way: v = 0 moves it nowhere. With s'' = -g T_y it rolls off; metres after half a second."};
+  return {"frozen",
+          "The speed follows from the energy, then distance = speed x time.",
+          way_from_rest(derived, index, from, rows[static_cast<std::size_t>(*find_integrator("energy"))]),
+          "m",
+          way_from_rest(derived, index, from, rows[static_cast<std::size_t>(*find_integrator("rk4"))]),
+          "m",
+          "A cart put at rest on a slope never starts that way: v = 0 moves it nowhere. With s'' = -g T_y it rolls "
+          "off; metres after half a second."};
 }
 
 // The rougher of the segment's two joints.
@@ -51,7 +56,8 @@ double curvature_jump(const Derived& derived, std::size_t index) {
   double jump = 0;
   for (const std::size_t at : {index, index + 1}) {
     if (!derived.closed && (at == 0 || at == count)) continue;
-    const curve::Cubic &before = derived.shape(derived.order[(at + count - 1) % count]).key.cubic, &after = derived.shape(derived.order[at % count]).key.cubic;
+    const curve::Cubic &before = derived.shape(derived.order[(at + count - 1) % count]).key.cubic,
+                       &after = derived.shape(derived.order[at % count]).key.cubic;
     jump = std::max(jump, glm::length(curve::curvature_vector(after, 0.0) - curve::curvature_vector(before, 1.0)));
   }
   return jump;
@@ -59,10 +65,16 @@ double curvature_jump(const Derived& derived, std::size_t index) {
 
 Erratum flip(const curve::Cubic& cubic) {
   const curve::FlipClaim claim = curve::flip_claim(cubic);
-  return {"frenet_flip", "The Frenet-Serret frame orients the cart.", base::degrees(claim.frenet_angle), "deg",
-          base::degrees(claim.minimising_angle), "deg",
-          claim.defined ? "The normal turns that far within 1/32 of the segment, by 180 degrees over an inflection; a rotation-minimising frame does not turn about the tangent."
-                        : "On a straight there is no Frenet-Serret normal at all; a rotation-minimising frame goes on as it is."};
+  return {"frenet_flip",
+          "The Frenet-Serret frame orients the cart.",
+          base::degrees(claim.frenet_angle),
+          "deg",
+          base::degrees(claim.minimising_angle),
+          "deg",
+          claim.defined
+              ? "The normal turns that far within 1/32 of the segment, by 180 degrees over an inflection; a "
+                "rotation-minimising frame does not turn about the tangent."
+              : "On a straight there is no Frenet-Serret normal at all; a rotation-minimising frame goes on as it is."};
 }
 
 }  // namespace
@@ -77,19 +89,27 @@ std::array<Erratum, kErrata.size()> errata(const Derived& derived, world::Entity
   const curve::GravesenClaim gravesen = curve::gravesen_claim(cubic);
   const auto index = static_cast<std::size_t>(at - derived.order.begin());
   const double jump = curvature_jump(derived, index);
-  return {{{"gravesen", "The arc length is half the control polygon multiplied by the chord.", gravesen.product, "m^2", gravesen.mean, "m",
-            "It is their mean, (chord + polygon) / 2, which is off by (polygon - chord) / 2 at most. The product is an area."},
-           {"line", "A vertex of the polyline is B(0) + i dB, with one difference dB.", 0.0, "m", curve::line_claim(cubic, steps).distance, "m",
-            "That is a straight line in equal steps; a cubic needs three differences. So far is the line from the curve."},
-           frozen(derived, index),
-           {"g_step", "C1 continuity makes the path smooth.", 0.0, "g", g_step(jump, speed), "g",
-            "C1 leaves a jump of curvature, and with it one of the force: v^2 |dK| / g. Equal curvature vectors (G2) take it away."},
-           flip(cubic),
-           {"pen", "Lines between the control points form a pen that contains the curve.", 0.0, "m", curve::pen_claim(cubic).outside, "m",
-            "The curve stays in their convex hull, not in their polygon, which may cross itself. So far it leaves the closed polygon."}}};
+  return {
+      {{"gravesen", "The arc length is half the control polygon multiplied by the chord.", gravesen.product, "m^2",
+        gravesen.mean, "m",
+        "It is their mean, (chord + polygon) / 2, which is off by (polygon - chord) / 2 at most. The product is an "
+        "area."},
+       {"line", "A vertex of the polyline is B(0) + i dB, with one difference dB.", 0.0, "m",
+        curve::line_claim(cubic, steps).distance, "m",
+        "That is a straight line in equal steps; a cubic needs three differences. So far is the line from the curve."},
+       frozen(derived, index),
+       {"g_step", "C1 continuity makes the path smooth.", 0.0, "g", g_step(jump, speed), "g",
+        "C1 leaves a jump of curvature, and with it one of the force: v^2 |dK| / g. Equal curvature vectors (G2) take "
+        "it away."},
+       flip(cubic),
+       {"pen", "Lines between the control points form a pen that contains the curve.", 0.0, "m",
+        curve::pen_claim(cubic).outside, "m",
+        "The curve stays in their convex hull, not in their polygon, which may cross itself. So far it leaves the "
+        "closed polygon."}}};
 }
 
-std::optional<Erratum> erratum(const Derived& derived, world::Entity segment, double speed, int steps, std::string_view name) {
+std::optional<Erratum> erratum(const Derived& derived, world::Entity segment, double speed, int steps,
+                               std::string_view name) {
   for (const Erratum& one : errata(derived, segment, speed, steps))
     if (one.name == name) return one;
   return std::nullopt;

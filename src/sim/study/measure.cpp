@@ -1,4 +1,5 @@
-// Measuring evaluators: rows are interleaved in every round, so that what the machine does besides falls on all of them alike.
+// Measuring evaluators: rows are interleaved in every round, so that what the machine does besides falls on all of them
+// alike.
 #include "sim/study/measure.h"
 
 #include <algorithm>
@@ -47,7 +48,8 @@ void time_row(Measurement& m, MeasuredRow& row, Share share, std::span<glm::vec3
   m.checksum += checksum_of(points);
   MeasuredCell& cell = row.cells[share.column];
   std::array<double, kMeasureRounds>& seconds = row.seconds[share.column];
-  seconds[static_cast<std::size_t>(share.round)] = (ended - began) / (static_cast<double>(segments) * static_cast<double>(points.size()));
+  seconds[static_cast<std::size_t>(share.round)] =
+      (ended - began) / (static_cast<double>(segments) * static_cast<double>(points.size()));
   cell.rounds = share.round + 1;
   cell.ns_per_point = 1e9 * median(std::span(seconds).first(static_cast<std::size_t>(cell.rounds)));
 }
@@ -57,11 +59,13 @@ void find_errors(Measurement& m, std::size_t column, std::span<glm::vec3> points
   const int steps = kMeasuredSteps[column];
   std::vector<glm::dvec3> exact(points.size());
   for (const curve::PreparedCubic& c : m.curves) {
-    for (int i = 0; i <= steps; ++i) exact[static_cast<std::size_t>(i)] = curve::point_long_double(c.cubic, static_cast<double>(i) / steps);
+    for (int i = 0; i <= steps; ++i)
+      exact[static_cast<std::size_t>(i)] = curve::point_long_double(c.cubic, static_cast<double>(i) / steps);
     for (MeasuredRow& row : m.rows) {
       curve::evaluator(row.evaluator).polyline(c, points, {});
       double& worst = row.cells[column].worst_error;
-      for (std::size_t i = 0; i < points.size(); ++i) worst = std::max(worst, glm::length(glm::dvec3(points[i]) - exact[i]));
+      for (std::size_t i = 0; i < points.size(); ++i)
+        worst = std::max(worst, glm::length(glm::dvec3(points[i]) - exact[i]));
     }
   }
 }
@@ -72,7 +76,8 @@ Measurement start_measurement(const Derived& derived) {
   Measurement m;
   const std::size_t segments = derived.order.size(), curves = std::min(segments, kMeasuredCurves);
   if (curves == 0) return m;
-  for (std::size_t i = 0; i < curves; ++i) m.curves.push_back(derived.shape(derived.order[i * segments / curves]).curve);
+  for (std::size_t i = 0; i < curves; ++i)
+    m.curves.push_back(derived.shape(derived.order[i * segments / curves]).curve);
   const std::span<const curve::Evaluator> table = curve::evaluators();
   for (std::size_t i = 0; i < table.size(); ++i)
     if (table[i].stage == curve::Stage::processor) m.rows.push_back({static_cast<curve::EvaluatorId>(i), {}, {}});
@@ -95,7 +100,8 @@ void measure_next(Measurement& m, const Clock& clock) {
 double progress(const Measurement& m) { return m.total == 0 ? 0.0 : static_cast<double>(m.next) / m.total; }
 
 const MeasuredRow* row_of(const Measurement& m, curve::EvaluatorId evaluator) {
-  const auto found = std::find_if(m.rows.begin(), m.rows.end(), [&](const MeasuredRow& row) { return row.evaluator == evaluator; });
+  const auto found =
+      std::find_if(m.rows.begin(), m.rows.end(), [&](const MeasuredRow& row) { return row.evaluator == evaluator; });
   return found == m.rows.end() ? nullptr : &*found;
 }
 
@@ -106,7 +112,8 @@ std::string to_csv(const Measurement& m, std::string_view machine) {
       const MeasuredCell& cell = row.cells[column];
       if (cell.rounds == 0) continue;
       char numbers[96];
-      std::snprintf(numbers, sizeof numbers, ",%d,%.4g,%.4g,%d\r\n", kMeasuredSteps[column], cell.ns_per_point, cell.worst_error, cell.rounds);
+      std::snprintf(numbers, sizeof numbers, ",%d,%.4g,%.4g,%d\r\n", kMeasuredSteps[column], cell.ns_per_point,
+                    cell.worst_error, cell.rounds);
       csv += std::string(curve::evaluator(row.evaluator).name) + numbers;
     }
   return csv;

@@ -23,7 +23,8 @@ void take(Extreme& extreme, double value, bool first, bool larger, std::size_t s
 void take_force(const Ghost& ghost, int car, ForceAxis axis, double cutoff, double sign, Extreme& extreme) {
   const std::vector<float> values = pressed(ghost, car, axis, cutoff);
   const CarAt at{ghost};
-  for (std::size_t i = 0; i < values.size(); ++i) take(extreme, sign * values[i], car == 0 && i == 0, sign > 0, i * kForceEvery, car, at);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    take(extreme, sign * values[i], car == 0 && i == 0, sign > 0, i * kForceEvery, car, at);
 }
 
 void take_forces(const Ghost& ghost, double cutoff, Ratings& r) {
@@ -35,7 +36,8 @@ void take_forces(const Ghost& ghost, double cutoff, Ratings& r) {
     take_force(ghost, car, ForceAxis::back, cutoff, 1, r.back_most);
   }
   const std::vector<float> lifted = pressed(ghost, ghost.start.cars / 2, ForceAxis::lift, cutoff);
-  r.airtime = static_cast<double>(std::count_if(lifted.begin(), lifted.end(), [](float v) { return v > 0; })) * kForceEvery * world::kTick;
+  r.airtime = static_cast<double>(std::count_if(lifted.begin(), lifted.end(), [](float v) { return v > 0; })) *
+              kForceEvery * world::kTick;
 }
 
 // Heights under the first car: extremes, and descents from a top to the next bottom.
@@ -66,7 +68,8 @@ void take_heights(const Ghost& ghost, const RailTables& tables, Ratings& r) {
 }
 
 void count_inversions(const Ghost& ghost, const RailTables& tables, Ratings& r) {
-  constexpr float kBelow = -0.2f, kAbove = 0.2f;  // of the up vector's height, so that a rider lying on the side is not counted twice
+  constexpr float kBelow = -0.2f,
+                  kAbove = 0.2f;  // of the up vector's height, so that a rider lying on the side is not counted twice
   const CarAt at{ghost};
   const int car = ghost.start.cars / 2;
   std::size_t hint = 0;
@@ -91,10 +94,12 @@ Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff) {
   take_forces(ghost, cutoff, r);
   count_inversions(ghost, tables, r);
   double way = 0;
-  for (std::size_t i = 1; i < ghost.samples.size(); ++i) way += std::abs(ghost.samples[i].travelled - ghost.samples[i - 1].travelled);
+  for (std::size_t i = 1; i < ghost.samples.size(); ++i)
+    way += std::abs(ghost.samples[i].travelled - ghost.samples[i - 1].travelled);
   r.mean_speed = ghost.seconds() > 0 ? way / ghost.seconds() : 0.0;
   const double p = r.up_most.value, n = r.up_least.value, l = r.side_most.value, d = r.drops, h = r.highest_drop;
-  r.excitement = 0.08 * p + (n < 0 ? 0.24 * std::min(-n, 2.5) : 0.0) + 0.4 * std::min(l, 1.5) + 0.11 * std::min(d, 9.0) + 0.0049 * h;
+  r.excitement = 0.08 * p + (n < 0 ? 0.24 * std::min(-n, 2.5) : 0.0) + 0.4 * std::min(l, 1.5) +
+                 0.11 * std::min(d, 9.0) + 0.0049 * h;
   r.intensity = 0.8 * p + 0.8 * (1 - n) + l + 0.14 * d + 0.0098 * h;
   r.nausea = 0.26 * p + 0.22 * (1 - n) + 0.33 * l + 0.10 * d + 0.0031 * h;
   return r;

@@ -16,11 +16,12 @@ struct Extreme {
 };
 
 struct Ratings {
-  bool complete = false;    // came round, or to the end of an open track
+  bool complete = false;           // came round, or to the end of an open track
   double seconds = 0, length = 0;  // of the lap; m of track
-  Extreme top_speed;        // m/s
-  Extreme highest, lowest;  // m, of the rails under the first car
-  Extreme up_most, up_least, side_most, forward_most, back_most;  // g, low-passed; side: the size; back: backwards, positive
+  Extreme top_speed;               // m/s
+  Extreme highest, lowest;         // m, of the rails under the first car
+  Extreme up_most, up_least, side_most, forward_most,
+      back_most;            // g, low-passed; side: the size; back: backwards, positive
   double mean_speed = 0;    // m/s
   double airtime = 0;       // s with the middle car's riders lifted (vertical g below 0)
   int drops = 0;            // descents of kDrop or more
@@ -31,11 +32,13 @@ struct Ratings {
 };
 inline constexpr double kDrop = 3.0;  // m
 
-// Of a ghost on these tables; `cutoff` in Hz is that of the low-pass for the forces. Inversions are counted where the riders' up, that is the
-// rotation-minimising frame with its banking, points below the horizon by more than 0.2 and then above it again.
+// Of a ghost on these tables; `cutoff` in Hz is that of the low-pass for the forces. Inversions are counted where the
+// riders' up, that is the rotation-minimising frame with its banking, points below the horizon by more than 0.2 and
+// then above it again.
 Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff);
 
-// Keeps the last ride's ratings while the ride and the cutoff are the same. Cost of a new one: about 1 ms for a lap of a minute with one car.
+// Keeps the last ride's ratings while the ride and the cutoff are the same. Cost of a new one: about 1 ms for a lap of
+// a minute with one car.
 class RatingsMemo {
  public:
   const Ratings& update(const Ghost& ghost, const RailTables& tables, double cutoff) {
@@ -51,8 +54,10 @@ class RatingsMemo {
   Ratings ratings_;
 };
 
-// A report to read, and the ride by time as CSV (a line every kForceEvery ticks, units in the heading, forces of the car named as they are).
-std::string report_text(const Ghost& ghost, const Ratings& ratings, const std::vector<RedSpan>& red, const std::string& track_name);
+// A report to read, and the ride by time as CSV (a line every kForceEvery ticks, units in the heading, forces of the
+// car named as they are).
+std::string report_text(const Ghost& ghost, const Ratings& ratings, const std::vector<RedSpan>& red,
+                        const std::string& track_name);
 std::string report_csv(const Ghost& ghost, const RailTables& tables);
 
 // Why a ride stopped by itself, for people: "", "stalled", "rolled back", "ran off the open end", "collided".

@@ -23,12 +23,14 @@ void add_extreme(std::string& out, const char* what, const Extreme& e, const cha
 
 }  // namespace
 
-std::string report_text(const Ghost& ghost, const Ratings& r, const std::vector<RedSpan>& red, const std::string& track_name) {
+std::string report_text(const Ghost& ghost, const Ratings& r, const std::vector<RedSpan>& red,
+                        const std::string& track_name) {
   std::string out = track_name + "\n";
   add(out, "  %-22s %8.2f m\n", "length", r.length);
   add(out, "  %-22s %8.2f s%s\n", ghost.lap ? "lap" : "time", r.seconds, ghost.lap ? "" : " (no whole lap)");
   if (ghost.end != world::FailureKind::none)
-    add(out, "  %-22s %s at %.1f m\n", "end", std::string(text(ghost.end)).c_str(), ghost.distance(ghost.samples.size() - 1));
+    add(out, "  %-22s %s at %.1f m\n", "end", std::string(text(ghost.end)).c_str(),
+        ghost.distance(ghost.samples.size() - 1));
   add(out, "  %-22s %8d, %d m apart\n", "cars", ghost.start.cars, static_cast<int>(std::lround(ghost.start.spacing)));
   add_extreme(out, "top speed", r.top_speed, "m/s");
   add(out, "  %-22s %8.2f m/s\n", "mean speed", r.mean_speed);
@@ -42,11 +44,13 @@ std::string report_text(const Ghost& ghost, const Ratings& r, const std::vector<
   add(out, "  %-22s %8.2f s\n", "airtime", r.airtime);
   add(out, "  %-22s %8d, highest %.2f m\n", "drops", r.drops, r.highest_drop);
   add(out, "  %-22s %8d\n", "inversions", r.inversions);
-  add(out, "  %-22s %8.2f, intensity %.2f, nausea %.2f (OpenRCT2's terms of g and drops, with real g)\n", "excitement", r.excitement, r.intensity, r.nausea);
+  add(out, "  %-22s %8.2f, intensity %.2f, nausea %.2f (OpenRCT2's terms of g and drops, with real g)\n", "excitement",
+      r.excitement, r.intensity, r.nausea);
   add(out, "  %-22s %8zu (acceleration by duration; not a compliance check)\n", "red spans", red.size());
   for (const RedSpan& span : red)
-    add(out, "    car %2d, %-22s %6.2f g where %.2f g may last, %.2f..%.2f s, %.1f..%.1f m\n", span.car + 1, std::string(label(span.axis)).c_str(),
-        span.worst, span.allowed, span.from, span.to, span.from_distance, span.to_distance);
+    add(out, "    car %2d, %-22s %6.2f g where %.2f g may last, %.2f..%.2f s, %.1f..%.1f m\n", span.car + 1,
+        std::string(label(span.axis)).c_str(), span.worst, span.allowed, span.from, span.to, span.from_distance,
+        span.to_distance);
   return out;
 }
 
@@ -64,7 +68,8 @@ std::string report_csv(const Ghost& ghost, const RailTables& tables) {
       const double s = tables.locate(distance, hint);
       height = rail_at(tables.segment(hint), s).height;
     }
-    add(out, "%.6f,%.4f,%.4f,%.4f,%.4f", static_cast<double>(sample) * world::kTick, distance, ghost.samples[sample].speed, height, ghost.samples[sample].acceleration);
+    add(out, "%.6f,%.4f,%.4f,%.4f,%.4f", static_cast<double>(sample) * world::kTick, distance,
+        ghost.samples[sample].speed, height, ghost.samples[sample].acceleration);
     for (std::size_t car = 0; car < cars; ++car) {
       const Force& f = ghost.forces[k * cars + car];
       add(out, ",%.4f,%.4f,%.4f", f.up, f.left, f.forward);

@@ -26,13 +26,17 @@ double largest(const Rounding& rounding) {
   return most;
 }
 
-double seam(const Rounding& rounding) { return rounding.error.size() < 3 ? 0.0 : glm::length(rounding.error[rounding.error.size() - 2]); }
+double seam(const Rounding& rounding) {
+  return rounding.error.size() < 3 ? 0.0 : glm::length(rounding.error[rounding.error.size() - 2]);
+}
 
-std::vector<ErrorSample> error_profile(const curve::PreparedCubic& curve, const curve::Evaluator& evaluator, int steps) {
+std::vector<ErrorSample> error_profile(const curve::PreparedCubic& curve, const curve::Evaluator& evaluator,
+                                       int steps) {
   const Rounding r = rounding(curve, evaluator, steps);
   std::vector<ErrorSample> samples;
   samples.reserve(r.error.size());
-  for (std::size_t i = 0; i < r.error.size(); ++i) samples.push_back({static_cast<double>(i) / steps, 1e3 * glm::length(r.error[i])});
+  for (std::size_t i = 0; i < r.error.size(); ++i)
+    samples.push_back({static_cast<double>(i) / steps, 1e3 * glm::length(r.error[i])});
   return samples;
 }
 

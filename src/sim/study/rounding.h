@@ -1,4 +1,5 @@
-// What rounding does to a polyline: each vertex against the exact point at the same t. A picture magnifies it, a plot draws its size.
+// What rounding does to a polyline: each vertex against the exact point at the same t. A picture magnifies it, a plot
+// draws its size.
 #pragma once
 
 #include <vector>
@@ -7,9 +8,10 @@
 
 namespace coaster::sim {
 
-// vertex - exact, m, of the steps+1 vertices of one segment as the evaluator gives them (a GPU row: as its twin on the processor does);
-// exact: de Casteljau in long double at t = i/steps, rounded once to double. Both ends are pinned to the control points, so their error
-// is 0: what an evaluator has gathered on its way opens as a seam in the last step. steps: 1..4096. About 0.1 us a vertex.
+// vertex - exact, m, of the steps+1 vertices of one segment as the evaluator gives them (a GPU row: as its twin on the
+// processor does); exact: de Casteljau in long double at t = i/steps, rounded once to double. Both ends are pinned to
+// the control points, so their error is 0: what an evaluator has gathered on its way opens as a seam in the last step.
+// steps: 1..4096. About 0.1 us a vertex.
 struct Rounding {
   std::vector<glm::dvec3> exact, error;
 };

@@ -22,15 +22,18 @@ float curvature_at(const SegmentShape& shape, int j) {
   return static_cast<float>(std::isfinite(value) ? std::min(value, kMostCurvature) : kMostCurvature);
 }
 
-// Millimetres: each place takes the largest of the vertices that are nearest to it, and with few vertices what lies between two of them.
+// Millimetres: each place takes the largest of the vertices that are nearest to it, and with few vertices what lies
+// between two of them.
 void fill_error(const SegmentShape& shape, const world::Settings& settings, std::span<float> out) {
-  const auto& profile = error_profile(shape.curve, curve::evaluators()[static_cast<std::size_t>(settings.evaluator)], settings.steps);
+  const auto& profile =
+      error_profile(shape.curve, curve::evaluators()[static_cast<std::size_t>(settings.evaluator)], settings.steps);
   const double length = shape.arc.length(), step = length / (kValuesPerSegment - 1);
   std::fill(out.begin(), out.end(), 0.0f);
   double last = 0, before = 0;
   for (const ErrorSample& sample : profile) {
     const double s = shape.arc.distance(sample.t);
-    const int from = step > 0 ? static_cast<int>(std::ceil(last / step - 0.5)) : 0, to = step > 0 ? static_cast<int>(std::floor(s / step + 0.5)) : 0;
+    const int from = step > 0 ? static_cast<int>(std::ceil(last / step - 0.5)) : 0,
+              to = step > 0 ? static_cast<int>(std::floor(s / step + 0.5)) : 0;
     for (int j = std::max(from, 0); j <= std::min(to, kValuesPerSegment - 1); ++j) {
       float& value = out[static_cast<std::size_t>(j)];
       value = std::max(value, static_cast<float>(std::max(sample.mm, before)));
@@ -53,11 +56,13 @@ double value_of(const Ghost& ghost, std::size_t entry, Colouring colouring) {
 // Spreads the ride's values over the places that the middle car passes.
 class Spread {
  public:
-  Spread(const Derived& derived, double rest, std::vector<float>& out) : rest_(rest), length_(derived.length), closed_(derived.closed), out_(out) {
+  Spread(const Derived& derived, double rest, std::vector<float>& out)
+      : rest_(rest), length_(derived.length), closed_(derived.closed), out_(out) {
     places_.reserve(out.size());
     for (std::size_t i = 0; i < derived.order.size(); ++i)
       for (int j = 0; j < kValuesPerSegment; ++j)
-        places_.push_back(std::lerp(derived.starts[i], derived.starts[i + 1], static_cast<double>(j) / (kValuesPerSegment - 1)));
+        places_.push_back(
+            std::lerp(derived.starts[i], derived.starts[i + 1], static_cast<double>(j) / (kValuesPerSegment - 1)));
   }
   // From way a with value va to way b with value vb.
   void add(double a, double va, double b, double vb) {
@@ -72,7 +77,8 @@ class Spread {
     for (auto at = std::lower_bound(places_.begin(), places_.end(), a); at != places_.end() && *at <= b; ++at) {
       const double value = b > a ? std::lerp(va, vb, (*at - a) / (b - a)) : va;
       float& old = out_[static_cast<std::size_t>(at - places_.begin())];
-      if (old == kUnknownValue || std::abs(value - rest_) > std::abs(static_cast<double>(old) - rest_)) old = static_cast<float>(value);
+      if (old == kUnknownValue || std::abs(value - rest_) > std::abs(static_cast<double>(old) - rest_))
+        old = static_cast<float>(value);
     }
   }
   double rest_, length_;
@@ -90,11 +96,13 @@ void fill_ride(const Derived& derived, const Ghost& ghost, Colouring colouring, 
                behind + ghost.samples[(k + 1) * kForceEvery].travelled, value_of(ghost, k + 1, colouring));
 }
 
-// Multiples of 1, 2 or 5 times a power of ten, about five of them from low to high: the legend does not jitter while a knot is dragged.
+// Multiples of 1, 2 or 5 times a power of ten, about five of them from low to high: the legend does not jitter while a
+// knot is dragged.
 void round_range(TrackValues& values) {
   double low = 1e300, high = -1e300;
   for (const float value : values.values)
-    if (value != kUnknownValue) low = std::min(low, static_cast<double>(value)), high = std::max(high, static_cast<double>(value));
+    if (value != kUnknownValue)
+      low = std::min(low, static_cast<double>(value)), high = std::max(high, static_cast<double>(value));
   if (low > high) low = 0, high = 1;
   if (low > 0 && low < 0.5 * high) low = 0;
   const bool fine = values.colouring == Colouring::curvature || values.colouring == Colouring::error;
@@ -120,18 +128,24 @@ void TrackValueMemo::fill_segments(const Derived& derived, const world::Settings
       if (settings.colouring == Colouring::error) fill_error(shape, settings, entry->samples);
       else
         for (int j = 0; j < kValuesPerSegment; ++j)
-          entry->samples[static_cast<std::size_t>(j)] = settings.colouring == Colouring::height ? height_at(shape, j) : curvature_at(shape, j);
+          entry->samples[static_cast<std::size_t>(j)] =
+              settings.colouring == Colouring::height ? height_at(shape, j) : curvature_at(shape, j);
     }
-    std::copy(entry->samples.begin(), entry->samples.end(), result_.values.begin() + static_cast<std::ptrdiff_t>(i * kValuesPerSegment));
+    std::copy(entry->samples.begin(), entry->samples.end(),
+              result_.values.begin() + static_cast<std::ptrdiff_t>(i * kValuesPerSegment));
   }
 }
 
 const TrackValues& TrackValueMemo::update(const Derived& derived, const world::Settings& settings, const Ghost* ghost) {
   const Colouring colouring = settings.colouring;
-  const bool of_ride = world::colourings()[static_cast<std::size_t>(colouring)].of_ride, of_evaluator = colouring == Colouring::error;
-  const Key key{colouring, of_ride && ghost ? ghost->serial : 0, derived.last_build, of_evaluator ? settings.evaluator : curve::EvaluatorId{}, of_evaluator ? settings.steps : 0};
+  const bool of_ride = world::colourings()[static_cast<std::size_t>(colouring)].of_ride,
+             of_evaluator = colouring == Colouring::error;
+  const Key key{colouring, of_ride && ghost ? ghost->serial : 0, derived.last_build,
+                of_evaluator ? settings.evaluator : curve::EvaluatorId{}, of_evaluator ? settings.steps : 0};
   if (key == key_ && order_ == derived.order) return result_;
-  if (key.colouring != key_.colouring || key.evaluator != key_.evaluator || key.steps != key_.steps || derived.order.size() < order_.size()) entries_ = {};
+  if (key.colouring != key_.colouring || key.evaluator != key_.evaluator || key.steps != key_.steps ||
+      derived.order.size() < order_.size())
+    entries_ = {};
   key_ = key;
   order_ = derived.order;
   result_.colouring = colouring;

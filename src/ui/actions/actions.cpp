@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ui/actions/actions_parts.h"
-#include "ui/tools/fly_keys.h"
 #include "ui/actions/key_map.h"
+#include "ui/tools/fly_keys.h"
 
 namespace coaster::ui {
 
@@ -28,7 +28,8 @@ bool rideable(const Act& act) {
 std::span<const Action> actions() {
   static const std::vector<Action> kAll = [] {
     std::vector<Action> all;
-    for (const auto rows : {file_actions(), edit_actions(), view_actions(), ride_actions()}) all.insert(all.end(), rows.begin(), rows.end());
+    for (const auto rows : {file_actions(), edit_actions(), view_actions(), ride_actions()})
+      all.insert(all.end(), rows.begin(), rows.end());
     return all;
   }();
   return kAll;

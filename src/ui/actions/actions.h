@@ -20,12 +20,13 @@ struct Act {
 };
 
 struct Action {
-  std::string_view name;            // in the menu
-  std::string_view menu;            // "" when it is in none
-  std::string_view keys;            // the first of them, as shown: "Ctrl+Z"
-  platform::Chord chord, other;     // other: a second key, Key::unknown for none; the user's settings may name others (key_map.h)
-  bool repeats;                     // while the key is held
-  bool in_drag;                     // allowed while the mouse drags something
+  std::string_view name;  // in the menu
+  std::string_view menu;  // "" when it is in none
+  std::string_view keys;  // the first of them, as shown: "Ctrl+Z"
+  platform::Chord chord,
+      other;     // other: a second key, Key::unknown for none; the user's settings may name others (key_map.h)
+  bool repeats;  // while the key is held
+  bool in_drag;  // allowed while the mouse drags something
   std::string_view help;
   bool (*enabled)(const Act& act);
   bool (*checked)(const Act& act);  // null: no mark

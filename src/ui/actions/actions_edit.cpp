@@ -23,7 +23,8 @@ bool insertable(const Act& act) {
 }
 bool appending(const Act& act) { return act.ui.session().settings.append_mode; }
 
-// Takes back what the mouse is dragging, in the viewport or in a number. False when it drags nothing that changes the document.
+// Takes back what the mouse is dragging, in the viewport or in a number. False when it drags nothing that changes the
+// document.
 bool cancel_drags(Act& act) {
   if (act.tool.cancel(act.ui)) return true;
   if (!act.ui.gesture.open) return false;
@@ -48,7 +49,9 @@ void remove(Act& act) {
 void select_all(Act& act) { act.ui.emit(edit::SelectKnots{edit::Knots::Which::all}); }
 void box_select(Act& act) { act.tool.wait_for_box(); }
 template <TransformKind kind>
-void transform(Act& act) { act.tool.transform().begin(act.ui, kind, {}, std::nullopt); }
+void transform(Act& act) {
+  act.tool.transform().begin(act.ui, kind, {}, std::nullopt);
+}
 
 bool snapping(const Act& act) { return act.ui.session().settings.snapping.to != world::SnapTo::off; }
 void next_snapping(Act& act) {
@@ -87,35 +90,59 @@ void toggle_append(Act& act) { act.ui.emit(edit::SetAppendMode{!appending(act)})
 // The palette's element, where its preview shows.
 bool placeable(const Act& act) {
   const edit::Session& session = act.ui.session();
-  return session.settings.show_element && session.elements.plan(session.settings.element, session.document).refusal.empty();
+  return session.settings.show_element &&
+         session.elements.plan(session.settings.element, session.document).refusal.empty();
 }
 void place_element(Act& act) { act.ui.emit(edit::PlaceElement{act.ui.session().settings.element}); }
 
 constexpr Action kEditActions[] = {
-    {"Undo", "Edit", "Ctrl+Z", ctrl(Key::z), kNoKey, true, true, "Undo the last step; during a drag, take the drag back.", can_undo, nullptr, undo},
-    {"Redo", "Edit", "Ctrl+Y", ctrl(Key::y), {Key::z, {.shift = true, .ctrl = true}}, true, false, "Redo the step undone last.",
-     can_redo, nullptr, redo},
-    {"Delete", "Edit", "Delete", key(Key::del), key(Key::x), false, false, "Remove the selected knot or cart.", removable, nullptr, remove},
-    {"Select all", "Edit", "Ctrl+A", ctrl(Key::a), kNoKey, false, false, "Select every knot.", any_knots, nullptr, select_all},
-    {"Box select", "Edit", "B", key(Key::b), kNoKey, false, false, "Drag a box around knots. Shift+drag on the empty view adds, Ctrl+drag takes away.", any_knots, nullptr, box_select},
-    {"Move", "Edit", "G", key(Key::g), kNoKey, false, false, "Move the selected knots with the mouse; X, Y, Z: along an axis, Shift+axis: in a plane; digits: by metres.", knot_selected, nullptr,
-     transform<TransformKind::move>},
-    {"Rotate", "Edit", "R", key(Key::r), kNoKey, false, false, "Turn the selected knots about their middle; X, Y, Z: about an axis; digits: by degrees.", knot_selected, nullptr,
+    {"Undo", "Edit", "Ctrl+Z", ctrl(Key::z), kNoKey, true, true,
+     "Undo the last step; during a drag, take the drag back.", can_undo, nullptr, undo},
+    {"Redo",
+     "Edit",
+     "Ctrl+Y",
+     ctrl(Key::y),
+     {Key::z, {.shift = true, .ctrl = true}},
+     true,
+     false,
+     "Redo the step undone last.",
+     can_redo,
+     nullptr,
+     redo},
+    {"Delete", "Edit", "Delete", key(Key::del), key(Key::x), false, false, "Remove the selected knot or cart.",
+     removable, nullptr, remove},
+    {"Select all", "Edit", "Ctrl+A", ctrl(Key::a), kNoKey, false, false, "Select every knot.", any_knots, nullptr,
+     select_all},
+    {"Box select", "Edit", "B", key(Key::b), kNoKey, false, false,
+     "Drag a box around knots. Shift+drag on the empty view adds, Ctrl+drag takes away.", any_knots, nullptr,
+     box_select},
+    {"Move", "Edit", "G", key(Key::g), kNoKey, false, false,
+     "Move the selected knots with the mouse; X, Y, Z: along an axis, Shift+axis: in a plane; digits: by metres.",
+     knot_selected, nullptr, transform<TransformKind::move>},
+    {"Rotate", "Edit", "R", key(Key::r), kNoKey, false, false,
+     "Turn the selected knots about their middle; X, Y, Z: about an axis; digits: by degrees.", knot_selected, nullptr,
      transform<TransformKind::rotate>},
-    {"Scale", "Edit", "S", key(Key::s), kNoKey, false, false, "Scale the selected knots and their handles; X, Y, Z: along an axis; digits: by a factor.", knot_selected, nullptr,
+    {"Scale", "Edit", "S", key(Key::s), kNoKey, false, false,
+     "Scale the selected knots and their handles; X, Y, Z: along an axis; digits: by a factor.", knot_selected, nullptr,
      transform<TransformKind::scale>},
-    {"Next snapping", "Edit", "Shift+Tab", shift(Key::tab), kNoKey, false, false, "Snap to nothing, a grid, other knots or the ground. Ctrl while moving: the other way round.", always, snapping,
+    {"Next snapping", "Edit", "Shift+Tab", shift(Key::tab), kNoKey, false, false,
+     "Snap to nothing, a grid, other knots or the ground. Ctrl while moving: the other way round.", always, snapping,
      next_snapping},
-    {"Select none", "Edit", "", kNoKey, kNoKey, false, false, "Clear the selection. Escape does so too.", any_selected, nullptr, select_none},
-    {"Add curve", "Edit", "C", key(Key::c), kNoKey, false, false, "Split the longest segment at half its length, keeping the shape.", always, nullptr, add_curve},
-    {"Insert point", "Edit", "I", key(Key::i), kNoKey, false, false, "Insert a knot under the cursor, or at the picked place, keeping the shape.", insertable,
-     nullptr, insert_point},
-    {"Append points", "Edit", "A", key(Key::a), kNoKey, false, false, "Clicks on the ground append knots to an open track.", always, appending, toggle_append},
-    {"Place element", "Edit", "Enter", key(Key::enter), kNoKey, false, false, "Add the element that the palette shows at the open end of the track.", placeable, nullptr,
-     place_element},
+    {"Select none", "Edit", "", kNoKey, kNoKey, false, false, "Clear the selection. Escape does so too.", any_selected,
+     nullptr, select_none},
+    {"Add curve", "Edit", "C", key(Key::c), kNoKey, false, false,
+     "Split the longest segment at half its length, keeping the shape.", always, nullptr, add_curve},
+    {"Insert point", "Edit", "I", key(Key::i), kNoKey, false, false,
+     "Insert a knot under the cursor, or at the picked place, keeping the shape.", insertable, nullptr, insert_point},
+    {"Append points", "Edit", "A", key(Key::a), kNoKey, false, false,
+     "Clicks on the ground append knots to an open track.", always, appending, toggle_append},
+    {"Place element", "Edit", "Enter", key(Key::enter), kNoKey, false, false,
+     "Add the element that the palette shows at the open end of the track.", placeable, nullptr, place_element},
 
-    {"Cancel", "", "Escape", key(Key::escape), kNoKey, false, true, "Take back a drag, close a list or the score card, leave append mode, hide the element's preview, or clear the selection.", always, nullptr,
-     escape},
+    {"Cancel", "", "Escape", key(Key::escape), kNoKey, false, true,
+     "Take back a drag, close a list or the score card, leave append mode, hide the element's preview, or clear the "
+     "selection.",
+     always, nullptr, escape},
 };
 
 }  // namespace

@@ -8,10 +8,8 @@ namespace {
 using platform::Key;
 
 void play_pause(Act& act) {
-  if (act.ui.session().motion.state == world::RideState::running)
-    act.ui.emit(edit::RidePause{});
-  else
-    act.ui.emit(edit::RideStart{});
+  if (act.ui.session().motion.state == world::RideState::running) act.ui.emit(edit::RidePause{});
+  else act.ui.emit(edit::RideStart{});
 }
 void single_step(Act& act) {
   if (act.ui.session().motion.state == world::RideState::running) act.ui.emit(edit::RidePause{});
@@ -24,12 +22,17 @@ bool has_failed_place(const Act& act) { return failed_place(act.ui.session()).ha
 void show_failed_place(Act& act) { show_place(act.ui, *failed_place(act.ui.session())); }
 
 constexpr Action kRideActions[] = {
-    {"Play or pause", "Ride", "Space", key(Key::space), kNoKey, false, true, "Let the carts run, or hold them.", rideable, nullptr, play_pause},
-    {"Single step", "Ride", ".", key(Key::period), kNoKey, true, true, "Hold the carts and advance one tick of 1/120 s.", rideable, nullptr, single_step},
-    {"Reset", "Ride", "Shift+R", shift(Key::r), kNoKey, false, true, "Put the carts back to their start.", rideable, nullptr, reset},
-    {"Show where it failed", "Ride", "J", key(Key::j), kNoKey, false, true, "Look at the place where the last ride failed, or its challenge did, and select the segment.", has_failed_place, nullptr,
-     show_failed_place},
-    {"Score cards", "Ride", "", kNoKey, kNoKey, false, true, "Show a card with the ride's numbers when it ends.", always, card_wanted, toggle_card},
+    {"Play or pause", "Ride", "Space", key(Key::space), kNoKey, false, true, "Let the carts run, or hold them.",
+     rideable, nullptr, play_pause},
+    {"Single step", "Ride", ".", key(Key::period), kNoKey, true, true,
+     "Hold the carts and advance one tick of 1/120 s.", rideable, nullptr, single_step},
+    {"Reset", "Ride", "Shift+R", shift(Key::r), kNoKey, false, true, "Put the carts back to their start.", rideable,
+     nullptr, reset},
+    {"Show where it failed", "Ride", "J", key(Key::j), kNoKey, false, true,
+     "Look at the place where the last ride failed, or its challenge did, and select the segment.", has_failed_place,
+     nullptr, show_failed_place},
+    {"Score cards", "Ride", "", kNoKey, kNoKey, false, true, "Show a card with the ride's numbers when it ends.",
+     always, card_wanted, toggle_card},
 };
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include "ui/actions/actions_parts.h"
 #include "ui/actions/command_palette.h"
 #include "ui/actions/conflict_tour.h"
-#include "ui/tools/fly_keys.h"
 #include "ui/actions/key_map.h"
+#include "ui/tools/fly_keys.h"
 
 namespace coaster::ui {
 namespace {
@@ -16,7 +16,9 @@ using world::Kind;
 
 bool panels_shown(const Act& act) { return act.ui.session().settings.show_panels; }
 template <CameraMode mode>
-bool looks(const Act& act) { return act.ui.session().settings.camera_mode == mode; }
+bool looks(const Act& act) {
+  return act.ui.session().settings.camera_mode == mode;
+}
 
 bool gizmo_shown(const Act& act) { return act.ui.session().settings.show_gizmo; }
 void toggle_gizmo(Act& act) { act.ui.emit(edit::SetGizmo{!gizmo_shown(act)}); }
@@ -46,7 +48,8 @@ void frame_all(Act& act) {
 }
 void frame_selection(Act& act) {
   const edit::Session& session = act.ui.session();
-  act.ui.emit(edit::SetCamera{view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene)});
+  act.ui.emit(edit::SetCamera{
+      view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene)});
   orbit_again(act);
 }
 void toggle_panels(Act& act) { act.ui.emit(edit::SetPanels{!panels_shown(act)}); }
@@ -65,7 +68,8 @@ void step_probe(Act& act, double by) {
   }
   const auto found = std::find(track.segments.begin(), track.segments.end(), session.settings.selected);
   if (found == track.segments.end()) return;
-  const auto count = static_cast<std::ptrdiff_t>(track.segments.size()), next = found - track.segments.begin() + (by > 0 ? 1 : -1);
+  const auto count = static_cast<std::ptrdiff_t>(track.segments.size()),
+             next = found - track.segments.begin() + (by > 0 ? 1 : -1);
   if (!track.closed && (next < 0 || next >= count)) return;
   const world::Entity segment = track.segments[static_cast<std::size_t>((next + count) % count)];
   act.ui.emit(edit::Select{{world::name_of(session.document, segment)}, 1 - end});
@@ -81,9 +85,12 @@ void next_colouring(Act& act) {
 }
 
 template <CameraMode mode>
-void look(Act& act) { choose_camera(act.ui, mode); }
+void look(Act& act) {
+  choose_camera(act.ui, mode);
+}
 void next_camera(Act& act) {
-  const auto next = (static_cast<std::size_t>(act.ui.session().settings.camera_mode) + 1) % world::kCameraModeNames.size();
+  const auto next =
+      (static_cast<std::size_t>(act.ui.session().settings.camera_mode) + 1) % world::kCameraModeNames.size();
   choose_camera(act.ui, static_cast<CameraMode>(next));
 }
 bool motion_reduced(const Act& act) { return act.ui.session().settings.feel.reduced_motion; }
@@ -92,47 +99,79 @@ bool head_bobs(const Act& act) { return act.ui.session().settings.feel.head_bob;
 void toggle_head_bob(Act& act) { act.ui.emit(edit::SetHeadBob{!head_bobs(act)}); }
 
 template <world::Theme theme>
-bool themed(const Act& act) { return act.ui.session().settings.theme == theme; }
+bool themed(const Act& act) {
+  return act.ui.session().settings.theme == theme;
+}
 template <world::Theme theme>
-void paint(Act& act) { act.ui.emit(edit::SetTheme{theme}); }
+void paint(Act& act) {
+  act.ui.emit(edit::SetTheme{theme});
+}
 template <world::Style style>
-bool lit(const Act& act) { return act.ui.session().settings.style == style; }
+bool lit(const Act& act) {
+  return act.ui.session().settings.style == style;
+}
 template <world::Style style>
-void light(Act& act) { act.ui.emit(edit::SetStyle{style}); }
+void light(Act& act) {
+  act.ui.emit(edit::SetStyle{style});
+}
 
 constexpr Action kViewActions[] = {
     {"Frame all", "View", "F", key(Key::f), kNoKey, false, true, "Show the whole track.", always, nullptr, frame_all},
-    {"Frame selection", "View", "Shift+F", shift(Key::f), kNoKey, false, true, "Show what is selected.", any_selected, nullptr, frame_selection},
-    {"Command palette", "View", "Ctrl+P", ctrl(Key::p), kNoKey, false, false, "Find an action or a command by typing.", always, nullptr, open_palette},
-    {"First steps", "View", "", kNoKey, kNoKey, false, true, "Show or dismiss the first steps.", always, hints_shown, toggle_hints},
-    {"Knots", "View", "", kNoKey, kNoKey, false, true, "Show or hide knots that are not selected.", always, knots_shown, toggle_knots},
-    {"Supports", "View", "", kNoKey, kNoKey, false, true, "Show or hide what holds the track.", always, supports_shown, toggle_supports},
-    {"Conflicts", "View", "", kNoKey, kNoKey, false, true, "Show or hide where the track is in its own way.", always, conflicts_shown, toggle_conflicts},
-    {"Next conflict", "View", "", kNoKey, kNoKey, false, true, "Look at the next place where the track is in its own way.", in_conflict, nullptr, next_conflict},
-    {"Gizmo", "View", "", kNoKey, kNoKey, false, true, "Show or hide the arrows that move the selected knots.", always, gizmo_shown, toggle_gizmo},
-    {"Panels", "View", "Tab", key(Key::tab), kNoKey, false, false, "Show or hide menu, panels and status bar.", always, panels_shown, toggle_panels},
-    {"Next track colours", "View", "K", key(Key::k), kNoKey, false, false, "Colour the track by speed, height, each g, curvature, error, or not at all.", always, coloured,
-     next_colouring},
-    {"Next camera", "View", "V", key(Key::v), kNoKey, false, true, "The next of the cameras: orbit, ride, chase, fly.", always, nullptr, next_camera},
-    {"Orbit camera", "View", "1", key(Key::d1), kNoKey, false, true, "Turn about a place with the mouse.", always, looks<CameraMode::orbit>, look<CameraMode::orbit>},
-    {"Ride camera", "View", "2", key(Key::d2), kNoKey, false, true, "Look from the first cart's seat.", rideable, looks<CameraMode::ride>, look<CameraMode::ride>},
-    {"Chase camera", "View", "3", key(Key::d3), kNoKey, false, true, "Follow the first cart's train from behind; the wheel sets how far.", rideable, looks<CameraMode::chase>,
+    {"Frame selection", "View", "Shift+F", shift(Key::f), kNoKey, false, true, "Show what is selected.", any_selected,
+     nullptr, frame_selection},
+    {"Command palette", "View", "Ctrl+P", ctrl(Key::p), kNoKey, false, false, "Find an action or a command by typing.",
+     always, nullptr, open_palette},
+    {"First steps", "View", "", kNoKey, kNoKey, false, true, "Show or dismiss the first steps.", always, hints_shown,
+     toggle_hints},
+    {"Knots", "View", "", kNoKey, kNoKey, false, true, "Show or hide knots that are not selected.", always, knots_shown,
+     toggle_knots},
+    {"Supports", "View", "", kNoKey, kNoKey, false, true, "Show or hide what holds the track.", always, supports_shown,
+     toggle_supports},
+    {"Conflicts", "View", "", kNoKey, kNoKey, false, true, "Show or hide where the track is in its own way.", always,
+     conflicts_shown, toggle_conflicts},
+    {"Next conflict", "View", "", kNoKey, kNoKey, false, true,
+     "Look at the next place where the track is in its own way.", in_conflict, nullptr, next_conflict},
+    {"Gizmo", "View", "", kNoKey, kNoKey, false, true, "Show or hide the arrows that move the selected knots.", always,
+     gizmo_shown, toggle_gizmo},
+    {"Panels", "View", "Tab", key(Key::tab), kNoKey, false, false, "Show or hide menu, panels and status bar.", always,
+     panels_shown, toggle_panels},
+    {"Next track colours", "View", "K", key(Key::k), kNoKey, false, false,
+     "Colour the track by speed, height, each g, curvature, error, or not at all.", always, coloured, next_colouring},
+    {"Next camera", "View", "V", key(Key::v), kNoKey, false, true, "The next of the cameras: orbit, ride, chase, fly.",
+     always, nullptr, next_camera},
+    {"Orbit camera", "View", "1", key(Key::d1), kNoKey, false, true, "Turn about a place with the mouse.", always,
+     looks<CameraMode::orbit>, look<CameraMode::orbit>},
+    {"Ride camera", "View", "2", key(Key::d2), kNoKey, false, true, "Look from the first cart's seat.", rideable,
+     looks<CameraMode::ride>, look<CameraMode::ride>},
+    {"Chase camera", "View", "3", key(Key::d3), kNoKey, false, true,
+     "Follow the first cart's train from behind; the wheel sets how far.", rideable, looks<CameraMode::chase>,
      look<CameraMode::chase>},
-    {"Fly camera", "View", "4", key(Key::d4), kNoKey, false, true, "Fly with W A S D, Q down, E up, Shift faster; drag to look around.", always, looks<CameraMode::fly>,
+    {"Fly camera", "View", "4", key(Key::d4), kNoKey, false, true,
+     "Fly with W A S D, Q down, E up, Shift faster; drag to look around.", always, looks<CameraMode::fly>,
      look<CameraMode::fly>},
-    {"Head-bob", "View", "", kNoKey, kNoKey, false, true, "Let the rider's head give way to g.", always, head_bobs, toggle_head_bob},
-    {"Reduced motion", "View", "", kNoKey, kNoKey, false, true, "Keep the rider's horizon level, cut between cameras, no bobbing, no widening.", always, motion_reduced,
+    {"Head-bob", "View", "", kNoKey, kNoKey, false, true, "Let the rider's head give way to g.", always, head_bobs,
+     toggle_head_bob},
+    {"Reduced motion", "View", "", kNoKey, kNoKey, false, true,
+     "Keep the rider's horizon level, cut between cameras, no bobbing, no widening.", always, motion_reduced,
      toggle_reduced_motion},
-    {"Dark theme", "View", "", kNoKey, kNoKey, false, true, "Light on dark.", always, themed<world::Theme::dark>, paint<world::Theme::dark>},
-    {"Light theme", "View", "", kNoKey, kNoKey, false, true, "Dark on light.", always, themed<world::Theme::light>, paint<world::Theme::light>},
-    {"High-contrast theme", "View", "", kNoKey, kNoKey, false, true, "White and bright colours on black, with edges.", always, themed<world::Theme::high_contrast>,
-     paint<world::Theme::high_contrast>},
-    {"Day", "View", "", kNoKey, kNoKey, false, true, "The sun high, a clear sky.", always, lit<world::Style::day>, light<world::Style::day>},
-    {"Dusk", "View", "", kNoKey, kNoKey, false, true, "The sun low, long shadows.", always, lit<world::Style::dusk>, light<world::Style::dusk>},
-    {"Blueprint", "View", "", kNoKey, kNoKey, false, true, "Lines on blue, for the laboratory and for print.", always, lit<world::Style::blueprint>, light<world::Style::blueprint>},
-    {"Laboratory", "View", "L", key(Key::l), kNoKey, false, true, "Open or fold the laboratory's pages.", always, laboratory_shown, toggle_laboratory},
-    {"Probe back", "View", "[", key(Key::left_bracket), kNoKey, true, false, "Move the picked place back along the track by 1/64 of a segment.", probing, nullptr, probe_back},
-    {"Probe on", "View", "]", key(Key::right_bracket), kNoKey, true, false, "Move the picked place on along the track by 1/64 of a segment.", probing, nullptr, probe_on},
+    {"Dark theme", "View", "", kNoKey, kNoKey, false, true, "Light on dark.", always, themed<world::Theme::dark>,
+     paint<world::Theme::dark>},
+    {"Light theme", "View", "", kNoKey, kNoKey, false, true, "Dark on light.", always, themed<world::Theme::light>,
+     paint<world::Theme::light>},
+    {"High-contrast theme", "View", "", kNoKey, kNoKey, false, true, "White and bright colours on black, with edges.",
+     always, themed<world::Theme::high_contrast>, paint<world::Theme::high_contrast>},
+    {"Day", "View", "", kNoKey, kNoKey, false, true, "The sun high, a clear sky.", always, lit<world::Style::day>,
+     light<world::Style::day>},
+    {"Dusk", "View", "", kNoKey, kNoKey, false, true, "The sun low, long shadows.", always, lit<world::Style::dusk>,
+     light<world::Style::dusk>},
+    {"Blueprint", "View", "", kNoKey, kNoKey, false, true, "Lines on blue, for the laboratory and for print.", always,
+     lit<world::Style::blueprint>, light<world::Style::blueprint>},
+    {"Laboratory", "View", "L", key(Key::l), kNoKey, false, true, "Open or fold the laboratory's pages.", always,
+     laboratory_shown, toggle_laboratory},
+    {"Probe back", "View", "[", key(Key::left_bracket), kNoKey, true, false,
+     "Move the picked place back along the track by 1/64 of a segment.", probing, nullptr, probe_back},
+    {"Probe on", "View", "]", key(Key::right_bracket), kNoKey, true, false,
+     "Move the picked place on along the track by 1/64 of a segment.", probing, nullptr, probe_on},
 };
 
 }  // namespace

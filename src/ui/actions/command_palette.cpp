@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "edit/commands/codec.h"
-#include "ui/screens/dialogs.h"
 #include "ui/actions/key_map.h"
-#include "ui/widgets/widget_parts.h"
+#include "ui/screens/dialogs.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -48,12 +48,15 @@ std::optional<edit::Command> parsed(const char* line) {
 std::vector<PaletteLine> entries(Act& act, const char* words) {
   std::vector<PaletteLine> list;
   for (const Action& action : actions())
-    if (const int score = match(words, action.name, action.help); score > 0 && action.enabled(act) && action.name != "Command palette")
-      list.push_back({std::string(action.name), act.ui.keys.shown(action.name), action.help, &action, {}, false, score + 1});
+    if (const int score = match(words, action.name, action.help);
+        score > 0 && action.enabled(act) && action.name != "Command palette")
+      list.push_back(
+          {std::string(action.name), act.ui.keys.shown(action.name), action.help, &action, {}, false, score + 1});
   for (const edit::CommandHelp& command : edit::command_table())
     if (const int score = match(words, command.info.name, command.info.help); score > 0)
       list.push_back({command.usage, "", command.info.help, nullptr, command.info.name, false, score});
-  std::stable_sort(list.begin(), list.end(), [](const PaletteLine& a, const PaletteLine& b) { return a.score > b.score; });
+  std::stable_sort(list.begin(), list.end(),
+                   [](const PaletteLine& a, const PaletteLine& b) { return a.score > b.score; });
   if (parsed(words)) list.insert(list.begin(), PaletteLine{words, "Enter", "Run what is typed.", nullptr, {}, true, 0});
   return list;
 }
@@ -62,7 +65,8 @@ std::vector<PaletteLine> entries(Act& act, const char* words) {
 void run_command(Ui& ui, const edit::Command& command) {
   if (const auto* const load = command.as<edit::Load>()) ui.dialogs.request(ui, {Want::Kind::load, load->path});
   else if (command.is<edit::NewTrack>()) ui.dialogs.request(ui, {Want::Kind::fresh, {}});
-  else if (const auto* const challenge = command.as<edit::StartChallenge>()) ui.dialogs.request(ui, {Want::Kind::challenge, challenge->path});
+  else if (const auto* const challenge = command.as<edit::StartChallenge>())
+    ui.dialogs.request(ui, {Want::Kind::challenge, challenge->path});
   else ui.out.commands.push_back(command);
 }
 
@@ -105,9 +109,12 @@ void draw_row(Act& act, const PaletteLine& entry, bool chosen, bool& pressed) {
   const float name_room = std::min(text_size(entry.name).x, room - keys);
   list.PushClipRect({at.x, at.y}, {at.x + room - keys, at.y + ImGui::GetTextLineHeight() + 2}, true);
   list.AddText(at, packed(ui::palette().text), entry.name.c_str());
-  list.AddText({std::floor(at.x + name_room + 14 * ui.scale), at.y}, packed(ui::palette().dim), entry.help.data(), entry.help.data() + entry.help.size());
+  list.AddText({std::floor(at.x + name_room + 14 * ui.scale), at.y}, packed(ui::palette().dim), entry.help.data(),
+               entry.help.data() + entry.help.size());
   list.PopClipRect();
-  if (!entry.keys.empty()) list.AddText({std::floor(at.x + room - text_size(entry.keys).x), at.y}, packed(ui::palette().accent), entry.keys.c_str());
+  if (!entry.keys.empty())
+    list.AddText({std::floor(at.x + room - text_size(entry.keys).x), at.y}, packed(ui::palette().accent),
+                 entry.keys.c_str());
 }
 
 }  // namespace
@@ -139,21 +146,26 @@ void toggle_palette(CommandPalette& palette) {
 void build_palette(Act& act, CommandPalette& palette) {
   if (!palette.open) return;
   Ui& ui = act.ui;
-  const float width = std::floor(std::min(620 * ui.scale, ImGui::GetIO().DisplaySize.x - 20)), top = act.scene.y + 40 * ui.scale;
+  const float width = std::floor(std::min(620 * ui.scale, ImGui::GetIO().DisplaySize.x - 20)),
+              top = act.scene.y + 40 * ui.scale;
   ImGui::SetNextWindowPos({std::floor(act.scene.x + (act.scene.width - width) * 0.5f), std::floor(top)});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * ui.scale, 12 * ui.scale));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
   if (palette.appearing) ImGui::SetNextWindowFocus();
   if (ImGui::Begin("##palette", nullptr, kFlags)) {
     ui.panel = "Palette";
     ImGui::SetNextItemWidth(-1);
-    if (palette.appearing || palette.filled) ImGui::SetKeyboardFocusHere();  // Enter has left the field; a completed command is typed on
+    if (palette.appearing || palette.filled)
+      ImGui::SetKeyboardFocusHere();  // Enter has left the field; a completed command is typed on
     const std::string before = palette.text.data();
-    const bool entered = ImGui::InputTextWithHint("##text", "Type an action or a command", palette.text.data(), palette.text.size(),
-                                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, to_end, &palette);
-    note_item(ui, "Text", "text", "What to do: part of a name, or a whole command line as scripts have it.", true, palette.text.data());
+    const bool entered = ImGui::InputTextWithHint(
+        "##text", "Type an action or a command", palette.text.data(), palette.text.size(),
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, to_end, &palette);
+    note_item(ui, "Text", "text", "What to do: part of a name, or a whole command line as scripts have it.", true,
+              palette.text.data());
     if (before != palette.text.data()) palette.row = 0;
     const std::vector<PaletteLine> list = entries(act, palette.text.data());
     const int count = static_cast<int>(list.size());
@@ -169,7 +181,8 @@ void build_palette(Act& act, CommandPalette& palette) {
     if (count == 0) heading(ui, "Nothing is called that.", "");
     if (entered && count > 0) choose(act, palette, list[static_cast<std::size_t>(palette.row)]);
     // Escape, or a click elsewhere.
-    const bool elsewhere = !palette.appearing && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
+    const bool elsewhere = !palette.appearing && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
+                           !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
     if (ImGui::IsKeyPressed(ImGuiKey_Escape) || elsewhere) palette.open = false;
     palette.appearing = false;
     ui.panel.clear();

@@ -14,17 +14,19 @@ double selected_distance(const edit::Session& session) {
 }  // namespace
 
 void show_next_conflict(Ui& ui) {
-  constexpr float kNear = 24;  // m, or nearer where the eye is already
+  constexpr float kNear = 24;     // m, or nearer where the eye is already
   constexpr double kHere = 1e-3;  // m: the one that is selected
   const edit::Session& session = ui.session();
   const std::vector<sim::Conflict>& found = edit::conflicts(session);
   if (found.empty()) return;
   const double from = selected_distance(session);
-  const auto later = std::find_if(found.begin(), found.end(), [&](const sim::Conflict& conflict) { return conflict.at > from + kHere; });
+  const auto later = std::find_if(found.begin(), found.end(),
+                                  [&](const sim::Conflict& conflict) { return conflict.at > from + kHere; });
   const sim::Conflict& next = later == found.end() ? found.front() : *later;
   const sim::TrackPlace place = sim::place_at(session.derived, next.at);
   const world::Entity segment = session.derived.order[place.index];
-  ui.emit(edit::Select{{world::name_of(session.document, segment)}, session.derived.shape(segment).arc.parameter(place.s)});
+  ui.emit(
+      edit::Select{{world::name_of(session.document, segment)}, session.derived.shape(segment).arc.parameter(place.s)});
   world::Camera camera = session.settings.camera;
   camera.target = 0.5f * (next.at_place + next.other_place);
   camera.distance = std::min(camera.distance, kNear);

@@ -5,7 +5,8 @@
 
 namespace coaster::ui {
 
-// Selects the next conflict's place after the selected one and looks at it with the orbit camera; nothing where there is none.
+// Selects the next conflict's place after the selected one and looks at it with the orbit camera; nothing where there
+// is none.
 void show_next_conflict(Ui& ui);
 
 }  // namespace coaster::ui

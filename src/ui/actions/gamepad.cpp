@@ -15,7 +15,7 @@ constexpr float kTurn = 130, kTilt = 90;   // degrees
 constexpr float kPan = 0.9f;               // heights of the picture
 constexpr float kNotches = 9;              // of the mouse wheel: zoom, chase distance
 constexpr float kFly = 20;                 // m
-constexpr double kLongestPadFrame = 0.25;     // s
+constexpr double kLongestPadFrame = 0.25;  // s
 
 // The orbit camera as this frame's commands have left it.
 world::Camera camera_now(const Ui& ui) {
@@ -44,7 +44,8 @@ std::string_view action_of(platform::PadButton button, const Act& act) {
     case platform::PadButton::y: return "Next camera";
     case platform::PadButton::b: {
       const world::Settings& settings = act.ui.session().settings;
-      const bool busy = act.tool.dragging() || act.tool.box_waits() || act.ui.gesture.open || settings.append_mode || settings.show_element || settings.selected.valid();
+      const bool busy = act.tool.dragging() || act.tool.box_waits() || act.ui.gesture.open || settings.append_mode ||
+                        settings.show_element || settings.selected.valid();
       return busy ? "Cancel" : "Reset";
     }
     case platform::PadButton::x: break;
@@ -54,7 +55,8 @@ std::string_view action_of(platform::PadButton button, const Act& act) {
 
 void Gamepad::move(Ui& ui, const view::Viewport& scene, double seconds) const {
   const auto time = static_cast<float>(std::min(seconds, kLongestPadFrame));
-  const glm::vec2 left = time * shaped_stick({held_.left_x, held_.left_y}), right = time * shaped_stick({held_.right_x, held_.right_y});
+  const glm::vec2 left = time * shaped_stick({held_.left_x, held_.left_y}),
+                  right = time * shaped_stick({held_.right_x, held_.right_y});
   const float pull = time * (shaped_trigger(held_.right_trigger) - shaped_trigger(held_.left_trigger));
   if (left == glm::vec2(0) && right == glm::vec2(0) && pull == 0) return;
   const world::Settings& settings = ui.session().settings;
@@ -76,7 +78,8 @@ void Gamepad::move(Ui& ui, const view::Viewport& scene, double seconds) const {
     }
     case world::CameraMode::chase:
       if (pull != 0)
-        ui.emit(edit::SetChaseDistance{std::clamp(settings.feel.chase_distance * std::pow(1.12f, -kNotches * pull), world::kMinChase, world::kMaxChase)});
+        ui.emit(edit::SetChaseDistance{std::clamp(settings.feel.chase_distance * std::pow(1.12f, -kNotches * pull),
+                                                  world::kMinChase, world::kMaxChase)});
       return;
     case world::CameraMode::ride: return;  // the head is the train's
   }

@@ -42,10 +42,15 @@ std::vector<Wanted> readable(std::span<const exchange::KeyChoice> choices, std::
     bool usable = true;
     for (const std::string& text : choice.keys) {
       const auto chord = platform::parse_chord(text);
-      const auto owner = chord ? std::find_if(all.begin(), all.end(), [&](const Wanted& w) { return std::find(w.chords.begin(), w.chords.end(), *chord) != w.chords.end(); })
-                               : all.end();
+      const auto owner =
+          chord ? std::find_if(all.begin(), all.end(),
+                               [&](const Wanted& w) {
+                                 return std::find(w.chords.begin(), w.chords.end(), *chord) != w.chords.end();
+                               })
+                : all.end();
       if (!chord) problems.push_back(choice.action + ": no key " + base::quoted(text));
-      else if (owner != all.end()) problems.push_back(text + " is wanted by " + std::string(actions()[owner->row].name) + " and " + choice.action);
+      else if (owner != all.end())
+        problems.push_back(text + " is wanted by " + std::string(actions()[owner->row].name) + " and " + choice.action);
       else wanted.chords.push_back(*chord);
       usable = usable && chord && owner == all.end();
     }
@@ -70,12 +75,15 @@ KeyMap KeyMap::make(std::span<const exchange::KeyChoice> choices, std::vector<st
       for (const Chord& chord : wanted.chords) {
         if (row == wanted.row) continue;
         if (std::erase(map.rows_[row], chord) > 0)
-          problems.push_back(platform::to_text(chord) + " is " + std::string(actions()[wanted.row].name) + " now, no longer " + std::string(actions()[row].name));
+          problems.push_back(platform::to_text(chord) + " is " + std::string(actions()[wanted.row].name) +
+                             " now, no longer " + std::string(actions()[row].name));
       }
   return map;
 }
 
-std::string KeyMap::shown(std::size_t row) const { return rows_[row].empty() ? std::string() : platform::to_text(rows_[row].front()); }
+std::string KeyMap::shown(std::size_t row) const {
+  return rows_[row].empty() ? std::string() : platform::to_text(rows_[row].front());
+}
 
 std::string KeyMap::shown(std::string_view action) const {
   const auto row = row_of(action);
@@ -87,7 +95,8 @@ std::string with_keys(const KeyMap& keys, std::string_view help, std::string_vie
   std::string text(help);
   if (!row || keys.chords(*row).empty()) return text;
   text += keys.chords(*row).size() == 1 ? " Key " : " Keys ";
-  for (const Chord& chord : keys.chords(*row)) text += (&chord == &keys.chords(*row).front() ? "" : ", ") + platform::to_text(chord);
+  for (const Chord& chord : keys.chords(*row))
+    text += (&chord == &keys.chords(*row).front() ? "" : ", ") + platform::to_text(chord);
   return text + ".";
 }
 

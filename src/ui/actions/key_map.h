@@ -13,8 +13,9 @@ namespace coaster::ui {
 
 class KeyMap {
  public:
-  // By the rows of actions(). What cannot be done goes to `problems`, a line each, and leaves the row as it is: names that no action has, keys that
-  // do not exist, keys wanted by two. A key that is given away is taken from the action whose own it was, and that is told, too.
+  // By the rows of actions(). What cannot be done goes to `problems`, a line each, and leaves the row as it is: names
+  // that no action has, keys that do not exist, keys wanted by two. A key that is given away is taken from the action
+  // whose own it was, and that is told, too.
   static KeyMap make(std::span<const exchange::KeyChoice> choices, std::vector<std::string>& problems);
 
   // The keys of a row of actions(): none, one or two.

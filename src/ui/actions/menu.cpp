@@ -6,10 +6,10 @@
 #include <string>
 
 #include "ui/actions/actions.h"
-#include "ui/screens/dialogs.h"
 #include "ui/actions/key_map.h"
-#include "ui/widgets/widget_parts.h"
+#include "ui/screens/dialogs.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -24,9 +24,11 @@ void build_recent(Act& act) {
   if (open) {
     for (const std::string& file : kept->settings.recent) {
       const std::filesystem::path path(file);
-      const auto namesakes = std::count_if(kept->settings.recent.begin(), kept->settings.recent.end(),
-                                           [&](const std::string& other) { return std::filesystem::path(other).filename() == path.filename(); });
-      const std::string label = namesakes > 1 ? (path.parent_path().filename() / path.filename()).string() : path.filename().string();
+      const auto namesakes = std::count_if(
+          kept->settings.recent.begin(), kept->settings.recent.end(),
+          [&](const std::string& other) { return std::filesystem::path(other).filename() == path.filename(); });
+      const std::string label =
+          namesakes > 1 ? (path.parent_path().filename() / path.filename()).string() : path.filename().string();
       ImGui::PushID(file.c_str());
       const bool pressed = ImGui::MenuItem(label.c_str());
       note_item(act.ui, "File/Recent/" + label, "menu", file, true, "off");
@@ -46,7 +48,8 @@ void build_items(Act& act, std::string_view menu) {
     const bool checked = action.checked != nullptr && action.checked(act);
     const std::string label(action.name), keys = act.ui.keys.shown(row);
     const bool pressed = ImGui::MenuItem(label.c_str(), keys.empty() ? nullptr : keys.c_str(), checked, enabled);
-    note_item(act.ui, std::string(menu) + "/" + label, "menu", with_keys(act.ui.keys, action.help, action.name), enabled, checked ? "on" : "off");
+    note_item(act.ui, std::string(menu) + "/" + label, "menu", with_keys(act.ui.keys, action.help, action.name),
+              enabled, checked ? "on" : "off");
     if (pressed) action.run(act);
     if (action.name == "Open") build_recent(act);
   }
@@ -66,7 +69,9 @@ void build_file_mark(Ui& ui) {
   ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().warning));
   ImGui::TextUnformatted(words.c_str());
   ImGui::PopStyleColor();
-  note_item(ui, "Unsaved", "label", holder.empty() ? "The track differs from its file." : holder + " edits this file: save under another name.", true, words);
+  note_item(ui, "Unsaved", "label",
+            holder.empty() ? "The track differs from its file." : holder + " edits this file: save under another name.",
+            true, words);
 }
 
 }  // namespace

@@ -10,22 +10,22 @@
 
 #include "ui/actions/actions.h"
 #include "ui/actions/command_palette.h"
-#include "ui/screens/dialogs.h"
-#include "ui/tools/fly_keys.h"
 #include "ui/actions/gamepad.h"
-#include "ui/screens/hints.h"
+#include "ui/actions/key_map.h"
 #include "ui/host/imgui_input.h"
 #include "ui/host/imgui_renderer.h"
-#include "ui/screens/import_bar.h"
-#include "ui/actions/key_map.h"
-#include "ui/lab/cache.h"
 #include "ui/host/layout.h"
+#include "ui/lab/cache.h"
+#include "ui/panels/panels.h"
 #include "ui/plots/legend.h"
+#include "ui/screens/dialogs.h"
+#include "ui/screens/hints.h"
+#include "ui/screens/import_bar.h"
 #include "ui/screens/lesson.h"
 #include "ui/screens/movie_bar.h"
-#include "ui/panels/panels.h"
 #include "ui/screens/score_card.h"
 #include "ui/screens/start_screen.h"
+#include "ui/tools/fly_keys.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toasts.h"
 
@@ -46,23 +46,31 @@ view::View make_view(const State& state, const view::Viewport& scene) {
 
 // What can be done next, at the viewport's foot: what a transform does, or what a newcomer may click on.
 std::string foot_text(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys) {
-  if (tool.transform().active()) return tool.transform().status() + "     X Y Z axis \u00B7 Shift plane \u00B7 digits \u00B7 Enter \u00B7 " + keys.shown("Cancel");
-  if (tool.box_waits()) return "Drag a box around knots; Shift adds, Ctrl takes away; " + keys.shown("Cancel") + " ends it";
+  if (tool.transform().active())
+    return tool.transform().status() + "     X Y Z axis \u00B7 Shift plane \u00B7 digits \u00B7 Enter \u00B7 " +
+           keys.shown("Cancel");
+  if (tool.box_waits())
+    return "Drag a box around knots; Shift adds, Ctrl takes away; " + keys.shown("Cancel") + " ends it";
   if (session.document.track.knots.empty()) return "Click on the ground to place the first knot";
-  if (session.settings.append_mode && !session.document.track.closed) return "Click on the ground to append knots; " + keys.shown("Append points") + " or " + keys.shown("Cancel") + " ends it";
+  if (session.settings.append_mode && !session.document.track.closed)
+    return "Click on the ground to append knots; " + keys.shown("Append points") + " or " + keys.shown("Cancel") +
+           " ends it";
   return {};
 }
 
-void draw_foot(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys, const view::Viewport& scene) {
+void draw_foot(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys,
+               const view::Viewport& scene) {
   const std::string hint = foot_text(tool, session, keys);
   if (hint.empty()) return;
   const bool empty = session.document.track.knots.empty();
   const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
   // Over the place of the notices.
-  const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f), std::floor(empty ? scene.y + scene.height * 0.62f : scene.y + scene.height - 5.6f * size.y));
+  const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f),
+                  std::floor(empty ? scene.y + scene.height * 0.62f : scene.y + scene.height - 5.6f * size.y));
   const ImVec2 pad(size.y * 0.9f, size.y * 0.5f);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y}, packed(palette().background, 0.78f), size.y);
+  list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y},
+                     packed(palette().background, 0.78f), size.y);
   list.AddText(at, packed(palette().text), hint.c_str());
 }
 
@@ -92,10 +100,10 @@ struct Host::Parts {
   FlyKeys fly_keys;
   Gamepad gamepad;
   CommandPalette palette;
-  double radius = 20;             // in Shape/Radius, m
+  double radius = 20;  // in Shape/Radius, m
   view::View view;
   view::Pick hovered;
-  bool frame_next = false;        // show the whole track once the one asked for is there
+  bool frame_next = false;  // show the whole track once the one asked for is there
 
   explicit Parts(const gfx::Gl& table) : gl(table) {
     std::vector<std::string> none;
@@ -163,7 +171,8 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   const Layout layout = make_layout(width, height, ui.scale, ImGui::GetFrameHeight(), session.settings.show_panels,
                                     session.settings.show_laboratory);
   view = ui.out.view = make_view(ui.state, layout.scene);
-  if (std::exchange(frame_next, false)) ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
+  if (std::exchange(frame_next, false))
+    ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
 
   const bool typing = text_has_keyboard(), asking = dialogs.open() || start.open();
   take_files(ui, events);
@@ -188,7 +197,8 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   dialogs.build(ui, events, typing, static_cast<float>(width), static_cast<float>(height));
   settle_gesture(ui);
   hovered = tool.update(ui, view);
-  if (ui.state.lesson == nullptr || tool.transform().active()) draw_foot(tool, session, ui.keys, layout.scene);  // a lesson says itself what to do
+  if (ui.state.lesson == nullptr || tool.transform().active())
+    draw_foot(tool, session, ui.keys, layout.scene);  // a lesson says itself what to do
   draw_legend(ui, layout.scene);
   toasts.draw(layout.scene, ui.scale, ui.state.seconds, ui.state.scripted);
   for (const edit::Command& command : ui.out.commands)
@@ -234,7 +244,8 @@ Output Host::build(const platform::Events& events, const State& state, int width
   ImGui::NewFrame();
   Output out;
   p.list.clear();
-  Ui ui{state, out, p.list, p.entry, p.gesture, p.rest, p.toasts, p.lab, p.file, p.radius, p.dialogs, p.start, p.keys, p.gl.renderer, scale, {}};
+  Ui ui{state,  out,      p.list,    p.entry, p.gesture, p.rest,        p.toasts, p.lab,
+        p.file, p.radius, p.dialogs, p.start, p.keys,    p.gl.renderer, scale,    {}};
   p.lay_out(ui, events, width, height);
   p.count_rest();
   ImGui::Render();

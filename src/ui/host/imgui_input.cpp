@@ -72,8 +72,8 @@ void ImGuiInput::feed_key(const platform::KeyPress& event, bool text_has_keyboar
 #if IMGUI_VERSION_NUM >= 18700
   io.AddKeyEvent(key, down);
 #else
-  // The map from ImGui's keys to "native" ones is the identity; a key pressed and released in one frame counts as pressed. A repeat is
-  // left to ImGui's own timer.
+  // The map from ImGui's keys to "native" ones is the identity; a key pressed and released in one frame counts as
+  // pressed. A repeat is left to ImGui's own timer.
   io.KeyMap[key] = key;
   if (down) {
     io.KeysDown[key] = true;

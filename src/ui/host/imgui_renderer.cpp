@@ -142,9 +142,10 @@ void ImGuiRenderer::draw(const ImDrawData& data, int width, int height) {
 
 void ImGuiRenderer::draw_list(const ImDrawList& list, ImVec2 origin, int width, int height) {
   gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
-  gl_.BufferData(GL_ARRAY_BUFFER, list.VtxBuffer.Size * static_cast<GLsizeiptr>(sizeof(ImDrawVert)), list.VtxBuffer.Data, GL_STREAM_DRAW);
-  gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.Size * static_cast<GLsizeiptr>(sizeof(ImDrawIdx)), list.IdxBuffer.Data,
-                 GL_STREAM_DRAW);
+  gl_.BufferData(GL_ARRAY_BUFFER, list.VtxBuffer.Size * static_cast<GLsizeiptr>(sizeof(ImDrawVert)),
+                 list.VtxBuffer.Data, GL_STREAM_DRAW);
+  gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.Size * static_cast<GLsizeiptr>(sizeof(ImDrawIdx)),
+                 list.IdxBuffer.Data, GL_STREAM_DRAW);
   for (const ImDrawCmd& command : list.CmdBuffer) {
     if (command.UserCallback != nullptr) continue;  // we queue none
     const int left = std::max(0, static_cast<int>(command.ClipRect.x - origin.x));
@@ -154,7 +155,8 @@ void ImGuiRenderer::draw_list(const ImDrawList& list, ImVec2 origin, int width, 
     if (right <= left || bottom <= top) continue;
     gl_.Scissor(left, height - bottom, right - left, bottom - top);
     gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>((std::uintptr_t)command.GetTexID()));
-    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
+    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
+                     sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
                      offset(command.IdxOffset * sizeof(ImDrawIdx)));
   }
 }

@@ -1,4 +1,5 @@
-// Draws Dear ImGui's lists over our own GL table, the same on every surface. Colours go to the framebuffer as they are: no gamma.
+// Draws Dear ImGui's lists over our own GL table, the same on every surface. Colours go to the framebuffer as they are:
+// no gamma.
 #pragma once
 
 #include <memory>
@@ -20,7 +21,8 @@ class ImGuiRenderer {
 
   // Makes the font texture from the atlas of the current context.
   void upload_fonts();
-  // Into the bound framebuffer of that size. Leaves blending, scissor and depth test off and no program, array or texture bound.
+  // Into the bound framebuffer of that size. Leaves blending, scissor and depth test off and no program, array or
+  // texture bound.
   void draw(const ImDrawData& data, int width, int height);
 
  private:

@@ -8,7 +8,8 @@ namespace coaster::ui {
 
 float fitted_scale(int width, int height, float ui_scale, float content_scale) {
   constexpr float kRoomyWidth = 1000, kRoomyHeight = 560, kSmallest = 0.8f;  // 12 px text: still legible
-  const float fit = std::min(static_cast<float>(width) / kRoomyWidth, static_cast<float>(height) / kRoomyHeight) / content_scale;
+  const float fit =
+      std::min(static_cast<float>(width) / kRoomyWidth, static_cast<float>(height) / kRoomyHeight) / content_scale;
   return ui_scale * content_scale * std::clamp(fit, kSmallest, 1.0f);
 }
 

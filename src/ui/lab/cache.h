@@ -1,5 +1,5 @@
-// What the laboratory's pages keep between frames: studies that are worth keeping while nothing they depend on changes, and choices
-// that are a page's own. Lives in the Host.
+// What the laboratory's pages keep between frames: studies that are worth keeping while nothing they depend on changes,
+// and choices that are a page's own. Lives in the Host.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 #include "curve/arc_length_study.h"
 #include "curve/continuity.h"
+#include "sim/shape/frame_methods.h"
 #include "sim/study/advice.h"
 #include "sim/study/live_errata.h"
-#include "sim/shape/frame_methods.h"
 #include "sim/study/rounding.h"
 #include "ui/lab/page_parts.h"
 
@@ -22,8 +22,8 @@ struct JointRow {
   curve::Joint joint;
 };
 struct JointList {
-  std::vector<JointRow> rows;         // in track order
-  std::vector<std::size_t> by_jump;   // indices of rows, largest curvature jump first
+  std::vector<JointRow> rows;        // in track order
+  std::vector<std::size_t> by_jump;  // indices of rows, largest curvature jump first
 };
 
 // Of one segment over its arc length.
@@ -45,7 +45,7 @@ struct ErrorStudy {
 struct LengthRow {
   double length = 0, error = 0;  // m, of the segment
   std::int64_t evaluations = 0;
-  double microseconds = 0;       // 0: not measured
+  double microseconds = 0;  // 0: not measured
   std::vector<double> work = {}, relative_error = {};
   bool track_known = false;
   double track_length = 0, track_error = 0;  // m
@@ -62,7 +62,7 @@ struct TrackLengths {
 // The whole ride of the first cart, one value for each of the ghost's forces.
 inline constexpr int kForceQuantities = 5;
 struct ForceStudy {
-  std::vector<double> way, time;  // m, s since the start
+  std::vector<double> way, time;                                     // m, s since the start
   std::array<std::vector<double>, kForceQuantities> values, beyond;  // g, m/s, m; `beyond`: NaN but in red spans
   sim::Ratings ratings;
   std::vector<sim::RedSpan> red;
@@ -74,8 +74,9 @@ struct LabCache {
   int compared = -1;  // row of the evaluator drawn beside the chosen one; -1: none
   // By the segment's build, evaluator and steps.
   Kept<std::tuple<std::uint64_t, int, int>, ErrorStudy> error, other_error;
-  Kept<std::tuple<std::uint64_t, int>, LengthStudy> lengths;                                         // by the segment's build, and steps
-  Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, int>, TrackLengths> track_lengths;  // by the last build, order and steps
+  Kept<std::tuple<std::uint64_t, int>, LengthStudy> lengths;  // by the segment's build, and steps
+  Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, int>, TrackLengths>
+      track_lengths;  // by the last build, order and steps
   bool lengths_of_track = false;
   bool show_times = true;
   std::string csv = "measurements.csv";
@@ -89,13 +90,14 @@ struct LabCache {
   sim::FrenetBreaks breaks;
 
   Kept<std::pair<std::uint64_t, std::uint64_t>, ForceStudy> forces;  // by the ghost's serial and the envelope's
-  std::array<int, 2> force_plots{0, 3};    // quantities
+  std::array<int, 2> force_plots{0, 3};                              // quantities
   bool forces_over_time = false;
   int red_chosen = -1;
   std::string advice;
 };
 
-// The Lengths page's study of the probe's segment, and of the track as far as it has come: a part is added in each frame.
+// The Lengths page's study of the probe's segment, and of the track as far as it has come: a part is added in each
+// frame.
 const LengthStudy& kept_lengths(Ui& ui, const Probe& probe);
 
 }  // namespace coaster::ui

@@ -17,7 +17,8 @@ constexpr double kMillimetres = 1e3;
 
 // The bound that the row of the table promises for this segment, mm.
 double bound_of(const curve::Cubic& c, const curve::Evaluator& evaluator, int steps) {
-  const double extent = std::max({glm::length(glm::dvec3(c.p0)), glm::length(glm::dvec3(c.p1)), glm::length(glm::dvec3(c.p2)), glm::length(glm::dvec3(c.p3))});
+  const double extent = std::max({glm::length(glm::dvec3(c.p0)), glm::length(glm::dvec3(c.p1)),
+                                  glm::length(glm::dvec3(c.p2)), glm::length(glm::dvec3(c.p3))});
   const auto leg = [](glm::vec3 a, glm::vec3 b) { return glm::length(glm::dvec3(b) - glm::dvec3(a)); };
   return evaluator.error_bound(extent, leg(c.p0, c.p1) + leg(c.p1, c.p2) + leg(c.p2, c.p3), steps) * kMillimetres;
 }
@@ -39,12 +40,20 @@ void error_plot(Ui& ui, const Probe& probe, const ErrorStudy& one, const ErrorSt
   const world::Settings& settings = ui.session().settings;
   std::vector<Series> series;
   if (other != nullptr)
-    series.push_back({std::string(curve::evaluator(EvaluatorId{ui.lab.compared}).label), other->t, other->mm, row_colour(1), SeriesKind::line, 1.4f});
-  series.push_back({std::string(curve::evaluator(settings.evaluator).label), one.t, one.mm, row_colour(0), SeriesKind::line, 1.6f});
+    series.push_back({std::string(curve::evaluator(EvaluatorId{ui.lab.compared}).label), other->t, other->mm,
+                      row_colour(1), SeriesKind::line, 1.4f});
+  series.push_back(
+      {std::string(curve::evaluator(settings.evaluator).label), one.t, one.mm, row_colour(0), SeriesKind::line, 1.6f});
   const Level bound{"bound", one.bound, row_colour(3)};
   const auto drag = plot(ui, "Error plot",
-                         {.x = {"t", "", AxisScale::linear, 0, 1}, .y = {"error", "mm", AxisScale::logarithmic}, .series = series, .levels = {&bound, 1}, .cursor = probe.t, .height = height},
-                         "Distance of each vertex from the exact point at the same t (de Casteljau in long double): float rounding alone. An error of 0 lies on the lower edge. "
+                         {.x = {"t", "", AxisScale::linear, 0, 1},
+                          .y = {"error", "mm", AxisScale::logarithmic},
+                          .series = series,
+                          .levels = {&bound, 1},
+                          .cursor = probe.t,
+                          .height = height},
+                         "Distance of each vertex from the exact point at the same t (de Casteljau in long double): "
+                         "float rounding alone. An error of 0 lies on the lower edge. "
                          "The dashed line is what the method guarantees. Drag the cursor to move the probe.");
   if (drag) move_probe(ui, probe, drag->x);
 }
@@ -52,19 +61,33 @@ void error_plot(Ui& ui, const Probe& probe, const ErrorStudy& one, const ErrorSt
 void comparison(Ui& ui) {
   std::vector<Choice> choices{{"nothing", "Only the chosen evaluator."}};
   for (const auto& row : curve::evaluators()) choices.push_back({std::string(row.label), std::string(row.formula)});
-  if (const auto to = combo(ui, "Beside", choices, ui.lab.compared + 1, "A second evaluator, drawn for comparison.", true)) ui.lab.compared = *to - 1;
+  if (const auto to =
+          combo(ui, "Beside", choices, ui.lab.compared + 1, "A second evaluator, drawn for comparison.", true))
+    ui.lab.compared = *to - 1;
 }
 
 void side(Ui& ui, const ErrorStudy& one) {
   const world::Settings& settings = ui.session().settings;
-  const auto steps = slider(ui, "Steps", settings.steps, curve::kMinSteps, curve::kMaxSteps, true, "Steps of each segment's polyline, 1 to 4096: more steps, more rounding in forward differences.");
+  const auto steps =
+      slider(ui, "Steps", settings.steps, curve::kMinSteps, curve::kMaxSteps, true,
+             "Steps of each segment's polyline, 1 to 4096: more steps, more rounding in forward differences.");
   if (steps) ui.emit(edit::SetResolution{*steps});
   comparison(ui);
   layer_box(ui, world::Layer::rounding);
-  const Number magnification{.value = settings.magnification, .unit = "\u00D7", .decimals = 0, .step = 200, .low = 1, .high = 1e7, .largest = 1e15};
-  if (const auto to = number(ui, "Magnified", magnification, "How many times the rounding layer in the view magnifies the error, 1 to 10,000,000.")) ui.emit(edit::SetMagnification{*to});
+  const Number magnification{.value = settings.magnification,
+                             .unit = "\u00D7",
+                             .decimals = 0,
+                             .step = 200,
+                             .low = 1,
+                             .high = 1e7,
+                             .largest = 1e15};
+  if (const auto to = number(ui, "Magnified", magnification,
+                             "How many times the rounding layer in the view magnifies the error, 1 to 10,000,000."))
+    ui.emit(edit::SetMagnification{*to});
   read_out(ui, "Largest error", significant(one.largest, 3), "mm", "Over the segment, of the chosen evaluator.");
-  read_out(ui, "Seam", significant(one.seam, 3), "mm", "What the last step jumps by: the last vertex is pinned to p\u2083, so what was gathered on the way opens there.");
+  read_out(ui, "Seam", significant(one.seam, 3), "mm",
+           "What the last step jumps by: the last vertex is pinned to p\u2083, so what was gathered on the way opens "
+           "there.");
   read_out(ui, "Bound", significant(one.bound, 3), "mm", "What the method guarantees for this segment.");
 }
 
@@ -75,7 +98,8 @@ void error_page(Ui& ui) {
   if (!probe) return;
   const world::Settings& settings = ui.session().settings;
   const auto study = [&](auto& kept, EvaluatorId id) -> const ErrorStudy& {
-    return kept.get({probe->shape->shape_build, static_cast<int>(id), settings.steps}, [&] { return error_study(*probe->shape, id, settings.steps); });
+    return kept.get({probe->shape->shape_build, static_cast<int>(id), settings.steps},
+                    [&] { return error_study(*probe->shape, id, settings.steps); });
   };
   const ErrorStudy& one = study(ui.lab.error, settings.evaluator);
   const bool beside = ui.lab.compared >= 0 && EvaluatorId{ui.lab.compared} != settings.evaluator;

@@ -1,5 +1,5 @@
-// Forces: the whole ride of the selected cart, else the first, simulated over the present track: speed, height and g over distance or time, what riders may not
-// feel for that long, and which knot to move against it.
+// Forces: the whole ride of the selected cart, else the first, simulated over the present track: speed, height and g
+// over distance or time, what riders may not feel for that long, and which knot to move against it.
 #include <imgui.h>
 
 #include <algorithm>
@@ -17,10 +17,13 @@ namespace {
 
 constexpr const char* kQuantities[] = {"Vertical g", "Lateral g", "Longitudinal g", "Speed", "Height"};
 constexpr const char* kUnits[] = {"g", "g", "g", "m/s", "m"};
-constexpr sim::ForceAxis kAxesOf[][2] = {{sim::ForceAxis::down, sim::ForceAxis::lift}, {sim::ForceAxis::side, sim::ForceAxis::side}, {sim::ForceAxis::forward, sim::ForceAxis::back}};
+constexpr sim::ForceAxis kAxesOf[][2] = {{sim::ForceAxis::down, sim::ForceAxis::lift},
+                                         {sim::ForceAxis::side, sim::ForceAxis::side},
+                                         {sim::ForceAxis::forward, sim::ForceAxis::back}};
 
 // The middle car's, one value for each of the ghost's forces.
-double value_at(const sim::Ghost& ghost, const sim::RailTables& tables, std::size_t entry, int quantity, std::size_t& hint) {
+double value_at(const sim::Ghost& ghost, const sim::RailTables& tables, std::size_t entry, int quantity,
+                std::size_t& hint) {
   const auto cars = static_cast<std::size_t>(ghost.start.cars);
   const sim::Force& force = ghost.forces[entry * cars + cars / 2];
   const std::size_t sample = entry * sim::kForceEvery;
@@ -48,7 +51,8 @@ ForceStudy study_of(const edit::Session& session, const sim::Ghost& ghost) {
     study.time.push_back(static_cast<double>(k * sim::kForceEvery) * world::kTick);
   }
   for (int quantity = 0; quantity < kForceQuantities; ++quantity) {
-    std::vector<double>&values = study.values[static_cast<std::size_t>(quantity)], &beyond = study.beyond[static_cast<std::size_t>(quantity)];
+    std::vector<double>&values = study.values[static_cast<std::size_t>(quantity)],
+    &beyond = study.beyond[static_cast<std::size_t>(quantity)];
     for (std::size_t k = 0; k < entries; ++k) values.push_back(value_at(ghost, tables, k, quantity, hint));
     beyond.assign(entries, std::numeric_limits<double>::quiet_NaN());
     if (quantity > 2) continue;
@@ -84,48 +88,66 @@ void seek_to(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study, double x)
   ui.emit(edit::RideSeek{ghost.start.front + x});
 }
 
-void force_plot(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study, int quantity, const char* label, float width, float height) {
+void force_plot(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study, int quantity, const char* label, float width,
+                float height) {
   const bool over_time = ui.lab.forces_over_time;
   const auto which = static_cast<std::size_t>(quantity);
   const std::vector<double>& x = over_time ? study.time : study.way;
-  const Series series[] = {{"", x, study.values[which], row_colour(which), SeriesKind::line, 1.8f},
-                           {quantity <= 2 ? "beyond the limit" : "", x, study.beyond[which], kBadColour, SeriesKind::line, 3.0f}};
+  const Series series[] = {
+      {"", x, study.values[which], row_colour(which), SeriesKind::line, 1.8f},
+      {quantity <= 2 ? "beyond the limit" : "", x, study.beyond[which], kBadColour, SeriesKind::line, 3.0f}};
   const auto cursor = cursor_of(ui.session(), ghost, study);
-  Plot picture{.x = {over_time ? "time" : "way", over_time ? "s" : "m"}, .y = {kQuantities[quantity], kUnits[quantity]}, .series = series,
-               .empty = "no ride", .width = width, .height = height};
+  Plot picture{.x = {over_time ? "time" : "way", over_time ? "s" : "m"},
+               .y = {kQuantities[quantity], kUnits[quantity]},
+               .series = series,
+               .empty = "no ride",
+               .width = width,
+               .height = height};
   if (cursor) picture.cursor = over_time ? cursor->time : cursor->way;
-  if (const auto drag = plot(ui, label, picture, "The whole ride over the present track, riders of the middle car. Drag to put the train there; red: beyond what may last that long."))
+  if (const auto drag = plot(ui, label, picture,
+                             "The whole ride over the present track, riders of the middle car. Drag to put the train "
+                             "there; red: beyond what may last that long."))
     seek_to(ui, ghost, study, drag->x);
 }
 
 void side(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study) {
   std::vector<Choice> choices;
   for (const char* name : kQuantities) choices.push_back({name, {}});
-  if (const auto to = combo(ui, "Left", choices, ui.lab.force_plots[0], "What the left plot shows.")) ui.lab.force_plots[0] = *to;
-  if (const auto to = combo(ui, "Right", choices, ui.lab.force_plots[1], "What the right plot shows.")) ui.lab.force_plots[1] = *to;
-  if (radio(ui, "Over way", !ui.lab.forces_over_time, "Plot over the way along the track.")) ui.lab.forces_over_time = false;
+  if (const auto to = combo(ui, "Left", choices, ui.lab.force_plots[0], "What the left plot shows."))
+    ui.lab.force_plots[0] = *to;
+  if (const auto to = combo(ui, "Right", choices, ui.lab.force_plots[1], "What the right plot shows."))
+    ui.lab.force_plots[1] = *to;
+  if (radio(ui, "Over way", !ui.lab.forces_over_time, "Plot over the way along the track."))
+    ui.lab.forces_over_time = false;
   ImGui::SameLine();
-  if (radio(ui, "Over time", ui.lab.forces_over_time, "Plot over the time of the ride.")) ui.lab.forces_over_time = true;
-  if (button(ui, "Auto-bank", "Roll every knot so that riders feel no lateral g there at the ghost's speed. One step of undo.")) ui.emit(edit::AutoBank{});
+  if (radio(ui, "Over time", ui.lab.forces_over_time, "Plot over the time of the ride."))
+    ui.lab.forces_over_time = true;
+  if (button(ui, "Auto-bank",
+             "Roll every knot so that riders feel no lateral g there at the ghost's speed. One step of undo."))
+    ui.emit(edit::AutoBank{});
   (void)beside_last(ui, world::layers()[static_cast<std::size_t>(world::Layer::limits)].label);
   layer_box(ui, world::Layer::limits);
   if (study.red.empty()) small_note(ui, "Nothing lasts longer than it may.");
   const sim::Ratings& r = study.ratings;
   read_out(ui, ghost.lap ? "Lap time" : "Ride time", fixed(r.seconds, 2), "s", "Of the whole ride, by the ghost.");
   read_out(ui, "Top speed", fixed(r.top_speed.value, 2), "m/s", "Anywhere in the ride.");
-  read_out(ui, "Vertical", fixed(r.up_least.value, 2) + " .. " + fixed(r.up_most.value, 2), "g", "Low-passed at 5 Hz, all cars.");
+  read_out(ui, "Vertical", fixed(r.up_least.value, 2) + " .. " + fixed(r.up_most.value, 2), "g",
+           "Low-passed at 5 Hz, all cars.");
   read_out(ui, "Lateral", fixed(r.side_most.value, 2), "g", "Largest to either side, low-passed.");
   read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "With vertical g below 0.");
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Times that riders are turned upside down.");
-  read_out(ui, "Excitement", fixed(r.excitement, 2), "", "After OpenRCT2's published terms of g and drops, with real g.");
+  read_out(ui, "Excitement", fixed(r.excitement, 2), "",
+           "After OpenRCT2's published terms of g and drops, with real g.");
   read_out(ui, "Intensity", fixed(r.intensity, 2), "", "The same.");
   read_out(ui, "Nausea", fixed(r.nausea, 2), "", "The same.");
 }
 
-constexpr TableColumn kRedColumns[] = {{"Where", "m", 1.2f, "Along the track. Click to put the train there."},
-                                    {"Force", "", 1.6f, "Which way riders are pressed."},
-                                    {"Is", "g", 0.8f, "Low-passed, where it is furthest beyond."},
-                                    {"May", "g", 0.8f, "What may last that long by the envelope (its file: the command envelope). Not a compliance check."}};
+constexpr TableColumn kRedColumns[] = {
+    {"Where", "m", 1.2f, "Along the track. Click to put the train there."},
+    {"Force", "", 1.6f, "Which way riders are pressed."},
+    {"Is", "g", 0.8f, "Low-passed, where it is furthest beyond."},
+    {"May", "g", 0.8f,
+     "What may last that long by the envelope (its file: the command envelope). Not a compliance check."}};
 
 std::string advice_text(const edit::Session& session, const std::optional<sim::Advice>& advice) {
   if (!advice) return "No single move of a knot nearby helps.";
@@ -134,8 +156,8 @@ std::string advice_text(const edit::Session& session, const std::optional<sim::A
     const float part = advice->direction[axis];
     if (part == 0) continue;
     const double less = advice->before > 0 ? 100 * (1 - advice->after / advice->before) : 0;
-    return "Move " + world::label_of(session.document, advice->knot) + " by " + (part > 0 ? "+" : "-") + fixed(sim::kAdviceStep, 2) + " m in " + kNames[axis] + ": " +
-           fixed(less, 0) + " % less.";
+    return "Move " + world::label_of(session.document, advice->knot) + " by " + (part > 0 ? "+" : "-") +
+           fixed(sim::kAdviceStep, 2) + " m in " + kNames[axis] + ": " + fixed(less, 0) + " % less.";
   }
   return {};
 }
@@ -144,17 +166,25 @@ std::string advice_text(const edit::Session& session, const std::optional<sim::A
 void red_table(Ui& ui, const ForceStudy& study, float height, bool brief) {
   const edit::Session& session = ui.session();
   if (ui.lab.red_chosen < static_cast<int>(study.red.size())) {
-    if (button(ui, "What helps?", "Tries moves of the knots around the chosen stretch, each with a whole ride, and says which lowers it most.", ui.lab.red_chosen >= 0))
-      ui.lab.advice = advice_text(session, sim::advise(session.document, edit::chosen_cart(session), session.envelope, study.red[static_cast<std::size_t>(ui.lab.red_chosen)]));
+    if (button(ui, "What helps?",
+               "Tries moves of the knots around the chosen stretch, each with a whole ride, and says which lowers it "
+               "most.",
+               ui.lab.red_chosen >= 0))
+      ui.lab.advice = advice_text(session, sim::advise(session.document, edit::chosen_cart(session), session.envelope,
+                                                       study.red[static_cast<std::size_t>(ui.lab.red_chosen)]));
     if (!ui.lab.advice.empty()) small_note(ui, ui.lab.advice);
     height -= 2 * ImGui::GetFrameHeightWithSpacing();
   }
   if (!begin_table(ui, "Red spans", kRedColumns, height)) return;
   for (std::size_t i = 0; i < study.red.size(); ++i) {
     const sim::RedSpan& span = study.red[i];
-    const Cell cells[] = {{fixed(span.from_distance, 1) + (brief ? "" : ".." + fixed(span.to_distance, 1))}, {std::string(brief ? sim::name(span.axis) : sim::label(span.axis)), kPlainColour, true},
-                          {fixed(span.worst, 2), kBadColour}, {fixed(span.allowed, 2)}};
-    if (!table_row(ui, "Span " + std::to_string(i + 1), cells, ui.lab.red_chosen == static_cast<int>(i), fixed(span.worst, 2), "Click to put the train there.")) continue;
+    const Cell cells[] = {{fixed(span.from_distance, 1) + (brief ? "" : ".." + fixed(span.to_distance, 1))},
+                          {std::string(brief ? sim::name(span.axis) : sim::label(span.axis)), kPlainColour, true},
+                          {fixed(span.worst, 2), kBadColour},
+                          {fixed(span.allowed, 2)}};
+    if (!table_row(ui, "Span " + std::to_string(i + 1), cells, ui.lab.red_chosen == static_cast<int>(i),
+                   fixed(span.worst, 2), "Click to put the train there."))
+      continue;
     ui.lab.red_chosen = static_cast<int>(i);
     ui.lab.advice.clear();
     ui.emit(edit::RideSeek{span.from_distance});
@@ -172,7 +202,8 @@ void forces_page(Ui& ui) {
     small_note(ui, "A ride needs a cart: add one in the Track panel.");
     return;
   }
-  const ForceStudy& study = ui.lab.forces.get({ghost->serial, session.envelope_serial}, [&] { return study_of(session, *ghost); });
+  const ForceStudy& study =
+      ui.lab.forces.get({ghost->serial, session.envelope_serial}, [&] { return study_of(session, *ghost); });
   Page page(ui, 230);
   side(ui, *ghost, study);
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);

@@ -1,4 +1,5 @@
-// Frames: how carts are turned along the track, curvature and torsion of the segment, and where Frenet-Serret gives no frame.
+// Frames: how carts are turned along the track, curvature and torsion of the segment, and where Frenet-Serret gives no
+// frame.
 #include <imgui.h>
 
 #include <cmath>
@@ -40,19 +41,29 @@ void bend_plot(Ui& ui, const Probe& probe, const BendStudy& study, bool torsion,
   PlotAxis y{torsion ? "torsion" : "curvature", "1/m"};
   if (!torsion) y.low = 0;
   const auto drag = plot(ui, torsion ? "Torsion plot" : "Curvature plot",
-                         {.x = {"s", "m", AxisScale::linear, 0, length > 0 ? length : 1}, .y = y, .series = series, .spots = spots,
-                          .cursor = probe.shape->arc.distance(probe.t), .empty = "straight: no torsion", .width = width, .height = height},
-                         torsion ? "Torsion, det(B', B'', B''') / |B' \u00D7 B''|\u00B2, over arc length: how the Frenet frame turns about the tangent. A gap where the frame is undefined."
-                                 : "Curvature, |B' \u00D7 B''| / |B'|\u00B3, over arc length. Where it is 0 the Frenet normal is undefined and may flip.");
+                         {.x = {"s", "m", AxisScale::linear, 0, length > 0 ? length : 1},
+                          .y = y,
+                          .series = series,
+                          .spots = spots,
+                          .cursor = probe.shape->arc.distance(probe.t),
+                          .empty = "straight: no torsion",
+                          .width = width,
+                          .height = height},
+                         torsion ? "Torsion, det(B', B'', B''') / |B' \u00D7 B''|\u00B2, over arc length: how the "
+                                   "Frenet frame turns about the tangent. A gap where the frame is undefined."
+                                 : "Curvature, |B' \u00D7 B''| / |B'|\u00B3, over arc length. Where it is 0 the Frenet "
+                                   "normal is undefined and may flip.");
   if (drag) move_probe(ui, probe, probe.shape->arc.parameter(drag->x));
 }
 
 void frame_choice(Ui& ui) {
   std::vector<Choice> choices;
-  for (const sim::FrameMethodRow& row : sim::frame_methods()) choices.push_back({std::string(row.label), std::string(row.formula)});
+  for (const sim::FrameMethodRow& row : sim::frame_methods())
+    choices.push_back({std::string(row.label), std::string(row.formula)});
   const int current = static_cast<int>(ui.session().settings.frames);
   const std::string tooltip = std::string(sim::frame_methods()[static_cast<std::size_t>(current)].formula);
-  if (const auto to = combo(ui, "Turned by", choices, current, "How carts and the ride camera are turned along the track. " + tooltip))
+  if (const auto to = combo(ui, "Turned by", choices, current,
+                            "How carts and the ride camera are turned along the track. " + tooltip))
     ui.emit(edit::SetFrames{static_cast<world::FrameMethod>(*to)});
 }
 
@@ -60,20 +71,26 @@ void side(Ui& ui, const Probe& probe) {
   const sim::Derived& derived = ui.session().derived;
   frame_choice(ui);
   bool alone = false;
-  for (const world::Layer layer : {world::Layer::frames, world::Layer::flips, world::Layer::comb, world::Layer::circle}) {
+  for (const world::Layer layer :
+       {world::Layer::frames, world::Layer::flips, world::Layer::comb, world::Layer::circle}) {
     alone = !(alone && beside_last(ui, world::layers()[static_cast<std::size_t>(layer)].label));
     layer_box(ui, layer);
   }
-  read_out(ui, "Curvature", fixed(curve::curvature(probe.shape->key.cubic, probe.t), 5), "1/m", "At the probe: one over the radius of the osculating circle.");
+  read_out(ui, "Curvature", fixed(curve::curvature(probe.shape->key.cubic, probe.t), 5), "1/m",
+           "At the probe: one over the radius of the osculating circle.");
   const auto frame = curve::frenet(probe.shape->key.cubic, probe.t);
-  read_out(ui, "Torsion", frame ? fixed(frame->torsion, 5) : "--", "1/m", "At the probe; undefined where there is no curvature.");
+  read_out(ui, "Torsion", frame ? fixed(frame->torsion, 5) : "--", "1/m",
+           "At the probe; undefined where there is no curvature.");
   const double left_over = sim::loop_twist(derived) * kDegrees;
   read_out(ui, "Twist left over", derived.closed ? fixed(left_over, 2) : "--", "\u00B0",
-           "What a rotation-minimising frame has turned by after one round of a closed track; spread linearly in arc length.");
+           "What a rotation-minimising frame has turned by after one round of a closed track; spread linearly in arc "
+           "length.");
   std::size_t flips = 0, undefined = 0;
-  for (const sim::FrenetBreak& at : ui.lab.breaks.update(derived)) ++(at.kind == sim::FrenetBreak::Kind::flip ? flips : undefined);
+  for (const sim::FrenetBreak& at : ui.lab.breaks.update(derived))
+    ++(at.kind == sim::FrenetBreak::Kind::flip ? flips : undefined);
   read_out(ui, "Frenet flips", std::to_string(flips), "", "Places of the track where the Frenet normal turns over.");
-  read_out(ui, "Undefined", std::to_string(undefined), "", "Stretches of the track without curvature, where there is no Frenet normal.");
+  read_out(ui, "Undefined", std::to_string(undefined), "",
+           "Stretches of the track without curvature, where there is no Frenet normal.");
 }
 
 }  // namespace
@@ -81,7 +98,8 @@ void side(Ui& ui, const Probe& probe) {
 void frames_page(Ui& ui) {
   const auto probe = need_probe(ui);
   if (!probe) return;
-  const BendStudy& study = ui.lab.bend.get(probe->shape->shape_build, [&] { return bend_study(*probe->shape, probe->segment); });
+  const BendStudy& study =
+      ui.lab.bend.get(probe->shape->shape_build, [&] { return bend_study(*probe->shape, probe->segment); });
   Page page(ui, 240);
   side(ui, *probe);
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);

@@ -14,10 +14,10 @@ namespace {
 constexpr int kHodographSamples = 96;
 
 struct Derivative {
-  Trace curve;            // B'(t) in its sheet
+  Trace curve;  // B'(t) in its sheet
   std::vector<double> t, size;
-  Trace probe;            // from the origin to B'(t) at the probe
-  Trace control;          // its control polygon: 3 (p1 - p0), 3 (p2 - p1), 3 (p3 - p2)
+  Trace probe;    // from the origin to B'(t) at the probe
+  Trace control;  // its control polygon: 3 (p1 - p0), 3 (p2 - p1), 3 (p3 - p2)
 };
 
 Derivative derivative_of(const Probe& probe) {
@@ -40,13 +40,22 @@ Derivative derivative_of(const Probe& probe) {
 }
 
 void shape_plot(Ui& ui, const Probe& probe, const Derivative& d, float width, float height) {
-  const Series series[] = {{"control points", d.control.x, d.control.y, kPolygonColour, SeriesKind::line_and_points, 1.3f},
-                           {"B'", d.curve.x, d.curve.y, kCurveColour, SeriesKind::line, 2.2f},
-                           {"", d.probe.x, d.probe.y, kTangentColour, SeriesKind::line, 2.0f}};
+  const Series series[] = {
+      {"control points", d.control.x, d.control.y, kPolygonColour, SeriesKind::line_and_points, 1.3f},
+      {"B'", d.curve.x, d.curve.y, kCurveColour, SeriesKind::line, 2.2f},
+      {"", d.probe.x, d.probe.y, kTangentColour, SeriesKind::line, 2.0f}};
   const Spot spots[] = {{0, 0, 0x9AA3B2, "0"}, {d.probe.x[1], d.probe.y[1], kPointColour, ""}};
   (void)plot(ui, "Hodograph plot",
-             {.x = {"B'", "m"}, .y = {"B' seen in its plane", "m"}, .series = series, .spots = spots, .square = true, .value = significant(probe.t, 6, false), .width = width, .height = height},
-             "The hodograph: B'(t) = 3 [(1-t)\u00B2 (p1-p0) + 2t(1-t) (p2-p1) + t\u00B2 (p3-p2)], drawn from the origin in the plane in which it spreads most. "
+             {.x = {"B'", "m"},
+              .y = {"B' seen in its plane", "m"},
+              .series = series,
+              .spots = spots,
+              .square = true,
+              .value = significant(probe.t, 6, false),
+              .width = width,
+              .height = height},
+             "The hodograph: B'(t) = 3 [(1-t)\u00B2 (p1-p0) + 2t(1-t) (p2-p1) + t\u00B2 (p3-p2)], drawn from the "
+             "origin in the plane in which it spreads most. "
              "Where it passes through the origin the curve has a cusp.");
 }
 
@@ -54,10 +63,17 @@ void size_plot(Ui& ui, const Probe& probe, const Derivative& d, float width, flo
   const Series series[] = {{"", d.t, d.size, kCurveColour, SeriesKind::line, 2.0f}};
   const Spot spots[] = {{probe.t, glm::length(curve::derivative(probe.shape->key.cubic, probe.t)), kPointColour, ""}};
   const Level mean{"mean", probe.shape->arc.length(), kConstructionColour};
-  const auto drag = plot(ui, "Speed plot",
-                         {.x = {"t", "", AxisScale::linear, 0, 1}, .y = {"|B'(t)|", "m", AxisScale::linear, 0, {}}, .series = series, .levels = {&mean, 1}, .spots = spots,
-                          .cursor = probe.t, .width = width, .height = height},
-                         "The speed of the parameter, |B'(t)|: its mean over t is the arc length. Drag the cursor to move the probe.");
+  const auto drag = plot(
+      ui, "Speed plot",
+      {.x = {"t", "", AxisScale::linear, 0, 1},
+       .y = {"|B'(t)|", "m", AxisScale::linear, 0, {}},
+       .series = series,
+       .levels = {&mean, 1},
+       .spots = spots,
+       .cursor = probe.t,
+       .width = width,
+       .height = height},
+      "The speed of the parameter, |B'(t)|: its mean over t is the arc length. Drag the cursor to move the probe.");
   if (drag) move_probe(ui, probe, drag->x);
 }
 
@@ -72,9 +88,11 @@ void hodograph_page(Ui& ui) {
   probe_slider(ui, *probe);
   triple_heading(ui, "m");
   triple(ui, "B'(t)", "B'(t)", kTangentColour, b, 3, "m", "The derivative with respect to t at the probe.");
-  triple(ui, "B''(t)", "B''(t)", kConstructionColour, curve::second_derivative(probe->shape->key.cubic, probe->t), 3, "m", "The second derivative at the probe.");
+  triple(ui, "B''(t)", "B''(t)", kConstructionColour, curve::second_derivative(probe->shape->key.cubic, probe->t), 3,
+         "m", "The second derivative at the probe.");
   read_out(ui, "|B'(t)|", fixed(glm::length(b), 3), "m", "Metres of track for one unit of t, here.");
-  read_out(ui, "Curvature", fixed(curve::curvature(probe->shape->key.cubic, probe->t), 5), "1/m", "|B' \u00D7 B''| / |B'|\u00B3.");
+  read_out(ui, "Curvature", fixed(curve::curvature(probe->shape->key.cubic, probe->t), 5), "1/m",
+           "|B' \u00D7 B''| / |B'|\u00B3.");
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);
   const bool beside = room > 380 * ui.scale;
   const float width = beside ? std::floor((room - gap) / 2) : room;

@@ -21,7 +21,8 @@ std::vector<JointRow> joints_of(const edit::Session& session) {
   for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i) {
     const world::Entity before = derived.order[(i + count - 1) % count], after = derived.order[i];
     const world::Entity knot = world::segment(session.document, after).from;
-    rows.push_back({knot, world::name_of(session.document, knot), curve::joint(derived.shape(before).key.cubic, derived.shape(after).key.cubic)});
+    rows.push_back({knot, world::name_of(session.document, knot),
+                    curve::joint(derived.shape(before).key.cubic, derived.shape(after).key.cubic)});
   }
   return rows;
 }
@@ -29,7 +30,9 @@ std::vector<JointRow> joints_of(const edit::Session& session) {
 std::vector<std::size_t> by_jump(const std::vector<JointRow>& rows) {
   std::vector<std::size_t> order(rows.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rows[a].joint.curvature_jump > rows[b].joint.curvature_jump; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return rows[a].joint.curvature_jump > rows[b].joint.curvature_jump;
+  });
   return order;
 }
 
@@ -52,51 +55,63 @@ double present_speed(Ui& ui) {
 constexpr TableColumn kJointColumns[] = {
     {"Knot", "", 1.0f, "The knot of the joint. Click a row to select it."},
     {"Shape", "", 0.9f, "Geometric continuity: G0 meets, G1 one tangent line, G2 one curvature too."},
-    {"Param.", "", 0.9f, "Parametric continuity: C1 has equal first derivatives, C2 equal second ones. More than G1, G2."},
+    {"Param.", "", 0.9f,
+     "Parametric continuity: C1 has equal first derivatives, C2 equal second ones. More than G1, G2."},
     {"Angle", "\u00B0", 1.1f, "Angle between the two tangents."},
     {"Ratio", "", 1.0f, "|C'(0)| / |B'(1)|: 1 for C1."},
     {"Jump", "1/m", 1.3f, "Size of the difference of the curvature vectors."},
-    {"g-step", "g", 1.2f, "v\u00B2 |\u0394\u03BA| / g: the jump of the force on a rider at the first cart's present speed."},
+    {"g-step", "g", 1.2f,
+     "v\u00B2 |\u0394\u03BA| / g: the jump of the force on a rider at the first cart's present speed."},
 };
 
 void row_of(Ui& ui, const JointRow& row, double speed) {
   const bool selected = ui.session().settings.selected == row.knot;
   const double step = sim::g_step(row.joint.curvature_jump, speed);
   const std::string name = world::to_text(row.name);
-  const std::uint32_t tint = row.joint.geometric == curve::Geometric::g2 ? kGoodColour : row.joint.geometric == curve::Geometric::g1 ? kPlainColour : kBadColour;
+  const std::uint32_t tint = row.joint.geometric == curve::Geometric::g2   ? kGoodColour
+                             : row.joint.geometric == curve::Geometric::g1 ? kPlainColour
+                                                                           : kBadColour;
   const std::uint32_t step_tint = step > 1 ? kBadColour : step > 0.3 ? kPolygonColour : kPlainColour;
   const std::string geometric(curve::name(row.joint.geometric)), parametric(curve::name(row.joint.parametric));
-  const Cell cells[] = {{name, kPlainColour, true},
-                        {geometric, tint, true},
-                        {parametric, kPlainColour, true},
-                        {fixed(row.joint.angle * 180 / 3.14159265358979, 3)},
-                        {fixed(row.joint.speed_ratio, 3)},
-                        {fixed(row.joint.curvature_jump, 5)},
+  const Cell cells[] = {{name, kPlainColour, true},        {geometric, tint, true},
+                        {parametric, kPlainColour, true},  {fixed(row.joint.angle * 180 / 3.14159265358979, 3)},
+                        {fixed(row.joint.speed_ratio, 3)}, {fixed(row.joint.curvature_jump, 5)},
                         {fixed(step, 2), step_tint}};
-  if (table_row(ui, "Joint " + name, cells, selected, geometric + " " + parametric + " " + fixed(step, 2) + " g", "Click to select the knot.") && !selected)
+  if (table_row(ui, "Joint " + name, cells, selected, geometric + " " + parametric + " " + fixed(step, 2) + " g",
+                "Click to select the knot.") &&
+      !selected)
     ui.emit(edit::Select{{row.name}});
 }
 
 void side(Ui& ui, const JointList& list, double speed) {
   const edit::Session& session = ui.session();
   const world::Name* name = session.document.entities.find<world::Name>(session.settings.selected);
-  const auto joint = std::find_if(list.rows.begin(), list.rows.end(), [&](const JointRow& row) { return row.knot == session.settings.selected; });
+  const auto joint = std::find_if(list.rows.begin(), list.rows.end(),
+                                  [&](const JointRow& row) { return row.knot == session.settings.selected; });
   const bool mendable = name != nullptr && joint != list.rows.end() && joint->joint.geometric < curve::Geometric::g2;
   const float width = std::floor((ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2);
-  if (button(ui, "Make G2", "Give the selected joint one curvature by moving the least (least squared movement of the control points). The other joints keep their class, or it refuses and says why. Undo takes it back.",
+  if (button(ui, "Make G2",
+             "Give the selected joint one curvature by moving the least (least squared movement of the control "
+             "points). The other joints keep their class, or it refuses and says why. Undo takes it back.",
              mendable, width))
     ui.emit(edit::MakeG2{{*name}});
   ImGui::SameLine();
-  if (button(ui, "Make all G2", "The same for every joint of the track, in one step of undo.", !list.rows.empty(), width)) ui.emit(edit::MakeAllG2{});
-  const auto smooth = std::count_if(list.rows.begin(), list.rows.end(), [](const JointRow& row) { return row.joint.geometric >= curve::Geometric::g2; });
+  if (button(ui, "Make all G2", "The same for every joint of the track, in one step of undo.", !list.rows.empty(),
+             width))
+    ui.emit(edit::MakeAllG2{});
+  const auto smooth = std::count_if(list.rows.begin(), list.rows.end(),
+                                    [](const JointRow& row) { return row.joint.geometric >= curve::Geometric::g2; });
   const double largest = list.rows.empty() ? 0 : list.rows[list.by_jump.front()].joint.curvature_jump;
   read_out(ui, "All joints", std::to_string(list.rows.size()), "", "Places where two segments meet.");
   read_out(ui, "Of them G2", std::to_string(smooth), "", "Joints with one curvature on both sides.");
   read_out(ui, "Speed", fixed(speed, 2), "m/s", "Of the first cart, now: what the g-steps are computed with.");
-  read_out(ui, "Largest g-step", fixed(sim::g_step(largest, speed), 2), "g", "The hardest knock of the track at this speed.");
-  if (radio(ui, "Track order", !ui.lab.joints_by_jump, "List the joints as they come along the track.")) ui.lab.joints_by_jump = false;
+  read_out(ui, "Largest g-step", fixed(sim::g_step(largest, speed), 2), "g",
+           "The hardest knock of the track at this speed.");
+  if (radio(ui, "Track order", !ui.lab.joints_by_jump, "List the joints as they come along the track."))
+    ui.lab.joints_by_jump = false;
   ImGui::SameLine();
-  if (radio(ui, "Hardest first", ui.lab.joints_by_jump, "List the joints with the largest step first.")) ui.lab.joints_by_jump = true;
+  if (radio(ui, "Hardest first", ui.lab.joints_by_jump, "List the joints with the largest step first."))
+    ui.lab.joints_by_jump = true;
 }
 
 }  // namespace

@@ -9,14 +9,15 @@
 #include "ui/actions/key_map.h"
 #include "ui/lab/cache.h"
 #include "ui/panels/panels.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
 
 constexpr const char* kTooltip =
-    "The laboratory: how the curve is constructed, evaluated, measured, framed and joined, live on the selected segment.";
+    "The laboratory: how the curve is constructed, evaluated, measured, framed and joined, live on the selected "
+    "segment.";
 
 bool is_open(const Ui& ui) { return ui.session().settings.show_laboratory; }
 int chosen_page(const Ui& ui) { return static_cast<int>(ui.session().settings.lab_page); }
@@ -27,7 +28,8 @@ std::vector<const Panel*> pages() {
   std::vector<const Panel*> result;
   for (const Panel& panel : panels())
     if (panel.column == Column::bottom) result.push_back(&panel);
-  COASTER_CHECK(result.size() == world::lab_pages().size(), "every page of the laboratory has its row in the table of panels");
+  COASTER_CHECK(result.size() == world::lab_pages().size(),
+                "every page of the laboratory has its row in the table of panels");
   return result;
 }
 
@@ -35,8 +37,12 @@ void draw_triangle(const Ui& ui, ImVec2 low, float size, bool open) {
   const ImVec2 c(std::floor(low.x + size * 0.5f), std::floor(low.y + size * 0.5f));
   const float r = std::floor(4 * ui.scale);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (open) list.AddTriangleFilled({c.x - r, c.y - r * 0.5f}, {c.x + r, c.y - r * 0.5f}, {c.x, c.y + r * 0.7f}, packed(palette().text));
-  else list.AddTriangleFilled({c.x - r, c.y + r * 0.5f}, {c.x, c.y - r * 0.7f}, {c.x + r, c.y + r * 0.5f}, packed(palette().text));
+  if (open)
+    list.AddTriangleFilled({c.x - r, c.y - r * 0.5f}, {c.x + r, c.y - r * 0.5f}, {c.x, c.y + r * 0.7f},
+                           packed(palette().text));
+  else
+    list.AddTriangleFilled({c.x - r, c.y + r * 0.5f}, {c.x, c.y - r * 0.7f}, {c.x + r, c.y + r * 0.5f},
+                           packed(palette().text));
 }
 
 // The fold button, with the strip's name where there is room for it.
@@ -46,11 +52,15 @@ void fold_button(Ui& ui, float bar, bool named, ImFont* font) {
   const float text = named ? text_size("Laboratory").x + std::floor(8 * ui.scale) : 0;
   const float width = bar + text;
   const bool pressed = ImGui::InvisibleButton("##fold", {width, bar});
-  if (ImGui::IsItemHovered()) ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + bar}, packed(palette().field));
+  if (ImGui::IsItemHovered())
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + bar}, packed(palette().field));
   draw_triangle(ui, low, bar, is_open(ui));
-  if (named) ImGui::GetWindowDrawList()->AddText({low.x + bar, std::floor(low.y + (bar - ImGui::GetTextLineHeight()) * 0.5f)}, packed(palette().text), "Laboratory");
+  if (named)
+    ImGui::GetWindowDrawList()->AddText({low.x + bar, std::floor(low.y + (bar - ImGui::GetTextLineHeight()) * 0.5f)},
+                                        packed(palette().text), "Laboratory");
   ImGui::PopFont();
-  note(ui, "", "header", with_keys(ui.keys, kTooltip, "Laboratory"), true, is_open(ui) ? "open" : "closed", low, {low.x + width, low.y + bar});
+  note(ui, "", "header", with_keys(ui.keys, kTooltip, "Laboratory"), true, is_open(ui) ? "open" : "closed", low,
+       {low.x + width, low.y + bar});
   if (pressed) show(ui, !is_open(ui));
 }
 
@@ -63,7 +73,8 @@ void tab(Ui& ui, const Panel& page, int index, float bar, float pad, ImFont* fon
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered() || on) list.AddRectFilled(low, high, packed(palette().field, on ? 1.0f : 0.7f));
   if (on) list.AddRectFilled(low, {high.x, low.y + std::max(2.0f, std::floor(2 * ui.scale))}, packed(palette().accent));
-  list.AddText({std::floor(low.x + pad), std::floor(low.y + (bar - size.y) * 0.5f)}, packed(on ? palette().text : palette().dim), page.name.data(), page.name.data() + page.name.size());
+  list.AddText({std::floor(low.x + pad), std::floor(low.y + (bar - size.y) * 0.5f)},
+               packed(on ? palette().text : palette().dim), page.name.data(), page.name.data() + page.name.size());
   ImGui::PopFont();
   note(ui, page.name, "radio", page.help, true, on ? "on" : "off", low, high);
   if (!pressed || on) return;
@@ -73,7 +84,10 @@ void tab(Ui& ui, const Panel& page, int index, float bar, float pad, ImFont* fon
 
 float width_of(std::span<const Panel* const> all, float pad, ImFont* font) {
   float width = 0;
-  for (const Panel* page : all) width += std::floor(font->CalcTextSizeA(font->FontSize, 1e9f, 0, page->name.data(), page->name.data() + page->name.size()).x + 2 * pad);
+  for (const Panel* page : all)
+    width += std::floor(
+        font->CalcTextSizeA(font->FontSize, 1e9f, 0, page->name.data(), page->name.data() + page->name.size()).x +
+        2 * pad);
   return width;
 }
 
@@ -112,8 +126,9 @@ void build_bar(Ui& ui, std::span<const Panel* const> all, float width, float bar
   page_list(ui, all);
 }
 
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                    ImGuiWindowFlags_NoNav;
 
 }  // namespace
 

@@ -15,7 +15,8 @@ using curve::LengthDemand;
 LengthDemand demand_of(const ArcLengthMethod& method, int steps) { return {steps, method.usual_tolerance}; }
 
 // Seconds of one measurement: the median of three batches, each of as many as fill 50 us, at most 64.
-double seconds_of(const ArcLengthMethod& method, const Cubic& cubic, const LengthDemand& demand, const sim::Clock& clock) {
+double seconds_of(const ArcLengthMethod& method, const Cubic& cubic, const LengthDemand& demand,
+                  const sim::Clock& clock) {
   if (!clock) return 0;
   std::array<double, 3> batches{};
   volatile double sink = 0;  // so that no measurement can be left out
@@ -39,7 +40,8 @@ LengthStudy study_of(const Cubic& cubic, int steps, const sim::Clock& clock) {
   LengthStudy study;
   for (const curve::LengthComparison& one : curve::compare_lengths(cubic, demand)) {
     const ArcLengthMethod& method = curve::arc_length_method(one.method);
-    study.rows.push_back({one.length, one.error, one.evaluations, seconds_of(method, cubic, demand_of(method, steps), clock) * 1e6});
+    study.rows.push_back(
+        {one.length, one.error, one.evaluations, seconds_of(method, cubic, demand_of(method, steps), clock) * 1e6});
   }
   for (const curve::Convergence& one : curve::convergence(cubic)) {
     LengthRow& row = study.rows[static_cast<std::size_t>(one.method)];

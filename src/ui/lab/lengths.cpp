@@ -1,4 +1,5 @@
-// Lengths: every arc-length method on the selected segment and on the whole track, and how its error falls with the work it does.
+// Lengths: every arc-length method on the selected segment and on the whole track, and how its error falls with the
+// work it does.
 #include <imgui.h>
 
 #include <algorithm>
@@ -17,12 +18,15 @@ namespace {
 using curve::ArcLengthMethod;
 using curve::LengthControl;
 
-constexpr TableColumn kMethod{"Method", "", 3.3f, "Rows of the table of arc-length methods; the colour is that of the plot. Click a row to choose the displayed length's method."};
+constexpr TableColumn kMethod{"Method", "", 3.3f,
+                              "Rows of the table of arc-length methods; the colour is that of the plot. Click a row to "
+                              "choose the displayed length's method."};
 constexpr TableColumn kOfSegment[] = {
     {"Length", "m", 1.3f, "Of the selected segment."},
     {"Error", "m", 1.2f, "Distance from the reference, 40-node Gauss-Legendre in long double."},
     {"Work", "", 0.8f, "Evaluations of |B'(t)|, or chords: square roots taken."},
-    {"Time", "\u00B5s", 0.9f, "Of one measurement of the segment, the median of several, taken when the segment or the steps last changed."},
+    {"Time", "\u00B5s", 0.9f,
+     "Of one measurement of the segment, the median of several, taken when the segment or the steps last changed."},
 };
 constexpr TableColumn kOfTrack[] = {
     {"Track", "m", 1.4f, "Sum over all segments, with the same demand for each."},
@@ -48,7 +52,8 @@ void row_of(Ui& ui, std::size_t i, const LengthRow& row, bool segment, bool trac
   }
   const bool chosen = static_cast<std::size_t>(settings.arc_length) == i;
   const std::string value = fixed(row.length, 6) + " m";
-  if (table_row(ui, "Length by " + std::string(method.label), cells, chosen, value, method.formula) && !chosen) ui.emit(edit::SetArcLength{static_cast<curve::ArcLengthId>(i)});
+  if (table_row(ui, "Length by " + std::string(method.label), cells, chosen, value, method.formula) && !chosen)
+    ui.emit(edit::SetArcLength{static_cast<curve::ArcLengthId>(i)});
 }
 
 void lengths_table(Ui& ui, const LengthStudy& study, bool segment, bool track, float width, float height) {
@@ -66,9 +71,11 @@ void lengths_table(Ui& ui, const LengthStudy& study, bool segment, bool track, f
 // What the table speaks of, where it has not room for both.
 void choose_columns(Ui& ui) {
   ImGui::PushFont(small_font());
-  if (radio(ui, "Segment", !ui.lab.lengths_of_track, "List the selected segment's length by every method.")) ui.lab.lengths_of_track = false;
+  if (radio(ui, "Segment", !ui.lab.lengths_of_track, "List the selected segment's length by every method."))
+    ui.lab.lengths_of_track = false;
   ImGui::SameLine();
-  if (radio(ui, "Track", ui.lab.lengths_of_track, "List the whole track's length by every method.")) ui.lab.lengths_of_track = true;
+  if (radio(ui, "Track", ui.lab.lengths_of_track, "List the whole track's length by every method."))
+    ui.lab.lengths_of_track = true;
   ImGui::PopFont();
 }
 
@@ -76,11 +83,17 @@ void convergence_plot(Ui& ui, const LengthStudy& study, float width, float heigh
   std::vector<Series> series;
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const LengthRow& row = study.rows[i];
-    series.push_back({"", row.work, row.relative_error, row_colour(i), row.work.size() > 1 ? SeriesKind::line_and_points : SeriesKind::points, 1.4f});
+    series.push_back({"", row.work, row.relative_error, row_colour(i),
+                      row.work.size() > 1 ? SeriesKind::line_and_points : SeriesKind::points, 1.4f});
   }
   (void)plot(ui, "Convergence plot",
-             {.x = {"evaluations", "", AxisScale::logarithmic}, .y = {"relative error", "", AxisScale::logarithmic, 1e-17, 1}, .series = series, .width = width, .height = height},
-             "How the relative error on the selected segment falls as a method does more work: steep is good, and the lower left corner is better. Below 1e-16 is rounding.");
+             {.x = {"evaluations", "", AxisScale::logarithmic},
+              .y = {"relative error", "", AxisScale::logarithmic, 1e-17, 1},
+              .series = series,
+              .width = width,
+              .height = height},
+             "How the relative error on the selected segment falls as a method does more work: steep is good, and the "
+             "lower left corner is better. Below 1e-16 is rounding.");
 }
 
 }  // namespace
@@ -89,12 +102,14 @@ void lengths_page(Ui& ui) {
   const auto probe = need_probe(ui);
   if (!probe) return;
   const LengthStudy& study = kept_lengths(ui, *probe);
-  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetContentRegionAvail().y, gap = std::floor(14 * ui.scale);
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetContentRegionAvail().y,
+              gap = std::floor(14 * ui.scale);
   const bool both = room > 900 * ui.scale, beside = room > 500 * ui.scale;
   const float table = beside ? std::floor(room * 0.66f) : room, picture = beside ? room - table - gap : room;
   const float stacked = std::floor(150 * ui.scale);
   if (!both && !beside) choose_columns(ui);
-  lengths_table(ui, study, both || !ui.lab.lengths_of_track, both || ui.lab.lengths_of_track, table, beside ? height : stacked);
+  lengths_table(ui, study, both || !ui.lab.lengths_of_track, both || ui.lab.lengths_of_track, table,
+                beside ? height : stacked);
   if (beside) ImGui::SameLine(0, gap);
   ImGui::BeginGroup();
   if (!both && beside) choose_columns(ui);

@@ -9,24 +9,31 @@
 #include "ui/lab/cache.h"
 #include "ui/lab/table.h"
 #include "ui/panels/panels.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
 
-double value_of_cell(const sim::MeasuredCell& cell, bool time) { return time ? cell.ns_per_point : cell.worst_error * 1e3; }
+double value_of_cell(const sim::MeasuredCell& cell, bool time) {
+  return time ? cell.ns_per_point : cell.worst_error * 1e3;
+}
 
 // From dark green for the smallest to dark red for the largest, by the logarithm.
 std::uint32_t heat(double value, const Extent& all) {
   if (!(value > 0) || all.empty() || all.high <= all.low) return 0;
   const double part = std::log(value / all.low) / std::log(all.high / all.low);
-  const auto mix = [&](int from, int to) { return static_cast<std::uint32_t>(std::lround(from + (to - from) * std::clamp(part, 0.0, 1.0))); };
+  const auto mix = [&](int from, int to) {
+    return static_cast<std::uint32_t>(std::lround(from + (to - from) * std::clamp(part, 0.0, 1.0)));
+  };
   return mix(0x1E, 0x52) << 16 | mix(0x45, 0x2C) << 8 | mix(0x38, 0x2E);
 }
 
 void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, float height) {
-  std::vector<TableColumn> columns{{time ? "Time (ns a point) at steps" : "Worst error (mm) at steps", "", 2.9f, time ? "Nanoseconds a point: the median of the rounds so far." : "Largest distance of a vertex from the exact point, over the curves of the track."}};
+  std::vector<TableColumn> columns{
+      {time ? "Time (ns a point) at steps" : "Worst error (mm) at steps", "", 2.9f,
+       time ? "Nanoseconds a point: the median of the rounds so far."
+            : "Largest distance of a vertex from the exact point, over the curves of the track."}};
   std::vector<std::string> titles;
   for (const int steps : sim::kMeasuredSteps) titles.push_back(std::to_string(steps));
   for (const std::string& title : titles) columns.push_back({title, "", 1.0f, "Steps a segment."});
@@ -43,11 +50,16 @@ void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, f
       std::string values;
       for (const sim::MeasuredCell& cell : row.cells) {
         const bool hidden_time = time && (ui.state.scripted || cell.ns_per_point <= 0);
-        const std::string words = cell.rounds == 0 || hidden_time ? "--" : time ? fixed(cell.ns_per_point, 2) : significant(cell.worst_error * 1e3, 2);
-        cells.push_back({words, kPlainColour, false, hidden_time || cell.rounds == 0 ? 0 : heat(value_of_cell(cell, time), all)});
+        const std::string words = cell.rounds == 0 || hidden_time ? "--"
+                                  : time                          ? fixed(cell.ns_per_point, 2)
+                                                                  : significant(cell.worst_error * 1e3, 2);
+        cells.push_back(
+            {words, kPlainColour, false, hidden_time || cell.rounds == 0 ? 0 : heat(value_of_cell(cell, time), all)});
         values += (values.empty() ? "" : " ") + words;
       }
-      (void)table_row(ui, (time ? "Time of " : "Error of ") + name, cells, ui.session().settings.evaluator == row.evaluator, values, curve::evaluator(row.evaluator).formula);
+      (void)table_row(ui, (time ? "Time of " : "Error of ") + name, cells,
+                      ui.session().settings.evaluator == row.evaluator, values,
+                      curve::evaluator(row.evaluator).formula);
     }
     end_table();
   }
@@ -60,7 +72,8 @@ void progress_bar(Ui& ui, double part) {
   const ImVec2 high(low.x + ImGui::GetContentRegionAvail().x, low.y + std::floor(6 * ui.scale));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, high, packed(palette().field), 3);
-  if (part > 0) list.AddRectFilled(low, {low.x + (high.x - low.x) * static_cast<float>(part), high.y}, packed(palette().accent), 3);
+  if (part > 0)
+    list.AddRectFilled(low, {low.x + (high.x - low.x) * static_cast<float>(part), high.y}, packed(palette().accent), 3);
   ImGui::Dummy({high.x - low.x, high.y - low.y});
   note_item(ui, "Progress", "label", "How much of the table is measured.", true, fixed(part * 100, 0) + " %");
 }
@@ -69,14 +82,18 @@ void side(Ui& ui) {
   const edit::Session& session = ui.session();
   const sim::Measurement& m = session.measurement;
   const float width = std::floor((ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2);
-  if (button(ui, "Measure", "Measure time and error of every evaluator on this machine, on curves of this track: some seconds, a part in each frame.",
+  if (button(ui, "Measure",
+             "Measure time and error of every evaluator on this machine, on curves of this track: some seconds, a part "
+             "in each frame.",
              !m.running && !session.derived.order.empty(), width))
     ui.emit(edit::Measure{});
   ImGui::SameLine();
   if (button(ui, "Stop", "Stop measuring; what is measured stays.", m.running, width)) ui.emit(edit::StopMeasuring{});
   progress_bar(ui, sim::progress(m));
-  if (const auto to = text(ui, "CSV file", ui.lab.csv, "Where the table is written to, as comma-separated values.")) ui.lab.csv = *to;
-  if (button(ui, "Export CSV", "Write the table to the file.", !m.rows.empty() && !ui.lab.csv.empty())) ui.emit(edit::SaveMeasurements{ui.lab.csv});
+  if (const auto to = text(ui, "CSV file", ui.lab.csv, "Where the table is written to, as comma-separated values."))
+    ui.lab.csv = *to;
+  if (button(ui, "Export CSV", "Write the table to the file.", !m.rows.empty() && !ui.lab.csv.empty()))
+    ui.emit(edit::SaveMeasurements{ui.lab.csv});
 }
 
 }  // namespace
@@ -93,8 +110,10 @@ void measurements_page(Ui& ui) {
   }
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(14 * ui.scale);
   if (m.rows.empty()) {
-    small_note(ui, "Nothing is measured yet: press Measure. Every evaluator then computes the curves of this track at 16 to 4096 steps a segment, and the table shows the "
-                   "nanoseconds a point and the largest error of each, on this machine.");
+    small_note(ui,
+               "Nothing is measured yet: press Measure. Every evaluator then computes the curves of this track at 16 "
+               "to 4096 steps a segment, and the table shows the "
+               "nanoseconds a point and the largest error of each, on this machine.");
     return;
   }
   if (beside) {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "ui/actions/key_map.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 #include "world/topology.h"
 
 namespace coaster::ui {
@@ -56,7 +56,9 @@ std::optional<Probe> need_probe(Ui& ui) {
 void move_probe(Ui& ui, const Probe& probe, double t) { ui.emit(edit::Select{{probe.name}, std::clamp(t, 0.0, 1.0)}); }
 
 void probe_slider(Ui& ui, const Probe& probe) {
-  const auto to = real_slider(ui, "t", probe.t, 0, 1, 3, "The parameter of the probe, 0 at the segment's start, 1 at its end. Also dragged along the curve in the view.");
+  const auto to = real_slider(
+      ui, "t", probe.t, 0, 1, 3,
+      "The parameter of the probe, 0 at the segment's start, 1 at its end. Also dragged along the curve in the view.");
   if (to) move_probe(ui, probe, *to);
 }
 
@@ -88,7 +90,8 @@ float Page::pictures() {
   if (stacked_) return std::floor(kStacked * scale_);
   ImGui::EndChild();
   ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - pictures_width_);
-  ImGui::BeginChild("##pictures", {0, 0}, false, ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::BeginChild("##pictures", {0, 0}, false,
+                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   return ImGui::GetContentRegionAvail().y;
 }
 
@@ -97,15 +100,19 @@ Page::~Page() {
   ImGui::EndChild();
 }
 
-void colour_value(Ui& ui, std::uint32_t rgb, std::string_view path, std::string_view shown, std::string_view value, std::string_view tooltip) {
+void colour_value(Ui& ui, std::uint32_t rgb, std::string_view path, std::string_view shown, std::string_view value,
+                  std::string_view tooltip) {
   ImGui::PushFont(small_font());
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(), mark = std::floor(10 * ui.scale);
+  const float room = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(),
+              mark = std::floor(10 * ui.scale);
   const float y = std::floor(at.y + line * 0.5f);
   list.AddRectFilled({at.x, y - 1.5f * ui.scale}, {at.x + mark, y + 1.5f * ui.scale}, packed(ink(rgb)));
-  list.AddText({at.x + mark + std::floor(6 * ui.scale), at.y}, packed(palette().dim), shown.data(), shown.data() + shown.size());
-  list.AddText({std::floor(at.x + room - text_size(value).x), at.y}, packed(palette().text), value.data(), value.data() + value.size());
+  list.AddText({at.x + mark + std::floor(6 * ui.scale), at.y}, packed(palette().dim), shown.data(),
+               shown.data() + shown.size());
+  list.AddText({std::floor(at.x + room - text_size(value).x), at.y}, packed(palette().text), value.data(),
+               value.data() + value.size());
   ImGui::Dummy({room, line});
   note_item(ui, path, "label", tooltip, true, std::string(value));
   ImGui::PopFont();
@@ -113,23 +120,29 @@ void colour_value(Ui& ui, std::uint32_t rgb, std::string_view path, std::string_
 
 void colouring_box(Ui& ui) {
   std::vector<Choice> choices;
-  for (const world::ColouringRow& row : world::colourings()) choices.push_back({std::string(row.label), std::string(row.help)});
+  for (const world::ColouringRow& row : world::colourings())
+    choices.push_back({std::string(row.label), std::string(row.help)});
   const int current = static_cast<int>(ui.session().settings.colouring);
-  if (const auto to = combo(ui, "Colour by", choices, current, with_keys(ui.keys, "What the track's colours mean; a legend shows in the view.", "Next track colours")))
+  if (const auto to =
+          combo(ui, "Colour by", choices, current,
+                with_keys(ui.keys, "What the track's colours mean; a legend shows in the view.", "Next track colours")))
     ui.emit(edit::SetColouring{static_cast<world::Colouring>(*to)});
 }
 
 void layer_box(Ui& ui, world::Layer layer) {
   const world::LayerRow& row = world::layers()[static_cast<std::size_t>(layer)];
   const std::string panel = std::exchange(ui.panel, ui.panel + "/View");  // pages and layers share names
-  if (const auto on = checkbox(ui, row.label, ui.session().settings.layers.has(layer), row.help)) ui.emit(edit::ShowLayer{layer, *on});
+  if (const auto on = checkbox(ui, row.label, ui.session().settings.layers.has(layer), row.help))
+    ui.emit(edit::ShowLayer{layer, *on});
   ui.panel = panel;
 }
 
 namespace {
 
 // Right edges of three columns of figures.
-float column_edge(ImVec2 at, float room, float label, int i) { return at.x + label + (room - label) * static_cast<float>(i + 1) / 3; }
+float column_edge(ImVec2 at, float room, float label, int i) {
+  return at.x + label + (room - label) * static_cast<float>(i + 1) / 3;
+}
 float triple_label(const Ui& ui) { return std::floor(44 * ui.scale); }
 
 }  // namespace
@@ -140,14 +153,16 @@ void triple_heading(Ui& ui, std::string_view unit) {
   const float room = ImGui::GetContentRegionAvail().x;
   for (int i = 0; i < 3; ++i) {
     const std::string words = std::string(1, "xyz"[i]) + (unit.empty() ? "" : " (" + std::string(unit) + ")");
-    ImGui::GetWindowDrawList()->AddText({std::floor(column_edge(at, room, triple_label(ui), i) - text_size(words).x), at.y}, packed(palette().dim), words.c_str());
+    ImGui::GetWindowDrawList()->AddText(
+        {std::floor(column_edge(at, room, triple_label(ui), i) - text_size(words).x), at.y}, packed(palette().dim),
+        words.c_str());
   }
   ImGui::Dummy({room, ImGui::GetTextLineHeight()});
   ImGui::PopFont();
 }
 
-void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t rgb, glm::dvec3 value, int decimals, std::string_view unit,
-            std::string_view tooltip) {
+void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t rgb, glm::dvec3 value, int decimals,
+            std::string_view unit, std::string_view tooltip) {
   ImGui::PushFont(small_font());
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -157,7 +172,8 @@ void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t
   for (int i = 0; i < 3; ++i) {
     const std::string digits = fixed(value[i], decimals);
     words += (i > 0 ? " " : "") + digits;
-    list.AddText({std::floor(column_edge(at, room, triple_label(ui), i) - text_size(digits).x), at.y}, packed(palette().text), digits.c_str());
+    list.AddText({std::floor(column_edge(at, room, triple_label(ui), i) - text_size(digits).x), at.y},
+                 packed(palette().text), digits.c_str());
   }
   if (!unit.empty()) words += " " + std::string(unit);
   ImGui::Dummy({room, line});
@@ -180,7 +196,8 @@ void colour_key(Ui& ui, std::uint32_t rgb, std::string_view label, std::string_v
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight(), mark = std::floor(10 * ui.scale);
   const float y = std::floor(at.y + line * 0.5f);
-  ImGui::GetWindowDrawList()->AddRectFilled({at.x, y - mark * 0.3f}, {at.x + mark * 1.6f, y + mark * 0.3f}, packed(ink(rgb)), 2);
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, y - mark * 0.3f}, {at.x + mark * 1.6f, y + mark * 0.3f},
+                                            packed(ink(rgb)), 2);
   ImGui::Dummy({mark * 1.6f, line});
   ImGui::SameLine(0, std::floor(6 * ui.scale));
   ImGui::TextUnformatted(label.data(), label.data() + label.size());
@@ -188,7 +205,8 @@ void colour_key(Ui& ui, std::uint32_t rgb, std::string_view label, std::string_v
 }
 
 std::uint32_t row_colour(std::size_t row) {
-  static constexpr std::array<std::uint32_t, 10> kColours{0x4C9AFF, 0xF2B84B, 0x7FD1B9, 0xE5736B, 0xB39DDB, 0xD8DEE9, 0x9CCC65, 0xFF9EC4, 0x8D9DB6, 0xD4A373};
+  static constexpr std::array<std::uint32_t, 10> kColours{0x4C9AFF, 0xF2B84B, 0x7FD1B9, 0xE5736B, 0xB39DDB,
+                                                          0xD8DEE9, 0x9CCC65, 0xFF9EC4, 0x8D9DB6, 0xD4A373};
   return kColours[row % kColours.size()];
 }
 

@@ -1,5 +1,5 @@
-// What the laboratory's pages share: the probe they are about, the strip's layout, and the studies they keep while nothing they depend on
-// changes.
+// What the laboratory's pages share: the probe they are about, the strip's layout, and the studies they keep while
+// nothing they depend on changes.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,9 @@
 
 namespace coaster::ui {
 
-// The segment that the pages speak of and the place on it: the selected segment; else the one that a selected knot starts (or, at an
-// end, ends) or that a selected cart is on; else the track's first. Nothing on a track without segments.
+// The segment that the pages speak of and the place on it: the selected segment; else the one that a selected knot
+// starts (or, at an end, ends) or that a selected cart is on; else the track's first. Nothing on a track without
+// segments.
 struct Probe {
   world::Entity segment;
   world::Name name;
@@ -45,8 +46,9 @@ struct Kept {
   }
 };
 
-// A page in two parts: controls and numbers, `side` design px wide at the left, and the pictures right of them; in a narrow strip one below
-// the other. Where the strip is low, controls are small. Made before the first part is drawn, `pictures()` between them, ended by its destructor.
+// A page in two parts: controls and numbers, `side` design px wide at the left, and the pictures right of them; in a
+// narrow strip one below the other. Where the strip is low, controls are small. Made before the first part is drawn,
+// `pictures()` between them, ended by its destructor.
 class Page {
  public:
   Page(const Ui& ui, float side);
@@ -66,16 +68,18 @@ class Page {
 };
 
 // A value with the colour of its curve, in small figures.
-void colour_value(Ui& ui, std::uint32_t colour, std::string_view path, std::string_view shown, std::string_view value, std::string_view tooltip);
+void colour_value(Ui& ui, std::uint32_t colour, std::string_view path, std::string_view shown, std::string_view value,
+                  std::string_view tooltip);
 // A list of what the track can be coloured by.
 void colouring_box(Ui& ui);
 // A checkbox for one of the layers over the scene, "Laboratory/View/label".
 void layer_box(Ui& ui, world::Layer layer);
 
-// Three components in small figures under a common heading, registered as "Laboratory/path" with the value "x y z unit".
+// Three components in small figures under a common heading, registered as "Laboratory/path" with the value "x y z
+// unit".
 void triple_heading(Ui& ui, std::string_view unit);
-void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t colour, glm::dvec3 value, int decimals, std::string_view unit,
-            std::string_view tooltip);
+void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t colour, glm::dvec3 value, int decimals,
+            std::string_view unit, std::string_view tooltip);
 
 // A line of small, dimmed text, wrapped.
 void small_note(Ui& ui, std::string_view words);
@@ -83,7 +87,8 @@ void small_note(Ui& ui, std::string_view words);
 void colour_key(Ui& ui, std::uint32_t colour, std::string_view label, std::string_view tooltip);
 
 // Colours of the laboratory, the same in the view and in the plots.
-inline constexpr std::uint32_t kCurveColour = 0xFFFFFF, kPolygonColour = 0xF2B84B, kConstructionColour = 0x7FD1B9, kTangentColour = 0xE5534B;
+inline constexpr std::uint32_t kCurveColour = 0xFFFFFF, kPolygonColour = 0xF2B84B, kConstructionColour = 0x7FD1B9,
+                               kTangentColour = 0xE5534B;
 inline constexpr std::uint32_t kPointColour = 0xFF8A1F;
 // Colours that can be told apart on the plots' ground, for rows of a table.
 std::uint32_t row_colour(std::size_t row);

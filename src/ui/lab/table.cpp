@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -34,31 +34,37 @@ bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> co
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(std::floor(6 * ui.scale), std::floor(1.5f * ui.scale)));
   ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, colour(palette().raised));
   ImGui::PushStyleColor(ImGuiCol_TableRowBgAlt, colour(palette().raised, 0.35f));
-  const bool open = ImGui::BeginTable(hidden(label).c_str(), static_cast<int>(columns.size()),
-                                      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX, {0, height});
+  const bool open = ImGui::BeginTable(
+      hidden(label).c_str(), static_cast<int>(columns.size()),
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX,
+      {0, height});
   if (!open) {
     ImGui::PopStyleColor(2);
     ImGui::PopStyleVar();
     ImGui::PopFont();
     return false;
   }
-  for (const TableColumn& column : columns) ImGui::TableSetupColumn(std::string(column.title).c_str(), ImGuiTableColumnFlags_WidthStretch, column.weight);
+  for (const TableColumn& column : columns)
+    ImGui::TableSetupColumn(std::string(column.title).c_str(), ImGuiTableColumnFlags_WidthStretch, column.weight);
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     ImGui::TableSetColumnIndex(static_cast<int>(i));
     const TableColumn& column = columns[i];
-    const std::string words = std::string(column.title) + (column.unit.empty() ? "" : " (" + std::string(column.unit) + ")");
+    const std::string words =
+        std::string(column.title) + (column.unit.empty() ? "" : " (" + std::string(column.unit) + ")");
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;
     draw_cell(ui, {words, palette().dim, i == 0});
     ImGui::Dummy({room, ImGui::GetTextLineHeight()});
-    note(ui, std::string(label) + "/" + std::string(column.title), "label", column.tooltip, true, words, at, {at.x + room, at.y + ImGui::GetTextLineHeight()});
+    note(ui, std::string(label) + "/" + std::string(column.title), "label", column.tooltip, true, words, at,
+         {at.x + room, at.y + ImGui::GetTextLineHeight()});
   }
   return true;
 }
 
-bool table_row(Ui& ui, std::string_view label, std::span<const Cell> cells, bool selected, std::string value, std::string_view tooltip) {
+bool table_row(Ui& ui, std::string_view label, std::span<const Cell> cells, bool selected, std::string value,
+               std::string_view tooltip) {
   ImGui::TableNextRow();
   bool clicked = false;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -71,7 +77,8 @@ bool table_row(Ui& ui, std::string_view label, std::span<const Cell> cells, bool
       // The row is found by its first cell: that is inside the clip rectangle of the column.
       const ImVec2 low = ImGui::GetItemRectMin();
       ImGui::SetCursorPos(at);
-      note(ui, label, "item", tooltip, true, std::move(value), low, {ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight()});
+      note(ui, label, "item", tooltip, true, std::move(value), low,
+           {ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight()});
     }
     draw_cell(ui, cells[i]);
   }

@@ -14,7 +14,8 @@ namespace {
 constexpr int kLargestDegree = 8;
 
 std::string subscript(int digit) {
-  static constexpr const char* kDigits[] = {"\u2080", "\u2081", "\u2082", "\u2083", "\u2084", "\u2085", "\u2086", "\u2087", "\u2088", "\u2089"};
+  static constexpr const char* kDigits[] = {"\u2080", "\u2081", "\u2082", "\u2083", "\u2084",
+                                            "\u2085", "\u2086", "\u2087", "\u2088", "\u2089"};
   return kDigits[digit];
 }
 
@@ -37,12 +38,19 @@ void weights_plot(Ui& ui, const Probe& probe, int degree, const std::vector<doub
   std::vector<Series> series;
   std::vector<Spot> spots;
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    series.push_back({"B" + subscript(static_cast<int>(i)), study.t, study.y[i], row_colour(i), SeriesKind::line, 2.0f});
+    series.push_back(
+        {"B" + subscript(static_cast<int>(i)), study.t, study.y[i], row_colour(i), SeriesKind::line, 2.0f});
     spots.push_back({probe.t, weights[i], row_colour(i), ""});
   }
   const auto drag = plot(ui, "Weights plot",
-                         {.x = {"t", "", AxisScale::linear, 0, 1}, .y = {"weight", "", AxisScale::linear, 0, 1}, .series = series, .spots = spots, .cursor = probe.t, .height = height},
-                         "B_i,n(t) = C(n,i) t^i (1-t)^(n-i): never negative, and together 1 for every t. Drag the cursor to move the probe.");
+                         {.x = {"t", "", AxisScale::linear, 0, 1},
+                          .y = {"weight", "", AxisScale::linear, 0, 1},
+                          .series = series,
+                          .spots = spots,
+                          .cursor = probe.t,
+                          .height = height},
+                         "B_i,n(t) = C(n,i) t^i (1-t)^(n-i): never negative, and together 1 for every t. Drag the "
+                         "cursor to move the probe.");
   if (drag) move_probe(ui, probe, drag->x);
 }
 
@@ -56,11 +64,14 @@ void weights_page(Ui& ui) {
   curve::bernstein_basis<double>(probe->t, weights);
   Page page(ui, 200);
   probe_slider(ui, *probe);
-  if (const auto to = slider(ui, "Degree n", degree, 1, kLargestDegree, false, "The degree of the basis, 1 to 8. The track's curves are cubic: n = 3."))
+  if (const auto to = slider(ui, "Degree n", degree, 1, kLargestDegree, false,
+                             "The degree of the basis, 1 to 8. The track's curves are cubic: n = 3."))
     ui.lab.degree = std::clamp(*to, 1, kLargestDegree);
   for (std::size_t i = 0; i < weights.size(); ++i)
-    colour_value(ui, row_colour(i), "B" + std::to_string(i), "B" + subscript(static_cast<int>(i)) + (degree == 3 ? " weighs p" + subscript(static_cast<int>(i)) : ""),
-                 fixed(weights[i], 4), "C(n,i) t^i (1-t)^(n-i) at the probe: the part that this control point has in B(t).");
+    colour_value(
+        ui, row_colour(i), "B" + std::to_string(i),
+        "B" + subscript(static_cast<int>(i)) + (degree == 3 ? " weighs p" + subscript(static_cast<int>(i)) : ""),
+        fixed(weights[i], 4), "C(n,i) t^i (1-t)^(n-i) at the probe: the part that this control point has in B(t).");
   weights_plot(ui, *probe, degree, weights, page.pictures());
 }
 

@@ -6,14 +6,14 @@
 #include <string>
 
 #include "query/challenge.h"
+#include "ui/actions/key_map.h"
+#include "ui/panels/panels.h"
 #include "ui/screens/challenge_list.h"
 #include "ui/screens/dialogs.h"
-#include "ui/actions/key_map.h"
 #include "ui/screens/medals.h"
-#include "ui/panels/panels.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/screens/score_card.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -32,26 +32,31 @@ void paragraph(Ui& ui, std::string_view label, std::string_view words, std::uint
 // A mark, the rule's words, and its value: on the right where there is room beside the words, else below them.
 void rule_row(Ui& ui, const query::Rule& rule, const exchange::ChallengeRule& words) {
   const query::Finding finding = query::look_at(ui.session(), rule);
-  const float line = ImGui::GetTextLineHeight(), mark = std::floor(line * 0.86f), indent = std::floor(mark + 8 * ui.scale);
+  const float line = ImGui::GetTextLineHeight(), mark = std::floor(line * 0.86f),
+              indent = std::floor(mark + 8 * ui.scale);
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x, value = text_size(finding.found).x, gap = std::floor(10 * ui.scale);
+  const float room = ImGui::GetContentRegionAvail().x, value = text_size(finding.found).x,
+              gap = std::floor(10 * ui.scale);
   const ImVec2 size = ImGui::CalcTextSize(words.text.c_str(), nullptr, false, room - indent);
   const bool beside = size.y < 1.5f * line && indent + size.x + gap + value <= room;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_mark(list, {low.x, std::floor(low.y + (line - mark) * 0.5f)}, mark, finding.holds);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + indent, low.y}, packed(palette().text), words.text.c_str(), nullptr, room - indent + 1);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + indent, low.y}, packed(palette().text),
+               words.text.c_str(), nullptr, room - indent + 1);
   const float y = beside ? low.y : low.y + size.y;
-  list.AddText({std::floor(low.x + room - value), y}, packed(finding.holds ? palette().good : palette().dim), finding.found.c_str());
+  list.AddText({std::floor(low.x + room - value), y}, packed(finding.holds ? palette().good : palette().dim),
+               finding.found.c_str());
   const float height = beside ? line : size.y + line;
   ImGui::Dummy({room, height});
-  note(ui, words.text, "label", words.expect + (finding.place ? " (at " + fixed(*finding.place, 1) + " m)" : ""), true, (finding.holds ? "met " : "not met ") + finding.found, low,
-       {low.x + room, low.y + height});
+  note(ui, words.text, "label", words.expect + (finding.place ? " (at " + fixed(*finding.place, 1) + " m)" : ""), true,
+       (finding.holds ? "met " : "not met ") + finding.found, low, {low.x + room, low.y + height});
 }
 
 void rules_of(Ui& ui, const std::vector<query::Rule>& rules, std::initializer_list<RuleList> lists) {
   const exchange::ChallengeFile& file = ui.session().challenge->file;
   for (const query::Rule& rule : rules)
-    if (std::find(lists.begin(), lists.end(), rule.list) != lists.end()) rule_row(ui, rule, file.list(rule.list)[rule.index]);
+    if (std::find(lists.begin(), lists.end(), rule.list) != lists.end())
+      rule_row(ui, rule, file.list(rule.list)[rule.index]);
 }
 
 // The three medals side by side, those that were earned in their metal.
@@ -64,15 +69,18 @@ void medals(Ui& ui, const edit::ActiveChallenge& challenge, int best) {
     const std::string name(medal_title(medal));
     const ImVec2 words = text_size(name);
     draw_medal(list, {std::floor(left + (third - size) * 0.5f), low.y}, size, medal, best >= medal);
-    list.AddText({std::floor(left + (third - words.x) * 0.5f), low.y + size + 2 * ui.scale}, packed(best >= medal ? palette().text : palette().dim), name.c_str());
+    list.AddText({std::floor(left + (third - words.x) * 0.5f), low.y + size + 2 * ui.scale},
+                 packed(best >= medal ? palette().text : palette().dim), name.c_str());
   }
   const float height = size + ImGui::GetTextLineHeight() + std::floor(4 * ui.scale);
   ImGui::Dummy({room, height});
-  note(ui, "Medals", "label", "Earned so far, in this go or before.", true, std::string(medal_title(challenge.medal)), low, {low.x + room, low.y + height});
+  note(ui, "Medals", "label", "Earned so far, in this go or before.", true, std::string(medal_title(challenge.medal)),
+       low, {low.x + room, low.y + height});
 }
 
 void medal_rules(Ui& ui, const std::vector<query::Rule>& rules) {
-  for (const auto& [list, title] : {std::pair{RuleList::silver, "For silver, too"}, std::pair{RuleList::gold, "For gold, too"}}) {
+  for (const auto& [list, title] :
+       {std::pair{RuleList::silver, "For silver, too"}, std::pair{RuleList::gold, "For gold, too"}}) {
     if (ui.session().challenge->file.list(list).empty()) continue;
     heading(ui, title, "Besides all of the above.");
     rules_of(ui, rules, {list});
@@ -84,16 +92,22 @@ void buttons(Ui& ui, const edit::ActiveChallenge& challenge) {
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x, half = (ImGui::GetContentRegionAvail().x - gap) / 2;
   const bool any = session.document.entities.pool<world::Cart>().size() > 0 && !session.document.track.segments.empty();
   const bool by_riding = challenge.file.judged != exchange::Judged::build;
-  if (button(ui, "Ride it", by_riding ? "Let the train run from its start: at the end of the ride the challenge is judged." : "Let the train run from its start. This challenge is judged as you build.", any, half)) {
+  if (button(ui, "Ride it",
+             by_riding ? "Let the train run from its start: at the end of the ride the challenge is judged."
+                       : "Let the train run from its start. This challenge is judged as you build.",
+             any, half)) {
     if (session.motion.state != world::RideState::stopped) ui.emit(edit::RideStop{});
     ui.emit(edit::RideStart{});
   }
   ImGui::SameLine(0, gap);
   const int left = static_cast<int>(challenge.file.hints.size()) - challenge.hints;
-  if (button(ui, "Hint", left > 0 ? std::to_string(left) + " left." : "There is no further hint.", left > 0, half)) ui.emit(edit::ShowHint{});
-  if (button(ui, "Start over", "Open the start track again.", true, half)) ui.dialogs.request(ui, {Want::Kind::challenge, challenge.path});
+  if (button(ui, "Hint", left > 0 ? std::to_string(left) + " left." : "There is no further hint.", left > 0, half))
+    ui.emit(edit::ShowHint{});
+  if (button(ui, "Start over", "Open the start track again.", true, half))
+    ui.dialogs.request(ui, {Want::Kind::challenge, challenge.path});
   ImGui::SameLine(0, gap);
-  if (button(ui, "Leave", "Leave the challenge; the track stays as it is.", true, half)) ui.emit(edit::LeaveChallenge{});
+  if (button(ui, "Leave", "Leave the challenge; the track stays as it is.", true, half))
+    ui.emit(edit::LeaveChallenge{});
 }
 
 }  // namespace
@@ -106,17 +120,23 @@ void challenge_panel(Ui& ui) {
   paragraph(ui, "Name", challenge.file.name, palette().accent);
   paragraph(ui, "Teaches", challenge.file.teaches, palette().dim);
   if (!rules) return paragraph(ui, "Problem", rules.status().message, palette().error);
-  heading(ui, challenge.file.judged == exchange::Judged::build ? "To pass, build so that" : "To pass, ride so that", "What must hold; the ride's values are the ghost's, which rides ahead of you.");
+  heading(ui, challenge.file.judged == exchange::Judged::build ? "To pass, build so that" : "To pass, ride so that",
+          "What must hold; the ride's values are the ghost's, which rides ahead of you.");
   rules_of(ui, *rules, {RuleList::goals, RuleList::limits, RuleList::bronze});
   medals(ui, challenge, std::max(challenge.medal, known_medal(ui, challenge.path)));
   medal_rules(ui, *rules);
   if (!challenge.last.reason.empty()) {
     paragraph(ui, "Not passed", challenge.last.reason, palette().warning);
-    if (challenge.last.place && button(ui, "Show where", with_keys(ui.keys, "Look at the place, and select the segment.", "Show where it failed"))) show_place(ui, *challenge.last.place);
+    if (challenge.last.place &&
+        button(ui, "Show where",
+               with_keys(ui.keys, "Look at the place, and select the segment.", "Show where it failed")))
+      show_place(ui, *challenge.last.place);
   }
-  for (int i = 0; i < challenge.hints; ++i) paragraph(ui, "Hint " + std::to_string(i + 1), challenge.file.hints[static_cast<std::size_t>(i)], palette().text);
+  for (int i = 0; i < challenge.hints; ++i)
+    paragraph(ui, "Hint " + std::to_string(i + 1), challenge.file.hints[static_cast<std::size_t>(i)], palette().text);
   buttons(ui, challenge);
-  if (button(ui, "All challenges", "Choose another one.", true, ImGui::GetContentRegionAvail().x)) ui.dialogs.show_challenges();
+  if (button(ui, "All challenges", "Choose another one.", true, ImGui::GetContentRegionAvail().x))
+    ui.dialogs.show_challenges();
 }
 
 }  // namespace coaster::ui

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/widgets/icons.h"
 #include "ui/actions/key_map.h"
 #include "ui/panels/panels.h"
-#include "ui/widgets/widget_parts.h"
+#include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -23,7 +23,8 @@ void choices(Ui& ui) {
   const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
   float widest = 0;
   ImGui::PushFont(small_font());
-  for (const world::ElementRow& row : rows) widest = std::max(widest, text_size(row.label).x + std::floor(4 * ui.scale));
+  for (const world::ElementRow& row : rows)
+    widest = std::max(widest, text_size(row.label).x + std::floor(4 * ui.scale));
   ImGui::PopFont();
   const int columns = std::clamp(static_cast<int>((room + gap) / (widest + gap)), 1, 4);
   const float width = std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
@@ -52,25 +53,38 @@ void parameters(Ui& ui) {
   const world::ElementRow& row = world::element_row(element.kind);
   bool changed = false;
   if (row.sided) {
-    if (radio(ui, "Left", !element.right, "To the left of the direction of travel.")) element.right = false, changed = true;
+    if (radio(ui, "Left", !element.right, "To the left of the direction of travel."))
+      element.right = false, changed = true;
     (void)beside_last(ui, "Right");
-    if (radio(ui, "Right", element.right, "To the right of the direction of travel.")) element.right = true, changed = true;
+    if (radio(ui, "Right", element.right, "To the right of the direction of travel."))
+      element.right = true, changed = true;
   }
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
     const world::ElementParameter& p = row.parameters[i];
-    const Number now{.value = element.values[i], .unit = p.unit.data(), .decimals = 2, .step = step_of(p), .low = p.low, .high = p.high, .largest = 1e300};
+    const Number now{.value = element.values[i],
+                     .unit = p.unit.data(),
+                     .decimals = 2,
+                     .step = step_of(p),
+                     .low = p.low,
+                     .high = p.high,
+                     .largest = 1e300};
     if (const auto to = number(ui, p.label, now, p.help)) element.values[i] = *to, changed = true;
   }
   if (changed) ui.emit(edit::ChooseElement{element});
 }
 
 void outcome(Ui& ui, const sim::ElementPlan& plan) {
-  read_query(ui, "Spans", "element.spans", {}, "Cubic Bézier spans it would be made of: as few as keep within 1 cm of the ideal curve.", {.decimals = 0});
-  read_query(ui, "Total length", "element.length", {}, "Along it, with what eases out the bend and the slope of the track's end.", {.decimals = 1});
-  read_query(ui, "Fit error", "element.error", {}, "The largest distance between the ideal curve and the spans.", {.decimals = 1, .unit = "mm", .factor = 1000});
-  if (plan.lowest < 0) read_out(ui, "In the ground", fixed(-plan.lowest, 1), "m", "It goes below the ground: the red part.", true);
+  read_query(ui, "Spans", "element.spans", {},
+             "Cubic Bézier spans it would be made of: as few as keep within 1 cm of the ideal curve.", {.decimals = 0});
+  read_query(ui, "Total length", "element.length", {},
+             "Along it, with what eases out the bend and the slope of the track's end.", {.decimals = 1});
+  read_query(ui, "Fit error", "element.error", {}, "The largest distance between the ideal curve and the spans.",
+             {.decimals = 1, .unit = "mm", .factor = 1000});
+  if (plan.lowest < 0)
+    read_out(ui, "In the ground", fixed(-plan.lowest, 1), "m", "It goes below the ground: the red part.", true);
   if (const double missing = sim::worst(edit::narrow_parts(ui.session(), ui.session().settings.element)); missing > 0)
-    read_out(ui, "Lacks room", fixed(missing, 1), "m", "A train on it or on other track would be in the way: the yellow part.", true);
+    read_out(ui, "Lacks room", fixed(missing, 1), "m",
+             "A train on it or on other track would be in the way: the yellow part.", true);
   for (const std::string& line : plan.lines) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().warning));
     ImGui::TextWrapped("%s", line.c_str());
@@ -94,7 +108,11 @@ void elements_panel(Ui& ui) {
     ImGui::TextWrapped("%s", plan.refusal.c_str());
     ImGui::PopStyleColor();
   }
-  if (button(ui, "Place", with_keys(ui.keys, "Add it at the open end of the track; " + ui.keys.shown("Cancel") + " hides the preview.", "Place element"), possible, ImGui::GetContentRegionAvail().x))
+  if (button(
+          ui, "Place",
+          with_keys(ui.keys, "Add it at the open end of the track; " + ui.keys.shown("Cancel") + " hides the preview.",
+                    "Place element"),
+          possible, ImGui::GetContentRegionAvail().x))
     ui.emit(edit::PlaceElement{session.settings.element});
 }
 

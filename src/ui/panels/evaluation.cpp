@@ -21,8 +21,10 @@ void method(Ui& ui, std::size_t row) {
   const curve::Evaluator& one = curve::evaluators()[row];
   const auto id = static_cast<curve::EvaluatorId>(row);
   const std::string& refusal = ui.state.stats.stage_refusals[static_cast<std::size_t>(one.stage)];
-  const std::string tooltip = std::string(one.formula) + "\nCost a point: " + std::string(one.cost) + (refusal.empty() ? "" : "\nNot here: " + refusal);
-  if (radio(ui, one.label, ui.session().settings.evaluator == id, tooltip, refusal.empty())) ui.emit(edit::SetEvaluator{id});
+  const std::string tooltip = std::string(one.formula) + "\nCost a point: " + std::string(one.cost) +
+                              (refusal.empty() ? "" : "\nNot here: " + refusal);
+  if (radio(ui, one.label, ui.session().settings.evaluator == id, tooltip, refusal.empty()))
+    ui.emit(edit::SetEvaluator{id});
 }
 
 // The rows of a group in small letters, two in a line where they fit.
@@ -41,25 +43,35 @@ void methods_of(Ui& ui, Group group, std::string_view title, std::string_view to
 void methods(Ui& ui) {
   methods_of(ui, Group::paper, "The paper's four", "Barrett 2012, section 3, each in its textbook form.");
   methods_of(ui, Group::fast, "Fast", "The same polynomial, arranged for today's processors.");
-  methods_of(ui, Group::gpu, "On the GPU", "From the control points alone: 48 bytes a segment go to the GPU, not its polyline.");
+  methods_of(ui, Group::gpu, "On the GPU",
+             "From the control points alone: 48 bytes a segment go to the GPU, not its polyline.");
 }
 
 void resolution(Ui& ui) {
   const world::Settings& settings = ui.session().settings;
-  const auto steps = slider(ui, "Steps per segment", settings.steps, curve::kMinSteps, curve::kMaxSteps, true,
-                            "Straight pieces that each segment is drawn with, 1 to 4096. Ctrl+click or double-click to type.");
+  const auto steps =
+      slider(ui, "Steps per segment", settings.steps, curve::kMinSteps, curve::kMaxSteps, true,
+             "Straight pieces that each segment is drawn with, 1 to 4096. Ctrl+click or double-click to type.");
   if (steps) ui.emit(edit::SetResolution{*steps});
-  const Number budget{.value = static_cast<double>(settings.vertex_budget), .decimals = 0, .step = 10'000, .low = 1'000, .high = 1e9, .largest = 1e15};
-  if (const auto to = number(ui, "Vertex budget", budget, "How many vertices all polylines together may have; more is refused.")) {
+  const Number budget{.value = static_cast<double>(settings.vertex_budget),
+                      .decimals = 0,
+                      .step = 10'000,
+                      .low = 1'000,
+                      .high = 1e9,
+                      .largest = 1e15};
+  if (const auto to =
+          number(ui, "Vertex budget", budget, "How many vertices all polylines together may have; more is refused.")) {
     ui.emit(edit::SetVertexBudget{static_cast<std::int64_t>(*to)});
   }
 }
 
 void lengths(Ui& ui) {
   std::vector<Choice> choices;
-  for (const auto& row : curve::arc_length_methods()) choices.push_back({std::string(row.label), std::string(row.formula)});
-  const auto chosen = combo(ui, "Arc length", choices, static_cast<int>(ui.session().settings.arc_length),
-                            "How the displayed length is measured. The ride always uses the adaptive Gauss-Legendre rule.");
+  for (const auto& row : curve::arc_length_methods())
+    choices.push_back({std::string(row.label), std::string(row.formula)});
+  const auto chosen =
+      combo(ui, "Arc length", choices, static_cast<int>(ui.session().settings.arc_length),
+            "How the displayed length is measured. The ride always uses the adaptive Gauss-Legendre rule.");
   if (chosen) ui.emit(edit::SetArcLength{static_cast<curve::ArcLengthId>(*chosen)});
 }
 
@@ -69,7 +81,8 @@ void evaluation_panel(Ui& ui) {
   methods(ui);
   resolution(ui);
   lengths(ui);
-  if (const auto on = checkbox(ui, "Show polyline", ui.session().settings.layers.has(world::Layer::polyline), "Draw the evaluated polyline over the track."))
+  if (const auto on = checkbox(ui, "Show polyline", ui.session().settings.layers.has(world::Layer::polyline),
+                               "Draw the evaluated polyline over the track."))
     ui.emit(edit::SetPolyline{*on});
 
   const query::FrameStats& stats = ui.state.stats;
@@ -77,17 +90,25 @@ void evaluation_panel(Ui& ui) {
   read_query(ui, "Vertices", "vertices", {}, "Vertices of all polylines together.", {.decimals = 0});
   read_out(ui, "Evaluation time", timed ? fixed(stats.evaluation_ms, 3) : "--", "ms",
            "Time inside the chosen method in the last frame that evaluated anything. A still frame evaluates nothing.");
-  read_out(ui, "Time per point", timed ? fixed(stats.evaluation_ms * 1e6 / static_cast<double>(stats.evaluated_vertices), 1) : "--", "ns",
+  read_out(ui, "Time per point",
+           timed ? fixed(stats.evaluation_ms * 1e6 / static_cast<double>(stats.evaluated_vertices), 1) : "--", "ns",
            "The same, per vertex.");
   read_out(ui, "Time on the GPU", !ui.state.scripted && stats.gpu_ms > 0 ? fixed(stats.gpu_ms, 3) : "--", "ms",
-           "Work of the graphics processor on the polylines, a few frames ago: where the method runs there, its evaluation too.");
-  read_query(ui, "Held on the GPU", "polyline_bytes", {},
-             "Bytes of all polylines on the graphics processor: 24 a vertex, or 48 a segment when they are evaluated there.", {.decimals = 0});
+           "Work of the graphics processor on the polylines, a few frames ago: where the method runs there, its "
+           "evaluation too.");
+  read_query(
+      ui, "Held on the GPU", "polyline_bytes", {},
+      "Bytes of all polylines on the graphics processor: 24 a vertex, or 48 a segment when they are evaluated there.",
+      {.decimals = 0});
   const std::size_t segments = ui.session().derived.order.size();
-  read_out(ui, "A segment", segments == 0 ? "--" : fixed(static_cast<double>(stats.polyline_bytes) / static_cast<double>(segments), 0), "B",
-           "What a moved segment uploads of its polyline: its vertices, or its four control points where the method runs on the GPU.");
+  read_out(ui, "A segment",
+           segments == 0 ? "--" : fixed(static_cast<double>(stats.polyline_bytes) / static_cast<double>(segments), 0),
+           "B",
+           "What a moved segment uploads of its polyline: its vertices, or its four control points where the method "
+           "runs on the GPU.");
   read_query(ui, "Largest deviation", "deviation", {},
-             "Largest distance of a vertex from the exact point at the same parameter (de Casteljau in long double): rounding error alone.",
+             "Largest distance of a vertex from the exact point at the same parameter (de Casteljau in long double): "
+             "rounding error alone.",
              {.decimals = 6, .unit = "mm", .factor = 1e3});
 }
 

@@ -2,8 +2,8 @@
 #include <imgui.h>
 
 #include "ui/panels/panels.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -28,20 +28,26 @@ bool step_row(Ui& ui, const std::string& text, const std::string& name, std::uin
 void history_panel(Ui& ui) {
   const edit::History& history = ui.session().history;
   const double megabytes = static_cast<double>(history.undo_bytes) / (1 << 20);
-  read_out(ui, "Steps", std::to_string(history.undo.size()) + " back, " + std::to_string(history.redo.size()) + " on", "", "Camera, panels and what is selected are no part of it.");
+  read_out(ui, "Steps", std::to_string(history.undo.size()) + " back, " + std::to_string(history.redo.size()) + " on",
+           "", "Camera, panels and what is selected are no part of it.");
   read_out(ui, "Memory", fixed(megabytes, 2), "MiB", "Of the steps back. Beyond 256 MiB the oldest are forgotten.");
   const std::size_t undo = history.undo.size(), redo = history.redo.size();
   const std::size_t first = undo > kMostShown ? undo - kMostShown : 0;
-  if (first == 0 && undo > 0 && step_row(ui, "Start", "Start", palette().dim, "Undo everything.")) repeat(ui, true, undo);
+  if (first == 0 && undo > 0 && step_row(ui, "Start", "Start", palette().dim, "Undo everything."))
+    repeat(ui, true, undo);
   for (std::size_t i = first; i < undo; ++i) {
     const bool now = i + 1 == undo;
     const std::string number = std::to_string(i + 1);
-    if (step_row(ui, number + "  " + history.undo[i].label, number, now ? palette().accent : palette().text, now ? "The newest step." : "Go back to after this step.")) repeat(ui, true, undo - 1 - i);
+    if (step_row(ui, number + "  " + history.undo[i].label, number, now ? palette().accent : palette().text,
+                 now ? "The newest step." : "Go back to after this step."))
+      repeat(ui, true, undo - 1 - i);
   }
   // The redo stack has the next step last.
   for (std::size_t k = 0; k < std::min(redo, kMostShown); ++k) {
     const std::string number = std::to_string(undo + k + 1);
-    if (step_row(ui, number + "  " + history.redo[redo - 1 - k].label, number, palette().dim, "Go on to after this step.")) repeat(ui, false, k + 1);
+    if (step_row(ui, number + "  " + history.redo[redo - 1 - k].label, number, palette().dim,
+                 "Go on to after this step."))
+      repeat(ui, false, k + 1);
   }
 }
 

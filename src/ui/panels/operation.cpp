@@ -18,37 +18,52 @@ world::Entity chosen_segment(const edit::Session& session) {
 void equipment_values(Ui& ui, world::Name name, const world::Equipment& now) {
   edit::SetEquipment set{{name}, now.kind, now.speed, now.acceleration, now.hysteresis, now.seconds};
   bool changed = false;
-  const auto field = [&](const char* label, float& value, const char* unit, double low, double high, const char* tooltip) {
-    if (const auto to = number(ui, label, {.value = value, .unit = unit, .decimals = 2, .step = 0.05, .low = low, .high = high}, tooltip)) value = static_cast<float>(*to), changed = true;
+  const auto field = [&](const char* label, float& value, const char* unit, double low, double high,
+                         const char* tooltip) {
+    if (const auto to = number(
+            ui, label, {.value = value, .unit = unit, .decimals = 2, .step = 0.05, .low = low, .high = high}, tooltip))
+      value = static_cast<float>(*to), changed = true;
   };
   const bool brakes = now.kind == world::EquipmentKind::brake || now.kind == world::EquipmentKind::block;
-  field("Speed", set.speed, "m/s", 0, world::kMaxSpeed, "What a lift pulls up to, a launch pushes to, a brake slows to, a station sends off at.");
-  field("Acceleration", set.acceleration, "m/s\u00B2", world::kMinAcceleration, world::kMaxAcceleration, "How strongly.");
-  if (brakes) field("Hysteresis", set.hysteresis, "m/s", 0, world::kMaxSpeed, "On above speed + this, off below speed - this.");
-  if (now.kind == world::EquipmentKind::station) field("Wait", set.seconds, "s", 0, world::kMaxDwell, "How long a train stands in the station.");
+  field("Speed", set.speed, "m/s", 0, world::kMaxSpeed,
+        "What a lift pulls up to, a launch pushes to, a brake slows to, a station sends off at.");
+  field("Acceleration", set.acceleration, "m/s\u00B2", world::kMinAcceleration, world::kMaxAcceleration,
+        "How strongly.");
+  if (brakes)
+    field("Hysteresis", set.hysteresis, "m/s", 0, world::kMaxSpeed, "On above speed + this, off below speed - this.");
+  if (now.kind == world::EquipmentKind::station)
+    field("Wait", set.seconds, "s", 0, world::kMaxDwell, "How long a train stands in the station.");
   if (changed) ui.emit(set);
 }
 
 void equipment(Ui& ui) {
   const edit::Session& session = ui.session();
   const world::Entity segment = chosen_segment(session);
-  static const std::array<Choice, 6> kKinds{Choice{"Plain track", "Nothing but rails."},
-                                            Choice{"Station", "Stops a train at its end, waits, and sends it off."},
-                                            Choice{"Lift", "A chain: pulls up to its speed; nothing rolls back on it."},
-                                            Choice{"Launch", "Pushes until its speed is reached."},
-                                            Choice{"Brake", "Slows down to its speed."},
-                                            Choice{"Block", "A brake that holds a train until the section ahead is free."}};
+  static const std::array<Choice, 6> kKinds{
+      Choice{"Plain track", "Nothing but rails."},
+      Choice{"Station", "Stops a train at its end, waits, and sends it off."},
+      Choice{"Lift", "A chain: pulls up to its speed; nothing rolls back on it."},
+      Choice{"Launch", "Pushes until its speed is reached."},
+      Choice{"Brake", "Slows down to its speed."},
+      Choice{"Block", "A brake that holds a train until the section ahead is free."}};
   if (!segment.valid()) {
-    combo(ui, "Equipment", std::span(kKinds).first(1), 0, "Select a segment to put a station, lift, launch, brake or block on it.");
+    combo(ui, "Equipment", std::span(kKinds).first(1), 0,
+          "Select a segment to put a station, lift, launch, brake or block on it.");
     return;
   }
   const world::Name name = world::name_of(session.document, segment);
   const world::Equipment* const now = session.document.entities.find<world::Equipment>(segment);
-  if (const auto to = combo(ui, "Equipment", kKinds, now ? static_cast<int>(now->kind) + 1 : 0, "What stands on the selected segment.")) {
+  if (const auto to = combo(ui, "Equipment", kKinds, now ? static_cast<int>(now->kind) + 1 : 0,
+                            "What stands on the selected segment.")) {
     if (*to == 0 && now) ui.emit(edit::RemoveEquipment{{name}});
     if (*to > 0) {
       const world::Equipment base = now ? *now : world::Equipment{};
-      ui.emit(edit::SetEquipment{{name}, static_cast<world::EquipmentKind>(*to - 1), base.speed, base.acceleration, base.hysteresis, base.seconds});
+      ui.emit(edit::SetEquipment{{name},
+                                 static_cast<world::EquipmentKind>(*to - 1),
+                                 base.speed,
+                                 base.acceleration,
+                                 base.hysteresis,
+                                 base.seconds});
     }
   }
   if (now) equipment_values(ui, name, *now);
@@ -60,26 +75,70 @@ void train(Ui& ui) {
   const world::Cart* const design = session.document.entities.find<world::Cart>(cart);
   if (!design) return;
   const world::Name name = world::name_of(session.document, cart);
-  if (const auto to = number(ui, "Cars", {.value = static_cast<double>(design->cars), .decimals = 0, .step = 0.05, .low = 1, .high = world::kMaxCars, .largest = 1e9}, "Cars of the train; they share one energy."))
+  if (const auto to = number(ui, "Cars",
+                             {.value = static_cast<double>(design->cars),
+                              .decimals = 0,
+                              .step = 0.05,
+                              .low = 1,
+                              .high = world::kMaxCars,
+                              .largest = 1e9},
+                             "Cars of the train; they share one energy."))
     ui.emit(edit::SetTrain{{name}, static_cast<int>(*to)});
-  if (const auto to = number(ui, "Spacing", {.value = design->spacing, .unit = "m", .decimals = 2, .step = 0.02, .low = world::kMinSpacing, .high = world::kMaxSpacing}, "Between the middles of neighbouring cars."))
+  if (const auto to = number(ui, "Spacing",
+                             {.value = design->spacing,
+                              .unit = "m",
+                              .decimals = 2,
+                              .step = 0.02,
+                              .low = world::kMinSpacing,
+                              .high = world::kMaxSpacing},
+                             "Between the middles of neighbouring cars."))
     ui.emit(edit::SetTrain{.cart = {name}, .cars = design->cars, .spacing = static_cast<float>(*to)});
-  if (const auto to = number(ui, "Car length", {.value = design->length, .unit = "m", .decimals = 2, .step = 0.02, .low = world::kMinCarLength, .high = world::kMaxCarLength}, "Of a car's body: trains collide where bodies touch. Longer than the spacing counts as the spacing."))
+  if (const auto to =
+          number(ui, "Car length",
+                 {.value = design->length,
+                  .unit = "m",
+                  .decimals = 2,
+                  .step = 0.02,
+                  .low = world::kMinCarLength,
+                  .high = world::kMaxCarLength},
+                 "Of a car's body: trains collide where bodies touch. Longer than the spacing counts as the spacing."))
     ui.emit(edit::SetTrain{.cart = {name}, .cars = design->cars, .length = static_cast<float>(*to)});
-  if (const auto to = number(ui, "Car mass", {.value = design->mass, .unit = "kg", .decimals = 0, .step = 0.5, .low = world::kMinCarMass, .high = world::kMaxCarMass, .largest = 1e6}, "With riders. Drag is told for 500 kg: heavier cars feel less of it."))
+  if (const auto to = number(ui, "Car mass",
+                             {.value = design->mass,
+                              .unit = "kg",
+                              .decimals = 0,
+                              .step = 0.5,
+                              .low = world::kMinCarMass,
+                              .high = world::kMaxCarMass,
+                              .largest = 1e6},
+                             "With riders. Drag is told for 500 kg: heavier cars feel less of it."))
     ui.emit(edit::SetTrain{.cart = {name}, .cars = design->cars, .mass = static_cast<float>(*to)});
 }
 
 void losses(Ui& ui) {
   const world::Document& document = ui.session().document;
   const world::Resistance& now = document.resistance;
-  if (const auto to = number(ui, "Rolling", {.value = now.rolling, .decimals = 4, .step = 0.0002, .low = 0, .high = world::kMaxRolling}, "Rolling friction, of the weight: steel coasters 0.02 to 0.03. 0: frictionless."))
+  if (const auto to = number(
+          ui, "Rolling", {.value = now.rolling, .decimals = 4, .step = 0.0002, .low = 0, .high = world::kMaxRolling},
+          "Rolling friction, of the weight: steel coasters 0.02 to 0.03. 0: frictionless."))
     ui.emit(edit::SetLosses{static_cast<float>(*to), now.drag});
-  if (const auto to = number(ui, "Drag", {.value = now.drag, .unit = "1/m", .decimals = 6, .step = 0.000002, .low = 0, .high = world::kMaxDrag}, "Drag: slows by this times v\u00B2; about 0.00002."))
+  if (const auto to =
+          number(ui, "Drag",
+                 {.value = now.drag, .unit = "1/m", .decimals = 6, .step = 0.000002, .low = 0, .high = world::kMaxDrag},
+                 "Drag: slows by this times v\u00B2; about 0.00002."))
     ui.emit(edit::SetLosses{now.rolling, static_cast<float>(*to)});
-  if (const auto to = number(ui, "Heartline", {.value = document.heartline, .unit = "m", .decimals = 2, .step = 0.01, .low = -world::kMaxHeartline, .high = world::kMaxHeartline}, "Height over the rails where forces are told for."))
+  if (const auto to = number(ui, "Heartline",
+                             {.value = document.heartline,
+                              .unit = "m",
+                              .decimals = 2,
+                              .step = 0.01,
+                              .low = -world::kMaxHeartline,
+                              .high = world::kMaxHeartline},
+                             "Height over the rails where forces are told for."))
     ui.emit(edit::SetHeartline{*to});
-  if (const auto on = checkbox(ui, "Rollback ends the ride", document.rollback_fails, "A train that rolls back 2 m ends the ride; else it rolls on.")) ui.emit(edit::SetRollbackFails{*on});
+  if (const auto on = checkbox(ui, "Rollback ends the ride", document.rollback_fails,
+                               "A train that rolls back 2 m ends the ride; else it rolls on."))
+    ui.emit(edit::SetRollbackFails{*on});
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ struct Panel {
   Column column;
   std::string_view help;
   void (*build)(Ui& ui);
-  bool open = true;       // at first
+  bool open = true;                       // at first
   bool (*shown)(const Ui& ui) = nullptr;  // null: always
 };
 std::span<const Panel> panels();

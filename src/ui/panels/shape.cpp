@@ -17,7 +17,8 @@ namespace {
 edit::Knots shaped_knots(const edit::Session& session) {
   const world::Document& document = session.document;
   edit::Knots knots;
-  for (const world::Entity e : world::selected_knots(document, session.settings)) knots.names.push_back(world::name_of(document, e));
+  for (const world::Entity e : world::selected_knots(document, session.settings))
+    knots.names.push_back(world::name_of(document, e));
   if (const world::Segment* const segment = document.entities.find<world::Segment>(session.settings.selected))
     knots.names = {world::name_of(document, segment->from), world::name_of(document, segment->to)};
   if (knots.names.empty() || knots.names.size() == document.track.knots.size()) return edit::Knots::Which::all;
@@ -29,7 +30,9 @@ glm::vec3 middle_of(const edit::Session& session, const edit::Knots& knots) {
   double count = 0;
   for (const world::Entity e : session.document.track.knots) {
     const world::Name name = world::name_of(session.document, e);
-    if (knots.which == edit::Knots::Which::named && std::find(knots.names.begin(), knots.names.end(), name) == knots.names.end()) continue;
+    if (knots.which == edit::Knots::Which::named &&
+        std::find(knots.names.begin(), knots.names.end(), name) == knots.names.end())
+      continue;
     sum += glm::dvec3(world::knot(session.document, e).position), ++count;
   }
   return count > 0 ? glm::vec3(sum / count) : glm::vec3(0);
@@ -43,7 +46,8 @@ struct Buttons {
   bool operator()(std::string_view label, std::string_view tooltip, bool enabled = true) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     if (placed++ % columns != 0) ImGui::SameLine();
-    else width = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    else
+      width = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
     return button(ui, label, tooltip, enabled, std::floor(width));
   }
   float width = 0;
@@ -51,13 +55,21 @@ struct Buttons {
 
 void snapping(Ui& ui) {
   const world::Snapping& now = ui.session().settings.snapping;
-  static const std::array<Choice, 4> kSnaps{Choice{"Nothing", "What is moved goes where the mouse is."}, Choice{"Grid", "Positions are whole steps."},
-                                            Choice{"Knots", "A knot under the cursor draws what is moved onto it."}, Choice{"Ground", "What is moved stays on the ground."}};
-  if (const auto to = combo(ui, "Snap to", kSnaps, static_cast<int>(now.to), "What moves by hand snaps to this; " + ui.keys.shown("Next snapping") + " takes the next. Hold Ctrl while moving for the other way round."))
+  static const std::array<Choice, 4> kSnaps{Choice{"Nothing", "What is moved goes where the mouse is."},
+                                            Choice{"Grid", "Positions are whole steps."},
+                                            Choice{"Knots", "A knot under the cursor draws what is moved onto it."},
+                                            Choice{"Ground", "What is moved stays on the ground."}};
+  if (const auto to = combo(ui, "Snap to", kSnaps, static_cast<int>(now.to),
+                            "What moves by hand snaps to this; " + ui.keys.shown("Next snapping") +
+                                " takes the next. Hold Ctrl while moving for the other way round."))
     ui.emit(edit::SetSnapping{static_cast<world::SnapTo>(*to), now.step, now.angle});
-  if (const auto to = number(ui, "Step", {.value = now.step, .unit = "m", .decimals = 3, .step = 0.01, .low = 0.001, .high = 1000}, "Of the grid."))
+  if (const auto to =
+          number(ui, "Step", {.value = now.step, .unit = "m", .decimals = 3, .step = 0.01, .low = 0.001, .high = 1000},
+                 "Of the grid."))
     ui.emit(edit::SetSnapping{now.to, *to, now.angle});
-  if (const auto to = number(ui, "Angle", {.value = now.angle, .unit = "\u00B0", .decimals = 1, .step = 0.1, .low = 0.1, .high = 180}, "Turning snaps to multiples of this."))
+  if (const auto to = number(
+          ui, "Angle", {.value = now.angle, .unit = "\u00B0", .decimals = 1, .step = 0.1, .low = 0.1, .high = 180},
+          "Turning snaps to multiples of this."))
     ui.emit(edit::SetSnapping{now.to, now.step, *to});
 }
 
@@ -66,10 +78,14 @@ void whole_track(Ui& ui) {
   const world::Track& track = session.document.track;
   const std::size_t chosen = world::selected_knots(session.document, session.settings).size();
   Buttons next{ui, 3};
-  if (next("Reverse", "Turn the direction of travel round; the shape stays.", !track.segments.empty())) ui.emit(edit::Reverse{});
-  if (next("Duplicate", "Copy the track between the selected neighbouring knots to the open end, turned to go on from there.", !track.closed && chosen >= 2))
+  if (next("Reverse", "Turn the direction of travel round; the shape stays.", !track.segments.empty()))
+    ui.emit(edit::Reverse{});
+  if (next("Duplicate",
+           "Copy the track between the selected neighbouring knots to the open end, turned to go on from there.",
+           !track.closed && chosen >= 2))
     ui.emit(edit::Duplicate{shaped_knots(session)});
-  if (next("Close", "Close the track exactly: ends nearer than 2 m become one knot, others get a segment between them.", !track.closed && track.knots.size() >= 2))
+  if (next("Close", "Close the track exactly: ends nearer than 2 m become one knot, others get a segment between them.",
+           !track.closed && track.knots.size() >= 2))
     ui.emit(edit::CloseExactly{});
 }
 
@@ -79,25 +95,38 @@ void shape_panel(Ui& ui) {
   const edit::Session& session = ui.session();
   const edit::Knots knots = shaped_knots(session);
   const bool any = !session.document.track.knots.empty();
-  const std::size_t count = knots.which == edit::Knots::Which::all ? session.document.track.knots.size() : knots.names.size();
-  read_out(ui, "Acts on", (knots.which == edit::Knots::Which::all ? "all " : "") + std::to_string(count) + (count == 1 ? " knot" : " knots"), "",
-           "The selected knots, or all when none is selected. Shift+click adds a knot, Ctrl+click all up to it, " + ui.keys.shown("Box select") + " draws a box, " +
-               ui.keys.shown("Select all") + " selects all.");
+  const std::size_t count =
+      knots.which == edit::Knots::Which::all ? session.document.track.knots.size() : knots.names.size();
+  read_out(ui, "Acts on",
+           (knots.which == edit::Knots::Which::all ? "all " : "") + std::to_string(count) +
+               (count == 1 ? " knot" : " knots"),
+           "",
+           "The selected knots, or all when none is selected. Shift+click adds a knot, Ctrl+click all up to it, " +
+               ui.keys.shown("Box select") + " draws a box, " + ui.keys.shown("Select all") + " selects all.");
   Buttons next{ui, 2};
-  if (next("Smooth", "The natural C2 spline through the knots: curvature goes on over every joint.", any && session.document.track.knots.size() > 1)) ui.emit(edit::Smooth{knots});
-  if (next("Equalise handles", "Both handles as long as they are on average (C1).", any)) ui.emit(edit::Equalise{knots});
-  if (next("Straighten", "Neighbouring knots on the line from the first to the last of them.", any && count > 1)) ui.emit(edit::Straighten{knots});
+  if (next("Smooth", "The natural C2 spline through the knots: curvature goes on over every joint.",
+           any && session.document.track.knots.size() > 1))
+    ui.emit(edit::Smooth{knots});
+  if (next("Equalise handles", "Both handles as long as they are on average (C1).", any))
+    ui.emit(edit::Equalise{knots});
+  if (next("Straighten", "Neighbouring knots on the line from the first to the last of them.", any && count > 1))
+    ui.emit(edit::Straighten{knots});
   if (next("Drop to ground", "Knots on the ground, level.", any)) ui.emit(edit::DropToGround{knots});
   constexpr std::array<std::string_view, 3> kMirrors{"Mirror X", "Mirror Y", "Mirror Z"};
   Buttons mirrors{ui, 3};
   for (int i = 0; i < 3; ++i)
-    if (mirrors(kMirrors[static_cast<std::size_t>(i)], "Mirror across the plane through the knots' middle, normal to the axis.", any)) {
+    if (mirrors(kMirrors[static_cast<std::size_t>(i)],
+                "Mirror across the plane through the knots' middle, normal to the axis.", any)) {
       glm::vec3 across(0);
       across[i] = 1;
       ui.emit(edit::Mirror{knots, across, middle_of(session, knots)});
     }
-  if (const auto to = number(ui, "Radius", {.value = ui.radius, .unit = "m", .decimals = 2, .step = 0.1, .low = 0.1, .high = 1e5}, "Of curvature at the knots, set by Set radius.")) ui.radius = *to;
-  if (button(ui, "Set radius", "Give the knots this radius of curvature by the lengths of their handles.", any && count < session.document.track.knots.size(), -1))
+  if (const auto to =
+          number(ui, "Radius", {.value = ui.radius, .unit = "m", .decimals = 2, .step = 0.1, .low = 0.1, .high = 1e5},
+                 "Of curvature at the knots, set by Set radius."))
+    ui.radius = *to;
+  if (button(ui, "Set radius", "Give the knots this radius of curvature by the lengths of their handles.",
+             any && count < session.document.track.knots.size(), -1))
     ui.emit(edit::SetRadius{knots, ui.radius});
   whole_track(ui);
   snapping(ui);

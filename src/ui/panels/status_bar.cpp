@@ -1,14 +1,14 @@
-// The status bar: selection, length, speed, g and fps, the mark of unsaved changes, and the last message. What does not fit is left out,
-// the least important first.
+// The status bar: selection, length, speed, g and fps, the mark of unsaved changes, and the last message. What does not
+// fit is left out, the least important first.
 #include <imgui.h>
 
 #include <cmath>
 
 #include "base/utf8.h"
 #include "ui/panels/panels.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toasts.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -44,17 +44,22 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
   ImGui::SetNextWindowSize({area.width, area.height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
-  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                      ImGuiWindowFlags_NoNav;
   if (ImGui::Begin("##status", nullptr, kFixed)) {
     ui.panel = "Status";
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float pad = std::floor(10 * ui.scale), gap = std::floor(6 * ui.scale), between = std::floor(18 * ui.scale);
-    const float top = std::floor(area.y + (area.height - ImGui::GetTextLineHeight()) * 0.5f), right = area.x + area.width - pad;
+    const float top = std::floor(area.y + (area.height - ImGui::GetTextLineHeight()) * 0.5f),
+                right = area.x + area.width - pad;
     float x = area.x + pad;
     const bool unsaved = edit::dirty(ui.session());
-    const auto draw = [&](const std::string& words, std::uint32_t tint, float at) { list.AddText({std::floor(at), top}, packed(tint), words.c_str()); };
-    const auto place = [&](std::string_view label, std::string_view kind_tooltip, std::string value, float from, float to) {
+    const auto draw = [&](const std::string& words, std::uint32_t tint, float at) {
+      list.AddText({std::floor(at), top}, packed(tint), words.c_str());
+    };
+    const auto place = [&](std::string_view label, std::string_view kind_tooltip, std::string value, float from,
+                           float to) {
       note(ui, label, "label", kind_tooltip, true, std::move(value), {from, area.y}, {to, area.y + area.height});
     };
     const std::string mark = unsaved ? "\u25CF unsaved" : "saved";
@@ -75,11 +80,14 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
     const auto& notices = ui.session().notices;
     if (!notices.empty() && right - x > 60 * ui.scale) {
       const edit::Notice& last = notices.back();
-      const std::uint32_t tint = last.kind == edit::NoticeKind::error ? palette().error : last.kind == edit::NoticeKind::warning ? palette().warning : palette().dim;
+      const std::uint32_t tint = last.kind == edit::NoticeKind::error     ? palette().error
+                                 : last.kind == edit::NoticeKind::warning ? palette().warning
+                                                                          : palette().dim;
       std::string words = last.text;
       const float room = right - x;
       if (text_size(words).x > room) {
-        while (!words.empty() && text_size(words).x + text_size("\u2026").x > room) words.resize(base::utf8_start(words, words.size() - 1).size());
+        while (!words.empty() && text_size(words).x + text_size("\u2026").x > room)
+          words.resize(base::utf8_start(words, words.size() - 1).size());
         words += "\u2026";
       }
       draw(words, tint, right - text_size(words).x);

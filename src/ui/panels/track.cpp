@@ -5,10 +5,10 @@
 
 #include "sim/ride/equipment.h"
 #include "ui/actions/conflict_tour.h"
-#include "ui/screens/dialogs.h"
 #include "ui/actions/key_map.h"
 #include "ui/lab/page_parts.h"
 #include "ui/panels/panels.h"
+#include "ui/screens/dialogs.h"
 #include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
@@ -29,8 +29,8 @@ void beside(float width) {
   if (width < ImGui::GetContentRegionAvail().x) ImGui::SameLine();
 }
 
-// Where a new cart touches no other at the start of the ride: the start or the middle of a segment, looked for from `first` on; the start of
-// `first` where there is no such place.
+// Where a new cart touches no other at the start of the ride: the start or the middle of a segment, looked for from
+// `first` on; the start of `first` where there is no such place.
 edit::AddCart free_place(const edit::Session& session, world::Entity first) {
   const sim::Derived& derived = session.derived;
   const sim::Rails rails{derived.length, derived.closed};
@@ -38,7 +38,8 @@ edit::AddCart free_place(const edit::Session& session, world::Entity first) {
   const auto is_free = [&](double distance) {
     for (const world::Cart& other : session.document.entities.pool<world::Cart>().items()) {
       const sim::GhostStart start = sim::start_of(session.document, derived, other);
-      if (sim::collide(rails, {distance, 1, kRoom, kRoom}, {start.front, start.cars, start.spacing, start.length})) return false;
+      if (sim::collide(rails, {distance, 1, kRoom, kRoom}, {start.front, start.cars, start.spacing, start.length}))
+        return false;
     }
     return true;
   };
@@ -55,7 +56,8 @@ edit::AddCart free_place(const edit::Session& session, world::Entity first) {
 }
 
 void size(Ui& ui) {
-  read_query(ui, "Length", "length", {}, "Length of the track, by the arc-length method chosen under Evaluation.", {.decimals = 3});
+  read_query(ui, "Length", "length", {}, "Length of the track, by the arc-length method chosen under Evaluation.",
+             {.decimals = 3});
   read_query(ui, "Segments", "segments", {}, "Cubic Bézier segments.", {.decimals = 0});
   read_query(ui, "Knots", "knots", {}, "Places the track goes through.", {.decimals = 0});
   colouring_box(ui);
@@ -64,9 +66,12 @@ void size(Ui& ui) {
 void conflicts(Ui& ui) {
   const std::vector<sim::Conflict>& found = edit::conflicts(ui.session());
   if (found.empty()) return;
-  read_query(ui, "Conflicts", "conflicts", {}, "Places where the track is in its own way: a train has too little room beside, under or over other track.",
+  read_query(ui, "Conflicts", "conflicts", {},
+             "Places where the track is in its own way: a train has too little room beside, under or over other track.",
              {.decimals = 0, .warns = true});
-  if (button(ui, "Next conflict", "Look at the next place where the track is in its own way.", true, ImGui::GetContentRegionAvail().x)) show_next_conflict(ui);
+  if (button(ui, "Next conflict", "Look at the next place where the track is in its own way.", true,
+             ImGui::GetContentRegionAvail().x))
+    show_next_conflict(ui);
 }
 
 // Ends that meet, or nearly so, become one knot.
@@ -86,40 +91,75 @@ void building(Ui& ui) {
   const std::size_t knots = session.document.track.knots.size();
   const bool closed = session.document.track.closed;
 
-  if (const auto to = checkbox(ui, "Closed", closed, "Join the last knot to the first (a circuit; ends that meet become one knot), or open the track there.", closed || knots >= 2))
+  if (const auto to = checkbox(
+          ui, "Closed", closed,
+          "Join the last knot to the first (a circuit; ends that meet become one knot), or open the track there.",
+          closed || knots >= 2))
     ui.emit(*to ? closing(session) : edit::SetClosed{false});
-  if (const auto on = checkbox(ui, "Append points", session.settings.append_mode,
-                               with_keys(ui.keys, "A click on the ground appends a knot to an open track; " + ui.keys.shown("Cancel") + " leaves it.", "Append points")))
+  if (const auto on = checkbox(
+          ui, "Append points", session.settings.append_mode,
+          with_keys(ui.keys,
+                    "A click on the ground appends a knot to an open track; " + ui.keys.shown("Cancel") + " leaves it.",
+                    "Append points")))
     ui.emit(edit::SetAppendMode{*on});
 
   const float width = pair_width();
-  if (button(ui, "Add curve", with_keys(ui.keys, "Split the longest segment at half its length, keeping the shape.", "Add curve"), true, width)) ui.emit(edit::AddCurve{});
+  if (button(ui, "Add curve",
+             with_keys(ui.keys, "Split the longest segment at half its length, keeping the shape.", "Add curve"), true,
+             width))
+    ui.emit(edit::AddCurve{});
   beside(width);
-  if (button(ui, "Insert point", with_keys(ui.keys, "Insert a knot at the picked place of the selected segment, keeping the shape (de Casteljau), as a double click on the curve does.", "Insert point"),
+  if (button(ui, "Insert point",
+             with_keys(ui.keys,
+                       "Insert a knot at the picked place of the selected segment, keeping the shape (de Casteljau), "
+                       "as a double click on the curve does.",
+                       "Insert point"),
              on_segment, width))
     ui.emit(edit::SplitSegment{{*selected}, session.settings.selected_t});
-  if (button(ui, "Delete", with_keys(ui.keys, "Remove the selected knot or cart.", "Delete"), removable, width)) ui.emit(edit::RemoveKnot{{*selected}});
+  if (button(ui, "Delete", with_keys(ui.keys, "Remove the selected knot or cart.", "Delete"), removable, width))
+    ui.emit(edit::RemoveKnot{{*selected}});
   beside(width);
   const auto& segments = session.document.track.segments;
-  if (button(ui, "Add cart", "Add a cart at the start of the selected segment, or of the track, or at the next place after it that is free.", !segments.empty(), width)) {
+  if (button(ui, "Add cart",
+             "Add a cart at the start of the selected segment, or of the track, or at the next place after it that is "
+             "free.",
+             !segments.empty(), width)) {
     ui.emit(free_place(session, on_segment ? session.settings.selected : segments.front()));
   }
 }
 
 void start(Ui& ui) {
   const world::Document& document = ui.session().document;
-  const Number speed{.value = document.start_speed, .unit = "m/s", .decimals = 2, .step = 0.05, .low = -world::kMaxSpeed, .high = world::kMaxSpeed, .largest = 1e300};
-  if (const auto to = number(ui, "Start speed", speed, "Speed at which carts start; negative runs backwards.")) ui.emit(edit::SetStartSpeed{*to});
-  const Number datum{.value = document.datum, .unit = "m", .decimals = 2, .step = 0.05, .low = -world::kMaxCoordinate, .high = world::kMaxCoordinate, .largest = 1e300};
-  if (const auto to = number(ui, "Datum", datum, "Height at which potential energy is zero.")) ui.emit(edit::SetDatum{*to});
+  const Number speed{.value = document.start_speed,
+                     .unit = "m/s",
+                     .decimals = 2,
+                     .step = 0.05,
+                     .low = -world::kMaxSpeed,
+                     .high = world::kMaxSpeed,
+                     .largest = 1e300};
+  if (const auto to = number(ui, "Start speed", speed, "Speed at which carts start; negative runs backwards."))
+    ui.emit(edit::SetStartSpeed{*to});
+  const Number datum{.value = document.datum,
+                     .unit = "m",
+                     .decimals = 2,
+                     .step = 0.05,
+                     .low = -world::kMaxCoordinate,
+                     .high = world::kMaxCoordinate,
+                     .largest = 1e300};
+  if (const auto to = number(ui, "Datum", datum, "Height at which potential energy is zero."))
+    ui.emit(edit::SetDatum{*to});
 }
 
 void file(Ui& ui) {
-  if (auto path = text(ui, "File", ui.file, std::string("The track's file. Another path typed here is opened.\n") + ui.file)) ui.dialogs.request(ui, {Want::Kind::load, std::move(*path)});
+  if (auto path =
+          text(ui, "File", ui.file, std::string("The track's file. Another path typed here is opened.\n") + ui.file))
+    ui.dialogs.request(ui, {Want::Kind::load, std::move(*path)});
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-  if (button(ui, "New", with_keys(ui.keys, "Start an empty track.", "New"), true, width)) ui.dialogs.request(ui, {Want::Kind::fresh, {}});
+  if (button(ui, "New", with_keys(ui.keys, "Start an empty track.", "New"), true, width))
+    ui.dialogs.request(ui, {Want::Kind::fresh, {}});
   ImGui::SameLine();
-  if (button(ui, "Open", with_keys(ui.keys, "Choose a track file to open.", "Open"), true, width)) ui.dialogs.request(ui, {Want::Kind::browse, {}});
+  if (button(ui, "Open", with_keys(ui.keys, "Choose a track file to open.", "Open"), true, width))
+    ui.dialogs.request(ui, {Want::Kind::browse, {}});
   ImGui::SameLine();
   if (button(ui, "Save", with_keys(ui.keys, "Save the track to its file.", "Save"), true, width)) ui.dialogs.save(ui);
 }
@@ -127,7 +167,8 @@ void file(Ui& ui) {
 }  // namespace
 
 void track_panel(Ui& ui) {
-  if (auto name = text(ui, "Name", ui.session().document.name, "The track's name.")) ui.emit(edit::SetName{std::move(*name)});
+  if (auto name = text(ui, "Name", ui.session().document.name, "The track's name."))
+    ui.emit(edit::SetName{std::move(*name)});
   size(ui);
   conflicts(ui);
   building(ui);

@@ -17,7 +17,8 @@ ImU32 opaque(glm::vec3 colour) { return ImGui::ColorConvertFloat4ToU32({colour.x
 void draw_bar(ImDrawList& list, ImVec2 at, float width, float height) {
   constexpr std::size_t kPieces = view::kColourStops.size() - 1;
   for (std::size_t i = 0; i < kPieces; ++i) {
-    const float left = at.x + width * static_cast<float>(i) / kPieces, right = at.x + width * static_cast<float>(i + 1) / kPieces;
+    const float left = at.x + width * static_cast<float>(i) / kPieces,
+                right = at.x + width * static_cast<float>(i + 1) / kPieces;
     const ImU32 from = opaque(view::kColourStops[i]), to = opaque(view::kColourStops[i + 1]);
     list.AddRectFilledMultiColor({left, at.y}, {right, at.y + height}, from, to, to, from);
   }
@@ -29,15 +30,20 @@ void draw_legend(Ui& ui, const view::Viewport& scene) {
   const world::Settings& settings = ui.session().settings;
   if (settings.colouring == world::Colouring::plain) return;
   const world::ColouringRow& row = world::colourings()[static_cast<std::size_t>(settings.colouring)];
-  const float scale = ui.scale, margin = std::floor(14 * scale), pad = std::floor(10 * scale), bar = std::floor(11 * scale);
+  const float scale = ui.scale, margin = std::floor(14 * scale), pad = std::floor(10 * scale),
+              bar = std::floor(11 * scale);
   const float text = std::max(13.0f, std::round(kSmallFontPixels * scale));
-  const float width = std::min(std::floor(240 * scale), scene.width - 2 * (margin + pad)), height = 2 * text + bar + std::floor(10 * scale);
+  const float width = std::min(std::floor(240 * scale), scene.width - 2 * (margin + pad)),
+              height = 2 * text + bar + std::floor(10 * scale);
   if (width < 120 * scale || scene.height < height + 2 * (margin + pad)) return;
   const ImVec2 low(scene.x + margin + pad, scene.y + margin + pad);  // notices and hints are at the bottom
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + height + pad}, packed(palette().background, 0.82f), std::floor(6 * scale));
+  list.AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + height + pad},
+                     packed(palette().background, 0.82f), std::floor(6 * scale));
   const std::string title = std::string(row.label) + " (" + std::string(row.unit) + ")";
-  const auto words = [&](ImVec2 at, std::uint32_t rgb, const std::string& value) { list.AddText(small_font(), text, {std::floor(at.x), std::floor(at.y)}, packed(rgb), value.c_str()); };
+  const auto words = [&](ImVec2 at, std::uint32_t rgb, const std::string& value) {
+    list.AddText(small_font(), text, {std::floor(at.x), std::floor(at.y)}, packed(rgb), value.c_str());
+  };
   words(low, palette().text, title);
   const ImVec2 bar_at(low.x, low.y + text + std::floor(5 * scale));
   draw_bar(list, bar_at, width, bar);

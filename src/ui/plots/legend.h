@@ -1,4 +1,5 @@
-// The legend of the track's colours: a bar with numbers in a corner of the viewport, while the track is coloured by something.
+// The legend of the track's colours: a bar with numbers in a corner of the viewport, while the track is coloured by
+// something.
 #pragma once
 
 #include "ui/widgets/widgets.h"

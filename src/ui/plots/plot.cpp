@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "ui/plots/plot_area.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -62,8 +62,8 @@ void make_square(PlotArea& area) {
 
 int most_ticks(float room, float each) { return std::max(2, static_cast<int>(room / each)); }
 
-// Divides the room: the y axis' texts on the left, its title and the legend above; the x axis' texts below, its title at their end when it is
-// short, else in a row of its own.
+// Divides the room: the y axis' texts on the left, its title and the legend above; the x axis' texts below, its title
+// at their end when it is short, else in a row of its own.
 PlotArea lay_out(const Ui& ui, const Plot& p, const Data& data, ImVec2 low, ImVec2 high) {
   PlotArea area;
   area.scale = ui.scale;
@@ -72,16 +72,20 @@ PlotArea lay_out(const Ui& ui, const Plot& p, const Data& data, ImVec2 low, ImVe
   area.x = range_of(p.x, data.x, p.square ? 0.08 : 0);
   area.y = range_of(p.y, data.y, p.square ? 0.08 : 0.06);
   const float line = area.text_px, gap = std::floor(4 * ui.scale);
-  const float x_title = p.square ? 0 : small_size(area, axis_title(p.x)).x;  // one title speaks for both axes of a shape
+  const float x_title =
+      p.square ? 0 : small_size(area, axis_title(p.x)).x;  // one title speaks for both axes of a shape
   area.title_beside = x_title <= 4 * line;
-  const float above = axis_title(p.y).empty() ? line * 0.5f : line + gap, below = line + gap + (area.title_beside ? 0 : line);
+  const float above = axis_title(p.y).empty() ? line * 0.5f : line + gap,
+              below = line + gap + (area.title_beside ? 0 : line);
   const float right = area.title_beside && x_title > 0 ? x_title + line + gap : line;
   area.low = {std::floor(low.x + 3 * line), std::floor(low.y + above)};
-  area.high = {std::max(std::floor(high.x - right), area.low.x + 1), std::max(std::floor(high.y - below), area.low.y + 1)};
+  area.high = {std::max(std::floor(high.x - right), area.low.x + 1),
+               std::max(std::floor(high.y - below), area.low.y + 1)};
   if (p.square) make_square(area);
   area.y_ticks = ticks(area.y, most_ticks(area.high.y - area.low.y, 1.9f * line));
   float widest = 0;
-  for (const double tick : area.y_ticks.major) widest = std::max(widest, small_size(area, tick_text(area.y, area.y_ticks, tick, area.pretty)).x);
+  for (const double tick : area.y_ticks.major)
+    widest = std::max(widest, small_size(area, tick_text(area.y, area.y_ticks, tick, area.pretty)).x);
   area.low.x = std::min(std::floor(low.x + widest + 2 * gap), area.high.x - 1);
   if (p.square) {
     make_square(area);
@@ -112,14 +116,17 @@ double snapped(const PlotArea& area, float mouse_x) {
 void draw_cursor(ImDrawList& list, const PlotArea& area, double x, bool hot) {
   const float at = std::floor(area.at(x, area.y.high).x) + 0.5f;
   if (!(at >= area.low.x - 1 && at <= area.high.x + 1)) return;
-  list.AddLine({at, area.low.y}, {at, area.high.y}, packed(palette().accent, hot ? 1.0f : 0.85f), std::max(1.0f, std::floor(1.5f * area.scale)));
+  list.AddLine({at, area.low.y}, {at, area.high.y}, packed(palette().accent, hot ? 1.0f : 0.85f),
+               std::max(1.0f, std::floor(1.5f * area.scale)));
   const float grip = std::floor(4.5f * area.scale);  // a handle to hold it by
-  list.AddTriangleFilled({at - grip, area.low.y - 1}, {at + grip, area.low.y - 1}, {at, area.low.y + grip * 1.4f}, packed(palette().accent));
+  list.AddTriangleFilled({at - grip, area.low.y - 1}, {at + grip, area.low.y - 1}, {at, area.low.y + grip * 1.4f},
+                         packed(palette().accent));
 }
 
 void draw_empty(ImDrawList& list, const PlotArea& area, std::string_view words) {
   const ImVec2 size = small_size(area, words);
-  small_text(list, area, {(area.low.x + area.high.x - size.x) / 2, (area.low.y + area.high.y - size.y) / 2}, palette().dim, words);
+  small_text(list, area, {(area.low.x + area.high.x - size.x) / 2, (area.low.y + area.high.y - size.y) / 2},
+             palette().dim, words);
 }
 
 void draw_all(ImDrawList& list, const PlotArea& area, const Plot& p, ImVec2 outer_low, bool any) {
@@ -162,13 +169,17 @@ std::optional<PlotDrag> plot(Ui& ui, std::string_view label, const Plot& p, std:
   if (any && (hovered || held)) draw_readout(list, area, p, mouse);
   list.PopClipRect();
 
-  const std::string value = !p.value.empty() ? p.value : p.cursor ? significant(*p.cursor, 6, false) : any ? "" : std::string(p.empty);
+  const std::string value = !p.value.empty() ? p.value
+                            : p.cursor       ? significant(*p.cursor, 6, false)
+                            : any            ? ""
+                                             : std::string(p.empty);
   note(ui, label, "plot", any ? "" : tooltip, true, value, area.low, area.high);
-  note(ui, std::string(label) + "/axes", "label", tooltip, true, axis_title(p.y), low,
-       {high.x, area.low.y});
+  note(ui, std::string(label) + "/axes", "label", tooltip, true, axis_title(p.y), low, {high.x, area.low.y});
   if (!held || !any) return std::nullopt;
   const double up = (area.high.y - mouse.y) / (area.high.y - area.low.y);
-  const PlotDrag wanted{p.cursor ? snapped(area, mouse.x) : value_at(area.x, (mouse.x - area.low.x) / (area.high.x - area.low.x)), value_at(area.y, up)};
+  const PlotDrag wanted{
+      p.cursor ? snapped(area, mouse.x) : value_at(area.x, (mouse.x - area.low.x) / (area.high.x - area.low.x)),
+      value_at(area.y, up)};
   const bool moves = p.cursor ? wanted.x != *p.cursor : p.drags_point;
   return moves ? std::optional(wanted) : std::nullopt;
 }

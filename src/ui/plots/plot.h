@@ -1,5 +1,6 @@
-// A plot of our own over Dear ImGui: lines, points and bars on linear or logarithmic axes with titles and units, a grid, a legend, marked
-// levels, a read-out under the mouse and a cursor that can be dragged. Keeps nothing between frames.
+// A plot of our own over Dear ImGui: lines, points and bars on linear or logarithmic axes with titles and units, a
+// grid, a legend, marked levels, a read-out under the mouse and a cursor that can be dragged. Keeps nothing between
+// frames.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,8 @@ namespace coaster::ui {
 
 enum class SeriesKind : std::uint8_t { line, points, line_and_points, bars };
 
-// x and y are equally long and outlive the call. What has no place on the axes (NaN, a negative number on a logarithmic axis) is a gap;
-// lines are expected in order of x unless the plot is `square`.
+// x and y are equally long and outlive the call. What has no place on the axes (NaN, a negative number on a logarithmic
+// axis) is a gap; lines are expected in order of x unless the plot is `square`.
 struct Series {
   std::string label;  // "" keeps it out of the legend
   std::span<const double> x, y;
@@ -50,12 +51,12 @@ struct Plot {
   std::span<const Series> series;
   std::span<const Level> levels = {};
   std::span<const Spot> spots = {};
-  std::optional<double> cursor = {};      // a vertical line here; dragging returns a new one
-  bool square = false;                    // one metre is as long on both axes: for shapes
-  bool drags_point = false;               // without a cursor: returns the place under the mouse while it holds the plot
-  std::string_view empty = "no data";     // shown when nothing can be drawn
-  std::string value = {};                 // of the widget; "" for the cursor's x
-  float width = 0, height = 0;            // px; 0: what room is left
+  std::optional<double> cursor = {};   // a vertical line here; dragging returns a new one
+  bool square = false;                 // one metre is as long on both axes: for shapes
+  bool drags_point = false;            // without a cursor: returns the place under the mouse while it holds the plot
+  std::string_view empty = "no data";  // shown when nothing can be drawn
+  std::string value = {};              // of the widget; "" for the cursor's x
+  float width = 0, height = 0;         // px; 0: what room is left
 };
 
 // Where the mouse holds a plot, in the units of its axes.
@@ -63,9 +64,10 @@ struct PlotDrag {
   double x = 0, y = 0;
 };
 
-// Draws at the layout's place and registers "Panel/label" of kind "plot" over the area of the data, so that a click in its middle is
-// a click at the middle of the x axis. While the mouse holds it: where the cursor is wanted, x within the axis and a multiple of a
-// round step no longer than a pixel, when that is not where the cursor is; or with `drags_point` the place under the mouse.
+// Draws at the layout's place and registers "Panel/label" of kind "plot" over the area of the data, so that a click in
+// its middle is a click at the middle of the x axis. While the mouse holds it: where the cursor is wanted, x within the
+// axis and a multiple of a round step no longer than a pixel, when that is not where the cursor is; or with
+// `drags_point` the place under the mouse.
 std::optional<PlotDrag> plot(Ui& ui, std::string_view label, const Plot& plot, std::string_view tooltip);
 
 }  // namespace coaster::ui

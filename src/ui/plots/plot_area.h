@@ -10,10 +10,10 @@ namespace coaster::ui {
 struct PlotArea {
   AxisRange x, y;
   Ticks x_ticks, y_ticks;
-  ImVec2 low, high;    // px, of the data
-  float scale = 1;     // px a design px
-  float text_px = 13;  // height of a line of small text
-  bool pretty = true;  // the font has superscripts
+  ImVec2 low, high;           // px, of the data
+  float scale = 1;            // px a design px
+  float text_px = 13;         // height of a line of small text
+  bool pretty = true;         // the font has superscripts
   bool title_beside = false;  // the x axis' title stands in the row of its ticks
 
   // NaN where a value has no place.

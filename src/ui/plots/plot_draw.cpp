@@ -23,16 +23,20 @@ ImVec2 small_size(const PlotArea& area, std::string_view text) {
 }
 
 void small_text(ImDrawList& list, const PlotArea& area, ImVec2 at, std::uint32_t rgb, std::string_view text) {
-  list.AddText(small_font(), area.text_px, {std::floor(at.x), std::floor(at.y)}, packed(ink(rgb)), text.data(), text.data() + text.size());
+  list.AddText(small_font(), area.text_px, {std::floor(at.x), std::floor(at.y)}, packed(ink(rgb)), text.data(),
+               text.data() + text.size());
 }
 
-std::string axis_title(const PlotAxis& axis) { return axis.unit.empty() ? axis.title : axis.title + " (" + axis.unit + ")"; }
+std::string axis_title(const PlotAxis& axis) {
+  return axis.unit.empty() ? axis.title : axis.title + " (" + axis.unit + ")";
+}
 
 namespace {
 
 bool drawable(ImVec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-// The points of one unbroken piece. Where several fall into a pixel's column, its first, lowest, highest and last stand for them.
+// The points of one unbroken piece. Where several fall into a pixel's column, its first, lowest, highest and last stand
+// for them.
 std::vector<ImVec2> thinned(std::vector<ImVec2> points, float width) {
   if (static_cast<float>(points.size()) < 5 * width) return points;
   std::vector<ImVec2> kept;
@@ -53,11 +57,13 @@ std::vector<ImVec2> thinned(std::vector<ImVec2> points, float width) {
 void draw_piece(ImDrawList& list, const PlotArea& area, const Series& series, std::vector<ImVec2> piece) {
   if (piece.empty()) return;
   if (piece.size() == 1) {  // a sample between two gaps
-    if (series.kind == SeriesKind::line) list.AddCircleFilled(piece[0], series.width * area.scale, packed(ink(series.colour)));
+    if (series.kind == SeriesKind::line)
+      list.AddCircleFilled(piece[0], series.width * area.scale, packed(ink(series.colour)));
     return;
   }
   const std::vector<ImVec2> points = thinned(std::move(piece), area.high.x - area.low.x);
-  list.AddPolyline(points.data(), static_cast<int>(points.size()), packed(ink(series.colour)), ImDrawFlags_None, series.width * area.scale);
+  list.AddPolyline(points.data(), static_cast<int>(points.size()), packed(ink(series.colour)), ImDrawFlags_None,
+                   series.width * area.scale);
 }
 
 void draw_lines(ImDrawList& list, const PlotArea& area, const Series& series, std::size_t count) {
@@ -80,7 +86,9 @@ void draw_bars(ImDrawList& list, const PlotArea& area, const Series& series, std
   const float zero = area.y.scale == AxisScale::linear ? area.at(area.x.low, 0).y : area.high.y;
   for (std::size_t i = 0; i < count; ++i) {
     const ImVec2 p = area.at(series.x[i], series.y[i]);
-    if (drawable(p)) list.AddRectFilled({p.x - half, std::min(p.y, zero)}, {p.x + half, std::max(p.y, zero)}, packed(ink(series.colour), 0.85f));
+    if (drawable(p))
+      list.AddRectFilled({p.x - half, std::min(p.y, zero)}, {p.x + half, std::max(p.y, zero)},
+                         packed(ink(series.colour), 0.85f));
   }
 }
 
@@ -104,14 +112,16 @@ void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 
     row(v, v == 0 ? packed(palette().dim, 0.7f) : major);
     const std::string text = tick_text(area.y, area.y_ticks, v, area.pretty);
     const ImVec2 size = small_size(area, text);
-    const float y = std::clamp(area.at(area.x.low, v).y - size.y * 0.5f, area.low.y - size.y * 0.15f, area.high.y - size.y * 0.6f);
+    const float y =
+        std::clamp(area.at(area.x.low, v).y - size.y * 0.5f, area.low.y - size.y * 0.15f, area.high.y - size.y * 0.6f);
     small_text(list, area, {area.low.x - size.x - gap, y}, palette().dim, text);
   }
   for (const double v : area.x_ticks.major) {
     column(v, v == 0 && plot.square ? packed(palette().dim, 0.7f) : major);
     const std::string text = tick_text(area.x, area.x_ticks, v, area.pretty);
     const ImVec2 size = small_size(area, text);
-    small_text(list, area, {std::max(outer_low.x, area.at(v, area.y.low).x - size.x * 0.5f), area.high.y + gap * 0.5f}, palette().dim, text);
+    small_text(list, area, {std::max(outer_low.x, area.at(v, area.y.low).x - size.x * 0.5f), area.high.y + gap * 0.5f},
+               palette().dim, text);
   }
   small_text(list, area, outer_low, palette().text, axis_title(plot.y));
   if (plot.square) return;
@@ -139,7 +149,8 @@ void draw_levels_and_spots(ImDrawList& list, const PlotArea& area, const Plot& p
     if (!std::isfinite(y)) continue;
     const float dash = 7 * area.scale;
     for (float x = area.low.x; x < area.high.x; x += 1.7f * dash)
-      list.AddLine({x, y}, {std::min(x + dash, area.high.x), y}, packed(ink(level.colour)), std::max(1.0f, 1.5f * area.scale));
+      list.AddLine({x, y}, {std::min(x + dash, area.high.x), y}, packed(ink(level.colour)),
+                   std::max(1.0f, 1.5f * area.scale));
     const ImVec2 size = small_size(area, level.label);
     const float above = y - size.y - 1, top = above >= area.low.y ? above : y + 2;
     small_text(list, area, {area.high.x - size.x - 4 * area.scale, top}, level.colour, level.label);
@@ -171,7 +182,9 @@ void draw_legend(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec
     const float width = mark + gap + small_size(area, s.label).x, y = std::floor(outer_low.y + area.text_px * 0.5f);
     if (x + width > area.high.x + 1) break;
     if (s.kind == SeriesKind::points) list.AddCircleFilled({x + mark / 2, y}, 3 * area.scale, packed(ink(s.colour)));
-    else list.AddLine({x, y}, {x + mark, y}, packed(ink(s.colour)), s.kind == SeriesKind::bars ? 8 * area.scale : 2 * area.scale);
+    else
+      list.AddLine({x, y}, {x + mark, y}, packed(ink(s.colour)),
+                   s.kind == SeriesKind::bars ? 8 * area.scale : 2 * area.scale);
     small_text(list, area, {x + mark + gap, outer_low.y}, palette().dim, s.label);
     x += width + 2 * gap;
   }
@@ -210,23 +223,30 @@ void draw_readout(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVe
   }
   if (found.empty()) return;
   constexpr std::size_t kMost = 6;
-  std::stable_sort(found.begin(), found.end(), [](const Nearest& a, const Nearest& b) { return a.distance < b.distance; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Nearest& a, const Nearest& b) { return a.distance < b.distance; });
   if (found.size() > kMost) found.resize(kMost);
   const auto unit = [](const PlotAxis& axis) { return axis.unit.empty() ? "" : " " + axis.unit; };
   std::vector<std::pair<std::uint32_t, std::string>> lines;
   const Series& first = *found[0].series;
-  lines.emplace_back(palette().text, plot.x.title + " " + significant(first.x[found[0].index], 4, area.pretty) + unit(plot.x));
+  lines.emplace_back(palette().text,
+                     plot.x.title + " " + significant(first.x[found[0].index], 4, area.pretty) + unit(plot.x));
   for (const Nearest& one : found) {
     const std::string name = one.series->label.empty() ? plot.y.title : one.series->label;
-    lines.emplace_back(one.series->colour, name + " " + significant(one.series->y[one.index], 4, area.pretty) + unit(plot.y));
+    lines.emplace_back(one.series->colour,
+                       name + " " + significant(one.series->y[one.index], 4, area.pretty) + unit(plot.y));
     list.AddCircleFilled(one.place, 3 * area.scale, packed(ink(one.series->colour)));
   }
   float width = 0;
   for (const auto& [tint, text] : lines) width = std::max(width, small_size(area, text).x);
   const float pad = 5 * area.scale, height = area.text_px * static_cast<float>(lines.size());
-  const float x = mouse.x + 12 * area.scale + width + 2 * pad <= area.high.x ? mouse.x + 12 * area.scale : mouse.x - 12 * area.scale - width - 2 * pad;
-  const float y = std::clamp(mouse.y - height * 0.5f, area.low.y + pad, std::max(area.low.y + pad, area.high.y - height - pad));
-  list.AddRectFilled({x, y - pad}, {x + width + 2 * pad, y + height + pad}, packed(palette().raised, 0.95f), 4 * area.scale);
+  const float x = mouse.x + 12 * area.scale + width + 2 * pad <= area.high.x
+                      ? mouse.x + 12 * area.scale
+                      : mouse.x - 12 * area.scale - width - 2 * pad;
+  const float y =
+      std::clamp(mouse.y - height * 0.5f, area.low.y + pad, std::max(area.low.y + pad, area.high.y - height - pad));
+  list.AddRectFilled({x, y - pad}, {x + width + 2 * pad, y + height + pad}, packed(palette().raised, 0.95f),
+                     4 * area.scale);
   for (std::size_t i = 0; i < lines.size(); ++i)
     small_text(list, area, {x + pad, y + static_cast<float>(i) * area.text_px}, lines[i].first, lines[i].second);
 }

@@ -17,7 +17,8 @@ std::string print(const char* format, int digits, double value) {
 }
 
 std::string superscript(int exponent) {
-  static constexpr const char* kDigits[] = {"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074", "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  static constexpr const char* kDigits[] = {"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074",
+                                            "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
   std::string text = exponent < 0 ? "\u207B" : "";
   for (const char c : std::to_string(std::abs(exponent))) text += kDigits[c - '0'];
   return text;
@@ -61,7 +62,8 @@ Ticks linear_ticks(const AxisRange& axis, int most) {
   if (static_cast<int>(result.major.size()) > most) {  // both ends are ticks, one more than intervals
     result.step = round_step(result.step * 1.5);
     result.major.clear();
-    for (double i = std::ceil((axis.low - slack) / result.step); i * result.step <= axis.high + slack; ++i) result.major.push_back(i == 0 ? 0 : i * result.step);
+    for (double i = std::ceil((axis.low - slack) / result.step); i * result.step <= axis.high + slack; ++i)
+      result.major.push_back(i == 0 ? 0 : i * result.step);
   }
   return result;
 }
@@ -69,7 +71,8 @@ Ticks linear_ticks(const AxisRange& axis, int most) {
 Ticks logarithmic_ticks(const AxisRange& axis, int most) {
   Ticks result;
   const auto within = [&](double value) { return value >= axis.low * (1 - 1e-9) && value <= axis.high * (1 + 1e-9); };
-  const int first = static_cast<int>(std::floor(std::log10(axis.low) + 1e-9)), last = static_cast<int>(std::ceil(std::log10(axis.high) - 1e-9));
+  const int first = static_cast<int>(std::floor(std::log10(axis.low) + 1e-9)),
+            last = static_cast<int>(std::ceil(std::log10(axis.high) - 1e-9));
   const auto labelled = [&](int e, int every) { return (e % every + every) % every == 0 && within(std::pow(10.0, e)); };
   const auto count = [&](int every) {
     int found = 0;
@@ -107,7 +110,8 @@ void Extent::add(std::span<const double> values, AxisScale scale) {
 AxisRange fit(const Extent& extent, AxisScale scale, double margin) {
   if (scale == AxisScale::logarithmic) {
     if (extent.empty()) return {0.1, 1, scale};
-    double high = std::log10(std::clamp(extent.high, 1e-280, kLargest)), low = std::log10(std::clamp(extent.low, 1e-280, kLargest));
+    double high = std::log10(std::clamp(extent.high, 1e-280, kLargest)),
+           low = std::log10(std::clamp(extent.low, 1e-280, kLargest));
     low = std::max(low, high - kMostDecades);
     const double air = margin * (high - low) + std::max(0.0, 1 - (high - low)) * 0.5;
     return {std::pow(10.0, low - air), std::pow(10.0, high + air), scale};
@@ -146,7 +150,9 @@ std::string tick_text(const AxisRange& axis, const Ticks& all, double value, boo
   }
   const double largest = std::max(std::abs(axis.low), std::abs(axis.high));
   if (largest >= 1e6 || all.step < 1e-4) {
-    const int digits = 1 + std::max(0, static_cast<int>(std::floor(std::log10(size) + 1e-9) - std::floor(std::log10(all.step) + 1e-9)));
+    const int digits =
+        1 +
+        std::max(0, static_cast<int>(std::floor(std::log10(size) + 1e-9) - std::floor(std::log10(all.step) + 1e-9)));
     return scientific(value, std::min(digits, 17), pretty);
   }
   return print("%.*f", std::max(0, -static_cast<int>(std::floor(std::log10(all.step) + 1e-9))), value);

@@ -9,10 +9,10 @@
 #include "exchange/challenge_file.h"
 #include "exchange/own/progress_file.h"
 #include "query/challenge.h"
-#include "ui/widgets/imgui_compat.h"
 #include "ui/screens/medals.h"
-#include "ui/widgets/widget_parts.h"
+#include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -28,22 +28,26 @@ ChallengeEntry entry_of(const std::filesystem::path& path) {
   entry.name = loaded->challenge.name;
   entry.teaches = loaded->challenge.teaches;
   if (!loaded->challenge.track.empty()) entry.track = path.parent_path() / loaded->challenge.track;
-  if (const base::Status readable = query::check_rules(loaded->challenge, path.string()); !readable) entry.problem = readable.message;
+  if (const base::Status readable = query::check_rules(loaded->challenge, path.string()); !readable)
+    entry.problem = readable.message;
   return entry;
 }
 
-void draw_row(const Ui& ui, const ChallengeEntry& entry, int medal, ImVec2 low, ImVec2 high, bool current, bool hovered) {
+void draw_row(const Ui& ui, const ChallengeEntry& entry, int medal, ImVec2 low, ImVec2 high, bool current,
+              bool hovered) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float pad = std::floor(8 * ui.scale), size = high.y - low.y - 2 * pad, left = low.x + size + 2.5f * pad;
   list.AddRectFilled(low, high, packed(hovered ? palette().field : palette().raised), 4 * ui.scale);
   if (current) list.AddRect(low, high, packed(palette().accent), 4 * ui.scale, 0, std::max(1.0f, 1.5f * ui.scale));
   draw_medal(list, {low.x + pad, low.y + pad}, size, std::max(medal, 1), medal > 0);
-  list.AddText({left, low.y + pad * 0.75f}, packed(entry.problem.empty() ? palette().text : palette().error), entry.name.c_str());
+  list.AddText({left, low.y + pad * 0.75f}, packed(entry.problem.empty() ? palette().text : palette().error),
+               entry.name.c_str());
   const std::string& words = entry.problem.empty() ? entry.teaches : entry.problem;
   const float line = ImGui::GetTextLineHeight();
   const float top = std::floor(low.y + pad * 0.75f + line + 2 * ui.scale);
   const ImVec4 clip(left, low.y, high.x - pad, top + 2 * small_font()->FontSize);  // two lines
-  list.AddText(small_font(), small_font()->FontSize, {left, top}, packed(palette().dim), words.c_str(), nullptr, high.x - pad - left, &clip);
+  list.AddText(small_font(), small_font()->FontSize, {left, top}, packed(palette().dim), words.c_str(), nullptr,
+               high.x - pad - left, &clip);
 }
 
 }  // namespace
@@ -63,11 +67,13 @@ void ChallengeShelf::read(const std::filesystem::path& users) {
 int known_medal(const Ui& ui, const std::filesystem::path& challenge) {
   const std::string key = challenge.stem().string();
   const exchange::ChallengeProgress* const now = exchange::find(ui.session().earned, key);
-  const exchange::ChallengeProgress* const kept = ui.state.kept ? exchange::find(ui.state.kept->progress, key) : nullptr;
+  const exchange::ChallengeProgress* const kept =
+      ui.state.kept ? exchange::find(ui.state.kept->progress, key) : nullptr;
   return std::max(now ? now->medal : 0, kept ? kept->medal : 0);
 }
 
-std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, const ChallengeShelf& shelf, int& current, float height) {
+std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, const ChallengeShelf& shelf, int& current,
+                                                         float height) {
   std::optional<std::filesystem::path> chosen;
   const int count = static_cast<int>(shelf.entries().size());
   int step = 0;
@@ -90,9 +96,11 @@ std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, const Challenge
     ImGui::PopID();
     draw_row(ui, entry, medal, low, {low.x + width, low.y + tall}, i == current, hovered);
     if (i == current && step != 0) ImGui::SetScrollHereY();
-    note(ui, entry.name, "button", entry.problem.empty() ? entry.teaches : entry.problem, entry.problem.empty(), std::string(medal_title(medal)), low, {low.x + width, low.y + tall});
+    note(ui, entry.name, "button", entry.problem.empty() ? entry.teaches : entry.problem, entry.problem.empty(),
+         std::string(medal_title(medal)), low, {low.x + width, low.y + tall});
     if (pressed) current = i;
-    const bool by_key = i == current && (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(kKeypadEnter, false));
+    const bool by_key =
+        i == current && (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(kKeypadEnter, false));
     if ((pressed || by_key) && entry.problem.empty()) chosen = entry.path;
   }
   ImGui::EndChild();

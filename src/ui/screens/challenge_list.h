@@ -14,7 +14,7 @@ struct ChallengeEntry {
   std::filesystem::path path;
   std::string name, teaches;
   std::filesystem::path track;  // its start track's file; empty when that is in the challenge itself
-  std::string problem;  // why it cannot be begun; empty when it can
+  std::string problem;          // why it cannot be begun; empty when it can
 };
 
 // What is in the folders, read when they are asked for; kept until the next time.
@@ -32,8 +32,9 @@ class ChallengeShelf {
 // The best medal known of the challenge of that file: earned since the program's start, or kept for the user. 0: none.
 int known_medal(const Ui& ui, const std::filesystem::path& challenge);
 
-// A row for each challenge in `height` px, scrolling; ui.panel names the widgets. What was clicked, or chosen by the arrow keys and Enter. `current`: the row
-// that the keys are at.
-std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, const ChallengeShelf& shelf, int& current, float height);
+// A row for each challenge in `height` px, scrolling; ui.panel names the widgets. What was clicked, or chosen by the
+// arrow keys and Enter. `current`: the row that the keys are at.
+std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, const ChallengeShelf& shelf, int& current,
+                                                         float height);
 
 }  // namespace coaster::ui

@@ -9,9 +9,9 @@
 #include "base/file_lock.h"
 #include "exchange/formats.h"
 #include "ui/actions/key_map.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toasts.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -21,7 +21,8 @@ using platform::Key;
 bool pressed(const platform::Events& events, Key a, Key b = Key::unknown) {
   return std::any_of(events.begin(), events.end(), [&](const platform::Event& event) {
     const auto* press = std::get_if<platform::KeyPress>(&event);
-    return press != nullptr && press->down && !press->repeat && (press->key == a || (b != Key::unknown && press->key == b));
+    return press != nullptr && press->down && !press->repeat &&
+           (press->key == a || (b != Key::unknown && press->key == b));
   });
 }
 
@@ -43,7 +44,8 @@ void paragraph(Ui& ui, std::string_view label, const std::string& words) {
 std::filesystem::path first_folder(const Ui& ui) {
   const edit::Session& session = ui.session();
   if (!session.path.empty()) return base::canonical_path(session.path).parent_path();
-  if (ui.state.kept != nullptr && !ui.state.kept->settings.recent.empty()) return std::filesystem::path(ui.state.kept->settings.recent.front()).parent_path();
+  if (ui.state.kept != nullptr && !ui.state.kept->settings.recent.empty())
+    return std::filesystem::path(ui.state.kept->settings.recent.front()).parent_path();
   return ".";
 }
 
@@ -85,7 +87,8 @@ void Dialogs::proceed(Ui& ui) {
   }
 }
 
-// The save was carried out after the frame that asked for it: the document is clean now, or a notice says why not and everything stays.
+// The save was carried out after the frame that asked for it: the document is clean now, or a notice says why not and
+// everything stays.
 void Dialogs::follow_save(Ui& ui) {
   if (!std::exchange(saving_, false)) return;
   if (edit::dirty(ui.session())) abandon();
@@ -95,7 +98,8 @@ void Dialogs::follow_save(Ui& ui) {
 void Dialogs::browse(Ui& ui, FileBrowser::Mode mode) {
   const edit::Session& session = ui.session();
   const bool save = mode == FileBrowser::Mode::save;
-  const std::string name = session.path.empty() ? file_name_for(session.document.name) : session.path.filename().string();
+  const std::string name =
+      session.path.empty() ? file_name_for(session.document.name) : session.path.filename().string();
   browser_.start(mode, first_folder(ui), save ? name : "");
   stage_ = Stage::browse;
 }
@@ -105,7 +109,8 @@ void Dialogs::save_as(Ui& ui) { browse(ui, FileBrowser::Mode::save); }
 void Dialogs::save(Ui& ui) {
   if (ui.session().path.empty()) return save_as(ui);
   if (held_by_other(ui)) {
-    ui.toasts.show(edit::NoticeKind::warning, ui.state.kept->holder + " edits this file: save under another name.", ui.state.seconds);
+    ui.toasts.show(edit::NoticeKind::warning, ui.state.kept->holder + " edits this file: save under another name.",
+                   ui.state.seconds);
     return save_as(ui);
   }
   ui.emit(edit::Save{ui.session().path.string()});
@@ -137,14 +142,19 @@ void Dialogs::take_system(Ui& ui) {
   system_ = false;
   const std::string answer = *ui.state.kept->system.answer;
   if (answer.empty() || stage_ != Stage::browse) return;
-  take_file(ui, exchange::format_of(answer) == nullptr && browser_.mode() == FileBrowser::Mode::save ? answer + ".json" : answer, exchange::format_of(answer) != nullptr);
+  take_file(
+      ui,
+      exchange::format_of(answer) == nullptr && browser_.mode() == FileBrowser::Mode::save ? answer + ".json" : answer,
+      exchange::format_of(answer) != nullptr);
 }
 
 void Dialogs::build_unsaved(Ui& ui, const platform::Events& events) {
   ui.panel = "Unsaved changes";
   title("Unsaved changes");
   const std::string& name = ui.session().document.name;
-  paragraph(ui, "Question", (name.empty() ? std::string("This track") : "\u201C" + name + "\u201D") + " has changes that are not saved. Without saving they are lost.");
+  paragraph(ui, "Question",
+            (name.empty() ? std::string("This track") : "\u201C" + name + "\u201D") +
+                " has changes that are not saved. Without saving they are lost.");
   const bool enter = pressed(events, Key::enter, Key::keypad_enter);
   const bool save_now = button(ui, "Save", "Save them, then go on. Key Enter.") || enter;
   ImGui::SameLine();
@@ -173,7 +183,8 @@ void Dialogs::build_browser(Ui& ui, const platform::Events& events, bool text_ha
     case FileBrowser::Answer::make_folder: folder_name_ = "New folder", stage_ = Stage::new_folder; break;
     case FileBrowser::Answer::system:
       system_ = true;
-      ui.out.system_dialog = SystemDialogRequest{saving, browser_.folder().string(), saving ? file_name_for(ui.session().document.name) : ""};
+      ui.out.system_dialog = SystemDialogRequest{saving, browser_.folder().string(),
+                                                 saving ? file_name_for(ui.session().document.name) : ""};
       break;
   }
 }
@@ -181,21 +192,27 @@ void Dialogs::build_browser(Ui& ui, const platform::Events& events, bool text_ha
 void Dialogs::build_overwrite(Ui& ui, const platform::Events& events) {
   ui.panel = "Overwrite";
   title("Overwrite?");
-  paragraph(ui, "Question", chosen_.string() + " exists already, of " + base::local_time(base::change_time(chosen_)) + ". What is in it is lost when it is overwritten.");
+  paragraph(ui, "Question",
+            chosen_.string() + " exists already, of " + base::local_time(base::change_time(chosen_)) +
+                ". What is in it is lost when it is overwritten.");
   const bool yes = button(ui, "Overwrite", "Save in its place.");
   ImGui::SameLine();
   if (yes) take_file(ui, chosen_, true);
-  if (button(ui, "Cancel", "Choose another name. Keys Escape and Enter.") || pressed(events, Key::escape, Key::enter)) stage_ = Stage::browse;
+  if (button(ui, "Cancel", "Choose another name. Keys Escape and Enter.") || pressed(events, Key::escape, Key::enter))
+    stage_ = Stage::browse;
 }
 
 void Dialogs::build_new_folder(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
   ui.panel = "New folder";
   title("New folder");
   if (auto typed = text(ui, "Name", folder_name_, "The folder's name.")) folder_name_ = std::move(*typed);
-  const bool named = !folder_name_.empty() && folder_name_ != "." && folder_name_ != ".." && folder_name_.find('/') == std::string::npos;
-  const bool make = button(ui, "Make", "Make it. Key Enter.", named) || (named && pressed(events, Key::enter, Key::keypad_enter));
+  const bool named = !folder_name_.empty() && folder_name_ != "." && folder_name_ != ".." &&
+                     folder_name_.find('/') == std::string::npos;
+  const bool make =
+      button(ui, "Make", "Make it. Key Enter.", named) || (named && pressed(events, Key::enter, Key::keypad_enter));
   ImGui::SameLine();
-  if (button(ui, "Cancel", "Back. Key Escape.") || (!text_had_keyboard && pressed(events, Key::escape))) stage_ = Stage::browse;
+  if (button(ui, "Cancel", "Back. Key Escape.") || (!text_had_keyboard && pressed(events, Key::escape)))
+    stage_ = Stage::browse;
   if (!make) return;
   ui.out.new_folder = (browser_.folder() / folder_name_).string();
   browser_.go(browser_.folder());
@@ -206,15 +223,20 @@ void Dialogs::build_recovery(Ui& ui) {
   ui.panel = "Recovery";
   title("Recover unsaved work?");
   const RecoveryOffer& offer = ui.state.kept->recoveries.front();
-  paragraph(ui, "Question", "The program ended without being asked to, and \u201C" + offer.name + "\u201D had changes that were not saved. They were put aside:");
-  read_out(ui, "File", offer.original.empty() ? "none: it was never saved" : offer.original, "", "The file whose unsaved state it is.");
-  read_out(ui, "File saved", offer.file_time != 0 ? base::local_time(offer.file_time) : "--", "", "When the file was last changed.");
+  paragraph(ui, "Question",
+            "The program ended without being asked to, and \u201C" + offer.name +
+                "\u201D had changes that were not saved. They were put aside:");
+  read_out(ui, "File", offer.original.empty() ? "none: it was never saved" : offer.original, "",
+           "The file whose unsaved state it is.");
+  read_out(ui, "File saved", offer.file_time != 0 ? base::local_time(offer.file_time) : "--", "",
+           "When the file was last changed.");
   read_out(ui, "Autosaved", base::local_time(offer.time), "", "When the unsaved state was put aside.");
   if (offer.file_time > offer.time) paragraph(ui, "Newer", "The file is newer than the autosave.");
   const std::size_t more = ui.state.kept->recoveries.size() - 1;
   if (more > 0) paragraph(ui, "More", std::to_string(more) + " more after this one.");
   const auto answer = [&](Recovery what) { ui.out.recovery = what, stage_ = Stage::none; };
-  if (button(ui, "Recover", "Go on with the unsaved state. The file stays as it is until you save.")) answer(Recovery::recover);
+  if (button(ui, "Recover", "Go on with the unsaved state. The file stays as it is until you save."))
+    answer(Recovery::recover);
   ImGui::SameLine();
   if (button(ui, "Discard", "Delete the autosave. The file stays as it is.")) answer(Recovery::discard);
   ImGui::SameLine();
@@ -261,14 +283,17 @@ void Dialogs::build(Ui& ui, const platform::Events& events, bool text_had_keyboa
   if (shown_ != Stage::none && !ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
   const auto [design_width, design_height] = wanted_size();
   const bool fits = design_height < 0;  // itself to what is in it
-  const float wide = std::floor(std::min(design_width * ui.scale, width - 16)), high = std::floor(std::min(std::abs(design_height) * ui.scale, height - 16));
-  // Where the top is does not depend on the height, which is known some frames later alone: nothing moves under the mouse.
+  const float wide = std::floor(std::min(design_width * ui.scale, width - 16)),
+              high = std::floor(std::min(std::abs(design_height) * ui.scale, height - 16));
+  // Where the top is does not depend on the height, which is known some frames later alone: nothing moves under the
+  // mouse.
   constexpr float kTop = 0.28f;
   const float top = fits ? std::min(height * kTop, height - high - 8) : (height - high) * 0.5f;
   ImGui::SetNextWindowPos({std::floor((width - wide) * 0.5f), std::floor(top)});
   ImGui::SetNextWindowSize({wide, fits ? 0 : high});
   if (fits) ImGui::SetNextWindowSizeConstraints({wide, high}, {wide, std::max(high, height - 16)});
-  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
   if (!ImGui::BeginPopupModal(kId, nullptr, kFixed)) return;
   if (shown_ == Stage::none) ImGui::CloseCurrentPopup();

@@ -1,5 +1,6 @@
-// Questions over everything else, one at a time: what to do with unsaved changes, which file, whether to overwrite it, whether to recover an
-// autosave; and the settings. While one is open, keys and mouse are its own. The document changes by the commands alone that answers lead to.
+// Questions over everything else, one at a time: what to do with unsaved changes, which file, whether to overwrite it,
+// whether to recover an autosave; and the settings. While one is open, keys and mouse are its own. The document changes
+// by the commands alone that answers lead to.
 #pragma once
 
 #include <string>
@@ -48,7 +49,8 @@ class Dialogs {
   void build_new_folder(Ui& ui, const platform::Events& events, bool text_had_keyboard);
   void build_recovery(Ui& ui);
   void build_challenges(Ui& ui);  // dialogs_challenges.cpp
-  std::pair<float, float> wanted_size() const;  // design px; a height below 0: at least so much, and as high as what is in it
+  std::pair<float, float> wanted_size()
+      const;  // design px; a height below 0: at least so much, and as high as what is in it
 
   Stage stage_ = Stage::none, shown_ = Stage::none;
   Want want_;
@@ -58,7 +60,7 @@ class Dialogs {
   FileBrowser browser_;
   ChallengeShelf shelf_;
   bool shelf_is_read_ = false;
-  int challenge_ = 0;         // the row that the keys are at
+  int challenge_ = 0;  // the row that the keys are at
   std::filesystem::path chosen_;
   std::string folder_name_;
 };

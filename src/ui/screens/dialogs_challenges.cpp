@@ -14,8 +14,10 @@ void Dialogs::build_challenges(Ui& ui) {
   ImGui::Separator();
   const bool opened_now = !std::exchange(shelf_is_read_, true);  // by a key, perhaps, which is no answer yet
   if (opened_now) shelf_.read(ui.state.kept != nullptr ? ui.state.kept->challenges : std::filesystem::path());
-  const auto chosen = draw_challenge_list(ui, shelf_, challenge_, ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing());
-  const bool cancel = button(ui, "Cancel", "Back to the track. Key Escape.") || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
+  const auto chosen = draw_challenge_list(ui, shelf_, challenge_,
+                                          ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing());
+  const bool cancel =
+      button(ui, "Cancel", "Back to the track. Key Escape.") || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
   if (opened_now) return;
   if (cancel) abandon();
   else if (chosen) request(ui, {Want::Kind::challenge, chosen->string()});

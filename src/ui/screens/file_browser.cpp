@@ -8,8 +8,8 @@
 #include <cstdlib>
 
 #include "exchange/formats.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -18,16 +18,20 @@ constexpr std::size_t kMostRows = 2000;  // drawn at once; typing finds the othe
 constexpr double kReadAgain = 1;         // s
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   return text;
 }
 
 // "~/x" and "/x" are paths, whatever is looked for.
-bool is_path(const std::string& words) { return words.starts_with('/') || words.starts_with("~/") || words == "~" || words.starts_with("../") || words == ".."; }
+bool is_path(const std::string& words) {
+  return words.starts_with('/') || words.starts_with("~/") || words == "~" || words.starts_with("../") || words == "..";
+}
 
 std::filesystem::path expanded(const std::string& words, const std::filesystem::path& folder) {
   const char* const home = std::getenv("HOME");
-  if ((words == "~" || words.starts_with("~/")) && home != nullptr) return std::filesystem::path(home) / words.substr(std::min<std::size_t>(2, words.size()));
+  if ((words == "~" || words.starts_with("~/")) && home != nullptr)
+    return std::filesystem::path(home) / words.substr(std::min<std::size_t>(2, words.size()));
   return (folder / words).lexically_normal();
 }
 
@@ -80,7 +84,8 @@ FileBrowser::Entries FileBrowser::shown_entries() const {
   const std::string wanted = mode_ == Mode::open && !is_path(words_) ? lower(words_) : "";
   Entries shown;
   for (const base::FolderEntry& entry : entries_)
-    if ((entry.folder || all_ || knows(entry)) && lower(entry.name).find(wanted) != std::string::npos) shown.push_back(&entry);
+    if ((entry.folder || all_ || knows(entry)) && lower(entry.name).find(wanted) != std::string::npos)
+      shown.push_back(&entry);
   return shown;
 }
 
@@ -99,7 +104,8 @@ FileBrowser::Answer FileBrowser::choose(const base::FolderEntry& entry) { return
 
 // What Enter and the button of the right name mean.
 FileBrowser::Answer FileBrowser::confirm(const Entries& entries) {
-  const auto at = std::find_if(entries.begin(), entries.end(), [&](const base::FolderEntry* e) { return e->name == marked_; });
+  const auto at =
+      std::find_if(entries.begin(), entries.end(), [&](const base::FolderEntry* e) { return e->name == marked_; });
   if (mode_ == Mode::save) {
     if (by_key_ && at != entries.end() && (*at)->folder) return choose(**at);
     return words_.empty() ? Answer::none : choose_path(expanded(words_, folder_));
@@ -115,8 +121,11 @@ void FileBrowser::draw_path(Ui& ui) {
     parts.push_back(at);
     if (at == at.root_path() || at.empty()) break;
   }
-  const auto name = [](const std::filesystem::path& p) { return p.has_filename() ? p.filename().string() : p.string(); };
-  const float gap = std::floor(3 * ui.scale), pads = 2 * ImGui::GetStyle().FramePadding.x, room = ImGui::GetContentRegionAvail().x;
+  const auto name = [](const std::filesystem::path& p) {
+    return p.has_filename() ? p.filename().string() : p.string();
+  };
+  const float gap = std::floor(3 * ui.scale), pads = 2 * ImGui::GetStyle().FramePadding.x,
+              room = ImGui::GetContentRegionAvail().x;
   std::size_t count = 0;
   for (float used = 0; count < parts.size(); ++count) {
     used += text_size(name(parts[count])).x + pads + gap;
@@ -137,16 +146,21 @@ void FileBrowser::draw_path(Ui& ui) {
 // True when it was clicked twice.
 bool FileBrowser::draw_row(Ui& ui, const base::FolderEntry& entry) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(), pad = std::floor(6 * ui.scale);
+  const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(),
+              pad = std::floor(6 * ui.scale);
   const bool marked = entry.name == marked_;
   ImGui::PushStyleColor(ImGuiCol_Header, colour(palette().accent, 0.35f));
-  const bool pressed = ImGui::Selectable(hidden(entry.name).c_str(), marked, ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups, {width, line});
+  const bool pressed =
+      ImGui::Selectable(hidden(entry.name).c_str(), marked,
+                        ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups, {width, line});
   ImGui::PopStyleColor();
-  note(ui, (entry.folder ? "Folders/" : "Files/") + entry.name, "item", "", true, marked ? "on" : "off", low, {low.x + width, low.y + line});
+  note(ui, (entry.folder ? "Folders/" : "Files/") + entry.name, "item", "", true, marked ? "on" : "off", low,
+       {low.x + width, low.y + line});
   if (pressed) mark({&entry}, 0), by_key_ = false;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const std::string time = base::local_time(entry.time), size = entry.folder ? "" : base::size_text(entry.bytes);
-  const float time_width = text_size("2026-12-28 20:58").x, size_width = text_size("999 MB").x, icon = std::floor(line * 0.9f);
+  const float time_width = text_size("2026-12-28 20:58").x, size_width = text_size("999 MB").x,
+              icon = std::floor(line * 0.9f);
   const float size_right = low.x + width - time_width - 2 * pad, name_right = size_right - size_width - pad;
   if (entry.folder) {
     const ImVec2 at(low.x + pad, std::floor(low.y + line * 0.26f));
@@ -154,7 +168,8 @@ bool FileBrowser::draw_row(Ui& ui, const base::FolderEntry& entry) {
     list.AddRectFilled({at.x, at.y + line * 0.1f}, {at.x + icon, at.y + line * 0.6f}, packed(palette().warning), 2);
   }
   list.PushClipRect(low, {name_right, low.y + line}, true);
-  list.AddText({low.x + 2 * pad + icon, low.y}, packed(entry.folder || knows(entry) ? palette().text : palette().dim), entry.name.c_str());
+  list.AddText({low.x + 2 * pad + icon, low.y}, packed(entry.folder || knows(entry) ? palette().text : palette().dim),
+               entry.name.c_str());
   list.PopClipRect();
   list.AddText({std::floor(size_right - text_size(size).x), low.y}, packed(palette().dim), size.c_str());
   list.AddText({std::floor(low.x + width - time_width - pad), low.y}, packed(palette().dim), time.c_str());
@@ -169,10 +184,12 @@ FileBrowser::Answer FileBrowser::draw_list(Ui& ui, const Entries& entries, float
   if (ImGui::BeginChild("##files", {0, height}, true)) {
     for (std::size_t i = 0; i < std::min(entries.size(), kMostRows); ++i)
       if (draw_row(ui, *entries[i])) twice = entries[i];
-    const std::string words = !problem_.empty()            ? problem_
-                              : entries.size() > kMostRows ? std::to_string(entries.size() - kMostRows) + " more: type a part of the name"
-                              : entries.empty()            ? (words_.empty() || mode_ == Mode::save ? "No folders, and no files that can be read here." : "Nothing here has this in its name.")
-                                                           : "";
+    const std::string words =
+        !problem_.empty()            ? problem_
+        : entries.size() > kMostRows ? std::to_string(entries.size() - kMostRows) + " more: type a part of the name"
+        : entries.empty() ? (words_.empty() || mode_ == Mode::save ? "No folders, and no files that can be read here."
+                                                                   : "Nothing here has this in its name.")
+                          : "";
     if (!words.empty()) {
       ImGui::PushTextWrapPos(0);
       ImGui::TextDisabled("%s", words.c_str());
@@ -187,7 +204,9 @@ FileBrowser::Answer FileBrowser::draw_list(Ui& ui, const Entries& entries, float
 
 FileBrowser::Answer FileBrowser::draw_buttons(Ui& ui, const Entries& entries, bool system) {
   Answer answer = Answer::none;
-  if (const auto on = checkbox(ui, "Show all files", all_, "Also show hidden files and those that no format is known for.")) all_ = *on, read_at_ = -1;
+  if (const auto on =
+          checkbox(ui, "Show all files", all_, "Also show hidden files and those that no format is known for."))
+    all_ = *on, read_at_ = -1;
   if (button(ui, "New folder", "Make a folder here.")) answer = Answer::make_folder;
   if (system) {
     ImGui::SameLine();
@@ -197,8 +216,10 @@ FileBrowser::Answer FileBrowser::draw_buttons(Ui& ui, const Entries& entries, bo
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 2 * width - gap);
   if (button(ui, "Cancel", "Leave everything as it is. Key Escape.", true, width)) answer = Answer::cancel;
   ImGui::SameLine();
-  const bool can = mode_ == Mode::save ? !words_.empty() : !marked_.empty() || is_path(words_) || (!words_.empty() && !entries.empty());
-  if (button(ui, mode_ == Mode::save ? "Save" : "Open", "Take what is marked or named above. Key Enter.", can, width)) answer = confirm(entries);
+  const bool can = mode_ == Mode::save ? !words_.empty()
+                                       : !marked_.empty() || is_path(words_) || (!words_.empty() && !entries.empty());
+  if (button(ui, mode_ == Mode::save ? "Save" : "Open", "Take what is marked or named above. Key Enter.", can, width))
+    answer = confirm(entries);
   return answer;
 }
 
@@ -207,10 +228,13 @@ FileBrowser::Answer FileBrowser::build(Ui& ui, const platform::Events& events, b
   draw_path(ui);
   const Entries before = shown_entries();
   const float rows = 3 * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
-  Answer answer = draw_list(ui, before, std::max(3 * ImGui::GetTextLineHeight(), ImGui::GetContentRegionAvail().y - rows));
+  Answer answer =
+      draw_list(ui, before, std::max(3 * ImGui::GetTextLineHeight(), ImGui::GetContentRegionAvail().y - rows));
   const bool saving = mode_ == Mode::save;
   const std::string_view label = saving ? "Name" : "Search or path";
-  if (auto typed = text(ui, label, words_, saving ? "The file's name. Its ending tells the format; without one it is .json." : "What names must contain, or a path that starts with / or ~/. Just type.")) {
+  if (auto typed = text(ui, label, words_,
+                        saving ? "The file's name. Its ending tells the format; without one it is .json."
+                               : "What names must contain, or a path that starts with / or ~/. Just type.")) {
     words_ = std::move(*typed);
     untouched_ = by_key_ = false;
     if (!saving) marked_.clear();

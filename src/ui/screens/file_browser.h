@@ -1,5 +1,5 @@
-// Choosing a file: a folder's path as buttons, its folders and its files with known endings, with size and time. Arrows, Enter, Backspace and typing
-// work without the mouse. Reads folders, writes nothing.
+// Choosing a file: a folder's path as buttons, its folders and its files with known endings, with size and time.
+// Arrows, Enter, Backspace and typing work without the mouse. Reads folders, writes nothing.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,8 @@ class FileBrowser {
   // `folder` need not exist: the nearest one above it that does is shown. `name` is what saving begins with.
   void start(Mode mode, std::filesystem::path folder, std::string name);
 
-  // The whole content of the current window, as wide and high as it is. `system`: whether the system's own dialog can be asked for.
+  // The whole content of the current window, as wide and high as it is. `system`: whether the system's own dialog can
+  // be asked for.
   Answer build(Ui& ui, const platform::Events& events, bool text_had_keyboard, bool system);
 
   Mode mode() const { return mode_; }

@@ -27,7 +27,9 @@ void FileBrowser::mark(const Entries& entries, std::ptrdiff_t index) {
 
 FileBrowser::Answer FileBrowser::take_key(Key key, const Entries& entries) {
   constexpr std::ptrdiff_t kPage = 10;
-  const auto at = std::find_if(entries.begin(), entries.end(), [&](const base::FolderEntry* e) { return e->name == marked_; }) - entries.begin();
+  const auto at =
+      std::find_if(entries.begin(), entries.end(), [&](const base::FolderEntry* e) { return e->name == marked_; }) -
+      entries.begin();
   const auto count = static_cast<std::ptrdiff_t>(entries.size());
   const auto to = [&](std::ptrdiff_t index) {
     mark(entries, index);
@@ -61,15 +63,18 @@ void FileBrowser::take_text(const std::string& utf8) {
 }
 
 // While a field has the keyboard, Enter alone is the browser's: the field has taken its text by then.
-FileBrowser::Answer FileBrowser::take_keys(const platform::Events& events, bool text_had_keyboard, const Entries& entries) {
+FileBrowser::Answer FileBrowser::take_keys(const platform::Events& events, bool text_had_keyboard,
+                                           const Entries& entries) {
   for (const platform::Event& event : events) {
-    if (const auto* text = std::get_if<platform::TextInput>(&event); text != nullptr && !text_had_keyboard) take_text(text->utf8);
+    if (const auto* text = std::get_if<platform::TextInput>(&event); text != nullptr && !text_had_keyboard)
+      take_text(text->utf8);
     const auto* press = std::get_if<platform::KeyPress>(&event);
     if (press == nullptr || !press->down || press->modifiers.ctrl || press->modifiers.alt) continue;
     const bool enter = press->key == Key::enter || press->key == Key::keypad_enter;
     if (text_had_keyboard && !enter) continue;
     if (enter && !text_had_keyboard && press->repeat) continue;
-    if (const Answer answer = take_key(press->key, enter ? shown_entries() : entries); answer != Answer::none) return answer;
+    if (const Answer answer = take_key(press->key, enter ? shown_entries() : entries); answer != Answer::none)
+      return answer;
   }
   return Answer::none;
 }

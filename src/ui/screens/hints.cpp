@@ -8,8 +8,8 @@
 #include <string>
 
 #include "ui/actions/key_map.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -25,7 +25,8 @@ std::array<Hint, 8> first_steps(const KeyMap& keys) {
           Hint{"Click", "select a knot, then drag it or its handles"},
           Hint{k("Move") + " " + k("Rotate") + " " + k("Scale"), "move, rotate, scale; then X, Y, Z or a number"},
           Hint{k("Append points"), "append knots by clicks; " + k("Add curve") + " adds a curve"},
-          Hint{k("Play or pause"), "ride; " + k("Ride camera") + " looks from the seat, " + k("Orbit camera") + " from afar"},
+          Hint{k("Play or pause"),
+               "ride; " + k("Ride camera") + " looks from the seat, " + k("Orbit camera") + " from afar"},
           Hint{k("Laboratory"), "the laboratory: curves, errors, forces"},
           Hint{k("Undo"), "undo, as often as you like"},
           Hint{k("Command palette"), "find every action and command"}};
@@ -38,11 +39,13 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
   const float width = std::floor(384 * ui.scale), margin = std::floor(14 * ui.scale);
   if (scene.width < width + 2 * margin || scene.height < 300 * ui.scale) return;
   // Below the track, clear of the notices at the foot.
-  ImGui::SetNextWindowPos({std::floor(scene.x + margin), std::floor(scene.y + scene.height - 58 * ui.scale)}, ImGuiCond_Always, {0, 1});
+  ImGui::SetNextWindowPos({std::floor(scene.x + margin), std::floor(scene.y + scene.height - 58 * ui.scale)},
+                          ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::SetNextWindowBgAlpha(0.88f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * ui.scale, 10 * ui.scale));
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
   if (ImGui::Begin("##hints", nullptr, kFlags)) {
     ui.panel = "Hints";
     ImGui::TextUnformatted("First steps");
@@ -56,7 +59,8 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
       ImGui::TextUnformatted(hint.text.c_str());
       ImGui::PopStyleColor();
     }
-    if (button(ui, "Got it", "Dismiss the first steps; View/First steps brings them back.")) ui.emit(edit::SetHints{false});
+    if (button(ui, "Got it", "Dismiss the first steps; View/First steps brings them back."))
+      ui.emit(edit::SetHints{false});
     ui.panel.clear();
   }
   ImGui::End();

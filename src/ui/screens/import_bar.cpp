@@ -12,11 +12,13 @@ void build_import_bar(Ui& ui, const view::Viewport& scene) {
   const base::Progress* const progress = ui.state.importing;
   if (!progress) return;
   const float width = std::floor(360 * ui.scale);
-  ImGui::SetNextWindowPos({std::floor(scene.x + (scene.width - width) * 0.5f), std::floor(scene.y + scene.height * 0.4f)});
+  ImGui::SetNextWindowPos(
+      {std::floor(scene.x + (scene.width - width) * 0.5f), std::floor(scene.y + scene.height * 0.4f)});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::SetNextWindowFocus();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(14 * ui.scale, 12 * ui.scale));
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
   if (ImGui::Begin("##import", nullptr, kFlags)) {
     ui.panel = "Import";
     const auto done = static_cast<float>(progress->done.load());
@@ -25,7 +27,9 @@ void build_import_bar(Ui& ui, const view::Viewport& scene) {
     ImGui::ProgressBar(done, {-1, std::floor(8 * ui.scale)}, "");
     ImGui::PopStyleColor();
     note_item(ui, "Progress", "label", "How much of the file is fitted.", true, fixed(100.0 * done, 0) + " %");
-    if (button(ui, "Cancel", "Leave the track that is open as it is. Escape does so, too.", !progress->cancelled) || ImGui::IsKeyPressed(ImGuiKey_Escape)) ui.out.cancel_import = true;
+    if (button(ui, "Cancel", "Leave the track that is open as it is. Escape does so, too.", !progress->cancelled) ||
+        ImGui::IsKeyPressed(ImGuiKey_Escape))
+      ui.out.cancel_import = true;
     ui.panel.clear();
   }
   ImGui::End();

@@ -15,12 +15,15 @@ namespace {
 // Breathes with the clock; at rest where a script has no clock.
 float breath(const State& state) {
   constexpr double kPerSecond = 0.7;
-  return state.scripted || state.session.settings.feel.reduced_motion ? 1.0f : static_cast<float>(0.5 + 0.5 * std::cos(2 * 3.141592653589793 * kPerSecond * state.seconds));
+  return state.scripted || state.session.settings.feel.reduced_motion
+             ? 1.0f
+             : static_cast<float>(0.5 + 0.5 * std::cos(2 * 3.141592653589793 * kPerSecond * state.seconds));
 }
 
 void ring(const State& state, const Widget& widget, float scale, ImVec2 card) {
   const float grow = std::floor((3 + 3 * breath(state)) * scale);
-  const ImVec2 low(widget.x - grow, widget.y - grow), high(widget.x + widget.width + grow, widget.y + widget.height + grow);
+  const ImVec2 low(widget.x - grow, widget.y - grow),
+      high(widget.x + widget.width + grow, widget.y + widget.height + grow);
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   list.AddRect(low, high, packed(palette().warning), 5 * scale, 0, 2.5f * scale);
   // A thin line leads from the card to it.
@@ -40,7 +43,8 @@ void draw_lesson(Ui& ui, const view::Viewport& scene, const Widget* marked) {
   ImGui::SetNextWindowBgAlpha(0.95f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(16 * ui.scale, 12 * ui.scale));
   ImGui::PushStyleColor(ImGuiCol_Border, colour(palette().warning));
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
   ImVec2 foot = middle;
   if (ImGui::Begin("##lesson", nullptr, kFlags)) {
     ui.panel = "Lesson";
@@ -54,7 +58,8 @@ void draw_lesson(Ui& ui, const view::Viewport& scene, const Widget* marked) {
     ImGui::Dummy({0, std::floor(2 * ui.scale)});
     if (button(ui, "Show me", "Let the lesson do it.")) ui.out.lesson_answer = query::LessonAnswer::show;
     ImGui::SameLine();
-    if (button(ui, "Leave", "End the tutorial; the track stays as it is.")) ui.out.lesson_answer = query::LessonAnswer::leave;
+    if (button(ui, "Leave", "End the tutorial; the track stays as it is."))
+      ui.out.lesson_answer = query::LessonAnswer::leave;
     ui.panel.clear();
     foot.y = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
   }

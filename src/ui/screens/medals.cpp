@@ -13,7 +13,8 @@ namespace {
 struct Metal {
   std::uint32_t face, rim, star;
 };
-constexpr std::array<Metal, 3> kMetals{Metal{0xCB8A57, 0x8F5A32, 0xF0C7A4}, Metal{0xC5CCD6, 0x858F9E, 0xF7F9FC}, Metal{0xF0C23B, 0xB07F12, 0xFFF3C4}};
+constexpr std::array<Metal, 3> kMetals{Metal{0xCB8A57, 0x8F5A32, 0xF0C7A4}, Metal{0xC5CCD6, 0x858F9E, 0xF7F9FC},
+                                       Metal{0xF0C23B, 0xB07F12, 0xFFF3C4}};
 
 // A star of five points about its middle, one of them up.
 void draw_star(ImDrawList& list, ImVec2 middle, float radius, ImU32 colour) {
@@ -23,7 +24,8 @@ void draw_star(ImDrawList& list, ImVec2 middle, float radius, ImU32 colour) {
     const float angle = kTurn * static_cast<float>(i), r = i % 2 == 0 ? radius : radius * kInner;
     points[i] = {middle.x + r * std::sin(angle), middle.y - r * std::cos(angle)};
   }
-  for (std::size_t i = 0; i < points.size(); i += 2) list.AddTriangleFilled(points[(i + 9) % 10], points[i], points[i + 1], colour);
+  for (std::size_t i = 0; i < points.size(); i += 2)
+    list.AddTriangleFilled(points[(i + 9) % 10], points[i], points[i + 1], colour);
   std::array<ImVec2, 5> inner;
   for (std::size_t i = 0; i < inner.size(); ++i) inner[i] = points[2 * i + 1];
   list.AddConvexPolyFilled(inner.data(), static_cast<int>(inner.size()), colour);

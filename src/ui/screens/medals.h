@@ -7,7 +7,8 @@
 
 namespace coaster::ui {
 
-// A medal on its ribbon within a square of `size` px at `low`: 1 bronze, 2 silver, 3 gold; one that is not earned is an outline.
+// A medal on its ribbon within a square of `size` px at `low`: 1 bronze, 2 silver, 3 gold; one that is not earned is an
+// outline.
 void draw_medal(ImDrawList& list, ImVec2 low, float size, int medal, bool earned);
 // A tick in a filled disc, or a cross in a ring, within a square of `size` px.
 void draw_mark(ImDrawList& list, ImVec2 low, float size, bool good);

@@ -12,14 +12,16 @@ namespace {
 
 std::string words_of(const MovieState& movie) {
   if (movie.encoding) return "Making the movie's file";
-  return fixed(static_cast<double>(movie.ticks) * world::kTick, 1) + " s, " + std::to_string(movie.frames) + (movie.frames == 1 ? " picture" : " pictures");
+  return fixed(static_cast<double>(movie.ticks) * world::kTick, 1) + " s, " + std::to_string(movie.frames) +
+         (movie.frames == 1 ? " picture" : " pictures");
 }
 
 // The sign of recording, beside which the words stand.
 void draw_dot(bool recording) {
   const float height = ImGui::GetTextLineHeight();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + height * 0.5f, at.y + height * 0.5f}, height * 0.32f, packed(recording ? palette().error : palette().accent), 24);
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + height * 0.5f, at.y + height * 0.5f}, height * 0.32f,
+                                              packed(recording ? palette().error : palette().accent), 24);
   ImGui::Dummy({height, height});
   ImGui::SameLine();
 }
@@ -33,7 +35,9 @@ void build_movie_bar(Ui& ui, const view::Viewport& scene) {
   ImGui::SetNextWindowPos({std::floor(scene.x + (scene.width - width) * 0.5f), std::floor(scene.y + 10 * ui.scale)});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * ui.scale, 9 * ui.scale));
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                      ImGuiWindowFlags_NoNav;
   if (ImGui::Begin("##movie", nullptr, kFlags)) {
     ui.panel = "Movie";
     draw_dot(!movie->encoding);
@@ -42,11 +46,16 @@ void build_movie_bar(Ui& ui, const view::Viewport& scene) {
     note_item(ui, "State", "label", "What of the movie there is.", true, words);
     const float button_width = std::floor(64 * ui.scale);
     ImGui::SameLine(ImGui::GetWindowWidth() - button_width - 12 * ui.scale);
-    if (button(ui, "Stop", movie->encoding ? "Do without the file; the pictures are kept." : "End the movie here. Else it ends with the lap.", true, button_width)) ui.out.movie = MovieWish::stop;
+    if (button(ui, "Stop",
+               movie->encoding ? "Do without the file; the pictures are kept."
+                               : "End the movie here. Else it ends with the lap.",
+               true, button_width))
+      ui.out.movie = MovieWish::stop;
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, colour(movie->encoding ? palette().accent : palette().error));
     ImGui::ProgressBar(static_cast<float>(movie->done), {-1, std::floor(6 * ui.scale)}, "");
     ImGui::PopStyleColor();
-    note_item(ui, "Progress", "label", "How much of the lap is recorded; then, of the movie's file made.", true, fixed(100 * movie->done, 0) + " %");
+    note_item(ui, "Progress", "label", "How much of the lap is recorded; then, of the movie's file made.", true,
+              fixed(100 * movie->done, 0) + " %");
     ui.panel.clear();
   }
   ImGui::End();

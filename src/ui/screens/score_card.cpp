@@ -8,8 +8,8 @@
 #include "query/challenge.h"
 #include "ui/actions/key_map.h"
 #include "ui/screens/medals.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -36,15 +36,18 @@ void wrapped(Ui& ui, std::string_view label, const std::string& words, std::uint
 }
 
 std::string sentence(std::string words) {
-  if (!words.empty() && words.front() >= 'a' && words.front() <= 'z') words.front() = static_cast<char>(words.front() - 'a' + 'A');
+  if (!words.empty() && words.front() >= 'a' && words.front() <= 'z')
+    words.front() = static_cast<char>(words.front() - 'a' + 'A');
   return words + ".";
 }
 
 // A name, a bar towards 10 and the number.
 void rating(Ui& ui, const char* name, double value, std::uint32_t rgb, std::string_view tooltip) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(), bar = std::floor(6 * ui.scale);
-  const float left = low.x + std::floor(room * 0.36f), right = low.x + room - std::floor(48 * ui.scale), y = std::floor(low.y + (line - bar) * 0.5f + 1);
+  const float room = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(),
+              bar = std::floor(6 * ui.scale);
+  const float left = low.x + std::floor(room * 0.36f), right = low.x + room - std::floor(48 * ui.scale),
+              y = std::floor(low.y + (line - bar) * 0.5f + 1);
   constexpr double kFull = 10;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddText(low, packed(palette().dim), name);
@@ -60,12 +63,16 @@ void rating(Ui& ui, const char* name, double value, std::uint32_t rgb, std::stri
 void numbers(Ui& ui, const edit::RideResult& result) {
   const sim::Ratings& r = result.ratings;
   if (result.end == RideEnd::failed) read_out(ui, "Time", fixed(result.seconds, 2), "s", "From the start to here.");
-  else read_out(ui, result.end == RideEnd::lap ? "Lap time" : "Time", fixed(r.seconds, 2), "s", "Of the ride, from its start.");
+  else
+    read_out(ui, result.end == RideEnd::lap ? "Lap time" : "Time", fixed(r.seconds, 2), "s",
+             "Of the ride, from its start.");
   read_out(ui, "Length", fixed(r.length, 1), "m", "Of the track.");
   read_out(ui, "Top speed", fixed(r.top_speed.value, 1), "m/s", "Anywhere in the ride.");
-  read_out(ui, "Highest drop", fixed(r.highest_drop, 1), "m", "The largest of " + std::to_string(r.drops) + " descents of 3 m or more.");
+  read_out(ui, "Highest drop", fixed(r.highest_drop, 1), "m",
+           "The largest of " + std::to_string(r.drops) + " descents of 3 m or more.");
   read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "Time in which riders are lifted from their seats.");
-  read_out(ui, "Vertical g", fixed(r.up_least.value, 2) + " .. " + fixed(r.up_most.value, 2), "g", "Smallest and largest, low-passed, of all cars.");
+  read_out(ui, "Vertical g", fixed(r.up_least.value, 2) + " .. " + fixed(r.up_most.value, 2), "g",
+           "Smallest and largest, low-passed, of all cars.");
   read_out(ui, "Lateral g", fixed(r.side_most.value, 2), "g", "Largest to either side, low-passed.");
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Times that riders are turned upside down.");
   constexpr std::string_view kTerms = "After OpenRCT2's published terms of g and drops, with real g.";
@@ -76,16 +83,21 @@ void numbers(Ui& ui, const edit::RideResult& result) {
 
 void verdict(Ui& ui, const edit::Verdict& verdict) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  const float size = std::floor(40 * ui.scale), line = ImGui::GetTextLineHeight(), room = ImGui::GetContentRegionAvail().x;
+  const float size = std::floor(40 * ui.scale), line = ImGui::GetTextLineHeight(),
+              room = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_medal(list, low, size, std::max(1, verdict.medal), verdict.medal > 0);
   const std::string words = verdict.medal > 0 ? std::string(medal_title(verdict.medal)) + " medal" : "Not passed yet";
   const edit::Session& session = ui.session();
-  const std::string name = session.challenge && session.challenge->file.name != session.document.name ? session.challenge->file.name : std::string();
-  const float x = low.x + size + std::floor(10 * ui.scale), y = std::floor(low.y + (size - (name.empty() ? 1 : 2) * line) * 0.5f);
+  const std::string name = session.challenge && session.challenge->file.name != session.document.name
+                               ? session.challenge->file.name
+                               : std::string();
+  const float x = low.x + size + std::floor(10 * ui.scale),
+              y = std::floor(low.y + (size - (name.empty() ? 1 : 2) * line) * 0.5f);
   list.AddText({x, y}, packed(verdict.medal > 0 ? palette().good : palette().warning), words.c_str());
   const ImVec4 clip(x, low.y, low.x + room, low.y + size);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y + line}, packed(palette().dim), name.c_str(), nullptr, 0, &clip);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y + line}, packed(palette().dim), name.c_str(), nullptr, 0,
+               &clip);
   ImGui::Dummy({room, size});
   note(ui, "Verdict", "label", "What the challenge makes of it.", true, words, low, {low.x + room, low.y + size});
 }
@@ -98,9 +110,13 @@ void buttons(Ui& ui, const edit::Session& session) {
     ui.emit(edit::RideStart{});
   }
   ImGui::SameLine(0, gap);
-  if (button(ui, "Show where", with_keys(ui.keys, "Look at the place where it failed, and select the segment.", "Show where it failed"), place.has_value())) show_place(ui, *place);
+  if (button(ui, "Show where",
+             with_keys(ui.keys, "Look at the place where it failed, and select the segment.", "Show where it failed"),
+             place.has_value()))
+    show_place(ui, *place);
   ImGui::SameLine(0, gap);
-  if (button(ui, "Close", with_keys(ui.keys, "Close this card.", "Cancel"), true, ImGui::GetContentRegionAvail().x)) ui.emit(edit::CloseCard{});
+  if (button(ui, "Close", with_keys(ui.keys, "Close this card.", "Cancel"), true, ImGui::GetContentRegionAvail().x))
+    ui.emit(edit::CloseCard{});
 }
 
 void build(Ui& ui, const edit::Session& session) {
@@ -111,21 +127,29 @@ void build(Ui& ui, const edit::Session& session) {
   note_item(ui, "Track", "label", "", true, session.document.name);
   const bool failed = result.end == RideEnd::failed;
   wrapped(ui, "Title", title_of(result), failed ? palette().error : palette().text);
-  if (!result.reason.empty()) wrapped(ui, "Reason", sentence(result.reason), failed ? palette().warning : palette().dim);
+  if (!result.reason.empty())
+    wrapped(ui, "Reason", sentence(result.reason), failed ? palette().warning : palette().dim);
   if (result.verdict) {
     verdict(ui, *result.verdict);
-    if (!result.verdict->reason.empty() && result.verdict->reason != result.reason) wrapped(ui, "Why not", sentence(result.verdict->reason), palette().warning);
+    if (!result.verdict->reason.empty() && result.verdict->reason != result.reason)
+      wrapped(ui, "Why not", sentence(result.verdict->reason), palette().warning);
   }
   ImGui::Separator();
   numbers(ui, result);
-  if (!result.whole) wrapped(ui, "Note", "The track was changed, or the train moved by hand, during the ride: the numbers are of a whole ride on it now.", palette().dim);
+  if (!result.whole)
+    wrapped(ui, "Note",
+            "The track was changed, or the train moved by hand, during the ride: the numbers are of a whole ride on it "
+            "now.",
+            palette().dim);
   ImGui::Separator();
   buttons(ui, session);
 }
 
 }  // namespace
 
-bool card_shows(const edit::Session& session) { return session.settings.show_card && session.show_result && session.result; }
+bool card_shows(const edit::Session& session) {
+  return session.settings.show_card && session.show_result && session.result;
+}
 
 std::optional<double> failed_place(const edit::Session& session) {
   if (!session.result) return std::nullopt;
@@ -155,13 +179,15 @@ void draw_score_card(Ui& ui, const view::Viewport& scene) {
   if (!card_shows(session)) return;
   const float width = std::floor(288 * ui.scale), margin = std::floor(14 * ui.scale);
   if (scene.width < width + 2 * margin || scene.height < 240 * ui.scale) return;
-  ImGui::SetNextWindowPos({std::floor(scene.x + scene.width - margin), std::floor(scene.y + margin)}, ImGuiCond_Always, {1, 0});
+  ImGui::SetNextWindowPos({std::floor(scene.x + scene.width - margin), std::floor(scene.y + margin)}, ImGuiCond_Always,
+                          {1, 0});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height - 2 * margin});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::SetNextWindowBgAlpha(0.92f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * ui.scale, 10 * ui.scale));
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
   if (ImGui::Begin("##score", nullptr, kFlags)) {
     ui.panel = "Score";
     build(ui, session);

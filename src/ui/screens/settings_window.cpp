@@ -8,10 +8,10 @@
 #include "base/text.h"
 #include "platform/sound.h"
 #include "ui/actions/actions.h"
-#include "ui/screens/dialogs.h"
 #include "ui/actions/key_map.h"
-#include "ui/widgets/widget_parts.h"
+#include "ui/screens/dialogs.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -28,7 +28,8 @@ void scale(Ui& ui) {
   if (place == percents.end() || *place != now) percents.insert(place, now);
   std::vector<Choice> choices;
   for (const int percent : percents) choices.push_back({std::to_string(percent) + " %", "Size of texts and panels."});
-  if (const auto to = combo(ui, "Scale", choices, current, "Size of texts and panels.")) ui.emit(edit::SetScale{static_cast<float>(percents[static_cast<std::size_t>(*to)]) / 100});
+  if (const auto to = combo(ui, "Scale", choices, current, "Size of texts and panels."))
+    ui.emit(edit::SetScale{static_cast<float>(percents[static_cast<std::size_t>(*to)]) / 100});
 }
 
 void look(Ui& ui) {
@@ -36,16 +37,24 @@ void look(Ui& ui) {
   scale(ui);
   std::vector<Choice> themes;
   for (const std::string_view label : kThemeLabels) themes.push_back({std::string(label), "Colours of the panels."});
-  if (const auto to = combo(ui, "Theme", themes, static_cast<int>(settings.theme), "Colours of the panels.")) ui.emit(edit::SetTheme{static_cast<world::Theme>(*to)});
-  const std::vector<Choice> styles{{"Day", "The sun high, a clear sky."}, {"Dusk", "The sun low, long shadows."}, {"Blueprint", "Lines on blue, for the laboratory and for print."}};
-  if (const auto to = combo(ui, "Scene", styles, static_cast<int>(settings.style), "Light, sky and ground.")) ui.emit(edit::SetStyle{static_cast<world::Style>(*to)});
+  if (const auto to = combo(ui, "Theme", themes, static_cast<int>(settings.theme), "Colours of the panels."))
+    ui.emit(edit::SetTheme{static_cast<world::Theme>(*to)});
+  const std::vector<Choice> styles{{"Day", "The sun high, a clear sky."},
+                                   {"Dusk", "The sun low, long shadows."},
+                                   {"Blueprint", "Lines on blue, for the laboratory and for print."}};
+  if (const auto to = combo(ui, "Scene", styles, static_cast<int>(settings.style), "Light, sky and ground."))
+    ui.emit(edit::SetStyle{static_cast<world::Style>(*to)});
   const bool built = platform::sound_library() != "none";
   if (const auto to = slider(ui, "Sound (%)", static_cast<int>(std::lround(100 * settings.sound)), 0, 100, false,
-                             built ? "Loudness of the ride in a window; 0: silent. So it is without a sound device." : "This program was built without sound (OpenAL)."))
+                             built ? "Loudness of the ride in a window; 0: silent. So it is without a sound device."
+                                   : "This program was built without sound (OpenAL)."))
     ui.emit(edit::SetSound{static_cast<float>(*to) / 100});
-  if (const auto on = checkbox(ui, "Shadows", settings.shadows, "What track and trains take of the sun. Without them frames cost less.")) ui.emit(edit::SetShadows{*on});
+  if (const auto on = checkbox(ui, "Shadows", settings.shadows,
+                               "What track and trains take of the sun. Without them frames cost less."))
+    ui.emit(edit::SetShadows{*on});
   ImGui::SameLine();
-  if (const auto on = checkbox(ui, "Reduced motion", settings.feel.reduced_motion, "Keep the rider's horizon level, cut between cameras, no bobbing, no widening."))
+  if (const auto on = checkbox(ui, "Reduced motion", settings.feel.reduced_motion,
+                               "Keep the rider's horizon level, cut between cameras, no bobbing, no widening."))
     ui.emit(edit::SetReducedMotion{*on});
 }
 
@@ -53,7 +62,8 @@ void keeping(Ui& ui) {
   if (ui.state.kept == nullptr) return;
   const exchange::UserSettings& now = ui.state.kept->settings;
   const int seconds = static_cast<int>(std::lround(now.autosave_seconds));
-  if (const auto to = slider(ui, "Autosave every (s)", seconds, static_cast<int>(exchange::kMinAutosave), static_cast<int>(exchange::kMaxAutosave), true,
+  if (const auto to = slider(ui, "Autosave every (s)", seconds, static_cast<int>(exchange::kMinAutosave),
+                             static_cast<int>(exchange::kMaxAutosave), true,
                              "How long unsaved changes wait before they are put aside.")) {
     ui.out.settings = now;
     ui.out.settings->autosave_seconds = std::clamp<double>(*to, exchange::kMinAutosave, exchange::kMaxAutosave);
@@ -63,9 +73,12 @@ void keeping(Ui& ui) {
     ui.out.settings->recent.clear();
   }
   ImGui::SameLine();
-  if (const auto on = checkbox(ui, "Hints", ui.session().settings.show_hints, "Tell the first steps in the viewport.")) ui.emit(edit::SetHints{*on});
+  if (const auto on = checkbox(ui, "Hints", ui.session().settings.show_hints, "Tell the first steps in the viewport."))
+    ui.emit(edit::SetHints{*on});
   ImGui::SameLine();
-  if (const auto on = checkbox(ui, "Score cards", ui.session().settings.show_card, "Show a card with the ride's numbers when it ends.")) ui.emit(edit::SetCard{*on});
+  if (const auto on = checkbox(ui, "Score cards", ui.session().settings.show_card,
+                               "Show a card with the ride's numbers when it ends."))
+    ui.emit(edit::SetCard{*on});
 }
 
 std::string keys_text(std::span<const platform::Chord> chords) {
@@ -75,7 +88,8 @@ std::string keys_text(std::span<const platform::Chord> chords) {
 }
 
 // The choices with another one for an action: that of the table itself is no choice.
-std::vector<exchange::KeyChoice> with_choice(std::vector<exchange::KeyChoice> keys, const Action& action, const std::string& typed) {
+std::vector<exchange::KeyChoice> with_choice(std::vector<exchange::KeyChoice> keys, const Action& action,
+                                             const std::string& typed) {
   std::erase_if(keys, [&](const exchange::KeyChoice& c) { return c.action == action.name; });
   exchange::KeyChoice choice{std::string(action.name), {}};
   std::vector<base::Token> words;
@@ -94,7 +108,8 @@ void key_rows(Ui& ui) {
   const exchange::UserSettings& now = ui.state.kept->settings;
   heading(ui, "Keys", "One or two for each action, such as Ctrl+Z; empty for none.");
   const float below = ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
-  if (ImGui::BeginChild("##keys", {0, std::max(3 * ImGui::GetFrameHeight(), ImGui::GetContentRegionAvail().y - below)}, true)) {
+  if (ImGui::BeginChild("##keys", {0, std::max(3 * ImGui::GetFrameHeight(), ImGui::GetContentRegionAvail().y - below)},
+                        true)) {
     ui.panel = "Settings/Keys";  // actions have names that rows above have, too
     for (std::size_t row = 0; row < actions().size(); ++row) {
       const Action& action = actions()[row];

@@ -9,11 +9,11 @@
 #include <variant>
 
 #include "base/folders.h"
-#include "ui/screens/dialogs.h"
 #include "ui/actions/key_map.h"
+#include "ui/screens/dialogs.h"
 #include "ui/screens/medals.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -69,22 +69,34 @@ void StartScreen::build_choices(Ui& ui, float width) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(8 * ui.scale, 8 * ui.scale));
   const UserState* const kept = ui.state.kept;
   std::error_code ignored;
-  const std::filesystem::path last = kept != nullptr && !kept->settings.recent.empty() ? kept->settings.recent.front() : "";
-  if (button(ui, "Continue", last.empty() ? "There is no track that was open before." : "Open " + last.string() + ", the track used last.",
-             !last.empty() && std::filesystem::exists(last, ignored), width))
+  const std::filesystem::path last =
+      kept != nullptr && !kept->settings.recent.empty() ? kept->settings.recent.front() : "";
+  if (button(
+          ui, "Continue",
+          last.empty() ? "There is no track that was open before." : "Open " + last.string() + ", the track used last.",
+          !last.empty() && std::filesystem::exists(last, ignored), width))
     load(ui, last);
   if (button(ui, "New track", with_keys(ui.keys, "An empty ground; click to place knots.", "New"), true, width))
     ui.dialogs.request(ui, {Want::Kind::fresh, {}});
-  if (button(ui, "Open or import", with_keys(ui.keys, "A track file: coaster's own, or one of NoLimits (.csv, .nltrack, .nl2elem).", "Open"), true, width))
+  if (button(ui, "Open or import",
+             with_keys(ui.keys, "A track file: coaster's own, or one of NoLimits (.csv, .nltrack, .nl2elem).", "Open"),
+             true, width))
     ui.dialogs.request(ui, {Want::Kind::browse, {}});
   if (button(ui, "Tutorial", "Build and ride a first coaster, step by step, with your own hands.", true, width))
     ui.dialogs.request(ui, {Want::Kind::tutorial, {}});
-  if (button(ui, "Challenges", with_keys(ui.keys, "Start tracks with a goal and three medals, one for each thing to learn.", "Challenges"), true, width)) ui.dialogs.show_challenges();
-  if (button(ui, "Build on", "Close this page and go on with the track behind it. Key Escape.", true, width)) open_ = false;
-  if (button(ui, "Quit", with_keys(ui.keys, "Leave the program.", "Quit"), true, width)) ui.dialogs.request(ui, {Want::Kind::quit, {}});
+  if (button(
+          ui, "Challenges",
+          with_keys(ui.keys, "Start tracks with a goal and three medals, one for each thing to learn.", "Challenges"),
+          true, width))
+    ui.dialogs.show_challenges();
+  if (button(ui, "Build on", "Close this page and go on with the track behind it. Key Escape.", true, width))
+    open_ = false;
+  if (button(ui, "Quit", with_keys(ui.keys, "Leave the program.", "Quit"), true, width))
+    ui.dialogs.request(ui, {Want::Kind::quit, {}});
   ImGui::PopStyleVar();
   if (kept != nullptr)
-    if (const auto on = checkbox(ui, "Show at start", kept->settings.start_screen, "Begin with this page when no track is named.")) {
+    if (const auto on = checkbox(ui, "Show at start", kept->settings.start_screen,
+                                 "Begin with this page when no track is named.")) {
       ui.out.settings = kept->settings;
       ui.out.settings->start_screen = *on;
     }
@@ -93,7 +105,8 @@ void StartScreen::build_choices(Ui& ui, float width) {
 bool StartScreen::draw(Ui& ui, const Card& card, float width) {
   const TrackPicture* picture = nullptr;
   if (ui.state.pictures != nullptr)
-    if (const auto found = ui.state.pictures->find(card.picture); found != ui.state.pictures->end()) picture = &found->second;
+    if (const auto found = ui.state.pictures->find(card.picture); found != ui.state.pictures->end())
+      picture = &found->second;
   if (!card.picture.empty()) ui.out.wanted_pictures.push_back(card.picture);
   ImGui::PushFont(small_font());
   const float height = std::floor(width * 9 / 16), line = ImGui::GetTextLineHeight(), round = 5 * ui.scale;
@@ -101,16 +114,18 @@ bool StartScreen::draw(Ui& ui, const Card& card, float width) {
   const bool clicked = ImGui::InvisibleButton(hidden(card.label).c_str(), {width, height + std::floor(1.4f * line)});
   const bool hot = ImGui::IsItemHovered();
   const std::string name = !card.name.empty() ? card.name : picture != nullptr ? picture->name : "";
-  note_item(ui, card.label, "button", picture != nullptr && !picture->problem.empty() ? picture->problem : card.help, true, name);
+  note_item(ui, card.label, "button", picture != nullptr && !picture->problem.empty() ? picture->problem : card.help,
+            true, name);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (picture != nullptr && picture->texture != 0)
-    list.AddImageRounded((ImTextureID)(std::uintptr_t)picture->texture, low, high, {0, 0}, {1, 1}, IM_COL32_WHITE, round);
-  else
-    list.AddRectFilled(low, high, packed(palette().field), round);
+    list.AddImageRounded((ImTextureID)(std::uintptr_t)picture->texture, low, high, {0, 0}, {1, 1}, IM_COL32_WHITE,
+                         round);
+  else list.AddRectFilled(low, high, packed(palette().field), round);
   list.AddRect(low, high, packed(hot ? palette().accent : palette().border), round, 0, hot ? 2.5f * ui.scale : 1.0f);
   const float medal = std::floor(26 * ui.scale);
   if (card.medal > 0) draw_medal(list, {high.x - medal - 4 * ui.scale, low.y + 4 * ui.scale}, medal, card.medal, true);
-  const std::string length = card.name.empty() && picture != nullptr && picture->length > 0 ? fixed(picture->length, 0) + " m" : "";
+  const std::string length =
+      card.name.empty() && picture != nullptr && picture->length > 0 ? fixed(picture->length, 0) + " m" : "";
   const float foot = high.y + 0.2f * line, room = text_size(length).x;
   list.PushClipRect(low, {high.x - room - 4 * ui.scale, high.y + 1.4f * line}, true);
   list.AddText({low.x + 2, foot}, packed(palette().text), name.c_str());
@@ -127,7 +142,9 @@ void StartScreen::build_challenges(Ui& ui, float width, float gap) {
   for (const ChallengeEntry& entry : shelf_.entries()) {
     if (place++ % static_cast<int>(kCardsInARow) != 0) ImGui::SameLine(0, gap);
     const std::string help = entry.problem.empty() ? entry.teaches : entry.problem;
-    if (draw(ui, {"Challenges/" + entry.name, entry.track.string(), help, entry.name, known_medal(ui, entry.path)}, width) && entry.problem.empty())
+    if (draw(ui, {"Challenges/" + entry.name, entry.track.string(), help, entry.name, known_medal(ui, entry.path)},
+             width) &&
+        entry.problem.empty())
       ui.dialogs.request(ui, {Want::Kind::challenge, entry.path.string()});
   }
 }
@@ -140,16 +157,20 @@ void StartScreen::build_tracks(Ui& ui) {
     int place = 0;
     for (const std::filesystem::path& file : files) {
       if (place++ % static_cast<int>(kCardsInARow) != 0) ImGui::SameLine(0, gap);
-      const auto namesakes = std::count_if(files.begin(), files.end(), [&](const std::filesystem::path& other) { return other.stem() == file.stem(); });
-      const std::string name = namesakes > 1 ? (file.parent_path().filename() / file.stem()).string() : file.stem().string();
-      if (draw(ui, {std::string(group) + "/" + name, file.string(), "Open " + file.string() + ".", {}, 0}, width)) load(ui, file);
+      const auto namesakes = std::count_if(
+          files.begin(), files.end(), [&](const std::filesystem::path& other) { return other.stem() == file.stem(); });
+      const std::string name =
+          namesakes > 1 ? (file.parent_path().filename() / file.stem()).string() : file.stem().string();
+      if (draw(ui, {std::string(group) + "/" + name, file.string(), "Open " + file.string() + ".", {}, 0}, width))
+        load(ui, file);
     }
   };
   std::vector<std::filesystem::path> recent;
   std::error_code ignored;
   if (ui.state.kept != nullptr)
     for (const std::string& file : ui.state.kept->settings.recent)
-      if (recent.size() < static_cast<std::size_t>(kCardsInARow) && std::filesystem::exists(file, ignored)) recent.emplace_back(file);
+      if (recent.size() < static_cast<std::size_t>(kCardsInARow) && std::filesystem::exists(file, ignored))
+        recent.emplace_back(file);
   if (!recent.empty()) {
     heading(ui, "Recent", "The tracks used last.");
     grid("Recent", recent);
@@ -164,10 +185,12 @@ void StartScreen::build(Ui& ui, const platform::Events& events, float width, flo
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({width, height});
   ImGui::SetNextWindowBgAlpha(0.72f);
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
   ImGui::Begin("##start", nullptr, kFlags);
   ui.panel = "Start";
-  const float wide = std::min(width - 24 * ui.scale, 1180 * ui.scale), high = std::min(height - 24 * ui.scale, 760 * ui.scale);
+  const float wide = std::min(width - 24 * ui.scale, 1180 * ui.scale),
+              high = std::min(height - 24 * ui.scale, 760 * ui.scale);
   ImGui::SetCursorPos({std::floor((width - wide) / 2), std::floor((height - high) / 2)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24 * ui.scale, 22 * ui.scale));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, colour(palette().background, 0.97f));

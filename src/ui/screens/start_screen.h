@@ -1,4 +1,5 @@
-// The first thing that is seen: what to go on with, tracks and challenges by their pictures. While it is open keys and mouse are its own.
+// The first thing that is seen: what to go on with, tracks and challenges by their pictures. While it is open keys and
+// mouse are its own.
 #pragma once
 
 #include <filesystem>

@@ -17,7 +17,8 @@ world::Camera panned(world::Camera camera, const view::View& view, glm::vec2 pix
   // Metres that a pixel covers at the target: what is there stays under the cursor.
   const float tangent = 1 / view.projection[1][1];
   const float metres = 2 * camera.distance * tangent / std::max(1.0f, view.viewport.height);
-  const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]), up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]),
+      up(view.view[0][1], view.view[1][1], view.view[2][1]);
   const glm::vec3 limit(world::kMaxCoordinate);
   camera.target = glm::clamp(camera.target - right * (pixels.x * metres) + up * (pixels.y * metres), -limit, limit);
   return camera;

@@ -14,7 +14,12 @@ struct Row {
   Key key;
   glm::vec3 way;  // right, up, forward
 };
-constexpr std::array<Row, 6> kRows{{{Key::w, {0, 0, 1}}, {Key::s, {0, 0, -1}}, {Key::d, {1, 0, 0}}, {Key::a, {-1, 0, 0}}, {Key::e, {0, 1, 0}}, {Key::q, {0, -1, 0}}}};
+constexpr std::array<Row, 6> kRows{{{Key::w, {0, 0, 1}},
+                                    {Key::s, {0, 0, -1}},
+                                    {Key::d, {1, 0, 0}},
+                                    {Key::a, {-1, 0, 0}},
+                                    {Key::e, {0, 1, 0}},
+                                    {Key::q, {0, -1, 0}}}};
 
 constexpr float kSpeed = 12, kFaster = 4;  // m/s
 constexpr double kLongestFrame = 0.25;     // s
@@ -32,7 +37,8 @@ void FlyKeys::fly(Ui& ui, const platform::Events& events, bool text_has_keyboard
   std::array<bool, 6> acts = held_;
   for (const platform::Event& event : events) {
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) seconds += tick->dt;
-    if (const auto* const focus = std::get_if<platform::Focus>(&event); focus && !focus->focused) held_ = acts = {}, fast_ = false;
+    if (const auto* const focus = std::get_if<platform::Focus>(&event); focus && !focus->focused)
+      held_ = acts = {}, fast_ = false;
     const auto* const press = std::get_if<platform::KeyPress>(&event);
     if (!press) continue;
     fast_ = press->modifiers.shift;
@@ -60,8 +66,10 @@ world::FlyCamera fly_now(const Ui& ui) {
 
 world::FlyCamera flown(world::FlyCamera fly, glm::vec3 by) {
   const float yaw = glm::radians(fly.yaw_deg), pitch = glm::radians(fly.pitch_deg);
-  const glm::vec3 right(std::cos(yaw), 0, -std::sin(yaw)), ahead(-std::sin(yaw) * std::cos(pitch), std::sin(pitch), -std::cos(yaw) * std::cos(pitch));
-  const glm::vec3 low(-world::kMaxCoordinate, world::kLowestFlight, -world::kMaxCoordinate), high(world::kMaxCoordinate);
+  const glm::vec3 right(std::cos(yaw), 0, -std::sin(yaw)),
+      ahead(-std::sin(yaw) * std::cos(pitch), std::sin(pitch), -std::cos(yaw) * std::cos(pitch));
+  const glm::vec3 low(-world::kMaxCoordinate, world::kLowestFlight, -world::kMaxCoordinate),
+      high(world::kMaxCoordinate);
   fly.eye = glm::clamp(fly.eye + by.x * right + by.z * ahead + glm::vec3(0, by.y, 0), low, high);
   return fly;
 }
@@ -74,7 +82,8 @@ world::FlyCamera looked(world::FlyCamera fly, glm::vec2 pixels, float scale) {
 }
 
 void choose_camera(Ui& ui, world::CameraMode mode) {
-  if (mode == world::CameraMode::fly && ui.session().settings.camera_mode != mode) ui.emit(edit::SetFly{view::fly_from(ui.out.view)});
+  if (mode == world::CameraMode::fly && ui.session().settings.camera_mode != mode)
+    ui.emit(edit::SetFly{view::fly_from(ui.out.view)});
   ui.emit(edit::SetCameraMode{mode});
 }
 

@@ -1,4 +1,5 @@
-// The keys that move the free camera: W A S D along the view and to its sides, E and Q up and down, Shift four times as fast.
+// The keys that move the free camera: W A S D along the view and to its sides, E and Q up and down, Shift four times as
+// fast.
 #pragma once
 
 #include <array>
@@ -11,8 +12,8 @@ namespace coaster::ui {
 // Which of them are held, over frames.
 class FlyKeys {
  public:
-  // One frame: while the free camera is chosen, emits where the keys take it in the time that the events' ticks tell. Keys pressed while a
-  // text has the keyboard, or with Ctrl or Alt, do not count.
+  // One frame: while the free camera is chosen, emits where the keys take it in the time that the events' ticks tell.
+  // Keys pressed while a text has the keyboard, or with Ctrl or Alt, do not count.
   void fly(Ui& ui, const platform::Events& events, bool text_has_keyboard);
 
  private:

@@ -45,7 +45,8 @@ edit::Command up_to(const edit::Session& session, Entity knot) {
   return selection_of(session.document, knots);
 }
 
-std::optional<edit::Command> boxed(const edit::Session& session, const view::View& view, glm::vec2 corner, glm::vec2 opposite, BoxMode mode) {
+std::optional<edit::Command> boxed(const edit::Session& session, const view::View& view, glm::vec2 corner,
+                                   glm::vec2 opposite, BoxMode mode) {
   const glm::vec2 low = glm::min(corner, opposite), high = glm::max(corner, opposite);
   const std::vector<Entity> before = world::selected_knots(session.document, session.settings);
   std::vector<Entity> knots = mode == BoxMode::replace ? std::vector<Entity>{} : before;

@@ -16,9 +16,11 @@ edit::Command selection_of(const world::Document& document, const std::vector<wo
 
 // A Shift+click: the knot joins the selection as its active knot, or leaves it.
 edit::Command toggled(const edit::Session& session, world::Entity knot);
-// A Ctrl+click: all knots along the track from the active one to this one, the shorter way round where the track is closed.
+// A Ctrl+click: all knots along the track from the active one to this one, the shorter way round where the track is
+// closed.
 edit::Command up_to(const edit::Session& session, world::Entity knot);
 // Knots whose place on the screen is within the rectangle; nothing when the selection stays as it is.
-std::optional<edit::Command> boxed(const edit::Session& session, const view::View& view, glm::vec2 corner, glm::vec2 opposite, BoxMode mode);
+std::optional<edit::Command> boxed(const edit::Session& session, const view::View& view, glm::vec2 corner,
+                                   glm::vec2 opposite, BoxMode mode);
 
 }  // namespace coaster::ui

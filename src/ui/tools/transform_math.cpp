@@ -32,7 +32,8 @@ std::optional<dvec3> meet_axis(const view::Ray& ray, dvec3 pivot, int axis) {
 std::optional<dvec3> meet(const view::View& view, glm::vec2 pixel, glm::vec3 pivot, const Constraint& constraint) {
   const view::Ray ray = view::ray_through(view, pixel);
   if (constraint.kind == Constraint::Kind::axis) return meet_axis(ray, dvec3(pivot), constraint.axis);
-  const glm::vec3 normal(constraint.kind == Constraint::Kind::plane ? unit(constraint.axis) : dvec3(view::line_of_sight(view)));
+  const glm::vec3 normal(constraint.kind == Constraint::Kind::plane ? unit(constraint.axis)
+                                                                    : dvec3(view::line_of_sight(view)));
   const auto hit = view::meet_plane(ray, pivot, normal);
   return hit ? std::optional(dvec3(*hit)) : std::nullopt;
 }
@@ -56,7 +57,8 @@ dvec3 snapped(const SnapScene& scene, world::SnapTo to, dvec3 position, dvec3 st
   switch (to) {
     case world::SnapTo::off: break;
     case world::SnapTo::grid:
-      for (int i = 0; i < 3; ++i) wanted[i] = std::round(position[i] / scene.settings.snapping.step) * scene.settings.snapping.step;
+      for (int i = 0; i < 3; ++i)
+        wanted[i] = std::round(position[i] / scene.settings.snapping.step) * scene.settings.snapping.step;
       break;
     case world::SnapTo::knots: {
       double least = 12.0 * scene.settings.ui_scale;
@@ -72,7 +74,8 @@ dvec3 snapped(const SnapScene& scene, world::SnapTo to, dvec3 position, dvec3 st
     }
     case world::SnapTo::ground:
       if (constraint.kind == Constraint::Kind::free)
-        if (const auto hit = view::meet_plane(view::ray_through(scene.view, scene.cursor), glm::vec3(0), {0, 1, 0})) wanted = dvec3(*hit);
+        if (const auto hit = view::meet_plane(view::ray_through(scene.view, scene.cursor), glm::vec3(0), {0, 1, 0}))
+          wanted = dvec3(*hit);
       wanted.y = 0;
       break;
   }

@@ -21,7 +21,8 @@ constexpr std::size_t kMostTyped = 16;
 // The character that a key types into a number, 0 for none.
 char digit_of(Key key) {
   const int code = static_cast<int>(key);
-  if (code >= static_cast<int>(Key::d0) && code <= static_cast<int>(Key::d0) + 9) return static_cast<char>('0' + code - static_cast<int>(Key::d0));
+  if (code >= static_cast<int>(Key::d0) && code <= static_cast<int>(Key::d0) + 9)
+    return static_cast<char>('0' + code - static_cast<int>(Key::d0));
   if (key == Key::period) return '.';
   if (key == Key::minus) return '-';
   return 0;
@@ -73,11 +74,14 @@ void TransformTool::take_keys(const platform::Events& events) {
     if (!active_ || press == nullptr || !press->down || press->modifiers.ctrl || press->modifiers.alt) continue;
     std::string& text = text_[field_];
     if (press->key >= Key::x && press->key <= Key::z) {
-      const Constraint next{press->modifiers.shift ? CKind::plane : CKind::axis, static_cast<int>(press->key) - static_cast<int>(Key::x)};
+      const Constraint next{press->modifiers.shift ? CKind::plane : CKind::axis,
+                            static_cast<int>(press->key) - static_cast<int>(Key::x)};
       constraint_ = next == constraint_ ? Constraint{} : next;  // the same once more: free again
       field_ = 0, angle_ = 0, last_ = start_;
     } else if (press->key == Key::g || press->key == Key::r || press->key == Key::s) {
-      kind_ = press->key == Key::g ? TransformKind::move : press->key == Key::r ? TransformKind::rotate : TransformKind::scale;
+      kind_ = press->key == Key::g   ? TransformKind::move
+              : press->key == Key::r ? TransformKind::rotate
+                                     : TransformKind::scale;
       text_ = {}, field_ = 0, angle_ = 0, last_ = start_;
     } else if (press->key == Key::enter || press->key == Key::keypad_enter) {
       begun_ = true;  // the numbers count even where the mouse has not moved
@@ -113,9 +117,10 @@ glm::vec3 TransformTool::movement(const Ui& ui, const view::View& view) {
 edit::Command TransformTool::command(const Ui& ui, const view::View& view) {
   const world::Settings& settings = ui.session().settings;
   const glm::vec2 mouse = mouse_position();
-  const std::string along = constraint_.kind == CKind::axis    ? std::string(" along ") + kAxisNames[static_cast<std::size_t>(constraint_.axis)]
-                            : constraint_.kind == CKind::plane ? std::string(" in ") + kPlanes[static_cast<std::size_t>(constraint_.axis)]
-                                                               : "";
+  const std::string along =
+      constraint_.kind == CKind::axis ? std::string(" along ") + kAxisNames[static_cast<std::size_t>(constraint_.axis)]
+      : constraint_.kind == CKind::plane ? std::string(" in ") + kPlanes[static_cast<std::size_t>(constraint_.axis)]
+                                         : "";
   if (kind_ == TransformKind::move) {
     const glm::vec3 by = movement(ui, view);
     shown_ = "Move" + along + ":";
@@ -131,12 +136,16 @@ edit::Command TransformTool::command(const Ui& ui, const view::View& view) {
     double degrees = base::degrees(angle_);
     if (snap_now(settings) != world::SnapTo::off) degrees = rounded_to(degrees, settings.snapping.angle);
     degrees = typed(0).value_or(degrees);
-    shown_ = "Rotate" + (constraint_.kind == CKind::free ? std::string() : std::string(" about ") + kAxisNames[static_cast<std::size_t>(constraint_.axis)]) + ": " +
-             fixed(degrees, 2) + "\u00B0";
+    shown_ = "Rotate" +
+             (constraint_.kind == CKind::free
+                  ? std::string()
+                  : std::string(" about ") + kAxisNames[static_cast<std::size_t>(constraint_.axis)]) +
+             ": " + fixed(degrees, 2) + "\u00B0";
     return edit::Rotate{knots_, degrees, pivot_, axis, true};
   }
   const auto middle = view::project(view, pivot_);
-  const double from = middle ? glm::length(start_ - glm::vec2(middle->x, middle->y)) : 1, to = middle ? glm::length(mouse - glm::vec2(middle->x, middle->y)) : 1;
+  const double from = middle ? glm::length(start_ - glm::vec2(middle->x, middle->y)) : 1,
+               to = middle ? glm::length(mouse - glm::vec2(middle->x, middle->y)) : 1;
   double factor = from > 2 ? to / from : 1 + (to - from) / 100;
   if (snap_now(settings) != world::SnapTo::off) factor = std::max(0.1, rounded_to(factor, 0.1));
   factor = std::max(factor, 1e-3);

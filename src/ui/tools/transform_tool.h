@@ -1,5 +1,5 @@
-// Moving, turning and scaling the selected knots: by the gizmo, or with G, R and S as in Blender, along an axis (X, Y, Z), in a plane
-// (Shift+axis), by typed numbers. Holds the transform that is under way and nothing else.
+// Moving, turning and scaling the selected knots: by the gizmo, or with G, R and S as in Blender, along an axis (X, Y,
+// Z), in a plane (Shift+axis), by typed numbers. Holds the transform that is under way and nothing else.
 #pragma once
 
 #include <array>
@@ -15,11 +15,14 @@ class TransformTool {
  public:
   bool active() const { return active_; }
 
-  // Begins on the selected knots; without any it does nothing. With a mouse button it ends when that is let go, else with Enter or a click.
+  // Begins on the selected knots; without any it does nothing. With a mouse button it ends when that is let go, else
+  // with Enter or a click.
   void begin(Ui& ui, TransformKind kind, Constraint constraint, std::optional<int> button);
-  // X Y Z, Shift+axis, digits, Tab, Backspace, Enter, G R S; what is not for it is left alone. Escape comes through cancel().
+  // X Y Z, Shift+axis, digits, Tab, Backspace, Enter, G R S; what is not for it is left alone. Escape comes through
+  // cancel().
   void take_keys(const platform::Events& events);
-  // Once a frame, after the keys: follows the mouse, emits at most one command; ends on a click or the button's release.
+  // Once a frame, after the keys: follows the mouse, emits at most one command; ends on a click or the button's
+  // release.
   void update(Ui& ui, const view::View& view);
   // Puts everything back. False when nothing was under way.
   bool cancel(Ui& ui);
@@ -46,7 +49,7 @@ class TransformTool {
   double angle_ = 0;                      // radians, gathered over more than half a turn
   std::array<std::string, 3> text_;       // what is typed
   std::size_t field_ = 0;
-  std::string sent_, shown_;              // the last command, and what the status says of it
+  std::string sent_, shown_;  // the last command, and what the status says of it
 };
 
 }  // namespace coaster::ui

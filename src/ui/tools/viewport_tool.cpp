@@ -44,7 +44,8 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
   }
   // An undo or a script may have ended the gesture, or removed what is dragged.
   if (drag_.gesture && !session.history.in_gesture) drag_ = {};
-  if (dragging() && drag_.pick.kind != PickKind::none && !session.document.entities.alive(drag_.pick.entity)) cancel(ui);
+  if (dragging() && drag_.pick.kind != PickKind::none && !session.document.entities.alive(drag_.pick.entity))
+    cancel(ui);
 
   const bool over = view.viewport.contains(mouse) && !io.WantCaptureMouse;
   view::Pick under;
@@ -67,7 +68,8 @@ void ViewportTool::turn_wheel(Ui& ui, float notches) {
     case world::CameraMode::orbit: ui.emit(edit::SetCamera{zoomed(settings.camera, notches)}); break;
     case world::CameraMode::fly: ui.emit(edit::SetFly{flown(fly_now(ui), {0, 0, kMetres * notches})}); break;
     case world::CameraMode::chase:
-      ui.emit(edit::SetChaseDistance{std::clamp(settings.feel.chase_distance * std::pow(kPerNotch, -notches), world::kMinChase, world::kMaxChase)});
+      ui.emit(edit::SetChaseDistance{std::clamp(settings.feel.chase_distance * std::pow(kPerNotch, -notches),
+                                                world::kMinChase, world::kMaxChase)});
       break;
     case world::CameraMode::ride: break;
   }
@@ -99,7 +101,8 @@ void ViewportTool::press(Ui& ui, const view::View&, const view::Pick& under) {
       drag_.box = io.KeyShift ? BoxMode::add : io.KeyCtrl ? BoxMode::remove : BoxMode::replace;
     } else if (view::is_gizmo(under.kind)) {
       drag_ = {};
-      const Constraint constraint{view::is_axis(under.kind) ? Constraint::Kind::axis : Constraint::Kind::plane, view::gizmo_axis(under.kind)};
+      const Constraint constraint{view::is_axis(under.kind) ? Constraint::Kind::axis : Constraint::Kind::plane,
+                                  view::gizmo_axis(under.kind)};
       transform_.begin(ui, TransformKind::move, constraint, ImGuiMouseButton_Left);
     } else if (!io.KeyAlt) {
       press_left(ui, under);
@@ -132,7 +135,8 @@ void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
   }
   drag_.what = under.kind == PickKind::cart ? What::cart : What::item;
   // With Shift or Ctrl a click adds to the selection, and a drag moves: which of them it is shows later.
-  const bool waits = under.kind == PickKind::knot && (drag_.shift || drag_.ctrl || world::is_selected(session.settings, under.entity));
+  const bool waits =
+      under.kind == PickKind::knot && (drag_.shift || drag_.ctrl || world::is_selected(session.settings, under.entity));
   if (!is_handle(under.kind) && session.settings.selected != under.entity && !waits) ui.emit(edit::Select{target});
 }
 
@@ -148,7 +152,8 @@ void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
   switch (drag_.what) {
     case What::orbit:
       if (turns) ui.emit(edit::SetCamera{orbited(camera, by, ui.scale)});
-      if (by != glm::vec2(0) && mode == world::CameraMode::fly) ui.emit(edit::SetFly{looked(fly_now(ui), by, ui.scale)});
+      if (by != glm::vec2(0) && mode == world::CameraMode::fly)
+        ui.emit(edit::SetFly{looked(fly_now(ui), by, ui.scale)});
       break;
     case What::pan:
       if (turns) ui.emit(edit::SetCamera{panned(camera, view, by)});
@@ -196,11 +201,16 @@ void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
   glm::vec3 to = *at + drag_.offset;
   const world::Settings& settings = ui.session().settings;
   if (drag_.pick.kind == PickKind::knot && settings.snapping.to != world::SnapTo::off) {
-    const Constraint constraint{along == Along::vertical ? Constraint::Kind::axis : along == Along::ground ? Constraint::Kind::plane : Constraint::Kind::free, 1};
-    to = glm::vec3(snapped({document, settings, view, mouse}, settings.snapping.to, glm::dvec3(to), glm::dvec3(drag_.anchor), constraint));
+    const Constraint constraint{along == Along::vertical ? Constraint::Kind::axis
+                                : along == Along::ground ? Constraint::Kind::plane
+                                                         : Constraint::Kind::free,
+                                1};
+    to = glm::vec3(snapped({document, settings, view, mouse}, settings.snapping.to, glm::dvec3(to),
+                           glm::dvec3(drag_.anchor), constraint));
   }
   if (to == drag_.sent) return;
-  if (!world::is_selected(settings, drag_.pick.entity) && drag_.pick.kind == PickKind::knot) ui.emit(edit::Select{{world::name_of(document, drag_.pick.entity)}});
+  if (!world::is_selected(settings, drag_.pick.entity) && drag_.pick.kind == PickKind::knot)
+    ui.emit(edit::Select{{world::name_of(document, drag_.pick.entity)}});
   if (!drag_.gesture) ui.emit(edit::BeginGesture{});
   drag_.gesture = true;
   drag_.sent = to;
@@ -219,7 +229,8 @@ void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
 void ViewportTool::move_knots(Ui& ui, glm::vec3 to) {
   const edit::Session& session = ui.session();
   edit::Knots knots;
-  for (const world::Entity e : world::selected_knots(session.document, session.settings)) knots.names.push_back(world::name_of(session.document, e));
+  for (const world::Entity e : world::selected_knots(session.document, session.settings))
+    knots.names.push_back(world::name_of(session.document, e));
   const world::Document& start = session.history.in_gesture ? session.history.gesture_start : session.document;
   const glm::dvec3 from(world::knot(start, drag_.pick.entity).position);
   ui.emit(edit::Translate{std::move(knots), glm::vec3(glm::dvec3(to) - from), true});
@@ -238,7 +249,8 @@ void ViewportTool::release(Ui& ui, const view::View& view) {
   if (!drag_.moved && drag_.click_acts) click_ground(ui, view);
   if (!drag_.moved && drag_.what == What::item && drag_.pick.kind == PickKind::knot) click_knot(ui);
   if (drag_.moved && drag_.what == What::box)
-    if (auto chosen = boxed(ui.session(), view, drag_.start, drag_.last, drag_.box)) ui.out.commands.push_back(std::move(*chosen));
+    if (auto chosen = boxed(ui.session(), view, drag_.start, drag_.last, drag_.box))
+      ui.out.commands.push_back(std::move(*chosen));
   drag_ = {};
 }
 

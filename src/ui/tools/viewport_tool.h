@@ -1,5 +1,5 @@
-// The mouse in the viewport: hovering, selecting, dragging knots and handles, boxes, appending, and the orbit camera. Holds the drag that is
-// under way and nothing else.
+// The mouse in the viewport: hovering, selecting, dragging knots and handles, boxes, appending, and the orbit camera.
+// Holds the drag that is under way and nothing else.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -30,12 +30,12 @@ class ViewportTool {
     What what = What::nothing;
     int button = 0;
     view::Pick pick;
-    glm::vec2 start{0}, last{0};  // px
-    bool moved = false;           // 3 px or more: else it is a click
-    bool click_acts = false;      // a click on empty ground appends or deselects
+    glm::vec2 start{0}, last{0};       // px
+    bool moved = false;                // 3 px or more: else it is a click
+    bool click_acts = false;           // a click on empty ground appends or deselects
     bool shift = false, ctrl = false;  // held when it was pressed
     BoxMode box = BoxMode::replace;
-    bool gesture = false;         // BeginGesture was emitted
+    bool gesture = false;  // BeginGesture was emitted
     Along along = Along::screen;
     bool grabbed = false;
     glm::vec3 anchor{0}, offset{0};  // m: the item when grabbed, and from the ray's hit to it

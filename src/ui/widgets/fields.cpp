@@ -1,5 +1,5 @@
-// Fields to type in: numbers, sliders, text. A number is dragged, or clicked and typed; what is typed goes out once, when it is complete,
-// and never as inf or nan.
+// Fields to type in: numbers, sliders, text. A number is dragged, or clicked and typed; what is typed goes out once,
+// when it is complete, and never as inf or nan.
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -9,9 +9,9 @@
 #include <cstring>
 
 #include "base/text.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toasts.h"
+#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
@@ -25,8 +25,9 @@ void copy(std::array<char, 1024>& to, const std::string& from) {
   to[length] = 0;
 }
 
-// An InputText whose text lives in ui.entry while it is typed in. With `begin` it takes the keyboard at once, as if clicked. Complete: by
-// Enter, or by a press elsewhere or loss of the keyboard with the text changed; Escape leaves it as it was.
+// An InputText whose text lives in ui.entry while it is typed in. With `begin` it takes the keyboard at once, as if
+// clicked. Complete: by Enter, or by a press elsewhere or loss of the keyboard with the text changed; Escape leaves it
+// as it was.
 Typing typed(Ui& ui, const char* key, const std::string& initial, bool begin) {
   const ImGuiID id = ImGui::GetID(key);
   Entry& entry = ui.entry;
@@ -36,8 +37,11 @@ Typing typed(Ui& ui, const char* key, const std::string& initial, bool begin) {
   std::array<char, 1024>& buffer = mine ? entry.text : shown;
   ImGuiIO& io = ImGui::GetIO();
   const bool clicked = io.MouseClicked[0];
-  if (begin) io.MouseClicked[0] = true;  // ImGui gives the keyboard to a field that is clicked; by SetKeyboardFocusHere it is frames late
-  const bool enter = ImGui::InputText(key, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  if (begin)
+    io.MouseClicked[0] =
+        true;  // ImGui gives the keyboard to a field that is clicked; by SetKeyboardFocusHere it is frames late
+  const bool enter = ImGui::InputText(key, buffer.data(), buffer.size(),
+                                      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   io.MouseClicked[0] = clicked;
   const bool active = ImGui::IsItemActive();
   if (!mine) {
@@ -54,23 +58,27 @@ Typing typed(Ui& ui, const char* key, const std::string& initial, bool begin) {
   return !escaped && entry.text != entry.initial ? Typing::complete : Typing::no;
 }
 
-// The number typed, with `largest` for what is beyond it (inf and 1e39 too); nothing for what is no number, with a notice.
+// The number typed, with `largest` for what is beyond it (inf and 1e39 too); nothing for what is no number, with a
+// notice.
 std::optional<double> parse(Ui& ui, std::string_view label, double largest) {
   const char* begin = ui.entry.text.data();
   char* end = nullptr;
   const double value = std::strtod(begin, &end);
   if (end == begin || std::isnan(value)) {
-    ui.toasts.show(edit::NoticeKind::warning, path_of(ui, label) + ": \"" + begin + "\" is not a number within the limits; nothing changed.",
+    ui.toasts.show(edit::NoticeKind::warning,
+                   path_of(ui, label) + ": \"" + begin + "\" is not a number within the limits; nothing changed.",
                    ui.state.seconds);
     return std::nullopt;
   }
   return std::clamp(value, -largest, largest);
 }
 
-// The press that opens a field for typing: Ctrl+click or a double click; for drags a plain click too, told at its release.
+// The press that opens a field for typing: Ctrl+click or a double click; for drags a plain click too, told at its
+// release.
 bool wants_typing(ImGuiID id, ImVec2 low, ImVec2 high, bool plain_click) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && ImGui::IsMouseHoveringRect(low, high);
+  const bool over =
+      ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && ImGui::IsMouseHoveringRect(low, high);
   if (over && io.MouseClicked[0] && (io.KeyCtrl || io.MouseDoubleClicked[0])) return true;
   constexpr float kStill = 3;  // px
   return plain_click && over && io.MouseReleased[0] && ImGui::GetActiveID() == id &&
@@ -78,7 +86,8 @@ bool wants_typing(ImGuiID id, ImVec2 low, ImVec2 high, bool plain_click) {
 }
 
 // The text of a field, right-aligned over it, the unit and a small name dimmed.
-void draw_number(const Ui& ui, const Number& n, std::string_view name, std::uint32_t name_colour, ImVec2 low, ImVec2 high, bool enabled) {
+void draw_number(const Ui& ui, const Number& n, std::string_view name, std::uint32_t name_colour, ImVec2 low,
+                 ImVec2 high, bool enabled) {
   const float pad = std::floor(6 * ui.scale), gap = std::floor(4 * ui.scale), alpha = enabled ? 1.0f : 0.45f;
   const float top = std::floor((low.y + high.y - ImGui::GetTextLineHeight()) * 0.5f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -96,8 +105,10 @@ void draw_number(const Ui& ui, const Number& n, std::string_view name, std::uint
     right -= gap;
   }
   // A narrow field shows fewer decimals rather than a cut number.
-  for (int decimals = n.decimals; decimals > 0 && text_size(digits).x > right - left;) digits = fixed(n.value, --decimals);
-  list.AddText({std::floor(right - text_size(digits).x), top}, packed(palette().text, alpha), digits.data(), digits.data() + digits.size());
+  for (int decimals = n.decimals; decimals > 0 && text_size(digits).x > right - left;)
+    digits = fixed(n.value, --decimals);
+  list.AddText({std::floor(right - text_size(digits).x), top}, packed(palette().text, alpha), digits.data(),
+               digits.data() + digits.size());
   list.PopClipRect();
 }
 
@@ -106,8 +117,9 @@ std::optional<double> drag(Ui& ui, const Number& n, ImGuiID id) {
   const bool bounded = n.low < n.high;
   const std::string format = "%." + std::to_string(n.decimals) + "f";
   ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));  // draw_number() shows it
-  const bool changed = ImGui::DragScalar("##drag", ImGuiDataType_Double, &value, static_cast<float>(n.step), bounded ? &n.low : nullptr,
-                                         bounded ? &n.high : nullptr, format.c_str(), ImGuiSliderFlags_NoInput | ImGuiSliderFlags_AlwaysClamp);
+  const bool changed = ImGui::DragScalar("##drag", ImGuiDataType_Double, &value, static_cast<float>(n.step),
+                                         bounded ? &n.low : nullptr, bounded ? &n.high : nullptr, format.c_str(),
+                                         ImGuiSliderFlags_NoInput | ImGuiSliderFlags_AlwaysClamp);
   ImGui::PopStyleColor();
   if (!changed || !std::isfinite(value)) return std::nullopt;
   if (!ui.gesture.open) {
@@ -118,8 +130,8 @@ std::optional<double> drag(Ui& ui, const Number& n, ImGuiID id) {
 }
 
 // One field at the cursor, `width` wide.
-std::optional<double> field(Ui& ui, std::string_view label, const Number& n, std::string_view name, std::uint32_t name_colour, float width,
-                            std::string_view tooltip, bool enabled) {
+std::optional<double> field(Ui& ui, std::string_view label, const Number& n, std::string_view name,
+                            std::uint32_t name_colour, float width, std::string_view tooltip, bool enabled) {
   ImGui::PushID(label.data(), label.data() + label.size());
   ImGui::BeginDisabled(!enabled);
   const ImGuiID drag_id = ImGui::GetID("##drag");
@@ -147,15 +159,16 @@ std::optional<double> number(Ui& ui, std::string_view label, const Number& n, st
   return field(ui, label, n, {}, 0, ImGui::CalcItemWidth(), tooltip, enabled);
 }
 
-std::optional<Changed> numbers(Ui& ui, std::string_view group, std::span<const std::string_view> names, std::span<const Number> values,
-                               std::string_view tooltip) {
+std::optional<Changed> numbers(Ui& ui, std::string_view group, std::span<const std::string_view> names,
+                               std::span<const Number> values, std::string_view tooltip) {
   const float gap = std::floor(4 * ui.scale), room = ImGui::GetContentRegionAvail().x;
   const float count = static_cast<float>(names.size()), width = std::floor((room - gap * (count - 1)) / count);
   std::optional<Changed> changed;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
     const std::uint32_t tint = names.size() == 3 ? palette().axis[i] : palette().dim;
-    const auto value = field(ui, std::string(group) + "/" + std::string(names[i]), values[i], names[i], tint, width, tooltip, true);
+    const auto value =
+        field(ui, std::string(group) + "/" + std::string(names[i]), values[i], names[i], tint, width, tooltip, true);
     if (value) changed = Changed{static_cast<int>(i), *value};
   }
   return changed;
@@ -164,7 +177,8 @@ std::optional<Changed> numbers(Ui& ui, std::string_view group, std::span<const s
 namespace {
 
 // A bar from low to high whose value is shown with `decimals`, and rounded to them while it is dragged.
-std::optional<double> slide(Ui& ui, std::string_view label, double value, double low, double high, bool logarithmic, int decimals, std::string_view tooltip) {
+std::optional<double> slide(Ui& ui, std::string_view label, double value, double low, double high, bool logarithmic,
+                            int decimals, std::string_view tooltip) {
   begin_row(ui, label);
   const float width = ImGui::CalcItemWidth();
   ImGui::PushID(label.data(), label.data() + label.size());
@@ -178,13 +192,19 @@ std::optional<double> slide(Ui& ui, std::string_view label, double value, double
     if (typed(ui, "##type", digits, begin) == Typing::complete) result = parse(ui, label, 2e9);
   } else {
     double wanted = value;
-    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    const ImGuiSliderFlags flags =
+        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));  // drawn below, beside the grab
-    if (ImGui::SliderScalar("##slide", ImGuiDataType_Double, &wanted, &low, &high, format.c_str(), flags) && wanted != value) result = wanted;
+    if (ImGui::SliderScalar("##slide", ImGuiDataType_Double, &wanted, &low, &high, format.c_str(), flags) &&
+        wanted != value)
+      result = wanted;
     ImGui::PopStyleColor();
-    const double part = logarithmic && low > 0 ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+    const double part =
+        logarithmic && low > 0 ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
     const float pad = std::floor(8 * ui.scale), left = part > 0.5 ? from.x + pad : to.x - pad - text_size(digits).x;
-    ImGui::GetWindowDrawList()->AddText({std::floor(left), std::floor((from.y + to.y - ImGui::GetTextLineHeight()) * 0.5f)}, packed(palette().text), digits.c_str());
+    ImGui::GetWindowDrawList()->AddText(
+        {std::floor(left), std::floor((from.y + to.y - ImGui::GetTextLineHeight()) * 0.5f)}, packed(palette().text),
+        digits.c_str());
   }
   ImGui::PopID();
   note(ui, label, "slider", tooltip, true, digits, from, to);
@@ -193,13 +213,15 @@ std::optional<double> slide(Ui& ui, std::string_view label, double value, double
 
 }  // namespace
 
-std::optional<int> slider(Ui& ui, std::string_view label, int value, int low, int high, bool logarithmic, std::string_view tooltip) {
+std::optional<int> slider(Ui& ui, std::string_view label, int value, int low, int high, bool logarithmic,
+                          std::string_view tooltip) {
   const auto to = slide(ui, label, value, low, high, logarithmic, 0, tooltip);
   const auto whole = to ? std::optional(static_cast<int>(std::lround(*to))) : std::nullopt;
   return whole != value ? whole : std::nullopt;
 }
 
-std::optional<double> real_slider(Ui& ui, std::string_view label, double value, double low, double high, int decimals, std::string_view tooltip) {
+std::optional<double> real_slider(Ui& ui, std::string_view label, double value, double low, double high, int decimals,
+                                  std::string_view tooltip) {
   return slide(ui, label, value, low, high, false, decimals, tooltip);
 }
 
@@ -216,10 +238,12 @@ std::optional<std::string> text(Ui& ui, std::string_view label, const std::strin
     std::size_t from = 0;
     while (from < value.size() && text_size("\u2026" + value.substr(from)).x > room) {
       do ++from;
-      while (from < value.size() && (static_cast<unsigned char>(value[from]) & 0xC0) == 0x80);  // within a UTF-8 character
+      while (from < value.size() &&
+             (static_cast<unsigned char>(value[from]) & 0xC0) == 0x80);  // within a UTF-8 character
     }
     const std::string shown = "\u2026" + value.substr(from);
-    ImGui::GetWindowDrawList()->AddText({at.x + pad, at.y + ImGui::GetStyle().FramePadding.y}, packed(palette().text), shown.c_str());
+    ImGui::GetWindowDrawList()->AddText({at.x + pad, at.y + ImGui::GetStyle().FramePadding.y}, packed(palette().text),
+                                        shown.c_str());
   }
   note_item(ui, label, "text", tooltip, true, typing == Typing::open ? ui.entry.text.data() : value);
   if (typing != Typing::complete) return std::nullopt;

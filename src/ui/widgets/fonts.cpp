@@ -10,10 +10,11 @@ namespace coaster::ui {
 namespace {
 
 // Latin, Greek, punctuation, super- and subscripts, arrows, operators: what formulas and names need.
-const ImWchar kRanges[] = {0x0020, 0x017F, 0x0370, 0x03FF, 0x2010, 0x2027, 0x2030, 0x203A, 0x2070, 0x209F,
-                           0x2190, 0x2199, 0x2200, 0x2265, 0x25A0, 0x25CF, 0};
+const ImWchar kRanges[] = {0x0020, 0x017F, 0x0370, 0x03FF, 0x2010, 0x2027, 0x2030, 0x203A, 0x2070,
+                           0x209F, 0x2190, 0x2199, 0x2200, 0x2265, 0x25A0, 0x25CF, 0};
 
-// Inter's figures are proportional by default, and stb_truetype reads no OpenType features: give every digit the widest one's cell.
+// Inter's figures are proportional by default, and stb_truetype reads no OpenType features: give every digit the widest
+// one's cell.
 void make_figures_tabular(ImFont& font) {
   float widest = 0;
   for (ImWchar c = '0'; c <= '9'; ++c) widest = std::max(widest, font.GetCharAdvance(c));
@@ -38,7 +39,8 @@ ImFont* add_font(ImFontAtlas& atlas, float pixels, const ImWchar* ranges = kRang
     config.PixelSnapH = false;
     config.RasterizerMultiply = 1.1f;  // light text on dark looks thin otherwise
     // The atlas only reads data it does not own.
-    ImFont* font = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(inter.data()), static_cast<int>(inter.size()), pixels, &config, ranges);
+    ImFont* font = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(inter.data()), static_cast<int>(inter.size()),
+                                              pixels, &config, ranges);
     if (font != nullptr) return font;
   }
   ImFontConfig config;

@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
@@ -21,20 +21,28 @@ struct Place {
 struct Stroke {
   Place p0, p1, p2, p3;
 };
-constexpr Stroke line(Place a, Place b) { return {a, {(2 * a.x + b.x) / 3, (2 * a.y + b.y) / 3}, {(a.x + 2 * b.x) / 3, (a.y + 2 * b.y) / 3}, b}; }
+constexpr Stroke line(Place a, Place b) {
+  return {a, {(2 * a.x + b.x) / 3, (2 * a.y + b.y) / 3}, {(a.x + 2 * b.x) / 3, (a.y + 2 * b.y) / 3}, b};
+}
 
 constexpr std::array kStraight{line({0.02f, 0.75f}, {0.98f, 0.35f})};
 constexpr std::array kCurve{Stroke{{0.1f, 0.95f}, {0.1f, 0.4f}, {0.4f, 0.12f}, {0.95f, 0.12f}}};
-constexpr std::array kHelix{Stroke{{0.05f, 0.9f}, {0.4f, 1.0f}, {0.95f, 0.95f}, {0.92f, 0.76f}}, Stroke{{0.92f, 0.76f}, {0.88f, 0.55f}, {0.1f, 0.62f}, {0.12f, 0.45f}},
-                            Stroke{{0.12f, 0.45f}, {0.15f, 0.25f}, {0.92f, 0.5f}, {0.88f, 0.28f}}, Stroke{{0.88f, 0.28f}, {0.84f, 0.1f}, {0.4f, 0.05f}, {0.12f, 0.1f}}};
+constexpr std::array kHelix{Stroke{{0.05f, 0.9f}, {0.4f, 1.0f}, {0.95f, 0.95f}, {0.92f, 0.76f}},
+                            Stroke{{0.92f, 0.76f}, {0.88f, 0.55f}, {0.1f, 0.62f}, {0.12f, 0.45f}},
+                            Stroke{{0.12f, 0.45f}, {0.15f, 0.25f}, {0.92f, 0.5f}, {0.88f, 0.28f}},
+                            Stroke{{0.88f, 0.28f}, {0.84f, 0.1f}, {0.4f, 0.05f}, {0.12f, 0.1f}}};
 constexpr std::array kClimb{Stroke{{0.02f, 0.88f}, {0.5f, 0.88f}, {0.5f, 0.14f}, {0.98f, 0.14f}}};
 constexpr std::array kDive{Stroke{{0.02f, 0.14f}, {0.5f, 0.14f}, {0.5f, 0.88f}, {0.98f, 0.88f}}};
-constexpr std::array kCamelback{Stroke{{0.02f, 0.88f}, {0.28f, 0.88f}, {0.28f, 0.2f}, {0.5f, 0.2f}}, Stroke{{0.5f, 0.2f}, {0.72f, 0.2f}, {0.72f, 0.88f}, {0.98f, 0.88f}}};
-constexpr std::array kLoop{Stroke{{0.02f, 0.92f}, {0.6f, 0.92f}, {0.86f, 0.66f}, {0.82f, 0.4f}}, Stroke{{0.82f, 0.4f}, {0.77f, 0.02f}, {0.23f, 0.02f}, {0.18f, 0.4f}},
+constexpr std::array kCamelback{Stroke{{0.02f, 0.88f}, {0.28f, 0.88f}, {0.28f, 0.2f}, {0.5f, 0.2f}},
+                                Stroke{{0.5f, 0.2f}, {0.72f, 0.2f}, {0.72f, 0.88f}, {0.98f, 0.88f}}};
+constexpr std::array kLoop{Stroke{{0.02f, 0.92f}, {0.6f, 0.92f}, {0.86f, 0.66f}, {0.82f, 0.4f}},
+                           Stroke{{0.82f, 0.4f}, {0.77f, 0.02f}, {0.23f, 0.02f}, {0.18f, 0.4f}},
                            Stroke{{0.18f, 0.4f}, {0.14f, 0.66f}, {0.4f, 0.92f}, {0.98f, 0.92f}}};
-constexpr std::array kCorkscrew{Stroke{{0.02f, 0.7f}, {0.3f, 0.7f}, {0.62f, 0.62f}, {0.6f, 0.3f}}, Stroke{{0.6f, 0.3f}, {0.58f, 0.1f}, {0.34f, 0.1f}, {0.36f, 0.34f}},
+constexpr std::array kCorkscrew{Stroke{{0.02f, 0.7f}, {0.3f, 0.7f}, {0.62f, 0.62f}, {0.6f, 0.3f}},
+                                Stroke{{0.6f, 0.3f}, {0.58f, 0.1f}, {0.34f, 0.1f}, {0.36f, 0.34f}},
                                 Stroke{{0.36f, 0.34f}, {0.4f, 0.75f}, {0.7f, 0.85f}, {0.98f, 0.85f}}};
-constexpr std::array kReset{Stroke{{0.26f, 0.24f}, {0.6f, -0.02f}, {0.98f, 0.26f}, {0.9f, 0.62f}}, Stroke{{0.9f, 0.62f}, {0.78f, 1.02f}, {0.2f, 1.02f}, {0.1f, 0.6f}},
+constexpr std::array kReset{Stroke{{0.26f, 0.24f}, {0.6f, -0.02f}, {0.98f, 0.26f}, {0.9f, 0.62f}},
+                            Stroke{{0.9f, 0.62f}, {0.78f, 1.02f}, {0.2f, 1.02f}, {0.1f, 0.6f}},
                             line({0.26f, 0.24f}, {0.24f, 0.0f}), line({0.26f, 0.24f}, {0.5f, 0.3f})};
 
 std::span<const Stroke> strokes_of(Icon icon) {
@@ -76,7 +84,9 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 low, float size, ImU32 colour
   const float thick = std::max(1.25f, size * 0.1f);
   for (const Stroke& s : strokes_of(icon)) list.AddBezierCubic(at(s.p0), at(s.p1), at(s.p2), at(s.p3), colour, thick);
   const bool triangle = icon == Icon::play || icon == Icon::step;
-  if (triangle) list.AddTriangleFilled(at({0.14f, 0.06f}), at({0.14f, 0.94f}), at({icon == Icon::play ? 0.94f : 0.7f, 0.5f}), colour);
+  if (triangle)
+    list.AddTriangleFilled(at({0.14f, 0.06f}), at({0.14f, 0.94f}), at({icon == Icon::play ? 0.94f : 0.7f, 0.5f}),
+                           colour);
   if (icon == Icon::step) list.AddRectFilled(at({0.74f, 0.06f}), at({0.92f, 0.94f}), colour);
   if (icon == Icon::pause) {
     list.AddRectFilled(at({0.14f, 0.06f}), at({0.4f, 0.94f}), colour);
@@ -84,10 +94,12 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 low, float size, ImU32 colour
   }
 }
 
-bool icon_button(Ui& ui, Icon icon, std::string_view label, std::string_view tooltip, bool enabled, float width, bool above) {
+bool icon_button(Ui& ui, Icon icon, std::string_view label, std::string_view tooltip, bool enabled, float width,
+                 bool above) {
   if (above) ImGui::PushFont(small_font());
   const ImVec2 padding = ImGui::GetStyle().FramePadding, words = text_size(label);
-  const float small = std::floor(words.y * 0.62f), size = above ? std::floor(words.y * 1.3f) : small, gap = std::floor(words.y * (above ? 0.15f : 0.35f));
+  const float small = std::floor(words.y * 0.62f), size = above ? std::floor(words.y * 1.3f) : small,
+              gap = std::floor(words.y * (above ? 0.15f : 0.35f));
   const float height = words.y + 2 * padding.y + (above ? size + gap : 0);
   ImGui::BeginDisabled(!enabled);
   const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -97,7 +109,8 @@ bool icon_button(Ui& ui, Icon icon, std::string_view label, std::string_view too
   list.PushClipRect(low, {low.x + width, low.y + height}, true);
   if (above) {
     draw_icon(list, icon, {std::floor(low.x + (width - size) / 2), std::floor(low.y + padding.y)}, size, colour);
-    list.AddText({std::floor(low.x + std::max(2.0f, (width - words.x) / 2)), low.y + padding.y + size + gap}, colour, label.data(), label.data() + label.size());
+    list.AddText({std::floor(low.x + std::max(2.0f, (width - words.x) / 2)), low.y + padding.y + size + gap}, colour,
+                 label.data(), label.data() + label.size());
   } else {
     const float left = std::floor(low.x + std::max(2.0f, (width - words.x - gap - size) / 2));
     draw_icon(list, icon, {left, std::floor(low.y + (height - size) / 2)}, size, colour);

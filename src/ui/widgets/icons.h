@@ -13,7 +13,20 @@ namespace coaster::ui {
 
 struct Ui;
 
-enum class Icon : std::uint8_t { play, pause, step, reset, straight, curve, helix, climb, dive, camelback, loop, corkscrew };
+enum class Icon : std::uint8_t {
+  play,
+  pause,
+  step,
+  reset,
+  straight,
+  curve,
+  helix,
+  climb,
+  dive,
+  camelback,
+  loop,
+  corkscrew
+};
 
 Icon icon_of(world::ElementKind kind);
 
@@ -21,6 +34,7 @@ Icon icon_of(world::ElementKind kind);
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 low, float size, ImU32 colour);
 
 // A button as in widgets.h with an icon before its label, or above it, in the small font. width: px.
-bool icon_button(Ui& ui, Icon icon, std::string_view label, std::string_view tooltip, bool enabled, float width, bool above = false);
+bool icon_button(Ui& ui, Icon icon, std::string_view label, std::string_view tooltip, bool enabled, float width,
+                 bool above = false);
 
 }  // namespace coaster::ui

@@ -15,12 +15,31 @@ ImU32 packed(std::uint32_t rgb, float alpha) { return ImGui::ColorConvertFloat4T
 
 namespace {
 
-constexpr Palette kLight{.background = 0xF3F4F6, .raised = 0xE3E6EB, .field = 0xFFFFFF, .border = 0xBCC3CE, .text = 0x1B1F27, .dim = 0x566072,
-                         .accent = 0x1F6FD6, .warning = 0xB26A00, .error = 0xC0322B, .good = 0x2A7F4F, .axis = {0xC0322B, 0x2A7F4F, 0x1F6FD6},
-                         .plot = 0xFCFCFD, .light = true};
+constexpr Palette kLight{.background = 0xF3F4F6,
+                         .raised = 0xE3E6EB,
+                         .field = 0xFFFFFF,
+                         .border = 0xBCC3CE,
+                         .text = 0x1B1F27,
+                         .dim = 0x566072,
+                         .accent = 0x1F6FD6,
+                         .warning = 0xB26A00,
+                         .error = 0xC0322B,
+                         .good = 0x2A7F4F,
+                         .axis = {0xC0322B, 0x2A7F4F, 0x1F6FD6},
+                         .plot = 0xFCFCFD,
+                         .light = true};
 // Text on ground 21 : 1, everything that tells something at least 7 : 1 (WCAG 2.1, level AAA); edges are drawn.
-constexpr Palette kHighContrast{.background = 0x000000, .raised = 0x101010, .field = 0x1E1E1E, .border = 0xC8C8C8, .text = 0xFFFFFF, .dim = 0xE0E0E0,
-                                .accent = 0xFFD400, .warning = 0xFFB000, .error = 0xFF9090, .good = 0x6CF09A, .axis = {0xFF9090, 0x6CF09A, 0x82C4FF},
+constexpr Palette kHighContrast{.background = 0x000000,
+                                .raised = 0x101010,
+                                .field = 0x1E1E1E,
+                                .border = 0xC8C8C8,
+                                .text = 0xFFFFFF,
+                                .dim = 0xE0E0E0,
+                                .accent = 0xFFD400,
+                                .warning = 0xFFB000,
+                                .error = 0xFF9090,
+                                .good = 0x6CF09A,
+                                .axis = {0xFF9090, 0x6CF09A, 0x82C4FF},
                                 .plot = 0x000000};
 
 // Relative luminance, by the weights of WCAG 2.1 with gamma 2.2 for the curve of sRGB: 0 black, 1 white.
@@ -90,7 +109,9 @@ std::uint32_t ink(std::uint32_t rgb) {
   if (grey && bright > kMost) return bright > 0.6f ? palette().text : palette().dim;
   if (bright <= kMost) return rgb;
   const float factor = std::pow(kMost / bright, 1 / 2.2f);
-  const auto darker = [&](std::uint32_t channel) { return static_cast<std::uint32_t>(std::lround(static_cast<float>(channel) * factor)); };
+  const auto darker = [&](std::uint32_t channel) {
+    return static_cast<std::uint32_t>(std::lround(static_cast<float>(channel) * factor));
+  };
   return darker(r) << 16 | darker(g) << 8 | darker(b);
 }
 

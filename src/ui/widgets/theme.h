@@ -23,7 +23,8 @@ const Palette& palette_of(world::Theme theme);
 // Of the current ImGui context, after apply_theme().
 const Palette& palette();
 
-// A colour of data, which is chosen for dark grounds, as it can be told from the ground and read in the current theme: the same hue.
+// A colour of data, which is chosen for dark grounds, as it can be told from the ground and read in the current theme:
+// the same hue.
 std::uint32_t ink(std::uint32_t rgb);
 
 ImVec4 colour(std::uint32_t rgb, float alpha = 1.0f);
@@ -37,8 +38,9 @@ inline constexpr float kTitleFontPixels = 36.0f;  // of whole pages; ASCII alone
 // Colours and sizes of the current ImGui context for `scale`; the palette must outlive it.
 void apply_theme(const Palette& palette, float scale);
 
-// Replaces the fonts of the current context by Inter (or the built-in font where Inter was not embedded) at `scale`. Digits all get the
-// width of the widest, so that numbers stand still. Call outside a frame; the font texture has to be uploaded again after it.
+// Replaces the fonts of the current context by Inter (or the built-in font where Inter was not embedded) at `scale`.
+// Digits all get the width of the widest, so that numbers stand still. Call outside a frame; the font texture has to be
+// uploaded again after it.
 void load_fonts(float scale);
 ImFont* title_font();
 ImFont* small_font();  // of the current context, after load_fonts()

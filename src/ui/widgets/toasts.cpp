@@ -41,19 +41,22 @@ void Toasts::show(edit::NoticeKind what, std::string text, double seconds) {
 void Toasts::draw(const view::Viewport& viewport, float scale, double seconds, bool scripted) const {
   if (shown.empty()) return;
   constexpr double kFade = 0.4;  // s
-  const float alpha = scripted ? 1.0f : static_cast<float>(std::clamp((lifetime(kind) - (seconds - since)) / kFade, 0.0, 1.0));
+  const float alpha =
+      scripted ? 1.0f : static_cast<float>(std::clamp((lifetime(kind) - (seconds - since)) / kFade, 0.0, 1.0));
   const float margin = 12 * scale, pad = 10 * scale, bar = 4 * scale;
   const float room = std::max(40.0f, std::min(520 * scale, viewport.width - 2 * margin) - 2 * pad - bar);
   const ImVec2 size = ImGui::CalcTextSize(shown.c_str(), nullptr, false, room);
   const float width = size.x + 2 * pad + bar, height = size.y + 2 * pad * 0.8f;
-  const ImVec2 low(std::floor(viewport.x + (viewport.width - width) * 0.5f), std::floor(viewport.y + viewport.height - height - margin));
+  const ImVec2 low(std::floor(viewport.x + (viewport.width - width) * 0.5f),
+                   std::floor(viewport.y + viewport.height - height - margin));
   const ImVec2 high(low.x + width, low.y + height);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled(low, high, packed(palette().raised, 0.96f * alpha), 4 * scale);
-  list.AddRectFilled(low, {low.x + bar, high.y}, packed(colour_of(kind), alpha), 4 * scale, ImDrawFlags_RoundCornersLeft);
+  list.AddRectFilled(low, {low.x + bar, high.y}, packed(colour_of(kind), alpha), 4 * scale,
+                     ImDrawFlags_RoundCornersLeft);
   list.AddRect(low, high, packed(palette().border, alpha), 4 * scale);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + bar + pad, low.y + pad * 0.8f}, packed(palette().text, alpha), shown.c_str(),
-               nullptr, room + 1);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + bar + pad, low.y + pad * 0.8f},
+               packed(palette().text, alpha), shown.c_str(), nullptr, room + 1);
 }
 
 }  // namespace coaster::ui

@@ -1,4 +1,5 @@
-// Notices over the bottom of the viewport: the newest one, for some seconds; in scripts (no wall clock) until the next one.
+// Notices over the bottom of the viewport: the newest one, for some seconds; in scripts (no wall clock) until the next
+// one.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace coaster::ui {
 struct Toasts {
   std::string shown;  // "" when none is
   edit::NoticeKind kind = edit::NoticeKind::info;
-  double since = 0;   // s
+  double since = 0;  // s
   std::uint64_t serial = 0;
 
   // Takes the newest notice of the session, and drops what has been shown long enough.

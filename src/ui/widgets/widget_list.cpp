@@ -1,5 +1,5 @@
-// Which widgets a frame had, and which of them can be seen and reached. The same rules as ImGui's own hovering, so that a script that
-// follows them clicks what a person could click.
+// Which widgets a frame had, and which of them can be seen and reached. The same rules as ImGui's own hovering, so that
+// a script that follows them clicks what a person could click.
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -21,7 +21,8 @@ const ImGuiWindow* window_at(ImVec2 pixel) {
   return nullptr;
 }
 
-// Whether an open popup other than the window's own takes the mouse away from it; the menu bar keeps it, but for a modal one.
+// Whether an open popup other than the window's own takes the mouse away from it; the menu bar keeps it, but for a
+// modal one.
 bool behind_popup(const ImGuiWindow* window) {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   bool any = false;
@@ -40,7 +41,8 @@ void WidgetList::clear() {
   windows_.clear();
 }
 
-void WidgetList::add(std::string path, std::string_view kind, glm::vec2 low, glm::vec2 high, bool enabled, std::string value) {
+void WidgetList::add(std::string path, std::string_view kind, glm::vec2 low, glm::vec2 high, bool enabled,
+                     std::string value) {
   const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
   const glm::vec2 middle = (low + high) * 0.5f;
   Widget widget;

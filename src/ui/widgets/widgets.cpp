@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -33,11 +33,12 @@ std::string path_of(const Ui& ui, std::string_view label) {
   return label.empty() ? ui.panel : ui.panel + "/" + std::string(label);
 }
 
-void note(Ui& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled, std::string value, ImVec2 low,
-          ImVec2 high) {
+void note(Ui& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
+          std::string value, ImVec2 low, ImVec2 high) {
   std::string path = path_of(ui, label);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const bool over = ImGui::IsWindowHovered() && mouse.x >= low.x && mouse.y >= low.y && mouse.x < high.x && mouse.y < high.y;
+  const bool over =
+      ImGui::IsWindowHovered() && mouse.x >= low.x && mouse.y >= low.y && mouse.x < high.x && mouse.y < high.y;
   if (over && !tooltip.empty() && !ImGui::IsAnyMouseDown()) {
     ui.rest.next = path;
     if (ui.rest.path == path && ui.rest.seconds > kTooltipRest) show_tooltip(tooltip, ui.scale);
@@ -45,7 +46,8 @@ void note(Ui& ui, std::string_view label, std::string_view kind, std::string_vie
   ui.list.add(std::move(path), kind, {low.x, low.y}, {high.x, high.y}, enabled, std::move(value));
 }
 
-void note_item(Ui& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled, std::string value) {
+void note_item(Ui& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
+               std::string value) {
   note(ui, label, kind, tooltip, enabled, std::move(value), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
 }
 
@@ -57,7 +59,8 @@ void begin_row(Ui&, std::string_view label, float needed) {
   constexpr float kLabelPart = 0.47f;  // of the row, for the label beside a control
   const float start = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
   const float label_room = std::floor(room * kLabelPart);
-  const bool beside = text_size(label).x + ImGui::GetStyle().ItemInnerSpacing.x <= label_room && needed <= room - label_room;
+  const bool beside =
+      text_size(label).x + ImGui::GetStyle().ItemInnerSpacing.x <= label_room && needed <= room - label_room;
   if (beside) ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
   ImGui::TextUnformatted(label.data(), label.data() + label.size());
@@ -68,7 +71,8 @@ void begin_row(Ui&, std::string_view label, float needed) {
 
 bool header(Ui& ui, std::string_view name, std::string_view tooltip, bool at_first) {
   const std::string label(name);
-  if (ImGui::GetCursorPosY() > 2 * ImGui::GetStyle().WindowPadding.y) ImGui::Dummy({0, std::floor(3 * ui.scale)});  // not before the first
+  if (ImGui::GetCursorPosY() > 2 * ImGui::GetStyle().WindowPadding.y)
+    ImGui::Dummy({0, std::floor(3 * ui.scale)});  // not before the first
   const bool open = ImGui::CollapsingHeader(label.c_str(), at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
   note(ui, "", "header", tooltip, true, open ? "open" : "closed", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   return open;
@@ -100,10 +104,12 @@ bool radio(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bo
 }
 
 bool beside_last(Ui& ui, std::string_view label) {
-  const float button = ImGui::GetTextLineHeight() + 2 * std::floor(2 * ui.scale), room = ImGui::GetContentRegionAvail().x;
+  const float button = ImGui::GetTextLineHeight() + 2 * std::floor(2 * ui.scale),
+              room = ImGui::GetContentRegionAvail().x;
   const float start = ImGui::GetCursorPosX(), middle = std::floor(room * 0.5f);
   const float last_end = ImGui::GetItemRectMax().x - ImGui::GetCursorScreenPos().x;
-  if (last_end > middle || middle + button + ImGui::GetStyle().ItemInnerSpacing.x + text_size(label).x > room) return false;
+  if (last_end > middle || middle + button + ImGui::GetStyle().ItemInnerSpacing.x + text_size(label).x > room)
+    return false;
   ImGui::SameLine(start + middle);
   return true;
 }
@@ -120,12 +126,14 @@ std::optional<bool> checkbox(Ui& ui, std::string_view label, bool on, std::strin
   return wanted;
 }
 
-std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice> choices, int current, std::string_view tooltip,
-                         bool may_cut) {
+std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice> choices, int current,
+                         std::string_view tooltip, bool may_cut) {
   float widest = 0;
   for (const Choice& choice : choices) widest = std::max(widest, text_size(choice.label).x);
   begin_row(ui, label, may_cut ? 0 : widest + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight());
-  const std::string preview = current >= 0 && current < static_cast<int>(choices.size()) ? choices[static_cast<std::size_t>(current)].label : "";
+  const std::string preview = current >= 0 && current < static_cast<int>(choices.size())
+                                  ? choices[static_cast<std::size_t>(current)].label
+                                  : "";
   // Once the list is open, ImGui's last item is the list's: the box has to be known before.
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const ImVec2 high(low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight());
@@ -145,9 +153,11 @@ std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice>
   return chosen;
 }
 
-void read_out(Ui& ui, std::string_view label, std::string_view value, std::string_view unit, std::string_view tooltip, bool warns) {
+void read_out(Ui& ui, std::string_view label, std::string_view value, std::string_view unit, std::string_view tooltip,
+              bool warns) {
   const ImVec2 start = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x, gap = std::floor(5 * ui.scale), line = ImGui::GetTextLineHeight();
+  const float room = ImGui::GetContentRegionAvail().x, gap = std::floor(5 * ui.scale),
+              line = ImGui::GetTextLineHeight();
   const float value_width = text_size(value).x + (unit.empty() ? 0 : gap + text_size(unit).x);
   // Units share one column, so that the numbers before them end on one edge.
   const float unit_room = unit.empty() ? 0 : std::max(text_size(unit).x, std::floor(38 * ui.scale)) + gap;
@@ -161,13 +171,15 @@ void read_out(Ui& ui, std::string_view label, std::string_view value, std::strin
   const float edge = unit.empty() ? right : column ? right - unit_room : right - text_size(unit).x - gap;
   if (value_width > room) {  // too long for any line: wrapped below its label
     const ImVec2 block = ImGui::CalcTextSize(value.data(), value.data() + value.size(), false, room);
-    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {start.x, top}, ink, value.data(), value.data() + value.size(), room);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {start.x, top}, ink, value.data(), value.data() + value.size(),
+                 room);
     ImGui::Dummy({room, line + block.y});
     note_item(ui, label, "label", tooltip, true, std::string(value));
     return;
   }
   list.AddText({std::floor(edge - text_size(value).x), top}, ink, value.data(), value.data() + value.size());
-  if (!unit.empty()) list.AddText({std::floor(edge + gap), top}, packed(palette().dim), unit.data(), unit.data() + unit.size());
+  if (!unit.empty())
+    list.AddText({std::floor(edge + gap), top}, packed(palette().dim), unit.data(), unit.data() + unit.size());
   ImGui::Dummy({room, stacked ? 2 * line : line});
   note_item(ui, label, "label", tooltip, true, std::string(value) + (unit.empty() ? "" : " " + std::string(unit)));
 }
@@ -189,7 +201,8 @@ std::optional<query::Value> value_of(const Ui& ui, std::string_view name, std::s
   return *result;
 }
 
-void read_query(Ui& ui, std::string_view label, std::string_view name, std::string_view argument, std::string_view tooltip, Shown shown) {
+void read_query(Ui& ui, std::string_view label, std::string_view name, std::string_view argument,
+                std::string_view tooltip, Shown shown) {
   const query::Query* row = query::find_query(name);
   const std::string unit = shown.unit != nullptr ? shown.unit : row != nullptr ? std::string(row->unit) : "";
   std::string words = "--";

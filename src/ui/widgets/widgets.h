@@ -1,5 +1,6 @@
-// Thin wrappers over Dear ImGui's widgets. Each lays out a row (label left, control right; label above where both do not fit), shows a
-// tooltip, and registers itself under "Panel/Label" so that scripts find it. None changes state: they return what the user wants.
+// Thin wrappers over Dear ImGui's widgets. Each lays out a row (label left, control right; label above where both do
+// not fit), shows a tooltip, and registers itself under "Panel/Label" so that scripts find it. None changes state: they
+// return what the user wants.
 #pragma once
 
 #include <array>
@@ -19,7 +20,8 @@ namespace coaster::ui {
 class WidgetList {
  public:
   void clear();
-  // A widget over [low, high) of the window being built; whether it can be seen follows from the window's clip rectangle.
+  // A widget over [low, high) of the window being built; whether it can be seen follows from the window's clip
+  // rectangle.
   void add(std::string path, std::string_view kind, glm::vec2 low, glm::vec2 high, bool enabled, std::string value);
   // After ImGui::Render(): finds the covered ones.
   void finish();
@@ -64,38 +66,43 @@ struct Ui {
   Rest& rest;
   Toasts& toasts;
   LabCache& lab;
-  std::string& file;           // the path in Track/File
-  double& radius;              // the number in Shape/Radius, m
+  std::string& file;  // the path in Track/File
+  double& radius;     // the number in Shape/Radius, m
   Dialogs& dialogs;
   StartScreen& start;
   const KeyMap& keys;
-  std::string_view renderer;   // GL_RENDERER
+  std::string_view renderer;  // GL_RENDERER
   float scale = 1;
-  std::string panel;           // first part of the paths
+  std::string panel;  // first part of the paths
 
   const edit::Session& session() const { return state.session; }
   template <class C>
-  void emit(C command) { out.commands.push_back(edit::Command(std::move(command))); }
+  void emit(C command) {
+    out.commands.push_back(edit::Command(std::move(command)));
+  }
 };
 
 glm::vec2 mouse_position();  // px
 
 // Registers the last item of ImGui and shows its tooltip when the mouse rests on it.
-void note_item(Ui& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled, std::string value = {});
+void note_item(Ui& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
+               std::string value = {});
 
 // True while open; `open`: at first.
 bool header(Ui& ui, std::string_view name, std::string_view tooltip, bool open = true);
 void heading(Ui& ui, std::string_view text, std::string_view tooltip);
 bool button(Ui& ui, std::string_view label, std::string_view tooltip, bool enabled = true, float width = 0);
 bool radio(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled = true);
-// Whether a radio button or checkbox with this label fits beside the last one, from the row's middle on; moves there when it does.
+// Whether a radio button or checkbox with this label fits beside the last one, from the row's middle on; moves there
+// when it does.
 bool beside_last(Ui& ui, std::string_view label);
 std::optional<bool> checkbox(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled = true);
 
 struct Choice {
   std::string label, tooltip;
 };
-std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice> choices, int current, std::string_view tooltip,
+std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice> choices, int current,
+                         std::string_view tooltip,
                          bool may_cut = false);  // may_cut: beside its label even where the widest choice is cut
 
 struct Number {
@@ -107,24 +114,29 @@ struct Number {
   double largest = 3.4028234663852886e38;  // typed numbers beyond it become it: the command's clamp then says "limit"
 };
 // A field to drag, or to click and type in. Returns a new value: during a drag inside a gesture, or once when typed.
-std::optional<double> number(Ui& ui, std::string_view label, const Number& number, std::string_view tooltip, bool enabled = true);
+std::optional<double> number(Ui& ui, std::string_view label, const Number& number, std::string_view tooltip,
+                             bool enabled = true);
 // Fields in a row without labels of their own, "Group/name": x, y, z. Returns the changed one.
 struct Changed {
   int index;
   double value;
 };
-std::optional<Changed> numbers(Ui& ui, std::string_view group, std::span<const std::string_view> names, std::span<const Number> values,
-                               std::string_view tooltip);
+std::optional<Changed> numbers(Ui& ui, std::string_view group, std::span<const std::string_view> names,
+                               std::span<const Number> values, std::string_view tooltip);
 // A whole number on a (logarithmic) bar; Ctrl+click or a double click types it.
-std::optional<int> slider(Ui& ui, std::string_view label, int value, int low, int high, bool logarithmic, std::string_view tooltip);
+std::optional<int> slider(Ui& ui, std::string_view label, int value, int low, int high, bool logarithmic,
+                          std::string_view tooltip);
 // The same for a real number, shown with and rounded to `decimals`.
-std::optional<double> real_slider(Ui& ui, std::string_view label, double value, double low, double high, int decimals, std::string_view tooltip);
+std::optional<double> real_slider(Ui& ui, std::string_view label, double value, double low, double high, int decimals,
+                                  std::string_view tooltip);
 // A line of text; returns it when Enter is pressed or the field is left changed.
 std::optional<std::string> text(Ui& ui, std::string_view label, const std::string& value, std::string_view tooltip);
 
 // Label left, value with its unit right; in the colour of warnings where it `warns`.
-void read_out(Ui& ui, std::string_view label, std::string_view value, std::string_view unit, std::string_view tooltip, bool warns = false);
-// The same for a query's value, with `decimals`; "--" where it has none or (times) where a script runs. `factor` converts units.
+void read_out(Ui& ui, std::string_view label, std::string_view value, std::string_view unit, std::string_view tooltip,
+              bool warns = false);
+// The same for a query's value, with `decimals`; "--" where it has none or (times) where a script runs. `factor`
+// converts units.
 struct Shown {
   int decimals = 2;
   const char* unit = nullptr;  // null: the query's
@@ -132,7 +144,8 @@ struct Shown {
   bool is_time = false;
   bool warns = false;
 };
-void read_query(Ui& ui, std::string_view label, std::string_view query, std::string_view argument, std::string_view tooltip, Shown shown = {});
+void read_query(Ui& ui, std::string_view label, std::string_view query, std::string_view argument,
+                std::string_view tooltip, Shown shown = {});
 
 // The value of a query, or nothing.
 std::optional<query::Value> value_of(const Ui& ui, std::string_view query, std::string_view argument = {});

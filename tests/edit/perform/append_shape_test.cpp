@@ -64,8 +64,9 @@ TEST_F(ClickingPoints, a_point_straight_above_has_a_level_up) {
 }
 
 TEST_F(ClickingPoints, a_gap_shorter_than_the_ends_handles_is_closed_without_folding_back) {
-  for (const char* line : {"element straight length 40", "element curve left radius 15 angle 180", "element straight length 90", "element curve left radius 15 angle 180",
-                           "element straight length 40"})
+  for (const char* line :
+       {"element straight length 40", "element curve left radius 15 angle 180", "element straight length 90",
+        "element curve left radius 15 angle 180", "element straight length 40"})
     good(line);
   const double open = session.derived.length;
   const world::Knot& end = world::knot(session.document, session.document.track.knots.back());
@@ -82,7 +83,9 @@ TEST_F(ClickingPoints, a_gap_shorter_than_the_ends_handles_is_closed_without_fol
 }
 
 TEST_F(ClickingPoints, handles_that_suit_the_gap_stay_as_they_are) {
-  for (const char* line : {"element straight length 40", "element curve left radius 15 angle 180", "element straight length 40"}) good(line);
+  for (const char* line :
+       {"element straight length 40", "element curve left radius 15 angle 180", "element straight length 40"})
+    good(line);
   const world::Entity last = session.document.track.knots.back();
   good("lengths @k1 in 19 out 13"), good("lengths @" + world::label_of(session.document, last) + " in 13 out 17");
   good("closed on");

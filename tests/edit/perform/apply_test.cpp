@@ -60,7 +60,8 @@ TEST_F(Applying, exporting_leaves_the_path_and_what_is_unsaved) {
     EXPECT_TRUE(dirty(session));
     EXPECT_EQ(session.path, file("a.json"));
     EXPECT_EQ(apply(Load{file(name)}).code, base::Code::bad_file);
-    EXPECT_NE(session.notices.back().text.find("can only be written; expected a file ending in .json"), std::string::npos);
+    EXPECT_NE(session.notices.back().text.find("can only be written; expected a file ending in .json"),
+              std::string::npos);
   }
   EXPECT_EQ(apply(Save{file("a.nltrack")}).code, base::Code::refused);
   EXPECT_NE(session.notices.back().text.find("can only be read; expected a file ending in .json"), std::string::npos);
@@ -133,12 +134,15 @@ TEST_F(Applying, undoing_everything_returns_to_the_first_document_and_redoing_to
   }
 }
 
-// What costs milliseconds comes less often and in smaller portions: whole rides of up to 900 s (banking, a timetable anew after each edit), steps
-// of up to an hour. Everything still comes: in 100 sessions of 60 commands each of these is done some ten times.
+// What costs milliseconds comes less often and in smaller portions: whole rides of up to 900 s (banking, a timetable
+// anew after each edit), steps of up to an hour. Everything still comes: in 100 sessions of 60 commands each of these
+// is done some ten times.
 bool too_costly(Command& command, test::RandomCommands& random) {
-  if (RideStep* const step = command.as<RideStep>()) step->ticks = std::min(step->ticks, 1 + static_cast<int>(random.below(120)));
+  if (RideStep* const step = command.as<RideStep>())
+    step->ticks = std::min(step->ticks, 1 + static_cast<int>(random.below(120)));
   const auto* const row = command.as<SetIntegrator>();
-  const bool timetable = row && sim::integrators()[static_cast<std::size_t>(row->to.row)].kind == sim::IntegratorKind::timetable;
+  const bool timetable =
+      row && sim::integrators()[static_cast<std::size_t>(row->to.row)].kind == sim::IntegratorKind::timetable;
   return (command.is<AutoBank>() || timetable) && random.below(8) != 0;
 }
 

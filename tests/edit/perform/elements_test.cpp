@@ -16,8 +16,10 @@ class PerformElementsTest : public test::SessionTest {
   void expect_g2() const {
     const auto& segments = session.document.track.segments;
     for (std::size_t i = 1; i < segments.size(); ++i) {
-      const curve::Joint joint = curve::joint(world::cubic_of(session.document, segments[i - 1]), world::cubic_of(session.document, segments[i]));
-      EXPECT_EQ(joint.geometric, curve::Geometric::g2) << world::label_of(session.document, segments[i]) << " jumps by " << joint.curvature_jump;
+      const curve::Joint joint = curve::joint(world::cubic_of(session.document, segments[i - 1]),
+                                              world::cubic_of(session.document, segments[i]));
+      EXPECT_EQ(joint.geometric, curve::Geometric::g2)
+          << world::label_of(session.document, segments[i]) << " jumps by " << joint.curvature_jump;
     }
   }
 };
@@ -28,13 +30,16 @@ TEST_F(PerformElementsTest, an_empty_track_gets_its_first_knots_and_a_cart) {
   EXPECT_EQ(knot(1).position, glm::vec3(0, 2, 0));
   EXPECT_EQ(knot(2).position, glm::vec3(20, 2, 0));
   EXPECT_EQ(session.document.entities.pool<world::Cart>().size(), 1u);
-  EXPECT_NE(session.notices.back().text.find("straight of 1 span, 20 m, within"), std::string::npos) << session.notices.back().text;
+  EXPECT_NE(session.notices.back().text.find("straight of 1 span, 20 m, within"), std::string::npos)
+      << session.notices.back().text;
   EXPECT_EQ(session.settings.selected, entity("k2"));
 }
 
 TEST_F(PerformElementsTest, one_after_the_other_they_make_a_track_whose_every_joint_is_g2) {
-  for (const char* line : {"element straight length 15", "element climb height 30", "element curve right radius 18 angle 180", "element dive height 25", "element camelback height 12 speed 21",
-                           "element loop left", "element corkscrew right height 7", "element helix left radius 14 turns 1.5 height -1"}) {
+  for (const char* line :
+       {"element straight length 15", "element climb height 30", "element curve right radius 18 angle 180",
+        "element dive height 25", "element camelback height 12 speed 21", "element loop left",
+        "element corkscrew right height 7", "element helix left radius 14 turns 1.5 height -1"}) {
     good(line);
     expect_g2();
   }
@@ -82,7 +87,8 @@ TEST_F(PerformElementsTest, it_goes_on_from_a_bent_rolled_and_sloping_end_as_smo
     EXPECT_EQ(knot(3).tangent, tangent) << name;
     EXPECT_EQ(knot(3).up, up) << name;
     const auto& segments = session.document.track.segments;
-    const curve::Joint joint = curve::joint(world::cubic_of(session.document, segments[1]), world::cubic_of(session.document, segments[2]));
+    const curve::Joint joint =
+        curve::joint(world::cubic_of(session.document, segments[1]), world::cubic_of(session.document, segments[2]));
     EXPECT_EQ(joint.geometric, curve::Geometric::g2) << name << " jumps by " << joint.curvature_jump;
     good("undo");
   }
@@ -124,7 +130,8 @@ TEST_F(PerformElementsTest, choosing_shows_the_preview_and_changes_no_document) 
   EXPECT_EQ(session.settings.element.kind, world::ElementKind::loop);
   EXPECT_TRUE(session.settings.element.right);
   EXPECT_EQ(session.settings.element.values[0], 22);
-  EXPECT_EQ(session.settings.element.values[1], world::usual_element(world::ElementKind::loop).values[1]) << "what is not named is usual";
+  EXPECT_EQ(session.settings.element.values[1], world::usual_element(world::ElementKind::loop).values[1])
+      << "what is not named is usual";
   good("element.preview off");
   EXPECT_FALSE(session.settings.show_element);
   EXPECT_EQ(hash(), before);
@@ -134,8 +141,11 @@ TEST_F(PerformElementsTest, choosing_shows_the_preview_and_changes_no_document) 
 TEST_F(PerformElementsTest, elements_read_and_print_in_their_own_words) {
   EXPECT_EQ(print(command("element loop height 20 right")), "element loop right height 20 top 90 shift 3.5");
   EXPECT_EQ(print(command("element dive angle 70 height 40 angle 60")), "element dive height 40 angle 60 radius 22");
-  for (const auto& [line, message] : {std::pair{"element lopo", "did you mean \"loop\""}, {"element dive left", "expected height|angle|radius"},
-                                      {"element loop hight 3", "did you mean \"height\""}, {"element loop height", "a number"}, {"element", "straight|curve"}}) {
+  for (const auto& [line, message] : {std::pair{"element lopo", "did you mean \"loop\""},
+                                      {"element dive left", "expected height|angle|radius"},
+                                      {"element loop hight 3", "did you mean \"height\""},
+                                      {"element loop height", "a number"},
+                                      {"element", "straight|curve"}}) {
     std::vector<base::Token> tokens;
     base::TextError error;
     ASSERT_TRUE(base::tokenise(line, tokens, error));

@@ -19,9 +19,12 @@ using world::Knot;
 
 curve::Joint class_at(const Document& d, std::size_t index) {
   const std::size_t count = d.track.segments.size();
-  return curve::joint(world::cubic_of(d, d.track.segments[(index + count - 1) % count]), world::cubic_of(d, d.track.segments[index % count]));
+  return curve::joint(world::cubic_of(d, d.track.segments[(index + count - 1) % count]),
+                      world::cubic_of(d, d.track.segments[index % count]));
 }
-bool joins(const Document& d, std::size_t index) { return d.track.closed || (index > 0 && index + 1 < d.track.knots.size()); }
+bool joins(const Document& d, std::size_t index) {
+  return d.track.closed || (index > 0 && index + 1 < d.track.knots.size());
+}
 
 // Like a person's track: knots about 17 m apart along a wavy way, crooked directions and lengths, kinds as asked.
 Document wavy_track(std::uint32_t seed, bool closed, int knots = 9) {
@@ -31,11 +34,13 @@ Document wavy_track(std::uint32_t seed, bool closed, int knots = 9) {
   for (int i = 0; i < knots; ++i) {
     const double a = 2 * M_PI * i / knots, radius = 17.3 * knots / (2 * M_PI);
     // Braces: they fix the order of the draws, so every compiler gets the same track.
-    const glm::dvec3 place{213.7 + radius * std::cos(a) + uniform(-2, 2), 31.1 + 4 * std::sin(3 * a) + uniform(-2, 2), -91.9 - radius * std::sin(a) + uniform(-2, 2)};
+    const glm::dvec3 place{213.7 + radius * std::cos(a) + uniform(-2, 2), 31.1 + 4 * std::sin(3 * a) + uniform(-2, 2),
+                           -91.9 - radius * std::sin(a) + uniform(-2, 2)};
     const glm::dvec3 way{-std::sin(a) + uniform(-0.2, 0.2), uniform(-0.3, 0.3), -std::cos(a) + uniform(-0.2, 0.2)};
     const auto kind = static_cast<JointKind>(bits() % 3);
     const auto in = static_cast<float>(uniform(4, 8)), out = static_cast<float>(uniform(4, 8));
-    world::append_knot(d, test::skew_knot(glm::vec3(place), glm::vec3(way), kind == JointKind::smooth ? out : in, out, kind));
+    world::append_knot(
+        d, test::skew_knot(glm::vec3(place), glm::vec3(way), kind == JointKind::smooth ? out : in, out, kind));
   }
   if (closed) world::set_closed(d, true);
   world::settle_joints(d);
@@ -112,7 +117,8 @@ TEST(joint_repair, moves_less_than_turning_the_tangent_alone) {
 }
 
 TEST(joint_repair, a_c2_joint_stays_c2) {
-  // Splitting in the middle twice gives joints that are C2; the one between the halves is left alone when its neighbour is repaired.
+  // Splitting in the middle twice gives joints that are C2; the one between the halves is left alone when its neighbour
+  // is repaired.
   Document d = wavy_track(3, true);
   for (const world::Entity e : d.track.knots) d.entities.get<Knot>(e).joint = JointKind::aligned;
   const world::SplitResult split = world::split_segment(d, d.track.segments[2], 0.5, {0, 1, 0});
@@ -126,7 +132,8 @@ TEST(joint_repair, a_c2_joint_stays_c2) {
 
 TEST(joint_repair, a_straight_into_a_bend_is_repaired_or_refused_but_never_bent_where_it_is_straight_on) {
   Document d;
-  for (const float x : {0.0f, 15.0f, 30.0f}) world::append_knot(d, test::skew_knot({103.3f + x, 21.7f, 7.7f}, {1, 0, 0}, 5, 5));
+  for (const float x : {0.0f, 15.0f, 30.0f})
+    world::append_knot(d, test::skew_knot({103.3f + x, 21.7f, 7.7f}, {1, 0, 0}, 5, 5));
   world::append_knot(d, test::skew_knot({143.3f, 21.7f, -7.7f}, {0.1f, 0, -1}, 6, 6));
   ASSERT_EQ(class_at(d, 1).geometric, Geometric::g2);
   ASSERT_EQ(class_at(d, 2).geometric, Geometric::g1);

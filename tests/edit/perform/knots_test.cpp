@@ -106,8 +106,8 @@ TEST_F(ShapingKnots, numbers_that_are_not_finite_are_refused) {
 
 TEST_F(ShapingKnots, names_that_are_not_there_are_refused) {
   for (const std::string name : {"@k9", "@s1", "@c1", "none"})
-    for (const std::string rest : {"move # to 1 2 3", "direct # to 1 2 3", "lengths # in 1 out 2",
-                                   "roll # to 3", "joint # to smooth"}) {
+    for (const std::string rest :
+         {"move # to 1 2 3", "direct # to 1 2 3", "lengths # in 1 out 2", "roll # to 3", "joint # to smooth"}) {
       std::string line = rest;
       refused(line.replace(line.find('#'), 1, name),
               name == "@k9" ? "there is no knot @k9" : "expected a knot, found " + name);

@@ -53,8 +53,7 @@ TEST_F(EditingUnderCarts, removing_a_knot_hands_carts_to_the_survivor_at_the_sam
   const world::Entity knot = world::segment(session.document, before.segment).from;
   ASSERT_TRUE(apply(RemoveKnot{{world::name_of(session.document, knot)}}));
   EXPECT_EQ(cart("c1").segment, survivor);
-  EXPECT_NEAR(cart("c1").s / session.derived.shape(survivor).arc.length(),
-              (first + before.s) / (first + second), 1e-9);
+  EXPECT_NEAR(cart("c1").s / session.derived.shape(survivor).arc.length(), (first + before.s) / (first + second), 1e-9);
 }
 
 TEST_F(EditingUnderCarts, undo_of_a_removal_takes_carts_back_to_their_distance) {
@@ -63,9 +62,8 @@ TEST_F(EditingUnderCarts, undo_of_a_removal_takes_carts_back_to_their_distance) 
       session.derived.starts[*world::index_of(session.derived.order, cart("c1").segment)] + cart("c1").s;
   good("remove @k5");
   good("undo");
-  EXPECT_NEAR(
-      session.derived.starts[*world::index_of(session.derived.order, cart("c1").segment)] + cart("c1").s,
-      distance, 1e-6);
+  EXPECT_NEAR(session.derived.starts[*world::index_of(session.derived.order, cart("c1").segment)] + cart("c1").s,
+              distance, 1e-6);
 }
 
 TEST_F(EditingUnderCarts, a_stopped_ride_shows_carts_as_designed) {

@@ -11,12 +11,28 @@ class ChangingSettings : public test::SessionTest {};
 
 TEST_F(ChangingSettings, settings_touch_neither_document_nor_motion_nor_history) {
   const std::uint64_t before = hash(), motion = world::hash(session.document, session.motion);
-  for (const char* line :
-       {"evaluator bernstein", "resolution 17", "arc_length simpson", "frames_by frenet", "polyline off",
-        "camera target 1 2 3 yaw 10 pitch 20 distance 30", "camera_mode ride", "camera_mode chase", "camera_mode fly",
-        "camera.fly eye 1 2 3 yaw 4 pitch 5", "camera.field_of_view 60", "camera.ride_view 80", "camera.widening 3", "camera.roll_damping 0.5",
-        "camera.chase_distance 20", "camera.head_bob on", "camera.reduced_motion on", "select @k3", "panels off",
-        "append_mode on", "scale 1.5", "vertex_budget 5000"})
+  for (const char* line : {"evaluator bernstein",
+                           "resolution 17",
+                           "arc_length simpson",
+                           "frames_by frenet",
+                           "polyline off",
+                           "camera target 1 2 3 yaw 10 pitch 20 distance 30",
+                           "camera_mode ride",
+                           "camera_mode chase",
+                           "camera_mode fly",
+                           "camera.fly eye 1 2 3 yaw 4 pitch 5",
+                           "camera.field_of_view 60",
+                           "camera.ride_view 80",
+                           "camera.widening 3",
+                           "camera.roll_damping 0.5",
+                           "camera.chase_distance 20",
+                           "camera.head_bob on",
+                           "camera.reduced_motion on",
+                           "select @k3",
+                           "panels off",
+                           "append_mode on",
+                           "scale 1.5",
+                           "vertex_budget 5000"})
     good(line);
   for (const sim::Integrator& row : sim::integrators()) good("integrator " + std::string(row.name));
   EXPECT_EQ(hash(), before);

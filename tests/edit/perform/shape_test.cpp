@@ -32,9 +32,13 @@ world::Document waves(bool closed = false) {
 class Shaping : public test::SessionTest {
  protected:
   Shaping() : SessionTest(waves()) {}
-  const Knot& k(int number) const { return world::knot(session.document, world::find(session.document, {world::Kind::knot, static_cast<std::uint32_t>(number)})); }
+  const Knot& k(int number) const {
+    return world::knot(session.document,
+                       world::find(session.document, {world::Kind::knot, static_cast<std::uint32_t>(number)}));
+  }
   curve::Joint joint_at(int number) const {
-    const auto at = world::neighbours(session.document, world::find(session.document, {world::Kind::knot, static_cast<std::uint32_t>(number)}));
+    const auto at = world::neighbours(
+        session.document, world::find(session.document, {world::Kind::knot, static_cast<std::uint32_t>(number)}));
     return curve::joint(world::cubic_of(session.document, at.before), world::cubic_of(session.document, at.after));
   }
 };
@@ -99,7 +103,10 @@ TEST_F(Shaping, straighten_puts_a_run_on_its_chord) {
     EXPECT_LT(glm::length(off - glm::dot(off, way) * way), 1e-5) << i;
     EXPECT_LT(glm::length(dvec3(k(i).tangent) - way), 1e-6) << i;
   }
-  for (int i = 1; i < 4; ++i) EXPECT_LT(curve::curvature(world::cubic_of(session.document, session.document.track.segments[static_cast<std::size_t>(i)]), 0.3), 1e-5);
+  for (int i = 1; i < 4; ++i)
+    EXPECT_LT(curve::curvature(
+                  world::cubic_of(session.document, session.document.track.segments[static_cast<std::size_t>(i)]), 0.3),
+              1e-5);
   refused("straighten @k2,@k5", "two neighbouring knots");
 }
 
@@ -107,7 +114,8 @@ TEST_F(Shaping, radius_is_what_was_asked_for_on_both_sides) {
   good("smooth all");
   good("radius @k3,@k4,@k6 to 17.5");
   for (const int i : {3, 4, 6}) {
-    const auto at = world::neighbours(session.document, world::find(session.document, {world::Kind::knot, static_cast<std::uint32_t>(i)}));
+    const auto at = world::neighbours(
+        session.document, world::find(session.document, {world::Kind::knot, static_cast<std::uint32_t>(i)}));
     EXPECT_NEAR(1 / curve::curvature(world::cubic_of(session.document, at.before), 1), 17.5, 1e-3) << i;
     EXPECT_NEAR(1 / curve::curvature(world::cubic_of(session.document, at.after), 0), 17.5, 1e-3) << i;
   }
@@ -155,8 +163,10 @@ TEST_F(Shaping, selecting_many_keeps_the_last_named_active_and_forgets_the_dead)
 }
 
 TEST_F(Shaping, every_one_of_them_is_one_step_of_undo) {
-  for (const char* line : {"smooth all", "equalise all", "straighten @k2,@k3,@k4", "drop all", "radius @k4 to 30", "align all axis x to 3", "mirror all across 1 0 0 about 0 0 0",
-                           "translate @k2,@k3 by 1 2 3", "rotate all by 30 about 0 0 0", "scale_knots all by 1 2 1 about 0 0 0", "reverse", "duplicate @k2,@k3", "close within 0"}) {
+  for (const char* line :
+       {"smooth all", "equalise all", "straighten @k2,@k3,@k4", "drop all", "radius @k4 to 30", "align all axis x to 3",
+        "mirror all across 1 0 0 about 0 0 0", "translate @k2,@k3 by 1 2 3", "rotate all by 30 about 0 0 0",
+        "scale_knots all by 1 2 1 about 0 0 0", "reverse", "duplicate @k2,@k3", "close within 0"}) {
     start_on(waves());
     good("lengths @k3 in 2 out 7");
     const world::Document before = session.document;

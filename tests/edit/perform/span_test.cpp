@@ -26,11 +26,13 @@ TEST_F(Spans, reversing_keeps_every_point_and_twice_is_nothing_but_the_carts_ord
   std::vector<dvec3> points;
   for (int i = 0; i <= 20; ++i) points.push_back(point_at(session, length * i / 20));
   good("reverse");
-  for (int i = 0; i <= 20; ++i) EXPECT_LT(glm::length(point_at(session, length * (20 - i) / 20) - points[static_cast<std::size_t>(i)]), 1e-4) << i;
+  for (int i = 0; i <= 20; ++i)
+    EXPECT_LT(glm::length(point_at(session, length * (20 - i) / 20) - points[static_cast<std::size_t>(i)]), 1e-4) << i;
   good("reverse");
   EXPECT_EQ(session.document.track, before.track);
   for (const Entity e : before.track.knots) EXPECT_EQ(world::knot(session.document, e), world::knot(before, e));
-  for (const Entity e : before.track.segments) EXPECT_EQ(world::segment(session.document, e), world::segment(before, e));
+  for (const Entity e : before.track.segments)
+    EXPECT_EQ(world::segment(session.document, e), world::segment(before, e));
 }
 
 TEST_F(Spans, reversing_keeps_the_twist_of_every_segment) {
@@ -52,7 +54,9 @@ TEST_F(Spans, a_train_stands_on_the_same_rails_after_reversing) {
     return session.derived.starts[i] + c.fraction * (session.derived.starts[i + 1] - session.derived.starts[i]);
   };
   const double length = session.derived.length;
-  const auto wrapped = [&](double d) { return session.derived.closed ? d - length * std::floor(d / length) : std::max(d, 0.0); };
+  const auto wrapped = [&](double d) {
+    return session.derived.closed ? d - length * std::floor(d / length) : std::max(d, 0.0);
+  };
   const dvec3 first = point_at(session, front()), last = point_at(session, wrapped(front() - 4));
   good("reverse");
   EXPECT_LT(glm::length(point_at(session, front()) - last), 1e-3);
@@ -63,7 +67,9 @@ TEST_F(Spans, a_running_train_goes_on_the_same_way_through_space) {
   good("ride.start");
   advance(session, 60);
   const auto& cart = session.motion.carts.items()[0];
-  const auto place = [&] { return point_at(session, session.derived.starts[*world::index_of(session.derived.order, cart.segment)] + cart.s); };
+  const auto place = [&] {
+    return point_at(session, session.derived.starts[*world::index_of(session.derived.order, cart.segment)] + cart.s);
+  };
   const dvec3 before = place();
   const double speed = cart.speed;
   good("reverse");
@@ -77,7 +83,8 @@ TEST_F(Spans, a_split_or_opened_track_keeps_its_trains_cars) {
   const Entity cart = world::first_cart(session.document);
   good("train @" + world::label_of(session.document, cart) + " cars 4 spacing 2.5 length 2 mass 800");
   const auto cars = [&] { return session.document.entities.get<world::Cart>(cart).cars; };
-  good("split @" + world::label_of(session.document, session.document.entities.get<world::Cart>(cart).segment) + " at 0.5");
+  good("split @" + world::label_of(session.document, session.document.entities.get<world::Cart>(cart).segment) +
+       " at 0.5");
   EXPECT_EQ(cars(), 4);
   good("remove @" + world::label_of(session.document, session.settings.selected));
   EXPECT_EQ(cars(), 4);
@@ -110,16 +117,19 @@ TEST_F(Spans, a_duplicate_is_the_same_shape_at_the_end) {
   ASSERT_EQ(session.document.track.knots.size(), 6u);
   EXPECT_NEAR(session.derived.shape(session.derived.order[3]).arc.length(), lengths[1], 1e-4);
   EXPECT_NEAR(session.derived.shape(session.derived.order[4]).arc.length(), lengths[2], 1e-4);
-  EXPECT_NEAR(session.derived.shape(session.derived.order[3]).twist, session.derived.shape(session.derived.order[1]).twist, 1e-4);
+  EXPECT_NEAR(session.derived.shape(session.derived.order[3]).twist,
+              session.derived.shape(session.derived.order[1]).twist, 1e-4);
   EXPECT_EQ(world::segment(session.document, session.document.track.segments[3]).turns, 1);
   EXPECT_TRUE(session.document.entities.find<world::Equipment>(session.document.track.segments[3]));
   EXPECT_FALSE(session.document.entities.find<world::Equipment>(session.document.track.segments[4]));
   EXPECT_EQ(world::selected_knots(session.document, session.settings).size(), 2u);
-  // Curvature and torsion are those of the original: compare distances from the span's start, which a rigid motion keeps.
+  // Curvature and torsion are those of the original: compare distances from the span's start, which a rigid motion
+  // keeps.
   const double start = session.derived.starts[1], copy = session.derived.starts[3];
   for (int i = 1; i <= 10; ++i) {
     const double d = i * 0.1 * (lengths[1] + lengths[2]);
-    EXPECT_NEAR(glm::length(point_at(session, start + d) - point_at(session, start)), glm::length(point_at(session, copy + d) - point_at(session, copy)), 1e-3);
+    EXPECT_NEAR(glm::length(point_at(session, start + d) - point_at(session, start)),
+                glm::length(point_at(session, copy + d) - point_at(session, copy)), 1e-3);
   }
   refused("duplicate @k1,@k3", "neighbouring");
   good("closed on");

@@ -32,8 +32,7 @@ TEST_F(ChangingTrack, a_split_keeps_length_shape_and_frames) {
 TEST_F(ChangingTrack, a_split_wants_a_place_inside) {
   refused("split @s1 at 0", "between 0 and 1");
   refused("split @s1 at 1", "between 0 and 1");
-  refused(SplitSegment{{{world::Kind::segment, 1}}, std::numeric_limits<double>::quiet_NaN()},
-          "between 0 and 1");
+  refused(SplitSegment{{{world::Kind::segment, 1}}, std::numeric_limits<double>::quiet_NaN()}, "between 0 and 1");
   refused("split @s1 at 0.0001", "handle would leave the limits of 0.01 to 10000 m");
   refused("split @s9 at 0.5", "there is no segment @s9");
 }
@@ -42,8 +41,7 @@ TEST_F(ChangingTrack, add_curve_splits_the_longest_segment_in_the_middle) {
   world::Entity longest;
   double most = 0;
   for (const world::Entity e : session.document.track.segments)
-    if (const double l = curve::arc_length(world::cubic_of(session.document, e)); l > most)
-      most = l, longest = e;
+    if (const double l = curve::arc_length(world::cubic_of(session.document, e)); l > most) most = l, longest = e;
   const auto place = *world::index_of(session.document.track.segments, longest);
   good("add_curve");
   const auto& order = session.document.track.segments;

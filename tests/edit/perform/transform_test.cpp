@@ -40,7 +40,8 @@ TEST_F(Transforming, anew_replaces_what_the_gesture_did_before) {
   good("translate all by 2 0 0 anew on");
   good("gesture.end");
   const std::vector<Knot> after = knots();
-  for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i].position, glm::vec3(dvec3(before[i].position) + dvec3(2, 0, 0)));
+  for (std::size_t i = 0; i < after.size(); ++i)
+    EXPECT_EQ(after[i].position, glm::vec3(dvec3(before[i].position) + dvec3(2, 0, 0)));
   for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i].tangent, before[i].tangent);
 }
 

@@ -27,9 +27,7 @@ TEST_F(HistoryOfEdits, a_new_edit_empties_the_redo_stack) {
   refused("redo", "nothing to redo");
 }
 
-TEST_F(HistoryOfEdits, nothing_to_undo_is_refused) {
-  refused("undo", "nothing to undo");
-}
+TEST_F(HistoryOfEdits, nothing_to_undo_is_refused) { refused("undo", "nothing to undo"); }
 
 TEST_F(HistoryOfEdits, a_command_that_changes_nothing_is_no_step) {
   good("datum -1.7");

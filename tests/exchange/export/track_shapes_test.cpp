@@ -28,7 +28,8 @@ world::Document closed_document() {
 // How far a point is from the track's exact curve.
 double off_track(const world::Document& d, glm::vec3 p) {
   double least = 1e9;
-  for (const world::Entity s : d.track.segments) least = std::min(least, curve::nearest_point(world::cubic_of(d, s), glm::dvec3(p)).distance);
+  for (const world::Entity s : d.track.segments)
+    least = std::min(least, curve::nearest_point(world::cubic_of(d, s), glm::dvec3(p)).distance);
   return least;
 }
 
@@ -94,8 +95,11 @@ TEST(Obj, has_the_swept_track_and_the_centre_line) {
       sim::build_support_mesh(*supports.of(s), mesh);
       triangles += mesh.indices.size(), vertices += mesh.vertices.size();
     }
-    const auto size_of = [&](const char* group) { return obj.faces.count(group) != 0 ? obj.faces.at(group).size() : 0; };
-    EXPECT_EQ(size_of("rails") + size_of("spine") + size_of("ties") + size_of("supports") + size_of("concrete"), triangles);
+    const auto size_of = [&](const char* group) {
+      return obj.faces.count(group) != 0 ? obj.faces.at(group).size() : 0;
+    };
+    EXPECT_EQ(size_of("rails") + size_of("spine") + size_of("ties") + size_of("supports") + size_of("concrete"),
+              triangles);
     for (const char* group : {"supports", "concrete"}) EXPECT_GT(volume(obj.v, obj.faces.at(group)), 0);
     EXPECT_GT(supports.count(), 0);
     EXPECT_EQ(size_of("equipment"), 0u);
@@ -104,7 +108,8 @@ TEST(Obj, has_the_swept_track_and_the_centre_line) {
     for (const glm::vec3 n : obj.vn) ASSERT_NEAR(glm::length(n), 1, 1e-5);
     // Two tubes of octagons along the track; the bends make their lengths differ from the curve's a little.
     const double octagon = 2 * std::sqrt(2.0), length = derived.length;
-    EXPECT_NEAR(volume(obj.v, obj.faces.at("rails")), 2 * octagon * sim::kRailRadius * sim::kRailRadius * length, 0.03 * length * sim::kRailRadius);
+    EXPECT_NEAR(volume(obj.v, obj.faces.at("rails")), 2 * octagon * sim::kRailRadius * sim::kRailRadius * length,
+                0.03 * length * sim::kRailRadius);
     EXPECT_GT(volume(obj.v, obj.faces.at("spine")), 0);
     EXPECT_GT(volume(obj.v, obj.faces.at("ties")), 0);
     ASSERT_GT(obj.line.size(), 10u);
@@ -145,7 +150,8 @@ struct Gltf {
   // The bytes are cut out before the rest is read as JSON, which takes its time with a text of megabytes.
   explicit Gltf(const std::string& text) {
     const std::string head = "data:application/octet-stream;base64,";
-    const std::size_t at = text.find(head), from = at == std::string::npos ? text.size() : at + head.size(), to = std::min(text.find('"', from), text.size());
+    const std::size_t at = text.find(head), from = at == std::string::npos ? text.size() : at + head.size(),
+                      to = std::min(text.find('"', from), text.size());
     base::Result<Json> tree = read_json(text.substr(0, from) + text.substr(to), "glTF");
     if (!tree) throw std::runtime_error(tree.status().message);
     file = std::move(*tree);
@@ -289,7 +295,8 @@ TEST(Shapes, random_tracks_have_finite_numbers_alone) {
     const Gltf gltf(print_gltf(d));
     for (const Json& mesh : gltf.file.value("meshes", Json::array()))
       for (const Json& primitive : mesh["primitives"])
-        EXPECT_TRUE(std::ranges::all_of(gltf.positions(primitive), [](glm::vec3 p) { return std::isfinite(p.x + p.y + p.z); }));
+        EXPECT_TRUE(
+            std::ranges::all_of(gltf.positions(primitive), [](glm::vec3 p) { return std::isfinite(p.x + p.y + p.z); }));
     for (const std::string& text : {print_obj(d), print_svg(d)}) EXPECT_EQ(text.find("inf"), std::string::npos);
   }
 }

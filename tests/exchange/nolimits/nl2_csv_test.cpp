@@ -14,10 +14,14 @@ namespace coaster::exchange {
 namespace nl2_csv_test {
 
 constexpr std::string_view kHeader =
-    "\"No.\"\t\"PosX\"\t\"PosY\"\t\"PosZ\"\t\"FrontX\"\t\"FrontY\"\t\"FrontZ\"\t\"LeftX\"\t\"LeftY\"\t\"LeftZ\"\t\"UpX\"\t\"UpY\"\t\"UpZ\"\n";
+    "\"No."
+    "\"\t\"PosX\"\t\"PosY\"\t\"PosZ\"\t\"FrontX\"\t\"FrontY\"\t\"FrontZ\"\t\"LeftX\"\t\"LeftY\"\t\"LeftZ\"\t\"UpX\"\t\""
+    "UpY\"\t\"UpZ\"\n";
 
 // Straight along X: Left is Up x Front.
-std::string row(int number, double x, const std::string& rest = "1.000000\t-0.000000\t0.000000\t0.000000\t0.000000\t-1.000000\t0.000000\t1.000000\t0.000000") {
+std::string row(int number, double x,
+                const std::string& rest =
+                    "1.000000\t-0.000000\t0.000000\t0.000000\t0.000000\t-1.000000\t0.000000\t1.000000\t0.000000") {
   return std::to_string(number) + "\t" + std::to_string(x) + "\t12.345678\t-9.876543\t" + rest + "\n";
 }
 std::string rows(int count) {
@@ -26,7 +30,8 @@ std::string rows(int count) {
   return text;
 }
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
   return text;
 }
 void expect_error(const std::string& text, const std::string& expected) {
@@ -46,8 +51,9 @@ std::vector<sim::FitRow> rows_of(const std::string& text) {
   std::istringstream in(text.substr(text.find('\n') + 1));
   std::vector<sim::FitRow> found;
   glm::dvec3 left;
-  for (sim::FitRow r; in.ignore(20, '\t') && in >> r.position.x >> r.position.y >> r.position.z >> r.forward.x >> r.forward.y >> r.forward.z >> left.x >>
-                                              left.y >> left.z >> r.up.x >> r.up.y >> r.up.z;
+  for (sim::FitRow r;
+       in.ignore(20, '\t') && in >> r.position.x >> r.position.y >> r.position.z >> r.forward.x >> r.forward.y >>
+                                  r.forward.z >> left.x >> left.y >> left.z >> r.up.x >> r.up.y >> r.up.z;
        found.push_back(r)) {
     EXPECT_NEAR(glm::distance(glm::cross(r.forward, left), r.up), 0, 3e-6);
     r.forward = glm::normalize(r.forward);
@@ -82,8 +88,10 @@ TEST(nl2_csv, line_ends_marks_blank_lines_and_quotes_make_no_difference) {
   const std::string text = rows(5);
   const std::uint64_t expected = world::hash(parse_nl2_csv(text, "t.csv")->document);
   std::string bare = text.substr(0, text.size() - 1), crlf = replaced(text, "\n", "\r\n");
-  for (const std::string& same : {bare, crlf, crlf.substr(0, crlf.size() - 2), crlf.substr(0, crlf.size() - 1), "\xef\xbb\xbf" + text, text + "\n \r\n\n",
-                                  replaced(text, "\"", ""), replaced(text, "\"PosX\"", " \"posx\" "), replaced(text, "\"No.\"", "no"), replaced(text, "\t12", "\t 12")}) {
+  for (const std::string& same :
+       {bare, crlf, crlf.substr(0, crlf.size() - 2), crlf.substr(0, crlf.size() - 1), "\xef\xbb\xbf" + text,
+        text + "\n \r\n\n", replaced(text, "\"", ""), replaced(text, "\"PosX\"", " \"posx\" "),
+        replaced(text, "\"No.\"", "no"), replaced(text, "\t12", "\t 12")}) {
     const auto loaded = parse_nl2_csv(same, "t.csv");
     ASSERT_TRUE(loaded.ok()) << loaded.status().message;
     EXPECT_EQ(world::hash(loaded->document), expected);
@@ -95,28 +103,40 @@ TEST(nl2_csv, errors_name_the_line_what_was_expected_and_what_was_found) {
   expect_error("", "t.csv:1: error: expected the header \"No.\" \"PosX\" ..., found an empty file");
   expect_error(head, "t.csv:1: error: expected at least 2 rows at different places, found 0");
   expect_error(rows(1), "t.csv:2: error: expected at least 2 rows at different places, found 1");
-  expect_error(replaced(two, "PosY", "PosW"), "t.csv:1: error: expected column 3 of the header to be \"PosY\", found \"\\\"PosW\\\"\"");
-  expect_error(replaced(two, "\t\"UpZ\"", ""), "t.csv:1: error: expected a header of 13 columns, separated by tabs, found 12");
-  expect_error(replaced(two, "\"UpZ\"", "\"UpZ\"\t\"Speed\""), "t.csv:1: error: expected a header of 13 columns, separated by tabs, found more");
+  expect_error(replaced(two, "PosY", "PosW"),
+               "t.csv:1: error: expected column 3 of the header to be \"PosY\", found \"\\\"PosW\\\"\"");
+  expect_error(replaced(two, "\t\"UpZ\"", ""),
+               "t.csv:1: error: expected a header of 13 columns, separated by tabs, found 12");
+  expect_error(replaced(two, "\"UpZ\"", "\"UpZ\"\t\"Speed\""),
+               "t.csv:1: error: expected a header of 13 columns, separated by tabs, found more");
   expect_error(two + "3\t1\t2\n", "t.csv:4: error: expected 13 columns, separated by tabs, found 3");
   expect_error(two + "\n" + row(3, 9), "t.csv:4: error: expected 13 columns, separated by tabs, found 1");
   expect_error(two + row(4, 9), "t.csv:4: error: expected the row's number 3, found \"4\"");
-  expect_error(replaced(two, "12.345678", "twelve"), "t.csv:2: error: expected a finite number in column PosY, found \"twelve\"");
+  expect_error(replaced(two, "12.345678", "twelve"),
+               "t.csv:2: error: expected a finite number in column PosY, found \"twelve\"");
   for (const std::string bad : {"nan", "inf", "-inf", "1e999", "", "0x10", "1,5", "1.0.0", "+1"})
-    expect_error(replaced(two, "12.345678", bad), "t.csv:2: error: expected a finite number in column PosY, found " + base::quoted(bad));
-  expect_error(replaced(two, "12.345678", "100000.1"), "t.csv:2: error: expected a number within 100000 in column PosY, found \"100000.1\"");
+    expect_error(replaced(two, "12.345678", bad),
+                 "t.csv:2: error: expected a finite number in column PosY, found " + base::quoted(bad));
+  expect_error(replaced(two, "12.345678", "100000.1"),
+               "t.csv:2: error: expected a number within 100000 in column PosY, found \"100000.1\"");
   const std::string turn = "1\t0\t0\t0\t0\t-1\t";
-  expect_error(head + row(1, 1, "1.1\t0\t0\t0\t0\t-1\t0\t1\t0"), "t.csv:2: error: expected Front to be a unit vector, found one of length 1.1");
-  expect_error(head + row(1, 1, "0\t0\t0\t0\t0\t-1\t0\t1\t0"), "t.csv:2: error: expected Front to be a unit vector, found one of length 0");
-  expect_error(head + row(1, 1, turn + "0.6\t0.8\t0"), "t.csv:2: error: expected Up perpendicular to Front, found a cosine of 0.6 between them");
-  expect_error(head + row(1, 1, turn + "0\t-1\t0"), "t.csv:2: error: expected Up = Front x Left, found a vector that is 2 off");
+  expect_error(head + row(1, 1, "1.1\t0\t0\t0\t0\t-1\t0\t1\t0"),
+               "t.csv:2: error: expected Front to be a unit vector, found one of length 1.1");
+  expect_error(head + row(1, 1, "0\t0\t0\t0\t0\t-1\t0\t1\t0"),
+               "t.csv:2: error: expected Front to be a unit vector, found one of length 0");
+  expect_error(head + row(1, 1, turn + "0.6\t0.8\t0"),
+               "t.csv:2: error: expected Up perpendicular to Front, found a cosine of 0.6 between them");
+  expect_error(head + row(1, 1, turn + "0\t-1\t0"),
+               "t.csv:2: error: expected Up = Front x Left, found a vector that is 2 off");
   std::string binary(300, '\0');
   EXPECT_FALSE(parse_nl2_csv(binary, "t.csv").ok());
   EXPECT_FALSE(parse_nl2_csv(std::string(100'000, '\t'), "t.csv").ok());
 }
 
 TEST(nl2_csv, frames_that_are_a_little_off_are_made_exact) {
-  const auto loaded = parse_nl2_csv(std::string(kHeader) + row(1, 1, "1.004\t0\t0\t0\t0\t-1\t0.006\t0.996\t0") + row(2, 1.5, "1\t0\t0\t0\t0\t-1\t0\t1\t0"), "t.csv");
+  const auto loaded = parse_nl2_csv(std::string(kHeader) + row(1, 1, "1.004\t0\t0\t0\t0\t-1\t0.006\t0.996\t0") +
+                                        row(2, 1.5, "1\t0\t0\t0\t0\t-1\t0\t1\t0"),
+                                    "t.csv");
   ASSERT_TRUE(loaded.ok()) << loaded.status().message;
   EXPECT_EQ(world::broken_invariant(loaded->document), std::nullopt);
   EXPECT_EQ(world::knot(loaded->document, loaded->document.track.knots[0]).up, glm::vec3(0, 1, 0));
@@ -128,7 +148,8 @@ TEST(nl2_csv, rows_at_the_place_of_the_one_before_are_left_out_with_a_warning) {
   ASSERT_TRUE(loaded.ok()) << loaded.status().message;
   ASSERT_EQ(loaded->warnings.size(), 1u);
   EXPECT_EQ(loaded->warnings[0], "t.csv:3: warning: the row is where the one before it is; left out");
-  expect_error(std::string(kHeader) + row(1, 1) + row(2, 1), "t.csv:3: error: expected at least 2 rows at different places, found 1");
+  expect_error(std::string(kHeader) + row(1, 1) + row(2, 1),
+               "t.csv:3: error: expected at least 2 rows at different places, found 1");
 }
 
 TEST(nl2_csv, a_file_that_is_cut_within_a_row_is_refused) {
@@ -136,9 +157,11 @@ TEST(nl2_csv, a_file_that_is_cut_within_a_row_is_refused) {
   std::size_t whole = 0;
   for (std::size_t length = 0; length < text.size(); ++length) {
     const std::string cut = text.substr(0, length);
-    const bool at_row_end = (length + 1 < text.size() ? text[length] == '\n' : true) || (length > 0 && text[length - 1] == '\n');
+    const bool at_row_end =
+        (length + 1 < text.size() ? text[length] == '\n' : true) || (length > 0 && text[length - 1] == '\n');
     const auto loaded = parse_nl2_csv(cut, "t.csv");
-    const auto row_count = static_cast<int>(std::count(cut.begin(), cut.end(), '\n')) - (length > 0 && text[length - 1] == '\n' ? 1 : 0);
+    const auto row_count =
+        static_cast<int>(std::count(cut.begin(), cut.end(), '\n')) - (length > 0 && text[length - 1] == '\n' ? 1 : 0);
     EXPECT_EQ(loaded.ok(), at_row_end && row_count >= 2) << length;
     whole += loaded.ok();
   }
@@ -150,9 +173,11 @@ TEST(nl2_csv, rows_are_printed_in_the_columns_and_digits_of_the_format) {
   const std::vector<std::string> lines = lines_of(print_nl2_csv(d, 0.4));
   ASSERT_EQ(lines.size(), 6u);  // 0, 0.4, 0.8, 1.2 and the end
   EXPECT_EQ(lines[0] + "\n", kHeader);
-  EXPECT_EQ(lines[1], "1\t1.000000\t2.000000\t3.000000\t1.000000\t0.000000\t0.000000\t0.000000\t0.000000\t-1.000000\t0.000000\t1.000000\t0.000000");
+  EXPECT_EQ(lines[1],
+            "1\t1.000000\t2.000000\t3.000000\t1.000000\t0.000000\t0.000000\t0.000000\t0.000000\t-1.000000\t0.000000\t1."
+            "000000\t0.000000");
   EXPECT_TRUE(lines[5].starts_with("5\t2.500000\t2.000000\t3.000000\t")) << lines[5];
-  EXPECT_EQ(lines_of(print_nl2_csv(d, 0.5)).size(), 5u);   // the end is a row already
+  EXPECT_EQ(lines_of(print_nl2_csv(d, 0.5)).size(), 5u);  // the end is a row already
   EXPECT_EQ(lines_of(print_nl2_csv(d, 7.0)).size(), 3u);
 }
 
@@ -195,9 +220,11 @@ TEST(nl2_csv, rows_without_sense_give_a_valid_track_through_all_of_them) {
   const auto uniform = [&](double reach) { return reach * (bits() / 2147483648.0 - 1); };
   std::string text(kHeader);
   for (int i = 0; i < 300; ++i) {
-    const glm::dvec3 front = glm::normalize(glm::dvec3(uniform(1), uniform(1), uniform(1) + 0.01)), up = curve::perpendicular(front, {uniform(1), uniform(1), 0.3});
+    const glm::dvec3 front = glm::normalize(glm::dvec3(uniform(1), uniform(1), uniform(1) + 0.01)),
+                     up = curve::perpendicular(front, {uniform(1), uniform(1), 0.3});
     text += std::to_string(i + 1);
-    for (const glm::dvec3& v : {glm::dvec3(uniform(i % 50 == 0 ? 90'000 : 9), uniform(9), uniform(9)), front, glm::cross(up, front), up})
+    for (const glm::dvec3& v :
+         {glm::dvec3(uniform(i % 50 == 0 ? 90'000 : 9), uniform(9), uniform(9)), front, glm::cross(up, front), up})
       for (int axis = 0; axis < 3; ++axis) text += "\t" + std::to_string(v[axis]);
     text += "\n";
   }

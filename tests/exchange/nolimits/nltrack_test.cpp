@@ -55,14 +55,16 @@ Vertex vertex(glm::vec3 point, glm::dvec3 direction, double in, double out, floa
 
 std::vector<Vertex> ring() {
   return {vertex({10.3f, 5.1f, 0.7f}, {0, 0.1, 1}, 4.1, 6.3), vertex({0.9f, 7.7f, 11.3f}, {-1, 0, 0.2}, 5.9, 3.3, 0.3f),
-          vertex({-9.1f, 6.1f, -0.3f}, {0.1, -0.2, -1}, 7.7, 4.9, 1.7f), vertex({0.3f, 4.3f, -12.1f}, {1, 0, 0}, 5.3, 6.1, -0.9f)};
+          vertex({-9.1f, 6.1f, -0.3f}, {0.1, -0.2, -1}, 7.7, 4.9, 1.7f),
+          vertex({0.3f, 4.3f, -12.1f}, {1, 0, 0}, 5.3, 6.1, -0.9f)};
 }
 
 void refused(const std::string& bytes, const std::string& place, const std::string& part) {
   const auto loaded = parse_nltrack(bytes, "a.nltrack");
   ASSERT_FALSE(loaded);
   EXPECT_EQ(loaded.status().code, base::Code::bad_file);
-  EXPECT_NE(loaded.status().message.find("a.nltrack: error: at byte " + place), std::string::npos) << loaded.status().message;
+  EXPECT_NE(loaded.status().message.find("a.nltrack: error: at byte " + place), std::string::npos)
+      << loaded.status().message;
   EXPECT_NE(loaded.status().message.find(part), std::string::npos) << loaded.status().message;
 }
 
@@ -96,7 +98,8 @@ RC_GTEST_PROP(NoLimitsTrack, random_knots_keep_place_handles_and_roll, ()) {
   const auto value = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
   std::vector<Vertex> vertices;
   for (int i = 0; i < 5; ++i)
-    vertices.push_back(vertex({value(-900, 900), value(0, 90), value(-900, 900)}, {value(-1, 1), value(-0.7, 0.7), value(1, 2)}, value(1, 40), value(1, 40),
+    vertices.push_back(vertex({value(-900, 900), value(0, 90), value(-900, 900)},
+                              {value(-1, 1), value(-0.7, 0.7), value(1, 2)}, value(1, 40), value(1, 40),
                               static_cast<float>(value(-3, 3))));
   const auto loaded = parse_nltrack(encode(vertices, true), "x.nltrack");
   RC_ASSERT(loaded.ok());
@@ -114,18 +117,21 @@ RC_GTEST_PROP(NoLimitsTrack, random_knots_keep_place_handles_and_roll, ()) {
 TEST(NoLimitsTrack, roll_that_goes_on_over_turns_is_ridden_in_full) {
   const float rolls[] = {0, 2.5f, 9.0f, -4.0f, 30.0f};
   std::vector<Vertex> vertices;
-  for (int i = 0; i < 5; ++i) vertices.push_back(vertex({20.0f * static_cast<float>(i), 10, 0}, {1, 0, 0}, 6, 6, rolls[i]));
+  for (int i = 0; i < 5; ++i)
+    vertices.push_back(vertex({20.0f * static_cast<float>(i), 10, 0}, {1, 0, 0}, 6, 6, rolls[i]));
   const auto loaded = parse_nltrack(encode(vertices, false), "x.nltrack");
   ASSERT_TRUE(loaded) << loaded.status().message;
   sim::Derived derived;
   sim::derive(loaded->document, {}, {}, derived);
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(derived.shape(derived.order[i]).twist, -(double{rolls[i + 1]} - double{rolls[i]}), 1e-5) << i;
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(derived.shape(derived.order[i]).twist, -(double{rolls[i + 1]} - double{rolls[i]}), 1e-5) << i;
 }
 
 // A vertical loop without roll: inverted at the top, where the horizon has turned over.
 TEST(NoLimitsTrack, a_plane_loop_has_no_turns) {
   const float half = static_cast<float>(base::kPi);
-  const std::vector<Vertex> vertices{vertex({0, 0, 0}, {1, 0, 0}, 11, 11), vertex({0, 20, 0}, {-1, 0, 0}, 11, 11, half), vertex({0, 0, 1}, {1, 0, 0}, 11, 11, 2 * half)};
+  const std::vector<Vertex> vertices{vertex({0, 0, 0}, {1, 0, 0}, 11, 11), vertex({0, 20, 0}, {-1, 0, 0}, 11, 11, half),
+                                     vertex({0, 0, 1}, {1, 0, 0}, 11, 11, 2 * half)};
   const auto loaded = parse_nltrack(encode(vertices, false), "x.nltrack");
   ASSERT_TRUE(loaded) << loaded.status().message;
   sim::Derived derived;
@@ -179,7 +185,8 @@ TEST(NoLimitsTrack, numbers_that_are_none_or_too_large_are_refused) {
       std::vector<Vertex> vertices = ring();
       glm::vec3* const points[]{&vertices[1].point, &vertices[1].in, &vertices[1].out};
       (*points[field / 3])[field % 3] = bad;
-      refused(encode(vertices, true), std::to_string(kFirst + 60 + 4 * static_cast<std::size_t>(field)) + ":", "expected a coordinate");
+      refused(encode(vertices, true), std::to_string(kFirst + 60 + 4 * static_cast<std::size_t>(field)) + ":",
+              "expected a coordinate");
     }
   std::vector<Vertex> vertices = ring();
   vertices[2].roll = std::numeric_limits<float>::quiet_NaN();

@@ -24,11 +24,16 @@ world::Document document_named(std::string name) {
 class autosave : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::temp_directory_path() / ("coaster_autosave_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    folder = fs::temp_directory_path() /
+             ("coaster_autosave_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder);
   }
   void TearDown() override { fs::remove_all(folder); }
-  std::size_t entries() const { return fs::exists(folder) ? static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator())) : 0; }
+  std::size_t entries() const {
+    return fs::exists(folder)
+               ? static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()))
+               : 0;
+  }
   std::string name_in(const FoundAutosave& found) {
     const auto track = load_track(files, found.info.track);
     return track ? track->document.name : track.status().message;

@@ -20,7 +20,9 @@ std::string with(const std::string& from, const std::string& to) {
   if (at != std::string::npos) text.replace(at, from.size(), to);
   return text;
 }
-void expect_error(const std::string& text, std::string_view expected) { test::expect_bad_file(parse_envelope(text, "e.json"), "e.json", expected); }
+void expect_error(const std::string& text, std::string_view expected) {
+  test::expect_bad_file(parse_envelope(text, "e.json"), "e.json", expected);
+}
 
 TEST(envelope_file, printing_and_parsing_give_the_same_envelope_back) {
   sim::Envelope odd = sim::default_envelope();
@@ -47,7 +49,8 @@ TEST(envelope_file, the_one_that_comes_with_the_program_is_the_default) {
 TEST(envelope_file, errors_name_the_exact_place_and_the_reason) {
   expect_error("{\"format\": \"coaster-envelope\",\n  \"version\" 1}", "e.json:2:13: error");
   expect_error("[]", "expected an object, found an array");
-  expect_error(with("coaster-envelope", "coaster-track"), "format: expected \"coaster-envelope\", found \"coaster-track\"");
+  expect_error(with("coaster-envelope", "coaster-track"),
+               "format: expected \"coaster-envelope\", found \"coaster-track\"");
   expect_error(with("\"version\": 1", "\"version\": 2"), "version 2 is newer");
   expect_error(with("\"cutoff\": 5", "\"cutoff\": 0"), "cutoff: expected");
   expect_error(with("\"cutoff\": 5", "\"cutoff\": 5, \"cutoff\": 6"), "cutoff");
@@ -55,19 +58,22 @@ TEST(envelope_file, errors_name_the_exact_place_and_the_reason) {
   expect_error(with("\"shortest\": 0.2,", ""), "shortest: missing");
   expect_error(with("\"side\"", "\"sides\""), "side: missing");
   expect_error(with("\"side\": [", "\"side\": 3, \"was\": ["), "side: expected");
-  expect_error(with("{\"seconds\": 2, \"g\": 4}", "{\"seconds\": 1, \"g\": 4}"), "down[2].seconds: expected more than 1");
+  expect_error(with("{\"seconds\": 2, \"g\": 4}", "{\"seconds\": 1, \"g\": 4}"),
+               "down[2].seconds: expected more than 1");
   expect_error(with("{\"seconds\": 2, \"g\": 4}", "{\"seconds\": 2, \"g\": -4}"), "down[2].g: expected");
   expect_error(with("{\"seconds\": 2, \"g\": 4}", "{\"seconds\": 2}"), "down[2].g: missing");
   expect_error(with("{\"seconds\": 2, \"g\": 4}", "{\"seconds\": 2, \"g\": 1e999}"), "e.json");
   expect_error(with("{\"seconds\": 2, \"g\": 4}", "[2, 4]"), "down[2]: expected an object");
   std::string many = "\"down\": [";
-  for (std::size_t i = 0; i <= kMaxEnvelopePoints; ++i) many += (i ? ", " : "") + ("{\"seconds\": " + std::to_string(i)) + ", \"g\": 1}";
+  for (std::size_t i = 0; i <= kMaxEnvelopePoints; ++i)
+    many += (i ? ", " : "") + ("{\"seconds\": " + std::to_string(i)) + ", \"g\": 1}";
   expect_error(with("\"down\": [", many + "], \"was\": ["), "down: more than the limit");
 }
 
 TEST(envelope_file, no_cut_of_a_file_is_read_and_nothing_crashes) {
   const std::string text = standard();
-  for (std::size_t length = 0; length + 2 < text.size(); length += 3) EXPECT_FALSE(parse_envelope(text.substr(0, length), "e.json").ok()) << length;
+  for (std::size_t length = 0; length + 2 < text.size(); length += 3)
+    EXPECT_FALSE(parse_envelope(text.substr(0, length), "e.json").ok()) << length;
 }
 
 TEST(envelope_file, unknown_members_are_warned_of) {

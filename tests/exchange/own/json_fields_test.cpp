@@ -6,8 +6,8 @@ namespace coaster::exchange {
 namespace json_fields_test {
 
 const Json& sample() {
-  static const Json json = Json::parse(
-      R"({"t":"x","f":true,"n":2.5,"w":3,"v":[1,2.5,-3],"l":[1],"u":18446744073709551615,"odd":{"a":1}})");
+  static const Json json =
+      Json::parse(R"({"t":"x","f":true,"n":2.5,"w":3,"v":[1,2.5,-3],"l":[1],"u":18446744073709551615,"odd":{"a":1}})");
   return json;
 }
 
@@ -28,8 +28,7 @@ TEST(json_fields, getters_fill_their_values) {
   float length = 0;
   Fields fields(sample(), {}, error);
   EXPECT_TRUE(fields.text("t", text) && fields.flag("f", flag) && fields.number("n", number, 2.5, 2.5) &&
-              fields.whole("w", whole, 3, 3) && fields.vector("v", vector, 3) &&
-              fields.length("n", length, 0.01f, 10));
+              fields.whole("w", whole, 3, 3) && fields.vector("v", vector, 3) && fields.length("n", length, 0.01f, 10));
   EXPECT_EQ(text, "x");
   EXPECT_TRUE(flag);
   EXPECT_EQ(number, 2.5);
@@ -48,8 +47,7 @@ TEST(json_fields, errors_name_place_expectation_and_finding) {
   glm::dvec3 vector;
   EXPECT_EQ(error_of([&](Fields& f) { return f.text("n", text); }), "knots[3].n: expected a text, found 2.5");
   EXPECT_EQ(error_of([&](Fields& f) { return f.text("q", text); }), "knots[3].q: missing; expected a text");
-  EXPECT_EQ(error_of([&](Fields& f) { return f.flag("t", flag); }),
-            "knots[3].t: expected true or false, found \"x\"");
+  EXPECT_EQ(error_of([&](Fields& f) { return f.flag("t", flag); }), "knots[3].t: expected true or false, found \"x\"");
   EXPECT_EQ(error_of([&](Fields& f) { return f.number("n", number, 3, 4); }),
             "knots[3].n: expected a number from 3 to 4, found 2.5");
   EXPECT_EQ(error_of([&](Fields& f) { return f.whole("n", whole, 0, 9); }),
@@ -60,8 +58,7 @@ TEST(json_fields, errors_name_place_expectation_and_finding) {
             "knots[3].l: expected 3 finite numbers, found an array of 1");
   EXPECT_EQ(error_of([&](Fields& f) { return f.vector("v", vector, 2.75); }),
             "knots[3].v[2]: expected a number from -2.75 to 2.75, found -3");
-  EXPECT_EQ(error_of([&](Fields& f) { return f.list("t") != nullptr; }),
-            "knots[3].t: expected an array, found \"x\"");
+  EXPECT_EQ(error_of([&](Fields& f) { return f.list("t") != nullptr; }), "knots[3].t: expected an array, found \"x\"");
 }
 
 TEST(json_fields, what_is_no_object_fails_every_getter) {

@@ -9,9 +9,7 @@ std::string error_of(std::string_view text) {
   const auto result = read_json(text, "f.json");
   return result ? "" : result.status().message;
 }
-bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
-}
+bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 TEST(json_reader, good_text_becomes_a_tree_in_the_order_of_its_members) {
   const auto tree = read_json(R"( {"z": [1, -2.5, "ä\u00e9", null], "a": {"b": true}} )", "f.json");
@@ -19,9 +17,7 @@ TEST(json_reader, good_text_becomes_a_tree_in_the_order_of_its_members) {
   EXPECT_EQ(tree->dump(), R"({"z":[1,-2.5,"äé",null],"a":{"b":true}})");
 }
 
-TEST(json_reader, a_byte_order_mark_is_skipped) {
-  ASSERT_TRUE(read_json("\xef\xbb\xbf{\"a\":1}", "f.json"));
-}
+TEST(json_reader, a_byte_order_mark_is_skipped) { ASSERT_TRUE(read_json("\xef\xbb\xbf{\"a\":1}", "f.json")); }
 
 TEST(json_reader, errors_tell_line_and_column) {
   EXPECT_TRUE(contains(error_of("{\n  \"a\": }\n"), "f.json:2:8: error: ")) << error_of("{\n  \"a\": }\n");
@@ -61,8 +57,7 @@ TEST(json_reader, what_json_does_not_have_is_refused) {
 }
 
 TEST(json_reader, messages_hold_printable_ascii_alone) {
-  for (const std::string& text :
-       {std::string("[\"\xff\x01"), std::string("\0\0", 2), std::string("{\"\x7f\": \xff")}) {
+  for (const std::string& text : {std::string("[\"\xff\x01"), std::string("\0\0", 2), std::string("{\"\x7f\": \xff")}) {
     const std::string error = error_of(text);
     ASSERT_FALSE(error.empty());
     for (const char c : error) EXPECT_TRUE(c >= 0x20 && c < 0x7f) << error;

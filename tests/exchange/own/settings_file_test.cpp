@@ -32,8 +32,10 @@ TEST(settings_file, printing_and_parsing_gives_the_same_settings_back) {
 }
 
 TEST(settings_file, a_wrong_member_becomes_its_default_and_is_told_while_the_others_hold) {
-  const auto loaded = parse_settings(R"({"format": "coaster-settings", "version": 1, "ui_scale": 17, "theme": "pink", "style": "noon", "sound": -1, "panels": "yes", "autosave_seconds": 40,
-    "window": {"x": 1, "y": 2}, "keys": {"Undo": 3}, "recent": "one"})", "s");
+  const auto loaded = parse_settings(
+      R"({"format": "coaster-settings", "version": 1, "ui_scale": 17, "theme": "pink", "style": "noon", "sound": -1, "panels": "yes", "autosave_seconds": 40,
+    "window": {"x": 1, "y": 2}, "keys": {"Undo": 3}, "recent": "one"})",
+      "s");
   ASSERT_TRUE(loaded);
   UserSettings expected;
   expected.autosave_seconds = 40;
@@ -43,7 +45,8 @@ TEST(settings_file, a_wrong_member_becomes_its_default_and_is_told_while_the_oth
 }
 
 TEST(settings_file, what_is_no_settings_file_is_refused) {
-  for (const char* text : {"", "garbage", "[1]", "{}", R"({"format": "coaster-track"})", "{\"format\": \"coaster-settings\", ", "\xff\xfe"}) {
+  for (const char* text : {"", "garbage", "[1]", "{}", R"({"format": "coaster-track"})",
+                           "{\"format\": \"coaster-settings\", ", "\xff\xfe"}) {
     const auto loaded = parse_settings(text, "s");
     EXPECT_EQ(loaded.status().code, base::Code::bad_file) << text;
   }

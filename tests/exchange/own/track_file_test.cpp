@@ -16,8 +16,8 @@ class TrackFile : public testing::Test {
  protected:
   void SetUp() override {
     const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              ("coaster_" + std::string(test->name()) + std::to_string(getpid()));
+    folder_ =
+        std::filesystem::temp_directory_path() / ("coaster_" + std::string(test->name()) + std::to_string(getpid()));
     std::filesystem::create_directories(folder_);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
@@ -50,7 +50,10 @@ TEST_F(TrackFile, either_case_of_an_ending_will_do) {
 }
 
 TEST_F(TrackFile, a_name_from_a_files_name_can_be_kept_in_any_file) {
-  EXPECT_EQ(name_of_file("/a.b/Stra\xc3\x9f" "e 7.nl2elem"), "Stra\xc3\x9f" "e 7");
+  EXPECT_EQ(name_of_file("/a.b/Stra\xc3\x9f"
+                         "e 7.nl2elem"),
+            "Stra\xc3\x9f"
+            "e 7");
   const world::Document line = test::straight_document({0, 10, 0}, {30, 10, 0}, 3);
   for (const std::string odd : {"a\tb\x7f", "a\xff", "\xc3", "\x80\x80"}) {
     for (const char* const ending : {".csv", ".nl2elem"}) {
@@ -76,8 +79,8 @@ TEST_F(TrackFile, a_failing_disk_leaves_the_old_file) {
   ASSERT_TRUE(save_track(files_, folder_ / "a.json", d));
   world::Document other = d;
   other.name = "other";
-  for (const auto operation : {base::IoOperation::open, base::IoOperation::write, base::IoOperation::fsync,
-                               base::IoOperation::rename}) {
+  for (const auto operation :
+       {base::IoOperation::open, base::IoOperation::write, base::IoOperation::fsync, base::IoOperation::rename}) {
     files_.inject(operation, 1);
     EXPECT_EQ(save_track(files_, folder_ / "a.json", other).code, base::Code::io);
     files_.inject(operation, 0);

@@ -10,9 +10,7 @@
 namespace coaster::exchange {
 namespace track_parse_test {
 
-std::string sample() {
-  return print_track(test::sample_document());
-}
+std::string sample() { return print_track(test::sample_document()); }
 
 std::string error_of(std::string_view text) {
   const auto loaded = parse_track(text, "t.json");
@@ -27,7 +25,9 @@ std::string with(const std::string& from, const std::string& to) {
   if (at != std::string::npos) text.replace(at, from.size(), to);
   return text;
 }
-void expect_error(const std::string& text, std::string_view expected) { test::expect_bad_file(parse_track(text, "t.json"), "t.json", expected); }
+void expect_error(const std::string& text, std::string_view expected) {
+  test::expect_bad_file(parse_track(text, "t.json"), "t.json", expected);
+}
 
 // A knot's line, all of it under the test's control.
 std::string one_knot(const std::string& members) {
@@ -110,11 +110,9 @@ TEST(track_parse, knots_are_checked) {
   expect_error(knot_with("\"k1\"", "\"k0\""), "knots[0].id");
   expect_error(knot_with("\"k1\"", "1"), "knots[0].id: expected a text, found 1");
   expect_error(knot_with("\"k1\"", "\"k4000000000\""), "knots[0].id");
-  expect_error(knot_with("[1,2,3]", "[1,2]"),
-               "knots[0].position: expected 3 finite numbers, found an array of 2");
+  expect_error(knot_with("[1,2,3]", "[1,2]"), "knots[0].position: expected 3 finite numbers, found an array of 2");
   expect_error(knot_with("[1,2,3]", "null"), "knots[0].position: expected 3 finite numbers, found null");
-  expect_error(knot_with("[1,2,3]", "[1,null,3]"),
-               "knots[0].position[1]: expected a finite number, found null");
+  expect_error(knot_with("[1,2,3]", "[1,null,3]"), "knots[0].position[1]: expected a finite number, found null");
   expect_error(knot_with("[1,2,3]", "[1,2,100001]"),
                "knots[0].position[2]: expected a number from -100000 to 100000, found 100001");
   expect_error(knot_with("[1,2,3]", "[1e39,2,3]"), "knots[0].position[0]");
@@ -154,10 +152,8 @@ TEST(track_parse, segments_must_follow_the_order_of_the_knots) {
 }
 
 TEST(track_parse, carts_are_checked) {
-  expect_error(with("\"segment\": \"s2\"", "\"segment\": \"s12\""),
-               "carts[0].segment: there is no segment \"s12\"");
-  expect_error(with("\"segment\": \"s2\"", "\"segment\": \"k2\""),
-               "carts[0].segment: expected an id such as \"s3\"");
+  expect_error(with("\"segment\": \"s2\"", "\"segment\": \"s12\""), "carts[0].segment: there is no segment \"s12\"");
+  expect_error(with("\"segment\": \"s2\"", "\"segment\": \"k2\""), "carts[0].segment: expected an id such as \"s3\"");
   expect_error(with("\"fraction\": 0.37", "\"fraction\": 1"), "carts[0].fraction");
   expect_error(with("\"fraction\": 0.37", "\"fraction\": -0.1"),
                "carts[0].fraction: expected a number from 0 to 1, found -0.1");
@@ -191,8 +187,7 @@ TEST(track_parse, automatic_joints_are_settled) {
   world::Document d = loaded->document;
   world::settle_joints(d);
   EXPECT_TRUE(d == loaded->document);
-  EXPECT_NE(world::knot(d, d.track.knots[1]).tangent,
-            world::knot(test::sample_document(), d.track.knots[1]).tangent);
+  EXPECT_NE(world::knot(d, d.track.knots[1]).tangent, world::knot(test::sample_document(), d.track.knots[1]).tangent);
 }
 
 }  // namespace track_parse_test

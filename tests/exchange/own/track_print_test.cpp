@@ -62,8 +62,7 @@ TEST(track_print, floats_of_all_sizes_keep_their_bits) {
   const auto loaded = parse_track(print_track(d), "t.json");
   ASSERT_TRUE(loaded);
   for (std::size_t i = 0; i < d.track.knots.size(); ++i)
-    ASSERT_EQ(world::knot(loaded->document, loaded->document.track.knots[i]),
-              world::knot(d, d.track.knots[i]));
+    ASSERT_EQ(world::knot(loaded->document, loaded->document.track.knots[i]), world::knot(d, d.track.knots[i]));
 }
 
 }  // namespace track_print_test

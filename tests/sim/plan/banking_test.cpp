@@ -53,7 +53,8 @@ TEST(banking, riders_feel_no_lateral_g_once_it_is_applied) {
   const auto worst_side = [&] {
     float worst = 0;
     const Ghost& ghost = ring.ghost();
-    for (std::size_t k = 1; k < ghost.forces.size(); k += 3) worst = std::max(worst, std::abs(ghost.forces[k].left));  // the middle car
+    for (std::size_t k = 1; k < ghost.forces.size(); k += 3)
+      worst = std::max(worst, std::abs(ghost.forces[k].left));  // the middle car
     return worst;
   };
   const float before = worst_side();
@@ -65,10 +66,12 @@ TEST(banking, riders_feel_no_lateral_g_once_it_is_applied) {
 TEST(banking, airtime_does_not_turn_riders_over) {
   // At the top of a hill taken fast what is felt points down.
   world::Document d = test::circle_document(20.3, {3.3, 1.7, -2.9}, {0.6, 0, 0.8});
-  for (const world::Entity e : d.track.knots) d.entities.get<world::Knot>(e).up *= -1.0f;  // a train outside on the circle
+  for (const world::Entity e : d.track.knots)
+    d.entities.get<world::Knot>(e).up *= -1.0f;  // a train outside on the circle
   Banked hill(d, 31.7);
   const std::vector<glm::vec3> ups = banked_ups(hill.document, hill.derived, hill.ghost());
-  for (std::size_t i = 0; i < ups.size(); ++i) EXPECT_GT(glm::dot(ups[i], world::knot(hill.document, hill.document.track.knots[i]).up), 0) << i;
+  for (std::size_t i = 0; i < ups.size(); ++i)
+    EXPECT_GT(glm::dot(ups[i], world::knot(hill.document, hill.document.track.knots[i]).up), 0) << i;
 }
 
 TEST(banking, knots_that_the_ghost_does_not_reach_keep_their_up) {
@@ -79,7 +82,8 @@ TEST(banking, knots_that_the_ghost_does_not_reach_keep_their_up) {
   ASSERT_FALSE(ghost.lap);
   const std::vector<glm::vec3> ups = banked_ups(stuck.document, stuck.derived, ghost);
   int kept = 0;
-  for (std::size_t i = 0; i < ups.size(); ++i) kept += ups[i] == world::knot(stuck.document, stuck.document.track.knots[i]).up;
+  for (std::size_t i = 0; i < ups.size(); ++i)
+    kept += ups[i] == world::knot(stuck.document, stuck.document.track.knots[i]).up;
   EXPECT_GT(kept, 8);
   EXPECT_LT(kept, 24);
 }

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "curve/continuity.h"
-#include "sim/random_elements.h"
 #include "sim/plan/element_spans.h"
+#include "sim/random_elements.h"
 
 namespace coaster::sim {
 namespace element_fit_test {
@@ -18,7 +18,8 @@ curve::Cubic cubic_between(const world::Knot& a, const world::Knot& b) {
 // By the program's nearest_point on every cubic nearby: another way than the one by which the fit measures itself.
 double distance_to(const std::vector<world::Knot>& knots, dvec3 place) {
   double nearest = 1e9;
-  for (std::size_t k = 0; k + 1 < knots.size(); ++k) nearest = std::min(nearest, curve::nearest_point(cubic_between(knots[k], knots[k + 1]), place).distance);
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k)
+    nearest = std::min(nearest, curve::nearest_point(cubic_between(knots[k], knots[k + 1]), place).distance);
   return nearest;
 }
 
@@ -43,7 +44,10 @@ TEST(element_fit, every_element_at_any_end_keeps_its_tolerances_and_every_joint_
     for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
       const curve::Cubic c = cubic_between(knots[k], knots[k + 1]);
       EXPECT_LT(glm::length(curve::curvature_vector(c, 0) - before), 1e-3) << what << " knot " << k;
-      if (k > 0) { EXPECT_EQ(curve::joint(cubic_between(knots[k - 1], knots[k]), c).geometric, curve::Geometric::g2) << what << " knot " << k; }
+      if (k > 0) {
+        EXPECT_EQ(curve::joint(cubic_between(knots[k - 1], knots[k]), c).geometric, curve::Geometric::g2)
+            << what << " knot " << k;
+      }
       before = curve::curvature_vector(c, 1);
     }
     EXPECT_LT(glm::length(before), 1e-3) << what << ": the next element joins a straight end";
@@ -75,9 +79,14 @@ TEST(element_fit, handles_of_a_circular_arc_are_those_that_are_known) {
   for (const double angle : {0.1, 0.5, 1.0, 1.5}) {
     const double r = 17;
     const ElementPoint from{0, {r, 0, 0}, {0, 1, 0}, {-1 / r, 0, 0}, {0, 0, 1}};
-    const ElementPoint to{r * angle, {r * std::cos(angle), r * std::sin(angle), 0}, {-std::sin(angle), std::cos(angle), 0}, {-std::cos(angle) / r, -std::sin(angle) / r, 0}, {0, 0, 1}};
+    const ElementPoint to{r * angle,
+                          {r * std::cos(angle), r * std::sin(angle), 0},
+                          {-std::sin(angle), std::cos(angle), 0},
+                          {-std::cos(angle) / r, -std::sin(angle) / r, 0},
+                          {0, 0, 1}};
     // Curvature at both ends and symmetry: a solves D.n = a sin + 1.5 a^2 / r, with n the normal at the start.
-    const double dn = r * (1 - std::cos(angle)), sine = std::sin(angle), a = (-sine + std::sqrt(sine * sine + 6 * dn / r)) * r / 3;
+    const double dn = r * (1 - std::cos(angle)), sine = std::sin(angle),
+                 a = (-sine + std::sqrt(sine * sine + 6 * dn / r)) * r / 3;
     const HandleLengths found = handle_lengths(from, to);
     EXPECT_NEAR(found.out, a, 1e-6 * r);
     EXPECT_NEAR(found.in, a, 1e-6 * r);
@@ -108,7 +117,8 @@ TEST(element_fit, the_error_of_a_plane_curve_falls_with_the_sixth_power_of_the_s
 TEST(element_fit, usual_elements_take_few_spans) {
   const int most[] = {1, 3, 15, 6, 5, 8, 10, 12};
   for (std::size_t kind = 0; kind < std::size(most); ++kind) {
-    const ElementPlan plan = plan_element(world::usual_element(static_cast<world::ElementKind>(kind)), TrackEnd{{0, 50, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}});
+    const ElementPlan plan = plan_element(world::usual_element(static_cast<world::ElementKind>(kind)),
+                                          TrackEnd{{0, 50, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}});
     EXPECT_LE(plan.spans(), static_cast<std::size_t>(most[kind])) << world::elements()[kind].name;
   }
 }

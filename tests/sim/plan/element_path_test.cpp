@@ -9,7 +9,8 @@ namespace coaster::sim {
 namespace element_path_test {
 
 TEST(element_path, a_bend_turns_from_its_first_to_its_last_angle_and_its_curvature_is_the_derivative_of_the_angle) {
-  for (const auto& [from, to, radius] : {std::tuple{0.0, 0.7, 20.0}, {0.9, -1.2, 7.0}, {-0.2, 6.0, 3.0}, {0.0, 0.01, 100.0}}) {
+  for (const auto& [from, to, radius] :
+       {std::tuple{0.0, 0.7, 20.0}, {0.9, -1.2, 7.0}, {-0.2, 6.0, 3.0}, {0.0, 0.01, 100.0}}) {
     const Bend bend{from, to, radius};
     EXPECT_NEAR(bend.angle(0), from, 1e-14);
     EXPECT_NEAR(bend.angle(bend.length()), to, 1e-14);
@@ -39,7 +40,10 @@ TEST(element_path, where_a_bend_ends_is_where_integrating_its_direction_ends) {
   constexpr int kSteps = 40'000;
   long double x = 0, y = 0;
   for (int i = 0; i <= kSteps; ++i) {
-    const long double weight = i == 0 || i == kSteps ? 1 : i % 2 ? 4 : 2, u = static_cast<long double>(bend.length()) * i / kSteps;
+    const long double weight = i == 0 || i == kSteps ? 1
+                               : i % 2               ? 4
+                                                     : 2,
+                      u = static_cast<long double>(bend.length()) * i / kSteps;
     const long double a = bend.angle(static_cast<double>(u));
     x += weight * std::cos(a), y += weight * std::sin(a);
   }
@@ -66,11 +70,15 @@ TEST(element_path, tangent_and_curvature_are_the_derivatives_of_the_places_in_ev
       const double h = p[k].s - p[k - 1].s;
       ASSERT_GT(h, 0) << what;
       if (h > 1) break;  // long ones have coarser points than these bounds are made for
-      const double bend = std::max(glm::length(p[k].curvature), glm::length(p[k - 1].curvature)), change = glm::length(p[k].curvature - p[k - 1].curvature);
+      const double bend = std::max(glm::length(p[k].curvature), glm::length(p[k - 1].curvature)),
+                   change = glm::length(p[k].curvature - p[k - 1].curvature);
       // The trapezoid's error, generously.
       const double slack = h * h * (bend * bend + change / h) + 1e-9;
-      EXPECT_LT(glm::length((p[k].position - p[k - 1].position) / h - 0.5 * (p[k].tangent + p[k - 1].tangent)), slack) << what << " " << k;
-      EXPECT_LT(glm::length((p[k].tangent - p[k - 1].tangent) / h - 0.5 * (p[k].curvature + p[k - 1].curvature)), h * bend * bend + 0.5 * change + 1e-9) << what << " " << k;
+      EXPECT_LT(glm::length((p[k].position - p[k - 1].position) / h - 0.5 * (p[k].tangent + p[k - 1].tangent)), slack)
+          << what << " " << k;
+      EXPECT_LT(glm::length((p[k].tangent - p[k - 1].tangent) / h - 0.5 * (p[k].curvature + p[k - 1].curvature)),
+                h * bend * bend + 0.5 * change + 1e-9)
+          << what << " " << k;
       EXPECT_NEAR(glm::length(p[k].tangent), 1, 1e-12);
       EXPECT_NEAR(glm::length(p[k].up), 1, 1e-12);
       EXPECT_NEAR(glm::dot(p[k].tangent, p[k].up), 0, 1e-12);

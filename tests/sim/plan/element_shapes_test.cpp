@@ -69,7 +69,8 @@ TEST(element_shapes, a_straight_is_as_long_as_it_says_and_goes_where_it_started_
     EXPECT_LT(glm::length(b.way() - b.first().tangent * b.value("length")), 1e-8 * b.value("length"));
     const double roll = std::remainder(b.value("roll") * kDegree, 2 * M_PI);
     const dvec3 level = curve::perpendicular(b.last().tangent, {0, 1, 0}), right = glm::cross(b.last().tangent, level);
-    EXPECT_LT(glm::length(b.last().up - (std::cos(roll) * level + std::sin(roll) * right)), 1e-8) << "rolled to the right";
+    EXPECT_LT(glm::length(b.last().up - (std::cos(roll) * level + std::sin(roll) * right)), 1e-8)
+        << "rolled to the right";
   });
 }
 
@@ -77,7 +78,8 @@ TEST(element_shapes, a_curve_turns_by_its_angle_keeps_its_slope_and_is_nowhere_t
   for_random(ElementKind::curve, 60, [](const Built& b) {
     const dvec3 t = b.first().tangent;
     const double level = std::sqrt(t.x * t.x + t.z * t.z), angle = b.value("angle") * kDegree;
-    const dvec3 turned = level * (std::cos(angle) * b.heading() + b.side() * std::sin(angle) * b.left()) + dvec3(0, t.y, 0);
+    const dvec3 turned =
+        level * (std::cos(angle) * b.heading() + b.side() * std::sin(angle) * b.left()) + dvec3(0, t.y, 0);
     EXPECT_LT(glm::length(b.last().tangent - turned), 1e-8);
     expect_upright(b.last());
     double bend = 0, bank = 0;
@@ -86,12 +88,17 @@ TEST(element_shapes, a_curve_turns_by_its_angle_keeps_its_slope_and_is_nowhere_t
       bend = std::max(bend, glm::length(p.curvature));
       if (p.s > b.faded()) {
         const dvec3 inside = b.side() * glm::cross(dvec3(0, 1, 0), glm::normalize(dvec3(p.tangent.x, 0, p.tangent.z)));
-        bank = std::max(bank, std::abs(std::atan2(glm::dot(p.up, inside), glm::dot(p.up, curve::perpendicular(p.tangent, {0, 1, 0})))));
-        if (b.value("bank") > 0 || b.value("speed") > 0) { EXPECT_GT(glm::dot(p.up, inside), -1e-9) << "banked towards the inside"; }
+        bank = std::max(bank, std::abs(std::atan2(glm::dot(p.up, inside),
+                                                  glm::dot(p.up, curve::perpendicular(p.tangent, {0, 1, 0})))));
+        if (b.value("bank") > 0 || b.value("speed") > 0) {
+          EXPECT_GT(glm::dot(p.up, inside), -1e-9) << "banked towards the inside";
+        }
       }
     }
     EXPECT_LE(bend * b.value("radius"), level * level + 1e-9) << "of the plan's circle, seen along the slope";
-    const double wanted = b.value("speed") > 0 ? std::atan(b.value("speed") * b.value("speed") / 9.81 / b.value("radius")) : std::abs(b.value("bank")) * kDegree;
+    const double wanted = b.value("speed") > 0
+                              ? std::atan(b.value("speed") * b.value("speed") / 9.81 / b.value("radius"))
+                              : std::abs(b.value("bank")) * kDegree;
     EXPECT_LE(bank, wanted + 1e-9);
   });
 }
@@ -152,15 +159,20 @@ TEST(element_shapes, a_loop_is_as_high_as_it_says_and_ends_ahead_upright_and_shi
     const std::size_t middle = (b.curve.lead + p.size() - 1) / 2;
     for (std::size_t i = b.curve.lead + 1; i < p.size(); ++i) {
       const double rise = glm::length(p[i].curvature) - glm::length(p[i - 1].curvature);
-      if (i + 1 < middle) { EXPECT_GE(rise, -1e-9); }
-      if (i > middle + 1) { EXPECT_LE(rise, 1e-9); }
+      if (i + 1 < middle) {
+        EXPECT_GE(rise, -1e-9);
+      }
+      if (i > middle + 1) {
+        EXPECT_LE(rise, 1e-9);
+      }
     }
     EXPECT_LT(p[middle].up.y, -0.9) << "upside down at the top";
     // It does not hit itself: where it crosses its own plan, it is the wider apart the more it is shifted.
     double nearest = 1e9;
     for (std::size_t i = b.curve.lead; i < middle; i += 3)
       for (std::size_t k = middle; k < p.size(); k += 3)
-        if (p[k].s - p[i].s > b.value("height")) nearest = std::min(nearest, glm::distance(p[i].position, p[k].position));
+        if (p[k].s - p[i].s > b.value("height"))
+          nearest = std::min(nearest, glm::distance(p[i].position, p[k].position));
     EXPECT_GT(nearest, 0.35 * b.value("shift"));
   });
 }
@@ -173,11 +185,15 @@ TEST(element_shapes, a_corkscrew_turns_riders_over_once_and_lets_them_out_uprigh
     EXPECT_NEAR(b.top(), b.value("height"), 5e-3 * b.value("height"));
     const ElementPoint& middle = b.curve.points[(b.curve.lead + b.curve.points.size() - 1) / 2];
     EXPECT_LT(middle.up.y, -0.98);
-    const dvec3 axis = std::sin(b.value("angle") * kDegree) * b.heading() + b.side() * std::cos(b.value("angle") * kDegree) * b.left();
+    const dvec3 axis =
+        std::sin(b.value("angle") * kDegree) * b.heading() + b.side() * std::cos(b.value("angle") * kDegree) * b.left();
     for (std::size_t i = b.curve.lead; i < b.curve.points.size(); ++i) {
       const ElementPoint& p = b.curve.points[i];
-      EXPECT_NEAR(glm::dot(p.tangent, axis), std::sin(b.value("angle") * kDegree), 1e-9) << "one angle with the axis all along";
-      if (p.s > b.faded() && glm::length(p.curvature) > 1e-9) { EXPECT_NEAR(glm::dot(glm::normalize(p.curvature), p.up), 1, 1e-6) << "pressed into the seat"; }
+      EXPECT_NEAR(glm::dot(p.tangent, axis), std::sin(b.value("angle") * kDegree), 1e-9)
+          << "one angle with the axis all along";
+      if (p.s > b.faded() && glm::length(p.curvature) > 1e-9) {
+        EXPECT_NEAR(glm::dot(glm::normalize(p.curvature), p.up), 1, 1e-6) << "pressed into the seat";
+      }
     }
   });
 }

@@ -40,8 +40,10 @@ TEST(elements, what_is_no_number_becomes_the_usual_one_and_nothing_is_ever_nan) 
   test::RandomElements random(31);
   for (int i = 0; i < 80; ++i) {
     const ElementPlan plan = plan_element(random.any(), random.end());
-    for (const ElementPoint& p : plan.ideal.points) ASSERT_TRUE(std::isfinite(glm::dot(p.position, p.tangent) + glm::dot(p.curvature, p.up)));
-    for (const world::Knot& k : plan.fit.knots) ASSERT_TRUE(std::isfinite(glm::dot(k.position, k.tangent) + glm::dot(k.up, k.up) + k.in_length + k.out_length));
+    for (const ElementPoint& p : plan.ideal.points)
+      ASSERT_TRUE(std::isfinite(glm::dot(p.position, p.tangent) + glm::dot(p.curvature, p.up)));
+    for (const world::Knot& k : plan.fit.knots)
+      ASSERT_TRUE(std::isfinite(glm::dot(k.position, k.tangent) + glm::dot(k.up, k.up) + k.in_length + k.out_length));
   }
 }
 
@@ -54,7 +56,8 @@ TEST(elements, what_cannot_be_has_to_give_way) {
   world::Element hill = world::usual_element(ElementKind::camelback);
   hill.values = {50, 20};
   hill.values[2] = 20;
-  EXPECT_NE(line(hill).find("speed 20 m/s is beyond the limit of 33.588 m/s: a slower train"), std::string::npos) << line(hill);
+  EXPECT_NE(line(hill).find("speed 20 m/s is beyond the limit of 33.588 m/s: a slower train"), std::string::npos)
+      << line(hill);
   world::Element helix = world::usual_element(ElementKind::helix);
   helix.values = {5, 1, -100, 0, 0};
   EXPECT_NE(line(helix).find("height -100 m is beyond the limit"), std::string::npos) << line(helix);

@@ -52,7 +52,9 @@ std::function<dvec3(double)> rolled(dvec3 direction, const std::function<double(
 TEST(fit_track, a_straight_takes_two_knots_upside_down_and_vertical_too) {
   for (const dvec3 direction : {dvec3(1, 0.2, -0.3), dvec3(0, 1, 0), dvec3(0, -1, 0)})
     for (const dvec3 up : {dvec3(0.3, 1, 0.1), dvec3(0.2, -1, 0.4)}) {
-      const FittedTrack fitted = expect_fit(rows_along(straight(direction), [=](double) { return up; }, 0.05, 1000), false);
+      const FittedTrack fitted = expect_fit(rows_along(
+                                                straight(direction), [=](double) { return up; }, 0.05, 1000),
+                                            false);
       EXPECT_EQ(fitted.report.knots, 2);
       EXPECT_NEAR(length_of(fitted), 49.95, 1e-3);
     }
@@ -69,8 +71,8 @@ TEST(fit_track, an_even_roll_of_many_turns_takes_two_knots_and_whole_turns) {
 }
 
 TEST(fit_track, an_uneven_roll_takes_as_many_knots_as_broken_lines_need) {
-  // 60 degrees by a parabola: f'' = 2 * 60 / 40^2 = 0.075 degrees/m^2. A broken line within +-e spans sqrt(16 e / f'') each: 10.3 m for
-  // half a degree, so that 40 m take 4 spans and no fewer.
+  // 60 degrees by a parabola: f'' = 2 * 60 / 40^2 = 0.075 degrees/m^2. A broken line within +-e spans sqrt(16 e / f'')
+  // each: 10.3 m for half a degree, so that 40 m take 4 spans and no fewer.
   const dvec3 direction(0.6, 0.1, 0.7);
   const auto up = rolled(direction, [](double s) { return 60 * s * s / 1600; });
   const FittedTrack fitted = expect_fit(rows_along(straight(direction), up, 0.05, 801), false);
@@ -103,7 +105,8 @@ TEST(fit_track, a_helix_and_a_corkscrew_take_a_knot_every_five_metres_or_less_of
 
 TEST(fit_track, progress_changes_nothing_grows_to_the_end_and_can_be_cancelled) {
   const auto place = [](double s) { return glm::dvec3(20 * std::cos(s / 25), 8 + s / 30, 20 * std::sin(s / 25)); };
-  const auto rows = test::rows_along(place, [](double) { return glm::dvec3(0, 1, 0); }, 0.2, 2000);
+  const auto rows = test::rows_along(
+      place, [](double) { return glm::dvec3(0, 1, 0); }, 0.2, 2000);
   base::Progress progress;
   const FittedTrack watched = fit_track(rows, false, &progress), alone = fit_track(rows, false);
   EXPECT_TRUE(watched.document == alone.document);
@@ -125,7 +128,9 @@ TEST(fit_track, progress_changes_nothing_grows_to_the_end_and_can_be_cancelled) 
 
 TEST(fit_track, a_closed_loop_closes_exactly_whatever_step_is_left) {
   const double radius = 9.7;
-  const auto circle = [=](double s) { return kOrigin + radius * dvec3(std::sin(s / radius), -std::cos(s / radius), 0.0); };
+  const auto circle = [=](double s) {
+    return kOrigin + radius * dvec3(std::sin(s / radius), -std::cos(s / radius), 0.0);
+  };
   const auto inwards = [=](double s) { return dvec3(-std::sin(s / radius), std::cos(s / radius), 0.0); };
   const int count = static_cast<int>(2 * M_PI * radius / 0.05) + 1;  // 1219 rows; the last step is 0.0168 m
   const std::vector<FitRow> rows = rows_along(circle, inwards, 0.05, count);
@@ -152,13 +157,17 @@ TEST(fit_track, a_jump_of_up_costs_a_few_knots_and_nothing_beyond_half_a_metre) 
   const std::vector<FitRow> rows = rows_along(straight(direction), up, 0.05, 801);
   EXPECT_LE(expect_fit(rows, false).report.knots, 6);
   const std::vector<char> near = near_jumps(rows, false, kJumpReach);
-  for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(near[i] != 0, std::abs(0.05 * static_cast<double>(i) - 20.025) <= 0.5) << i;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    EXPECT_EQ(near[i] != 0, std::abs(0.05 * static_cast<double>(i) - 20.025) <= 0.5) << i;
 }
 
 TEST(fit_track, a_jump_at_the_seam_of_a_closed_track_is_near_on_both_sides_of_it) {
   const auto circle = [](double s) { return kOrigin + 9.7 * dvec3(std::sin(s / 9.7), 0, std::cos(s / 9.7)); };
-  const auto up = [](double s) { return s < 30 ? dvec3(0, 1, 0) : dvec3(0.5 * std::sin(s / 9.7), 1, 0.5 * std::cos(s / 9.7)); };
-  const std::vector<FitRow> rows = rows_along(circle, up, 0.05, 1219);  // leans from row 600 on, and jumps back at the seam
+  const auto up = [](double s) {
+    return s < 30 ? dvec3(0, 1, 0) : dvec3(0.5 * std::sin(s / 9.7), 1, 0.5 * std::cos(s / 9.7));
+  };
+  const std::vector<FitRow> rows =
+      rows_along(circle, up, 0.05, 1219);  // leans from row 600 on, and jumps back at the seam
   const std::vector<char> near = near_jumps(rows, true, kJumpReach);
   const std::vector<bool> counted = test::counted_rows(rows, true);
   for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(near[i] != 0, !counted[i]) << i;
@@ -167,7 +176,9 @@ TEST(fit_track, a_jump_at_the_seam_of_a_closed_track_is_near_on_both_sides_of_it
 }
 
 TEST(fit_track, corners_and_gaps_of_the_rows_are_within_a_centimetre_still) {
-  const auto corner = [](double s) { return kOrigin + (s < 20.02 ? dvec3(s, 0, 0) : dvec3(20.02 + (s - 20.02) * 0.8, 0, (s - 20.02) * 0.6)); };
+  const auto corner = [](double s) {
+    return kOrigin + (s < 20.02 ? dvec3(s, 0, 0) : dvec3(20.02 + (s - 20.02) * 0.8, 0, (s - 20.02) * 0.6));
+  };
   expect_fit(rows_along(corner, sky, 0.05, 801), false);
   const auto gap = [](double s) { return kOrigin + dvec3(s, 0, s < 20.02 ? 0.0 : 0.7); };
   expect_fit(rows_along(gap, sky, 0.05, 801), false);
@@ -186,12 +197,14 @@ TEST(fit_track, rows_closer_than_the_shortest_handle_are_passed_over) {
 }
 
 TEST(fit_track, no_knot_is_a_short_step_before_the_end) {
-  // Open tracks of rising length: wherever the last span but one would end, the last one is long enough for its handles.
+  // Open tracks of rising length: wherever the last span but one would end, the last one is long enough for its
+  // handles.
   const auto wave = [](double s) { return kOrigin + dvec3(s, 3 * std::sin(s / 7), 2 * std::cos(s / 5)); };
   for (int count = 300; count < 420; ++count) {
     const FittedTrack fitted = fit_track(rows_along(wave, sky, 0.05, count), false);
     const auto& knots = fitted.document.track.knots;
-    const glm::vec3 a = world::knot(fitted.document, knots[knots.size() - 2]).position, b = world::knot(fitted.document, knots.back()).position;
+    const glm::vec3 a = world::knot(fitted.document, knots[knots.size() - 2]).position,
+                    b = world::knot(fitted.document, knots.back()).position;
     EXPECT_GE(glm::distance(a, b), 0.05f) << count;
   }
 }
@@ -207,7 +220,8 @@ TEST(fit_track, frame_angles_are_those_of_the_rotation) {
   const curve::Frame a{{1, 0, 0}, {0, 1, 0}};
   EXPECT_NEAR(frame_angle_deg(a, {{1, 0, 0}, {0, -1, 0}}), 180, 1e-9);
   const double t = 0.013;
-  EXPECT_NEAR(frame_angle_deg(a, {{std::cos(t), std::sin(t), 0}, {-std::sin(t), std::cos(t), 0}}), t * 180 / M_PI, 1e-9);
+  EXPECT_NEAR(frame_angle_deg(a, {{std::cos(t), std::sin(t), 0}, {-std::sin(t), std::cos(t), 0}}), t * 180 / M_PI,
+              1e-9);
   EXPECT_EQ(frame_angle_deg(a, a), 0);
 }
 

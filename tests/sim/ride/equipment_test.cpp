@@ -21,14 +21,18 @@ struct Ride {
     reset(document, derived, motion);
     motion.state = world::RideState::running;
   }
-  void step(int ticks, const char* row = "rk4") { sim::step(document, derived, find_integrator(row).value(), ticks, memo, motion); }
+  void step(int ticks, const char* row = "rk4") {
+    sim::step(document, derived, find_integrator(row).value(), ticks, memo, motion);
+  }
   world::CartMotion& train(std::size_t i = 0) { return motion.carts.items().at(i); }
   double drift(std::size_t i = 0) { return energy_drift(document, derived, motion.carts.entities().at(i), train(i)); }
 };
 
 // 12 level segments of 10 m in a row, or up a slope of `rise` m in all.
-world::Document runway(double rise, std::vector<std::pair<std::size_t, world::Equipment>> equipment, int cars = 1, double fraction = 0.5) {
-  world::Document d = test::straight_document({1.3f, 2.1f, -7.7f}, {121.3f, 2.1f + static_cast<float>(rise), -7.7f}, 12);
+world::Document runway(double rise, std::vector<std::pair<std::size_t, world::Equipment>> equipment, int cars = 1,
+                       double fraction = 0.5) {
+  world::Document d =
+      test::straight_document({1.3f, 2.1f, -7.7f}, {121.3f, 2.1f + static_cast<float>(rise), -7.7f}, 12);
   for (const auto& [index, e] : equipment) d.entities.put(d.track.segments.at(index), e);
   const world::Entity cart = world::add_cart(d, d.track.segments.at(1), fraction);
   d.entities.get<world::Cart>(cart).cars = cars;
@@ -36,7 +40,8 @@ world::Document runway(double rise, std::vector<std::pair<std::size_t, world::Eq
 }
 
 TEST(equipment, a_launch_gives_v2_equal_2as_and_stops_pushing_at_its_speed) {
-  world::Document d = runway(0, {{1, {world::EquipmentKind::launch, 9.0f, 6.0f, 0, 0}}, {2, {world::EquipmentKind::launch, 9.0f, 6.0f, 0, 0}}});
+  world::Document d = runway(0, {{1, {world::EquipmentKind::launch, 9.0f, 6.0f, 0, 0}},
+                                 {2, {world::EquipmentKind::launch, 9.0f, 6.0f, 0, 0}}});
   d.start_speed = 0;
   Ride ride(d);
   ride.step(60);  // v = a t until the end of 15 m or 9 m/s
@@ -49,7 +54,8 @@ TEST(equipment, a_launch_gives_v2_equal_2as_and_stops_pushing_at_its_speed) {
 
 TEST(equipment, a_lift_pulls_a_train_up_at_its_speed_and_does_its_work) {
   world::Document d = runway(60, {});
-  for (const world::Entity e : d.track.segments) d.entities.put(e, world::Equipment{world::EquipmentKind::lift, 3.0f, 2.0f, 0, 0});
+  for (const world::Entity e : d.track.segments)
+    d.entities.put(e, world::Equipment{world::EquipmentKind::lift, 3.0f, 2.0f, 0, 0});
   d.entities.get<world::Cart>(d.entities.pool<world::Cart>().entities()[0]).cars = 4;
   d.start_speed = 0;
   Ride ride(d);
@@ -64,7 +70,8 @@ TEST(equipment, a_lift_pulls_a_train_up_at_its_speed_and_does_its_work) {
 
 TEST(equipment, a_lift_lets_nothing_roll_back) {
   world::Document d = runway(60, {});
-  for (const world::Entity e : d.track.segments) d.entities.put(e, world::Equipment{world::EquipmentKind::lift, 0.0f, 1.0f, 0, 0});
+  for (const world::Entity e : d.track.segments)
+    d.entities.put(e, world::Equipment{world::EquipmentKind::lift, 0.0f, 1.0f, 0, 0});
   d.start_speed = 1.5;  // comes to a stop on the chain, which stands still
   Ride ride(d);
   ride.step(200);
@@ -74,7 +81,8 @@ TEST(equipment, a_lift_lets_nothing_roll_back) {
 
 TEST(equipment, a_brake_works_from_above_to_below_its_hysteresis) {
   world::Document d = runway(0, {});
-  for (const world::Entity e : d.track.segments) d.entities.put(e, world::Equipment{world::EquipmentKind::brake, 5.0f, 4.0f, 0.5f, 0});
+  for (const world::Entity e : d.track.segments)
+    d.entities.put(e, world::Equipment{world::EquipmentKind::brake, 5.0f, 4.0f, 0.5f, 0});
   d.start_speed = 8;
   Ride ride(d);
   ride.step(60);
@@ -95,7 +103,8 @@ TEST(equipment, a_station_stops_at_its_end_waits_and_sends_off) {
   Ride ride(d);
   int stood = 0;
   double place = 0;
-  for (int tick = 0; tick < 2400 && ride.motion.state == world::RideState::running && ride.train().track_distance < 60; ++tick) {
+  for (int tick = 0; tick < 2400 && ride.motion.state == world::RideState::running && ride.train().track_distance < 60;
+       ++tick) {
     ride.step(1);
     if (ride.train().speed != 0) continue;
     ++stood;
@@ -115,7 +124,8 @@ TEST(equipment, losses_act_against_the_motion_in_both_directions) {
     Ride ride(d);
     ride.step(120);
     // v' = -(a + c v^2): v = sqrt(a/c) tan(atan(v0 sqrt(c/a)) - sqrt(a c) t).
-    const double a = 0.025f * kG, c = 2e-3f, expected = std::sqrt(a / c) * std::tan(std::atan(7.3 * std::sqrt(c / a)) - std::sqrt(a * c));
+    const double a = 0.025f * kG, c = 2e-3f,
+                 expected = std::sqrt(a / c) * std::tan(std::atan(7.3 * std::sqrt(c / a)) - std::sqrt(a * c));
     EXPECT_NEAR(std::abs(ride.train().speed), expected, 1e-7);
     EXPECT_EQ(ride.train().speed > 0, start > 0);
     EXPECT_LT(ride.train().work, 0);
@@ -125,7 +135,8 @@ TEST(equipment, losses_act_against_the_motion_in_both_directions) {
 
 TEST(equipment, friction_brings_to_rest_and_holds_on_a_gentle_slope_alone) {
   world::Document gentle = runway(1.2, {}), steep = runway(6, {});
-  for (world::Document* d : {&gentle, &steep}) d->resistance = {0.02f, 0}, d->start_speed = 1, d->rollback_fails = false;
+  for (world::Document* d : {&gentle, &steep})
+    d->resistance = {0.02f, 0}, d->start_speed = 1, d->rollback_fails = false;
   Ride held(gentle), slides(steep);
   held.step(800), slides.step(480);
   EXPECT_EQ(held.train().speed, 0);
@@ -135,20 +146,25 @@ TEST(equipment, friction_brings_to_rest_and_holds_on_a_gentle_slope_alone) {
 
 TEST(equipment, blocks_keep_trains_apart) {
   world::Document d = test::ring_document(16, 30.7, 0.0);
-  for (const std::size_t i : {0u, 4u, 8u, 12u}) d.entities.put(d.track.segments[i], world::Equipment{world::EquipmentKind::block, 4.0f, 4.0f, 0.5f, 0});
+  for (const std::size_t i : {0u, 4u, 8u, 12u})
+    d.entities.put(d.track.segments[i], world::Equipment{world::EquipmentKind::block, 4.0f, 4.0f, 0.5f, 0});
   d.entities.put(d.track.segments[0], world::Equipment{world::EquipmentKind::station, 4.0f, 3.0f, 0, 2});
   d.start_speed = 3;
-  for (const std::size_t i : {1u, 6u, 10u}) d.entities.get<world::Cart>(world::add_cart(d, d.track.segments[i], 0.5)).cars = 3;
-  for (const std::size_t i : {2u, 3u, 5u, 6u, 7u, 9u, 10u, 11u, 13u, 14u, 15u}) d.entities.put(d.track.segments[i], world::Equipment{world::EquipmentKind::lift, 3.0f, 3.0f, 0, 0});
+  for (const std::size_t i : {1u, 6u, 10u})
+    d.entities.get<world::Cart>(world::add_cart(d, d.track.segments[i], 0.5)).cars = 3;
+  for (const std::size_t i : {2u, 3u, 5u, 6u, 7u, 9u, 10u, 11u, 13u, 14u, 15u})
+    d.entities.put(d.track.segments[i], world::Equipment{world::EquipmentKind::lift, 3.0f, 3.0f, 0, 0});
   Ride ride(d);
   const Rails rails{ride.derived.length, true};
   std::int64_t laps = 0;
   for (int tick = 0; tick < 120 * 600 && laps < 2; tick += 10) {
     ride.step(10);
-    ASSERT_EQ(ride.motion.state, world::RideState::running) << tick << " failure " << static_cast<int>(ride.motion.failure.kind);
+    ASSERT_EQ(ride.motion.state, world::RideState::running)
+        << tick << " failure " << static_cast<int>(ride.motion.failure.kind);
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = i + 1; j < 3; ++j)
-        ASSERT_FALSE(collide(rails, {ride.train(i).track_distance, 3, 3}, {ride.train(j).track_distance, 3, 3})) << tick;
+        ASSERT_FALSE(collide(rails, {ride.train(i).track_distance, 3, 3}, {ride.train(j).track_distance, 3, 3}))
+            << tick;
     laps = std::min({ride.train(0).laps, ride.train(1).laps, ride.train(2).laps});
   }
   EXPECT_EQ(laps, 2);

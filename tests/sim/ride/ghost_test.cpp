@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "sim/study/ratings.h"
 #include "sim/ride/ride.h"
+#include "sim/study/ratings.h"
 #include "sim/tracks.h"
 
 namespace coaster::sim {
@@ -35,8 +35,9 @@ world::Document helix_document(double radius, double drop, int turns, int per_tu
   const auto handle = static_cast<float>(4.0 / 3.0 * std::tan(step / 4) * std::hypot(radius, c));
   for (int i = 0; i <= turns * per_turn; ++i) {
     const double a = step * i;
-    world::append_knot(d, test::skew_knot(glm::vec3(3.3 + radius * std::cos(a), 40 + c * a, -7.9 - radius * std::sin(a)),
-                                    glm::vec3(-radius * std::sin(a), c, -radius * std::cos(a)), handle, handle));
+    world::append_knot(d,
+                       test::skew_knot(glm::vec3(3.3 + radius * std::cos(a), 40 + c * a, -7.9 - radius * std::sin(a)),
+                                       glm::vec3(-radius * std::sin(a), c, -radius * std::cos(a)), handle, handle));
     world::Knot& k = d.entities.get<world::Knot>(d.track.knots.back());
     k.up = glm::vec3(0, 1, 0);
     world::orthonormalise(k);
@@ -51,7 +52,8 @@ TEST(ghost, the_felt_acceleration_in_a_vertical_circle_is_that_of_the_textbook) 
   Riding setup(d, 0, 0.0, bottom_speed);
   const Ghost& ghost = setup.ghost();
   ASSERT_TRUE(ghost.lap);
-  // Riders inside the loop go (R - d)/R as fast as the rails: felt = v^2 (R - d)/R^2 + g at the bottom, less g at the top.
+  // Riders inside the loop go (R - d)/R as fast as the rails: felt = v^2 (R - d)/R^2 + g at the bottom, less g at the
+  // top.
   const auto felt = [&](double v2, double weight) { return v2 * (radius - 1.1) / (radius * radius) / kG + weight; };
   const double top_v2 = bottom_speed * bottom_speed - 4 * kG * radius;
   EXPECT_NEAR(ghost.forces.front().up, felt(bottom_speed * bottom_speed, 1), 0.02);
@@ -71,7 +73,8 @@ TEST(ghost, a_helix_presses_sideways_by_v2_over_r) {
   const double curvature = radius / (radius * radius + c * c);
   for (std::size_t k = 20; k + 20 < ghost.forces.size(); k += 7) {
     const double speed = ghost.samples[k * kForceEvery].speed;
-    EXPECT_NEAR(std::abs(ghost.forces[k].left), speed * speed * curvature / kG, 0.01 * speed * speed * curvature / kG) << k;
+    EXPECT_NEAR(std::abs(ghost.forces[k].left), speed * speed * curvature / kG, 0.01 * speed * speed * curvature / kG)
+        << k;
   }
 }
 
@@ -104,7 +107,8 @@ TEST(ghost, keeps_the_energy_and_agrees_with_runge_kutta_on_the_exact_curve) {
     EXPECT_LT(worst, 2e-3) << cars;  // m
     // The lap's time, by the speed at the end of it.
     const world::CartMotion& cart = motion.carts.items()[0];
-    const double exact = static_cast<double>(ghost.samples.size()) * world::kTick - (cart.travelled - setup.derived.length) / cart.speed;
+    const double exact =
+        static_cast<double>(ghost.samples.size()) * world::kTick - (cart.travelled - setup.derived.length) / cart.speed;
     EXPECT_NEAR(ghost.lap_time / exact, 1.0, 1e-5) << cars;
   }
 }
@@ -129,7 +133,9 @@ TEST(ghost, a_long_train_moves_as_its_lagrangian_says) {
     }
   }
   const auto slope = [&](double s) {
-    const auto above = std::clamp<std::ptrdiff_t>(std::upper_bound(distance.begin(), distance.end(), s) - distance.begin(), 1, static_cast<std::ptrdiff_t>(distance.size()) - 1);
+    const auto above =
+        std::clamp<std::ptrdiff_t>(std::upper_bound(distance.begin(), distance.end(), s) - distance.begin(), 1,
+                                   static_cast<std::ptrdiff_t>(distance.size()) - 1);
     const auto k = static_cast<std::size_t>(above);
     return (height[k] - height[k - 1]) / (distance[k] - distance[k - 1]);
   };
@@ -174,7 +180,8 @@ TEST(ghost, equipment_carries_a_train_round) {
   Riding setup(d, 0, 0.2, 1.0, 4);
   const Ghost& ghost = setup.ghost();
   EXPECT_TRUE(ghost.lap);
-  const auto fastest = std::max_element(ghost.samples.begin(), ghost.samples.end(), [](const auto& a, const auto& b) { return a.speed < b.speed; });
+  const auto fastest = std::max_element(ghost.samples.begin(), ghost.samples.end(),
+                                        [](const auto& a, const auto& b) { return a.speed < b.speed; });
   EXPECT_GT(fastest->speed, 10);
   EXPECT_LE(fastest->speed, 15.01);
 }

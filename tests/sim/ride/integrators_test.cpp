@@ -10,7 +10,8 @@ namespace coaster::sim {
 namespace integrators_test {
 
 TEST(integrators, names_are_unique_and_found) {
-  for (std::size_t i = 0; i < integrators().size(); ++i) EXPECT_EQ(find_integrator(integrators()[i].name), static_cast<int>(i));
+  for (std::size_t i = 0; i < integrators().size(); ++i)
+    EXPECT_EQ(find_integrator(integrators()[i].name), static_cast<int>(i));
   EXPECT_EQ(find_integrator("explicit_euler"), std::nullopt);
   EXPECT_EQ(integrators()[0].name, "rk4");
 }
@@ -32,7 +33,8 @@ TEST(integrators, the_slope_is_the_derivative_of_the_height) {
     const SegmentShape& shape = derived.shape(e);
     for (const double share : {0.13, 0.47, 0.81}) {
       const double s = share * shape.arc.length(), h = 1e-4;
-      EXPECT_NEAR((rail_point(shape, s + h).height - rail_point(shape, s - h).height) / (2 * h), rail_point(shape, s).slope, 1e-5);
+      EXPECT_NEAR((rail_point(shape, s + h).height - rail_point(shape, s - h).height) / (2 * h),
+                  rail_point(shape, s).slope, 1e-5);
     }
   }
 }
@@ -51,11 +53,14 @@ TEST(integrators, have_their_orders) {
   const Alone alone(derived, 1, 0.21 * derived.shape(derived.order[1]).arc.length());
   const auto run = [&](int row, int steps) {
     TrainState state{0, 9.7, 0};
-    for (int i = 0; i < steps; ++i) state = integrators()[static_cast<std::size_t>(row)].advance(alone.context, state, 1.1 / steps);
+    for (int i = 0; i < steps; ++i)
+      state = integrators()[static_cast<std::size_t>(row)].advance(alone.context, state, 1.1 / steps);
     return state.x;
   };
   const double exact = run(0, 4096);
-  const auto order = [&](int row, int steps) { return std::log2(std::abs(run(row, steps) - exact) / std::abs(run(row, 2 * steps) - exact)); };
+  const auto order = [&](int row, int steps) {
+    return std::log2(std::abs(run(row, steps) - exact) / std::abs(run(row, 2 * steps) - exact));
+  };
   EXPECT_NEAR(order(*find_integrator("rk4"), 32), 4, 0.4);
   EXPECT_NEAR(order(*find_integrator("verlet"), 64), 2, 0.2);
   EXPECT_NEAR(order(*find_integrator("euler"), 64), 1, 0.2);
@@ -67,7 +72,8 @@ TEST(integrators, the_papers_method_takes_the_speed_from_the_energy) {
   const double s = 0.3 * shape.arc.length(), height = rail_point(shape, s).height, datum = 2.7;
   const Alone alone(derived, 0, s, datum, 9.81 * (height - datum) + 0.5 * 8.1 * 8.1);
   const Integrator& row = integrators()[static_cast<std::size_t>(*find_integrator("energy"))];
-  const TrainState forward = row.advance(alone.context, {0, 1, 0}, 0.01), backward = row.advance(alone.context, {0, -1, 0}, 0.01);
+  const TrainState forward = row.advance(alone.context, {0, 1, 0}, 0.01),
+                   backward = row.advance(alone.context, {0, -1, 0}, 0.01);
   EXPECT_NEAR(forward.speed, 8.1, 1e-12);
   EXPECT_NEAR(forward.x, 0.081, 1e-12);
   EXPECT_NEAR(backward.speed, -8.1, 1e-12);

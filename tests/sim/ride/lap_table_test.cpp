@@ -64,7 +64,8 @@ TEST(lap_table, moves_many_carts_with_the_bits_of_one) {
 TEST(lap_table, finds_the_time_of_a_place) {
   Lap lap;
   const LapTable table = lap.table();
-  for (const double part : {0.0, 0.123, 0.5, 0.987}) EXPECT_NEAR(lap_cart(table, table.phase_at(part * table.length())).along, part * table.length(), 1e-9);
+  for (const double part : {0.0, 0.123, 0.5, 0.987})
+    EXPECT_NEAR(lap_cart(table, table.phase_at(part * table.length())).along, part * table.length(), 1e-9);
   EXPECT_NEAR(table.phase_at(table.length()), table.period(), 1e-9);
 }
 
@@ -86,7 +87,9 @@ struct Rides {
     reset(lap.document, lap.derived, motion);
     motion.state = world::RideState::running;
   }
-  void step(int ticks, const char* row) { sim::step(lap.document, lap.derived, find_integrator(row).value(), ticks, lap.memo, motion); }
+  void step(int ticks, const char* row) {
+    sim::step(lap.document, lap.derived, find_integrator(row).value(), ticks, lap.memo, motion);
+  }
   const world::CartMotion& cart() const { return motion.carts.items()[0]; }
   // The first time at which it has gone round `laps` times, s, by the ticks around it and the speed.
   double time_of_laps(int laps, const char* row) {

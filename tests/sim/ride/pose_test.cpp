@@ -18,7 +18,9 @@ world::CartMotion at_distance(const Derived& derived, double distance, double sp
 }
 
 // Of a single car on a plain track.
-Felt felt_by(const Derived& derived, const world::CartMotion& cart) { return felt(world::Document{}, derived, world::kNone, cart); }
+Felt felt_by(const Derived& derived, const world::CartMotion& cart) {
+  return felt(world::Document{}, derived, world::kNone, cart);
+}
 
 TEST(felt, at_rest_on_the_flat_is_one_g_up) {
   const Derived derived = test::derived_of(test::straight_document({1.1f, 2.3f, 2.7f}, {31.1f, 2.3f, 7.7f}, 3));
@@ -39,8 +41,8 @@ TEST(felt, rolling_freely_down_a_straight_slope_is_weightless_forwards) {
 }
 
 TEST(felt, a_circular_loop_has_the_closed_form) {
-  // Heartline at radius R - d with the rail's angle s/R: v^2 (R - d)/R^2 towards the centre, 4.64 g at R = 7.5 m, d = 1.1 m, 20 m/s;
-  // along the rails -g sin(a) (R - d)/R. Gravity comes on top.
+  // Heartline at radius R - d with the rail's angle s/R: v^2 (R - d)/R^2 towards the centre, 4.64 g at R = 7.5 m, d
+  // = 1.1 m, 20 m/s; along the rails -g sin(a) (R - d)/R. Gravity comes on top.
   const double radius = 7.5, inside = 6.4, speed = 20;
   const Derived derived = test::derived_of(test::circle_document(radius, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}));
   const double turn = speed * speed * inside / (radius * radius) / 9.81;
@@ -71,7 +73,8 @@ TEST(pose, sits_on_the_curve_facing_along_it) {
   const curve::NearestPoint near = curve::nearest_point(world::cubic_of(d, cart.segment), p.position);
   EXPECT_LT(near.distance, 1e-6);
   EXPECT_NEAR(curve::arc_length(world::cubic_of(d, cart.segment), 0, near.t), cart.s, 1e-6);
-  EXPECT_NEAR(glm::dot(p.frame.forward, glm::normalize(curve::derivative(world::cubic_of(d, cart.segment), near.t))), 1, 1e-9);
+  EXPECT_NEAR(glm::dot(p.frame.forward, glm::normalize(curve::derivative(world::cubic_of(d, cart.segment), near.t))), 1,
+              1e-9);
 }
 
 TEST(pose, frenet_points_up_to_the_centre_of_curvature) {
@@ -90,7 +93,8 @@ TEST(pose, where_frenet_is_undefined_the_knots_frame_stands_in) {
   world::set_roll(d.entities.get<world::Knot>(d.track.knots[0]), 25);
   const Derived derived = test::derived_of(d);
   const world::CartMotion cart = at_distance(derived, 11.3, 5);
-  const Pose frenet = pose(derived, cart, world::FrameMethod::frenet), knots = pose(derived, cart, world::FrameMethod::knots);
+  const Pose frenet = pose(derived, cart, world::FrameMethod::frenet),
+             knots = pose(derived, cart, world::FrameMethod::knots);
   EXPECT_FALSE(frenet.defined);
   EXPECT_EQ(frenet.frame.up, knots.frame.up);
   EXPECT_TRUE(knots.defined);

@@ -22,9 +22,12 @@ struct Ride {
     reset(document, derived, motion);
   }
   void start() { motion.state = world::RideState::running; }
-  void step(int ticks, const char* row = "rk4") { sim::step(document, derived, find_integrator(row).value(), ticks, memo, motion); }
+  void step(int ticks, const char* row = "rk4") {
+    sim::step(document, derived, find_integrator(row).value(), ticks, memo, motion);
+  }
   world::CartMotion& cart(std::size_t i = 0) { return motion.carts.items().at(i); }
-  // v^2/2 + g y of a cart, from the segment's control points by de Casteljau at the parameter that bisection finds for s.
+  // v^2/2 + g y of a cart, from the segment's control points by de Casteljau at the parameter that bisection finds for
+  // s.
   double energy_by_hand(const world::CartMotion& at) const {
     const curve::Cubic c = world::cubic_of(document, at.segment);
     double low = 0, high = 1;
@@ -60,7 +63,8 @@ TEST(ride, ten_laps_of_a_closed_track_keep_the_energy) {
   EXPECT_NEAR(energy(ride.document, ride.derived, ride.motion.carts.entities()[0], ride.cart()), before, 1e-6 * peak);
 }
 
-// Handles that differ on the two sides of a joint: the tangent is common, the curvature jumps by up to a factor of three.
+// Handles that differ on the two sides of a joint: the tangent is common, the curvature jumps by up to a factor of
+// three.
 TEST(ride, ten_laps_of_a_kinked_vertical_loop_keep_the_energy) {
   for (const int count : {4, 7, 12}) {
     world::Document d = test::circle_document(7.0, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}, count);

@@ -138,7 +138,8 @@ TEST(derived, places_wrap_on_closed_tracks_and_clamp_on_open_ones) {
 TEST(derived, the_clock_measures_evaluation_alone) {
   int calls = 0;
   Derived derived;
-  derive(test::ring_document(8, 17.3), {}, [&] { return 0.25 * calls++; }, derived);
+  derive(
+      test::ring_document(8, 17.3), {}, [&] { return 0.25 * calls++; }, derived);
   EXPECT_EQ(calls, 16);  // before and after each segment's polyline
   EXPECT_DOUBLE_EQ(derived.evaluation_seconds, 8 * 0.25);
   EXPECT_EQ(derived.evaluated_vertices, 8 * 65);
@@ -166,7 +167,8 @@ TEST(derived, evaluators_on_the_gpu_leave_no_polylines_and_cost_no_rebuild) {
       EXPECT_EQ(derived.last_build, last);
       EXPECT_EQ(derived.deviation, 0);
     }
-    for (const world::Entity e : derived.order) EXPECT_EQ(derived.shape(e).points.capacity() + derived.shape(e).tangents.capacity(), 0u);
+    for (const world::Entity e : derived.order)
+      EXPECT_EQ(derived.shape(e).points.capacity() + derived.shape(e).tangents.capacity(), 0u);
   }
   EXPECT_EQ(derived.length, length);
   EXPECT_EQ(derived.measured_length, measured);

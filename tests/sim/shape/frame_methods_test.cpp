@@ -11,8 +11,8 @@ namespace frame_methods_test {
 using glm::dvec3;
 using world::FrameMethod;
 
-// The oracle: `up` carried along the track by the differential equation U' = -(U . T') T, in Runge-Kutta steps of its own; per segment
-// boundary the turn against the method's frame is looked at.
+// The oracle: `up` carried along the track by the differential equation U' = -(U . T') T, in Runge-Kutta steps of its
+// own; per segment boundary the turn against the method's frame is looked at.
 dvec3 carried(const curve::Cubic& c, dvec3 up, int steps) {
   const auto rate = [&](double t, dvec3 u) {
     const dvec3 d = curve::derivative(c, t), dd = curve::second_derivative(c, t);
@@ -23,7 +23,8 @@ dvec3 carried(const curve::Cubic& c, dvec3 up, int steps) {
   const double h = 1.0 / steps;
   for (int i = 0; i < steps; ++i) {
     const double t = i * h;
-    const dvec3 a = rate(t, up), b = rate(t + h / 2, up + h / 2 * a), e = rate(t + h / 2, up + h / 2 * b), f = rate(t + h, up + h * e);
+    const dvec3 a = rate(t, up), b = rate(t + h / 2, up + h / 2 * a), e = rate(t + h / 2, up + h / 2 * b),
+                f = rate(t + h, up + h * e);
     up += h / 6 * (a + 2.0 * b + 2.0 * e + f);
   }
   return glm::normalize(up);
@@ -87,12 +88,16 @@ TEST(frame_methods, rmf_closes_a_loop_by_spreading_the_twist_that_is_left_over) 
   EXPECT_NEAR(loop_twist(derived), curve::signed_angle(up, first.up, first.forward), 3e-5);
   EXPECT_GT(std::abs(loop_twist(derived)), 0.01);
   const std::size_t last = derived.order.size() - 1;
-  EXPECT_LT(glm::length(track_frame(derived, FrameMethod::rmf, last, derived.shape(derived.order[last]).arc.length()).frame.up - first.up), 1e-6);
+  EXPECT_LT(glm::length(
+                track_frame(derived, FrameMethod::rmf, last, derived.shape(derived.order[last]).arc.length()).frame.up -
+                first.up),
+            1e-6);
   // Half way round half of it is spread.
   const TrackPlace half = place_at(derived, derived.length / 2);
   const curve::Frame there = track_frame(derived, FrameMethod::rmf, half.index, half.s).frame;
   dvec3 to_half = first.up;
-  for (std::size_t i = 0; i < half.index; ++i) to_half = carried(derived.shape(derived.order[i]).key.cubic, to_half, 400);
+  for (std::size_t i = 0; i < half.index; ++i)
+    to_half = carried(derived.shape(derived.order[i]).key.cubic, to_half, 400);
   const SegmentShape& shape = derived.shape(derived.order[half.index]);
   to_half = carried(curve::split(shape.key.cubic, shape.arc.parameter(half.s)).left, to_half, 400);
   EXPECT_NEAR(curve::signed_angle(to_half, there.up, there.forward), loop_twist(derived) / 2, 1e-4);
@@ -105,13 +110,18 @@ TEST(frame_methods, a_plane_loop_has_no_twist_left_over) {
 TEST(frame_methods, rolling_the_knots_does_not_turn_the_rmf) {
   world::Document d = banked_ring(true);
   const Derived before = test::derived_of(d);
-  for (std::size_t i = 1; i < d.track.knots.size(); ++i) world::set_roll(d.entities.get<world::Knot>(d.track.knots[i]), 151.3);
+  for (std::size_t i = 1; i < d.track.knots.size(); ++i)
+    world::set_roll(d.entities.get<world::Knot>(d.track.knots[i]), 151.3);
   const Derived after = test::derived_of(d);
   EXPECT_NEAR(loop_twist(before), loop_twist(after), 1e-5);
   for (const double distance : {11.1, 97.7, 203.3}) {
     const TrackPlace p = place_at(before, distance);
-    EXPECT_LT(glm::length(track_frame(before, FrameMethod::rmf, p.index, p.s).frame.up - track_frame(after, FrameMethod::rmf, p.index, p.s).frame.up), 1e-5);
-    EXPECT_GT(glm::length(track_frame(before, FrameMethod::knots, p.index, p.s).frame.up - track_frame(after, FrameMethod::knots, p.index, p.s).frame.up), 0.1);
+    EXPECT_LT(glm::length(track_frame(before, FrameMethod::rmf, p.index, p.s).frame.up -
+                          track_frame(after, FrameMethod::rmf, p.index, p.s).frame.up),
+              1e-5);
+    EXPECT_GT(glm::length(track_frame(before, FrameMethod::knots, p.index, p.s).frame.up -
+                          track_frame(after, FrameMethod::knots, p.index, p.s).frame.up),
+              0.1);
   }
 }
 
@@ -139,8 +149,11 @@ TEST(frame_methods, frenet_keeps_the_last_normal_over_a_straight_and_says_so) {
   const Derived derived = test::derived_of(d);
   const TrackFrame on_bend = track_frame(derived, FrameMethod::frenet, 0, 11.1);
   EXPECT_TRUE(on_bend.defined);
-  EXPECT_LT(glm::length(dvec3(on_bend.frame.up) - glm::normalize(dvec3(23.3, 5.5, -27.7) - curve::point(derived.shape(derived.order[0]).key.cubic,
-                                                                                           derived.shape(derived.order[0]).arc.parameter(11.1)))), 0.02);
+  EXPECT_LT(glm::length(dvec3(on_bend.frame.up) -
+                        glm::normalize(dvec3(23.3, 5.5, -27.7) -
+                                       curve::point(derived.shape(derived.order[0]).key.cubic,
+                                                    derived.shape(derived.order[0]).arc.parameter(11.1)))),
+            0.02);
   for (const std::size_t i : {std::size_t{1}, std::size_t{2}})
     for (const double s : {0.3, 9.9, 19.1}) {
       const TrackFrame f = track_frame(derived, FrameMethod::frenet, i, s);

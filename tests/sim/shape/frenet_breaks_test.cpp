@@ -30,7 +30,8 @@ TEST(frenet_breaks, an_inflection_is_one_flip_by_180_degrees_at_its_place) {
 }
 
 TEST(frenet_breaks, agree_with_a_walk_along_random_segments) {
-  // The oracle walks in 4096 steps and looks whether the normal has turned by more than 90 degrees within 1/32 anywhere.
+  // The oracle walks in 4096 steps and looks whether the normal has turned by more than 90 degrees within 1/32
+  // anywhere.
   int flips = 0, none = 0;
   for (std::uint32_t seed = 1; seed < 60; ++seed) {
     const Derived derived = test::derived_of(test::random_document(seed));
@@ -42,7 +43,9 @@ TEST(frenet_breaks, agree_with_a_walk_along_random_segments) {
         const auto before = curve::frenet(c, (i - 32) / 2048.0), after = curve::frenet(c, (i + 32) / 2048.0);
         if (before && after) sharpest = std::min(sharpest, glm::dot(before->binormal, after->binormal));
       }
-      const bool any = std::any_of(found.begin(), found.end(), [](const FrenetBreak& b) { return b.kind == Kind::flip && b.t > 1.0 / 64 && b.t < 63.0 / 64; });
+      const bool any = std::any_of(found.begin(), found.end(), [](const FrenetBreak& b) {
+        return b.kind == Kind::flip && b.t > 1.0 / 64 && b.t < 63.0 / 64;
+      });
       EXPECT_TRUE(!any || sharpest < 0.02) << seed;
       flips += any;
       none += sharpest > 0.05;
@@ -105,7 +108,8 @@ TEST(frenet_breaks, the_kept_list_is_the_fresh_one_after_every_edit) {
 
 TEST(frenet_breaks, degenerate_segments_are_told_and_bounded) {
   const glm::vec3 p(5.5f, -3.3f, 21.1f), q(9.7f, 4.4f, 18.3f);
-  for (const curve::Cubic& c : {curve::Cubic{p, p, p, p}, curve::Cubic{p, p, q, q}, curve::Cubic{p, q, p, q}, curve::Cubic{p, q, q, p}}) {
+  for (const curve::Cubic& c :
+       {curve::Cubic{p, p, p, p}, curve::Cubic{p, p, q, q}, curve::Cubic{p, q, p, q}, curve::Cubic{p, q, q, p}}) {
     SegmentShape shape;
     shape.key.cubic = c;
     const auto found = frenet_breaks(shape, world::Entity{0, 0});

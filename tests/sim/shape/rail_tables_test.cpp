@@ -29,7 +29,8 @@ TEST(rail_tables, heights_and_slopes_are_those_of_the_curve) {
       ASSERT_NEAR(table.slope, exact.slope, 1e-5) << i << " " << s;
       // The slope is the table's own derivative: energy is kept by it.
       const double h = 1e-5;
-      ASSERT_NEAR((rail_at(tables.segment(i), s + h).height - rail_at(tables.segment(i), s - h).height) / (2 * h), table.slope, 1e-4);
+      ASSERT_NEAR((rail_at(tables.segment(i), s + h).height - rail_at(tables.segment(i), s - h).height) / (2 * h),
+                  table.slope, 1e-4);
     }
 }
 
@@ -40,7 +41,8 @@ TEST(rail_tables, rails_go_on_straight_beyond_their_ends) {
   const SegmentTable& table = tables.segment(1);
   const double length = derived.shape(derived.order[1]).arc.length();
   EXPECT_NEAR(rail_at(table, -2).height, rail_at(table, 0).height - 2 * rail_at(table, 0).slope, 1e-12);
-  EXPECT_NEAR(rail_at(table, length + 2).height, rail_at(table, length).height + 2 * rail_at(table, length).slope, 1e-9);
+  EXPECT_NEAR(rail_at(table, length + 2).height, rail_at(table, length).height + 2 * rail_at(table, length).slope,
+              1e-9);
   EXPECT_EQ(rail_at(table, length + 2).slope, rail_at(table, length + 5).slope);
 }
 
@@ -67,7 +69,8 @@ TEST(rail_tables, what_riders_feel_is_what_the_ride_says_on_the_exact_curve) {
     const Felt exact = felt(d, derived, cart, at);
     const double s = tables.locate(at.track_distance, hint);
     const double a = -world::kGravity * rail_at(tables.segment(hint), s).slope;
-    const glm::vec3 table = felt_at(tables.segment(hint), s, static_cast<float>(a / world::kGravity), static_cast<float>(at.speed * at.speed / world::kGravity));
+    const glm::vec3 table = felt_at(tables.segment(hint), s, static_cast<float>(a / world::kGravity),
+                                    static_cast<float>(at.speed * at.speed / world::kGravity));
     ASSERT_NEAR(table.z, exact.up, 0.03) << n;
     ASSERT_NEAR(table.y, exact.left, 0.03) << n;
     ASSERT_NEAR(table.x, exact.forward, 0.03) << n;
@@ -84,14 +87,16 @@ TEST(rail_tables, an_edit_refills_its_two_segments_alone) {
   const std::uint64_t serial = tables.serial();
   tables.update(derived, 1.1);
   EXPECT_EQ(tables.serial(), serial);
-  std::vector<const double*> before;  // where the entries are: a refill of another size or of a new segment may move them
+  std::vector<const double*>
+      before;  // where the entries are: a refill of another size or of a new segment may move them
   std::vector<std::uint64_t> builds;
   for (std::size_t i = 0; i < tables.size(); ++i) builds.push_back(tables.segment(i).build);
   d.entities.get<world::Knot>(d.track.knots[5]).position.y += 1.3f;
   derive(d, {}, {}, derived);
   tables.update(derived, 1.1);
   EXPECT_GT(tables.serial(), serial);
-  for (std::size_t i = 0; i < tables.size(); ++i) EXPECT_EQ(tables.segment(i).build != builds[i], i == 4 || i == 5) << i;
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    EXPECT_EQ(tables.segment(i).build != builds[i], i == 4 || i == 5) << i;
   for (std::size_t i = 0; i < tables.size(); ++i) builds[i] = tables.segment(i).build;
   tables.update(derived, 0.7);  // the heartline is in all of them
   for (std::size_t i = 0; i < tables.size(); ++i) EXPECT_EQ(tables.segment(i).heartline, 0.7) << i;

@@ -28,7 +28,9 @@ std::vector<curve::Cubic> random_cubics(Random& random, std::size_t count) {
     const glm::vec3 off = glm::vec3(-31.7f, -8.3f, 12.9f);
     switch (i % 4) {
       case 0: cubics.push_back({p, p, p, p}); break;  // a point
-      case 1: cubics.push_back({p, p + glm::vec3(3.3f, 0, 0), p + glm::vec3(6.6f, 0, 0), p + glm::vec3(9.9f, 0, 0)}); break;
+      case 1:
+        cubics.push_back({p, p + glm::vec3(3.3f, 0, 0), p + glm::vec3(6.6f, 0, 0), p + glm::vec3(9.9f, 0, 0)});
+        break;
       default: cubics.push_back({p, p + off + random.point(9), p + off + random.point(20), p + off + random.point(15)});
     }
   }
@@ -41,7 +43,8 @@ bool holds(const TreeNode& node, int lane, glm::dvec3 p) {
   return true;
 }
 
-// Every box holds the curves below it, children point to their parents, each segment is met once; returns how many nodes are above each other.
+// Every box holds the curves below it, children point to their parents, each segment is met once; returns how many
+// nodes are above each other.
 int check_node(const SegmentTree& tree, std::int32_t at, std::vector<int>& met) {
   const TreeNode& node = tree.nodes[static_cast<std::size_t>(at)];
   int depth = 0;
@@ -60,7 +63,8 @@ int check_node(const SegmentTree& tree, std::int32_t at, std::vector<int>& met) 
     }
     for (std::size_t i = 0; i < below.size(); ++i) {
       met[i] += below[i];
-      for (int k = 0; below[i] > 0 && k <= 8; ++k) EXPECT_TRUE(holds(node, lane, curve::point(tree.cubics[i], k / 8.0)));
+      for (int k = 0; below[i] > 0 && k <= 8; ++k)
+        EXPECT_TRUE(holds(node, lane, curve::point(tree.cubics[i], k / 8.0)));
     }
   }
   return depth + 1;
@@ -108,11 +112,13 @@ TEST(segment_tree, chords_with_their_radii_hold_the_curves_and_little_more) {
       double farthest = 0;
       for (int k = 0; k <= 200; ++k) {
         const glm::dvec3 p = curve::point(cubic, k / 200.0);
-        const double s = glm::dot(along, along) > 0 ? std::clamp(glm::dot(p - from, along) / glm::dot(along, along), 0.0, 1.0) : 0;
+        const double s =
+            glm::dot(along, along) > 0 ? std::clamp(glm::dot(p - from, along) / glm::dot(along, along), 0.0, 1.0) : 0;
         farthest = std::max(farthest, glm::distance(p, from + s * along));
       }
       EXPECT_LE(farthest, block.radius[lane] * (1 + 1e-6) + 1e-12);
-      EXPECT_LE(block.radius[lane], 1.25 * farthest + 0.05);  // control points after two halvings are a sixteenth as far off as before
+      EXPECT_LE(block.radius[lane],
+                1.25 * farthest + 0.05);  // control points after two halvings are a sixteenth as far off as before
     }
 }
 
@@ -144,7 +150,8 @@ TEST(segment_tree, refitted_boxes_are_those_of_a_tree_built_anew) {
       for (int row = 0; row < 6; ++row) {
         const auto bound = [row](const TreeNode& root) {
           float out = root.bounds[row][0];
-          for (int lane = 1; root.lanes >> lane & 1; ++lane) out = row < 3 ? std::min(out, root.bounds[row][lane]) : std::max(out, root.bounds[row][lane]);
+          for (int lane = 1; root.lanes >> lane & 1; ++lane)
+            out = row < 3 ? std::min(out, root.bounds[row][lane]) : std::max(out, root.bounds[row][lane]);
           return out;
         };
         EXPECT_EQ(bound(tree.nodes[0]), bound(again.nodes[0]));
@@ -158,7 +165,8 @@ TEST(segment_tree, follows_what_is_derived_and_keeps_its_nodes_while_knots_move)
   Derived derived = test::derived_of(d);
   const auto in_step = [&] {
     ASSERT_EQ(derived.tree.cubics.size(), derived.order.size());
-    for (std::size_t i = 0; i < derived.order.size(); ++i) EXPECT_EQ(derived.tree.cubics[i], derived.shape(derived.order[i]).key.cubic);
+    for (std::size_t i = 0; i < derived.order.size(); ++i)
+      EXPECT_EQ(derived.tree.cubics[i], derived.shape(derived.order[i]).key.cubic);
     check_tree(derived.tree);
   };
   in_step();

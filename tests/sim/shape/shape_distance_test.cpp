@@ -30,7 +30,8 @@ world::Document ring(int n, double radius) {
   }
   for (int i = 0; i < n; ++i) {
     const world::Entity e = d.entities.create();
-    d.entities.put(e, world::Segment{d.track.knots[static_cast<std::size_t>(i)], d.track.knots[static_cast<std::size_t>((i + 1) % n)]});
+    d.entities.put(e, world::Segment{d.track.knots[static_cast<std::size_t>(i)],
+                                     d.track.knots[static_cast<std::size_t>((i + 1) % n)]});
     d.track.segments.push_back(e);
   }
   return d;
@@ -42,11 +43,13 @@ TEST(shape_distance, a_track_is_at_no_distance_from_itself) {
 }
 
 TEST(shape_distance, rings_of_cubics_miss_the_circle_by_the_known_error) {
-  // The radial error of an arc of angle a is 2/27 sin(a/4)^6 / cos(a/4)^2 of the radius (Goldapp 1991, doi:10.1016/0167-8396(91)90007-X).
+  // The radial error of an arc of angle a is 2/27 sin(a/4)^6 / cos(a/4)^2 of the radius (Goldapp 1991,
+  // doi:10.1016/0167-8396(91)90007-X).
   const double radius = 20;
   const ShapeTrace circle = trace_of(ring(64, radius));
   for (const int n : {3, 4, 6, 8}) {
-    const double a = 2 * kPi / n, error = 2.0 / 27 * std::pow(std::sin(a / 4), 6) / std::pow(std::cos(a / 4), 2) * radius;
+    const double a = 2 * kPi / n,
+                 error = 2.0 / 27 * std::pow(std::sin(a / 4), 6) / std::pow(std::cos(a / 4), 2) * radius;
     // Chords of the traces: c^2 / 8 r with c = 2 pi r / 1024.
     EXPECT_NEAR(shape_distance(trace_of(ring(n, radius)), circle), error, 2e-4) << n;
   }

@@ -23,7 +23,9 @@ std::vector<Conflict> conflicts_of(const Derived& derived) {
   return conflicts.update(derived);
 }
 
-void add_knot(world::Document& d, glm::vec3 at, glm::vec3 way, float handle = 10) { world::append_knot(d, test::skew_knot(at, way, handle, handle)); }
+void add_knot(world::Document& d, glm::vec3 at, glm::vec3 way, float handle = 10) {
+  world::append_knot(d, test::skew_knot(at, way, handle, handle));
+}
 
 // A level straight along +X at 5 m, a wide turn, and another straight across it at (30, 5 + over, 0).
 world::Document crossing(float over) {
@@ -55,7 +57,8 @@ world::Document criss_cross(std::uint32_t seed, std::size_t knots) {
   std::vector<glm::vec3> places;
   for (std::size_t i = 0; i < knots; ++i) places.emplace_back(bits() % 61, 3 + bits() % 21, bits() % 61);
   world::Document d;
-  for (std::size_t i = 0; i < knots; ++i) add_knot(d, places[i], places[(i + 1) % knots] - places[(i + knots - 1) % knots], 10);
+  for (std::size_t i = 0; i < knots; ++i)
+    add_knot(d, places[i], places[(i + 1) % knots] - places[(i + knots - 1) % knots], 10);
   return d;
 }
 
@@ -65,7 +68,8 @@ TEST(conflicts, track_over_track_needs_room_for_heads) {
     const Derived derived = test::derived_of(crossing(static_cast<float>(over)));
     const auto found = conflicts_of(derived);
     ASSERT_EQ(found.size(), 1u) << over;
-    // Lines that cross at right angles: the lower one's train is kTrainLift over its rails, the upper one's spine kTrackDrop under.
+    // Lines that cross at right angles: the lower one's train is kTrainLift over its rails, the upper one's spine
+    // kTrackDrop under.
     EXPECT_NEAR(found[0].missing, kTrainRadius + kTrackRadius - std::abs(over - kTrainLift - kTrackDrop), 1e-5);
     EXPECT_NEAR(found[0].at, 30, kConflictStep);
     EXPECT_NEAR(found[0].other, derived.length - 25, kConflictStep);
@@ -90,7 +94,8 @@ TEST(conflicts, a_stretch_is_never_in_its_own_way) {
   EXPECT_TRUE(conflicts_of({}).empty());
   EXPECT_TRUE(conflicts_of(test::derived_of(test::straight_document({0, 5, 0}, {100, 5, 0}, 100))).empty());
   EXPECT_TRUE(conflicts_of(test::derived_of(test::ring_document(9, 23.1))).empty());
-  EXPECT_TRUE(conflicts_of(test::derived_of(test::circle_document(4, {0, 1, 0}, {1, 0, 0}))).empty()) << "nor over the closing joint";
+  EXPECT_TRUE(conflicts_of(test::derived_of(test::circle_document(4, {0, 1, 0}, {1, 0, 0}))).empty())
+      << "nor over the closing joint";
 }
 
 // Points 0.5 m apart with their frames, the oracle's own way to the track.
@@ -112,7 +117,9 @@ double worst_of(const Derived& derived, double same_stretch) {
     for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
       const Sample &a = samples[i], &b = samples[k];
       const double away = std::abs(a.distance - b.distance);
-      if ((derived.closed ? std::min(away, derived.length - away) : away) < same_stretch || glm::distance(a.train, b.track) > nearest + 1) continue;
+      if ((derived.closed ? std::min(away, derived.length - away) : away) < same_stretch ||
+          glm::distance(a.train, b.track) > nearest + 1)
+        continue;
       nearest = std::min(nearest, distance_between(a.train, samples[i + 1].train, b.track, samples[k + 1].track));
     }
   return std::max(0.0, kTrainRadius + kTrackRadius - nearest);
@@ -133,7 +140,9 @@ TEST(conflicts, the_worst_is_that_of_a_search_through_all_places) {
   EXPECT_GT(some, 10);
 }
 
-void split(world::Document& d, world::Entity segment) { (void)world::split_segment(d, segment, 0.3, glm::vec3(frame_of(d, segment, 0.3).up)); }
+void split(world::Document& d, world::Entity segment) {
+  (void)world::split_segment(d, segment, 0.3, glm::vec3(frame_of(d, segment, 0.3).up));
+}
 
 TEST(conflicts, follow_from_the_track_alone_however_it_came_to_be_so) {
   world::Document d = criss_cross(8, 40);
@@ -149,8 +158,12 @@ TEST(conflicts, follow_from_the_track_alone_however_it_came_to_be_so) {
       case 1: world::set_closed(d, !d.track.closed); break;
       case 2: split(d, d.track.segments[bits() % d.track.segments.size()]); break;
       case 3: d.entities.get<world::Knot>(k).position.y += 300; break;  // the segments beside it grow long
-      case 4: if (step % 3 == 0) d = first; break;
-      default: d.entities.get<world::Knot>(k).position += glm::vec3(static_cast<int>(bits() % 9) - 4, static_cast<int>(bits() % 5) - 2, static_cast<int>(bits() % 9) - 4);
+      case 4:
+        if (step % 3 == 0) d = first;
+        break;
+      default:
+        d.entities.get<world::Knot>(k).position += glm::vec3(
+            static_cast<int>(bits() % 9) - 4, static_cast<int>(bits() % 5) - 2, static_cast<int>(bits() % 9) - 4);
     }
     world::settle_joints(d);
     derive(d, {}, {}, derived);
@@ -179,10 +192,13 @@ TEST(conflicts, track_in_a_heap_is_looked_at_in_bounds) {
   world::Document d;
   std::mt19937 bits(5);
   for (int i = 0; i < 600; ++i)
-    add_knot(d, glm::vec3(bits() % 40, bits() % 40, bits() % 40) * 0.1f, glm::vec3(1, static_cast<float>(bits() % 7) - 3, static_cast<float>(bits() % 7) - 3), 1);
+    add_knot(d, glm::vec3(bits() % 40, bits() % 40, bits() % 40) * 0.1f,
+             glm::vec3(1, static_cast<float>(bits() % 7) - 3, static_cast<float>(bits() % 7) - 3), 1);
   const auto found = conflicts_of(test::derived_of(d));
   EXPECT_GT(found.size(), 10u);
-  for (const Conflict& conflict : found) EXPECT_TRUE(conflict.missing > 0 && conflict.missing <= kTrainRadius + kTrackRadius && conflict.at < conflict.other);
+  for (const Conflict& conflict : found)
+    EXPECT_TRUE(conflict.missing > 0 && conflict.missing <= kTrainRadius + kTrackRadius &&
+                conflict.at < conflict.other);
 }
 
 TEST(conflicts, of_degenerate_and_random_tracks_are_within_the_track) {
@@ -194,8 +210,10 @@ TEST(conflicts, of_degenerate_and_random_tracks_are_within_the_track) {
     EXPECT_EQ(found, conflicts_of(derived)) << seed;
     for (const Conflict& c : found) {
       EXPECT_TRUE(0 <= c.from && c.from <= c.at && c.at <= c.to && c.to <= derived.length) << seed;
-      EXPECT_TRUE(0 <= c.other_from && c.other_from <= c.other && c.other <= c.other_to && c.other_to <= derived.length) << seed;
-      EXPECT_TRUE(c.missing > 0 && std::isfinite(glm::length(c.at_place)) && std::isfinite(glm::length(c.other_place))) << seed;
+      EXPECT_TRUE(0 <= c.other_from && c.other_from <= c.other && c.other <= c.other_to && c.other_to <= derived.length)
+          << seed;
+      EXPECT_TRUE(c.missing > 0 && std::isfinite(glm::length(c.at_place)) && std::isfinite(glm::length(c.other_place)))
+          << seed;
     }
   }
 }
@@ -209,7 +227,8 @@ TEST(conflicts, what_comes_with_the_game_has_none) {
       const auto loaded = exchange::load_track(files, entry.path());
       ASSERT_TRUE(loaded.ok()) << entry.path() << loaded.status().message;
       for (const Conflict& conflict : conflicts_of(test::derived_of(loaded->document)))
-        ADD_FAILURE() << entry.path().filename() << " at " << conflict.at << " m and " << conflict.other << " m lacks " << conflict.missing << " m";
+        ADD_FAILURE() << entry.path().filename() << " at " << conflict.at << " m and " << conflict.other << " m lacks "
+                      << conflict.missing << " m";
       ++tracks;
     }
   EXPECT_GE(tracks, 8);

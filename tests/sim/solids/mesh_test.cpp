@@ -23,7 +23,9 @@ curve::Frame skew_frame() {
 std::vector<Ring> straight_rings(double length) {
   const curve::Frame frame = skew_frame();
   const dvec3 start(3.7, 11.3, -6.1);
-  return {{start, frame, 0}, {start + 0.4 * length * frame.forward, frame, 0.4f}, {start + length * frame.forward, frame, 1}};
+  return {{start, frame, 0},
+          {start + 0.4 * length * frame.forward, frame, 0.4f},
+          {start + length * frame.forward, frame, 1}};
 }
 
 void expect_solid(const Mesh& mesh, Part part, double expected, double tolerance) {

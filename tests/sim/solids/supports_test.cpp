@@ -27,7 +27,8 @@ world::Document helix_document(int turns, double radius, double rise, int knots 
   for (int i = 0; i <= turns * knots; ++i) {
     const double a = step * i + 0.21, h = bottom + rise * i / knots;
     const glm::vec3 tangent(-std::sin(a), rise / (2 * M_PI * radius), -std::cos(a));
-    world::append_knot(d, test::skew_knot({11 + radius * std::cos(a), h, -7 - radius * std::sin(a)}, tangent, static_cast<float>(handle), static_cast<float>(handle)));
+    world::append_knot(d, test::skew_knot({11 + radius * std::cos(a), h, -7 - radius * std::sin(a)}, tangent,
+                                          static_cast<float>(handle), static_cast<float>(handle)));
   }
   return d;
 }
@@ -64,7 +65,8 @@ std::vector<Sample> samples_of(const Derived& derived, double spacing) {
     for (int k = 0; k <= steps; ++k) {
       const double s = shape.arc.length() * k / steps;
       const curve::Frame frame = frame_at(shape, s);
-      out.push_back({curve::point(shape.key.cubic, shape.arc.parameter(s)), frame.up, frame.left(), derived.starts[i] + s});
+      out.push_back(
+          {curve::point(shape.key.cubic, shape.arc.parameter(s)), frame.up, frame.left(), derived.starts[i] + s});
     }
   }
   return out;
@@ -84,8 +86,10 @@ int disturbed(const Derived& derived, const Supports& supports) {
         const dvec3 spine = hold.position - kSpineDrop * hold.frame.up;
         for (const glm::vec3 end : {bar.from, bar.to}) {
           const double apart = glm::distance(dvec3(end), spine);
-          const double start = derived.starts[static_cast<std::size_t>(std::find(derived.order.begin(), derived.order.end(), e) - derived.order.begin())];
-          if (apart < least) least = apart, held = start + static_cast<double>(hold.along) * derived.shape(e).arc.length();
+          const double start = derived.starts[static_cast<std::size_t>(
+              std::find(derived.order.begin(), derived.order.end(), e) - derived.order.begin())];
+          if (apart < least)
+            least = apart, held = start + static_cast<double>(hold.along) * derived.shape(e).arc.length();
         }
       }
       const dvec3 from(bar.from), to(bar.to);
@@ -148,7 +152,8 @@ TEST(supports, distance_between_lines_is_the_least_of_all_pairs_of_points) {
     const dvec3 a = point(), b = i % 7 ? point() : a, c = point(), d = i % 5 ? point() : c + 0.7 * (b - a);
     double least = 1e9;
     for (int s = 0; s <= 200; ++s)
-      for (int t = 0; t <= 200; ++t) least = std::min(least, glm::distance(glm::mix(a, b, s / 200.0), glm::mix(c, d, t / 200.0)));
+      for (int t = 0; t <= 200; ++t)
+        least = std::min(least, glm::distance(glm::mix(a, b, s / 200.0), glm::mix(c, d, t / 200.0)));
     const double found = distance_between(a, b, c, d);
     EXPECT_LE(found, least + 1e-12);
     EXPECT_NEAR(found, least, 0.1);
@@ -157,7 +162,8 @@ TEST(supports, distance_between_lines_is_the_least_of_all_pairs_of_points) {
 
 TEST(supports, stand_about_ten_metres_apart_under_a_free_straight) {
   for (const int segments : {1, 4, 10, 40}) {  // of 120 m, 30 m, 12 m, 3 m
-    const Derived derived = test::derived_of(test::straight_document({1.7f, 9.3f, 2.1f}, {97.7f, 9.3f, 74.1f}, segments));
+    const Derived derived =
+        test::derived_of(test::straight_document({1.7f, 9.3f, 2.1f}, {97.7f, 9.3f, 74.1f}, segments));
     const Supports supports = supports_of(derived);
     std::vector<double> feet;
     for (const world::Entity e : derived.order)
@@ -228,7 +234,8 @@ TEST(supports, follow_from_the_track_alone_however_it_came_to_be_so) {
     if (step == 5) world::remove_knot(d, d.track.knots[9]);
     if (step == 8) world::set_closed(d, true);
     const world::Entity k = d.track.knots[bits() % d.track.knots.size()];
-    d.entities.get<world::Knot>(k).position += glm::vec3(static_cast<int>(bits() % 9) - 4, static_cast<int>(bits() % 5) - 2, static_cast<int>(bits() % 9) - 4);
+    d.entities.get<world::Knot>(k).position +=
+        glm::vec3(static_cast<int>(bits() % 9) - 4, static_cast<int>(bits() % 5) - 2, static_cast<int>(bits() % 9) - 4);
     world::settle_joints(d);
     derive(d, {}, {}, derived);
     kept.update(derived);

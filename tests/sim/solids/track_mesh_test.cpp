@@ -38,7 +38,8 @@ TEST(track_mesh, tubes_enclose_the_volume_of_prisms) {
 }
 
 TEST(track_mesh, normals_of_bent_track_point_outwards) {
-  for (const auto& d : {test::ring_document(8, 21.3), test::sample_document(), test::circle_document(7.5, {3.1, 2.2, -1.7}, {1, 0, 0.3}, 8)}) {
+  for (const auto& d : {test::ring_document(8, 21.3), test::sample_document(),
+                        test::circle_document(7.5, {3.1, 2.2, -1.7}, {1, 0, 0.3}, 8)}) {
     const Derived derived = test::derived_of(d);
     for (const world::Entity e : derived.order) {
       const Mesh mesh = swept(derived.shape(e));
@@ -74,11 +75,13 @@ TEST(track_mesh, rails_run_a_gauge_apart_on_the_rails_plane) {
 
 TEST(track_mesh, end_rings_of_neighbours_coincide) {
   world::Document d = test::ring_document(7, 19.1);
-  for (std::size_t i = 0; i < 7; ++i) world::set_roll(d.entities.get<world::Knot>(d.track.knots[i]), 31.7 * static_cast<double>(i) - 90);
+  for (std::size_t i = 0; i < 7; ++i)
+    world::set_roll(d.entities.get<world::Knot>(d.track.knots[i]), 31.7 * static_cast<double>(i) - 90);
   d.entities.get<world::Segment>(d.track.segments[3]).turns = 2;
   const Derived derived = test::derived_of(d);
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
-    const Mesh before = swept(derived.shape(derived.order[i])), after = swept(derived.shape(derived.order[(i + 1) % derived.order.size()]));
+    const Mesh before = swept(derived.shape(derived.order[i])),
+               after = swept(derived.shape(derived.order[(i + 1) % derived.order.size()]));
     // Each tube's last ring before the joint is its first one after it, bit for bit.
     const auto rings = [](const Mesh& mesh, Part part) {
       std::vector<const MeshVertex*> found;
@@ -101,17 +104,21 @@ TEST(track_mesh, end_rings_of_neighbours_coincide) {
 
 TEST(track_mesh, rings_never_turn_by_more_than_a_quarter_and_never_flip) {
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
-    const world::Document d = seed < 10 ? test::random_document(seed) : seed == 10 ? test::sample_document() : test::circle_document(6.3, {1, 2, 3}, {1, 0, 0.4}, 5);
+    const world::Document d = seed < 10    ? test::random_document(seed)
+                              : seed == 10 ? test::sample_document()
+                                           : test::circle_document(6.3, {1, 2, 3}, {1, 0, 0.4}, 5);
     const Derived derived = test::derived_of(d);
     for (const world::Entity e : derived.order) {
       const SegmentShape& shape = derived.shape(e);
       const std::vector<Ring> rings = rings_of(shape);
       // A turn between two of the places at which frames are kept is sharper than any ring can follow: a cusp.
       bool cusp = false;
-      for (std::size_t i = 0; i + 1 < shape.frames.size(); ++i) cusp = cusp || glm::dot(shape.frames[i].forward, shape.frames[i + 1].forward) < 0.7;
+      for (std::size_t i = 0; i + 1 < shape.frames.size(); ++i)
+        cusp = cusp || glm::dot(shape.frames[i].forward, shape.frames[i + 1].forward) < 0.7;
       if (cusp) continue;
       for (std::size_t i = 0; i + 1 < rings.size(); ++i) {
-        ASSERT_GT(glm::dot(rings[i].frame.forward, rings[i + 1].frame.forward), 0) << seed << ' ' << i << '/' << rings.size();
+        ASSERT_GT(glm::dot(rings[i].frame.forward, rings[i + 1].frame.forward), 0)
+            << seed << ' ' << i << '/' << rings.size();
         ASSERT_GT(glm::dot(rings[i].frame.up, rings[i + 1].frame.up), 0) << seed << ' ' << i << '/' << rings.size();
       }
     }
@@ -131,7 +138,8 @@ TEST(track_mesh, degenerate_segments_give_no_nan) {
   EXPECT_TRUE(finite(swept(shape_of(p, p, 5, 5, {0, 1, 0}, 16))));
   EXPECT_TRUE(finite(swept(shape_of(p, p + glm::vec3(0, 9.1f, 0), 3, 3, {0, 1, 0}, -16))));
   EXPECT_TRUE(finite(swept(shape_of(p, p + glm::vec3(4, 0, 0), 4, 4, {-1, 0, 0}, 3))));
-  EXPECT_TRUE(finite(swept(shape_of(glm::vec3(1e5f), glm::vec3(-1e5f), world::kMaxHandle, world::kMaxHandle, {1, 0.1f, 0}, 16))));
+  EXPECT_TRUE(finite(
+      swept(shape_of(glm::vec3(1e5f), glm::vec3(-1e5f), world::kMaxHandle, world::kMaxHandle, {1, 0.1f, 0}, 16))));
   SegmentShape point;  // four equal points
   point.key.cubic = {p, p, p, p};
   point.key.up_from = point.key.up_to = {0, 1, 0};
@@ -157,10 +165,12 @@ TEST(track_mesh, rings_follow_bend_and_twist_within_their_cap) {
   // A chord over b radians of a circle of radius r is off by r b^2 / 8; a cubic's bend is spread a little unevenly.
   for (const auto& [radius, count] : {std::pair{5.0, 8}, {40.0, 16}}) {
     const double chord = std::sqrt(8 * radius * kSagitta);
-    EXPECT_NEAR(static_cast<double>(rings(test::circle_document(radius, {1, 2, 3}, {1, 0, 0}, count))), 2 * M_PI * radius / count / chord + 1.5, 1.0);
+    EXPECT_NEAR(static_cast<double>(rings(test::circle_document(radius, {1, 2, 3}, {1, 0, 0}, count))),
+                2 * M_PI * radius / count / chord + 1.5, 1.0);
   }
   // 90 degrees over 1571 m: the greatest distance decides.
-  EXPECT_NEAR(static_cast<double>(rings(test::circle_document(1000.0, {1, 2, 3}, {1, 0, 0}, 4))), 1570.8 / 4 + 1.5, 1.0);
+  EXPECT_NEAR(static_cast<double>(rings(test::circle_document(1000.0, {1, 2, 3}, {1, 0, 0}, 4))), 1570.8 / 4 + 1.5,
+              1.0);
 }
 
 TEST(track_mesh, five_thousand_segments_stay_under_three_million_vertices) {
@@ -178,10 +188,13 @@ Mesh fitted(const SegmentShape& shape, world::EquipmentKind kind) {
   add_fittings(shape, kind, mesh);
   return mesh;
 }
-constexpr world::EquipmentKind kKinds[] = {world::EquipmentKind::station, world::EquipmentKind::lift, world::EquipmentKind::launch, world::EquipmentKind::brake, world::EquipmentKind::block};
+constexpr world::EquipmentKind kKinds[] = {world::EquipmentKind::station, world::EquipmentKind::lift,
+                                           world::EquipmentKind::launch, world::EquipmentKind::brake,
+                                           world::EquipmentKind::block};
 
 TEST(fittings, are_closed_solids_that_face_outwards) {
-  for (const auto& d : {test::ring_document(8, 21.3), test::straight_document({3.3f, 7.1f, -2.9f}, {17.7f, 9.3f, 9.1f})}) {
+  for (const auto& d :
+       {test::ring_document(8, 21.3), test::straight_document({3.3f, 7.1f, -2.9f}, {17.7f, 9.3f, 9.1f})}) {
     const Derived derived = test::derived_of(d);
     for (const world::EquipmentKind kind : kKinds) {
       const Mesh mesh = fitted(derived.shape(derived.order[0]), kind);
@@ -205,23 +218,27 @@ TEST(fittings, leave_the_way_of_wheels_and_cars_free) {
       const glm::dvec3 p = glm::dvec3(v.position) - glm::dvec3(1.7, 14.3, 2.1);
       const double left = std::abs(0.6 * p.x - 0.8 * p.z), up = p.y;
       // Beside wheels and body, below both, or between the rails under the car's floor.
-      EXPECT_TRUE(left > 1.0 || up < -0.3 || (left < 0.37 && up < 0.13)) << static_cast<int>(kind) << ' ' << left << ' ' << up;
+      EXPECT_TRUE(left > 1.0 || up < -0.3 || (left < 0.37 && up < 0.13))
+          << static_cast<int>(kind) << ' ' << left << ' ' << up;
     }
   }
 }
 
 TEST(fittings, each_kind_has_its_own_parts_and_none_to_stand_on_where_nobody_can) {
   const auto has = [](const Mesh& mesh, Part part) {
-    return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const MeshVertex& v) { return v.part == static_cast<float>(part); });
+    return std::any_of(mesh.vertices.begin(), mesh.vertices.end(),
+                       [&](const MeshVertex& v) { return v.part == static_cast<float>(part); });
   };
   const Derived flat = test::derived_of(test::straight_document({1.7f, 4.3f, 2.1f}, {25.7f, 4.9f, 20.1f}));
   const Derived steep = test::derived_of(test::straight_document({1.7f, 4.3f, 2.1f}, {6.7f, 34.9f, 5.1f}));
   const SegmentShape &level = flat.shape(flat.order[0]), &rising = steep.shape(steep.order[0]);
-  EXPECT_TRUE(has(fitted(level, world::EquipmentKind::lift), Part::chain) && has(fitted(level, world::EquipmentKind::lift), Part::deck));
+  EXPECT_TRUE(has(fitted(level, world::EquipmentKind::lift), Part::chain) &&
+              has(fitted(level, world::EquipmentKind::lift), Part::deck));
   EXPECT_TRUE(has(fitted(rising, world::EquipmentKind::lift), Part::chain));
   EXPECT_FALSE(has(fitted(rising, world::EquipmentKind::lift), Part::deck));
   EXPECT_TRUE(has(fitted(level, world::EquipmentKind::launch), Part::stator));
-  EXPECT_TRUE(has(fitted(level, world::EquipmentKind::brake), Part::fin) && has(fitted(level, world::EquipmentKind::block), Part::fin));
+  EXPECT_TRUE(has(fitted(level, world::EquipmentKind::brake), Part::fin) &&
+              has(fitted(level, world::EquipmentKind::block), Part::fin));
   EXPECT_TRUE(has(fitted(level, world::EquipmentKind::station), Part::concrete));
   EXPECT_TRUE(fitted(rising, world::EquipmentKind::station).vertices.empty());
 }
@@ -232,7 +249,8 @@ TEST(fittings, degenerate_segments_show_none) {
   world::append_knot(d, test::skew_knot(p, {0.3f, 0.2f, 0.9f}, world::kMinHandle, world::kMinHandle));
   world::append_knot(d, test::skew_knot(p, {0.3f, 0.2f, 0.9f}, world::kMinHandle, world::kMinHandle));
   const Derived derived = test::derived_of(d);
-  for (const world::EquipmentKind kind : kKinds) EXPECT_TRUE(fitted(derived.shape(derived.order[0]), kind).vertices.empty());
+  for (const world::EquipmentKind kind : kKinds)
+    EXPECT_TRUE(fitted(derived.shape(derived.order[0]), kind).vertices.empty());
 }
 
 }  // namespace track_mesh_test

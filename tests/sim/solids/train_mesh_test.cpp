@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/solids/clearance.h"
 #include "sim/solids.h"
+#include "sim/solids/clearance.h"
 #include "sim/solids/track_mesh.h"
 
 namespace coaster::sim {

@@ -25,10 +25,13 @@ struct Edited {
     session.document = std::move(d);
     EXPECT_TRUE(edit::apply(session, files, edit::SetDatum{0.25}).ok());
   }
-  std::vector<RedSpan> red() { return red_spans(*session.ghosts.ride(session.document, session.derived, cart), default_envelope()); }
+  std::vector<RedSpan> red() {
+    return red_spans(*session.ghosts.ride(session.document, session.derived, cart), default_envelope());
+  }
   void move(world::Entity knot, glm::vec3 by) {
     const world::Name name = world::name_of(session.document, knot);
-    ASSERT_TRUE(edit::apply(session, files, edit::MoveKnot{{name}, world::knot(session.document, knot).position + by}).ok());
+    ASSERT_TRUE(
+        edit::apply(session, files, edit::MoveKnot{{name}, world::knot(session.document, knot).position + by}).ok());
   }
 };
 
@@ -45,15 +48,20 @@ Excess excess_of(const std::vector<RedSpan>& red, ForceAxis axis) {
 world::Document tight(world::JointKind joint) {
   // Up and down and through a valley that is too tight for the speed.
   world::Document d;
-  const glm::vec3 at[] = {{0.3f, 30, 0.7f}, {22, 28, 1}, {45, 4, 2}, {52, 2, 2.2f}, {59, 4, 2.4f}, {82, 26, 3}, {110, 27, 4}, {140, 27, 5}};
-  const glm::vec3 along[] = {{1, 0, 0}, {1, -0.4f, 0}, {1, -0.6f, 0}, {1, 0, 0}, {1, 0.6f, 0}, {1, 0.4f, 0}, {1, 0, 0}, {1, 0, 0}};
-  for (int i = 0; i < 8; ++i) world::append_knot(d, test::skew_knot(at[i], along[i], i > 1 && i < 5 ? 3.1f : 8.3f, i > 1 && i < 5 ? 3.1f : 8.3f, joint));
+  const glm::vec3 at[] = {{0.3f, 30, 0.7f}, {22, 28, 1}, {45, 4, 2},   {52, 2, 2.2f},
+                          {59, 4, 2.4f},    {82, 26, 3}, {110, 27, 4}, {140, 27, 5}};
+  const glm::vec3 along[] = {{1, 0, 0},    {1, -0.4f, 0}, {1, -0.6f, 0}, {1, 0, 0},
+                             {1, 0.6f, 0}, {1, 0.4f, 0},  {1, 0, 0},     {1, 0, 0}};
+  for (int i = 0; i < 8; ++i)
+    world::append_knot(
+        d, test::skew_knot(at[i], along[i], i > 1 && i < 5 ? 3.1f : 8.3f, i > 1 && i < 5 ? 3.1f : 8.3f, joint));
   world::settle_joints(d);
   return d;
 }
 
 TEST(advice, the_move_that_it_names_lowers_the_excess_by_the_editors_own_command) {
-  for (const world::JointKind joint : {world::JointKind::aligned, world::JointKind::smooth, world::JointKind::automatic}) {
+  for (const world::JointKind joint :
+       {world::JointKind::aligned, world::JointKind::smooth, world::JointKind::automatic}) {
     Edited edited(tight(joint), 17.3);
     const std::vector<RedSpan> before = edited.red();
     ASSERT_FALSE(before.empty());

@@ -15,7 +15,8 @@ Ghost ride_of(double seconds, Up up) {
   const auto ticks = static_cast<std::size_t>(seconds * world::kTicksPerSecond);
   for (std::size_t i = 0; i <= ticks; ++i) {
     ghost.samples.push_back({10.0 * static_cast<double>(i) * world::kTick, 10, 0, 0});
-    if (i % kForceEvery == 0) ghost.forces.push_back({0, 0, static_cast<float>(up(static_cast<double>(i) * world::kTick))});
+    if (i % kForceEvery == 0)
+      ghost.forces.push_back({0, 0, static_cast<float>(up(static_cast<double>(i) * world::kTick))});
   }
   return ghost;
 }
@@ -68,7 +69,8 @@ TEST(envelope, what_is_shorter_than_a_fifth_of_a_second_does_not_count) {
   EXPECT_TRUE(red_spans(ghost, envelope).empty());
 }
 
-// The definition, by brute force over levels and moments: a moment is red when some level is not left for longer than it may last.
+// The definition, by brute force over levels and moments: a moment is red when some level is not left for longer than
+// it may last.
 TEST(envelope, finds_the_same_red_moments_as_brute_force) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> step(-0.9, 0.9);
@@ -76,7 +78,8 @@ TEST(envelope, finds_the_same_red_moments_as_brute_force) {
     double value = 3;
     std::vector<double> walk;
     for (int i = 0; i < 600; ++i) walk.push_back(value = std::clamp(value + step(random), -3.0, 7.0));
-    const Ghost ghost = ride_of(600.0 / 60, [&](double t) { return walk[std::min<std::size_t>(599, static_cast<std::size_t>(t * 60 + 0.5))]; });
+    const Ghost ghost = ride_of(
+        600.0 / 60, [&](double t) { return walk[std::min<std::size_t>(599, static_cast<std::size_t>(t * 60 + 0.5))]; });
     const Envelope& envelope = default_envelope();
     const std::vector<float> values = pressed(ghost, 0, ForceAxis::down, envelope.cutoff);
     std::vector<bool> expected(values.size(), false), found(values.size(), false);
@@ -89,13 +92,17 @@ TEST(envelope, finds_the_same_red_moments_as_brute_force) {
         std::size_t j = i;
         while (j + 1 < values.size() && values[j + 1] >= level) ++j;
         const double seconds = static_cast<double>(j - i) / 60;
-        if (seconds >= envelope.shortest && level > limit(envelope.curves[0], seconds)) std::fill(expected.begin() + static_cast<std::ptrdiff_t>(i), expected.begin() + static_cast<std::ptrdiff_t>(j) + 1, true);
+        if (seconds >= envelope.shortest && level > limit(envelope.curves[0], seconds))
+          std::fill(expected.begin() + static_cast<std::ptrdiff_t>(i),
+                    expected.begin() + static_cast<std::ptrdiff_t>(j) + 1, true);
         i = j + 1;
       }
     }
     for (const RedSpan& span : red_spans(ghost, envelope))
       if (span.axis == ForceAxis::down)
-        for (auto k = static_cast<std::size_t>(span.from * 60 + 0.5); k <= static_cast<std::size_t>(span.to * 60 + 0.5); ++k) found[k] = true;
+        for (auto k = static_cast<std::size_t>(span.from * 60 + 0.5); k <= static_cast<std::size_t>(span.to * 60 + 0.5);
+             ++k)
+          found[k] = true;
     EXPECT_EQ(found, expected) << trial;
   }
 }

@@ -15,7 +15,8 @@ TEST(errata, every_name_has_its_row_with_texts_and_units) {
   const auto all = errata(derived, derived.order[1], 17.3, 64);
   for (std::size_t i = 0; i < all.size(); ++i) {
     EXPECT_EQ(all[i].name, kErrata[i]);
-    EXPECT_FALSE(all[i].claim.empty() || all[i].explanation.empty() || all[i].unit.empty() || all[i].wrong_unit.empty()) << all[i].name;
+    EXPECT_FALSE(all[i].claim.empty() || all[i].explanation.empty() || all[i].unit.empty() || all[i].wrong_unit.empty())
+        << all[i].name;
     EXPECT_TRUE(std::isfinite(all[i].right) && std::isfinite(all[i].wrong)) << all[i].name;
     EXPECT_EQ(erratum(derived, derived.order[1], 17.3, 64, kErrata[i])->right, all[i].right);
   }
@@ -60,7 +61,8 @@ TEST(errata, a_segment_of_no_length_is_told_in_finite_numbers) {
   world::Document d;
   for (int i = 0; i < 2; ++i) world::append_knot(d, test::skew_knot({3.3f, 5.5f, -7.7f}, {0.3f, 1, 0}, 0.01f, 0.01f));
   const Derived derived = test::derived_of(d);
-  for (const Erratum& e : errata(derived, derived.order[0], 33, 64)) EXPECT_TRUE(std::isfinite(e.right) && std::isfinite(e.wrong)) << e.name;
+  for (const Erratum& e : errata(derived, derived.order[0], 33, 64))
+    EXPECT_TRUE(std::isfinite(e.right) && std::isfinite(e.wrong)) << e.name;
 }
 
 }  // namespace errata_test

@@ -127,7 +127,9 @@ TEST(measure, csv_is_a_header_and_a_line_a_cell) {
   row.evaluator = *curve::find_evaluator("horner");
   row.cells[1] = {3.25, 1.5e-6, 9};
   m.rows.push_back(row);
-  EXPECT_EQ(to_csv(m, "Some processor; gcc"), "# Some processor; gcc\r\nevaluator,steps,ns_per_point,worst_error_m,rounds\r\nhorner,64,3.25,1.5e-06,9\r\n");
+  EXPECT_EQ(
+      to_csv(m, "Some processor; gcc"),
+      "# Some processor; gcc\r\nevaluator,steps,ns_per_point,worst_error_m,rounds\r\nhorner,64,3.25,1.5e-06,9\r\n");
 }
 
 }  // namespace measure_test

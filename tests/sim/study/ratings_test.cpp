@@ -48,8 +48,8 @@ TEST(ratings, a_flat_circle_at_constant_speed_has_constant_g) {
   EXPECT_NEAR(r.nausea, 0.26 + 0.33 * l, 0.01);
 }
 
-// A ballistic parabola is one cubic. At its own speed riders float at 0 g everywhere; with a part q more of kinetic energy at the start they are
-// lifted by q v0^2 k(s) / g, k being the curvature, which is g / (v0 cos)^2 at the top.
+// A ballistic parabola is one cubic. At its own speed riders float at 0 g everywhere; with a part q more of kinetic
+// energy at the start they are lifted by q v0^2 k(s) / g, k being the curvature, which is g / (v0 cos)^2 at the top.
 world::Document parabola(double speed, double angle) {
   const double vx = speed * std::cos(angle), vy = speed * std::sin(angle), time = 2 * vy / kG;
   world::Document d;

@@ -91,7 +91,8 @@ TEST(ride_report, the_values_by_time_are_a_table_of_the_ghost) {
     EXPECT_NEAR(std::stod(row[2]), sample.speed, 1e-3);
     EXPECT_NEAR(std::stod(row[8]), ride.ghost->forces[k * 3 + 1].up, 1e-3);
     // Energy: no losses.
-    EXPECT_NEAR(0.5 * sample.speed * sample.speed + 9.81 * std::stod(row[3]), 0.5 * 16.3 * 16.3 + 9.81 * std::stod(split(lines[1], ',')[3]), 8.0);
+    EXPECT_NEAR(0.5 * sample.speed * sample.speed + 9.81 * std::stod(row[3]),
+                0.5 * 16.3 * 16.3 + 9.81 * std::stod(split(lines[1], ',')[3]), 8.0);
   }
 }
 

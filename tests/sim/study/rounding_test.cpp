@@ -9,15 +9,16 @@ namespace rounding_test {
 
 const curve::Evaluator& row(const char* name) { return curve::evaluator(*curve::find_evaluator(name)); }
 
-const curve::PreparedCubic kCurve =
-    curve::prepare({{103.37f, 17.91f, -251.3f}, {109.13f, 23.7f, -247.9f}, {118.71f, 19.3f, -239.1f}, {121.9f, 11.7f, -233.3f}});
+const curve::PreparedCubic kCurve = curve::prepare(
+    {{103.37f, 17.91f, -251.3f}, {109.13f, 23.7f, -247.9f}, {118.71f, 19.3f, -239.1f}, {121.9f, 11.7f, -233.3f}});
 
 // Horner in long double: not the arithmetic of the oracle.
 glm::dvec3 exact(const curve::Cubic& c, long double t) {
   glm::dvec3 out;
   for (int axis = 0; axis < 3; ++axis) {
     const long double p0 = c.p0[axis], p1 = c.p1[axis], p2 = c.p2[axis], p3 = c.p3[axis];
-    out[axis] = static_cast<double>(p0 + t * (3 * (p1 - p0) + t * (3 * (p0 - 2 * p1 + p2) + t * (p3 - p0 + 3 * (p1 - p2)))));
+    out[axis] =
+        static_cast<double>(p0 + t * (3 * (p1 - p0) + t * (3 * (p0 - 2 * p1 + p2) + t * (p3 - p0 + 3 * (p1 - p2)))));
   }
   return out;
 }
@@ -30,7 +31,8 @@ TEST(rounding, vertex_is_exact_plus_error) {
     ASSERT_EQ(r.error.size(), 98u);
     ASSERT_EQ(r.exact.size(), 98u);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      EXPECT_LT(glm::length(r.exact[i] - exact(kCurve.cubic, static_cast<long double>(i) / 97)), 2e-13) << evaluator.name << ' ' << i;
+      EXPECT_LT(glm::length(r.exact[i] - exact(kCurve.cubic, static_cast<long double>(i) / 97)), 2e-13)
+          << evaluator.name << ' ' << i;
       EXPECT_LT(glm::length(r.exact[i] + r.error[i] - glm::dvec3(points[i])), 1e-13) << evaluator.name << ' ' << i;
     }
   }
@@ -52,7 +54,9 @@ TEST(rounding, stays_within_the_rows_bound) {
   const double extent = std::max({glm::length(c.p0), glm::length(c.p1), glm::length(c.p2), glm::length(c.p3)});
   const double size = glm::length(c.p1 - c.p0) + glm::length(c.p2 - c.p1) + glm::length(c.p3 - c.p2);
   for (const curve::Evaluator& evaluator : curve::evaluators())
-    for (const int steps : {1, 7, 256, 4096}) EXPECT_LE(largest(rounding(kCurve, evaluator, steps)), evaluator.error_bound(extent, size, steps)) << evaluator.name;
+    for (const int steps : {1, 7, 256, 4096})
+      EXPECT_LE(largest(rounding(kCurve, evaluator, steps)), evaluator.error_bound(extent, size, steps))
+          << evaluator.name;
 }
 
 TEST(error_profile, is_the_size_of_the_error_in_millimetres) {
@@ -70,7 +74,8 @@ TEST(error_profile, is_the_size_of_the_error_in_millimetres) {
 }
 
 TEST(rounding, of_a_point_is_nothing) {
-  const Rounding r = rounding(curve::prepare({glm::vec3(7.3f), glm::vec3(7.3f), glm::vec3(7.3f), glm::vec3(7.3f)}), row("horner"), 8);
+  const Rounding r =
+      rounding(curve::prepare({glm::vec3(7.3f), glm::vec3(7.3f), glm::vec3(7.3f), glm::vec3(7.3f)}), row("horner"), 8);
   EXPECT_LT(largest(r), 1e-5);
 }
 

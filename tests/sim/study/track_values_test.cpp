@@ -44,16 +44,19 @@ TEST(track_values, a_frictionless_ride_is_as_fast_as_its_height_says_everywhere)
   for (std::size_t i = 0; i < 9; ++i)
     for (int j = 0; j < kValuesPerSegment; ++j) {
       const double v2 = 7.3 * 7.3 + 2 * world::kGravity * (start - track.place(i, j).y);
-      EXPECT_NEAR(values.of(i)[static_cast<std::size_t>(j)], std::sqrt(v2), 0.02) << i << " " << j;  // linear between 60 values a second
+      EXPECT_NEAR(values.of(i)[static_cast<std::size_t>(j)], std::sqrt(v2), 0.02)
+          << i << " " << j;  // linear between 60 values a second
     }
 }
 
 TEST(track_values, where_a_ride_does_not_come_is_unknown) {
-  Coloured track(test::straight_document({3.1f, 2.7f, -1.9f}, {83.1f, 42.7f, -1.9f}, 4), 10.0);  // rolls back after 11 m on the slope
+  Coloured track(test::straight_document({3.1f, 2.7f, -1.9f}, {83.1f, 42.7f, -1.9f}, 4),
+                 10.0);  // rolls back after 11 m on the slope
   const TrackValues& values = track.by(Colouring::speed);
   EXPECT_NE(values.of(0)[10], kUnknownValue);
   EXPECT_EQ(values.of(3)[10], kUnknownValue);
-  for (const float value : track.memo.update(track.derived, track.settings, nullptr).values) EXPECT_EQ(value, kUnknownValue);
+  for (const float value : track.memo.update(track.derived, track.settings, nullptr).values)
+    EXPECT_EQ(value, kUnknownValue);
 }
 
 TEST(track_values, a_place_passed_twice_has_what_differs_most_from_rest) {
@@ -69,7 +72,8 @@ TEST(track_values, height_and_curvature_are_the_curves) {
   Coloured track(test::circle_document(17.3, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}, 16));
   const TrackValues& heights = track.by(Colouring::height);
   for (std::size_t i = 0; i < 16; ++i)
-    for (int j = 0; j < kValuesPerSegment; ++j) EXPECT_NEAR(heights.of(i)[static_cast<std::size_t>(j)], track.place(i, j).y, 1e-5);
+    for (int j = 0; j < kValuesPerSegment; ++j)
+      EXPECT_NEAR(heights.of(i)[static_cast<std::size_t>(j)], track.place(i, j).y, 1e-5);
   for (const float value : track.by(Colouring::curvature).values) EXPECT_NEAR(value, 1 / 17.3, 1e-4);
 }
 
@@ -81,7 +85,9 @@ TEST(track_values, error_is_the_evaluators_deviation) {
     derive(track.document, track.settings, {}, track.derived);
     const TrackValues& values = track.by(Colouring::error);
     const float largest = *std::max_element(values.values.begin(), values.values.end());
-    EXPECT_NEAR(static_cast<double>(largest), 1000 * track.derived.deviation, 1e-6 + 1e-4 * 1000 * track.derived.deviation) << steps;
+    EXPECT_NEAR(static_cast<double>(largest), 1000 * track.derived.deviation,
+                1e-6 + 1e-4 * 1000 * track.derived.deviation)
+        << steps;
   }
 }
 
@@ -93,7 +99,8 @@ TEST(track_values, a_moved_knot_changes_the_heights_of_two_segments) {
   derive(track.document, track.settings, {}, track.derived);
   const TrackValues& after = track.by(Colouring::height);
   for (std::size_t i = 0; i < 9; ++i) {
-    const bool same = std::equal(after.of(i).begin(), after.of(i).end(), before.begin() + static_cast<std::ptrdiff_t>(i * kValuesPerSegment));
+    const bool same = std::equal(after.of(i).begin(), after.of(i).end(),
+                                 before.begin() + static_cast<std::ptrdiff_t>(i * kValuesPerSegment));
     EXPECT_EQ(same, i != 3 && i != 4) << i;
   }
 }

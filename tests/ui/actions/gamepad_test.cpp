@@ -21,8 +21,10 @@ TEST(gamepad_shape, a_stick_near_its_middle_does_nothing_and_at_its_edge_all) {
 }
 
 RC_GTEST_PROP(gamepad_shape, a_stick_keeps_its_direction_and_grows_without_a_step, ()) {
-  const auto angle = static_cast<float>(*rc::gen::inRange(0, 6283)) * 0.001f, far = static_cast<float>(*rc::gen::inRange(0, 999)) * 0.001f;
-  const glm::vec2 way(std::cos(angle), std::sin(angle)), near = shaped_stick(far * way), further = shaped_stick((far + 0.001f) * way);
+  const auto angle = static_cast<float>(*rc::gen::inRange(0, 6283)) * 0.001f,
+             far = static_cast<float>(*rc::gen::inRange(0, 999)) * 0.001f;
+  const glm::vec2 way(std::cos(angle), std::sin(angle)), near = shaped_stick(far * way),
+                                                         further = shaped_stick((far + 0.001f) * way);
   RC_ASSERT(glm::length(further) >= glm::length(near) - 1e-6f);
   RC_ASSERT(glm::length(further) - glm::length(near) < 0.003f);
   if (glm::length(near) > 0) RC_ASSERT(glm::dot(glm::normalize(near), way) > 0.999f);
@@ -69,9 +71,11 @@ TEST_F(gamepad, sticks_fly_the_free_camera_by_time_and_not_by_frames) {
   const auto flown_in = [&](int count, double dt) {
     (void)edit::apply(session_, files_, edit::SetCameraMode{world::CameraMode::fly});
     (void)edit::apply(session_, files_, edit::SetFly{world::FlyCamera{{3, 20, 7}, 30, -5}});
-    host_->build({GamepadAxes{.left_y = -0.7f}, platform::Tick{0}}, {session_, stats_, seconds_, false}, width_, height_);
+    host_->build({GamepadAxes{.left_y = -0.7f}, platform::Tick{0}}, {session_, stats_, seconds_, false}, width_,
+                 height_);
     for (int i = 0; i < count; ++i)
-      for (const edit::Command& command : host_->build({platform::Tick{dt}}, {session_, stats_, seconds_, false}, width_, height_).commands)
+      for (const edit::Command& command :
+           host_->build({platform::Tick{dt}}, {session_, stats_, seconds_, false}, width_, height_).commands)
         (void)edit::apply(session_, files_, command);
     return settings().fly.eye;
   };

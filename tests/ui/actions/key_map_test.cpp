@@ -19,7 +19,8 @@ TEST(key_map, without_choices_the_keys_are_those_of_the_table) {
   std::vector<std::string> problems;
   const KeyMap keys = KeyMap::make({}, problems);
   EXPECT_TRUE(problems.empty());
-  for (std::size_t row = 0; row < actions().size(); ++row) EXPECT_EQ(keys.shown(row), actions()[row].keys) << actions()[row].name;
+  for (std::size_t row = 0; row < actions().size(); ++row)
+    EXPECT_EQ(keys.shown(row), actions()[row].keys) << actions()[row].name;
   EXPECT_EQ(with_keys(keys, "Redo.", "Redo"), "Redo. Keys Ctrl+Y, Ctrl+Shift+Z.");
   EXPECT_EQ(with_keys(keys, "Clear.", "Select none"), "Clear.");
 }
@@ -41,7 +42,8 @@ TEST(key_map, a_choice_replaces_both_keys_of_its_action_and_an_empty_one_takes_t
 
 TEST(key_map, what_cannot_be_done_is_told_and_leaves_the_action_its_own_keys) {
   std::vector<std::string> problems;
-  const std::vector<exchange::KeyChoice> choices{{"Undooo", {"F4"}}, {"Save", {"Ctrl+Splat"}}, {"Undo", {"F3"}}, {"Redo", {"F3"}}};
+  const std::vector<exchange::KeyChoice> choices{
+      {"Undooo", {"F4"}}, {"Save", {"Ctrl+Splat"}}, {"Undo", {"F3"}}, {"Redo", {"F3"}}};
   const KeyMap keys = KeyMap::make(choices, problems);
   ASSERT_EQ(problems.size(), 3u);
   EXPECT_NE(problems[0].find("did you mean \"Undo\"?"), std::string::npos);

@@ -48,7 +48,8 @@ TEST_F(ImGuiRendererTest, text_is_drawn_bright_on_dark) {
   const Widget& w = *find("Evaluation/Show polyline");
   int bright = 0;
   for (int y = static_cast<int>(w.y); y < static_cast<int>(w.y + w.height); ++y)
-    for (int x = static_cast<int>(w.x + w.height + 4); x < static_cast<int>(w.x + w.width); ++x) bright += (at(pixels, x, y) & 0xff) > 0xb0;
+    for (int x = static_cast<int>(w.x + w.height + 4); x < static_cast<int>(w.x + w.width); ++x)
+      bright += (at(pixels, x, y) & 0xff) > 0xb0;
   EXPECT_GT(bright, 60);
 }
 

@@ -7,20 +7,24 @@ namespace layout_test {
 
 bool apart(const view::Viewport& a, const view::Viewport& b) {
   constexpr float kRounding = 1e-3f;  // px
-  return a.x + a.width <= b.x + kRounding || b.x + b.width <= a.x + kRounding || a.y + a.height <= b.y + kRounding || b.y + b.height <= a.y + kRounding;
+  return a.x + a.width <= b.x + kRounding || b.x + b.width <= a.x + kRounding || a.y + a.height <= b.y + kRounding ||
+         b.y + b.height <= a.y + kRounding;
 }
 
 TEST(layout, regions_tile_the_window_and_the_viewport_keeps_two_fifths) {
-  for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}, {640, 360}, {801, 601}, {3840, 2160}, {333, 222}}) {
+  for (const auto& [width, height] :
+       {std::pair{1280, 720}, {1920, 1080}, {640, 360}, {801, 601}, {3840, 2160}, {333, 222}}) {
     for (const float scale : {0.8f, 1.0f, 1.7f, 3.0f}) {
       for (const bool open : {false, true}) {
         const Layout l = make_layout(width, height, scale, 23 * scale, true, open);
         const view::Viewport all[] = {l.menu, l.left, l.right, l.strip, l.status, l.scene};
         float area = 0;
         for (const view::Viewport& one : all) area += one.width * one.height;
-        EXPECT_NEAR(area, static_cast<float>(width) * static_cast<float>(height), 1) << width << "x" << height << " at " << scale;
+        EXPECT_NEAR(area, static_cast<float>(width) * static_cast<float>(height), 1)
+            << width << "x" << height << " at " << scale;
         for (std::size_t i = 0; i < 6; ++i)
-          for (std::size_t k = 0; k < i; ++k) EXPECT_TRUE(apart(all[i], all[k])) << i << " and " << k << " at " << width;
+          for (std::size_t k = 0; k < i; ++k)
+            EXPECT_TRUE(apart(all[i], all[k])) << i << " and " << k << " at " << width;
         EXPECT_GE(l.scene.width, 0.4f * static_cast<float>(width));
         EXPECT_GE(l.scene.height, 0.5f * l.left.height - 1) << width << "x" << height << " at " << scale;
       }

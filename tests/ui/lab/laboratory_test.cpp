@@ -33,7 +33,8 @@ TEST_F(LaboratoryTest, pages_are_the_rows_of_the_worlds_table_in_its_order) {
   ASSERT_EQ(names.size(), world::lab_pages().size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     std::string lower = names[i];
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     EXPECT_EQ(lower, world::lab_pages()[i].name);
   }
 }
@@ -57,7 +58,8 @@ TEST_F(LaboratoryTest, the_strip_starts_folded_and_its_bar_opens_and_folds_it) {
 TEST_F(LaboratoryTest, every_page_draws_for_every_selection_with_paths_of_its_own) {
   for (const std::string& page : pages()) {
     open(page);
-    for (const auto& [kind, number] : {std::pair{world::Kind::knot, 2u}, {world::Kind::segment, 1u}, {world::Kind::cart, 1u}}) {
+    for (const auto& [kind, number] :
+         {std::pair{world::Kind::knot, 2u}, {world::Kind::segment, 1u}, {world::Kind::cart, 1u}}) {
       select(kind, number);
       std::set<std::string> paths;
       std::size_t inside = 0;
@@ -111,7 +113,8 @@ TEST_F(LaboratoryTest, dragging_in_a_plot_moves_the_probe_and_weights_follow) {
 TEST_F(LaboratoryTest, the_construction_shows_the_point_of_the_curve) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{world::Kind::segment, 1}}, 0.3}).ok());
   open("Construction");
-  const glm::dvec3 exact = curve::point_long_double(world::cubic_of(session_.document, entity(world::Kind::segment, 1)), 0.3);
+  const glm::dvec3 exact =
+      curve::point_long_double(world::cubic_of(session_.document, entity(world::Kind::segment, 1)), 0.3);
   const Widget* shown = find("Laboratory/B(t)");
   ASSERT_NE(shown, nullptr);
   EXPECT_EQ(shown->value, fixed(exact.x, 3) + " " + fixed(exact.y, 3) + " " + fixed(exact.z, 3) + " m");

@@ -14,10 +14,12 @@ TEST_F(PanelsTest, every_panel_draws_and_paths_are_unique_for_every_selection) {
   edit::ActiveChallenge& challenge = session_.challenge.emplace();  // whose panel is there for it alone
   challenge.file.name = "Three", challenge.file.teaches = "How to count.";
   challenge.file.rules[0] = {{"knots <= 3", "Three knots"}};
-  for (const auto& [kind, number] : {std::pair{world::Kind::knot, 2u}, {world::Kind::segment, 1u}, {world::Kind::cart, 1u}}) {
+  for (const auto& [kind, number] :
+       {std::pair{world::Kind::knot, 2u}, {world::Kind::segment, 1u}, {world::Kind::cart, 1u}}) {
     select(kind, number);
     std::set<std::string> paths;
-    for (const Widget& widget : host_->widgets()) EXPECT_TRUE(paths.insert(widget.path).second) << widget.path << " twice";
+    for (const Widget& widget : host_->widgets())
+      EXPECT_TRUE(paths.insert(widget.path).second) << widget.path << " twice";
     for (const Panel& panel : panels()) {
       if (panel.column == Column::bottom) continue;  // pages of the laboratory: laboratory_test.cpp
       const std::string start = std::string(panel.name) + "/";
@@ -31,16 +33,53 @@ TEST_F(PanelsTest, every_panel_draws_and_paths_are_unique_for_every_selection) {
 
 TEST_F(PanelsTest, labels_that_scripts_use_are_there) {
   select(world::Kind::knot, 2);
-  for (const char* path : {"Track/Name", "Track/Closed", "Track/Add curve", "Track/Insert point", "Track/Delete", "Track/Append points",
-                           "Track/Add cart", "Track/Start speed", "Track/Datum", "Track/New", "Track/File", "Track/Open", "Track/Save",
-                           "Inspector/Position/x", "Inspector/Position/y", "Inspector/Position/z", "Inspector/Direction/x",
-                           "Inspector/Handles/in", "Inspector/Handles/out", "Inspector/Roll", "Inspector/Joint",
-                           "Evaluation/Steps per segment", "Evaluation/Vertex budget", "Evaluation/Show polyline", "Evaluation/Arc length",
-                           "Ride/Play", "Ride/Pause", "Ride/Step", "Ride/Reset", "Ride/Frenet-Serret", "Ride/Rotation-minimising",
-                           "Ride/Integrator", "Camera/Orbit", "Camera/Ride", "Camera/Chase", "Camera/Fly", "Camera/Field of view",
-                           "Camera/Roll damping", "Camera/Head-bob", "Camera/Reduced motion", "Menu/File", "Menu/Edit", "Menu/View", "Menu/Ride"})
+  for (const char* path : {"Track/Name",
+                           "Track/Closed",
+                           "Track/Add curve",
+                           "Track/Insert point",
+                           "Track/Delete",
+                           "Track/Append points",
+                           "Track/Add cart",
+                           "Track/Start speed",
+                           "Track/Datum",
+                           "Track/New",
+                           "Track/File",
+                           "Track/Open",
+                           "Track/Save",
+                           "Inspector/Position/x",
+                           "Inspector/Position/y",
+                           "Inspector/Position/z",
+                           "Inspector/Direction/x",
+                           "Inspector/Handles/in",
+                           "Inspector/Handles/out",
+                           "Inspector/Roll",
+                           "Inspector/Joint",
+                           "Evaluation/Steps per segment",
+                           "Evaluation/Vertex budget",
+                           "Evaluation/Show polyline",
+                           "Evaluation/Arc length",
+                           "Ride/Play",
+                           "Ride/Pause",
+                           "Ride/Step",
+                           "Ride/Reset",
+                           "Ride/Frenet-Serret",
+                           "Ride/Rotation-minimising",
+                           "Ride/Integrator",
+                           "Camera/Orbit",
+                           "Camera/Ride",
+                           "Camera/Chase",
+                           "Camera/Fly",
+                           "Camera/Field of view",
+                           "Camera/Roll damping",
+                           "Camera/Head-bob",
+                           "Camera/Reduced motion",
+                           "Menu/File",
+                           "Menu/Edit",
+                           "Menu/View",
+                           "Menu/Ride"})
     EXPECT_NE(find(path), nullptr) << path;
-  for (const auto& row : curve::evaluators()) EXPECT_NE(find("Evaluation/" + std::string(row.label)), nullptr) << row.label;
+  for (const auto& row : curve::evaluators())
+    EXPECT_NE(find("Evaluation/" + std::string(row.label)), nullptr) << row.label;
   EXPECT_EQ(find("Inspector/Nothing selected"), nullptr);
 }
 
@@ -54,7 +93,8 @@ TEST_F(PanelsTest, every_widget_can_be_scrolled_to_in_a_small_window_and_lies_in
     const Widget& w = *find(path);
     EXPECT_FALSE(w.covered) << path;
     const view::Viewport& scene = host_->view().viewport;
-    EXPECT_TRUE(w.x + w.width <= scene.x + 0.5f || w.x >= scene.x + scene.width || w.y + w.height <= scene.y || w.y >= scene.y + scene.height - 0.5f)
+    EXPECT_TRUE(w.x + w.width <= scene.x + 0.5f || w.x >= scene.x + scene.width || w.y + w.height <= scene.y ||
+                w.y >= scene.y + scene.height - 0.5f)
         << path << " lies over the viewport";
     EXPECT_GE(w.x, 0) << path;
     EXPECT_LE(w.x + w.width, 640.5f) << path;

@@ -36,7 +36,8 @@ TEST(plot_ticks, linear_ticks_read_as_people_write_them) {
 
 TEST(plot_ticks, logarithmic_ticks_are_powers_of_ten) {
   EXPECT_EQ(texts(logarithmic(1e-12, 1e-3), 4), (std::vector<std::string>{"1e-12", "1e-9", "1e-6", "1e-3"}));
-  EXPECT_EQ(texts(logarithmic(0.5, 200), 12), (std::vector<std::string>{"0.5", "1", "2", "5", "10", "20", "50", "100", "200"}));
+  EXPECT_EQ(texts(logarithmic(0.5, 200), 12),
+            (std::vector<std::string>{"0.5", "1", "2", "5", "10", "20", "50", "100", "200"}));
   EXPECT_EQ(texts(logarithmic(0.02, 900), 6), (std::vector<std::string>{"0.1", "1", "10", "100"}));
 }
 

@@ -11,7 +11,8 @@ using platform::Key;
 struct DialogsTest : Stage {
   std::filesystem::path folder;
   void SetUp() override {
-    folder = std::filesystem::temp_directory_path() / ("coaster_dialogs_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    folder = std::filesystem::temp_directory_path() /
+             ("coaster_dialogs_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     Stage::SetUp();
@@ -92,7 +93,9 @@ TEST_F(DialogsTest, recovery_is_offered_once_and_its_answer_goes_out) {
   hover(middle(*find("Recovery/Later")));
   press();
   for (int i = 0; i < 3; ++i)
-    if (const Output out = i == 0 ? frame({platform::MouseButton{platform::Button::left, false, {}}}) : frame(); out.recovery) answer = out.recovery;
+    if (const Output out = i == 0 ? frame({platform::MouseButton{platform::Button::left, false, {}}}) : frame();
+        out.recovery)
+      answer = out.recovery;
   ASSERT_TRUE(answer.has_value());
   EXPECT_EQ(*answer, Recovery::later);
   frames(3);

@@ -58,7 +58,9 @@ TEST_F(ScoreCardTest, where_it_failed_is_selected_and_looked_at) {
   frames(2);
   const sim::TrackPlace at = sim::place_at(session_.derived, *place);
   EXPECT_EQ(session_.settings.selected, session_.derived.order[at.index]);
-  const glm::dvec3 target(session_.settings.camera.target), there = curve::point(world::cubic_of(session_.document, session_.settings.selected), session_.settings.selected_t);
+  const glm::dvec3 target(session_.settings.camera.target),
+      there =
+          curve::point(world::cubic_of(session_.document, session_.settings.selected), session_.settings.selected_t);
   EXPECT_LT(glm::length(target - there), 1e-3);
   EXPECT_FALSE(card_shows(session_)) << "the card would lie over it";
 }

@@ -57,19 +57,26 @@ TEST(transform_math, snapping_leaves_alone_what_the_constraint_does_not_allow) {
   const glm::dvec3 start(0.3, 0.4, 0.5), wanted(3.2, 4.9, -7.2);
   EXPECT_EQ(snapped(scene, world::SnapTo::grid, wanted, start, {}), glm::dvec3(4, 4, -8));
   EXPECT_EQ(snapped(scene, world::SnapTo::grid, wanted, start, {Constraint::Kind::axis, 1}), glm::dvec3(0.3, 4, 0.5));
-  EXPECT_EQ(snapped(scene, world::SnapTo::ground, wanted, start, {Constraint::Kind::plane, 0}), glm::dvec3(0.3, 0, -7.2));
+  EXPECT_EQ(snapped(scene, world::SnapTo::ground, wanted, start, {Constraint::Kind::plane, 0}),
+            glm::dvec3(0.3, 0, -7.2));
   EXPECT_EQ(snapped(scene, world::SnapTo::off, wanted, start, {}), wanted);
 }
 
 TEST(transform_math, snapping_to_knots_takes_the_one_under_the_cursor_but_no_selected_one) {
   world::Document document;
-  for (const glm::vec3 place : {glm::vec3(0, 2, 0), glm::vec3(6, 3, 1), glm::vec3(-7, 5, 2)}) world::append_knot(document, test::skew_knot(place, {1, 0, 0}, 2, 2));
+  for (const glm::vec3 place : {glm::vec3(0, 2, 0), glm::vec3(6, 3, 1), glm::vec3(-7, 5, 2)})
+    world::append_knot(document, test::skew_knot(place, {1, 0, 0}, 2, 2));
   world::Settings settings;
   settings.selected = document.track.knots[0];
   const glm::vec2 over = pixel_of({6, 3, 1});
-  EXPECT_EQ(snapped({document, settings, kView, over + glm::vec2(5, 5)}, world::SnapTo::knots, {9, 9, 9}, {0, 2, 0}, {}), glm::dvec3(6, 3, 1));
-  EXPECT_EQ(snapped({document, settings, kView, over + glm::vec2(40, 5)}, world::SnapTo::knots, {9, 9, 9}, {0, 2, 0}, {}), glm::dvec3(9, 9, 9));
-  EXPECT_EQ(snapped({document, settings, kView, pixel_of({0, 2, 0})}, world::SnapTo::knots, {9, 9, 9}, {0, 2, 0}, {}), glm::dvec3(9, 9, 9));
+  EXPECT_EQ(
+      snapped({document, settings, kView, over + glm::vec2(5, 5)}, world::SnapTo::knots, {9, 9, 9}, {0, 2, 0}, {}),
+      glm::dvec3(6, 3, 1));
+  EXPECT_EQ(
+      snapped({document, settings, kView, over + glm::vec2(40, 5)}, world::SnapTo::knots, {9, 9, 9}, {0, 2, 0}, {}),
+      glm::dvec3(9, 9, 9));
+  EXPECT_EQ(snapped({document, settings, kView, pixel_of({0, 2, 0})}, world::SnapTo::knots, {9, 9, 9}, {0, 2, 0}, {}),
+            glm::dvec3(9, 9, 9));
 }
 
 TEST(selecting, up_to_takes_the_shorter_way_round_a_closed_track) {
@@ -85,7 +92,8 @@ TEST(selecting, up_to_takes_the_shorter_way_round_a_closed_track) {
   session.settings.also.clear();
   session.settings.selected = k[4];
   EXPECT_TRUE(edit::apply(session, files, up_to(session, k[1])));
-  std::vector<world::Entity> chosen = world::selected_knots(session.document, session.settings), wanted{k[4], k[0], k[1]};
+  std::vector<world::Entity> chosen = world::selected_knots(session.document, session.settings),
+                             wanted{k[4], k[0], k[1]};
   EXPECT_EQ(chosen.back(), k[1]);
   std::sort(chosen.begin(), chosen.end()), std::sort(wanted.begin(), wanted.end());
   EXPECT_EQ(chosen, wanted);

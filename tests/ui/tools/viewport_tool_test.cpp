@@ -8,7 +8,10 @@ namespace viewport_tool_test {
 struct ViewportToolTest : Stage {
   void SetUp() override {
     Stage::SetUp();
-    ASSERT_TRUE(edit::apply(session_, files_, edit::SetCamera{{.target = {2.3f, 5.1f, 1.7f}, .yaw_deg = 31, .pitch_deg = 27, .distance = 71}}).ok());
+    ASSERT_TRUE(
+        edit::apply(session_, files_,
+                    edit::SetCamera{{.target = {2.3f, 5.1f, 1.7f}, .yaw_deg = 31, .pitch_deg = 27, .distance = 71}})
+            .ok());
     frames(2);
     commands_.clear();
   }
@@ -61,7 +64,8 @@ TEST_F(ViewportToolTest, shift_moves_vertically_and_ctrl_along_the_ground) {
 }
 
 TEST_F(ViewportToolTest, escape_or_undo_in_a_drag_restores_the_document_exactly) {
-  for (const auto& [k, m] : {std::pair{platform::Key::escape, platform::Modifiers{}}, {platform::Key::z, platform::Modifiers{.ctrl = true}}}) {
+  for (const auto& [k, m] : {std::pair{platform::Key::escape, platform::Modifiers{}},
+                             {platform::Key::z, platform::Modifiers{.ctrl = true}}}) {
     const world::Document before = session_.document;
     const std::size_t steps = session_.history.undo.size();
     drag(pixel_of(2), {55, 31});

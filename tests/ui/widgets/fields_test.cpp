@@ -40,10 +40,8 @@ TEST_F(FieldsTest, what_is_no_number_changes_nothing_and_says_so) {
     commands_.clear();
     click("Inspector/Position/y", {.ctrl = true});
     key(platform::Key::a, {.ctrl = true});
-    if (*bad == 0)
-      key(platform::Key::del);
-    else
-      frame({platform::TextInput{bad}});
+    if (*bad == 0) key(platform::Key::del);
+    else frame({platform::TextInput{bad}});
     key(platform::Key::enter);
     frame();
     EXPECT_TRUE(commands_.empty()) << bad;
@@ -98,7 +96,8 @@ TEST_F(FieldsTest, a_drag_is_one_step_between_begin_and_end) {
 }
 
 TEST_F(FieldsTest, escape_and_undo_during_a_drag_put_the_document_back) {
-  for (const auto& [k, m] : {std::pair{platform::Key::escape, platform::Modifiers{}}, {platform::Key::z, platform::Modifiers{.ctrl = true}}}) {
+  for (const auto& [k, m] : {std::pair{platform::Key::escape, platform::Modifiers{}},
+                             {platform::Key::z, platform::Modifiers{.ctrl = true}}}) {
     const world::Document before = session_.document;
     ASSERT_TRUE(reach("Inspector/Position/x"));
     const glm::vec2 at = middle(*find("Inspector/Position/x"));

@@ -28,18 +28,23 @@ TEST_P(themes, texts_can_be_read_on_every_ground) {
   for (const std::uint32_t ground : {p.background, p.raised, p.field, p.plot}) {
     EXPECT_GE(contrast(p.text, ground), high ? 15 : 7) << std::hex << ground;
     EXPECT_GE(contrast(p.dim, ground), high ? 10 : 3.8) << std::hex << ground;
-    for (const std::uint32_t tint : {p.warning, p.error, p.good, p.axis[0], p.axis[1], p.axis[2]}) EXPECT_GE(contrast(tint, ground), high ? 7 : 2.9) << std::hex << tint << " on " << ground;
+    for (const std::uint32_t tint : {p.warning, p.error, p.good, p.axis[0], p.axis[1], p.axis[2]})
+      EXPECT_GE(contrast(tint, ground), high ? 7 : 2.9) << std::hex << tint << " on " << ground;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(all, themes, testing::Values(world::Theme::dark, world::Theme::light, world::Theme::high_contrast),
-                         [](const auto& of) { return std::string(world::kThemeNames[static_cast<std::size_t>(of.param)]); });
+INSTANTIATE_TEST_SUITE_P(all, themes,
+                         testing::Values(world::Theme::dark, world::Theme::light, world::Theme::high_contrast),
+                         [](const auto& of) {
+                           return std::string(world::kThemeNames[static_cast<std::size_t>(of.param)]);
+                         });
 
 TEST(ink, colours_of_data_can_be_told_from_the_ground_of_light_plots_and_stay_as_they_are_on_dark_ones) {
   ImGuiContext* const context = ImGui::CreateContext();
   for (const world::Theme theme : {world::Theme::dark, world::Theme::light, world::Theme::high_contrast}) {
     apply_theme(palette_of(theme), 1);
-    for (const std::uint32_t rgb : {0xFFFFFFu, 0x4C9AFFu, 0xF2B84Bu, 0x7FD1B9u, 0xE5736Bu, 0xB39DDBu, 0xD8DEE9u, 0x9CCC65u, 0xFF9EC4u, 0x8D9DB6u, 0xD4A373u, 0xFF8A1Fu}) {
+    for (const std::uint32_t rgb : {0xFFFFFFu, 0x4C9AFFu, 0xF2B84Bu, 0x7FD1B9u, 0xE5736Bu, 0xB39DDBu, 0xD8DEE9u,
+                                    0x9CCC65u, 0xFF9EC4u, 0x8D9DB6u, 0xD4A373u, 0xFF8A1Fu}) {
       EXPECT_GE(contrast(ink(rgb), palette().plot), 3) << std::hex << rgb;
       EXPECT_TRUE(palette().light || ink(rgb) == rgb);
     }

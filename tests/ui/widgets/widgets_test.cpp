@@ -22,7 +22,8 @@ TEST_F(WidgetsTest, a_press_and_release_in_one_frame_is_a_click) {
   ASSERT_TRUE(reach("Track/Closed"));
   const glm::vec2 at = middle(*find("Track/Closed"));
   hover(at);
-  frame({platform::MouseButton{platform::Button::left, true, {}}, platform::MouseButton{platform::Button::left, false, {}}});
+  frame({platform::MouseButton{platform::Button::left, true, {}},
+         platform::MouseButton{platform::Button::left, false, {}}});
   frames(2);
   EXPECT_TRUE(session_.document.track.closed);
 }
