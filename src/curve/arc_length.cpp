@@ -38,15 +38,15 @@ double gauss(const CoefficientsD& c, double a, double b, const Node (&nodes)[N])
   return half * sum;
 }
 
-// What 16 nodes may err by where 8 differ from them by `difference`: its square over the C below, and no more than
-// itself.
+// Returns the error bound of 16 nodes where 8 nodes differ from them by `difference`: its square over the C below, and
+// at most the difference itself.
 double agreement_error(double fine, double difference) {
   return fine > 0.0 ? std::min(difference, 1e4 * difference * difference / fine) : difference;
 }
 
 // Both rules converge geometrically with the same base r: errors C r^16 and C r^32, so where they agree to 1e-10 the
-// 16-node rule is right to about 1e-20 / C. C may be as small as 1e-4 near a bend, hence the wide margin to the 1e-12
-// that is promised. `floor` is an absolute error too small to matter: it ends the subdivision towards a cusp.
+// 16-node rule is right to about 1e-20 / C. C can be as small as 1e-4 near a bend, hence the wide margin to the
+// promised 1e-12. `floor` is a negligible absolute error: it ends the subdivision towards a cusp.
 double adaptive(const CoefficientsD& c, double a, double b, double floor, int depth) {
   const double fine = gauss(c, a, b, kGauss16);
   const double difference = std::abs(fine - gauss(c, a, b, kGauss8));
@@ -55,15 +55,15 @@ double adaptive(const CoefficientsD& c, double a, double b, double floor, int de
   return adaptive(c, a, middle, floor, depth + 1) + adaptive(c, middle, b, floor, depth + 1);
 }
 
-// The length of the control polygon, from the coefficients: bounds the arc length from above.
+// Returns the length of the control polygon from the coefficients, an upper bound of the arc length.
 double polygon_length(const CoefficientsD& c) {
   const dvec3 d0 = c.c1 / 3.0, d1 = d0 + c.c2 / 3.0, d2 = d1 + (c.c3 + c.c2 / 3.0);
   return glm::length(d0) + glm::length(d1) + glm::length(d2);
 }
 
-// The parameters in (0,1) where |B'| has a minimum: at a cusp it is a kink that nodes may miss, so integrals are split
-// there. |B'|^2 is smallest where g = B'.B'' goes from negative to positive; g is a cubic, monotone between the roots
-// of g'.
+// Returns the parameters in (0,1) where |B'| has a minimum. At a cusp it is a kink that nodes may miss, so integrals
+// are split there. |B'|^2 is smallest where g = B'.B'' goes from negative to positive; g is a cubic, monotone between
+// the roots of g'.
 SlowPoints slow_points(const CoefficientsD& c) {
   const double g0 = glm::dot(c.c1, c.c2) * 2.0, g1 = 4.0 * glm::dot(c.c2, c.c2) + 6.0 * glm::dot(c.c1, c.c3),
                g2 = 18.0 * glm::dot(c.c2, c.c3), g3 = 18.0 * glm::dot(c.c3, c.c3);
@@ -101,7 +101,7 @@ double split_at_slow_points(const CoefficientsD& c, const SlowPoints& slow, doub
   return sum + adaptive(c, from, b, floor, 0);
 }
 
-// A curve that slows down to less than a quarter of its fastest may have a cusp between any samples.
+// True if the speed falls below a quarter of its maximum: there may be a cusp between any two samples.
 bool slows_down(const CoefficientsD& c, double a, double b) {
   double slowest = speed(c, b), fastest = slowest;
   for (int i = 0; i < 8; ++i) {
@@ -112,7 +112,7 @@ bool slows_down(const CoefficientsD& c, double a, double b) {
   return slowest < 0.25 * fastest;
 }
 
-// A curve whose hodograph cannot be shown to stay away from 0 (kSteady) and that does slow down, by samples or at a
+// True if the hodograph cannot be shown to stay away from 0 (kSteady) and the curve does slow down, by samples or at a
 // slow point.
 constexpr double kSteady = 0.25;
 bool nearly_stops(const CoefficientsD& c, double a, double b) {
@@ -124,8 +124,9 @@ bool nearly_stops(const CoefficientsD& c, double a, double b) {
                      [&](double t) { return t > a && t < b && speed(c, t) < kSteady * usual; });
 }
 
-// Near a stop the two rules may agree by chance, or miss a kink together: only steady pieces are believed, the others
-// are halved unseen, and what is left about the stop when it is shorter than `floor` is measured by Gravesen's mean.
+// Near a stop the two rules may agree by chance, or both miss a kink. So only steady pieces are accepted. The others
+// are halved without evaluation, and the piece about the stop is measured by Gravesen's mean once it is shorter than
+// `floor`.
 double believed(const CoefficientsD& c, double a, double b, double floor, int depth, LengthEstimate& tally) {
   const detail::Hodograph h = detail::hodograph(c, a, b);
   if (detail::steadiness(h) >= kSteady || depth >= kMaxDepth) {
@@ -174,7 +175,7 @@ ArcLengthMap::ArcLengthMap(const Cubic& cubic) : c_(coefficients_d(cubic)) {
     const double a = static_cast<double>(i) / kIntervals, b = static_cast<double>(i + 1) / kIntervals,
                  middle = 0.5 * (a + b);
     double length = gauss(c_, a, b, kGauss8);
-    // Smooth intervals are right to rounding with 8 nodes; the others (near a cusp) are measured adaptively for good.
+    // Eight nodes are exact to rounding on smooth intervals. The others (near a cusp) are always measured adaptively.
     const double halves = rough_ >> i & 1u ? 0.0 : gauss(c_, a, middle, kGauss8) + gauss(c_, middle, b, kGauss8);
     if (std::abs(length - halves) > std::max(1e-14 * length, floor)) {
       rough_ |= 1u << i;
@@ -207,7 +208,7 @@ double ArcLengthMap::parameter(double s) const {
   double low = static_cast<double>(interval) / kIntervals, high = static_cast<double>(interval + 1) / kIntervals;
   double t = low + (high - low) * ((s - s0) / (s1 - s0));
   const double tolerance = 4e-16 * total;
-  // Newton on distance(t) - s with derivative |B'|, halving where it would leave the bracket (a cusp has |B'| = 0).
+  // Newton on distance(t) - s with derivative |B'|; bisects where it would leave the bracket (a cusp has |B'| = 0).
   for (int i = 0; i < 60; ++i) {
     const double error = s0 + partial(interval, t) - s;
     if (std::abs(error) <= tolerance) break;

@@ -1,5 +1,5 @@
-// Arc length of a cubic: a table of methods to compare, the adaptive Gauss-Legendre one that the ride relies on, and
-// the inversion from arc length to parameter.
+// Arc length of a cubic: a table of methods to compare, the adaptive Gauss-Legendre method that the ride uses, and the
+// inversion from arc length to parameter.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace coaster::curve {
 
 enum class ArcLengthId : int {};
 
-// What a method is asked for: each row heeds one of the two, or neither.
+// The accuracy requested from a method. Each method uses one of the two members, or neither.
 struct LengthDemand {
   int count = 64;           // intervals or nodes, 1 to 4096
   double tolerance = 1e-9;  // relative error, 1e-12 to 0.1
@@ -25,55 +25,56 @@ enum class LengthBound { none, estimated, guaranteed };
 
 struct LengthEstimate {
   double length = 0;        // m
-  double error_bound = -1;  // m; -1 where the method knows none
+  double error_bound = -1;  // m; -1 if the method has no bound
   std::int64_t evaluations =
-      0;  // square roots: one for each |B'(t)| or chord, four for a chord with its control polygon
+      0;  // number of square roots: one per |B'(t)| or chord, four per chord with its control polygon
 };
 
 struct ArcLengthMethod {
   std::string_view name;   // "gauss_legendre"
   std::string_view label;  // "Gauss-Legendre, adaptive"
   std::string_view formula;
-  LengthControl control;   // what of the demand it heeds
-  LengthBound bound;       // what its error_bound is worth
-  double usual_tolerance;  // relative, where it heeds one: what it reaches in well under a millisecond
+  LengthControl control;   // the member of LengthDemand that it uses
+  LengthBound bound;       // how reliable its error_bound is
+  double usual_tolerance;  // relative; used only with LengthControl::tolerance; reached in well under a millisecond
   LengthEstimate (*measure)(const Cubic& cubic, const LengthDemand& demand);
 
-  // Length in metres with `steps` intervals or nodes where the method heeds a count, else to its usual tolerance.
+  // Returns the length in metres, with `steps` intervals or nodes if the method takes a count, else to usual_tolerance.
   double length(const Cubic& cubic, int steps) const { return measure(cubic, {steps, usual_tolerance}).length; }
 };
 
-// Rows: adaptive Gauss-Legendre (the default, row 0), Gravesen's mean (Paper erratum: the paper has a product), chord
-// sum of the polyline, Simpson, trapezium, Riemann, Gauss-Legendre of n nodes, Clenshaw-Curtis, Gravesen and Simpson
-// with subdivision. Every row is finite and not negative for every cubic, and does bounded work: at most 2^17
-// evaluations in Gravesen's subdivision (1e-9 at best: its bound says what was reached), a few thousand in the others.
+// Returns the table: adaptive Gauss-Legendre (the default, row 0), Gravesen's mean (Paper erratum: the paper has a
+// product), chord sum of the polyline, Simpson, trapezium, Riemann, Gauss-Legendre of n nodes, Clenshaw-Curtis,
+// Gravesen and Simpson with subdivision. Every method gives a finite length >= 0 for every cubic in bounded work: at
+// most 2^17 evaluations in Gravesen's subdivision (1e-9 at best; error_bound says what was reached), a few thousand in
+// the others.
 std::span<const ArcLengthMethod> arc_length_methods();
 const ArcLengthMethod& arc_length_method(ArcLengthId id);
 std::optional<ArcLengthId> find_arc_length_method(std::string_view name);
 
 constexpr double kFinestTolerance = 1e-12;
 
-// Integral of |B'| over [t0,t1], t0 <= t1, in metres, by adaptive Gauss-Legendre in double, with a relative error below
-// `relative_tolerance` (1e-12 to 0.1; finer is taken as 1e-12) on every kind of cubic, cusps included. The default is
-// what the ride uses, the same bits on every machine: 8 and 16 nodes, 24 evaluations of B' where nothing is halved.
-// Coarser tolerances take 10 to 24 nodes and estimate the error from the same samples. At a stop of the curve (a cusp)
-// the work is bounded: at most 30 halvings towards it.
+// Returns the integral of |B'| over [t0,t1], t0 <= t1, in metres, by adaptive Gauss-Legendre in double. The relative
+// error is below `relative_tolerance` (1e-12 to 0.1; clamped to 1e-12) for every kind of cubic, cusps included. The
+// ride uses the default, which has the same bits on every machine: 8 and 16 nodes, 24 evaluations of B' if no interval
+// is halved. Coarser tolerances take 10 to 24 nodes and estimate the error from the same samples. Work is bounded: at
+// most 30 halvings towards a cusp.
 double arc_length(const Cubic& cubic, double t0 = 0.0, double t1 = 1.0, double relative_tolerance = kFinestTolerance);
 LengthEstimate measure_arc_length(const Cubic& cubic, double t0 = 0.0, double t1 = 1.0,
                                   double relative_tolerance = kFinestTolerance);
 
-// arc_length(cubics[i], 0, 1, relative_tolerance) for all, into `lengths` of the same size; for display, not for what
-// is hashed: the last bits depend on the processor. Four segments at once where it has AVX2, else one by one; segments
-// whose error estimate fails are measured again by arc_length.
+// Writes arc_length(cubics[i], 0, 1, relative_tolerance) for all i into `lengths`, which has the same size. For display
+// only, not for hashed values: the last bits depend on the processor. With AVX2 four segments at once, else one by one;
+// arc_length() measures segments again whose error estimate fails.
 void arc_lengths(std::span<const Cubic> cubics, double relative_tolerance, std::span<double> lengths);
 
-// Parameters where a cubic is slowest, at most two (minima of a quartic); ascending.
+// Parameters of the minima of |B'|: at most two, ascending.
 struct SlowPoints {
   std::array<double, 2> t{};
   int count = 0;
 };
 
-// Length of a cubic with what is needed to invert it. Immutable; 33 knots of s over uniform t.
+// The arc length of a cubic and its inverse. Immutable; 33 knots of s over uniform t.
 class ArcLengthMap {
  public:
   ArcLengthMap() = default;
@@ -81,11 +82,12 @@ class ArcLengthMap {
 
   double length() const { return table_.back(); }  // metres
 
-  // t in [0,1] with arc length s from the start; s is clamped to [0,length]. Table, then Newton inside a bisection
-  // bracket (at most 60 steps): |s(t) - s| below 1e-10 m or 1e-12 of the length. A segment of no length gives t = 0.
+  // Returns t in [0,1] at arc length s from the start; s is clamped to [0,length]. Looks up the table, then runs Newton
+  // inside a bisection bracket (at most 60 steps): |s(t) - s| is below 1e-10 m or 1e-12 of the length. Returns 0 for a
+  // segment of zero length.
   double parameter(double s) const;
 
-  // Arc length from 0 to t, t in [0,1].
+  // Returns the arc length in metres from 0 to t, t in [0,1].
   double distance(double t) const;
 
  private:

@@ -1,4 +1,4 @@
-// The arc-length methods that subdivide until a relative tolerance is met: Gauss-Legendre with an embedded estimate,
+// The arc-length methods that subdivide until they meet a relative tolerance: Gauss-Legendre with an embedded estimate,
 // Simpson, Gravesen. The default rule, whose bits the ride depends on, is in arc_length.cpp.
 #include "curve/arc_length_detail.h"
 #include "curve/quadrature.h"
@@ -42,7 +42,7 @@ struct GaussLegendre {
       total.evaluations += 2 * kHalf;
       if (error <= std::max(tolerance * s.length, floor) || depth >= kMaxDepth) return accept(s.length, error);
     } else {
-      // Unsteady pieces are halved unseen, until what is left about a cusp is too short to matter.
+      // Unsteady pieces are halved without evaluation until the rest about a cusp is negligibly short.
       const double polygon = polygon_length(h);
       total.evaluations += 3;
       if (!(polygon > floor) || depth >= kMaxDepth) {
@@ -65,7 +65,7 @@ template <int kHalf>
 LengthEstimate gauss_legendre(const Hodograph& h, double tolerance) {
   GaussLegendre<kHalf> rule{tolerance, 0.0};
   rule.total.error_bound = 0;
-  // Most pieces of a track pass as they are, and need no floor.
+  // Most pieces of a track pass at once and need no floor.
   if (steadiness(h) >= kSteadyEnough) {
     const Sampled s = sample(speed_quartic(h), rule.rule);
     const double error = estimated_error(s);
@@ -111,11 +111,11 @@ struct Simpson {
 
 struct Gravesen {
   LengthEstimate total{};
-  // 2^14 pieces: about a millisecond. Finer tolerances are not met, and the bound says so.
+  // 2^14 pieces: about a millisecond. Finer tolerances are not met; the bound says so.
   static constexpr int kDepth = 14;
 
-  // Gravesen 1997, doi 10.1016/0925-7721(95)00054-2: chord <= length <= polygon, so their mean errs by at most half the
-  // difference.
+  // Gravesen 1997, doi 10.1016/0925-7721(95)00054-2: chord <= length <= polygon, so the error of their mean is at most
+  // half the difference.
   void add(const Hodograph& h, double allowed, int depth) {
     const double chord = chord_length(h), polygon = polygon_length(h), bound = 0.5 * (polygon - chord);
     total.evaluations += 4;

@@ -1,6 +1,6 @@
-// Many segments measured at once: Gauss-Legendre on the quartic |B'|^2 of four segments side by side, with the error
-// estimated from the same samples; what fails the estimate is measured again one by one. The lanes hold doubles; the
-// choice is made at run time.
+// Arc lengths of many segments at once: Gauss-Legendre on the quartic |B'|^2 of four segments side by side, with the
+// error estimated from the same samples. Segments that fail the estimate are measured again one by one. The lanes hold
+// doubles; the instruction set is chosen at run time.
 #include "base/check.h"
 #include "curve/arc_length_detail.h"
 
@@ -44,7 +44,7 @@ COASTER_AVX2 inline __m256d dot(Lanes3 a, Lanes3 b) {
 }
 COASTER_AVX2 inline __m256d absolute(__m256d a) { return _mm256_andnot_pd(splat(-0.0), a); }
 
-// The twelve coordinates of four cubics, transposed: four floats of each at a time.
+// Loads the twelve coordinates of four cubics, transposed: four floats of each at a time.
 COASTER_AVX2 inline LaneHodograph load(const Cubic* four) {
   static_assert(sizeof(Cubic) == 12 * sizeof(float));
   __m256d p[12];
@@ -58,7 +58,7 @@ COASTER_AVX2 inline LaneHodograph load(const Cubic* four) {
   return {scale(3.0, sub(p1, p0)), scale(3.0, sub(p2, p1)), scale(3.0, sub(p3, p2))};
 }
 
-// All bits of the lanes that are steady enough; as detail::steadiness.
+// All bits set in the lanes that are steady enough; same rule as detail::steadiness.
 COASTER_AVX2 inline __m256d is_steady(const LaneHodograph& h) {
   const Lanes3 m = add(h.v0, add(h.v1, h.v2));
   const __m256d least = _mm256_min_pd(dot(h.v0, m), _mm256_min_pd(dot(h.v1, m), dot(h.v2, m)));
@@ -70,7 +70,7 @@ COASTER_AVX2 inline __m256d is_steady(const LaneHodograph& h) {
                        _mm256_cmp_pd(_mm256_mul_pd(least, least), wanted, _CMP_GE_OQ));
 }
 
-// Lengths of four cubics; the mask says which lanes meet the tolerance.
+// Returns the lengths of four cubics and a mask of the lanes that meet the tolerance.
 template <int kHalf>
 COASTER_AVX2 int measure_four(const Cubic* four, const detail::EmbeddedRule<kHalf>& rule, double tolerance,
                               double* lengths) {

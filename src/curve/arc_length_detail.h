@@ -1,4 +1,4 @@
-// What the arc-length methods share, not part of the room's interface: a piece of a cubic as the control vectors of its
+// Shared by the arc-length methods, not part of the room's interface: a piece of a cubic as the control vectors of its
 // hodograph, the quartic |B'|^2 about its middle, and Gauss-Legendre with an error estimate from its own samples.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace coaster::curve::detail {
 
-// B' over a piece, scaled by the piece's share of the parameter: v(x) = v0 (1-x)^2 + 2 v1 x (1-x) + v2 x^2 with x in
+// B' over a piece, scaled by the piece's fraction of the parameter: v(x) = v0 (1-x)^2 + 2 v1 x (1-x) + v2 x^2 with x in
 // [0,1], so that the integral of |v| is the piece's length. v0/3, v1/3, v2/3 are the legs of its control polygon.
 struct Hodograph {
   glm::dvec3 v0, v1, v2;
@@ -32,15 +32,15 @@ inline double chord_length(const Hodograph& h) { return glm::length(h.v0 + h.v1 
 struct Halves {
   Hodograph left, right;
 };
-// De Casteljau's split of the hodograph at the middle; the halves count half, so that their lengths add up.
+// Splits the hodograph at the middle by de Casteljau. Each half is scaled by 1/2, so that their lengths add up.
 inline Halves halves(const Hodograph& h) {
   const glm::dvec3 a = 0.25 * (h.v0 + h.v1), b = 0.25 * (h.v1 + h.v2), middle = 0.5 * (a + b);
   return {{0.5 * h.v0, a, middle}, {middle, b, 0.5 * h.v2}};
 }
 
-// The least share of the greatest speed that the piece is sure to keep along its chord: 1 for a straight of even speed,
-// 0 or less when the hodograph may pass near 0 (the curve may nearly stop). |v| >= steadiness * max |v| everywhere,
-// because v is in the hull of v0, v1, v2.
+// Returns a lower bound of min |v| / max |v| along the chord: 1 for a straight of even speed, 0 or less if the
+// hodograph may pass near 0 (the curve may nearly stop). |v| >= steadiness * max |v| everywhere, because v is in the
+// hull of v0, v1, v2.
 inline double steadiness(const Hodograph& h) {
   const glm::dvec3 m = h.v0 + h.v1 + h.v2;
   const double least = std::min({glm::dot(h.v0, m), glm::dot(h.v1, m), glm::dot(h.v2, m)});
@@ -49,7 +49,8 @@ inline double steadiness(const Hodograph& h) {
   return scale > 0.0 ? least / scale : 0.0;
 }
 
-// |v|^2 at x = (1 +- u)/2 is (e0 + u^2 (e2 + u^2 e4)) +- u (o1 + u^2 o3): two values for little more than one.
+// |v|^2 at x = (1 +- u)/2 is (e0 + u^2 (e2 + u^2 e4)) +- u (o1 + u^2 o3): two values for little more than the cost of
+// one.
 struct SpeedQuartic {
   double e0, o1, e2, o3, e4;
 };
@@ -60,7 +61,7 @@ inline SpeedQuartic speed_quartic(const Hodograph& h) {
           glm::dot(w2, w2)};
 }
 
-// Speed at u in [-1,1]; rounding may take the quartic a little below 0 where the curve stops.
+// Returns the speed at u in [-1,1]. Rounding can make the quartic slightly negative where the curve stops.
 inline double speed_at(const SpeedQuartic& q, double u) {
   return std::sqrt(std::max(0.0, q.e0 + u * (q.o1 + u * (q.e2 + u * (q.o3 + u * q.e4)))));
 }
@@ -78,7 +79,7 @@ const EmbeddedRule<kHalf>& embedded_rule();  // kHalf = 5, 7, 10, 12
 
 struct Sampled {
   double length;
-  double last;  // the greatest of the last four Legendre coefficients of the samples, as a length
+  double last;  // the largest of the last four Legendre coefficients of the samples, as a length
 };
 
 template <int kHalf>
@@ -97,22 +98,22 @@ Sampled sample(const SpeedQuartic& q, const EmbeddedRule<kHalf>& rule) {
   return {sum, std::max({std::abs(even0), std::abs(even1), std::abs(odd0), std::abs(odd1)})};
 }
 
-// How a piece is measured to a relative tolerance: half the nodes; few enough that most pieces of a track pass at once
-// and none is dear.
+// Returns half the number of nodes for a relative tolerance: few enough that most pieces of a track pass at once and
+// none is expensive.
 inline int half_nodes_for(double tolerance) {
   return tolerance >= 1e-4 ? 5 : tolerance >= 1e-7 ? 7 : tolerance >= 1e-10 ? 10 : 12;
 }
 
-// The Legendre series of |v| falls like r^k, and n nodes err like r^(2n): about the square of the last coefficients
-// that the samples show. Four of them, because a symmetric speed has no odd ones and a complex pair of roots makes
-// single ones vanish. The factor and kSteadyEnough are measured: over 300,000 pieces of all kinds what passes errs by
-// less than a tenth of the tolerance.
+// The Legendre series of |v| falls like r^k, and the error of n nodes like r^(2n): about the square of the last
+// coefficients that the samples show. Four coefficients are used, because a symmetric speed has no odd ones and a
+// complex pair of roots makes single ones vanish. The factor and kSteadyEnough are measured: over 300,000 pieces of all
+// kinds the error of accepted pieces is below a tenth of the tolerance.
 constexpr double kCoefficientFactor = 3.0, kSteadyEnough = 0.15;
 inline double estimated_error(const Sampled& s) {
   return s.length > 0.0 ? kCoefficientFactor * s.last * s.last / s.length : 0.0;
 }
 
-// The rows that subdivide. Each does bounded work whatever the cubic and the tolerance.
+// The methods that subdivide. Each does bounded work for every cubic and tolerance.
 LengthEstimate adaptive_gauss_legendre(const Hodograph& h, double tolerance);  // tolerance in [1e-12, 0.1]
 LengthEstimate adaptive_simpson(const Hodograph& h, double tolerance);
 LengthEstimate adaptive_gravesen(const Hodograph& h, double tolerance);

@@ -1,4 +1,4 @@
-// The table of arc-length methods that are compared with each other, one row each.
+// The table of arc-length methods to compare, one row each.
 #include <array>
 
 #include "base/check.h"
@@ -19,8 +19,8 @@ LengthEstimate gauss_legendre(const Cubic& cubic, const LengthDemand& demand) {
 }
 
 LengthEstimate gravesen(const Cubic& cubic, const LengthDemand&) {
-  // Paper erratum: half the polygon "multiplied by" the chord is square metres; the estimate is their mean, and errs by
-  // at most half their difference.
+  // Paper erratum: half the polygon "multiplied by" the chord is in square metres. The estimate is their mean; its
+  // error is at most half their difference.
   const detail::Hodograph h = whole(cubic);
   const double chord = detail::chord_length(h), polygon = detail::polygon_length(h);
   return {0.5 * (chord + polygon), std::max(0.0, 0.5 * (polygon - chord)) + 1e-15 * polygon, 4};
@@ -39,7 +39,7 @@ LengthEstimate chord_sum(const Cubic& cubic, const LengthDemand& demand) {
 
 LengthEstimate simpson(const Cubic& cubic, const LengthDemand& demand) {
   const CoefficientsD c = coefficients_d(cubic);
-  const int n = demand.count + demand.count % 2;  // Simpson's rule takes pairs of intervals
+  const int n = demand.count + demand.count % 2;  // Simpson's rule needs pairs of intervals
   double sum = speed(c, 0) + speed(c, 1);
   for (int i = 1; i < n; ++i) sum += (i % 2 ? 4.0 : 2.0) * speed(c, static_cast<double>(i) / n);
   return counted(sum / (3.0 * n), n + 1);
@@ -59,7 +59,7 @@ LengthEstimate riemann(const Cubic& cubic, const LengthDemand& demand) {
   return counted(sum / demand.count, demand.count);
 }
 
-// A rule of up to kMaxRule nodes over the whole curve; more are shared out over equal panels.
+// One rule of up to kMaxRule nodes over the whole curve; more nodes are divided among equal panels.
 LengthEstimate by_panels(const Cubic& cubic, int count, Rule (*rule_of)(int)) {
   const CoefficientsD c = coefficients_d(cubic);
   const int panels = (count + kMaxRule - 1) / kMaxRule;

@@ -44,7 +44,7 @@ bool is_steady(const Piece& h) {
   return least > 0 && least * least >= 0.16L * most * dot(m, m);
 }
 
-// Steady pieces (speed above 0.4 of the greatest) need no estimate: 40 nodes leave below 1e-18 there.
+// Steady pieces (speed above 0.4 of the maximum) need no estimate: the error of 40 nodes is below 1e-18 there.
 long double measure(const Piece& h, long double floor, int depth) {
   if (!is_steady(h) && depth < 40) {
     const long double all = polygon(h);
@@ -88,7 +88,7 @@ std::vector<ConvergencePoint> study(const ArcLengthMethod& row, const Cubic& cub
       break;
     }
   }
-  // A finer tolerance may take a larger rule and fewer evaluations: sorted, so that the plot does not turn back.
+  // A finer tolerance may take a larger rule with fewer evaluations. Sort, so that the plot does not run backwards.
   std::stable_sort(points.begin(), points.end(),
                    [](const auto& a, const auto& b) { return a.evaluations < b.evaluations; });
   return points;

@@ -1,6 +1,6 @@
 // Bézier curves of any degree n: Bernstein's basis, de Casteljau's triangle, degree elevation and the hodograph.
-// Written for clarity and accuracy, not speed: the pictures of the construction and the oracle of the evaluators draw
-// from it.
+// Written for clarity and accuracy, not speed. Used by the pictures of the construction and as the test oracle of the
+// evaluators.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace coaster::curve {
 
-// B_(i,n)(t) = C(n,i) t^i (1-t)^(n-i) for i = 0..n in the n + 1 places of `weights`, n >= 0; for t in [0,1] each is in
-// [0,1] and they sum to 1. By the recurrence B_(i,n) = (1-t) B_(i,n-1) + t B_(i-1,n-1): no binomial that could
+// Writes B_(i,n)(t) = C(n,i) t^i (1-t)^(n-i) for i = 0..n to the n + 1 entries of `weights`, n >= 0. For t in [0,1]
+// each is in [0,1] and they sum to 1. Uses the recurrence B_(i,n) = (1-t) B_(i,n-1) + t B_(i-1,n-1), so no binomial can
 // overflow; relative error about n ulps.
 template <class Real>
 void bernstein_basis(Real t, std::span<Real> weights) {
@@ -27,11 +27,11 @@ void bernstein_basis(Real t, std::span<Real> weights) {
   }
 }
 
-// One B_(i,n)(t), 0 <= i <= n, for plots.
+// Returns B_(i,n)(t), 0 <= i <= n. For plots.
 double bernstein(int i, int n, double t);
 
-// The point at t of the curve with the n + 1 given control points (numbers, or vectors of `Real`; at least one), as the
-// sum of Bernstein's weights times the points.
+// Returns the point at t of the curve with the given n + 1 >= 1 control points (numbers, or vectors of `Real`), as the
+// sum of the points weighted by Bernstein's basis.
 template <class Real, class Point>
 Point bernstein_point(std::span<const Point> controls, Real t) {
   std::vector<Real> weights(controls.size());
@@ -41,9 +41,9 @@ Point bernstein_point(std::span<const Point> controls, Real t) {
   return sum;
 }
 
-// All levels of de Casteljau's triangle in one row: the n + 1 controls, then n points, n - 1, ..., 1: (n+1)(n+2)/2 in
-// all. The last is the point of the curve; the first of each level are the controls of [0,t], the last of each level,
-// from below, those of [t,1].
+// Returns all levels of de Casteljau's triangle in one row: the n + 1 controls, then n points, n - 1, ..., 1:
+// (n+1)(n+2)/2 in all. The last is the point of the curve. The first points of the levels are the controls of [0,t];
+// the last points, in reverse order, those of [t,1].
 template <class Real, class Point>
 std::vector<Point> de_casteljau_levels(std::span<const Point> controls, Real t) {
   std::vector<Point> all(controls.begin(), controls.end());
@@ -53,8 +53,8 @@ std::vector<Point> de_casteljau_levels(std::span<const Point> controls, Real t) 
   return all;
 }
 
-// The point at t by de Casteljau's method; exactly the first control at t = 0 and the last at t = 1. O(n^2), stable for
-// t in [0,1]. Works in `row`, which holds the controls of [t,1] afterwards.
+// Returns the point at t by de Casteljau's method; exactly the first control at t = 0 and the last at t = 1. O(n^2),
+// stable for t in [0,1]. Overwrites `row`, which holds the controls of [t,1] afterwards.
 template <class Real, class Point>
 Point de_casteljau_in_place(std::span<Point> row, Real t) {
   for (std::size_t level = row.size(); level > 1; --level)
@@ -67,7 +67,7 @@ Point de_casteljau(std::span<const Point> controls, Real t) {
   return de_casteljau_in_place<Real, Point>(row, t);
 }
 
-// The n + 2 controls of the same curve with degree n + 1: q_i = i/(n+1) p_(i-1) + (1 - i/(n+1)) p_i.
+// Returns the n + 2 controls of the same curve with degree n + 1: q_i = i/(n+1) p_(i-1) + (1 - i/(n+1)) p_i.
 template <class Real, class Point>
 std::vector<Point> elevated(std::span<const Point> controls) {
   std::vector<Point> more;
@@ -81,7 +81,7 @@ std::vector<Point> elevated(std::span<const Point> controls) {
   return more;
 }
 
-// The n controls of the hodograph B'(t), n (p_(i+1) - p_i); none for a single point.
+// Returns the n controls of the hodograph B'(t), n (p_(i+1) - p_i); none for a single point.
 template <class Real, class Point>
 std::vector<Point> hodograph_controls(std::span<const Point> controls) {
   std::vector<Point> less;
@@ -92,8 +92,7 @@ std::vector<Point> hodograph_controls(std::span<const Point> controls) {
 
 std::array<glm::dvec3, 4> controls(const Cubic& cubic);
 
-// De Casteljau's construction of a cubic's point, level by level, for the picture; Barrett 2012, section 3.2. t in
-// [0,1].
+// De Casteljau's construction of a point on a cubic, level by level; Barrett 2012, section 3.2. t in [0,1].
 struct Construction {
   std::array<glm::dvec3, 3> first;   // on the legs of the control polygon
   std::array<glm::dvec3, 2> second;  // on the lines between those: the tangent line
@@ -101,11 +100,11 @@ struct Construction {
 };
 Construction construction(const Cubic& cubic, double t);
 
-// The three controls of B'(t), in metres per unit of t.
+// Returns the three controls of B'(t), in metres per unit of t.
 std::array<glm::dvec3, 3> hodograph(const Cubic& cubic);
 
-// The four control points of a degree-n curve's cubic when it is one, by repeated elevation of fewer than four points;
-// for a line or a parabola that is to be ridden. `controls` holds 1 to 4 points.
+// Returns the four control points of a curve of degree 0 to 3 as a cubic, by repeated degree elevation. `controls`
+// holds 1 to 4 points.
 std::array<glm::dvec3, 4> as_cubic_controls(std::span<const glm::dvec3> controls);
 
 }  // namespace coaster::curve

@@ -1,4 +1,4 @@
-// How smoothly two cubics join: geometric (shape) and parametric (shape and speed of the parameter) continuity.
+// Continuity of the joint of two cubics: geometric (shape) and parametric (shape and speed of the parameter).
 #pragma once
 
 #include <string_view>
@@ -17,15 +17,16 @@ struct Joint {
   double curvature_jump;  // 1/m, length of the difference of the curvature vectors
   Geometric geometric;
   Parametric parametric;
-  glm::dvec3 curvature_before, curvature_after;  // 1/m, curvature vectors: towards the centre, as long as the curvature
-  double second_jump;                            // m, length of C''(0) - B''(1): 0 for C2
+  glm::dvec3 curvature_before,
+      curvature_after;  // 1/m, curvature vectors: towards the centre, with the curvature as length
+  double second_jump;   // m, length of C''(0) - B''(1): 0 for C2
 };
 
-// The curvature vector, what turns the unit tangent per metre, 1/m; 0 where B' vanishes. At t = 0 its length is
-// (2/3) |d0 x d1| / |d0|^3 with d0 = p1 - p0, d1 = p2 - p1.
+// Returns the curvature vector in 1/m, the change of the unit tangent per metre; 0 where B' vanishes. At t = 0 its
+// length is (2/3) |d0 x d1| / |d0|^3 with d0 = p1 - p0, d1 = p2 - p1.
 glm::dvec3 curvature_vector(const Cubic& cubic, double t);
 
-// Compares the end of `before` with the start of `after`. Tolerances: gap 0 exactly for G0/C0 (control points are
+// Compares the end of `before` with the start of `after`. Tolerances: gap exactly 0 for G0/C0 (control points are
 // shared), angle 1e-3 rad, relative speed 1e-4, curvature 1e-3 /m, second derivative 1e-3 of its size. Paper erratum: a
 // common tangent line is G1; equal first derivatives (C1) are more.
 Joint joint(const Cubic& before, const Cubic& after);

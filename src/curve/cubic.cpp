@@ -21,7 +21,7 @@ dvec3 lerp(dvec3 a, dvec3 b, double t) { return a + t * (b - a); }
 }  // namespace
 
 Coefficients coefficients(const Cubic& c) {
-  // Barrett 2012, section 3.3, rearranged to differences of neighbours: each is small, so little is lost by rounding.
+  // Barrett 2012, section 3.3, rearranged to differences of neighbours: they are small, so little is lost to rounding.
   const glm::vec3 d0 = c.p1 - c.p0, d1 = c.p2 - c.p1, d2 = c.p3 - c.p2;
   return {c.p0, 3.0f * d0, 3.0f * (d1 - d0), (d2 - d1) - (d1 - d0)};
 }
@@ -62,8 +62,8 @@ glm::dvec3 point_long_double(const Cubic& cubic, double t) {
 }
 
 glm::dvec3 unit_tangent(const Cubic& cubic, double t) {
-  // The direction of travel where B' vanishes is that of the first derivative that does not; approached from before t
-  // at the end of the curve, where an even derivative counts backwards.
+  // Where B' vanishes the direction of travel is that of the first derivative that does not. At the end of the curve it
+  // is approached from before t, where an even derivative has the opposite sign.
   const double size = std::max({glm::length(dvec3(cubic.p1 - cubic.p0)), glm::length(dvec3(cubic.p2 - cubic.p1)),
                                 glm::length(dvec3(cubic.p3 - cubic.p2))});
   if (!(size > 0.0)) return {1, 0, 0};
@@ -85,7 +85,7 @@ double curvature(const Cubic& cubic, double t) {
 }
 
 SplitCubic split(const Cubic& cubic, double t) {
-  // Barrett 2012, section 3.2: the table of de Casteljau's method holds the control points of both halves.
+  // Barrett 2012, section 3.2: the table of de Casteljau's method contains the control points of both halves.
   const DoubleControls c = widen(cubic);
   const dvec3 a = lerp(c.p0, c.p1, t), b = lerp(c.p1, c.p2, t), d = lerp(c.p2, c.p3, t);
   const dvec3 e = lerp(a, b, t), f = lerp(b, d, t);
@@ -112,7 +112,7 @@ NearestPoint nearest_point(const Cubic& cubic, glm::dvec3 target) {
   double low = std::max(0, best - 1) / static_cast<double>(kIntervals);
   double high = std::min(kIntervals, best + 1) / static_cast<double>(kIntervals);
   double t = static_cast<double>(best) / kIntervals;
-  // Newton on f = (B - target) . B', which rises through the minimum; halving where it would leave the bracket.
+  // Newton on f = (B - target) . B', which increases through the minimum; bisects where it would leave the bracket.
   for (int i = 0; i < 60 && high - low > 1e-12; ++i) {
     const dvec3 offset = point(cubic, t) - target, d = derivative(cubic, t);
     const double f = glm::dot(offset, d), slope = glm::dot(d, d) + glm::dot(offset, second_derivative(cubic, t));

@@ -1,5 +1,5 @@
-// The cubic Bézier segment: control points, exact evaluation in double, derivatives, splitting.
-// The evaluators that are compared with each other live in evaluators.h.
+// The cubic Bézier segment: control points, exact evaluation in double, derivatives, splitting. The evaluators to
+// compare are in evaluators.h.
 #pragma once
 
 #include <cmath>
@@ -22,51 +22,51 @@ struct CoefficientsD {
   glm::dvec3 c0{0}, c1{0}, c2{0}, c3{0};
 };
 
-// A cubic with what only changes when a control point moves.
+// A cubic with precomputed coefficients; changes only when a control point moves.
 struct PreparedCubic {
   Cubic cubic;
   Coefficients monomial;
 };
 
-Coefficients coefficients(const Cubic& cubic);     // in float, as the paper's program has them
+Coefficients coefficients(const Cubic& cubic);     // in float, as in the paper's program
 CoefficientsD coefficients_d(const Cubic& cubic);  // exact control points, double arithmetic
-// |B'(t)| from them.
+// Returns |B'(t)|.
 inline double speed(const CoefficientsD& c, double t) {
   const glm::dvec3 d = c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3));
   return std::sqrt(glm::dot(d, d));
 }
 PreparedCubic prepare(const Cubic& cubic);
 
-// B(t), B'(t), B''(t), B'''(t) in double; t in [0,1] (any finite t is allowed). At t = 0 and 1 `point` is exactly p0,
-// p3.
+// Return B(t), B'(t), B''(t), B'''(t) in double, t in [0,1] (any finite t is allowed). At t = 0 and 1 point() is
+// exactly p0 and p3.
 glm::dvec3 point(const Cubic& cubic, double t);
 glm::dvec3 derivative(const Cubic& cubic, double t);
 glm::dvec3 second_derivative(const Cubic& cubic, double t);
 glm::dvec3 third_derivative(const Cubic& cubic);
 
-// B(t) by de Casteljau in long double, rounded to double: the oracle for deviations.
+// Returns B(t) by de Casteljau in long double, rounded to double. The oracle for deviations.
 glm::dvec3 point_long_double(const Cubic& cubic, double t);
 
-// Unit tangent at t. Where B'(t) vanishes (a cusp, a handle on its anchor) the limit direction from the next
-// derivatives is taken; four equal points give (1,0,0). Never NaN.
+// Returns the unit tangent at t. Where B'(t) vanishes (a cusp, a handle on its anchor) it is the limit direction from
+// the next derivatives; four equal points give (1,0,0). Never NaN.
 glm::dvec3 unit_tangent(const Cubic& cubic, double t);
 
-// |B'(t) x B''(t)| / |B'(t)|^3 in 1/m; 0 where B' vanishes.
+// Returns |B'(t) x B''(t)| / |B'(t)|^3 in 1/m; 0 where B' vanishes.
 double curvature(const Cubic& cubic, double t);
 
 struct SplitCubic {
   Cubic left, right;
 };
 
-// De Casteljau's split at t in [0,1]: left covers [0,t], right [t,1]; left.p3 == right.p0 exactly; computed in
-// double and rounded once, so each control point is within half an ulp of the exact split.
+// Splits at t in [0,1] by de Casteljau: left covers [0,t], right [t,1]; left.p3 == right.p0 exactly. Computed in double
+// and rounded once, so each control point is within half an ulp of the exact split.
 SplitCubic split(const Cubic& cubic, double t);
 
 struct Box {
   glm::vec3 low{0}, high{0};
 };
 
-// The box of the control points: contains the curve (convex hull property).
+// Returns the bounding box of the control points, which contains the curve (convex hull property).
 Box control_box(const Cubic& cubic);
 
 struct NearestPoint {
@@ -74,7 +74,7 @@ struct NearestPoint {
   double distance;  // m
 };
 
-// The point of the curve nearest to `target`: coarse scan of 32 intervals, then safeguarded Newton; t within 1e-9.
+// Returns the point of the curve nearest to `target`: a scan of 32 intervals, then safeguarded Newton; t within 1e-9.
 NearestPoint nearest_point(const Cubic& cubic, glm::dvec3 target);
 
 }  // namespace coaster::curve

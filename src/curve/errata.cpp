@@ -15,8 +15,8 @@ using glm::dvec3;
 
 using Quad = std::array<dvec2, 4>;
 
-// The control points seen along the mean normal of the closed polygon p0 p1 p2 p3 (Newell's); nothing when they lie on
-// one line.
+// The control points projected along the mean normal of the closed polygon p0 p1 p2 p3 (Newell's); empty if they are
+// collinear.
 struct View {
   bool flat = false;
   dvec3 origin{0}, right{1, 0, 0}, up{0, 1, 0};
@@ -28,7 +28,7 @@ View view_of(const Cubic& c) {
   double size = 0;
   for (int i = 0; i < 4; ++i) normal += glm::cross(p[i] - p[0], p[(i + 1) % 4] - p[0]);
   for (int i = 1; i < 4; ++i) size = std::max(size, glm::length(p[i] - p[0]));
-  // A polygon that crosses itself can have no mean normal: any normal of its plane will do.
+  // A polygon that crosses itself can have no mean normal: use any normal of its plane.
   for (int i = 1; i < 4 && !(glm::length(normal) > 1e-9 * size * size); ++i)
     for (int k = i + 1; k < 4 && !(glm::length(normal) > 1e-9 * size * size); ++k)
       normal = glm::cross(p[i] - p[0], p[k] - p[0]);
@@ -51,7 +51,7 @@ double distance_to_edge(dvec2 p, dvec2 a, dvec2 b) {
   return glm::length(p - a - t * d);
 }
 
-// 0 inside the closed polygon (even-odd), else the distance to it.
+// Returns 0 inside the closed polygon (even-odd), else the distance to it.
 double outside(dvec2 p, const Quad& polygon, std::size_t corners) {
   bool inside = false;
   double nearest = 1e300;
@@ -63,7 +63,7 @@ double outside(dvec2 p, const Quad& polygon, std::size_t corners) {
   return inside ? 0.0 : nearest;
 }
 
-// The hull of four points in order of turn, by Andrew's monotone chain; returns how many corners it has.
+// Writes the hull of four points in order of rotation, by Andrew's monotone chain; returns its number of corners.
 std::size_t hull_of(Quad points, Quad& hull) {
   std::sort(points.begin(), points.end(), [](dvec2 a, dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   std::array<dvec2, 9> chain{};
@@ -82,8 +82,8 @@ std::size_t hull_of(Quad points, Quad& hull) {
   return n;
 }
 
-// By how much a rotation-minimising frame, carried from t0 to t1, turns about the tangent against one carried in twice
-// as many steps: what is left is the error of double reflection, for by its definition the frame does not turn.
+// Returns the angle between a rotation-minimising frame carried from t0 to t1 and one carried in twice as many steps.
+// It is the error of double reflection: by definition the frame does not rotate about the tangent.
 double minimising_turn(const Cubic& cubic, double t0, double t1) {
   const auto carried = [&](int steps) {
     Frame frame{unit_tangent(cubic, t0), perpendicular(unit_tangent(cubic, t0), {0, 1, 0})};
@@ -127,8 +127,7 @@ FlipClaim flip_claim(const Cubic& cubic) {
   const BinormalCurve binormal = binormal_curve(cubic);
   const BinormalMinima minima = binormal_minima(binormal);
   FlipClaim worst{0.5, 0, 0, frenet(cubic, 0.5).has_value()};
-  // Where |B' x B''| is least nearby the normal turns fastest; without such a place, fastest at an end or in the
-  // middle.
+  // The normal turns fastest where |B' x B''| has a local minimum; without one, at an end or in the middle.
   std::array<double, 5> places{0.0, 0.5, 1.0, 0.5, 0.5};
   for (int i = 0; i < minima.count; ++i) places[static_cast<std::size_t>(3 + i)] = minima.t[i];
   for (const double t : places) {

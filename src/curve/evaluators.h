@@ -1,5 +1,5 @@
-// The table of polyline evaluators: the methods of Barrett 2012, section 3, each in its textbook form, and what came
-// after it. Panels, scripts, tests and benchmarks iterate the table; to add a method, write its function and one row in
+// The table of polyline evaluators: the methods of Barrett 2012, section 3, each in its textbook form, and later
+// methods. Panels, scripts, tests and benchmarks iterate the table. To add a method, write its function and one row in
 // evaluators.cpp.
 #pragma once
 
@@ -18,24 +18,24 @@ inline constexpr int kMaxSteps = 4096;
 enum class EvaluatorId : int {};
 
 // Writes the polyline of one segment. `points` and `tangents` hold n+1 entries, n = steps >= 1: vertex i is B(i/n),
-// tangent i is B'(i/n) (not normalised). points.front() is exactly p0 and points.back() exactly p3, whatever the
-// method, so joints never gap. `tangents` may be empty: then only points are written. Spans of different sizes are a
-// programmer error.
+// tangent i is B'(i/n) (not normalised). points.front() is exactly p0 and points.back() exactly p3 with every method,
+// so joints have no gaps. If `tangents` is empty, only points are written. Other sizes are a programmer error.
 using PolylineFunction = void (*)(const PreparedCubic& curve, std::span<glm::vec3> points,
                                   std::span<glm::vec3> tangents);
 
-// Where a row's points are computed for the display: on the processor, or on the GPU from the control points alone. A
-// GPU row's `polyline` is the processor's twin of the shader's arithmetic, so tests, deviations and picking need no GL.
+// Where the displayed points of a method are computed: on the processor, or by a shader from the control points.
+// `polyline` of a shader method repeats the shader's arithmetic on the processor, so tests, deviations and picking need
+// no GL.
 enum class Stage { processor, vertex_shader, geometry_shader, tessellation_shader };
 
 struct Evaluator {
   std::string_view name;     // in scripts and files: "bernstein"
   std::string_view label;    // in the panel: "Cubic (Bernstein)"
   std::string_view formula;  // one line for the tooltip
-  std::string_view cost;     // operations a point, as the field counts them
+  std::string_view cost;     // operations per point, as the literature counts them
   PolylineFunction polyline;
-  // Largest |vertex - exact| for `steps` steps of a cubic whose control points are at most `extent` from the origin and
-  // whose control polygon is `size` long; derived in evaluators.cpp.
+  // Returns the largest |vertex - exact| in m for `steps` steps of a cubic whose control points are at most `extent`
+  // from the origin and whose control polygon is `size` long; derived in evaluators.cpp.
   double (*error_bound)(double extent, double size, int steps);
   Stage stage = Stage::processor;
 };

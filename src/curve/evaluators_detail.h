@@ -1,4 +1,4 @@
-// The evaluators' inner loops over any vector type, so that a test can count their operations.
+// The inner loops of the evaluators over any vector type, so that a test can count their operations.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ struct ControlPoints {
   V p0, p1, p2, p3;
 };
 
-// B(t) as written: Barrett 2012, section 2.1.
+// B(t) term by term: Barrett 2012, section 2.1.
 template <class V>
 V bernstein_point(const ControlPoints<V>& c, float t) {
   const float s = 1.0f - t;
@@ -36,20 +36,20 @@ CasteljauRow<V> casteljau(const ControlPoints<V>& c, float t) {
   return {s * a + t * b, s * b + t * d};
 }
 
-// Barrett 2012, section 3.3: three additions and three multiplications a point.
+// Barrett 2012, section 3.3: three additions and three multiplications per point.
 template <class V>
 V horner(V c0, V c1, V c2, V c3, float t) {
   return c0 + t * (c1 + t * (c2 + t * c3));
 }
 
-// Estrin's scheme: two halves that do not wait for each other, for one multiplication more (t^2).
+// Estrin's scheme: two independent halves, for one more multiplication (t^2).
 template <class V>
 V estrin(V c0, V c1, V c2, V c3, float t) {
   return (c0 + t * c1) + (t * t) * (c2 + t * c3);
 }
 
-// Barrett 2012, section 3.4, for f = c0 + c1 t + c2 t^2 + c3 t^3 and step e.
-// Paper erratum: "B(0) + i dB" holds for a straight line only; a cubic needs all three differences.
+// Barrett 2012, section 3.4, for f = c0 + c1 t + c2 t^2 + c3 t^3 and step e. Paper erratum: "B(0) + i dB" holds only
+// for a straight line; a cubic needs all three differences.
 template <class V>
 struct Differences {
   V value, first, second, third;
@@ -67,7 +67,7 @@ void step(Differences<V>& d) {
   d.second = d.second + d.third;
 }
 
-// The same for the tangent c1 + 2 c2 t + 3 c3 t^2: a parabola, so two additions a step.
+// The same for the tangent c1 + 2 c2 t + 3 c3 t^2: a parabola, so two additions per step.
 template <class V>
 struct TangentDifferences {
   V value, first, second;

@@ -1,4 +1,4 @@
-// The rows of the evaluator table that go through the vector kernels (kernels.h), on the best processor path.
+// The evaluators that use the vector kernels (kernels.h), with the best instructions of the processor.
 #pragma once
 
 #include <span>

@@ -9,8 +9,8 @@ namespace {
 
 using glm::dvec3;
 
-// The curvature that rounding the control points to float may make of none: each is off by up to half an ulp of the
-// largest coordinate.
+// Returns the curvature that rounding the control points to float can create on a straight: each is off by up to half
+// an ulp of the largest coordinate.
 double rounding_curvature(const Cubic& c, double speed, double second) {
   float largest = 0;
   for (const glm::vec3& p : {c.p0, c.p1, c.p2, c.p3})
@@ -19,7 +19,7 @@ double rounding_curvature(const Cubic& c, double speed, double second) {
   return half_ulp * (12.0 * speed + 6.0 * second) / (speed * speed * speed);
 }
 
-// Unit, and exactly perpendicular to rounding; `up` must not be parallel to `forward`.
+// Returns a frame that is unit and perpendicular to rounding; `up` must not be parallel to `forward`.
 Frame orthonormal(dvec3 forward, dvec3 up) { return {forward, perpendicular(forward, up)}; }
 
 }  // namespace
@@ -38,7 +38,7 @@ std::optional<FrenetFrame> frenet(const Cubic& cubic, double t) {
 }
 
 BinormalCurve binormal_curve(const Cubic& cubic) {
-  // With B' = a + t b + t^2 c and B'' = b + 2 t c the terms of t^2 and t^3 that have a factor twice cancel.
+  // With B' = a + t b + t^2 c and B'' = b + 2 t c the terms of t^2 and t^3 with a repeated factor cancel.
   const CoefficientsD k = coefficients_d(cubic);
   const dvec3 a = k.c1, b = 2.0 * k.c2, c = 3.0 * k.c3;
   return {glm::cross(a, b), 2.0 * glm::cross(a, c), glm::cross(b, c)};
@@ -107,14 +107,14 @@ dvec3 perpendicular(dvec3 forward, dvec3 wish) {
   dvec3 up = wish - glm::dot(wish, forward) * forward;
   double length = glm::length(up);
   if (!(length > 1e-9)) {
-    // Parallel: the axis least along `forward`, so that the result is well conditioned and depends on it alone.
+    // Parallel: use the axis least along `forward`, so that the result is well conditioned and depends on it alone.
     const dvec3 a = glm::abs(forward);
     const dvec3 axis = a.x <= a.y && a.x <= a.z ? dvec3(1, 0, 0) : a.y <= a.z ? dvec3(0, 1, 0) : dvec3(0, 0, 1);
     up = axis - glm::dot(axis, forward) * forward;
     length = glm::length(up);
   }
   up /= length;
-  // Once more, for what the first subtraction left over when `wish` was nearly parallel.
+  // Repeat, because the first subtraction is inexact when `wish` is nearly parallel.
   up -= glm::dot(up, forward) * forward;
   return up / glm::length(up);
 }

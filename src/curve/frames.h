@@ -19,20 +19,20 @@ struct FrenetFrame {
   double curvature, torsion;
 };
 
-// Barrett 2012, section 2.3. Nothing where B' vanishes, or where the curvature is below 1e-9 /m or below what rounding
-// the control points to float can make: there the normal would be noise (Paper erratum: the normal is undefined there
-// and flips across an inflection).
+// Returns the Frenet frame at t; Barrett 2012, section 2.3. Returns nothing where B' vanishes, or where the curvature
+// is below 1e-9 /m or below the rounding error of control points in float: there the normal would be noise (Paper
+// erratum: the normal is undefined there and flips across an inflection).
 std::optional<FrenetFrame> frenet(const Cubic& cubic, double t);
 
-// B'(t) x B''(t) of a cubic is a quadratic polynomial: b0 + t (b1 + t b2), in m^2. Its direction is the binormal's.
+// The quadratic polynomial B'(t) x B''(t) of a cubic: b0 + t (b1 + t b2), in m^2. Its direction is the binormal's.
 struct BinormalCurve {
   glm::dvec3 b0{0}, b1{0}, b2{0};
   glm::dvec3 at(double t) const { return b0 + t * (b1 + t * b2); }
 };
 BinormalCurve binormal_curve(const Cubic& cubic);
 
-// Places in (0,1) where |B' x B''| is least nearby, within 1e-9, by t: inflections of a plane cubic, and where the
-// normal of another turns fastest. At most 2. Two that are closer together than 1/32 may be found as one. Bounded work,
+// Local minima of |B' x B''| in (0,1), ascending, within 1e-9: inflections of a plane cubic, or the places where the
+// normal of another cubic turns fastest. At most 2. Two that are closer than 1/32 may be found as one. Bounded work,
 // about 0.3 us.
 struct BinormalMinima {
   int count = 0;
@@ -40,24 +40,26 @@ struct BinormalMinima {
 };
 BinormalMinima binormal_minima(const BinormalCurve& curve);
 
-// By how much the binormal's direction turns from t0 to t1, radians in [0, pi]; 0 where it has no direction.
+// Returns the angle by which the binormal turns from t0 to t1, radians in [0, pi]; 0 where it has no direction.
 double binormal_turn(const BinormalCurve& curve, double t0, double t1);
 
-// Carries `from.up` from point x0 to x1 with tangent t1 by double reflection (Wang et al. 2008,
-// doi 10.1145/1330511.1330513). x0 == x1 or opposite tangents fall back to the least rotation.
+// Carries `from.up` from point x0 to x1 with tangent t1 by double reflection (Wang et al. 2008, doi
+// 10.1145/1330511.1330513). Uses the least rotation if x0 == x1 or the tangents are opposite.
 Frame transport(const Frame& from, glm::dvec3 x0, glm::dvec3 x1, glm::dvec3 t1);
 
-// `v` turned by the least rotation that takes unit vector `from` to unit vector `to`; for opposite vectors the half
-// turn about `axis` (unit, perpendicular to `from`). Uses no libm functions but sqrt: the same bits everywhere.
+// Returns `v` turned by the least rotation that takes unit vector `from` to unit vector `to`; for opposite vectors, by
+// the half turn about `axis` (unit, perpendicular to `from`). Uses no libm function except sqrt: the same bits
+// everywhere.
 glm::dvec3 least_rotation(glm::dvec3 from, glm::dvec3 to, glm::dvec3 v, glm::dvec3 axis);
 
-// `v` turned about the unit `axis` by `radians` (right-handed), with base::sin_cos: the same bits everywhere.
+// Returns `v` turned about the unit `axis` by `radians` (right-handed), with base::sin_cos: the same bits everywhere.
 glm::dvec3 rotate(glm::dvec3 v, glm::dvec3 axis, double radians);
 
-// Signed angle in (-pi, pi] that turns `from` to `to` about `axis`; the same bits everywhere (base::arc_tangent).
+// Returns the signed angle in (-pi, pi] that turns `from` to `to` about `axis`; the same bits everywhere
+// (base::arc_tangent).
 double signed_angle(glm::dvec3 from, glm::dvec3 to, glm::dvec3 axis);
 
-// A unit vector perpendicular to unit `forward`, as near to `wish` as can be; when they are parallel, some
+// Returns the unit vector perpendicular to unit `forward` that is nearest to `wish`; if they are parallel, a
 // perpendicular vector that depends on `forward` alone.
 glm::dvec3 perpendicular(glm::dvec3 forward, glm::dvec3 wish);
 

@@ -1,5 +1,5 @@
-// Solving: sequential quadratic programming, by Newton's steps where they go downhill, else by Gauss-Newton's. What is
-// solved is in g2_repair.h.
+// The solver: sequential quadratic programming, by Newton steps where they go downhill, else by Gauss-Newton steps. The
+// problem is in g2_repair.h.
 #include "curve/g2.h"
 
 #include "curve/g2_repair.h"
@@ -29,9 +29,9 @@ double norm(const std::array<double, kMostConditions>& v) {
 
 }  // namespace
 
-// One quadratic programme: [H C^T; C -e] [d; m] = [-g; -c] by Gaussian elimination with row exchanges. The small e
-// keeps the system regular where conditions repeat each other; contradicting ones end as a violation that does not go
-// away.
+// Solves one quadratic programme: [H C^T; C -e] [d; m] = [-g; -c] by Gaussian elimination with row exchanges. The small
+// e keeps the system regular where conditions are redundant; contradictory conditions leave a violation that does not
+// decrease.
 Repair::Step Repair::step(const Conditions& now, const Vector& gradient, const Matrix& hessian) const {
   constexpr int kMost = kUnknowns + kMostConditions;
   std::array<std::array<double, kMost + 1>, kMost> m{};
@@ -76,8 +76,8 @@ Repair::Step Repair::step(const Conditions& now, const Vector& gradient, const M
   return out;
 }
 
-// Adds what Gauss-Newton leaves out: the bending of the movements and, times the multipliers, of the conditions. All
-// are polynomials, so central differences of the exact slopes are good to 1e-8.
+// Adds the terms that Gauss-Newton leaves out: the second derivatives of the movements and, times the multipliers, of
+// the conditions. All are polynomials, so central differences of the exact slopes are good to 1e-8.
 void Repair::bend(const Point& x, const Axes& across, const std::array<double, kMostConditions>& multipliers,
                   Matrix& hessian) const {
   for (int j = 0; j < kUnknowns; ++j) {
@@ -90,7 +90,7 @@ void Repair::bend(const Point& x, const Axes& across, const std::array<double, k
       for (int i = 0; i < kUnknowns; ++i)
         hessian[i][j] += multipliers[k] * (more.rows[k][i] - less.rows[k][i]) / (2.0 * h);
   }
-  // p = q + l (r - q) bends with l alone: d2p/dq dl = -1, d2p/dr dl = 1.
+  // The second derivatives of p = q + l (r - q) involve only l: d2p/dq dl = -1, d2p/dr dl = 1.
   const dvec3 p = x.p();
   for (int i = 0; i < 3; ++i) {
     hessian[kQ + i][kL] -= p[i], hessian[kL][kQ + i] -= p[i];
@@ -98,8 +98,8 @@ void Repair::bend(const Point& x, const Axes& across, const std::array<double, k
   }
 }
 
-// The longest part of a step that keeps handles from turning over: lengths fall to a quarter at most, and so does the
-// share of each side.
+// Returns the longest part of a step that keeps handles from reversing: lengths fall to a quarter at most, and so does
+// the fraction of each side.
 double Repair::longest(const Point& x, const Vector& d) const {
   double part = 1.0;
   const auto keep = [&](double value, double change) {
@@ -115,7 +115,7 @@ double Repair::longest(const Point& x, const Vector& d) const {
 G2Solution Repair::solve() const {
   constexpr int kMostIterations = 60, kMostHalvings = 24;
   constexpr double kLeast =
-      1.0 / 16;  // of what a length was: less is no repair, and curvature, over its square, loses its digits
+      1.0 / 16;  // of the original length: below this it is no repair, and curvature, over its square, loses its digits
   G2Solution out;
   Point x = start_;
   Vector gradient{};
@@ -129,7 +129,7 @@ G2Solution Repair::solve() const {
     slopes(x, gradient, hessian);
     Step s = step(now, gradient, hessian);
     if (!s.finite) break;
-    // Newton's step where it goes downhill along a valley that bends upwards; else Gauss-Newton's.
+    // A Newton step where it goes downhill and the curvature is positive; else a Gauss-Newton step.
     Matrix bent = hessian;
     bend(x, across, s.multipliers, bent);
     const Step newton = step(now, gradient, bent);
@@ -143,8 +143,8 @@ G2Solution Repair::solve() const {
       out.outcome = G2Outcome::solved;
       break;
     }
-    // Movement and violation together must fall (an exact penalty); near the solution rounding hides that, and the step
-    // is tiny.
+    // Movement and violation together must decrease (an exact penalty). Near the solution rounding hides that, and the
+    // step is tiny.
     const double merit = cost(x) + penalty * before;
     double part = longest(x, s.d);
     for (int halving = 0; halving < kMostHalvings; ++halving, part *= 0.5) {
@@ -154,7 +154,7 @@ G2Solution Repair::solve() const {
         break;
     }
     x = moved(x, s.d, part);
-    // A step that shrinks to nothing, or a joint that runs away: there is no solution near.
+    // The step shrinks to zero, or the joint runs away: there is no solution nearby.
     const bool collapsed = glm::length(x.r - x.q) < kLeast * scale_ || x.l < 0.25 * kLeast ||
                            x.l > 1.0 - 0.25 * kLeast || x.a < kLeast * problem_.before.length ||
                            x.b < kLeast * problem_.after.length;

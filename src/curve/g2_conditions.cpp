@@ -1,4 +1,4 @@
-// What a repair minimises and what it keeps, with first derivatives, and the second ones of what it minimises.
+// The objective and the conditions of a repair with first derivatives, and the second derivatives of the objective.
 #include "curve/g2_repair.h"
 
 namespace coaster::curve::detail {

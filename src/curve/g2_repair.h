@@ -1,5 +1,4 @@
-// The problem that solve_g2() solves, as a nonlinear programme: unknowns, what is minimised, and the conditions.
-// Private to g2*.cpp.
+// The problem that solve_g2() solves, as a nonlinear programme: unknowns, objective and conditions. Private to g2*.cpp.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +11,8 @@ namespace coaster::curve::detail {
 
 using glm::dvec3;
 
-// Unknowns: the joint's two handles q and r, the joint's place on their line p = q + l (r - q), and how long the far
-// handles are. In these every condition is a polynomial.
+// Unknowns: the joint's two handles q and r, the joint's position on their line p = q + l (r - q), and the lengths of
+// the far handles. In these unknowns every condition is a polynomial.
 constexpr int kUnknowns = 9, kMostConditions = 11;
 enum : int { kQ = 0, kR = 3, kL = 6, kA = 7, kB = 8 };
 using Vector = std::array<double, kUnknowns>;
@@ -25,7 +24,7 @@ struct Point {
   dvec3 p() const { return q + l * (r - q); }
 };
 
-// Two unit vectors across a unit direction and each other.
+// Two unit vectors perpendicular to a unit direction and to each other.
 struct Axes {
   dvec3 first, second;
 };
@@ -46,7 +45,7 @@ struct Conditions {
 class Repair {
  public:
   explicit Repair(const G2Problem& problem) : problem_(problem) {
-    // About the joint: what is far from the origin loses no digits.
+    // Coordinates relative to the joint, so that problems far from the origin lose no digits.
     const dvec3 origin = problem.position;
     problem_.in_handle -= origin;
     problem_.out_handle -= origin;
@@ -93,7 +92,7 @@ class Repair {
 
   G2Problem problem_;
   Point start_{};
-  double scale_ = 0;  // m, the handles' distance: makes the condition on curvature one in metres
+  double scale_ = 0;  // m, distance of the handles: scales the curvature condition to metres
 };
 
 }  // namespace coaster::curve::detail

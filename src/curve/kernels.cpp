@@ -1,4 +1,4 @@
-// Picks the kernels for the processor and hands them plain memory; does by double arithmetic what they leave over.
+// Chooses the kernels for the processor, passes them plain memory, and computes the remaining vertices in double.
 #include "curve/kernels.h"
 
 #include <array>
@@ -32,7 +32,8 @@ const detail::Kernels& kernels(Processor on) {
 
 const float* floats(std::span<const PreparedCubic> curves) { return reinterpret_cast<const float*>(curves.data()); }
 
-// Larger than the last cache of most processors: what is written would push everything else out and be gone itself.
+// Larger than the last-level cache of most processors: written data would evict everything else and then be evicted
+// itself.
 constexpr std::size_t kPastTheCaches = std::size_t{32} << 20;
 
 bool may_stream(std::span<const glm::vec3> out, int points) {
@@ -50,18 +51,18 @@ std::span<const Processor> available_processors() {
   return std::span(kProcessors).first(best_processor() == Processor::avx2 ? 2 : 1);
 }
 
-// As Horner's bound in evaluators.cpp (M + 120 S for coefficients and five operations below 13 S), and what scaling by
-// powers of 1/n adds: at most 6 u of coefficients below 13 S. A fused multiplication and addition rounds once less.
+// As Horner's bound in evaluators.cpp (M + 120 S for coefficients and five operations below 13 S), plus the scaling by
+// powers of 1/n: at most 6 u of coefficients below 13 S. A fused multiply-add rounds once less.
 double vector_horner_error_bound(double extent, double size) { return (extent + 200.0 * size) / (1 << 24); }
 
 // A run of 64 vertices, with S the polygon's length and h = 8/n (at most 8 steps of at most 1/8, as a run covers at
-// most the curve): first <= 6 S h, second <= 24 S h^2, third <= 24 S h^3. Rounded once a step each, and values below 7
-// S as well, that sums to below 8 * 7 S + 8 * 6 S h + 28 * 24 S h^2 <= 73 S for h = 1/8; relative errors of 12 u in the
-// starts of all three (scaling, shift, tables of exact numbers) grow to at most 12 (3 + 6 + 4) S = 156 S, and Horner's
-// start has its 200 S. The run's first point and the sum with it round at M once each.
+// most the curve): first <= 6 S h, second <= 24 S h^2, third <= 24 S h^3. One rounding per step each, and values below
+// 7 S as well, sum to below 8 * 7 S + 8 * 6 S h + 28 * 24 S h^2 <= 73 S for h = 1/8. Relative errors of 12 u in the
+// start values of all three (scaling, shift, tables of exact numbers) grow to at most 12 (3 + 6 + 4) S = 156 S, and
+// Horner's start has its 200 S. The run's first point and the sum with it round at M once each.
 double vector_differences_error_bound(double extent, double size) { return (2.0 * extent + 430.0 * size) / (1 << 24); }
 
-// The same with the first point inside the value: each of seven additions rounds at M as well.
+// The same with the first point inside the value: each of seven additions also rounds at M.
 double track_error_bound(double extent, double size) { return (9.0 * extent + 430.0 * size) / (1 << 24); }
 
 void vector_polyline(VectorMethod method, const PreparedCubic& curve, std::span<glm::vec3> points, Processor on) {

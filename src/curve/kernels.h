@@ -1,5 +1,5 @@
-// Vertices by vector arithmetic: eight parameters at once, packed as a vertex buffer wants them. For the display:
-// another processor may round otherwise, so nothing that is saved or hashed comes from here.
+// Vertices by vector arithmetic: eight parameters at once, packed for a vertex buffer. For display only: rounding
+// depends on the processor, so no saved or hashed value comes from here.
 #pragma once
 
 #include <span>
@@ -8,40 +8,41 @@
 
 namespace coaster::curve {
 
-// The instructions that a kernel uses. `baseline` is what the whole program is compiled for (SSE2 on x86-64) and runs
+// The instructions that a kernel uses. `baseline` is the instruction set of the whole program (SSE2 on x86-64) and runs
 // everywhere.
 enum class Processor { baseline, avx2 };
 
-// The best that this machine has, found out once.
+// Returns the best instruction set of this machine, detected once.
 Processor best_processor();
 std::span<const Processor> available_processors();  // for tests: baseline, then avx2 where it runs
 
-// Horner's rule: each vertex rounds on its own. Differences: each of eight lanes steps by eight parameters with three
-// additions and starts anew every 64 vertices; a fourth addition, of the run's first point, keeps the rounding at the
-// size of the coordinates from piling up. Both give exactly p0 and p3 at the ends and are finite for every cubic within
-// the limits of coordinates.
+// Horner's rule: each vertex rounds independently. Differences: each of eight lanes steps by eight parameters with
+// three additions and restarts every 64 vertices. A fourth addition, of the run's first point, prevents rounding errors
+// of the size of the coordinates from accumulating. Both give exactly p0 and p3 at the ends and are finite for every
+// cubic within the limits of coordinates.
 enum class VectorMethod { horner, differences };
 
-// Largest |vertex - exact| for control points at most `extent` from the origin and a control polygon `size` long, any
-// number of steps.
+// Return the largest |vertex - exact| in m for control points at most `extent` from the origin and a control polygon
+// `size` long, for any number of steps.
 double vector_horner_error_bound(double extent, double size);
 double vector_differences_error_bound(double extent, double size);
-double track_error_bound(double extent, double size);  // of the functions for whole tracks, below
+double track_error_bound(double extent, double size);  // for the whole-track functions below
 
-// B(i/n), i = 0..n, n = points.size() - 1 >= 1, of one curve.
+// Writes B(i/n), i = 0..n, n = points.size() - 1 >= 1, of one curve.
 void vector_polyline(VectorMethod method, const PreparedCubic& curve, std::span<glm::vec3> points,
                      Processor on = best_processor());
 
-// How the curves of a track follow each other in a buffer. `polylines`: n + 1 vertices each. `chain`: each curve's end
-// is the next one's start, so n vertices each (i/n, i < n), and the last curve's p3 at the very end.
+// How the curves of a track follow each other in a buffer. `polylines`: n + 1 vertices each. `chain`: each curve ends
+// at the start of the next, so n vertices each (i/n, i < n), and the last curve's p3 at the very end.
 enum class TrackLayout { polylines, chain };
 
-// Vertices that `curves` curves of n steps have in a layout: curves (n + 1), or curves n + 1. 0 without curves.
+// Returns the number of vertices of `curves` curves of n steps in a layout: curves (n + 1), or curves n + 1. 0 without
+// curves.
 std::size_t track_vertices(std::size_t curves, int steps, TrackLayout layout);
 
-// Positions of a whole track by differences without the fourth addition: the fastest, error below track_error_bound().
-// `out` holds track_vertices(). A chain of more than 32 MB whose steps are a multiple of 8, in memory aligned to 32
-// bytes, is written past the caches.
+// Writes the positions of a whole track by differences without the fourth addition: the fastest method, error below
+// track_error_bound(). `out` holds track_vertices(). A chain of more than 32 MB whose steps are a multiple of 8, in
+// memory aligned to 32 bytes, bypasses the caches.
 void track_points(std::span<const PreparedCubic> curves, int steps, TrackLayout layout, std::span<glm::vec3> out,
                   Processor on = best_processor());
 
@@ -50,15 +51,15 @@ struct TrackVertex {
   glm::vec3 tangent;
 };
 
-// Positions with B'(t) in turn, 24 bytes a vertex; `out` as above, n + 1 vertices a curve (two curves may leave a joint
-// with different speeds).
+// Writes positions and B'(t) alternately, 24 bytes per vertex. `out` holds n + 1 vertices per curve (the two curves of
+// a joint may have different speeds there).
 void track_vertices_with_tangents(std::span<const PreparedCubic> curves, int steps, std::span<TrackVertex> out,
                                   Processor on = best_processor());
 
-// Positions as by track_points(), and beside them unit tangents, packed alike: 24 bytes a vertex in two arrays, each in
-// the layout. A unit tangent is off by less than 24 u D / |B'| + 4e-7 (u = 2^-24, D = |c1| + 2 |c2| + 3 |c3|) besides
-// the rounding of the coefficients; curves that slow down below D/64 somewhere (cusps, handles on their anchors) are
-// done by unit_tangent() in double, which also gives cusps their limit direction.
+// Writes positions as track_points() does, and unit tangents in a second array of the same layout. The error of a unit
+// tangent is below 24 u D / |B'| + 4e-7 (u = 2^-24, D = |c1| + 2 |c2| + 3 |c3|), plus the rounding of the coefficients.
+// For curves whose speed falls below D/64 somewhere (cusps, handles on their anchors) unit_tangent() computes them in
+// double, which also gives cusps their limit direction.
 void track_points_and_unit_tangents(std::span<const PreparedCubic> curves, int steps, TrackLayout layout,
                                     std::span<glm::vec3> points, std::span<glm::vec3> tangents,
                                     Processor on = best_processor());

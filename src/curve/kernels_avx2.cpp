@@ -1,5 +1,4 @@
-// The kernels for AVX2 and FMA: compiled with those flags (cmake/kernels.cmake), called only where the processor has
-// them.
+// The kernels for AVX2 and FMA: compiled with those flags (cmake/kernels.cmake), called only if the processor has them.
 #ifdef COASTER_AVX2_KERNELS
 
 #include "curve/kernels_tangents.h"

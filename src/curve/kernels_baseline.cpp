@@ -1,4 +1,4 @@
-// The kernels for the processor that the whole program is compiled for (SSE2 on x86-64).
+// The kernels for the baseline instruction set of the whole program (SSE2 on x86-64).
 #include "curve/kernels_tangents.h"
 
 namespace coaster::curve::detail {

@@ -1,11 +1,10 @@
-// The vector kernels' bodies, compiled once a processor (kernels_avx2.cpp, kernels_baseline.cpp) and included by
-// nothing else. All is in an anonymous namespace and no library header is used, so that no code for one processor can
-// stand in for another's.
+// The bodies of the vector kernels, compiled once per instruction set (kernels_avx2.cpp, kernels_baseline.cpp);
+// included by no other files. Everything is in an anonymous namespace and no library header is used, so the linker
+// cannot mix code for different processors.
 //
 // A vertex is W floats (3: position; 6: position and tangent), each its own cubic in u = 0, 1, .. n, t = u/n, with
 // coefficients scaled by powers of 1/n. 24 floats are three vectors of eight, which hold 8 positions or 4 vertices of 6
-// floats; coefficients stand in them in the order of the vertices' floats, so that what is stored is packed without a
-// shuffle.
+// floats. Coefficients are in the order of the vertices' floats, so results are stored without a shuffle.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +16,7 @@ namespace {
 
 using coaster::curve::detail::Job;
 
-// The coefficients of one cubic, lanes x y z (the fourth is anything).
+// The coefficients of one cubic, lanes x y z (the fourth lane is arbitrary).
 struct Rows {
   V4 c[4];
 };
@@ -28,7 +27,7 @@ inline Rows rows_of(const float* cubic, float e) {
   return {{load4(cubic + 12), load4(cubic + 15) * e, load4(cubic + 18) * (e * e),
            __builtin_shufflevector(c3, c3, 1, 2, 3, 3) * (e * e * e)}};
 }
-// The same cubic with its parameter counted from w on.
+// Returns the same cubic with its parameter counted from w.
 inline Rows shifted(const Rows& r, float w) {
   const V4 a = r.c[2] + r.c[3] * w, b = a + r.c[3] * w, d = r.c[1] + a * w;
   return {{r.c[0] + d * w, d + b * w, b + r.c[3] * w, r.c[3]}};
@@ -57,7 +56,7 @@ inline Pattern pattern(const Rows& rows) {
   }
   return p;
 }
-// Positions and tangents in turn; `scale` is what turns the derivative by the rows' parameter into B'(t).
+// Positions and tangents alternately; `scale` turns the derivative by the rows' parameter into B'(t).
 inline Pattern pattern(const Rows& rows, float scale) {
   const Rows d{{rows.c[1] * scale, rows.c[2] * (2 * scale), rows.c[3] * (3 * scale), V4{}}};
   Pattern p;
@@ -89,7 +88,7 @@ inline V8 vertex_numbers(int k) {
 
 inline V8 horner(const V8* c, V8 w) { return c[0] + w * (c[1] + w * (c[2] + w * c[3])); }
 
-// Differences of a cubic in w, one group long, for the step 1: value, first, second, third. The polynomials in w are
+// Differences of a cubic in w, one group long, for step 1: value, first, second, third. The polynomials in w are
 // constants.
 template <int W>
 struct Starts {
@@ -128,7 +127,7 @@ inline void put(float* p, V8 v) {
   else store(p, v);
 }
 
-// Groups by Horner's rule, from vertex `first` on.
+// Writes groups by Horner's rule, starting at vertex `first`.
 template <int W, bool S>
 inline void horner_groups(const Pattern& p, int first, int groups, float* out) {
   constexpr float h = 24 / W;
@@ -141,8 +140,9 @@ inline void horner_groups(const Pattern& p, int first, int groups, float* out) {
     }
 }
 
-// `groups` groups by differences, each lane stepping a whole group. Careful: values are counted from the run's first
-// point, which is added to each when it is stored, so that it rounds at the coordinates' size once; an addition more.
+// Writes `groups` groups by differences; each lane steps one whole group. Careful: values are relative to the run's
+// first point, which is added when storing, so each value rounds only once at the size of the coordinates, for one more
+// addition.
 template <int W, bool S, bool Careful>
 inline void difference_run(Pattern p, int groups, float* out) {
   const V8 base0 = p.c[0][0], base1 = p.c[1][0], base2 = p.c[2][0];
@@ -166,8 +166,7 @@ inline Pattern pattern_of(const Rows& rows, float scale) {
   else return pattern(rows, scale);
 }
 
-// All groups, started anew every kRun from the cubic shifted there, so that every run is alike. Whole runs have a fixed
-// length.
+// Writes all groups, restarting every kRun groups from the cubic shifted there. Whole runs have a fixed length.
 template <int W, bool S, bool Careful>
 inline void difference_groups(const Rows& rows, float scale, int groups, float* out) {
   constexpr int run = coaster::curve::detail::kRun;
@@ -180,11 +179,11 @@ inline void difference_groups(const Rows& rows, float scale, int groups, float* 
                                   out + 24 * from);
 }
 
-// What is left when the vertices are no whole number of groups, by Horner's rule counted in vertices.
+// Writes the vertices after the last whole group, by Horner's rule counted in vertices.
 template <int W>
 inline void last_vertices(const Pattern& p, int points, float* out) {
   constexpr int a_group = 24 / W;
-  if (points >= a_group) {  // the last group once more, so that it ends where the curve ends
+  if (points >= a_group) {  // repeat the last group so that it ends at the curve's end
     horner_groups<W, false>(p, points - a_group, 1, out + static_cast<std::ptrdiff_t>(points - a_group) * W);
   } else {
     float few[24];
@@ -193,7 +192,7 @@ inline void last_vertices(const Pattern& p, int points, float* out) {
   }
 }
 
-// The last vertex of a curve of steps + 1 vertices: exactly p3, and B'(1) = 3 (p3 - p2).
+// Writes the last vertex of a curve of steps + 1 vertices: exactly p3, and B'(1) = 3 (p3 - p2).
 template <int W>
 inline void end_vertex(const float* cubic, float* vertex) {
   for (int a = 0; a < 3; ++a) vertex[a] = cubic[9 + a];

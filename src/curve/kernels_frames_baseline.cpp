@@ -1,4 +1,4 @@
-// Eight chains of frames with the processor's baseline.
+// Eight chains of frames with the baseline instruction set.
 #include "curve/kernels_frames_body.h"
 
 namespace coaster::curve::detail {

@@ -1,7 +1,7 @@
-// Double reflection for eight chains of frames at once, compiled once a processor (kernels_frames_*.cpp) and included
-// by nothing else. The operations and their order are those of transport() in frames.cpp, without fused multiplications
-// and additions, so that each lane has the same bits. Lanes that would take one of its branches are reported, for the
-// caller to do by transport() itself.
+// Double reflection for eight chains of frames at once, compiled once per instruction set (kernels_frames_*.cpp);
+// included by no other files. The operations and their order are those of transport() in frames.cpp, without fused
+// multiply-add, so each lane has the same bits. Lanes that would take one of its branches are reported; the caller runs
+// transport() for them.
 #pragma once
 
 #include "curve/kernels_frames_jobs.h"
@@ -30,13 +30,12 @@ inline Part root(Part x) { return Part{__builtin_sqrt(x[0]), __builtin_sqrt(x[1]
 #endif
 #endif
 
-// Eight lanes in parts, each operation done on all parts in turn: the divisions and roots of one part run while another
-// waits.
+// Eight lanes in parts. Each operation runs on all parts in turn, so that divisions and roots of the parts overlap.
 constexpr int kParts = 8 / kPartLanes;
 struct Wide {
   Part v[kParts];
 };
-// Inlined always: a vector that crosses a call goes through memory.
+// Always inlined: a vector that crosses a call goes through memory.
 #define COASTER_INLINE inline __attribute__((always_inline))
 #define COASTER_EACH_PART _Pragma("GCC unroll 4") for (int q = 0; q < kParts; ++q)
 COASTER_INLINE Wide operator+(Wide a, Wide b) {
@@ -73,7 +72,7 @@ COASTER_INLINE Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y, a.z -
 COASTER_INLINE Vec operator*(Wide k, Vec a) { return {k * a.x, k * a.y, k * a.z}; }
 COASTER_INLINE Vec operator/(Vec a, Wide k) { return {a.x / k, a.y / k, a.z / k}; }
 
-// One place of eight chains that lie `stride` doubles apart.
+// One point of eight chains that are `stride` doubles apart.
 COASTER_INLINE Vec gather(const double* p, long stride) {
   Vec out;
   COASTER_EACH_PART for (int l = 0; l < kPartLanes; ++l) {
@@ -93,7 +92,7 @@ COASTER_INLINE void scatter(double* p, long stride, Vec a) {
   }
 }
 
-// Wang et al. 2008, as transport(): the operators' order is that of its expressions.
+// Wang et al. 2008, in the operation order of transport().
 void transport_eight(const FrameJob& job) {
   const long stride = 3 * job.count;
   Vec x0 = gather(job.points, stride), t0 = gather(job.tangents, stride), up = gather(job.ups, stride);

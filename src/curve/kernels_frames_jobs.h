@@ -1,16 +1,16 @@
-// What frames_batch.cpp hands to the kernels compiled for each processor. Plain pointers: these files share no library
-// code.
+// The interface from frames_batch.cpp to the kernels compiled for each instruction set. Plain pointers: these files
+// share no library code.
 #pragma once
 
 namespace coaster::curve::detail {
 
-// Eight chains of `count` places each, one chain after the other, three doubles a place. ups[chain][0] is given.
+// Eight chains of `count` points each, one chain after the other, three doubles per point. ups[chain][0] is given.
 struct FrameJob {
   const double* points;
   const double* tangents;
   double* ups;
   long count;
-  bool* bad;  // eight: a chain that met a place which transport() treats apart
+  bool* bad;  // eight flags: the chain has a point that transport() handles by a branch
 };
 
 void transport_eight_baseline(const FrameJob& job);

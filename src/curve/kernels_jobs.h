@@ -1,4 +1,5 @@
-// What kernels.cpp hands to the kernels compiled for each processor. Plain pointers: these files share no library code.
+// The interface from kernels.cpp to the kernels compiled for each instruction set. Plain pointers: these files share no
+// library code.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +10,16 @@ struct Job {
   const float* cubics;  // PreparedCubic as 24 floats: p0 p1 p2 p3, c0 c1 c2 c3
   std::size_t count;
   int steps;   // n
-  int points;  // vertices of each curve: n, or n + 1 of which the last is p3
+  int points;  // vertices of each curve: n, or n + 1 with p3 as the last
   float* out;  // count * points vertices
   unsigned char* slow =
-      nullptr;  // of track_unit_tangents: 1 for each curve whose tangents lose their direction to rounding
+      nullptr;  // for track_unit_tangents: 1 for each curve whose tangents lose their direction to rounding
 };
 
-// Groups between two starts of the differences: at most kRun - 1 roundings of a value pile up.
+// Groups between two restarts of the differences: a value accumulates at most kRun - 1 roundings.
 inline constexpr int kRun = 8;
 
-// A speed below this share of the derivative's size is too slow to normalise in float.
+// A speed below this fraction of the derivative's size is too slow to normalise in float.
 inline constexpr float kSlow = 1.0f / 64;
 
 struct Kernels {
@@ -27,12 +28,12 @@ struct Kernels {
   void (*track_positions)(const Job&);           // the fast form
   void (*track_positions_streamed)(const Job&);  // `out` aligned to 32 bytes, points a multiple of 8
   void (*track_vertices)(const Job&);
-  void (*track_unit_tangents)(const Job&);  // of the first n vertices of each curve; a polyline's last is left
+  void (*track_unit_tangents)(const Job&);  // of the first n vertices of each curve; does not write a polyline's last
 };
 
 const Kernels& baseline_kernels();
 #ifdef COASTER_AVX2_KERNELS
-const Kernels& avx2_kernels();  // only where the processor has AVX2 and FMA
+const Kernels& avx2_kernels();  // requires a processor with AVX2 and FMA
 #endif
 
 }  // namespace coaster::curve::detail

@@ -1,5 +1,5 @@
-// Eight floats side by side, as the vector kernels use them: one AVX register, or two halves of the baseline's.
-// Included by kernels_body.h alone, and in an anonymous namespace for its reason.
+// Eight floats side by side for the vector kernels: one AVX register, or two of the baseline's. Included only by
+// kernels_body.h, in an anonymous namespace for the same reason.
 #pragma once
 
 #if defined(__SSE2__)
@@ -22,7 +22,7 @@ inline V8 at_least(V8 x, V8 low) { return _mm256_max_ps(x, low); }
 inline V8 at_most(V8 x, V8 high) { return _mm256_min_ps(x, high); }
 inline V8 join(V4 low, V4 high) { return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7); }
 #else
-// Two halves by hand: compilers keep a 32-byte vector that the processor lacks in memory.
+// Two halves by hand: compilers keep a 32-byte vector in memory if the processor lacks it.
 struct V8 {
   V4 low, high;
   friend V8 operator+(V8 a, V8 b) { return {a.low + b.low, a.high + b.high}; }

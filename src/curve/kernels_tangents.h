@@ -1,25 +1,24 @@
-// The part of the vector kernels that writes unit tangents. Included by the files of each processor after
-// kernels_body.h, alone.
+// The unit tangents of the vector kernels. Included only by the files of each instruction set, after kernels_body.h.
 #pragma once
 
 #include "curve/kernels_body.h"
 
 namespace {
 
-// 2 / sqrt(q): the processor's estimate (relative error below 1.5 * 2^-12) and one step of Newton, which squares it:
-// below 3e-7.
+// 2 / sqrt(q): the processor's estimate (relative error below 1.5 * 2^-12) and one Newton step, which squares the
+// error: below 3e-7.
 inline V8 twice_inverse_root(V8 q) {
   const V8 r = reciprocal_root(q);
   return r * (all(3) - (q * r) * r);
 }
 
-// One number for each of eight vertices, in the lanes of their three floats.
+// One number for each of eight vertices, repeated for their three floats.
 struct Spread {
   V8 of[3];
 };
 inline Spread spread(V8 r) {
 #ifdef __AVX2__
-  // By intrinsics, as gcc makes several shuffles of a general one that crosses halves.
+  // Intrinsics, because gcc makes several shuffles of a general one that crosses halves.
   return {{_mm256_permutevar8x32_ps(r, _mm256_setr_epi32(0, 0, 0, 1, 1, 1, 2, 2)),
            _mm256_permutevar8x32_ps(r, _mm256_setr_epi32(2, 3, 3, 3, 4, 4, 4, 5)),
            _mm256_permutevar8x32_ps(r, _mm256_setr_epi32(5, 5, 6, 6, 6, 7, 7, 7))}};
@@ -31,7 +30,7 @@ inline Spread spread(V8 r) {
 #endif
 }
 
-// Differences of a parabola c0 + w (c1 + w c2) for the step 1.
+// Differences of a parabola c0 + w (c1 + w c2) for step 1.
 struct Parabola {
   V8 value, first, second;
 };
@@ -43,9 +42,9 @@ inline void advance(Parabola& s) {
   s.first = s.first + s.second;
 }
 
-// The derivative by w of `groups` groups of eight vertices, divided by its length; rows counted in groups. It is had
-// twice, by vertices to measure (x, y, z apart) and packed to store, as that costs less than to move lanes. Gives four
-// times the least squared speed.
+// Writes the derivative by w of `groups` groups of eight vertices, divided by its length; rows are counted in groups.
+// Computes it twice, by vertices to measure (x, y, z apart) and packed to store, because that is cheaper than moving
+// lanes. Returns four times the smallest squared speed.
 inline V8 unit_run(const Rows& rows, int groups, float* out, V8 least) {
   alignas(16) float c1[4], c2[4], c3[4];  // twice the derivative, so that the root below gives 1 / its length
   store4(c1, rows.c[1] * 2);
@@ -75,7 +74,7 @@ inline V8 unit_run(const Rows& rows, int groups, float* out, V8 least) {
   return least;
 }
 
-// Whether some lane is below `low`, or not a number.
+// True if a lane is below `low` or not a number.
 inline bool any_below(V8 v, float low) {
 #ifdef __AVX2__
   return _mm256_movemask_ps(_mm256_cmp_ps(v, all(low), _CMP_NGE_UQ)) != 0;
@@ -86,8 +85,8 @@ inline bool any_below(V8 v, float low) {
 #endif
 }
 
-// Curves that lose their tangent's direction to rounding somewhere are marked in `slow`, for the caller to do exactly.
-// The end of a polyline is the caller's as well.
+// Marks in `slow` the curves that lose their tangent's direction to rounding, for the caller to compute exactly. The
+// caller also writes the end of a polyline.
 void track_unit_tangents(const Job& job) {
   constexpr int run = coaster::curve::detail::kRun;
   const float e = 8 / static_cast<float>(job.steps);

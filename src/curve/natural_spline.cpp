@@ -1,4 +1,4 @@
-// Cubic splines by their first derivatives: one tridiagonal system, three right-hand sides.
+// Cubic splines by their first derivatives: one tridiagonal system with three right-hand sides.
 #include "curve/natural_spline.h"
 
 #include "base/check.h"
@@ -19,7 +19,7 @@ Row inner_row(double before, double after, dvec3 slope_before, dvec3 slope_after
   return {after, 2 * (before + after), before, 3.0 * (after * slope_before + before * slope_after)};
 }
 
-// Thomas' algorithm; T is what the unknowns are made of.
+// Thomas' algorithm; T is the type of the unknowns.
 template <class T>
 std::vector<T> solve(const std::vector<Row>& rows, std::vector<T> right) {
   const std::size_t n = rows.size();
@@ -43,7 +43,7 @@ std::vector<dvec3> solve_open(const std::vector<Row>& rows) {
   return solve(rows, std::move(right));
 }
 
-// The two corners of the closed system are a correction of rank one (Sherman and Morrison, 1950).
+// The two corners of the closed system are a rank-one correction (Sherman and Morrison, 1950).
 std::vector<dvec3> solve_closed(std::vector<Row> rows) {
   const std::size_t n = rows.size();
   const double first_corner = rows[0].below, last_corner = rows[n - 1].above, gamma = -rows[0].middle;

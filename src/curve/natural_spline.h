@@ -13,14 +13,14 @@ namespace coaster::curve {
 struct SplinePoints {
   std::span<const glm::dvec3> points;  // n >= 2 (closed: n >= 3), m
   std::span<const double>
-      steps;  // > 0, of the parameter u from each point to the next: n - 1, closed n (the last leads back to the first)
+      steps;  // > 0, parameter steps from each point to the next: n - 1, closed n (the last leads back to the first)
   std::optional<glm::dvec3> first,
-      last;  // dP/du at the ends; where absent the second derivative is 0 there (natural). Not read when closed.
+      last;  // dP/du at the ends; if absent, the second derivative is 0 there (natural). Ignored when closed.
   bool closed = false;
 };
 
-// dP/du at each point, n values. Solved in linear time without pivoting: the matrix is diagonally dominant, so that
-// errors stay at a few units of rounding; the same bits on every machine (no function but the four operations).
+// Returns dP/du at each point, n values. Linear time without pivoting: the matrix is diagonally dominant, so errors
+// stay at a few ulps. Uses only the four operations: the same bits on every machine.
 std::vector<glm::dvec3> spline_derivatives(const SplinePoints& spline);
 
 }  // namespace coaster::curve

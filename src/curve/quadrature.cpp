@@ -9,7 +9,7 @@ namespace {
 
 constexpr long double kPi = 3.141592653589793238462643383279502884L;
 
-// Taylor's series; |x| <= pi/2, where 16 terms leave less than long double's rounding.
+// Taylor's series; |x| <= pi/2, where 16 terms leave less than the rounding of long double.
 long double cosine_small(long double x) {
   long double term = 1, sum = 1;
   for (int k = 1; k <= 16; ++k) {
@@ -48,8 +48,8 @@ LegendrePair legendre_pair(int n, long double x) {
   return p;
 }
 
-// Newton's method on P_n from a guess within 1/n^2 of the node, so that four steps reach the rounding;
-// P_n' = n (x P_n - P_(n-1)) / (x^2 - 1), w = 2 / ((1 - x^2) P_n'^2).
+// Newton's method on P_n from a guess within 1/n^2 of the node, so that four steps reach the rounding error; P_n' = n
+// (x P_n - P_(n-1)) / (x^2 - 1), w = 2 / ((1 - x^2) P_n'^2).
 Stored make_gauss_legendre(int n) {
   Stored rule;
   const auto size = static_cast<std::size_t>(n);
@@ -60,7 +60,7 @@ Stored make_gauss_legendre(int n) {
     for (int k = 0; k < 5; ++k) {
       const LegendrePair p = legendre_pair(n, x);
       slope = static_cast<long double>(n) * (x * p.value - p.last) / (x * x - 1);
-      if (k < 4 && x != 0) x -= p.value / slope;  // the last round only refreshes the slope
+      if (k < 4 && x != 0) x -= p.value / slope;  // the last iteration only updates the slope
     }
     const auto low = static_cast<std::size_t>(i), high = size - 1 - low;
     rule.nodes[low] = -x;

@@ -14,15 +14,15 @@ struct Singular {
   double least = 0, most = 0;
 };
 
-// Bounds of the singular values of two rows by Gershgorin's discs; exact when the rows are perpendicular and of equal
-// length, as those of square pixels are.
+// Returns bounds of the singular values of two rows by Gershgorin's discs; exact if the rows are perpendicular and of
+// equal length, as for square pixels.
 Singular singular_values(dvec3 a, dvec3 b) {
   const double aa = glm::dot(a, a), bb = glm::dot(b, b), ab = std::abs(glm::dot(a, b));
   return {std::sqrt(std::max(std::min(aa, bb) - ab, 0.0)), std::sqrt(std::max(aa, bb) + ab)};
 }
 
 float inverse_of(double x) {
-  constexpr double kLeast = 1e-18;  // a coordinate's product with the inverse stays finite
+  constexpr double kLeast = 1e-18;  // keeps a coordinate times the inverse finite
   return static_cast<float>(1.0 / (std::abs(x) > kLeast ? x : std::copysign(kLeast, x)));
 }
 
@@ -30,7 +30,7 @@ float inverse_of(double x) {
 
 Beam::Beam(const View& view, dvec2 pixel) {
   const glm::mat4 &p = view.projection, &m = view.view;
-  // Row `row` of projection times view.
+  // Returns row `row` of projection times view.
   const auto clip = [&](int row) {
     dvec4 sum(0);
     for (int k = 0; k < 4; ++k) sum += static_cast<double>(p[k][row]) * dvec4(m[0][k], m[1][k], m[2][k], m[3][k]);
@@ -51,7 +51,7 @@ Beam::Beam(const View& view, dvec2 pixel) {
 
 void Beam::set_coarse() {
   const dvec3 u(u_), v(v_), w(w_), across = glm::cross(u, v);
-  const double volume = glm::dot(across, w);  // 0 when the three have no common zero: no eye
+  const double volume = glm::dot(across, w);  // 0 if the three have no common zero: there is no eye
   if (!(volume * volume > 1e-18 * glm::dot(u, u) * glm::dot(v, v)) || !std::isfinite(volume)) return;
   const double inverse = 1 / volume;
   const dvec3 eye = -inverse * (u_.w * glm::cross(v, w) + v_.w * glm::cross(w, u) + w_.w * across),

@@ -1,5 +1,5 @@
-// The line of sight through a pixel and the cone about it: where a point appears beside the pixel, and which segments
-// of a track may.
+// The line of sight through a pixel and the cone around it: where a point appears relative to the pixel, and which
+// segments of a track may appear near it.
 #pragma once
 
 #include <array>
@@ -10,19 +10,20 @@
 
 namespace coaster::view {
 
-// A point relative to a pixel, in homogeneous form: it is seen (u/w, v/w) pixels from it at depth w, and lies between
-// the near and the far plane when |z| <= w. All four are affine in the point, so those of a curve's control points are
-// controls of the curve's.
+// A point relative to a pixel, in homogeneous form: it appears (u/w, v/w) pixels from the pixel at depth w, and lies
+// between the near and the far plane if |z| <= w. All four are affine in the point, so the values of a curve's control
+// points are control values of the curve.
 struct Sighted {
   double u = 0, v = 0, w = 0, z = 0;
 };
-inline constexpr double kNowhere = std::numeric_limits<double>::infinity();  // the distance to what is not met
-inline constexpr double kLeastDepth = 1e-4;  // m: what is not deeper counts as behind the eye
+inline constexpr double kNowhere =
+    std::numeric_limits<double>::infinity();  // the distance to something that is not hit
+inline constexpr double kLeastDepth = 1e-4;   // m: smaller depths count as behind the eye
 inline bool is_visible(const Sighted& s) { return s.w > kLeastDepth && s.z <= s.w && -s.z <= s.w; }
 
 class Beam {
  public:
-  // Of a perspective view: any other has no eye, and nothing is seen.
+  // `view` must be a perspective view. Any other has no eye, and nothing is seen.
   Beam(const View& view, glm::dvec2 pixel);
   bool has_eye() const { return has_eye_; }
 
@@ -31,16 +32,16 @@ class Beam {
     return {row(u_), row(v_), row(w_), row(z_)};
   }
 
-  // In float and relative to the eye, for the tests of four boxes or chords at a time.
+  // The beam in float and relative to the eye, for tests of four boxes or chords at a time.
   struct Coarse {
     glm::vec3 eye{0};            // m, where u = v = w = 0
-    glm::vec3 inverse{0};        // of the direction in which u = v = 0 and w grows by 1, never infinite
+    glm::vec3 inverse{0};        // of the direction in which u = v = 0 and w grows by 1; never infinite
     glm::vec3 u{0}, v{0}, w{0};  // gradients, u and v divided by `pixels`
     float eye_depth = 0;         // w . eye
-    double pixels = 1;           // px that a metre across the line of sight has at depth 1, at most
-    double least_pixels = 1;     // the same in the direction where it has the fewest
-    float stretch = 1;           // |change of (u, v)| / pixels that one metre makes, at most
-    float rounding = 0;          // m, that coordinates and the eye are off by
+    double pixels = 1;           // pixels per metre across the line of sight at depth 1, at most
+    double least_pixels = 1;     // the same in the direction where it is smallest
+    float stretch = 1;           // |change of (u, v)| / pixels per metre, at most
+    float rounding = 0;          // m, error of coordinates and eye
   };
   const Coarse& coarse() const { return coarse_; }
 
@@ -52,8 +53,8 @@ class Beam {
 };
 
 // Calls visit(i) for every segment i of the track that may come within limit() pixels of the beam's pixel, and for some
-// more; about the closest first. A visit may lower the limit: what is only within the old one may be left out from then
-// on. Returns how many of the tree's nodes it looked into.
+// others, roughly the closest first. A visit may lower the limit; segments that are only within the old limit may then
+// be skipped. Returns the number of tree nodes visited.
 template <class Limit, class Visit>
 std::size_t visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit limit, Visit visit);
 

@@ -1,5 +1,5 @@
-// The walk through a segment tree: four boxes or four chords at a time in float, never missing what double would find.
-// Included by beam.h.
+// Traversal of a segment tree: tests four boxes or four chords at a time in float, and never misses what double would
+// find. Included by beam.h.
 #pragma once
 
 #include <algorithm>
@@ -11,20 +11,20 @@
 
 namespace coaster::view {
 
-// A loop over the axes that is unrolled however little the compiler optimises.
+// Loops over the axes; unrolled at every optimisation level.
 template <class Do>
 [[gnu::always_inline]] inline void each_axis(Do what) {
   what(0), what(1), what(2);
 }
 
-// What the test of boxes needs of a beam, four times side by side.
+// The beam's data for the box test, repeated four times.
 struct BoxSweep {
   Four inverse[3], size[3], at_eye[3], depth[3], wider_at_eye;
   int near_side[3],
-      far_side[3];  // which of a node's six rows the line of sight meets first and last, and the deepest of the axis
+      far_side[3];  // which of a node's six rows the line of sight meets first and last, and the deepest per axis
   int deep_side[3];
 
-  // `slope`: metres that the beam's radius grows by a metre of depth.
+  // `slope`: growth of the beam's radius in metres per metre of depth.
   BoxSweep(const Beam::Coarse& beam, float slope) {
     for (int a = 0; a < 3; ++a) {
       inverse[a] = all(beam.inverse[a]), size[a] = all(std::abs(beam.inverse[a]));
@@ -36,8 +36,8 @@ struct BoxSweep {
   }
 };
 
-// Bit i: box i of the node may hold a point that is seen within the limit, since the line of sight passes it once it is
-// wider by the beam's radius at its far end.
+// Bit i: box i of the node may contain a point within the limit, because the line of sight hits the box enlarged by the
+// beam's radius at its far end.
 [[gnu::always_inline]] inline unsigned boxes_met(const sim::TreeNode& node, const BoxSweep& beam) {
   const auto row = [&node](int i) { return load(node.bounds[static_cast<std::size_t>(i)]); };
   Four wider = beam.wider_at_eye, near_end = all(0), far_end = all(3e38f);
@@ -50,8 +50,8 @@ struct BoxSweep {
   return bits_of(near_end <= far_end) & bits_of(wider > all(0)) & node.lanes;
 }
 
-// The same for the segments of a block, by their chords as the eye sees them and their radii about these. `closeness`:
-// for each lane, what the square of the distance on screen is about proportional to.
+// The same for the segments of a block, by their chords as seen from the eye and their radii about these. `closeness`:
+// for each lane, a value about proportional to the square of the distance on screen.
 [[gnu::always_inline]] inline unsigned chords_met(const sim::SegmentBlock& block, const Beam::Coarse& beam, float slope,
                                                   sim::FourFloats& closeness) {
   Four from_u = all(0), from_v = all(0), from_w = all(0), to_u = all(0), to_v = all(0), to_w = all(0);
@@ -72,7 +72,7 @@ struct BoxSweep {
   return bits_of(off <= reach * reach) & bits_of(depth + radius + rounding > all(0)) & ((1u << block.count) - 1);
 }
 
-// Segments that wait to be looked at, the closest first.
+// Segments waiting to be visited, the closest first.
 class Waiting {
  public:
   static constexpr std::size_t kMost = 256;
@@ -101,7 +101,7 @@ template <class Limit, class Visit>
 std::size_t visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit limit, Visit visit) {
   if (tree.nodes.empty() || !beam.has_eye()) return 0;
   const Beam::Coarse& coarse = beam.coarse();
-  // Metres that the reach has at depth 1; with what float makes of sums of some terms.
+  // Metres of the reach at depth 1, including float rounding of short sums.
   const auto slope_of = [&] {
     return static_cast<float>(std::min(limit() / coarse.least_pixels, 1e6) * 1.000001 + 4e-6);
   };
@@ -111,8 +111,8 @@ std::size_t visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit lim
   const auto look_at_waiting = [&] {
     while (!waiting.empty()) visit(waiting.next());
   };
-  // Several nodes are tested before their children are looked at: the processor does them at once, where one alone
-  // would wait for its sums.
+  // Tests several nodes before their children are visited: the processor overlaps them, while a single test would wait
+  // for its own sums.
   constexpr std::size_t kAtOnce = 4;
   std::array<std::int32_t, kAtOnce*(3 * sim::kMaxTreeDepth + 4)> nodes;
   std::array<std::int32_t, 4 * kAtOnce + 4> blocks;

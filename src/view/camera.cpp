@@ -1,5 +1,5 @@
-// Matrices, rays and projections of eyes; how far off to stand to see a box. Not how an eye follows a train
-// (camera_rig.cpp) and nothing that draws.
+// Matrices, rays and projections of eyes, and the distance that shows a whole box. Following a train is in
+// camera_rig.cpp; drawing is in gfx.
 #include "view/camera.h"
 
 #include <algorithm>
@@ -17,9 +17,9 @@ namespace coaster::view {
 namespace {
 
 constexpr float kNearPlane = 0.2f;      // m
-constexpr float kFarPlane = 20'000.0f;  // m, at least; more when standing further off
-constexpr float kMargin = 1.1f;         // framed things keep a tenth of the picture free
-constexpr float kNearest = 2.0f;        // m, the nearest that framing goes
+constexpr float kFarPlane = 20'000.0f;  // m, at least; more for distant eyes
+constexpr float kMargin = 1.1f;         // framing leaves a tenth of the picture free
+constexpr float kNearest = 2.0f;        // m, the smallest distance of framing
 constexpr float kFurthest = 1e5f;       // m, for intersections
 
 Viewport with_area(Viewport v) {
@@ -28,7 +28,7 @@ Viewport with_area(Viewport v) {
   return v;
 }
 
-// From the target towards the eye. Yaw 0 looks along -Z, so the eye is on +Z.
+// Returns the direction from the target to the eye. Yaw 0 looks along -Z, so the eye is on +Z.
 glm::vec3 towards_eye(float yaw_deg, float pitch_deg) {
   const float yaw = glm::radians(yaw_deg), pitch = glm::radians(std::clamp(pitch_deg, -89.0f, 89.0f));
   return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
@@ -40,12 +40,12 @@ View view_of(const Eye& eye, Viewport viewport) {
   View out;
   out.viewport = with_area(viewport);
   out.eye = glm::vec3(eye.position);
-  // From the direction itself: eye + forward would lose it to rounding when the eye is kilometres off.
+  // Built from the direction itself: eye + forward would lose it to rounding when the eye is kilometres away.
   const glm::dvec3 f = glm::normalize(eye.forward), r = glm::normalize(glm::cross(f, eye.up)), u = glm::cross(r, f),
                    e(out.eye);
   out.view = glm::mat4(glm::dmat4(r.x, u.x, -f.x, 0, r.y, u.y, -f.y, 0, r.z, u.z, -f.z, 0, -glm::dot(r, e),
                                   -glm::dot(u, e), glm::dot(f, e), 1));
-  // The near plane moves out with the scale of what is looked at, so that depth stays precise over a large track.
+  // The near plane moves out with the viewing distance, so that depth stays precise over a large track.
   const float far_off = static_cast<float>(eye.far_off), near_plane = std::max(kNearPlane, far_off * 2e-3f),
               far_plane = std::max(kFarPlane, far_off * 4.0f);
   const float fov = glm::radians(
@@ -59,10 +59,10 @@ Eye orbit_eye(const world::Camera& camera) {
   const glm::vec3 back = towards_eye(camera.yaw_deg, camera.pitch_deg);
   glm::vec3 eye = camera.target + back * distance;
   eye.y = std::max(eye.y, kLowestEye);
-  // The difference to a far target is exact enough only where the ground has moved the eye.
+  // The difference to a distant target is exact enough only where the ground has moved the eye.
   glm::vec3 forward = -back;
   if (eye.y == kLowestEye && glm::distance(camera.target, eye) > 1e-4f) forward = glm::normalize(camera.target - eye);
-  // From a raised eye the target can be straight below: then what the yaw calls ahead is up in the picture.
+  // From a raised eye the target can be straight below: then the yaw's forward direction is up in the picture.
   const float yaw = glm::radians(camera.yaw_deg);
   const glm::vec3 up =
       std::abs(forward.y) > 0.99999f ? glm::vec3(-std::sin(yaw), 0, -std::cos(yaw)) : glm::vec3(0, 1, 0);
@@ -87,7 +87,7 @@ View ride_view(const sim::Pose& pose, Viewport viewport) {
 
 world::FlyCamera fly_from(const View& view) {
   const glm::vec3 forward = line_of_sight(view), up(view.view[0][1], view.view[1][1], view.view[2][1]);
-  // Straight up or down, what is up in the picture tells the way.
+  // Looking straight up or down, the picture's up direction defines the yaw.
   const glm::vec3 ahead = std::abs(forward.y) < 0.9999f ? forward : -std::copysign(1.0f, forward.y) * up;
   world::FlyCamera fly;
   fly.eye = glm::vec3(view.eye.x, std::max(view.eye.y, world::kLowestFlight), view.eye.z);
@@ -108,7 +108,7 @@ Ray ray_through(const View& view, glm::vec2 pixel) {
   const Viewport& v = view.viewport;
   const float x = ((pixel.x - v.x) / v.width * 2 - 1) / view.projection[0][0];
   const float y = (1 - (pixel.y - v.y) / v.height * 2) / view.projection[1][1];
-  // The view matrix is a rotation and a shift: its transpose turns back.
+  // The view matrix is a rotation and a translation: its transpose inverts the rotation.
   return {view.eye, glm::normalize(glm::transpose(glm::mat3(view.view)) * glm::vec3(x, y, -1))};
 }
 
@@ -121,7 +121,8 @@ std::optional<glm::vec3> meet_plane(const Ray& ray, glm::vec3 point, glm::vec3 n
 }
 
 std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point) {
-  // Nearest points of the ray o + a d and the line p + b Y: the component of o - p + a d off Y is perpendicular to d.
+  // Nearest points of the ray o + a d and the line p + b Y: the component of o - p + a d perpendicular to Y is
+  // perpendicular to d.
   const glm::dvec3 d(ray.direction), w = glm::dvec3(ray.origin) - glm::dvec3(point);
   const double flat = 1.0 - d.y * d.y;
   if (!(flat > 1e-8)) return std::nullopt;
@@ -138,9 +139,8 @@ world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3>
   const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back)), up = glm::cross(back, right);
   const float tan_y = std::tan(glm::radians(from.field_of_view_deg) * 0.5f) / kMargin,
               tan_x = tan_y * viewport.width / viewport.height;
-  // A point at x across and b towards the eye is in sight of an eye at x0, d when |x - x0| <= (d - b) tan. The largest
-  // x + b tan and -x + b tan of all points give the nearest eye that sees them all, and where it stands; the same for
-  // y.
+  // A point at x across and b towards the eye is visible from an eye at x0, d if |x - x0| <= (d - b) tan. The largest x
+  // + b tan and -x + b tan of all points give the nearest eye that sees them all, and its position; the same for y.
   constexpr float kLowest = std::numeric_limits<float>::lowest();
   float right_most = kLowest, left_most = kLowest, top = kLowest, bottom = kLowest, nearest = kLowest,
         furthest = kLowest;
@@ -166,14 +166,14 @@ world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high
 
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport) {
   if (document.track.knots.empty()) return frame_box(from, {-20, 0, -20}, {20, 10, 20}, viewport);
-  // Track has a body, and a lone knot should not fill the picture.
+  // Track has a volume, and a lone knot should not fill the picture.
   std::vector<glm::vec3> points;
   const auto add = [&](glm::vec3 p) {
     for (const glm::vec3 by : {glm::vec3(1, 1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1)})
       points.push_back(p + by);
   };
   for (const world::Entity e : document.track.knots) add(world::knot(document, e).position);
-  // Sampled, as the control points can reach far beyond the curve.
+  // Sampled, because control points can be far outside the curve.
   for (const world::Entity e : document.track.segments) {
     const curve::Cubic cubic = world::cubic_of(document, e);
     for (int i = 1; i < 8; ++i) add(glm::vec3(curve::point(cubic, i / 8.0)));

@@ -18,58 +18,59 @@ struct Viewport {
   bool contains(glm::vec2 p) const { return p.x >= x && p.y >= y && p.x < x + width && p.y < y + height; }
 };
 
-// What the picture is taken with.
+// Eye position and matrices of a picture.
 struct View {
   glm::mat4 view{1}, projection{1};  // OpenGL clip space, right-handed
   glm::vec3 eye{0};
   Viewport viewport;
 };
-// Unit, into the picture.
+// Returns the unit direction into the picture.
 inline glm::vec3 line_of_sight(const View& v) { return -glm::vec3(v.view[0][2], v.view[1][2], v.view[2][2]); }
 
 struct Ray {
   glm::vec3 origin, direction;  // unit
 };
 
-// Where a picture is taken from, whatever its size.
+// An eye, independent of the size of the picture.
 struct Eye {
-  glm::dvec3 position{0, 5, 80};              // m, at least kLowestEye over the ground
-  glm::dvec3 forward{0, 0, -1}, up{0, 1, 0};  // unit; `up` need not be perpendicular to `forward`, only not along it
+  glm::dvec3 position{0, 5, 80};              // m, at least kLowestEye above the ground
+  glm::dvec3 forward{0, 0, -1}, up{0, 1, 0};  // unit; `up` need not be perpendicular to `forward`, only not parallel
   double field_of_view_deg = 45;              // vertical
-  double far_off = 0;                         // m, of what is looked at: the near plane moves out with it
+  double far_off = 0;                         // m, typical distance of the subject: the near plane moves out with it
 };
-inline constexpr float kLowestEye = 0.3f;  // m over the ground plane y = 0
-inline constexpr float kRiderEye = 1.1f;   // m over the rails
+inline constexpr float kLowestEye = 0.3f;  // m above the ground plane y = 0
+inline constexpr float kRiderEye = 1.1f;   // m above the rails
 
-// Both are kept over the ground.
+// Both eyes stay above the ground.
 Eye orbit_eye(const world::Camera& camera);
 Eye fly_eye(const world::FlyCamera& fly, float field_of_view_deg);
-// From the seat of a cart, looking forward.
+// Returns the eye on the seat of a car, looking forward.
 Eye ride_eye(const sim::Pose& pose, float field_of_view_deg);
-// A viewport without area is taken as 1 x 1.
+// A viewport of zero area counts as 1 x 1.
 View view_of(const Eye& eye, Viewport viewport);
 
 View orbit_view(const world::Camera& camera, Viewport viewport);
 View ride_view(const sim::Pose& pose, Viewport viewport);
 
-// The free camera that looks as nearly as it can as this view does.
+// Returns the fly camera that is closest to this view.
 world::FlyCamera fly_from(const View& view);
 
-// Window pixel of a world point, or nothing when it is behind the eye. z: depth as NDC in [-1,1].
+// Returns the window pixel of a world point, or nothing if it is behind the eye. z: depth as NDC in [-1,1].
 std::optional<glm::vec3> project(const View& view, glm::vec3 world);
 Ray ray_through(const View& view, glm::vec2 pixel);
 
-// Where the ray meets the plane through `point` with `normal`; nothing when parallel, behind the eye or beyond 1e5 m.
+// Returns where the ray meets the plane through `point` with `normal`; nothing if parallel, behind the eye or beyond
+// 1e5 m.
 std::optional<glm::vec3> meet_plane(const Ray& ray, glm::vec3 point, glm::vec3 normal);
-// Height (y) on the vertical line through `point` that is nearest to the ray.
+// Returns the height (y) on the vertical line through `point` that is nearest to the ray.
 std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point);
 
-// The nearest camera with the same yaw and pitch that shows all points (at least one) with some margin at the
-// viewport's aspect.
+// Returns the nearest camera with the same yaw and pitch that shows all points (at least one) with a margin, at the
+// viewport's aspect ratio.
 world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3> points, Viewport viewport);
 // The same for a box.
 world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport);
-// The same for the whole track (an empty one: 40 m about the origin) or for one entity.
+// The same for the whole track (40 m about the origin if it is empty) or for one entity.
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport);
 world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity,
                            Viewport viewport);

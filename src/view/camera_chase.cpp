@@ -1,5 +1,5 @@
-// The eye behind a train: upright, at a fixed distance from the train's middle, on the damped heading, out of the
-// ground and off the track.
+// The eye behind a train: upright, at a fixed distance from the train's middle, on the damped heading, above the ground
+// and clear of the track.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,16 +12,16 @@ namespace {
 using glm::dvec3;
 
 constexpr double kChaseHeadingLag = 0.55, kElevationLag = 0.7, kAsideLag = 0.2;  // s
-constexpr double kLookOver = 0.9;                                                // m over the rails
+constexpr double kLookOver = 0.9;                                                // m above the rails
 constexpr double kElevation =
-    0.30;  // rad over the horizon on the flat; less uphill, more downhill, to see it over a crest
+    0.30;  // rad above the horizon on level track; less uphill, more downhill, to see over a crest
 constexpr double kBySlope = 0.5, kLowest = 0.10, kHighest = 0.95;
-constexpr double kBeside = 0.26;     // rad to the train's left: its side shows, and the rails do not hide it
-constexpr double kBesideOver = 0.6;  // rad more while it is upside down: a loop is seen from its side
-constexpr double kPerTrain = 0.6;    // m further off for each metre of train
+constexpr double kBeside = 0.26;     // rad to the train's left, so that its side shows and the rails do not hide it
+constexpr double kBesideOver = 0.6;  // rad more while it is upside down: shows a loop from the side
+constexpr double kPerTrain = 0.6;    // m of distance per metre of train
 constexpr double kOverGround = 1.2;  // m
-constexpr double kClear = 2.4;       // m from the track that the eye keeps where it can
-constexpr double kSightClear = 1.3;  // m from the track that the line of sight keeps at its first half
+constexpr double kClear = 2.4;       // m from the track that the eye keeps if possible
+constexpr double kSightClear = 1.3;  // m from the track that the first half of the line of sight keeps
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double elevation_of(const Ridden& ridden) {
@@ -45,19 +45,19 @@ dvec3 place(const CameraRig& rig, const Watched& w, const Ridden& ridden) {
   return eye;
 }
 
-// `from` moved away from the track by as much as it lacks to `clear`.
+// Returns `from` moved away from the track by the distance missing to `clear`.
 dvec3 step_aside(const Watched& w, const dvec3& from, double clear) {
   const NearTrack near = nearest_track(w.derived, from, clear);
   if (!(near.distance < clear)) return dvec3(0);
   return (clear - near.distance) * (near.distance > 1e-3 ? (from - near.point) / near.distance : dvec3(0, 1, 0));
 }
 
-// By how much the eye would have to move to be off the track and to see the train past it; a few steps away from what
-// is nearest.
+// Returns the offset that moves the eye clear of the track with a view of the train: a few steps away from the nearest
+// track.
 dvec3 way_out(const Watched& w, const dvec3& from, const dvec3& aside, const dvec3& to) {
-  // From halfway to where it has already stepped: the way out goes on to the same side.
+  // Start halfway to the previous offset, so that the eye stays on the same side.
   dvec3 at = from + 0.5 * aside;
-  constexpr int kMostSteps = 12;  // out of a stack of coils, too
+  constexpr int kMostSteps = 12;  // enough to leave a stack of coils
   for (int i = 0; i < kMostSteps; ++i) {
     dvec3 step = step_aside(w, at, kClear);
     for (const double part : {0.25, 0.5}) step += step_aside(w, glm::mix(at, to, part), kSightClear) / (1 - part);
@@ -81,7 +81,7 @@ NearTrack nearest_track(const sim::Derived& derived, dvec3 from, double reach) {
   for (const world::Entity e : derived.order) {
     const sim::SegmentShape& shape = derived.shape(e);
     if (squared_distance_to_box(curve::control_box(shape.key.cubic), from) >= best_squared) continue;
-    // Chords half a metre long or shorter: between them and a curve of 5 m radius there is less than a centimetre.
+    // Chords of at most half a metre: less than a centimetre from a curve of 5 m radius.
     const int steps = std::clamp(static_cast<int>(shape.arc.length() * 2), 8, 512);
     dvec3 last = curve::point(shape.key.cubic, 0.0);
     for (int i = 1; i <= steps; ++i) {

@@ -1,4 +1,4 @@
-// The rider's eye: the track's frame, with a roll that is late, a head that gives way, and a calm form of both.
+// The rider's eye: the track's frame with a lagging roll and a moving head, and a calm form of both (reduced motion).
 #include <algorithm>
 #include <cmath>
 
@@ -9,18 +9,19 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kRiderHeadingLag = 0.5;                           // s
-constexpr double kWideningLag = 0.8;                               // s
-constexpr double kWideSpeed = 30;                                  // m/s, at which the view has widened by the setting
-constexpr double kSteepest = 0.8;                                  // rad, of the calm view's pitch
-constexpr double kBobLag = 0.12;                                   // s, of the neck
+constexpr double kRiderHeadingLag = 0.5;  // s
+constexpr double kWideningLag = 0.8;      // s
+constexpr double kWideSpeed = 30;         // m/s, where the view has widened by the full setting
+constexpr double kSteepest = 0.8;         // rad, limit of the calm view's pitch
+constexpr double kBobLag = 0.12;          // s, time constant of the neck
 constexpr double kBobUp = 0.02, kBobSide = 0.03, kMostBob = 0.07;  // m per g, m per g, m
 constexpr double kRumble = 0.003;                                  // m at 20 m/s
 constexpr double kPi = 3.14159265358979323846;
 
 double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
 
-// `v`, turned as the least rotation turns unit `from` into unit `to`; about some axis across where they are opposite.
+// Returns `v` turned by the least rotation that takes unit `from` to unit `to`; about some perpendicular axis if they
+// are opposite.
 dvec3 carried(const dvec3& v, const dvec3& from, const dvec3& to) {
   const double c = glm::dot(from, to);
   if (c < -0.999999) return v;
@@ -33,7 +34,7 @@ dvec3 turned(const dvec3& v, const dvec3& about, double angle) {
          about * (glm::dot(about, v) * (1 - std::cos(angle)));
 }
 
-// Where the head goes: against g, and a little with the rails. The distance travelled is the only clock.
+// Returns the head's offset: against g, plus a small shake. The distance travelled is the only clock.
 dvec3 bob_of(const Watched& w, const Ridden& ridden) {
   const sim::Felt g = sim::felt(w.document, w.derived, ridden.cart, ridden.motion);
   const double shake = kRumble * std::min(std::abs(ridden.motion.speed) / 20, 1.5), d = ridden.motion.travelled;
@@ -42,7 +43,7 @@ dvec3 bob_of(const Watched& w, const Ridden& ridden) {
           part(-kBobSide * g.left) + shake * std::sin(2 * kPi * d / 4.7)};
 }
 
-// The rider's up: carried along by the least rotation, then rolled after the track's.
+// Turns the rider's up: carried along by the least rotation, then rolled after the track's roll.
 void roll_after(CameraRig& rig, const curve::Frame& frame, double lag, double dt) {
   dvec3 up = carried(rig.up, rig.forward, frame.forward);
   up -= glm::dot(up, frame.forward) * frame.forward;
@@ -53,7 +54,7 @@ void roll_after(CameraRig& rig, const curve::Frame& frame, double lag, double dt
     return;
   }
   up /= length;
-  // Beyond half a turn the angle alone does not tell by how much it is late: the one nearest to the last is meant.
+  // Beyond half a turn the lag is ambiguous: take the value nearest to the last one.
   const double seen = std::atan2(glm::dot(glm::cross(up, frame.up), frame.forward), glm::dot(up, frame.up));
   rig.roll_lag += wrapped(seen - rig.roll_lag);
   Damped<double> roll{-rig.roll_lag, rig.roll_rate};
@@ -65,7 +66,7 @@ void roll_after(CameraRig& rig, const curve::Frame& frame, double lag, double dt
 }  // namespace
 
 void Heading::settle(const curve::Frame& frame) {
-  // Up or down, the rider's left tells the way over the ground.
+  // On vertical track the rider's left defines the heading.
   const dvec3 left = frame.left();
   dvec3 flat(frame.forward.x, 0, frame.forward.z);
   if (glm::length(flat) < 0.3) flat = {-left.z, 0, left.x};
@@ -75,14 +76,14 @@ void Heading::settle(const curve::Frame& frame) {
 
 void Heading::follow(const curve::Frame& frame, double lag, double dt) {
   constexpr double kUpright = 0.2, kVague = 0.15,
-                   kClear = 0.6;  // of up's height; of the tangent's length over the ground
+                   kClear = 0.6;  // of up's height; of the tangent's horizontal length
   const dvec3 f = frame.forward;
   const double flat = std::sqrt(f.x * f.x + f.z * f.z),
                part = std::clamp((flat - kVague) / (kClear - kVague), 0.0, 1.0);
   double off = flat > 1e-9 ? wrapped(std::atan2(-f.x, -f.z) - yaw) : 0.0;
   if (frame.up.y < kUpright && std::cos(off) < 0) off = wrapped(off + kPi);
   const double k = 2 / lag;
-  for (double rest = dt; rest > 1e-9; rest -= world::kTick) {  // small steps: the pull changes with the angle
+  for (double rest = dt; rest > 1e-9; rest -= world::kTick) {  // small steps, because the pull changes with the angle
     const double step = std::min(rest, world::kTick);
     rate += step * (k * k * part * off - 2 * k * rate);
     yaw += step * rate, off -= step * rate;

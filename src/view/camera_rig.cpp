@@ -1,4 +1,4 @@
-// One eye for all cameras: which one is shown, and how one becomes the other.
+// One eye for all cameras: which camera is shown, and the transition between two.
 #include "view/camera_rig.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ Ridden ridden_of(const Watched& w, world::Entity cart, const world::CartMotion& 
   Ridden out{cart, motion, {}, {}, 0};
   if (design) out.length = (sim::cars_on(w.derived, *design) - 1) * static_cast<double>(design->spacing);
   out.front = sim::pose(w.derived, front, w.settings.frames);
-  // Banked by the knots whatever turns the cars: an eye outside has no seat.
+  // Banked by the knots for every frame method: an eye outside has no seat.
   out.middle = sim::pose(w.derived, sim::behind(w.derived, front, 0.5 * out.length), world::FrameMethod::knots);
   return out;
 }
@@ -44,7 +44,7 @@ bool usable(const Eye& eye) {
          glm::length(glm::cross(eye.forward, eye.up)) > 1e-6;
 }
 
-// A train is where its motion took it, or somewhere else: reset, put there, or moved by an edit.
+// True if the train is not where its motion took it: it was reset, placed, or moved by an edit.
 bool leapt(const CameraRig& rig, const Ridden& ridden, int ticks) {
   constexpr double kSlack = 1.0;  // m, more than one edit of a drag moves it
   return glm::distance(rig.anchor, ridden.front.position) >
@@ -82,11 +82,11 @@ void begin_transition(CameraRig& rig, const Eye& before, const Eye& to) {
   rig.ticks_left = kTransitionTicks;
   rig.offset = before.position - to.position;
   rig.turn = turn_of(before) * glm::inverse(turn_of(to));
-  if (rig.turn.w < 0) rig.turn = -rig.turn;  // the short way round
+  if (rig.turn.w < 0) rig.turn = -rig.turn;  // the shorter rotation
   rig.field_of_view_off = before.field_of_view_deg - to.field_of_view_deg;
 }
 
-// `to` with what is left of the difference to the eye before, which so moves with what the new camera goes with.
+// Returns `to` plus the remaining offset from the previous eye. The offset moves with the new camera.
 Eye eased(const CameraRig& rig, const Eye& to) {
   const double left = static_cast<double>(rig.ticks_left) / kTransitionTicks, part = left * left * (3 - 2 * left);
   const dquat turned = glm::slerp(dquat(1, 0, 0, 0), rig.turn, part) * turn_of(to);

@@ -1,5 +1,5 @@
-// Values that follow others without overshoot: critically damped, solved exactly for a target that stands still during
-// a step, so that two steps of one tick are one step of two.
+// Values that follow others without overshoot: critical damping, solved exactly for a constant target during a step, so
+// that two steps of one tick equal one step of two.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace coaster::view {
 
-// x'' = -2 k x' - k^2 (x - target), k = 2 / lag. Behind a target that moves steadily it is late by `lag` seconds; lag 0
-// is the target itself.
+// x'' = -2 k x' - k^2 (x - target), k = 2 / lag. Lags a steadily moving target by `lag` seconds; lag 0 is the target
+// itself.
 template <class T>
 struct Damped {
   T value{}, rate{};

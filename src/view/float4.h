@@ -1,5 +1,5 @@
-// Four floats side by side: one register of every x86-64 processor and of most others. What is picked never depends on
-// which.
+// Four floats side by side: one register of every x86-64 processor and of most others. Picking gives the same result
+// with each.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 namespace coaster::view {
 
 typedef float Four __attribute__((vector_size(16)));
-typedef int FourTruths __attribute__((vector_size(16)));  // 0 or -1
+typedef int FourTruths __attribute__((vector_size(16)));  // 0 (false) or -1 (true) per lane
 
 inline Four all(float x) { return Four{x, x, x, x}; }
 inline void store(Four x, std::array<float, 4>& out) { std::memcpy(out.data(), &x, sizeof x); }

@@ -14,7 +14,7 @@ using glm::dvec2;
 
 constexpr std::array<std::uint32_t, 3> kColours{0xe5534bff, 0x4fb477ff, 0x4c9affff};
 constexpr std::uint32_t kHovered = 0xffe08aff, kRim = 0x10141aaa;
-constexpr float kWidth = 3, kHeadHalf = 5, kFewest = 14;  // px; shorter arrows on the screen cannot be aimed at
+constexpr float kWidth = 3, kHeadHalf = 5, kFewest = 14;  // px; arrows shorter than kFewest on screen cannot be picked
 
 glm::vec3 axis(int i) {
   glm::vec3 v(0);
@@ -60,7 +60,7 @@ PickKind plane_kind(int i) { return static_cast<PickKind>(static_cast<int>(PickK
 
 std::optional<Gizmo> gizmo_of(const world::Document& document, const world::Settings& settings, const View& view) {
   if (!settings.show_gizmo || !settings.show_panels || settings.append_mode)
-    return std::nullopt;  // clicks append beside it
+    return std::nullopt;  // clicks append knots there
   const std::vector<world::Entity> knots = world::selected_knots(document, settings);
   if (knots.empty()) return std::nullopt;
   glm::dvec3 sum(0);
@@ -83,7 +83,7 @@ PickKind pick_gizmo(const Gizmo& gizmo, const View& view, float scale, glm::vec2
     if (distance < least) least = distance, best = axis_kind(i);
   }
   if (best != PickKind::none) return best;
-  double nearest = 0;  // of squares that lie over each other
+  double nearest = 0;  // for overlapping squares
   for (int i = 0; i < 3; ++i) {
     std::array<dvec2, 4> corners;
     bool seen = true;

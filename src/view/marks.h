@@ -1,4 +1,4 @@
-// The marks that are on screen and which covers which: what the overlay draws and what picking picks is this one list.
+// The marks on screen and which covers which. The overlay draws this list, and picking uses the same list.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace coaster::view {
 
-// World to window pixels in double; only what is between the near and the far plane has a place.
+// Projects world points to window pixels in double; points outside the near and far planes have no pixel.
 class Projector {
  public:
   explicit Projector(const View& view);
@@ -26,17 +26,17 @@ struct PlacedMark {
   glm::vec3 position{0};
   glm::dvec2 pixel{0};
   double distance = 0;    // m^2, square of the distance from the eye
-  std::size_t order = 0;  // place in the track; the in-handle counts before the out-handle
+  std::size_t order = 0;  // index in the track; the in-handle comes before the out-handle
 };
 
-// Knots, and the handles of the selection, in no special order.
+// Returns the marks of knots and of the selection's handles, in no particular order.
 std::vector<PlacedMark> marks_on_screen(const world::Document& document, const world::Settings& settings,
                                         const View& view);
 
-// True when `a` is drawn over `b`: handles over knots, then the nearer one, then the earlier in the track.
+// True if `a` is drawn over `b`: handles over knots, then the nearer one, then the earlier in the track.
 bool covers(const PlacedMark& a, const PlacedMark& b);
 
-// Knots whose handles are shown: the selected one, or both of the selected segment.
+// Returns the knots whose handles are shown: the selected one, or both of the selected segment.
 std::vector<world::Entity> knots_with_handles(const world::Document& document, const world::Settings& settings);
 
 }  // namespace coaster::view

@@ -1,4 +1,4 @@
-// The laboratory's marks and thin lines of one frame.
+// Marks and thin lines of one frame.
 #include "view/overlay.h"
 
 #include <algorithm>
@@ -18,12 +18,12 @@ constexpr std::uint32_t kKnotColour = 0xffffffff, kSelectedColour = 0xff8a1fff, 
                         kHandleColour = 0xf2b84bff, kHandleHovered = 0xffdc96ff;
 constexpr std::uint32_t kPolygonColour = 0xf2b84bff, kPlaceColour = 0xff8a1fff, kHoveredPlaceColour = 0xffffffff;
 constexpr std::uint32_t kFailureColour = 0xd7263dff;
-constexpr double kFailureHeight = 1.6;  // m over the rails: over the cart
+constexpr double kFailureHeight = 1.6;  // m above the rails: above the car
 constexpr float kHoveredGrowth = 1.35f;
 constexpr float kPlaceRadius = 4.5f;  // px
 constexpr float kLineWidth = 1.5f;    // px
 
-// Segments whose control polygon shows: the selected one, or those at the selected knot.
+// Returns the segments whose control polygon is shown: the selected one, or those at the selected knot.
 std::vector<world::Entity> shown_segments(const world::Document& document, world::Entity selected) {
   if (document.entities.find<world::Segment>(selected)) return {selected};
   std::vector<world::Entity> out;
@@ -38,7 +38,7 @@ void add_line(glm::vec3 from, glm::vec3 to, float scale, Overlay& overlay) {
   overlay.lines.push_back({from, to, kLineWidth * scale, kPolygonColour});
 }
 
-// Control polygons, and every shown handle on its knot; no line twice.
+// Adds control polygons and the handles of the shown knots; no line twice.
 void add_polygons(const world::Document& document, const world::Settings& settings, Overlay& overlay) {
   const float scale = settings.ui_scale;
   const std::vector<world::Entity> knots = knots_with_handles(document, settings);
@@ -69,7 +69,7 @@ Mark mark_of(const PlacedMark& placed, const world::Settings& settings, const Pi
           MarkShape::disc};
 }
 
-// A red disc with a cross over the rails.
+// Adds a red disc with a cross above the rails.
 void add_failure(const sim::Derived& derived, const world::Failure& failure, const View& view, float scale,
                  Overlay& overlay) {
   if (failure.kind == world::FailureKind::none || derived.order.empty()) return;
@@ -93,7 +93,7 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   const float scale = settings.ui_scale;
   if (findings.element) add_element(*findings.element, findings.narrow, view, scale, overlay);
   add_polygons(document, settings, overlay);
-  // Places on the curve cannot be picked as marks, so they lie under all that can.
+  // The picked position is no pickable mark, so it lies under all that are.
   if (const sim::SegmentShape* const shape = derived.segments.find(settings.selected))
     overlay.marks.push_back({glm::vec3(curve::point(shape->key.cubic, settings.selected_t)), kPlaceRadius * scale,
                              kPlaceColour, MarkShape::disc});

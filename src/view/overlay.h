@@ -37,21 +37,20 @@ struct Overlay {
   friend bool operator==(const Overlay&, const Overlay&) = default;
 };
 
-// What was found out about the track and its ride, and is marked on it.
+// Results about the track and its ride that are marked on it.
 struct Findings {
   std::span<const sim::FrenetBreak> breaks;   // read for Layer::flips
   std::span<const sim::RedSpan> spans;        // read for Layer::limits
   std::span<const sim::Conflict> conflicts;   // read for Layer::conflicts
-  world::Failure failure;                     // of the ride; kind none: none
-  const sim::ElementPlan* element = nullptr;  // of the palette, where it would go; null: not shown
-  std::span<const sim::Narrow> narrow;        // parts of it that lack room
-  bool riding = false;  // the eye goes with a running train: knots that are neither chosen nor under the cursor would
-                        // hide the ride
+  world::Failure failure;                     // of the ride; kind none: no failure
+  const sim::ElementPlan* element = nullptr;  // the palette's element at its preview position; null: not shown
+  std::span<const sim::Narrow> narrow;        // parts of it without clearance
+  bool riding = false;  // the eye follows a running train: hide knots that are neither selected nor hovered
 };
 
-// Knots, handles of the selection, the control polygon of the selected segment (or of the segments at the selected
-// knot), the picked place, where the ride has failed; what is under the cursor is larger and brighter. Under them the
-// laboratory's layers that are on.
+// Returns knots, handles of the selection, the control polygon of the selected segment (or of the segments at the
+// selected knot), the picked position and the ride's failure. The hovered mark is larger and brighter. The visible
+// laboratory layers are below them.
 Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
                       const View& view, const Pick& hovered, const Findings& findings = {});
 

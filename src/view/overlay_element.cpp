@@ -13,15 +13,15 @@ using glm::dvec3;
 using sim::ElementPoint;
 
 constexpr std::uint32_t kRimColour = 0x1b1f2766;
-constexpr double kDashPx = 9;        // and as long a gap
-constexpr double kPlumbSpacing = 8;  // m along the track, or more where the element is long
-constexpr double kLeastPlumb = 0.5;  // m over the ground
+constexpr double kDashPx = 9;        // and gaps of the same length
+constexpr double kPlumbSpacing = 8;  // m along the track; more for long elements
+constexpr double kLeastPlumb = 0.5;  // m above the ground
 
-// A point at some distance along the ideal curve, between its points.
+// Interpolates the ideal curve at a distance along it.
 class Sampler {
  public:
   explicit Sampler(std::span<const ElementPoint> points) : points_(points) {}
-  // Distances must not fall from call to call.
+  // Distances must not decrease between calls.
   ElementPoint operator()(double s) {
     while (next_ + 1 < points_.size() && points_[next_].s < s) ++next_;
     const ElementPoint &a = points_[next_ - 1], &b = points_[next_];
@@ -69,7 +69,7 @@ dvec3 rail(const ElementPoint& p, double side) {
   return p.position + (0.5 * side * sim::kGauge) * glm::cross(p.up, p.tangent);
 }
 
-// Rails in short lines, a tie at every other step, plumb lines.
+// Adds rails as short lines, a tie at every other step, and plumb lines.
 void add_rails(const Shown& shown, const Sketch& sketch) {
   const sim::ElementPlan& plan = shown.plan;
   const double step = std::max(sim::kTieSpacing / 2, plan.length / kMaxElementSteps);
@@ -89,7 +89,7 @@ void add_rails(const Shown& shown, const Sketch& sketch) {
   }
 }
 
-// Dashes of about constant length on screen, in a power of two of metres.
+// Adds dashes of about constant length on screen, a power of two in metres.
 void add_dashes(const Shown& shown, const View& view, const Sketch& sketch) {
   const sim::ElementPlan& plan = shown.plan;
   const std::vector<ElementPoint>& points = plan.ideal.points;

@@ -1,4 +1,4 @@
-// The pictures about one place or segment: construction, circle, rounding. Those along the track are in
+// The pictures of one position or segment: construction, circle, rounding. Those along the track are in
 // overlay_lab_track.cpp.
 #include "view/overlay_lab.h"
 
@@ -13,13 +13,13 @@
 namespace coaster::view {
 namespace {
 
-constexpr double kMaxOffset = 1e4;  // m, of a magnified error
+constexpr double kMaxOffset = 1e4;  // m, limit of a magnified error
 
 void disc(glm::dvec3 at, float radius_px, std::uint32_t rgba, Overlay& overlay) {
   overlay.marks.push_back({glm::vec3(at), radius_px, rgba, MarkShape::disc});
 }
 
-// Segments whose rounding shows, at most as many as have kMaxRoundingVertices together.
+// Returns the segments whose rounding is shown, with at most kMaxRoundingVertices together.
 std::vector<world::Entity> rounded_segments(const world::Document& document, const sim::Derived& derived,
                                             const world::Settings& settings) {
   const world::Entity selected = settings.selected;
@@ -57,12 +57,12 @@ void add_rounding(const sim::SegmentShape& shape, const world::Settings& setting
   if (last > 1) disc(moved[last - 1], 3.5f * scale, kSeamColour, overlay);
 }
 
-// A layer's lines over a dark rim each, so that they read on sky, ground and rails alike; those in thousands go
-// without.
+// Appends a layer's lines, each over a dark rim, so that they read on sky, ground and rails. Layers with thousands of
+// lines have no rims.
 void append_rimmed(const Overlay& layer, float scale, Overlay& overlay) {
   constexpr std::size_t kFew = 2500;
   constexpr std::uint32_t kDiscRimColour = 0x1b1f2778;
-  constexpr float kThin = 1.5f, kDiscRim = 2.0f;  // px at scale 1: rimmed from this width on, and wider by this
+  constexpr float kThin = 1.5f, kDiscRim = 2.0f;  // px at scale 1: lines are rimmed from this width on; rim of discs
   if (layer.lines.size() <= kFew)
     for (const Line& one : layer.lines)
       if (one.width_px >= kThin * scale && (one.rgba & 0xffu) == 0xffu)

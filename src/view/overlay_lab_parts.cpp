@@ -18,7 +18,7 @@ double PixelScale::operator()(glm::dvec3 at) const {
 void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px,
                std::uint32_t rgba, Overlay& overlay) {
   constexpr double kBarb = 0.3, kHalfWidth = 0.14,
-                   kAlong = 0.05;  // of the length; sine of the least angle to the line of sight
+                   kAlong = 0.05;  // of the length; sine of the smallest angle to the line of sight
   const glm::dvec3 tip = from + length * direction;
   overlay.lines.push_back({glm::vec3(from), glm::vec3(tip), width_px, rgba});
   const glm::dvec3 side = glm::cross(direction, glm::dvec3(view.eye) - from);
@@ -35,7 +35,7 @@ void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> gly
   const double px_per_metre = PixelScale(view)(at);
   if (!(px_per_metre > 0)) return;
   overlay.marks.push_back({glm::vec3(at), 11 * scale, rgba, MarkShape::disc});
-  // Dots, since marks are drawn over lines.
+  // Dots, because marks are drawn over lines.
   const glm::dvec3 right(view.view[0][0], view.view[1][0], view.view[2][0]),
       up(view.view[0][1], view.view[1][1], view.view[2][1]);
   const double metres = static_cast<double>(scale) / px_per_metre;
@@ -46,7 +46,7 @@ void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> gly
 
 void add_band(const sim::Derived& derived, double from, double to, int pieces, float width_px, std::uint32_t rgba,
               Overlay& overlay) {
-  constexpr double kOver = 0.35;  // m over the rails
+  constexpr double kOver = 0.35;  // m above the rails
   const auto at = [&](double distance) {
     const sim::TrackPlace place = sim::place_at(derived, distance);
     const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
@@ -61,8 +61,8 @@ void add_band(const sim::Derived& derived, double from, double to, int pieces, f
 }
 
 std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& view) {
-  constexpr float kNearest = 1;  // m: nearer than this nothing gets more detail
-  // Rows of the view matrix are the camera's axes; a sphere is outside when it lies beyond a side plane of the pyramid.
+  constexpr float kNearest = 1;  // m: closer track gets no more detail
+  // Rows of the view matrix are the camera's axes; a sphere is outside if it lies beyond a side plane of the frustum.
   const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]),
       up(view.view[0][1], view.view[1][1], view.view[2][1]);
   const glm::vec3 forward = line_of_sight(view);

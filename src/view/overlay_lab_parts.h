@@ -1,5 +1,4 @@
-// What the laboratory's pictures share: lines and arrows of constant size on screen, and how much of the track is worth
-// detail.
+// Shared by the laboratory's pictures: lines and arrows of constant size on screen, and the track that is worth detail.
 #pragma once
 
 #include <span>
@@ -9,7 +8,7 @@
 
 namespace coaster::view {
 
-// Pixels that a metre across the line of sight has at a point; 0 behind the eye.
+// Pixels per metre across the line of sight at a point; 0 behind the eye.
 class PixelScale {
  public:
   explicit PixelScale(const View& view);
@@ -26,24 +25,24 @@ inline void add_line(glm::dvec3 from, glm::dvec3 to, float width_px, std::uint32
   overlay.lines.push_back({glm::vec3(from), glm::vec3(to), width_px, rgba});
 }
 
-// From `from` along the unit `direction`, `length` metres; the head, two barbs that face the eye, is left out where one
-// looks along it.
+// Adds an arrow from `from` along the unit `direction`, `length` metres long. Its head, two barbs that face the eye, is
+// left out where the view is along it.
 void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px,
                std::uint32_t rgba, Overlay& overlay);
 
-// A round sign of constant size on screen that faces the eye: a disc, and on it dark dots, `glyph` in pixels to the
+// Adds a round sign of constant size on screen that faces the eye: a disc with dark dots at `glyph`, in pixels to the
 // right and up.
 void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> glyph, const View& view, float scale,
               Overlay& overlay);
 
-// A broad line over the rails from one place of the track to another, m along it, in `pieces`.
+// Adds a broad line over the rails between two distances along the track, m, in `pieces`.
 void add_band(const sim::Derived& derived, double from, double to, int pieces, float width_px, std::uint32_t rgba,
               Overlay& overlay);
 
-// A segment that may be seen: outside the picture none is listed.
+// A segment that may be visible; segments outside the picture are not listed.
 struct SeenSegment {
   std::size_t index = 0;    // into derived.order
-  double px_per_metre = 0;  // at its nearest
+  double px_per_metre = 0;  // at its nearest point
   double length_px = 0;
 };
 std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& view);

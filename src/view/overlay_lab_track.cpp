@@ -1,5 +1,5 @@
-// The pictures along the whole track: frames, comb, Frenet's failures. Only what is in the picture is looked at, in
-// steps that are some pixels long, so that the work does not grow with the detail that nobody sees.
+// The pictures along the whole track: frames, comb, Frenet failures. Only visible track is processed, in steps of a few
+// pixels, so the work does not grow with invisible detail.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,15 +10,15 @@
 namespace coaster::view {
 namespace {
 
-// How many multiples of `step` lie in [from, to).
+// Returns the number of multiples of `step` in [from, to).
 int multiples(double from, double to, double step) {
   return static_cast<int>(std::ceil(to / step) - std::ceil(from / step));
 }
 
-// The power of two metres that is at least `px` pixels long on the segment.
+// Returns the power of two metres that is at least `px` pixels long on the segment.
 double step_of(const SeenSegment& seen, double px) { return std::exp2(std::ceil(std::log2(px / seen.px_per_metre))); }
 
-// The least distance in pixels, from `px` on by doubling, at which `count` of all segments is at most `most`.
+// Returns the least distance in pixels, from `px` on by doubling, at which `count` of all segments is at most `most`.
 template <class Count>
 double fitting_distance(std::span<const SeenSegment> seen, double px, int most, Count count) {
   for (int doubling = 0; doubling < 24; ++doubling, px *= 2) {
@@ -31,15 +31,15 @@ double fitting_distance(std::span<const SeenSegment> seen, double px, int most, 
 
 constexpr int kFewestTeeth = 8, kMostTeeth = 64;
 
-// Of a segment, both ends included. Those smaller than `px` on screen share teeth: one at the start of a segment on
-// which a multiple of the step lies.
+// Returns the number of teeth of a segment, both ends included. Segments smaller than `px` on screen share teeth: one
+// at the start of each segment that contains a multiple of the step.
 int teeth_of(const sim::Derived& derived, const SeenSegment& seen, double px) {
   if (seen.length_px < px)
     return multiples(derived.starts[seen.index], derived.starts[seen.index + 1], step_of(seen, px)) > 0 ? 1 : 0;
   return std::clamp(static_cast<int>(seen.length_px / px), kFewestTeeth, kMostTeeth) + 1;
 }
 
-// -kappa N times the scale: (B' x (B' x B'')) / |B'|^4, at most kMaxTooth long; nothing where B' vanishes.
+// Returns -kappa N times the scale: (B' x (B' x B'')) / |B'|^4, at most kMaxTooth long; 0 where B' vanishes.
 glm::dvec3 tooth_at(const curve::Cubic& cubic, double t, double scale) {
   const glm::dvec3 d1 = curve::derivative(cubic, t), d2 = curve::second_derivative(cubic, t);
   const double square = glm::dot(d1, d1);
@@ -57,8 +57,8 @@ void add_comb(const sim::Derived& derived, const world::Settings& settings, cons
   const std::vector<SeenSegment> seen = seen_segments(derived, view);
   const auto count = [&](const SeenSegment& one, double px) { return teeth_of(derived, one, px); };
   const double px = fitting_distance(seen, 9.0 * static_cast<double>(scale), kMaxTeeth, count);
-  glm::dvec3 before(0);  // the last tip
-  bool goes_on = false;  // the envelope, over small segments
+  glm::dvec3 before(0);  // tip of the previous tooth
+  bool goes_on = false;  // the envelope continues over small segments
   std::size_t next = 0;
   for (const SeenSegment& one : seen) {
     const curve::Cubic& cubic = derived.shape(derived.order[one.index]).key.cubic;
@@ -112,7 +112,7 @@ void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans,
   int left = kMaxSpanPieces;
   for (const sim::RedSpan& span : spans) {
     double length = span.to_distance - span.from_distance;
-    if (length < 0 && derived.closed) length += derived.length;  // over the closing joint
+    if (length < 0 && derived.closed) length += derived.length;  // across the closing joint
     const int pieces = std::min(left, std::max(1, static_cast<int>(std::ceil(std::abs(length) / kPiece))));
     left -= pieces;
     add_band(derived, span.from_distance, span.from_distance + length, pieces, 5.0f * scale, kLimitColour, overlay);
@@ -157,7 +157,7 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
 
 void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> conflicts, const View& view, float scale,
                    Overlay& overlay) {
-  constexpr int kPieces = 24;    // of a stretch
+  constexpr int kPieces = 24;    // per stretch
   constexpr double kOver = 1.6;  // m
   constexpr std::array<glm::dvec2, 6> kExclamation{
       {{0, 4.8}, {0, 3.5}, {0, 2.2}, {0, 0.9}, {0, -0.4}, {0, -4.2}}};  // px

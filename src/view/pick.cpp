@@ -1,4 +1,4 @@
-// Picking: marks by their shapes on screen, carts by a ray against their box. The curve is in pick_curve.cpp.
+// Picking: marks by their shapes on screen, trains by a ray against their boxes. The curve is in pick_curve.cpp.
 #include "view/pick.h"
 
 #include <algorithm>
@@ -23,13 +23,13 @@ bool inside(const PlacedMark& mark, dvec2 pixel, double scale) {
   return glm::dot(off, off) <= kKnotRadius * scale * kKnotRadius * scale;
 }
 
-// The marks of marks_on_screen() that the pixel is on; knots by the tree of the segments that they end, not one by one.
+// Finds the mark under a pixel among those of marks_on_screen(); knots by the segment tree, not one by one.
 class MarksAt {
  public:
   MarksAt(const world::Document& document, const world::Settings& settings, const View& view, dvec2 pixel)
       : document_(document), settings_(settings), projector_(view), eye_(view.eye), pixel_(pixel) {}
 
-  // `place`: of the knot in the track.
+  // `place`: index of the knot in the track.
   void try_knot(std::size_t place) {
     const world::Entity knot = document_.track.knots[place];
     try_mark(PickKind::knot, knot, world::knot(document_, knot).position, [place] { return place; });
@@ -87,18 +87,18 @@ std::optional<Pick> pick_mark(const world::Document& document, const sim::Derive
 }
 
 glm::vec3 cart_middle(const sim::Pose& pose) {
-  constexpr double kMiddle = 0.55;  // m over the rails
+  constexpr double kMiddle = 0.55;  // m above the rails
   return glm::vec3(pose.position + kMiddle * pose.frame.up);
 }
 
-// What stands for a car (sim/solids/train_mesh.cpp), m ahead, up and to the left of its place on the rails.
+// A box of a car (sim/solids/train_mesh.cpp), m ahead, up and to the left of its position on the rails.
 struct CarBox {
   std::array<double, 3> low, high;
 };
-constexpr CarBox kCarBoxes[] = {{{-1.1, 0.0, -0.65}, {1.1, 1.1, 0.65}},   // body, wheels, riders up to their chins
-                                {{-1.1, 1.1, -0.4}, {0.25, 1.45, 0.4}}};  // heads and head-rests
+constexpr CarBox kCarBoxes[] = {{{-1.1, 0.0, -0.65}, {1.1, 1.1, 0.65}},   // body, wheels, riders up to the chin
+                                {{-1.1, 1.1, -0.4}, {0.25, 1.45, 0.4}}};  // heads and headrests
 
-// Distances along the ray at which it enters a box and leaves it again; the first is the greater where it misses.
+// Returns the distances along the ray at which it enters and leaves a box; the first is greater if it misses.
 std::pair<double, double> through_box(const CarBox& box, const dvec3& origin, const dvec3& direction) {
   double enter = -kNowhere, leave = kNowhere;
   for (int i = 0; i < 3; ++i) {
@@ -114,9 +114,9 @@ std::pair<double, double> through_box(const CarBox& box, const dvec3& origin, co
   return {enter, leave};
 }
 
-// Distance along the ray to a car, kNowhere when it misses or starts inside.
+// Returns the distance along the ray to a car, kNowhere if it misses or starts inside.
 double distance_to_car(const Ray& ray, const sim::Pose& pose) {
-  constexpr double kInside = 0.05;  // m: the riders' own eye is where the two boxes meet, and that near is inside
+  constexpr double kInside = 0.05;  // m: the rider's eye is where the two boxes meet; hits closer than this are inside
   const auto in_car = [&](const dvec3& v) {
     return dvec3(glm::dot(v, pose.frame.forward), glm::dot(v, pose.frame.up), glm::dot(v, pose.frame.left()));
   };
@@ -159,8 +159,8 @@ std::optional<Pick> pick_cart(const world::Document& document, const sim::Derive
   return best;
 }
 
-// A cart far away is smaller than the knot that it stands on: around its middle a few pixels are its own, too. The one
-// nearest to the eye wins.
+// A distant car is smaller than the knot below it, so a few pixels around its middle also pick it. The one nearest to
+// the eye wins.
 std::optional<Pick> pick_distant_cart(const world::Document& document, const sim::Derived& derived,
                                       const world::Motion& motion, const world::Settings& settings, const View& view,
                                       glm::vec2 pixel) {
@@ -184,7 +184,7 @@ std::optional<Pick> pick_distant_cart(const world::Document& document, const sim
 
 namespace {
 
-// The selected segment, when the pixel is on the mark of its picked place.
+// Returns the selected segment if the pixel is on the mark of its picked position.
 std::optional<Pick> pick_place(const sim::Derived& derived, const world::Settings& settings, const View& view,
                                glm::vec2 pixel) {
   const sim::SegmentShape* const shape = derived.segments.find(settings.selected);

@@ -1,4 +1,4 @@
-// Picking the curve: the places of segments near the line of sight, and which of them is meant.
+// Picking the curve: the positions of segments near the line of sight, and the choice between them.
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -10,11 +10,11 @@
 namespace coaster::view {
 namespace {
 
-constexpr double kSameDepth = 1e-3;  // of the depth: places this near to each other hide nothing from each other
-constexpr double kSamePlace = 1e-4;  // px: what a pixel's coordinates in float are good to
+constexpr double kSameDepth = 1e-3;  // of the depth: closer positions do not hide each other
+constexpr double kSamePlace = 1e-4;  // px: accuracy of pixel coordinates in float
 
 struct Candidate {
-  std::size_t index = 0;  // of the segment in the track
+  std::size_t index = 0;  // index of the segment in the track
   double t = 0;
   double distance = 0;  // px
   double depth = 0;     // m
@@ -22,7 +22,7 @@ struct Candidate {
 
 bool is_earlier(const Candidate& a, const Candidate& b) { return a.index != b.index ? a.index < b.index : a.t < b.t; }
 
-// A segment's end is a place of the track's only when the neighbour does not come nearer beyond it.
+// The end of a segment counts only if the neighbour does not come nearer beyond it.
 bool is_nearest_at_joint(const sim::Derived& derived, const Beam& beam, const Candidate& at) {
   const std::size_t count = derived.order.size();
   if (at.t == 0) {
@@ -38,13 +38,13 @@ bool is_nearest_at_joint(const sim::Derived& derived, const Beam& beam, const Ca
   return true;
 }
 
-// The places that may be meant, as segments are looked at one after the other in any order.
+// Collects the candidates while segments are visited in any order.
 class Search {
  public:
   Search(const sim::Derived& derived, const Beam& beam, double reach)
       : derived_(derived), beam_(beam), least_(kNowhere), reach_(reach) {}
 
-  // Places farther than this are out of the question, px.
+  // Positions farther away than this cannot win, px.
   double limit() const { return std::min(reach_, least_ + kOneBehindAnother); }
 
   void look_at(std::size_t index) {
@@ -58,7 +58,7 @@ class Search {
     }
   }
 
-  // The one that is meant (pick.h tells the rule). It does not depend on the order in which segments were looked at.
+  // Returns the winner by the rule in pick.h. It does not depend on the order of the visits.
   const Candidate* meant() {
     std::erase_if(candidates_,
                   [&](const Candidate& c) { return c.distance > limit() || !is_nearest_at_joint(derived_, beam_, c); });

@@ -1,4 +1,4 @@
-// Roots in (0, 1) of polynomials in Bernstein form, by halving until the coefficients change sign once at most
+// Roots in (0, 1) of polynomials in Bernstein form, by halving until the coefficients change sign at most once
 // (Descartes' rule of signs for Bernstein's basis: there are as many roots as sign changes, or fewer by an even
 // number).
 #pragma once
@@ -11,12 +11,12 @@ namespace coaster::view {
 
 using Bernstein8 = std::array<double, 9>;
 
-// A root lies between, and the polynomial goes from negative to positive there.
+// An interval with one root, where the polynomial goes from negative to positive.
 struct Bracket {
   double low = 0, high = 1, guess = 0.5;
 };
 
-// Zeros count as positive: so a root at the very end of a half belongs to one of the two halves.
+// Zeros count as positive, so a root at the very end of a half belongs to one of the two halves.
 template <std::size_t N>
 int sign_changes(const std::array<double, N>& c) {
   unsigned negative = 0;
@@ -34,7 +34,7 @@ void halve(const std::array<double, N>& c, std::array<double, N>& left, std::arr
   }
 }
 
-// Where the control polygon crosses zero: near the root when it is flat. Of coefficients with one sign change.
+// Returns where the control polygon crosses zero: near the root if it is flat. For coefficients with one sign change.
 template <std::size_t N>
 double polygon_crossing(const std::array<double, N>& c) {
   std::size_t i = 0;
@@ -42,8 +42,7 @@ double polygon_crossing(const std::array<double, N>& c) {
   return (static_cast<double>(i) + c[i] / (c[i] - c[i + 1])) / static_cast<double>(N - 1);
 }
 
-// Calls found(bracket, rising) for every root of odd order; roots closer to each other than 1e-7 may be taken for one
-// or for none.
+// Calls found(bracket, rising) for every root of odd order. Roots closer together than 1e-7 may count as one or none.
 template <std::size_t N, class Found>
 void each_crossing(const std::array<double, N>& c, double low, double high, const Found& found) {
   constexpr double kLeastWidth = 1e-7;
@@ -70,7 +69,7 @@ void each_rise(const Bernstein8& c, const Found& found) {
   });
 }
 
-// Calls found(t), to 1e-15, for the roots of odd order in order.
+// Calls found(t), accurate to 1e-15, for the roots of odd order in order.
 template <std::size_t N, class Found>
 void each_root(const std::array<double, N>& c, const Found& found) {
   const auto value = [&c](double t) {

@@ -1,4 +1,4 @@
-// Synthesis by filtered noise and struck resonators. Nothing here is hashed: libm may be used.
+// Synthesis by filtered noise and struck resonators. Nothing here is hashed, so libm may be used.
 #include "view/ride_sound.h"
 
 #include <algorithm>
@@ -25,20 +25,20 @@ double white(std::uint32_t& seed) {
 struct Ring {
   double a1, a2, gain;
 };
-// Poles at radius r, so that the ring falls to 1/e in `decay` seconds; the response to an impulse of 1 is a sine that
-// begins at 0 with amplitude 1.
+// Poles at radius r, so that the ring decays to 1/e in `decay` seconds; the impulse response is a sine that begins at 0
+// with amplitude 1.
 Ring ring(double hertz, double decay, int rate) {
   const double r = std::exp(-1 / (decay * rate)), w = kTurn * std::min(hertz, 0.45 * rate) / rate;
   return {2 * r * std::cos(w), -r * r, std::sin(w)};
 }
 double rung(Resonator& resonator, const Ring& ring, double in) {
   double now = ring.a1 * resonator.last + ring.a2 * resonator.before + ring.gain * in;
-  if (std::abs(now) < 1e-15) now = 0;  // a denormal number is slow, and nobody hears it
+  if (std::abs(now) < 1e-15) now = 0;  // denormal numbers are slow and inaudible
   resonator.before = resonator.last;
   return resonator.last = now;
 }
 
-// What depends on speed, computed once for some frames.
+// Values that depend on speed, computed once for several frames.
 struct Tone {
   Ring wind;
   double wind_gain, wheel_gain, wheel_pole;
@@ -46,10 +46,11 @@ struct Tone {
 constexpr int kToneFrames = 32;
 
 Tone tone_of(const RideNoise& heard, int rate) {
-  constexpr double kFast = 35;  // m/s, where the wind is at its loudest
+  constexpr double kFast = 35;  // m/s, speed of the loudest wind
   const double speed = heard.speed, part = std::min(speed / kFast, 1.3);
   Tone tone;
-  // A wide resonance that rises with speed: 280 Hz at rest, 1 kHz at 30 m/s, half a wave of it left after one period.
+  // A wide resonance that rises with speed: 280 Hz at rest, 1 kHz at 30 m/s; half the amplitude is left after one
+  // period.
   const double hertz = 280 + 24 * speed;
   tone.wind = ring(hertz, 0.6 / hertz, rate);
   tone.wind_gain = 0.34 * part * part;
@@ -61,10 +62,10 @@ Tone tone_of(const RideNoise& heard, int rate) {
 struct Bell {
   double hertz, decay, gain;
 };
-// A tooth of steel: measured by ear, not after a particular lift.
+// A steel tooth: tuned by ear, not after a particular lift.
 constexpr std::array<Bell, 3> kSteel{{{420, 0.028, 0.34}, {1270, 0.016, 0.22}, {2910, 0.008, 0.12}}};
 
-// The frames until the next clack are counted by the way over the rack; each is struck a little differently.
+// The distance over the rack gives the frames until the next click; each click differs slightly.
 double clack(RideVoice& voice, const std::array<Ring, 3>& rings, int rate) {
   double strike = 0;
   voice.tooth += voice.heard.rack / (kRackPitch * rate);
@@ -78,7 +79,7 @@ double clack(RideVoice& voice, const std::array<Ring, 3>& rings, int rate) {
   return sum;
 }
 
-// Bends what is louder than half of full scale, so that the sum stays below 1.
+// Compresses samples above half of full scale, so that the sum stays below 1.
 double bounded(double x) {
   constexpr double kKnee = 0.5;
   const double size = std::abs(x);
@@ -103,7 +104,7 @@ RideNoise ride_noise(const world::Document& document, const sim::Derived& derive
   for (const sim::EquipmentSpan& span : sim::equipment_spans(document, derived)) {
     if (span.equipment.kind != world::EquipmentKind::lift) continue;
     const auto over = [&](double to) { return to >= span.from && to - length <= span.to; };
-    // On a closed track the rear may still be before the start.
+    // On a closed track the rear may still be before the start of the track.
     if (over(front) || (derived.closed && over(front + derived.length))) noise.rack = std::max(0.0, moving->speed);
   }
   return noise;
@@ -122,7 +123,7 @@ void synthesise(RideVoice& voice, const RideNoise& noise, int rate, std::span<fl
     heard.speed += nearer * (wanted.speed - heard.speed);
     heard.load += nearer * (wanted.load - heard.load);
     heard.volume += nearer * (wanted.volume - heard.volume);
-    heard.rack = wanted.rack;  // clacks are counted by the way: no need to smooth
+    heard.rack = wanted.rack;  // clicks are counted by distance: no smoothing needed
     if (voice.frames++ % kToneFrames == 0) tone = tone_of(voice.toned = heard, rate);
     voice.turn += heard.speed / (kWheelRound * rate);
     voice.turn -= std::floor(voice.turn);

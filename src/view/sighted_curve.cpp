@@ -19,7 +19,7 @@ Screen screen_of(const SightedControls& c) {
   return {{c[0].u, c[1].u, c[2].u, c[3].u}, {c[0].v, c[1].v, c[2].v, c[3].v}, {c[0].w, c[1].w, c[2].w, c[3].w}};
 }
 
-// Coefficients times their binomials: then a product is a convolution.
+// Multiplies coefficients by their binomials, so that a product is a convolution.
 Four64 scaled(const Four64& c) { return {c[0], 3 * c[1], 3 * c[2], c[3]}; }
 std::array<double, 3> scaled_slope(const Four64& c) {
   return {3 * (c[1] - c[0]), 6 * (c[2] - c[1]), 3 * (c[3] - c[2])};
@@ -40,7 +40,7 @@ std::array<double, N> sum(const std::array<double, N>& a, const std::array<doubl
   return c;
 }
 
-// N's Bernstein coefficients.
+// Returns the Bernstein coefficients of N.
 Bernstein8 slope_polynomial(const Screen& s) {
   const Four64 u = scaled(s.u), v = scaled(s.v), w = scaled(s.w);
   const auto towards = product(sum(product(u, scaled_slope(s.u)), product(v, scaled_slope(s.v))), w);
@@ -69,8 +69,7 @@ SightedPlace place_at(const Screen& s, double t) {
   return {t, (u * u + v * v) / (w * w), w};
 }
 
-// Newton's method on N inside a bracket where it goes from negative to positive; halves the bracket where a step would
-// leave it.
+// Newton's method on N inside a bracket where it goes from negative to positive; bisects where a step would leave it.
 double refined(const Screen& s, Bracket at) {
   constexpr int kMostSteps = 60;
   double t = at.guess;
@@ -84,7 +83,7 @@ double refined(const Screen& s, Bracket at) {
     const double slope = bend * w.value - towards * w.first - square * w.second;
     double next = t - n / slope;
     if (!(next > at.low && next < at.high)) next = 0.5 * (at.low + at.high);
-    if (std::abs(next - t) < 1e-7) return next;  // the error is of the order of its square
+    if (std::abs(next - t) < 1e-7) return next;  // the error is about the square of the step
     t = next;
   }
   return t;
@@ -107,7 +106,7 @@ void add(SightedPlaces& places, const SightedPlace& place) {
   if (places.count < kMaxSightedPlaces) places.items[static_cast<std::size_t>(places.count++)] = place;
 }
 
-// Of a curve that is in front of the eye throughout.
+// Adds the nearest positions of a curve that is wholly in front of the eye.
 void add_places(const Screen& s, double from, double to, SightedPlaces& places) {
   const auto in_whole = [&](SightedPlace place) {
     place.t = place.t == 1 ? to : from + place.t * (to - from);
@@ -132,7 +131,7 @@ Screen restricted(const Screen& s, double from, double to) {
   return {part(s.u), part(s.v), part(s.w)};
 }
 
-// Where the curve comes into sight or goes out of it: roots of its depth and of its distances from the two planes.
+// Splits where the curve becomes visible or invisible: roots of its depth and of its distances from the two planes.
 void add_visible_parts(const SightedControls& c, const Screen& s, SightedPlaces& places) {
   std::array<double, 11> ends{};
   std::size_t count = 1;
@@ -146,7 +145,7 @@ void add_visible_parts(const SightedControls& c, const Screen& s, SightedPlaces&
   ends[count++] = 1;
   std::sort(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(count));
   for (std::size_t i = 0; i + 1 < count; ++i) {
-    // A hair inside, so that rounding leaves no end behind the eye.
+    // Slightly inside, so that rounding leaves no end behind the eye.
     const double hair = 1e-9 * (ends[i + 1] - ends[i]);
     const double from = i == 0 ? 0 : ends[i] + hair, to = i + 2 == count ? 1 : ends[i + 1] - hair;
     if (!(to - from > 1e-9)) continue;
@@ -168,7 +167,7 @@ SightedControls sighted(const curve::Cubic& cubic, const Beam& beam) {
 bool may_come_near(const SightedControls& c, double limit) {
   for (const Sighted& p : c)
     if (!(p.w > kLeastDepth)) return true;
-  // The hull is to one side of the pixel, by the limit, along the chord's normal or its direction: as a line of
+  // The hull is on one side of the pixel, by the limit, along the chord's normal or its direction, as a line of
   // homogeneous points.
   double x = c[3].u * c[0].w - c[0].u * c[3].w, y = c[3].v * c[0].w - c[0].v * c[3].w;
   const double length = std::sqrt(x * x + y * y);

@@ -1,4 +1,4 @@
-// One cubic as seen from a pixel: all the places where it comes nearest to it.
+// One cubic as seen from a pixel: all positions with a local minimum of the distance.
 #pragma once
 
 #include <array>
@@ -8,12 +8,11 @@
 
 namespace coaster::view {
 
-// A place where the distance on screen from the pixel is least among its neighbours on the curve, or where the visible
-// part ends.
+// A local minimum of the distance on screen from the pixel, or an end of the visible part.
 struct SightedPlace {
   double t = 0;
-  double square = 0;  // px^2, of the distance
-  double depth = 0;   // m along the line of sight's depth axis
+  double square = 0;  // px^2, squared distance
+  double depth = 0;   // m, depth from the eye
 };
 inline constexpr int kMaxSightedPlaces = 24;
 struct SightedPlaces {
@@ -26,16 +25,17 @@ struct SightedPlaces {
 using SightedControls = std::array<Sighted, 4>;
 SightedControls sighted(const curve::Cubic& cubic, const Beam& beam);
 
-// False when all of the curve that is in front of the eye is certainly further than `limit` pixels (finite) away.
+// Returns false if all of the curve in front of the eye is certainly more than `limit` pixels (finite) away.
 bool may_come_near(const SightedControls& controls, double limit);
 
-// Places in the order of t, each t to 1e-9 or, at a stationary inflection, where rounding puts it. The derivative of
-// the squared distance has the sign of N = (U U' + V V') W - (U^2 + V^2) W', of degree 8: its Bernstein coefficients
-// bound the number of its roots (Descartes' rule), so none is missed however sharply the curve turns on screen. What is
-// not visible (behind the eye, beyond the planes) counts for nothing.
+// Returns the positions in the order of t, each t to 1e-9 or, at a stationary inflection, to rounding. The derivative
+// of the squared distance has the sign of N = (U U' + V V') W - (U^2 + V^2) W', of degree 8. Its Bernstein coefficients
+// bound the number of its roots (Descartes' rule), so none is missed, however sharply the curve turns on screen.
+// Invisible parts (behind the eye, beyond the planes) do not count.
 SightedPlaces nearest_places(const SightedControls& controls);
 
-// The sign of the squared distance's derivative towards greater t at an end, 0 or 1, of a curve that is visible there.
+// Returns the sign of the squared distance's derivative towards greater t at an end, 0 or 1, of a curve that is visible
+// there.
 int slope_at_end(const SightedControls& controls, int end);
 
 }  // namespace coaster::view
