@@ -1,4 +1,4 @@
-// Captures runs of slots that changed and measures each vertex.
+// Captures runs of changed slots and measures each vertex.
 #include "gfx/curve_deviation.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// How far the vertices that a shader stage computes are from the exact points: captured from the GPU itself, compared
-// on the processor.
+// The deviation of vertices computed by a shader stage from the exact points: captured from the GPU, compared on the
+// processor.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,11 @@ class CurveDeviation {
 
   struct Result {
     double metres =
-        0;  // the largest |vertex - exact point at the same t| (long double oracle) of the segments measured so far
-    int pending = 0;  // segments still to be measured; all of them where the driver cannot
+        0;  // m, the largest |vertex - exact point at the same t| (long double oracle) of the segments measured so far
+    int pending = 0;  // segments not yet measured; all of them if the driver cannot capture
   };
-  // Measures segments that were not measured by this stage, shape and resolution yet, up to kBudget vertices a call
-  // (one segment at least), and waits for the GPU to do so. A call after which nothing changed costs a comparison for
-  // each segment.
+  // Measures segments that have not been measured with this stage, shape and resolution, up to kBudget vertices per
+  // call (at least one segment), and waits for the GPU. If nothing changed, a call costs one comparison per segment.
   Result update(CurveStages& stages, curve::Stage stage, const TrackCache& track, const sim::Derived& derived);
   static constexpr int kBudget = 32'768;
 

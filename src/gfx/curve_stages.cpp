@@ -1,5 +1,5 @@
-// Programs and draw calls of the evaluators on the GPU. A segment of many steps is taken in pieces, as the stages'
-// limits want.
+// Programs and draw calls of the GPU evaluators. A segment of many steps is split into pieces that fit the stages'
+// limits.
 #include "gfx/curve_stages.h"
 
 #include "base/check.h"
@@ -11,7 +11,7 @@ namespace {
 
 using curve::Stage;
 
-// Lines a point of the geometry shader makes (kLines there) and a patch of the tessellator (kLevel there).
+// Lines per point of the geometry shader (kLines there) and per patch of the tessellator (kLevel there).
 constexpr int kGeometryLines = 16, kTessellationLines = 64;
 
 int pieces(int steps, int lines) { return (steps + lines - 1) / lines; }
@@ -55,7 +55,7 @@ Stage CurveStages::usable(Stage wanted) {
   return Stage::vertex_shader;
 }
 
-// Null when the driver lacks the stage or its compiler refuses the program; both are told by refusal().
+// Returns null if the driver lacks the stage or its compiler rejects the program; refusal() says why.
 const Program* CurveStages::program(Stage stage, bool measuring) {
   const auto row = static_cast<std::size_t>(stage);
   std::optional<Program>& known = programs_->compiled[row][measuring ? 1 : 0];

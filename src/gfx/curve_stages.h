@@ -1,5 +1,5 @@
-// The laboratory's polyline drawn from control points alone, by the shader stage that evaluates it. Programs are
-// compiled when first used.
+// Draws the laboratory's polyline from control points, by the shader stage that evaluates it. Programs are compiled at
+// first use.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace coaster::gfx {
 
-// What the polyline's programs need besides the curve.
+// Drawing parameters of the polyline's programs besides the curve.
 struct PolylinePen {
   glm::mat4 view_projection{1};
   glm::vec3 eye{0};
@@ -34,35 +34,36 @@ struct CurveSlots {
 class CurveStages {
  public:
   explicit CurveStages(const Gl& gl) : CurveStages(gl, std::make_shared<Programs>()) {}
-  // Another one in the same context, with the same programs.
+  // Returns another one in the same context with the same programs.
   CurveStages sibling() const { return CurveStages(*gl_, programs_); }
 
-  // Why a stage cannot be used here; empty when it can. The base path needs nothing beyond WebGL 2: the vertex stage
-  // always works, the tessellation stage from OpenGL 4.0 on. What a compiler complained of is told after the first use.
+  // Returns why a stage cannot be used here; empty if it can. The base path needs nothing beyond WebGL 2: the vertex
+  // stage always works, the tessellation stage from OpenGL 4.0 on. A compiler's messages are available after the first
+  // use.
   std::string refusal(curve::Stage stage) const;
-  // The stage itself, or the vertex stage in its place, which draws the same picture.
+  // Returns the stage itself, or the vertex stage as its substitute, which draws the same picture.
   curve::Stage usable(curve::Stage wanted);
 
-  // Draws the lines of all slots with the pen; empty slots have no area. `stage` is a usable one of the GPU.
+  // Draws the lines of all slots with the pen; empty slots have no area. `stage` is a usable GPU stage.
   void draw(curve::Stage stage, const CurveSlots& slots, const PolylinePen& pen);
 
-  // One vertex of a polyline as a stage computed it, as transform feedback writes it.
+  // One vertex of a polyline as computed by a stage and written by transform feedback.
   struct Captured {
     glm::vec3 place;
     float number;  // i of t = i / steps
     float slot;    // counted from CurveSlots::first
   };
-  // How many records capture() writes: steps + 1 a slot, and for stages that take a segment in pieces the joints
-  // between these twice.
+  // Returns the number of records that capture() writes: steps + 1 per slot; stages that split a segment into pieces
+  // write the joints between these twice.
   static std::size_t captured_count(curve::Stage stage, const CurveSlots& slots);
-  // Runs the stage alone, without a picture, into the buffer bound at binding 0 for transform feedback. False when the
-  // driver cannot, or wrote another number of records. The slots must not be empty ones.
+  // Runs the stage without a picture and writes to the buffer bound at binding 0 for transform feedback. Returns false
+  // if the driver cannot, or wrote another number of records. No slot may be empty.
   bool capture(curve::Stage stage, const CurveSlots& slots);
 
  private:
   static constexpr std::size_t kStages = 4;
   struct Programs {
-    std::array<std::array<std::optional<Program>, 2>, kStages> compiled;  // by stage; [1] captures
+    std::array<std::array<std::optional<Program>, 2>, kStages> compiled;  // by stage; [1]: the capturing program
     std::array<std::string, kStages> failures;
   };
   CurveStages(const Gl& gl, std::shared_ptr<Programs> programs)

@@ -1,4 +1,4 @@
-// Small steps of OpenGL state that the passes of a picture share, and where a viewport lies in it.
+// OpenGL state changes that the passes of a picture share, and the position of a viewport in the picture.
 #pragma once
 
 #include <algorithm>

@@ -44,7 +44,7 @@ void FrameTargets::begin(const view::Viewport& viewport, glm::vec3 around, bool 
 void FrameTargets::finish() {
   const int width = resolved_->width, height = resolved_->height;
   blend(*gl_, false);
-  gl_->Disable(GL_SCISSOR_TEST);  // it would cut the copy
+  gl_->Disable(GL_SCISSOR_TEST);  // it would clip the copy
   gl_->BindVertexArray(0);
   gl_->UseProgram(0);
   if (scene_ && !unseen_) {

@@ -1,4 +1,4 @@
-// The framebuffers of a picture: what the passes draw into, multisampled where asked for, and what it is resolved to.
+// The framebuffers of a picture: the target of the passes, multisampled if requested, and the resolved one.
 #pragma once
 
 #include <optional>
@@ -11,16 +11,16 @@ namespace coaster::gfx {
 class FrameTargets {
  public:
   explicit FrameTargets(const Gl& gl) : gl_(&gl) {}
-  // Clamped to what the driver has; 0 or 1: none.
+  // Clamped to the driver's maximum; 0 or 1: none.
   void set_samples(int samples);
   int samples() const { return samples_; }
 
-  // Makes the framebuffers anew when size or samples changed. A driver that refuses multisampling of this size gets
-  // none.
+  // Recreates the framebuffers if size or samples changed. Turns multisampling off if the driver rejects it for this
+  // size.
   void fit(int width, int height);
-  // Fills the picture with `around` and limits drawing to the viewport; `unseen`: to one pixel.
+  // Fills the picture with `around` and limits drawing to the viewport; with `unseen` to one pixel.
   void begin(const view::Viewport& viewport, glm::vec3 around, bool unseen);
-  // Resolves; the resolved framebuffer is bound, the viewport is the whole picture.
+  // Resolves, binds the resolved framebuffer, and sets the viewport to the whole picture.
   void finish();
 
   const Target* resolved() const { return resolved_ ? &*resolved_ : nullptr; }
@@ -29,7 +29,7 @@ class FrameTargets {
   const Gl* gl_;
   int samples_ = 0;
   bool unseen_ = false;
-  // `scene_` exists when multisampled; `resolved_` is drawn to directly otherwise.
+  // `scene_` exists if multisampled; otherwise the passes draw into `resolved_`.
   std::optional<Target> scene_, resolved_;
 };
 

@@ -16,7 +16,7 @@ std::string text_of(const Gl& gl, GLenum name) {
 base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc) {
   Gl gl;
   const char* missing = nullptr;
-  // Drivers hand out stubs for names they do not know, so a pointer proves little; a null one is certainly an error.
+  // Drivers return stubs for unknown names, so a non-null pointer proves little; a null pointer is certainly an error.
 #define X(type, name)                                              \
   gl.name = reinterpret_cast<PFNGL##type##PROC>(proc("gl" #name)); \
   if (gl.name == nullptr && missing == nullptr) missing = "gl" #name;

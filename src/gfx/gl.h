@@ -1,4 +1,4 @@
-// The OpenGL functions the program uses, in a table of its own, over the typedefs of the Khronos header.
+// The OpenGL functions that the program uses, in a table, over the typedefs of the Khronos header.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -41,8 +41,8 @@
   X(UNIFORMMATRIX4FV, UniformMatrix4fv) X(USEPROGRAM, UseProgram) X(VERTEXATTRIB4F, VertexAttrib4f) \
   X(VERTEXATTRIBDIVISOR, VertexAttribDivisor) X(VERTEXATTRIBPOINTER, VertexAttribPointer) X(VIEWPORT, Viewport)
 
-// What the program can do without: measuring on the GPU, and the stages beyond the base path. Null where the driver has
-// them not; a pointer alone does not say that it has them, the version does.
+// Optional functions: measuring on the GPU, and the stages beyond the base path. Null if the driver lacks them. A
+// non-null pointer does not prove support; the version does.
 #define COASTER_GL_OPTIONAL_FUNCTIONS(X) \
   X(BEGINQUERY, BeginQuery) X(BEGINTRANSFORMFEEDBACK, BeginTransformFeedback) X(DELETEQUERIES, DeleteQueries) \
   X(ENDQUERY, EndQuery) X(ENDTRANSFORMFEEDBACK, EndTransformFeedback) X(GENQUERIES, GenQueries) \
@@ -67,8 +67,8 @@ struct Gl {
   }
 };
 
-// Looks every function up in the current context; optional ones may stay null. Code::graphics when the version is
-// below 3.3 (the message has both versions).
+// Looks up every function in the current context; optional ones may stay null. Code::graphics if the version is below
+// 3.3 (the message has both versions).
 base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc);
 
 }  // namespace coaster::gfx

@@ -1,5 +1,4 @@
-// How long the GPU works on a part of a frame, by timer queries. Results are taken when they are there, frames later:
-// nothing waits.
+// GPU time of a part of a frame, by timer queries. Results arrive some frames later; nothing waits.
 #pragma once
 
 #include <array>
@@ -11,10 +10,10 @@ namespace coaster::gfx {
 class GpuTimer {
  public:
   explicit GpuTimer(const Gl& gl);
-  // Around the part, once a frame, not nested. Does nothing where the driver has no timers or all are still under way.
+  // Call around the part, once per frame, not nested. Does nothing if the driver has no timers or all are in use.
   void begin();
   void end();
-  // ms of the newest part that is known; 0: none yet.
+  // ms of the newest finished part; 0: none yet.
   double ms() const { return ms_; }
 
  private:

@@ -1,4 +1,4 @@
-// A vertex or index buffer on the GPU that grows without losing what it holds.
+// A vertex or index buffer on the GPU that grows and keeps its contents.
 #pragma once
 
 #include "gfx/objects.h"
@@ -8,10 +8,10 @@ namespace coaster::gfx {
 class GrowingBuffer {
  public:
   explicit GrowingBuffer(const Gl& gl) : gl_(&gl), object_(make_buffer(gl)) {}
-  // At least `bytes` of room. True when the GL name changed, so that vertex arrays have to be set up again: the old
+  // Reserves at least `bytes`. Returns true if the GL name changed, so that vertex arrays must be set up again: the old
   // bytes were copied on the GPU into a buffer of at least twice the size.
   bool reserve(std::size_t bytes);
-  // Inside the reserved room.
+  // Writes within the reserved size.
   void write(std::size_t offset, const void* data, std::size_t bytes);
   GLuint id() const { return object_.id(); }
 

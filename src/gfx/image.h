@@ -1,4 +1,4 @@
-// Pictures in memory and as PNG files; comparison with a golden picture.
+// Pictures in memory and as PNG files; comparison with golden pictures.
 #pragma once
 
 #include <filesystem>
@@ -15,24 +15,24 @@ namespace coaster::gfx {
 std::string encode_png(const Image& image);
 base::Result<Image> decode_png(std::string_view bytes, std::string_view name);
 
-// A texture of it, smoothly filtered, without mipmaps.
+// Returns a texture of the image, linearly filtered, without mipmaps.
 Object make_texture(const Gl& gl, const Image& image);
 
-// At half the size: the mean of 2 x 2 pixels. Odd rows and columns at the end are left out.
+// Returns the image at half its size: the mean of 2 x 2 pixels. A last odd row or column is left out.
 Image half_size(const Image& picture);
 
-// Pictures in rows of `columns` (at least 1), each in the middle of a cell as large as the largest of them, with a
-// margin of `gap` px around every cell.
+// Returns the pictures in rows of `columns` (at least 1), each centred in a cell of the size of the largest picture,
+// with a margin of `gap` px around every cell.
 Image contact_sheet(std::span<const Image> pictures, int columns, int gap);
 
-// The rule of golden pictures: sizes equal; a pixel differs where a channel differs by more than 16; too different when
-// over 0.05 % of the pixels differ or any aligned 8x8 block has more than 8 differing pixels.
+// The rule of golden pictures: sizes are equal; a pixel differs if a channel differs by more than 16; pictures differ
+// if over 0.05 % of the pixels differ or any aligned 8x8 block has more than 8 differing pixels.
 struct Difference {
   bool same_size = true;
-  long pixels = 0;      // that differ
-  int worst_block = 0;  // most differing pixels in a block
+  long pixels = 0;      // number of differing pixels
+  int worst_block = 0;  // most differing pixels in one block
   bool acceptable = true;
-  Image picture;  // differing pixels red over a grey copy
+  Image picture;  // differing pixels in red over a grey copy
 };
 Difference compare(const Image& picture, const Image& golden);
 

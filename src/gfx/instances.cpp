@@ -12,12 +12,12 @@ constexpr std::size_t kLineFloats = 11, kMarkFloats = 9, kPoseFloats = 16;
 
 void push(std::vector<float>& out, glm::vec3 v) { out.insert(out.end(), {v.x, v.y, v.z}); }
 
-// 0xRRGGBBAA as four floats in 0..1.
+// Appends 0xRRGGBBAA as four floats in 0..1.
 void push_colour(std::vector<float>& out, std::uint32_t rgba) {
   for (int shift = 24; shift >= 0; shift -= 8) out.push_back(float((rgba >> shift) & 0xffu) / 255.0f);
 }
 
-// Columns of the model's matrix.
+// Appends the columns of the model matrix.
 void push_matrix(std::vector<float>& out, glm::vec3 x, glm::vec3 y, glm::vec3 z, glm::vec3 origin) {
   const glm::vec3 columns[] = {x, y, z, origin};
   for (int i = 0; i < 4; ++i) {
@@ -30,7 +30,7 @@ double stretch(const sim::Pose& pose) {
   return pose.length / static_cast<double>(world::kCarLength);
 }  // of the model along the rails
 
-// A car's hitch: in front (+1) or behind (-1).
+// Returns a car's hitch: in front (+1) or behind (-1).
 glm::dvec3 hitch(const sim::Pose& pose, double way) {
   return pose.position + way * sim::kHitchBack * stretch(pose) * pose.frame.forward + sim::kHitchHeight * pose.frame.up;
 }
@@ -108,7 +108,7 @@ void Instances::stage_cars(std::span<const sim::Pose> cars, bool leading) {
   }
 }
 
-// From each car that has one before it to that one's rear; cars that touch have none.
+// Adds a coupling from each car to the rear of the car before it; cars that touch have none.
 void Instances::stage_couplings(std::span<const sim::Pose> cars) {
   constexpr double kShortest = 0.02, kLongest = 25;  // m
   for (std::size_t i = 1; i < cars.size(); ++i) {

@@ -1,5 +1,5 @@
-// What is new in every frame: the overlay's lines and marks and the cars' poses, one instance each, in buffers
-// rewritten whole.
+// Data that changes in every frame: the overlay's lines and marks and the cars' poses, one instance each, in buffers
+// that are rewritten as a whole.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,16 @@ class Instances {
   explicit Instances(const Gl& gl);
   void upload(const view::Overlay& overlay, std::span<const sim::Pose> carts);
 
-  // Each binds an array and returns how many instances to draw: a strip of 4 corners, in the list's order.
+  // Each binds an array and returns the number of instances to draw: a strip of 4 corners each, in the list's order.
   GLsizei bind_lines() const { return bind(line_array_, lines_); }
   GLsizei bind_marks() const { return bind(mark_array_, marks_); }
-  // Cars of all trains; draw_cars() draws them and what couples them with the program in use (locations 0 position, 1
-  // normal, 2 part, 3 to 6 the columns of the model's matrix, 7 zero) and returns how many draw calls that took: at
-  // most 3, however many cars there are.
+  // Returns the cars of all trains. draw_cars() draws them and their couplings with the program in use (locations 0
+  // position, 1 normal, 2 part, 3 to 6 the columns of the model matrix, 7 zero) and returns the number of draw calls:
+  // at most 3 for any number of cars.
   int cars() const { return int(leading_.count + following_.count); }
   int draw_cars() const;
   int car_draw_calls() const;
-  std::int64_t car_triangles() const;  // of a draw
+  std::int64_t car_triangles() const;  // per draw
 
  private:
   GLsizei bind(const Object& array, GLsizei count) const {
@@ -37,7 +37,7 @@ class Instances {
   void link_lines();
   void link_marks();
 
-  // A mesh that stays, drawn once for each pose.
+  // A constant mesh, drawn once per pose.
   struct Model {
     Model(const Gl& gl, const sim::Mesh& mesh);
     void link(const Gl& gl);

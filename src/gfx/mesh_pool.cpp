@@ -8,9 +8,9 @@ namespace {
 
 static_assert(sizeof(sim::MeshVertex) == 36, "vertices are uploaded as they lie in memory");
 
-constexpr std::size_t kMostRuns = 96;  // of neighbours drawn in full; beyond, everything is
+constexpr std::size_t kMostRuns = 96;  // of neighbours drawn in full; with more runs everything is
 
-// A mesh has more or fewer rings and ties after each edit: room to spare keeps its place while a knot is dragged.
+// An edit changes the number of rings and ties: spare room keeps a mesh in its range while a knot is dragged.
 std::uint32_t with_room(std::size_t count) { return static_cast<std::uint32_t>(count + count / 4 + 3); }
 // Whole triangles, so that every slot and every gap starts with a triangle.
 std::uint32_t with_room_for_triangles(std::size_t count) { return (with_room(count) + 2) / 3 * 3; }
@@ -85,7 +85,7 @@ void MeshPool::release(Id& id) {
   moved_ = true;
 }
 
-// Triangles without area, which gaps are full of.
+// Fills gaps with degenerate triangles.
 void MeshPool::empty(GrowingBuffer& buffer, const Ranges& ranges, Range range) {
   if (range.size > 0) write_indices(buffer, ranges, range, std::vector<std::uint32_t>(range.size, 0));
 }
@@ -93,13 +93,13 @@ void MeshPool::empty(GrowingBuffer& buffer, const Ranges& ranges, Range range) {
 void MeshPool::write_indices(GrowingBuffer& buffer, const Ranges& ranges, Range range,
                              const std::vector<std::uint32_t>& indices) {
   if (buffer.reserve(std::size_t(ranges.used()) * sizeof(std::uint32_t))) link();
-  ++version_;  // no part of a solid changes without its indices
+  ++version_;  // a solid never changes without its indices
   buffer.write(std::size_t(range.first) * sizeof(std::uint32_t), indices.data(), range.size * sizeof(std::uint32_t));
   written_ += std::int64_t(range.size * sizeof(std::uint32_t));
 }
 
-// Runs of solids that follow each other in a buffer and are of the same kind; the gaps between them hold triangles
-// without area.
+// Collects runs of solids that are adjacent in a buffer and of the same kind; the gaps between them hold degenerate
+// triangles.
 void MeshPool::gather(Range Solid::*range, bool far, const std::vector<Id>& order, std::vector<Run>& runs) const {
   runs.clear();
   bool open = false;

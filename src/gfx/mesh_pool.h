@@ -1,6 +1,5 @@
-// Solids in one buffer of vertices and two of indices: all of their triangles, and fewer for those that are far off.
-// Which of the two is drawn is chosen by runs of neighbours in the buffers, so that a camera that moves uploads nothing
-// and costs a few draw calls.
+// Solids in one vertex buffer and two index buffers: all of their triangles, and fewer for distant ones. The choice is
+// made for runs of neighbours in the buffers, so a camera move uploads nothing and costs a few draw calls.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +13,7 @@ namespace coaster::gfx {
 
 class MeshPool {
  public:
-  // A solid's places in the buffers, and a ball about it. Kept by the pool's user, who gives it back before its end.
+  // A solid's ranges in the buffers, and its bounding sphere. The pool's user keeps the id and frees it in time.
   using Id = std::uint32_t;
   static constexpr Id kNone = 0xffffffffu;
 
@@ -26,30 +25,29 @@ class MeshPool {
         fine_array_(make_vertex_array(gl)),
         coarse_array_(make_vertex_array(gl)) {}
 
-  // Makes room for a solid, in its old place when it fits there. An id of kNone is a new solid.
+  // Makes room for a solid, in its old range if it fits there. An id of kNone is a new solid.
   void fit(const sim::Mesh& mesh, Id& id);
-  // Readies the mesh for its place: no GL. Its vertices are numbered as in the buffer afterwards, and the room is
-  // filled up.
+  // Prepares the mesh for its range, without GL: numbers its vertices as in the buffer and fills up the range.
   void settle(sim::Mesh& mesh, Id id);
   // Returns the bytes written.
   std::int64_t send(const sim::Mesh& mesh, Id id);
   void release(Id& id);
 
-  // What is nearer to `eye` than `near_metres` is drawn in full from now on. Linear in the solids; nothing while
+  // From now on draws solids closer to `eye` than `near_metres` in full. Linear in the solids; does nothing while
   // neither these nor the eye changed.
   void look_from(glm::vec3 eye, float near_metres);
-  // Draws all solids with the program in use; returns how many draw calls that took. Locations 0 position, 1 normal, 2
-  // part, 3 to 6 the unit matrix, 7 place (along the segment, its index).
+  // Draws all solids with the program in use; returns the number of draw calls. Locations 0 position, 1 normal, 2 part,
+  // 3 to 6 the unit matrix, 7 position along the segment and the segment's index.
   int draw() const;
   int draw_calls() const { return int(fine_runs_.size() + coarse_runs_.size()); }
-  std::int64_t triangles() const;  // of a draw, gaps included
-  // All solids in full, wherever they are looked at from: one draw call.
+  std::int64_t triangles() const;  // per draw, gaps included
+  // Draws all solids in full, independent of the eye: one draw call.
   void draw_all() const;
 
-  // Another number whenever anything was written or taken away.
+  // Changes whenever anything is written or removed.
   std::uint64_t version() const { return version_; }
 
-  // One past the last index in use; 0: nothing to draw.
+  // One past the last index in use; 0: empty.
   std::uint32_t index_count() const { return index_ranges_.used(); }
 
  private:
@@ -75,11 +73,11 @@ class MeshPool {
   Ranges vertex_ranges_, index_ranges_, coarse_ranges_;
   std::vector<Solid> solids_;
   std::vector<Id> free_;
-  std::vector<Id> fine_order_, coarse_order_;  // by place in the two buffers
+  std::vector<Id> fine_order_, coarse_order_;  // by position in the two buffers
   std::vector<Run> fine_runs_, coarse_runs_;
   std::int64_t written_ = 0;
   std::uint64_t version_ = 0;
-  bool moved_ = true;  // places changed since the orders were made
+  bool moved_ = true;  // ranges changed since the orders were computed
   glm::vec3 eye_{0};
   float near_metres_ = -1;
 };

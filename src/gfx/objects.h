@@ -1,5 +1,5 @@
-// Owners of OpenGL objects, framebuffers with their attachments, and programs. Everything here needs the context of its
-// Gl to be current, in destructors too.
+// Owners of OpenGL objects, framebuffers with attachments, and programs. Everything here requires the context of its Gl
+// to be current, destructors too.
 #pragma once
 
 #include <initializer_list>
@@ -14,7 +14,7 @@
 
 namespace coaster::gfx {
 
-// One GL name, deleted at the end of life. Moves, never copies.
+// One GL name, deleted by the destructor. Move-only.
 class Object {
  public:
   using Destroy = void (*)(const Gl&, GLuint);
@@ -49,10 +49,11 @@ struct Target {
   Object framebuffer, colour, depth;
   int width = 0, height = 0, samples = 0;
 };
-// Code::graphics when the driver refuses the combination.
+// Code::graphics if the driver rejects the combination.
 base::Result<Target> make_target(const Gl& gl, int width, int height, int samples);
 
-// One program's uniforms, set by name while the program is in use. Names the compiler has optimised away are ignored.
+// The uniforms of a program, set by name while the program is in use. Names that the compiler has optimised away are
+// ignored.
 struct Program {
   Object object;
   const Gl* gl = nullptr;
@@ -71,14 +72,13 @@ struct ProgramSources {
   std::span<const char* const> captured;
 };
 
-// Compiles and links. A version line is put before each stage (4.00 with tessellation, else 3.30), then `common`
-// (functions they share). Code::graphics with the compiler's log, line numbers counted in each part, and `name` on
-// failure.
+// Compiles and links. Prepends a version line to each stage (4.00 with tessellation, else 3.30), then `common` (shared
+// functions). On failure Code::graphics with `name` and the compiler's log; line numbers count within each part.
 base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources);
 base::Result<Program> make_program(const Gl& gl, std::string_view name, std::string_view common,
                                    std::string_view vertex, std::string_view fragment);
 
-// A float attribute of the bound vertex array from the bound buffer; divisor 1: one value for each instance.
+// Sets a float attribute of the bound vertex array from the bound buffer; divisor 1: one value per instance.
 void float_attribute(const Gl& gl, GLuint location, int components, std::size_t stride, std::size_t offset,
                      GLuint divisor = 0);
 

@@ -1,4 +1,4 @@
-// Ground and sky, each on its side of the horizon, by shaders that follow the ray of each pixel.
+// Ground and sky, on their sides of the horizon, by shaders that follow the ray of each pixel.
 #include <array>
 #include <string>
 
@@ -9,13 +9,13 @@
 namespace coaster::gfx {
 namespace {
 
-// A convex part of the viewport, -1 to 1, as many corners as the shader takes.
+// A convex part of the viewport, -1 to 1, with as many corners as the shader takes.
 struct Part {
   std::array<glm::vec2, 6> corners{};
   int count = 0;
 };
 
-// Where a + b x + c y is not negative.
+// The part where a + b x + c y is not negative.
 Part part_of_viewport(float a, float b, float c) {
   constexpr glm::vec2 kCorners[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   const auto height = [&](glm::vec2 at) { return a + b * at.x + c * at.y; };
@@ -45,8 +45,8 @@ void draw_part(const Pass& pass, const Program& program, const Rays& rays, const
   pass.count(part.count - 2);
 }
 
-// Twice: the ground in the sun, whose depth is 0.5 where a shadow may be; then the shadows, there alone. So pixels
-// without cost little.
+// Two draws: the sunlit ground, which writes depth 0.5 where a shadow may be; then the shadows, only there. So
+// unshadowed pixels cost little.
 void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, const Part& part) {
   const Gl& gl = pass.gl;
   pass.programs.ground.use();
@@ -77,7 +77,7 @@ void draw_backdrop(const Pass& pass, const SunShadows& shadows) {
   // Rows of the view matrix are the camera's axes in the world; the projection is symmetric.
   const glm::mat3 axes = glm::transpose(glm::mat3(view.view));
   const Rays rays{-axes[2], axes[0] / view.projection[0][0], axes[1] / view.projection[1][1]};
-  const bool buried = view.eye.y <= 0;  // earth all round
+  const bool buried = view.eye.y <= 0;  // below the ground: earth all around
   const Part above = buried ? part_of_viewport(1, 0, 0) : part_of_viewport(rays.forward.y, rays.right.y, rays.up.y);
   const Part below = buried ? Part{} : part_of_viewport(-rays.forward.y, -rays.right.y, -rays.up.y);
   blend(pass.gl, false);

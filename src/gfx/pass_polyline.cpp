@@ -1,5 +1,6 @@
-// Lines meet and cross: their coverage is gathered in the alpha channel by maximum and painted in one go. So the
-// picture depends neither on where in the buffer the segments lie nor on how many lines cover a pixel.
+// The polyline. Its lines meet and cross, so their coverage is accumulated in the alpha channel by maximum and painted
+// at once. The picture depends neither on the order of the segments in the buffer nor on the number of lines over a
+// pixel.
 #include "gfx/passes.h"
 
 namespace coaster::gfx {
@@ -8,7 +9,7 @@ namespace {
 constexpr float kPolylineWidth = 1.75f;  // px
 constexpr glm::vec4 kPolylineColour{1, 1, 1, 0.9f};
 
-// The polyline's quads: from cached vertices, or from control points by the stage that evaluates them.
+// Draws the polyline's quads: from cached vertices, or from control points by the stage that evaluates them.
 void draw_lines(const Pass& pass, const TrackCache& track, CurveStages& stages) {
   const view::View& view = pass.scene.view;
   const PolylinePen pen{
@@ -48,7 +49,7 @@ void draw_polyline(const Pass& pass, const TrackCache& track, CurveStages& stage
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.Disable(GL_DEPTH_TEST);
   gl.BlendEquation(GL_FUNC_ADD);
-  gl.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ZERO);  // leaves the picture opaque
+  gl.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ZERO);  // keeps the picture opaque
   pass.programs.coverage.use();
   pass.programs.coverage.set("paint", glm::vec4(glm::vec3(kPolylineColour), 1));
   gl.BindVertexArray(pass.no_attributes);

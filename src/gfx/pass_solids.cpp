@@ -1,4 +1,4 @@
-// Track and train: into the picture and into shadow maps, from the same buffers.
+// Track and trains: into the picture and into shadow maps, from the same buffers.
 #include <string>
 
 #include "gfx/draw_state.h"
@@ -10,16 +10,16 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr float kOutline = 0.9f;    // px, of a drawing's lines around solids
-constexpr float kLeastTube = 1.6f;  // px, half the width of coloured rails far off
+constexpr float kOutline = 0.9f;    // px, outline of solids in the blueprint style
+constexpr float kLeastTube = 1.6f;  // px, smallest half width of distant coloured rails
 
-// Radius in metres, for each metre from the eye, that looks as many pixels wide: the projection scales a metre at a
-// distance of one to as much of half the viewport's height.
+// Returns the radius in metres per metre of distance that appears `pixels` wide: the projection scales a metre at
+// distance one to half the viewport's height times its entry.
 float metres_of_pixels(const view::View& view, float pixels) {
   return 2 * pixels / (view.projection[1][1] * std::max(view.viewport.height, 1.0f));
 }
 
-// With the program in use and its matrix set.
+// Call with the program in use and its matrix set.
 void draw_track(const Pass& pass, const TrackCache& track) {
   for (const MeshPool* pool : {&track.mesh(), &track.supports().mesh()}) {
     if (pool->index_count() == 0) continue;
@@ -41,7 +41,7 @@ void set_view(const Pass& pass, const Program& program) {
   program.set("outline", metres_of_pixels(pass.scene.view, kOutline));
 }
 
-// The track by the scene's values, or painted.
+// Sets the track's colours: the scene's values, or paint.
 void set_colouring(const Pass& pass, const Program& program) {
   const sim::TrackValues* const values = pass.scene.values;
   const bool coloured = values != nullptr && !values->values.empty();
@@ -76,7 +76,7 @@ void choose_detail(const view::View& view, TrackCache& track) {
 void cast_track(const Pass& pass, const TrackCache& track, const glm::mat4& light) {
   pass.programs.shadow.use();
   pass.programs.shadow.set("view_projection", light);
-  // In full: a map is kept while the eye moves.
+  // In full, because a map is kept while the eye moves.
   for (const MeshPool* pool : {&track.mesh(), &track.supports().mesh()}) {
     if (pool->index_count() == 0) continue;
     if (!pass.scene.unseen) pool->draw_all();
@@ -96,7 +96,7 @@ void draw_solids(const Pass& pass, const TrackCache& track, const Instances& ins
   pass.gl.Enable(GL_DEPTH_TEST);
   pass.gl.DepthFunc(GL_LESS);
   pass.gl.Enable(GL_CULL_FACE);
-  values.bind();  // a sampler reads something, asked or not
+  values.bind();  // the sampler always needs a texture
   if (pass.scenery.drawing) draw_outlines(pass, track, instances);
   pass.gl.CullFace(GL_BACK);
   set_view(pass, pass.programs.solid);

@@ -1,5 +1,5 @@
-// The passes of a picture, each in its pass_*.cpp. Between passes blending, depth test and culling are undefined: each
-// sets what it needs.
+// The passes of a picture, each in its pass_*.cpp. Blending, depth test and culling are undefined between passes: each
+// pass sets what it needs.
 #pragma once
 
 #include "gfx/curve_stages.h"
@@ -15,14 +15,14 @@ namespace coaster::gfx {
 
 class SunShadows;
 
-// What all passes of one picture have in common.
+// Shared by all passes of one picture.
 struct Pass {
   const Gl& gl;
   const ScenePrograms& programs;
   const Scene& scene;
   const Scenery& scenery;
   glm::mat4 view_projection;
-  GLuint no_attributes;  // a vertex array without any
+  GLuint no_attributes;  // a vertex array without attributes
   DrawStats& stats;
 
   void count(std::int64_t triangles) const {
@@ -34,24 +34,24 @@ struct Pass {
 // Texture units.
 inline constexpr int kValueUnit = 0, kTrackShadowUnit = 1, kTrainShadowUnit = 3;
 
-// What is so far off that a rail is no wider than two pixels is drawn with fewer triangles from now on.
+// From now on draws track with fewer triangles where a rail is at most two pixels wide.
 void choose_detail(const view::View& view, TrackCache& track);
 
-// Sky and ground with the shadows on it.
+// Draws sky, and ground with its shadows.
 void draw_backdrop(const Pass& pass, const SunShadows& shadows);
 
-// Track and train as the sun sees them, into a shadow map.
+// Draws track and trains into a shadow map.
 void cast_track(const Pass& pass, const TrackCache& track, const glm::mat4& light);
 void cast_carts(const Pass& pass, const Instances& instances, const glm::mat4& light);
 
-// Track and train; in a drawing their lines first, as what looks out behind them.
+// Draws track and trains; in the blueprint style their outlines first, so that they show behind them.
 void draw_solids(const Pass& pass, const TrackCache& track, const Instances& instances, ValueTexture& values,
                  const SunShadows& shadows);
 
-// The laboratory's polyline. `timer` measures it on the GPU.
+// Draws the laboratory's polyline. `timer` measures its GPU time.
 void draw_polyline(const Pass& pass, const TrackCache& track, CurveStages& stages, GpuTimer& timer);
 
-// Lines and marks over everything.
+// Draws lines and marks over everything.
 void draw_overlay(const Pass& pass, const Instances& instances);
 
 }  // namespace coaster::gfx

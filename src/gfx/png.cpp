@@ -1,4 +1,4 @@
-// PNG in memory, by stb. Files are read and written by the caller (base::Files), so that faults can be injected there.
+// PNG in memory, by stb. The caller reads and writes files (base::Files), so that faults can be injected there.
 #include <climits>
 
 #include "gfx/image.h"
@@ -19,7 +19,7 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr int kMaxSide = 16384;  // px; larger pictures are refused before they are unpacked
+constexpr int kMaxSide = 16384;  // px; larger pictures are rejected before decoding
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// First-fit places in a growing buffer.
+// First-fit allocation in a growing buffer.
 #include "gfx/ranges.h"
 
 #include <iterator>

@@ -1,5 +1,4 @@
-// Places in a growing buffer: ranges are taken first-fit from what was given back, else from the end. Knows nothing of
-// GL.
+// Ranges of a growing buffer, allocated first-fit from freed ranges, else at the end. Independent of GL.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +12,15 @@ struct Range {
 
 class Ranges {
  public:
-  // A range of exactly `size` (> 0) elements. Linear in the number of gaps.
+  // Allocates exactly `size` (> 0) elements. Linear in the number of gaps.
   Range take(std::uint32_t size);
-  // Merges with gaps at both sides; a gap at the end shortens used().
+  // Frees a range and merges it with adjacent gaps; a gap at the end reduces used().
   void give_back(Range range);
   // One past the last element of any range in use.
   std::uint32_t used() const { return used_; }
 
  private:
-  std::map<std::uint32_t, std::uint32_t> gaps_;  // first -> size, never touching each other nor the end
+  std::map<std::uint32_t, std::uint32_t> gaps_;  // first -> size; gaps never touch each other or the end
   std::uint32_t used_ = 0;
 };
 

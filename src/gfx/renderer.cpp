@@ -1,5 +1,5 @@
-// The list of passes that make a picture, from far to near. What they draw is kept by TrackCache and Instances, how it
-// looks is in shaders/ and in the table of styles (gfx/scenery).
+// The list of passes of a picture, from far to near. TrackCache and Instances hold the geometry; shaders/ and the table
+// of styles (gfx/scenery) define the look.
 #include "gfx/renderer.h"
 
 #include <cstring>
@@ -18,7 +18,7 @@ struct Renderer::Parts {
   TrackCache track;
   Instances instances;
   CurveStages stages;
-  ValueTexture values;  // what the track is coloured by
+  ValueTexture values;  // colours of the track
   CurveDeviation deviation;
   SunShadows shadows;
   GpuTimer polyline_timer;
@@ -42,8 +42,7 @@ struct Renderer::Parts {
   void upload(const Scene& scene, DrawStats& stats);
 };
 
-// Brings the buffers up to date with the scene: nothing is written of what has not changed, but for the few bytes of
-// overlay and poses.
+// Updates the buffers from the scene: writes only what has changed, except for the few bytes of overlay and poses.
 void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
   const TrackCache::Synced synced = track.sync(scene.derived, scene.clock);
   const SupportCache::Synced held = track.supports().sync(scene.supports, scene.clock);

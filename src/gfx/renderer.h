@@ -1,5 +1,5 @@
-// Draws one picture of a scene into a framebuffer of its own, multisampled where the driver can, and hands out the
-// resolved colour.
+// Draws one picture of a scene into its own framebuffer, multisampled if the driver can, and provides the resolved
+// colour.
 #pragma once
 
 #include <cstdint>
@@ -17,41 +17,39 @@
 
 namespace coaster::gfx {
 
-// What is drawn: const views of state that outlive the call.
+// The scene to draw: const views of state that must outlive the call.
 struct Scene {
   const sim::Derived& derived;
   const view::View& view;
   const view::Overlay& overlay;
   std::span<const sim::Pose> carts;
   bool show_polyline = true;
-  const sim::TrackValues* values = nullptr;  // what the track is coloured by; null or plain: painted
-  world::Theme theme = world::Theme::dark;   // of the picture beside the viewport
-  sim::Clock clock = {};                     // to measure cpu_ms with; empty: not measured
+  const sim::TrackValues* values = nullptr;  // values that colour the track; null or plain: painted
+  world::Theme theme = world::Theme::dark;   // colours the picture around the viewport
+  sim::Clock clock = {};                     // for cpu_ms; empty: not measured
   world::Style style = world::Style::day;
-  const sim::Supports* supports = nullptr;  // what holds the track; null: not drawn
+  const sim::Supports* supports = nullptr;  // null: not drawn
   bool shadows = true;
-  bool unseen = false;  // everything of a picture but its pixels, which nobody is going to look at
+  bool unseen = false;  // no pixels are needed: do everything else
 };
 
-// Of the last draw.
+// Statistics of the last draw.
 struct DrawStats {
-  int uploads = 0;          // segments whose slots were written
-  int recolours = 0;        // segments whose values were written, counted apart
-  int support_uploads = 0;  // segments whose supports were written, counted apart
+  int uploads = 0;          // segments written to the track's buffers
+  int recolours = 0;        // segments whose values were written (not in uploads)
+  int support_uploads = 0;  // segments whose supports were written (not in uploads)
   int draw_calls = 0;
-  std::int64_t triangles = 0;  // sent by these calls, in shadow maps too
-  int shadow_maps = 0;  // drawn anew: 0 unless track, trains, light or the part of a large track in sight changed
+  std::int64_t triangles = 0;  // of these draw calls, in shadow maps too
+  int shadow_maps = 0;  // shadow maps drawn: 0 unless track, trains, light or the visible part of a large track changed
   int samples = 0;
-  double cpu_ms = 0;  // spent by the cache on preparing what is uploaded, outside GL
-  double gpu_ms =
-      0;  // the GPU's work on the polyline in the newest frame that is known (a few frames ago); 0: not measured
-  std::int64_t upload_bytes = 0;  // written to the track's buffers
-  std::int64_t polyline_upload_bytes =
-      0;                            // of these, to polylines: vertices, or control points for the GPU's evaluators
-  std::int64_t polyline_bytes = 0;  // held for all polylines
-  curve::Stage drawn_by{};          // what evaluated the polyline: derived.stage, or the vertex shader in its place
-  double deviation = 0;  // m, of vertices that the GPU computed, see CurveDeviation; 0 where the processor evaluates
-  int deviation_pending = 0;  // segments whose deviation is still to be measured, in the next frames
+  double cpu_ms = 0;  // time of the cache to prepare uploads, outside GL
+  double gpu_ms = 0;  // GPU time of the polyline in the newest finished frame (a few frames ago); 0: not measured
+  std::int64_t upload_bytes = 0;           // written to the track's buffers
+  std::int64_t polyline_upload_bytes = 0;  // of these, polylines: vertices, or control points for GPU evaluators
+  std::int64_t polyline_bytes = 0;         // size of all polylines
+  curve::Stage drawn_by{};    // evaluator of the polyline: derived.stage, or the vertex shader as its substitute
+  double deviation = 0;       // m, of vertices computed by the GPU, see CurveDeviation; 0 for processor evaluators
+  int deviation_pending = 0;  // segments whose deviation will be measured in the next frames
 };
 
 // 8-bit RGBA, rows from the top.
@@ -62,25 +60,25 @@ struct Image {
 
 class Renderer {
  public:
-  // Compiles the shaders (embedded at build from shaders/). Code::graphics with the compiler's log on failure. `gl`
-  // must outlive it.
+  // Compiles the shaders (embedded at build time from shaders/). Code::graphics with the compiler's log on failure.
+  // `gl` must outlive the renderer.
   static base::Result<std::unique_ptr<Renderer>> make(const Gl& gl, int samples);
-  // Another one in the same context: they share the compiled shaders and nothing else. Either may go first.
+  // Returns another renderer in the same context. They share only the compiled shaders; either may be destroyed first.
   std::unique_ptr<Renderer> sibling(int samples) const;
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  // Why a stage cannot evaluate polylines on this driver; empty when it can. draw() then lets the vertex shader do it:
+  // Returns why a stage cannot evaluate polylines on this driver; empty if it can. draw() then uses the vertex shader:
   // the same picture.
   std::string refusal(curve::Stage stage) const;
   bool supports(curve::Stage stage) const { return refusal(stage).empty(); }
 
-  // 0 or 1: no multisampling; clamped to what the driver has.
+  // 0 or 1: no multisampling; clamped to the driver's maximum.
   void set_samples(int samples);
 
   // Draws the scene into scene.view.viewport of a width x height picture (both >= 1), clears the rest, resolves it, and
-  // leaves the resolved framebuffer bound for drawing (viewport: the whole picture) so that panels can be drawn over
+  // leaves the resolved framebuffer bound for drawing (viewport: the whole picture), so that panels can be drawn over
   // it.
   DrawStats draw(const Scene& scene, int width, int height);
 

@@ -97,7 +97,7 @@ glm::vec3 around_of(world::Theme theme) {
 
 Air air_of(const Scenery& s) {
   const glm::vec3 sun = glm::normalize(s.sun);
-  // Paint such that the ground looks as the table says where the sun shines.
+  // The paint that makes the ground look as the table says in sunlight.
   const glm::vec3 lit = s.drawing ? glm::vec3(1) : s.sun_light * sun.y + s.sky_light;
   Air air;
   air.sun = {sun, s.drawing ? 1 : 0};

@@ -1,4 +1,4 @@
-// The files of shaders/ as the build embeds them: FILE.END is file_end().
+// The files of shaders/, embedded by the build: FILE.END is file_end().
 #pragma once
 
 #include <cstddef>

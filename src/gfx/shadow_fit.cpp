@@ -14,7 +14,7 @@ constexpr float kTrackMargin = sim::kSupportReach + 1, kCarMargin = 2.5f;  // m
 constexpr float kDepthMargin = 1;                                          // m
 constexpr float kLargest = 1 << 18;                                        // m, more than the world's width
 
-// Distance from a place to a box; 0 inside.
+// Returns the distance from a point to a box; 0 inside.
 float distance_to(const LightBox& box, glm::vec3 at) {
   return glm::length(glm::max(glm::max(box.low - at, at - box.high), glm::vec3(0)));
 }
@@ -61,9 +61,9 @@ LightBox light_box(const SunAxes& axes, std::span<const sim::Pose> carts) {
 ShadowFit fit_shadow(const SunAxes& axes, const LightBox& box, float least, glm::vec3 eye, glm::vec3 forward) {
   if (box.empty()) return {};
   const glm::vec3 size = box.high - box.low;
-  const float whole = power_of_two(least, std::max(size.x, size.y) / 0.87f);  // the middle is up to a sixteenth off
+  const float whole = power_of_two(least, std::max(size.x, size.y) / 0.87f);  // the middle is off by up to a sixteenth
   const glm::vec3 at = axes.of(eye);
-  // What lies farther off than a few sides of the square is small on the screen.
+  // Track farther away than a few sides of the square is small on the screen.
   const float seen = power_of_two(least, 2.5f * std::max(distance_to(box, at), std::abs(eye.y)));
   ShadowFit fit;
   fit.side = std::min(whole, seen);
@@ -74,7 +74,7 @@ ShadowFit fit_shadow(const SunAxes& axes, const LightBox& box, float least, glm:
                                         glm::max(box.high - 0.5f * fit.side, fit.middle));
     fit.middle = {inside.x, inside.y, fit.middle.z};
   }
-  // The depth moves in steps, too: a dragged knot does not change what else is drawn.
+  // The depth also moves in steps, so that a dragged knot does not change how everything else is drawn.
   const float step = fit.side / 8, layer = 8;
   fit.middle.x = step * std::round(fit.middle.x / step);
   fit.middle.y = step * std::round(fit.middle.y / step);
@@ -86,7 +86,7 @@ ShadowFit fit_shadow(const SunAxes& axes, const LightBox& box, float least, glm:
 }
 
 glm::mat4 clip_of(const SunAxes& axes, const ShadowFit& fit) {
-  // Rows are the light's axes, scaled; the depth grows away from the sun.
+  // Rows are the light's axes, scaled; depth increases away from the sun.
   const float flat = 2 / fit.side, deep = -2 / fit.depth;
   const glm::vec3 x = flat * axes.across, y = flat * axes.over, z = deep * axes.sun;
   return {glm::vec4(x.x, y.x, z.x, 0), glm::vec4(x.y, y.y, z.y, 0), glm::vec4(x.z, y.z, z.z, 0),

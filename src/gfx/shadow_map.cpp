@@ -66,7 +66,7 @@ bool ShadowMap::update(int size, const SunAxes& axes, const ShadowFit& fit, std:
     blend(gl, false);
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LESS);
-    // The far sides: what the sun shines on is then a thickness away from what the map holds, and cannot shade itself.
+    // Draws the far sides: a sunlit surface is then a thickness away from the map's depth and cannot shade itself.
     gl.Enable(GL_CULL_FACE);
     gl.CullFace(GL_FRONT);
     draw(clip_of(axes, fit));
@@ -90,7 +90,7 @@ void ShadowMap::bind(const Program& program, const char* prefix, int unit) const
   const float part = 1.0f / static_cast<float>(drawn_.size);
   program.set((name + "_depth").c_str(), unit);
   program.set((name + "_cover").c_str(), unit + 1);
-  // A map of nothing is beside every place.
+  // An empty map shadows nothing: its matrix puts every point outside.
   program.set((name + "_light").c_str(), drawn_.fit.side > 0 ? to_map_ : glm::mat4(0));
   program.set((name + "_texel").c_str(),
               drawn_.fit.side > 0 ? glm::vec2(drawn_.fit.side * part, part) : glm::vec2(1, part));

@@ -1,5 +1,5 @@
-// A picture of the track or the trains as the sun sees them: depth, for shadows on solids, and coverage with mipmaps,
-// for the ground, which lies under everything and so needs no depth.
+// A picture of the track or the trains seen from the sun: depth, for shadows on solids, and coverage with mipmaps, for
+// the ground, which is below everything and needs no depth.
 #pragma once
 
 #include <functional>
@@ -13,15 +13,15 @@ class ShadowMap {
  public:
   explicit ShadowMap(const Gl& gl) : gl_(&gl) {}
 
-  // Draws the map anew when size (texels a side), place, light or `content` (a number that changes with what is drawn)
-  // differ from those it was drawn with. `draw` gets the matrix to clip space, with state and target set. Leaves
-  // another framebuffer bound. `unseen`: `draw` is to count alone, and the map itself waits for a picture that is seen.
-  // True when what is wanted is something else than in the call before.
+  // Redraws the map if its size (texels per side), fit, light or `content` (a number that changes with the casters)
+  // differ from the last time. `draw` gets the matrix to clip space, with state and target set. Leaves another
+  // framebuffer bound. `unseen`: `draw` only counts, and the map is drawn with the next visible picture. Returns true
+  // if the requested map differs from the last call's.
   bool update(int size, const SunAxes& axes, const ShadowFit& fit, std::uint64_t content, bool unseen,
               const std::function<void(const glm::mat4&)>& draw);
 
-  // Puts the textures into units `unit` (depth) and `unit` + 1 (coverage), and sets PREFIX_depth, PREFIX_cover,
-  // PREFIX_light and PREFIX_texel of the program in use. After an update().
+  // Binds the textures to units `unit` (depth) and `unit` + 1 (coverage), and sets PREFIX_depth, PREFIX_cover,
+  // PREFIX_light and PREFIX_texel of the program in use. Call after update().
   void bind(const Program& program, const char* prefix, int unit) const;
 
  private:

@@ -1,5 +1,5 @@
-// The shadow maps of a scene, one of the track and one of the trains: a map is drawn anew only when what throws the
-// shadows, the light or the part of the scene in sight has changed.
+// The shadow maps of a scene, one of the track and one of the trains. A map is redrawn only if its casters, the light
+// or the visible part of the scene have changed.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace coaster::gfx {
 class SunShadows {
  public:
   explicit SunShadows(const Gl& gl) : track_(gl), trains_(gl) {}
-  // Counts the maps drawn in stats.shadow_maps. Call with what `track` and `instances` hold by now; binds framebuffers.
+  // Counts the drawn maps in stats.shadow_maps. Call after updating `track` and `instances`; binds framebuffers.
   void update(const Pass& pass, const TrackCache& track, const Instances& instances);
   // For the program in use.
   void bind(const Program& program) const;
@@ -24,7 +24,7 @@ class SunShadows {
     glm::vec3 sun{0};
     LightBox box;
   } measured_;
-  std::vector<sim::Pose> cars_;  // that `trains_` was drawn with
+  std::vector<sim::Pose> cars_;  // poses of the last `trains_` map
   std::uint64_t cars_version_ = 1;
 };
 

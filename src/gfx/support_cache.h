@@ -1,5 +1,5 @@
-// Supports on the GPU: a solid for each segment that has any, written again only where they were found to be others.
-// Apart from the track's own buffers, so that these are written for what moved alone.
+// Supports on the GPU: one solid per segment that has any, rewritten only if it changed. Separate from the track's
+// buffers, so that these are written only for moved track.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,9 @@ class SupportCache {
 
   struct Synced {
     int uploads = 0;         // segments whose supports were written
-    double cpu_seconds = 0;  // on preparing them, outside GL; 0 without a clock
+    double cpu_seconds = 0;  // time to prepare them, outside GL; 0 without a clock
   };
-  // null: none are drawn. Cost while nothing changes: a comparison for each segment.
+  // null: draws none. If nothing changed, costs one comparison per segment.
   Synced sync(const sim::Supports* supports, const sim::Clock& clock);
 
   MeshPool& mesh() { return mesh_; }
@@ -32,7 +32,7 @@ class SupportCache {
   };
   MeshPool mesh_;
   std::vector<Slot> slots_;  // by the entity's index
-  std::uint64_t stamp_ = 0;  // of the sync in progress
+  std::uint64_t stamp_ = 0;  // of the current sync
   sim::Mesh staged_;         // kept for its capacity
 };
 

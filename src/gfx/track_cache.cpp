@@ -1,4 +1,4 @@
-// Keeps the slots of the track's buffers equal to what is derived.
+// Keeps the slots of the track's buffers equal to the derived track.
 #include "gfx/track_cache.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Cloc
   return synced_;
 }
 
-// True when anything of the segment was written.
+// Returns true if anything of the segment was written.
 bool TrackCache::write_segment(const sim::SegmentShape& shape, bool on_processor, Slot& slot) {
   const bool line = on_processor && slot.polyline_build != shape.polyline_build;
   const bool reshaped = slot.shape_build != shape.shape_build, mesh = reshaped || slot.fitted != shape.fitted;
@@ -57,7 +57,7 @@ bool TrackCache::write_segment(const sim::SegmentShape& shape, bool on_processor
   return line || control || mesh;
 }
 
-// The slot of a segment, empty when the segment is new; the slot of an older generation is released.
+// Returns the slot of a segment, empty if the segment is new; releases the slot of an older generation.
 TrackCache::Slot& TrackCache::slot_of(world::Entity segment) {
   if (segment.index >= slots_.size()) slots_.resize(segment.index + 1);
   Slot& slot = slots_[segment.index];
@@ -116,7 +116,7 @@ void TrackCache::empty_control(Range range) {
   write(controls_, range.first * kControlBytes, &none, kControlBytes, true);
 }
 
-// The room itself is given back, not only its use: the other kind of slots takes over.
+// Frees the buffer itself, not only its ranges: the other kind of slots takes over.
 void TrackCache::drop_lines() {
   if (line_ranges_.used() == 0) return;
   for (Slot& slot : slots_) slot.line = {}, slot.polyline_build = 0;

@@ -1,7 +1,6 @@
-// The track on the GPU, like the display lists of old: each segment has a slot in one buffer of polyline vertices and
-// in one mesh, and a slot is written again only when the segment's build numbers or its equipment differ from those it
-// was written from. No dirty flags. While polylines are evaluated on the GPU there are no polyline vertices, and the
-// slots hold the four control points instead.
+// The track on the GPU: each segment has a slot in one buffer of polyline vertices and in one mesh. A slot is rewritten
+// only if the segment's build numbers or its equipment differ from those it was written from. No dirty flags. With a
+// GPU evaluator there are no polyline vertices; the slots hold the four control points instead.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +16,14 @@
 
 namespace coaster::gfx {
 
-// 24 bytes. The vertex after a polyline's last one has kBreak in tangent.x: lines from or to it are not drawn, nor are
-// gaps, which are full of such vertices.
+// 24 bytes. The vertex after a polyline's last one has kBreak in tangent.x: lines from or to it are not drawn. Gaps are
+// full of such vertices.
 struct PolylineVertex {
   glm::vec3 position;
   glm::vec3 tangent;  // B'(t)
 };
 inline constexpr float kBreak = 3e38f;
-// What a slot of control points takes; an empty one has kBreak in p0.x.
+// Size of a slot of control points; an empty one has kBreak in p0.x.
 inline constexpr std::size_t kControlBytes = 48;
 
 class TrackCache {
@@ -35,25 +34,26 @@ class TrackCache {
     int uploads = 0;                  // segments with anything written
     std::int64_t bytes = 0;           // written to the track's buffers
     std::int64_t polyline_bytes = 0;  // of these, to polyline vertices or control points
-    double cpu_seconds = 0;           // on preparing it, outside GL; 0 without a clock
+    double cpu_seconds = 0;           // time to prepare it, outside GL; 0 without a clock
   };
-  // Cost for an unchanged track: two comparisons for each segment, no allocation, no GL call.
+  // For an unchanged track costs two comparisons per segment, no allocation, no GL call.
   Synced sync(const sim::Derived& derived, const sim::Clock& clock);
 
-  // The solids of all segments: rails, spine, ties and what equipment adds.
+  // The solids of all segments: rails, spine, ties and equipment.
   MeshPool& mesh() { return mesh_; }
   const MeshPool& mesh() const { return mesh_; }
-  // What holds them, in buffers and counters of its own.
+  // The supports, in buffers and counters of their own.
   SupportCache& supports() { return supports_; }
   const SupportCache& supports() const { return supports_; }
-  // Another number whenever anything of these was written or taken away.
+  // Changes whenever any of these is written or removed.
   std::uint64_t mesh_version() const { return mesh_.version() + supports_.mesh().version(); }
   GLsizei index_count() const { return GLsizei(mesh_.index_count()); }
-  // Binds the array whose instance i is the line from vertex i to vertex i+1: locations 0 and 1 position and tangent of
-  // the one, 2 and 3 of the other.
+  // Binds the array whose instance i is the line from vertex i to vertex i+1: locations 0 and 1 are position and
+  // tangent of vertex i, 2 and 3 of vertex i+1.
   void bind_lines() const { gl_->BindVertexArray(line_array_.id()); }
   GLsizei line_count() const { return line_ranges_.used() > 0 ? GLsizei(line_ranges_.used() - 1) : 0; }
-  // The buffer of control points, 48 bytes a slot. Slot k has the segment placed()[k], no valid one when it is empty.
+  // The buffer of control points, 48 bytes per slot. Slot k belongs to the segment placed()[k]; an invalid entity marks
+  // an empty slot.
   struct Placed {
     world::Entity segment;
     std::uint64_t shape_build = 0;
@@ -61,7 +61,7 @@ class TrackCache {
   };
   GLuint control_buffer() const { return controls_.id(); }
   std::span<const Placed> placed() const { return placed_; }
-  // Bytes held for all segments' polylines: control points, or 24 for each vertex and each segment's break.
+  // Bytes of all segments' polylines: control points, or 24 per vertex and per break.
   std::int64_t held_polyline_bytes() const { return held_polyline_bytes_; }
 
  private:
@@ -98,12 +98,12 @@ class TrackCache {
   Ranges line_ranges_, control_ranges_;
   std::vector<Slot> slots_;  // by the entity's index
   std::size_t live_ = 0;     // slots with a segment
-  std::uint64_t stamp_ = 0;  // of the sync in progress
+  std::uint64_t stamp_ = 0;  // of the current sync
   const sim::Clock* clock_ = nullptr;
-  Synced synced_;  // of the sync in progress
+  Synced synced_;  // of the current sync
   std::int64_t held_polyline_bytes_ = 0;
   std::vector<Placed> placed_;  // by slot of control points
-  // What is being prepared; kept for their capacity.
+  // Staging buffers; kept for their capacity.
   std::vector<PolylineVertex> staged_line_;
   sim::Mesh staged_mesh_;
 };

@@ -5,7 +5,7 @@
 
 namespace coaster::gfx {
 
-// Rows are added in powers of two; what is there already is written again.
+// Grows in powers of two; existing rows are written again.
 void ValueTexture::fit(int rows) {
   if (rows <= rows_) return;
   rows_ = std::max(rows_, 1);

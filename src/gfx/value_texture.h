@@ -1,5 +1,5 @@
-// The values that the track is coloured by, in a texture of their own: changing them touches no vertex. A segment's
-// place in it is its entity's index, which its mesh holds.
+// The values that colour the track, in a texture of their own: changing them touches no vertex. A segment's row is its
+// entity's index, which its mesh holds.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,9 @@ class ValueTexture {
     int recolours = 0;       // segments whose values changed
     std::int64_t bytes = 0;  // written
   };
-  // Writes the rows in which anything changed. Cost for equal values: a comparison of 128 bytes for each segment. Plain
-  // values: nothing.
+  // Writes the rows that changed. Equal values cost a comparison of 128 bytes per segment; plain values cost nothing.
   Synced sync(const sim::Derived& derived, const sim::TrackValues& values);
-  // To texture unit 0; a texture of one row when nothing was ever written.
+  // Binds to texture unit 0; binds a texture of one row if nothing was ever written.
   void bind();
 
  private:

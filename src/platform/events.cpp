@@ -8,7 +8,7 @@
 namespace coaster::platform {
 namespace {
 
-// Names beside letters and digits, which name themselves. The first name of a key is the one that is printed.
+// Names besides letters and digits, which name themselves. The first name of a key is the one that is printed.
 constexpr std::pair<std::string_view, Key> kNames[] = {
     {"space", Key::space},   {"'", Key::apostrophe},    {",", Key::comma},
     {"-", Key::minus},       {".", Key::period},        {"/", Key::slash},

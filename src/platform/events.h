@@ -1,5 +1,5 @@
-// Input as plain data, the same from a window, a script and a recording. One funnel: everything that happens to a frame
-// is in its list.
+// Input as plain data, the same from a window, a script and a recording. Everything that happens to a frame is in its
+// event list.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace coaster::platform {
 
-// Keys by what they do on a US layout. Values of letters and digits are their ASCII codes.
+// Keys by their meaning on a US layout. Values of letters and digits are their ASCII codes.
 enum class Key : int {
   unknown = 0,
   space = 32,
@@ -129,27 +129,27 @@ struct Focus {
   bool focused = true;
 };
 struct CloseRequest {};
-// A gamepad, laid out as an Xbox pad is; sent when something has changed. Sticks -1..1, right and down positive;
-// triggers 0 (let go) to 1. As the device has them: without dead zone.
+// A gamepad in Xbox layout; sent if anything changed. Sticks -1..1, right and down positive; triggers 0 (released) to
+// 1. Raw values, without dead zone.
 struct GamepadAxes {
   float left_x = 0, left_y = 0, right_x = 0, right_y = 0, left_trigger = 0, right_trigger = 0;
   friend bool operator==(const GamepadAxes&, const GamepadAxes&) = default;
 };
 enum class PadButton : std::uint8_t { a, b, x, y };
-inline constexpr std::array<std::string_view, 4> kPadButtonNames{"a", "b", "x", "y"};  // by PadButton, in scripts
+inline constexpr std::array<std::string_view, 4> kPadButtonNames{"a", "b", "x", "y"};  // by PadButton, for scripts
 struct GamepadButton {
   PadButton button = PadButton::a;
   bool down = true;
 };
 struct Tick {
   double dt = 0;
-};  // the last event of each poll: seconds since the one before
+};  // the last event of each poll: seconds since the previous one
 
 using Event = std::variant<MouseMove, MouseButton, Wheel, KeyPress, TextInput, Drop, Resize, Focus, CloseRequest,
                            GamepadAxes, GamepadButton, Tick>;
 using Events = std::vector<Event>;
 
-// "F", "Escape", "Ctrl+Z", "Ctrl+Shift+S", "Space", "Delete", "F12", case-insensitive; nothing for unknown names.
+// "F", "Escape", "Ctrl+Z", "Ctrl+Shift+S", "Space", "Delete", "F12"; case-insensitive; nothing for unknown names.
 struct Chord {
   Key key = Key::unknown;
   Modifiers modifiers;

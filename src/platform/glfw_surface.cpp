@@ -16,7 +16,7 @@ Modifiers modifiers_of(int mods) {
   return {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_ALT) != 0};
 }
 
-// GLFW's codes of printable keys are ASCII, as ours; the others stand in blocks of the same order.
+// GLFW's codes of printable keys are ASCII, as ours; the other keys are in blocks of the same order.
 Key key_of(int code) {
   if (code >= GLFW_KEY_SPACE && code <= GLFW_KEY_GRAVE_ACCENT) return static_cast<Key>(code);
   if (code >= GLFW_KEY_ESCAPE && code <= GLFW_KEY_END)
@@ -61,8 +61,8 @@ class WindowSurface final : public Surface {
       of(w).pending_.push_back(Wheel{static_cast<float>(dx), static_cast<float>(dy)});
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int, int action, int mods) {
-      // X11 leaves a modifier's own bit out of its press and in its release, so these are counted in by hand; an
-      // unknown key's event tells of the modifiers alone.
+      // X11 omits a modifier's own bit from its press and includes it in its release, so these are corrected by hand;
+      // the event of an unknown key only reports modifiers.
       Modifiers held = modifiers_of(mods);
       const bool down = action != GLFW_RELEASE;
       if (code == GLFW_KEY_LEFT_SHIFT || code == GLFW_KEY_RIGHT_SHIFT) held.shift = down;
@@ -81,7 +81,7 @@ class WindowSurface final : public Surface {
     glfwSetWindowFocusCallback(
         window, [](GLFWwindow* w, int focused) { of(w).pending_.push_back(Focus{focused == GLFW_TRUE}); });
     glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
-      glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program decides
+      glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program decides when to close
       of(w).pending_.push_back(CloseRequest{});
     });
     load(bind_framebuffer_, "glBindFramebuffer");
@@ -93,7 +93,7 @@ class WindowSurface final : public Surface {
   }
 
   void poll(Events& events) override {
-    if (size() == Size{}) glfwWaitEventsTimeout(0.1);  // minimised: nothing to draw, so nothing to hurry for
+    if (size() == Size{}) glfwWaitEventsTimeout(0.1);  // minimised: nothing to draw, so wait
     else glfwPollEvents();
     poll_gamepad();
     for (Event& event : std::exchange(pending_, {})) events.push_back(std::move(event));
@@ -163,7 +163,7 @@ class WindowSurface final : public Surface {
   static WindowSurface& of(GLFWwindow* window) {
     return *static_cast<WindowSurface*>(glfwGetWindowUserPointer(window));
   }
-  // Cursor positions come in screen coordinates; on some systems these are not pixels.
+  // Cursor positions are in screen coordinates; on some systems these are not pixels.
   PixelScale pixel_scale() const {
     int width = 1, height = 1, pixels_x = 1, pixels_y = 1;
     glfwGetWindowSize(window_, &width, &height);
@@ -171,8 +171,7 @@ class WindowSurface final : public Surface {
     if (width <= 0 || height <= 0) return {1, 1};
     return {static_cast<double>(pixels_x) / width, static_cast<double>(pixels_y) / height};
   }
-  // The first gamepad that there is: GLFW tells of its state, not of changes. One that is pulled out lets go of
-  // everything.
+  // Polls the first gamepad: GLFW reports its state, not changes. A gamepad that is unplugged releases everything.
   void poll_gamepad() {
     GLFWgamepadstate state{};
     bool found = false;
@@ -205,7 +204,7 @@ class WindowSurface final : public Surface {
   PFNGLBLITFRAMEBUFFERPROC blit_ = nullptr;
 };
 
-// GLFW's latest error as text, which its functions only say through a callback or this call.
+// Returns GLFW's latest error as text; GLFW reports it only by a callback or this call.
 std::string last_error() {
   const char* text = nullptr;
   glfwGetError(&text);
@@ -216,7 +215,7 @@ std::string last_error() {
 
 std::string window_library() {
   int major = 0, minor = 0, revision = 0;
-  glfwGetVersion(&major, &minor, &revision);  // of the library that runs, not of the header
+  glfwGetVersion(&major, &minor, &revision);  // of the library at run time, not of the header
   return "GLFW " + std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(revision);
 }
 
@@ -232,7 +231,7 @@ base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the renderer draws into a framebuffer of its own
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the renderer draws into its own framebuffer
   glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
   GLFWwindow* window =
       glfwCreateWindow(options.size.width, options.size.height, options.title.c_str(), nullptr, nullptr);

@@ -1,4 +1,4 @@
-// SoundDevice by OpenAL 1.1: one source, fed by a queue of blocks.
+// SoundDevice by OpenAL 1.1: one source with a queue of blocks.
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <fcntl.h>
@@ -19,7 +19,7 @@ struct SoundDevice::Parts {
   ALCcontext* context = nullptr;
   ALuint source = 0;
   std::array<ALuint, kSoundBlocks> buffers{};
-  std::vector<ALuint> unused;  // buffers that are not in the queue
+  std::vector<ALuint> unused;  // buffers not in the queue
   std::vector<float> samples = std::vector<float>(2 * kSoundBlock);
   std::vector<std::int16_t> words = std::vector<std::int16_t>(2 * kSoundBlock);
 
@@ -40,8 +40,8 @@ struct SoundDevice::Parts {
 
 namespace {
 
-// The libraries below OpenAL tell on stderr of devices that are not there. That none is there is no error here: it is
-// told in the settings.
+// The libraries below OpenAL print errors about missing devices to stderr. A missing device is no error here; the
+// settings show it.
 class QuietErrors {
  public:
   QuietErrors() {
@@ -110,7 +110,7 @@ int SoundDevice::feed(const std::function<void(std::span<float>)>& fill) {
   }
   ALint state = 0;
   alGetSourcei(p.source, AL_SOURCE_STATE, &state);
-  if (state != AL_PLAYING) alSourcePlay(p.source);  // at first, and after a gap
+  if (state != AL_PLAYING) alSourcePlay(p.source);  // at the start, and after a gap
   return filled;
 }
 

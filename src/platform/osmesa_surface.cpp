@@ -47,10 +47,11 @@ class OffscreenSurface final : public Surface {
   ~OffscreenSurface() override {
     mesa_.make_current(nullptr, nullptr, 0, 0, 0);
     mesa_.destroy(context_);
-    // The library stays loaded: its threads and atexit handlers must not lose their code.
+    // The library stays loaded, because its threads and atexit handlers need their code.
   }
 
-  // OSMesa wants a colour buffer of its own; ours is as small as can be, for frames live in the renderer's framebuffer.
+  // OSMesa needs a colour buffer of its own; ours is as small as possible, because frames are in the renderer's
+  // framebuffer.
   bool bind() { return mesa_.make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kBuffer, kBuffer) == GL_TRUE; }
 
   void poll(Events& events) override {
@@ -103,7 +104,7 @@ OSMesaContext create_core(const OsMesa& mesa, int major, int minor) {
   return mesa.create(attributes, nullptr);
 }
 
-// The version that a driver has which refused 3.3, for the message alone.
+// Returns the version of a driver that rejected 3.3, for the error message.
 std::string version_at_hand(const OsMesa& mesa) {
   const OSMesaContext context = create_core(mesa, 3, 1);
   if (!context) return "none with a core profile";

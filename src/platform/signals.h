@@ -1,13 +1,13 @@
-// Being told to end by the system: SIGTERM, SIGINT (Ctrl+C) and SIGHUP (its terminal is gone).
+// Requests by the system to end: SIGTERM, SIGINT (Ctrl+C) and SIGHUP (the terminal closed).
 #pragma once
 
 namespace coaster::platform {
 
-// From now on these set a flag and nothing else; the second one of a kind ends the program at once, as it would without
-// this.
+// From now on these signals only set a flag; a second one of the same kind ends the program at once, with the default
+// action.
 void watch_signals();
 
-// The signal that came, 0 when none did. The flag stays.
+// Returns the signal received, 0 if none. The flag stays set.
 int pending_signal();
 
 }  // namespace coaster::platform

@@ -1,4 +1,4 @@
-// Sound on its way out: the system's device by OpenAL, or none. What is played is the caller's affair.
+// Sound output: the system's device by OpenAL, or none. The caller provides the samples.
 #pragma once
 
 #include <functional>
@@ -14,21 +14,21 @@ namespace coaster::platform {
 std::string sound_library();
 
 inline constexpr int kSoundRate = 44'100;  // frames a second
-inline constexpr int kSoundBlock = 1'024;  // frames: 23 ms
-inline constexpr int kSoundBlocks = 4;     // waiting in the device: what is fed is heard up to 93 ms later
+inline constexpr int kSoundBlock = 1'024;  // frames, 23 ms
+inline constexpr int kSoundBlocks = 4;     // blocks queued in the device: latency of up to 93 ms
 
 class SoundDevice {
  public:
-  // The system's usual device. Code::refused with the reason when there is none, or the program was built without
+  // Opens the system's default device. Code::refused with the reason if there is none, or the program was built without
   // sound.
   static base::Result<std::unique_ptr<SoundDevice>> open();
   ~SoundDevice();
   SoundDevice(const SoundDevice&) = delete;
   SoundDevice& operator=(const SoundDevice&) = delete;
 
-  // Calls `fill` for every block that has been played: kSoundBlock frames, left and right in turn, within -1..1. To be
-  // called at least every 60 ms; after a longer pause it goes on where it stopped, with a gap. Returns the blocks that
-  // were filled.
+  // Calls `fill` for every block that has been played: kSoundBlock frames, left and right alternating, within -1..1.
+  // Call it at least every 60 ms; after a longer pause playback continues with a gap. Returns the number of blocks
+  // filled.
   int feed(const std::function<void(std::span<float>)>& fill);
 
  private:

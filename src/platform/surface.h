@@ -1,4 +1,4 @@
-// Where frames go: a window (GLFW) or memory (OSMesa). The only interface with virtual functions in the program.
+// The target of frames: a window (GLFW) or memory (OSMesa). The only interface with virtual functions in the program.
 #pragma once
 
 #include <cstdint>
@@ -21,24 +21,24 @@ struct Size {
 class Surface {
  public:
   virtual ~Surface() = default;
-  // Appends what happened since the last call, the Tick last. Headless: a Tick of exactly 1/60 s and nothing else.
+  // Appends the events since the last call, the Tick last. Headless: only a Tick of exactly 1/60 s.
   virtual void poll(Events& events) = 0;
-  virtual Size size() const = 0;            // framebuffer pixels; zero when minimised
+  virtual Size size() const = 0;            // framebuffer pixels; zero if minimised
   virtual float content_scale() const = 0;  // 1 on ordinary screens, 2 on high-density ones
   virtual void* gl_proc(const char* name) = 0;
-  // Shows the colour of `framebuffer` (a GL name, single-sampled, of size()): the window copies it, memory keeps
-  // nothing: read pixels with gfx::read_pixels before.
+  // Shows the colour of `framebuffer` (a GL name, single-sampled, of size()). A window copies it; memory keeps nothing,
+  // so read pixels with gfx::read_pixels before.
   virtual void present(unsigned framebuffer) = 0;
   virtual double clock() const = 0;  // seconds, monotonic
   virtual void set_title(const std::string& title) = 0;
-  virtual void resize(Size size) = 0;  // a window asks the window system, memory obeys
+  virtual void resize(Size size) = 0;  // a window requests it from the window system; memory resizes
   virtual std::string clipboard() = 0;
   virtual void set_clipboard(const std::string& text) = 0;
   virtual bool is_window() const = 0;
-  // Where the window is; nothing for memory and while it is minimised. The size of a maximised one is that of the
+  // Returns the window's position; nothing for memory and while minimised. A maximised window has the size of the
   // screen.
   virtual std::optional<Placement> placement() const = 0;
-  // Moves the window there, or to where it can be seen.
+  // Moves the window there, or to the nearest visible position.
   virtual void place(const Placement& placement) = 0;
 };
 
@@ -49,15 +49,15 @@ struct SurfaceOptions {
   bool vsync = true;
 };
 
-// A window with an OpenGL 3.3 core context. Code::graphics when there is no display (the message has the hint
-// --headless) or no such context (versions needed and found), or when the program was built without windows.
+// Opens a window with an OpenGL 3.3 core context. Code::graphics if there is no display (the message suggests
+// --headless), no such context (versions needed and found), or the program was built without windows.
 base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options);
 
 // "GLFW 3.3.8", or "none" in a program built without windows.
 std::string window_library();
 
-// An off-screen OpenGL core context by OSMesa, loaded at run time from libOSMesa.so.8 (or .6). Code::graphics when
-// missing: the message names the package to install.
+// Creates an off-screen OpenGL core context by OSMesa, loaded at run time from libOSMesa.so.8 (or .6). Code::graphics
+// if missing: the message names the package to install.
 base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options);
 
 }  // namespace coaster::platform

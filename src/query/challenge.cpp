@@ -13,7 +13,7 @@ namespace {
 
 using exchange::RuleList;
 
-// Of the rows that speak of track and ride, those that tell of the last picture or of the machine.
+// Queries of track and ride that depend on the last picture or on the machine.
 constexpr std::array<std::string_view, 17> kOfThePicture{
     "evaluator",      "resolution", "arc_length",        "length",          "segment_length", "vertices",
     "vertex_budget",  "deviation",  "deviation_pending", "drawn_by",        "upload_bytes",   "polyline_upload_bytes",
@@ -37,7 +37,7 @@ std::optional<double> place_of_knot(const edit::Session& session, std::string_vi
   return index && *index < session.derived.starts.size() ? std::optional(session.derived.starts[*index]) : std::nullopt;
 }
 
-// Where along the track the value of a query is taken.
+// Returns the distance along the track where the value of a query is taken.
 std::optional<double> place_of(const edit::Session& session, std::string_view query) {
   struct Row {
     std::string_view query;
@@ -58,7 +58,7 @@ std::optional<double> place_of(const edit::Session& session, std::string_view qu
   return std::nullopt;
 }
 
-// The weakest joint, whose place is a knot's.
+// The weakest joint: its position is that of its knot.
 std::optional<double> place_of_joint(const edit::Session& session, std::string_view query) {
   if (query != "parametric_min" && query != "geometric_min") return std::nullopt;
   const auto weakest = find_query(query == "parametric_min" ? "weakest_parametric" : "weakest_geometric")
@@ -75,10 +75,10 @@ std::string shown(const Query& query, const Value& value) {
   return query.unit.empty() ? text : std::string(text) + " " + std::string(query.unit);
 }
 
-// What an expression compares must go together; that shows on any value of the query.
+// Checks that an expression's operands can be compared; any value of the query shows this.
 base::Status comparable(const Rule& rule, const edit::Session& empty) {
   const base::Result<Value> value = rule.query->evaluate(context_of(empty), rule.condition.argument);
-  if (!value) return {};  // names a knot or a segment, which an empty track has none of
+  if (!value) return {};  // names a knot or a segment, which an empty track lacks
   const base::Result<bool> held = holds(rule.condition, *value);
   return held ? base::Status{} : held.status();
 }
@@ -104,7 +104,7 @@ std::string full_name(const Rule& rule) {
   return std::string(rule.query->name) + (rule.condition.argument.empty() ? "" : " " + rule.condition.argument);
 }
 
-// What was found, where, and what was wanted; of a red span what lasts too long.
+// Returns the value found, where, and the wanted one; for an overload, its kind and duration.
 std::string words_of(const edit::Session& session, const Rule& rule, const Finding& finding) {
   char words[160];
   if (rule.query->name == "ride.envelope" && !edit::chosen_red_spans(session).empty()) {
@@ -118,7 +118,7 @@ std::string words_of(const edit::Session& session, const Rule& rule, const Findi
   return finding.found + at + ", " + wanted(rule);
 }
 
-// Why the ride itself does not count; empty when it does.
+// Returns why the ride itself does not count; empty if it does.
 std::string unridden(const edit::ActiveChallenge& challenge, const edit::RideResult* result) {
   if (challenge.file.judged == exchange::Judged::build) return {};
   if (result == nullptr) return "not ridden yet";
@@ -175,14 +175,14 @@ Finding look_at(const edit::Session& session, const Rule& rule) {
   Finding finding;
   const base::Result<Value> value = rule.query->evaluate(context_of(session), rule.condition.argument);
   if (!value) {
-    finding.found = value.status().message;  // a knot that is no more
+    finding.found = value.status().message;  // a knot that no longer exists
     return finding;
   }
   const base::Result<bool> held = holds(rule.condition, *value);
   finding.holds = held && *held;
   finding.found = shown(*rule.query, *value);
   if (const double* const number = std::get_if<double>(&*value)) finding.value = *number;
-  // A train that does not come round is not the fastest of all.
+  // A train that does not complete the lap has no lap time.
   if (rule.query->name == "ride.lap_time" && finding.value && !(*finding.value > 0)) {
     finding = {};
     finding.found = "no lap";

@@ -1,6 +1,5 @@
-// The referee of challenges: reads their expressions, tells which hold now, and judges. Rules are conditions as scripts
-// have them, over the queries that speak of track and ride alone, so that a verdict does not depend on machine, picture
-// or panels.
+// The referee of challenges: parses their expressions, evaluates them, and judges. Rules are conditions as in scripts,
+// over queries of track and ride alone, so a verdict does not depend on machine, picture or panels.
 #pragma once
 
 #include <optional>
@@ -13,45 +12,44 @@
 
 namespace coaster::query {
 
-// Whether rules may ask it: true for what follows from document, ride and envelope.
+// True for queries that rules may use: they follow from document, ride and envelope.
 bool may_judge(const Query& query);
 
-// One rule, read.
+// One parsed rule.
 struct Rule {
   exchange::RuleList list{};
-  std::size_t index = 0;  // in that list
+  std::size_t index = 0;  // index in that list
   Condition condition;
   const Query* query = nullptr;
 };
 
-// All rules in the order of exchange::RuleList. Code::bad_file with "PATH: error: goals[1].expect:5: ..." (the column
-// counts from 1) for the first that cannot be read or asks what may not be judged.
+// Parses all rules in the order of exchange::RuleList. Code::bad_file with "PATH: error: goals[1].expect:5: ..."
+// (columns count from 1) for the first rule that cannot be parsed or uses a query that may not judge.
 base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challenge, std::string_view path);
 
-// The same, and for the first that compares what cannot be compared.
+// The same; also fails for the first rule with operands that cannot be compared.
 base::Status check_rules(const exchange::ChallengeFile& challenge, const std::string& path);
 
-// A rule against the session as it is.
+// A rule evaluated on the present session.
 struct Finding {
   bool holds = false;
-  std::string found;            // the value as people read it, with its unit: "1.40 g"
+  std::string found;            // the value as text with its unit: "1.40 g"
   std::optional<double> value;  // of numbers
-  std::optional<double> place;  // m along the track, where the value is taken; nothing where it has no place
+  std::optional<double> place;  // m along the track, where the value is taken; nothing if it has no position
 };
 Finding look_at(const edit::Session& session, const Rule& rule);
 
-// "wanted <= 1.2 g": what the rule's operator asks for.
+// Returns "wanted <= 1.2 g" for the rule's operator and value.
 std::string wanted(const Rule& rule);
 
-// Judges the session's challenge: bronze when the ride was ridden as the challenge asks and all goals, limits and
-// bronze's own rules hold; silver and gold when theirs hold as well, gold with silver's. `result`: of the ride that has
-// just ended, null for Judged::build.
+// Judges the session's challenge. Bronze: the ride counts and all goals, limits and bronze's own rules hold. Silver and
+// gold need their own rules too, gold also silver's. `result`: of the ride that has just ended; null for Judged::build.
 edit::Verdict judge(const edit::Session& session, const edit::RideResult* result);
 
-// What a session is handed.
+// Returns the functions that a session needs.
 edit::Referee referee();
 
-// "silver" ...; "" for 0.
+// Returns "silver" and so on; "" for 0.
 std::string_view medal_name(int medal);
 
 }  // namespace coaster::query

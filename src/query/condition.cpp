@@ -34,7 +34,7 @@ std::optional<Op> op_of(const base::Token& word) {
 
 constexpr std::array<std::string_view, 3> kToleranceMarks{"+-", "+/-", "\u00b1"};
 
-// The rest of a word that starts a tolerance: "" for "+-" alone; nothing for other words.
+// Returns the rest of a word that starts a tolerance: "" for "+-" alone; nothing for other words.
 std::optional<std::string> tolerance_in(const base::Token& word) {
   if (word.quoted) return std::nullopt;
   for (const std::string_view mark : kToleranceMarks)
@@ -72,7 +72,7 @@ std::string joined(const std::vector<base::Token>& values) {
 
 base::Status mismatch(std::string message) { return {base::Code::usage, std::move(message)}; }
 
-// Compares by sign of (found - wanted), equal within the tolerance.
+// Compares by the sign of (found - wanted); equal within the tolerance.
 bool ordered(Op op, double found, double wanted, double tolerance, bool exact) {
   const bool same =
       std::abs(found - wanted) <= tolerance || (!exact && static_cast<float>(found) == static_cast<float>(wanted));

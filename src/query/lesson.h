@@ -1,4 +1,4 @@
-// What a player is asked to do next, as scripts say it and panels show it.
+// A lesson's instruction to the player, from scripts to panels.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 namespace coaster::query {
 
 struct LessonCard {
-  std::string text, widget;  // widget: the path of what to look at, "" for none
+  std::string text, widget;  // widget: path of the widget to highlight, "" for none
   int number = 1, count = 1;
 };
-enum class LessonAnswer { none, show, leave };  // show: let the script do it
+enum class LessonAnswer { none, show, leave };  // show: run the script's lines
 
 }  // namespace coaster::query

@@ -1,4 +1,4 @@
-// Joins the parts of the table and looks names up.
+// Joins the parts of the table and looks up names.
 #include "query/query.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The parts of the table of queries, and what their rows share.
+// The parts of the table of queries, and helpers of their rows.
 #pragma once
 
 #include "curve/continuity.h"
@@ -16,10 +16,10 @@ std::span<const Query> lab_rows();
 std::span<const Query> element_rows();
 std::span<const Query> game_rows();
 
-// The entity of that kind called `argument` ("@k3" or "k3"), or a Status that says what is wrong and what may be meant.
+// Returns the entity of that kind named `argument` ("@k3" or "k3"), or a Status with the error and a suggestion.
 base::Result<world::Entity> entity_of(const Context& context, std::string_view argument, world::Kind kind);
 
-// What a row evaluates to, and its argument.
+// The result of a row, and its argument.
 using Answer = base::Result<Value>;
 using View = std::string_view;
 
@@ -30,7 +30,7 @@ Value number(Number n) {
 }
 inline Value text(std::string_view t) { return std::string(t); }
 
-// What `function` tells of the joint at a knot; `at_an_end` for an end of an open track, which joins nothing.
+// Returns `function` of the joint at a knot; `at_an_end` for an end of an open track, which has no joint.
 template <class Function>
 Answer of_joint(const Context& context, View argument, const Value& at_an_end, Function function) {
   const auto entity = entity_of(context, argument, world::Kind::knot);

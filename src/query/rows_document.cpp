@@ -1,4 +1,4 @@
-// Queries about the track: its knots, joints and segments, and how the curve was evaluated.
+// Queries of the track: its knots, joints and segments, and the evaluation of the curve.
 #include <algorithm>
 #include <array>
 
@@ -31,8 +31,7 @@ Answer longest(const Context& c, View) {
   return text(found.valid() ? world::label_of(c.session.document, found) : "none");
 }
 
-// --- where it is in its own way
-// ---------------------------------------------------------------------------------------
+// --- conflicts ----------------------------------------------------------------------------------------------------
 const sim::Conflict* worst_conflict(const Context& c) {
   const auto& found = edit::conflicts(c.session);
   const auto worst =
@@ -56,8 +55,7 @@ Answer hash(const Context& c, View argument) {
   return base::Status{base::Code::usage, "expected document or motion, found " + base::quoted(argument)};
 }
 
-// --- how well a track that was fitted to a file meets it
-// ---------------------------------------------------------------
+// --- fit of an imported track -------------------------------------------------------------------------------------
 exchange::ImportReport import_of(const Context& c) { return c.session.import.value_or(exchange::ImportReport{}); }
 Answer import_max_error(const Context& c, View) { return number(import_of(c).max_error); }
 Answer import_frame_error(const Context& c, View) { return number(import_of(c).frame_error); }
@@ -147,7 +145,7 @@ Answer arc_length(const Context& c, View) { return text(curve::arc_length_method
 Answer resolution(const Context& c, View) { return number(c.session.settings.steps); }
 Answer vertices(const Context& c, View) { return number(c.session.derived.vertices); }
 Answer vertex_budget(const Context& c, View) { return number(c.session.settings.vertex_budget); }
-// The processor's, or what was captured from the GPU.
+// The processor's, or the one captured from the GPU.
 Answer deviation(const Context& c, View) {
   return number(c.session.derived.stage == curve::Stage::processor ? c.session.derived.deviation
                                                                    : c.stats.gpu_deviation);

@@ -1,4 +1,4 @@
-// Queries about the palette's element, as it would be placed at the track's open end now.
+// Queries of the palette's element at its present position at the track's open end.
 #include <array>
 
 #include "base/portable_math.h"

@@ -1,4 +1,4 @@
-// Queries about the challenge under way and about the score card of the last ride.
+// Queries of the current challenge and of the last ride's score card.
 #include <algorithm>
 #include <array>
 
@@ -35,7 +35,7 @@ Answer challenge_hints(const Context& c, View) { return number(c.session.challen
 Answer challenge_deviation(const Context& c, View) {
   if (!c.session.challenge) return number(0.0);
   const edit::ActiveChallenge& challenge = *c.session.challenge;
-  constexpr double kNothingThere = 1e9;  // m, where there is no track
+  constexpr double kNothingThere = 1e9;  // m, if there is no track
   sim::ShapeTrace now = sim::trace_of(c.session.document);
   if (!challenge.deviation || !(challenge.deviation->of == now)) {
     const double metres = std::min(sim::shape_distance(now, challenge.shape), kNothingThere);

@@ -1,5 +1,5 @@
-// Queries about the whole ride of the selected cart, else of the first by name: simulated over the present track when
-// asked, 0 without a ride.
+// Queries of the whole ride of the selected train, else of the first by name: simulated over the present track on
+// demand, 0 without a ride.
 #include <algorithm>
 #include <array>
 
@@ -89,7 +89,7 @@ Answer equipment(const Context& c, View argument) {
   return text(found ? world::kEquipmentNames[static_cast<std::size_t>(found->kind)] : "none");
 }
 
-// Segments with that equipment.
+// Returns the number of segments with that equipment.
 Answer equipped(const Context& c, View argument) {
   const auto kind = std::find(world::kEquipmentNames.begin(), world::kEquipmentNames.end(), argument);
   if (kind == world::kEquipmentNames.end())

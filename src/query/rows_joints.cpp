@@ -1,4 +1,4 @@
-// Queries about joints, frames and the paper's errata.
+// Queries of joints, frames and the paper's errata.
 #include <algorithm>
 #include <array>
 
@@ -12,7 +12,7 @@
 namespace coaster::query {
 namespace {
 
-// Of the first cart by name, m/s; 0 without one.
+// Returns the speed of the first train by name, m/s; 0 without one.
 double present_speed(const edit::Session& session) {
   const world::CartMotion* const first = session.motion.carts.find(world::first_cart(session.document));
   return first ? first->speed : 0.0;
@@ -62,7 +62,7 @@ Answer roughest_joint(const Context& c, View) {
   const world::Entity knot = roughest(c.session).knot;
   return text(knot.valid() ? world::label_of(c.session.document, knot) : "none");
 }
-// The joint of the least continuity, the first of several; none without a joint.
+// Returns the joint of least continuity, the first of several; none without a joint.
 template <class Level>
 struct Weakest {
   Level level{};
@@ -107,14 +107,13 @@ Answer joints_g2(const Context& c, View) {
   return number(smooth);
 }
 
-// --- the selected place
-// ------------------------------------------------------------------------------------------------
+// --- the selected position ----------------------------------------------------------------------------------------
 struct Place {
   const sim::SegmentShape* shape;
   double t;
 };
-// A segment's picked place; a knot's start of the segment behind it, at the track's end the end of the one before; a
-// cart's present place.
+// Returns a segment's picked position; for a knot the start of the segment behind it, or at the track's end the end of
+// the last segment; for a train its present position.
 std::optional<Place> selected_place(const edit::Session& session) {
   const world::Entity e = session.settings.selected;
   const sim::Derived& derived = session.derived;

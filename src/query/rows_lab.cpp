@@ -1,5 +1,4 @@
-// Queries about the laboratory: its layers and pages, the probe's construction, rounding, and the table of
-// measurements.
+// Queries of the laboratory: its layers and pages, the probe's construction, rounding, and the table of measurements.
 #include <array>
 
 #include "query/rows.h"
@@ -9,7 +8,7 @@
 namespace coaster::query {
 namespace {
 
-// The row of a table that `word` names, or what is wrong with it.
+// Returns the row of a table named `word`, or an error.
 template <class Rows>
 base::Result<std::size_t> row_named(View word, std::string_view what, const Rows& rows) {
   std::vector<std::string> names;
@@ -70,7 +69,7 @@ Answer measuring(const Context& c, View) { return yes_no(c.session.measurement.r
 Answer measure_progress(const Context& c, View) { return number(sim::progress(c.session.measurement)); }
 Answer measure_rows(const Context& c, View) { return number(c.session.measurement.rows.size()); }
 
-// "horner/64": a row of the evaluators and one of the measured numbers of steps.
+// Parses "horner/64": an evaluator and one of the measured numbers of steps.
 base::Result<sim::MeasuredCell> cell_of(const Context& c, View word) {
   const std::size_t slash = word.find('/');
   const auto row = row_named(word.substr(0, slash), "evaluator", curve::evaluators());

@@ -1,4 +1,4 @@
-// Queries about the ride: of the selected cart, else of the first by name; 0 and "none" without a cart.
+// Queries of the ride: of the selected train, else of the first by name; 0 and "none" without a train.
 #include <array>
 
 #include "query/rows.h"
@@ -6,7 +6,7 @@
 namespace coaster::query {
 namespace {
 
-// A cart and its motion; null where there is none.
+// A train and its motion; null if there is none.
 struct Riding {
   world::Entity entity;
   const world::CartMotion* motion = nullptr;

@@ -1,4 +1,4 @@
-// Queries about the session: settings, selection, history, the camera, what the last frame cost.
+// Queries of the session: settings, selection, history, the camera, the cost of the last frame.
 #include <array>
 #include <cmath>
 
@@ -64,7 +64,7 @@ Answer camera_height(const Context& c, View) { return number(c.stats.eye.y); }
 Answer camera_forward(const Context& c, View) { return Value(c.stats.eye_forward); }
 Answer camera_up(const Context& c, View) { return Value(c.stats.eye_up); }
 Answer camera_tilt(const Context& c, View) {
-  // Of the picture's horizontal, clockwise as the rider tilts to the right: its right-hand axis against the ground.
+  // Roll of the picture's horizontal against the ground, clockwise as the rider tilts to the right.
   const double right = glm::cross(c.stats.eye_forward, c.stats.eye_up).y;
   return number(glm::degrees(std::atan2(-right, c.stats.eye_up.y)));
 }

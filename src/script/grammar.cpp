@@ -1,4 +1,4 @@
-// Files, blocks and includes; the words of single lines are read by lines.cpp.
+// Files, blocks and includes. lines.cpp reads the words of single lines.
 #include "script/grammar.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace coaster::script {
 namespace {
 
-// Parses one file after the other into one script; keeps going after an error.
+// Parses files into one script; continues after an error.
 class Parser {
  public:
   Parser(ParsedScript& out, base::Files& files) : out_(out), files_(files) {}
@@ -21,7 +21,7 @@ class Parser {
             Block& block);
 
  private:
-  // A block that is still open, with the place where it began.
+  // An open block and the place where it began.
   struct Open {
     Statement opener;
     Block body;
@@ -40,7 +40,7 @@ class Parser {
 
   ParsedScript& out_;
   base::Files& files_;
-  std::vector<std::filesystem::path> including_;  // the files being read, outermost first
+  std::vector<std::filesystem::path> including_;  // the files being parsed, outermost first
   std::vector<Open> open_;
   Block* block_ = nullptr;
   bool header_seen_ = false, header_required_ = true;  // an included file may have the header

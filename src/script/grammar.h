@@ -1,4 +1,4 @@
-// Lines into statements. A file is parsed whole, and every error in it is reported, before anything runs.
+// Parses lines into statements. A file is parsed as a whole, and every error in it is reported, before anything runs.
 #pragma once
 
 #include <filesystem>
@@ -17,22 +17,22 @@ inline constexpr int kMaxBlockDepth = 64;
 
 struct ParsedScript {
   Script script;
-  std::vector<std::string> errors;  // each as describe_error() has it; empty: the script can run
+  std::vector<std::string> errors;  // each formatted by describe_error(); empty: the script can run
 };
 
-// Parses a text; `include` reads through `files`, relative to `folder` and then to the current folder.
+// Parses a text. `include` reads through `files`, relative to `folder`, then to the current folder.
 ParsedScript parse_script(std::string_view text, const std::string& name, const std::filesystem::path& folder,
                           base::Files& files);
 
-// The same from a file. Code::usage when it cannot be read.
+// Parses a file. Code::usage if it cannot be read.
 base::Result<ParsedScript> parse_script_file(const std::filesystem::path& path, base::Files& files);
 
-// "FILE:LINE:COLUMN: error: MESSAGE", the line, and a caret below the column with what follows "did you mean" in the
-// message; `note` stands in brackets at the end.
+// Returns "FILE:LINE:COLUMN: error: MESSAGE", the line, and a caret below the column with the part of the message from
+// "did you mean"; `note` follows in brackets.
 std::string describe_error(const Source& source, int line, int column, std::string message,
                            const std::string& note = {});
 
-// Every first word that a line may have, commands included.
+// Returns every first word of a line, commands included.
 const std::vector<std::string>& statement_words();
 
 }  // namespace coaster::script

@@ -1,4 +1,4 @@
-// The page of --help-script.
+// The text of --help-script.
 #include "script/help.h"
 
 #include <algorithm>

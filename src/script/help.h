@@ -1,11 +1,11 @@
-// The language's words as text, from the tables that also parse it.
+// The script language as text, from the tables that also parse it.
 #pragma once
 
 #include <string>
 
 namespace coaster::script {
 
-// What --help-script prints: statements, commands, queries with units.
+// Returns the text of --help-script: statements, commands, queries with units.
 std::string help();
 
 }  // namespace coaster::script

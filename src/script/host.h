@@ -1,5 +1,5 @@
-// What a script needs of the running program, as plain functions that the app fills in: scripts know neither ImGui nor
-// GL.
+// The interface from scripts to the running program: plain functions that the app provides. Scripts are independent of
+// ImGui and GL.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct WidgetState {
   bool visible = true, enabled = true, covered = false;
 };
 
-// A thing to aim at in the viewport, resolved to a pixel by the app.
+// A target in the viewport, which the app projects to a pixel.
 struct AimPoint {
   enum class Kind { knot, handle_in, handle_out, curve, cart, ground, world, gizmo } kind = Kind::ground;
   world::Name name;
@@ -34,7 +34,7 @@ struct AimPoint {
   view::PickKind part{};  // of the gizmo
 };
 
-// Session-wide switches of the env line.
+// Session-wide settings of the env line.
 struct Environment {
   int width = 640, height = 360;
   std::uint64_t seed = 0;
@@ -44,42 +44,41 @@ struct Environment {
 
 struct Host {
   std::function<base::Status(const Environment&)> set_environment;
-  std::function<base::Status(const edit::Command&)> apply;  // at once, between frames
+  std::function<base::Status(const edit::Command&)> apply;  // immediately, between frames
   std::function<base::Status(const platform::Events&, int ticks)>
       frame;                                          // one whole frame: events, UI, commands, ticks, drawing
   std::function<void(int ticks)> advance;             // ticks without drawing
-  std::function<const query::Context()> context;      // of the last frame and the present state
-  std::function<std::vector<WidgetState>()> widgets;  // of the last frame
-  std::function<base::Result<glm::vec2>(const AimPoint&)>
-      pixel_of;  // in the last frame's view; refused when not on screen
+  std::function<const query::Context()> context;      // the last frame and the present state
+  std::function<std::vector<WidgetState>()> widgets;  // widgets of the last frame
+  std::function<base::Result<glm::vec2>(const AimPoint&)> pixel_of;  // in the last frame's view; an error if off screen
   std::function<base::Result<glm::vec3>(const AimPoint&)> position_of;
   std::function<base::Status(const std::filesystem::path&)> screenshot;  // PNG of the last frame
   std::function<base::Status(const std::filesystem::path&, int columns, bool half,
                              std::span<const std::filesystem::path>)>
-      sheet;  // one picture of several
+      sheet;  // several pictures in one
   // Compares the last frame with a golden PNG; writes new/reference/difference and an HTML page below the folder.
   std::function<base::Status(const std::string& name, const std::filesystem::path& golden,
                              const std::filesystem::path& folder, bool update)>
       snap;
-  // The next four may be empty: then what needs them is not checked, or refused.
-  std::function<std::uint64_t()> commands;            // carried out by the program since its start, by whatever way
-  std::function<view::Pick()> hovered;                // what the last frame found under the cursor
+  // The next four may be empty; checks that need them are then skipped or rejected.
+  std::function<std::uint64_t()> commands;            // number of commands run since the start, from any source
+  std::function<view::Pick()> hovered;                // under the cursor in the last frame
   std::function<view::Viewport()> viewport;           // of the last frame
   std::function<void(int line, int lines)> progress;  // before each statement
   std::function<void(std::string_view line)> print;   // to stdout (log, hash log)
   std::function<base::Status(const std::filesystem::path&)>
-      set_home;  // keeps settings and autosaves there, as if just started; may be empty
+      set_home;  // uses that folder for settings and autosaves, as after a start; may be empty
   std::function<base::Status(const std::filesystem::path& folder, int fps, bool gif)>
-      start_movie;                              // pictures of all ticks from now on; may be empty
-  std::function<void(int frames)> slow_import;  // the next import by hand takes so much longer; may be empty
-  std::function<base::Status()> stop_movie;     // and waits for the movie's file; may be empty
-  std::function<bool()> interrupted;            // the system wants the program to end; may be empty
-  // Lessons: shows a card, or takes it away; and one frame of the player's own events, in real time, with what the
-  // card's buttons say. Empty: there is nobody to teach, and scripts do themselves what lessons ask for.
+      start_movie;                              // records all ticks from now on; may be empty
+  std::function<void(int frames)> slow_import;  // delays the next import by hand; may be empty
+  std::function<base::Status()> stop_movie;     // waits for the movie's file; may be empty
+  std::function<bool()> interrupted;            // true when the system has asked the program to end; may be empty
+  // Lessons. teach() shows a card, or hides it if null. watch() runs one frame of the player's own events in real time
+  // and returns the card's button. Empty: there is no player, and the script runs the lesson's body.
   std::function<void(const query::LessonCard*)> teach;
   std::function<base::Result<query::LessonAnswer>()> watch;
   base::Files* files = nullptr;
-  bool window = false;  // frames are paced by a screen
+  bool window = false;  // a screen paces the frames
 };
 
 }  // namespace coaster::script

@@ -1,4 +1,4 @@
-// The table of statements and how each reads its words; ui.*, aim.* and expect have files of their own.
+// The table of statements and the readers of their words; ui.*, aim.* and expect have files of their own.
 #include "script/lines.h"
 
 #include <algorithm>
@@ -140,7 +140,7 @@ bool parse_log(Words& words, Action& action) {
     }
     Condition value;
     const base::Token* const name = words.peek();
-    // A query alone: parse_condition stops where the words that belong to it end.
+    // A query alone: parse_condition stops after its words.
     const query::Query* const query = query::find_query(name->text);
     const std::size_t count = query && !query->argument.empty() ? 2 : 1;
     base::TextError error;

@@ -1,4 +1,4 @@
-// One line's words into an action: every statement but repeat, gesture, include and end, which span lines
+// Parses one line into an action: every statement except repeat, gesture, include and end, which span lines
 // (grammar.cpp).
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace coaster::script {
 
-// The first words that parse_line knows, commands included.
+// Returns the first words that parse_line accepts, commands included.
 std::vector<std::string> line_words();
 
-// Parses the words of a line (at least one). False: `error` says what was expected and where.
+// Parses the words of a line (at least one). On failure returns false and sets `error` to what was expected and where.
 bool parse_line(std::span<const base::Token> line, base::TextError& error, Action& action);
 
 }  // namespace coaster::script

@@ -1,4 +1,4 @@
-// Reading aim.*: what to aim at, with which modifiers, and where to drag it.
+// Parses aim.*: the target, the modifiers and the destination of a drag.
 #include <algorithm>
 #include <array>
 
@@ -16,7 +16,7 @@ bool refuse(Words& words, const base::Token& word) {
   return words.fail(word.column, "expected " + std::string(kTargets) + ", found " + base::quoted(word.text));
 }
 
-// "@k3.in", "@s2:0.4" and so on.
+// Parses "@k3.in", "@s2:0.4" and so on.
 bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
   std::string_view text = word.text;
   if (!text.starts_with('@')) return refuse(words, word);
@@ -45,7 +45,7 @@ bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
   return true;
 }
 
-// "gizmo.x" is an arrow, "gizmo.xz" the square that moves along both.
+// Parses "gizmo.x", an arrow, and "gizmo.xz", the square that moves along both axes.
 bool parse_gizmo(Words& words, const base::Token& word, AimPoint& point) {
   constexpr std::array<std::string_view, 6> kParts{"x", "y", "z", "yz", "xz", "xy"};
   const auto part =
@@ -93,7 +93,7 @@ bool target_alone(Words& words, Action& action, AimVerb verb) {
   return words.end();
 }
 
-// "to X Y Z" or "to TARGET".
+// Parses "to X Y Z" or "to TARGET".
 bool parse_destination(Words& words, AimAction& aim) {
   const base::Token* const next = words.peek();
   AimPoint to;

@@ -1,4 +1,4 @@
-// Reading expect and lesson: a condition, a widget's state, a file, or a statement that must fail.
+// Parses expect and lesson: a condition, a widget's state, a file, or a statement that must fail.
 #include "query/condition.h"
 #include "script/grammar.h"
 #include "script/lines.h"
@@ -42,7 +42,7 @@ bool parse_file(Words& words, bool negated, Action& action) {
   return words.end();
 }
 
-// The statement may end in: ~ "text that the error contains".
+// Parses the optional end of the statement: ~ "text that the error contains".
 bool parse_error(Words& words, Action& action) {
   ExpectError expect;
   std::span<const base::Token> rest = words.rest();
@@ -50,7 +50,7 @@ bool parse_error(Words& words, Action& action) {
     expect.contains = rest.back().text;
     rest = rest.first(rest.size() - 2);
   }
-  if (rest.empty() && expect.contains) {  // expect error ~ "text": what the newest notice says
+  if (rest.empty() && expect.contains) {  // expect error ~ "text": text of the newest notice
     Condition notice;
     notice.query = notice.text = "toast";
     notice.op = query::Op::contains;

@@ -1,4 +1,4 @@
-// Reading input: keys, text, wheel, files dropped, focus, size, and raw events.
+// Parses input: keys, text, wheel, dropped files, focus, size, and raw events.
 #include "script/lines_parts.h"
 
 #include <algorithm>
@@ -77,7 +77,7 @@ bool parse_drop(Words& words, Action& action) {
   return finish(words, action, {{{platform::Drop{path->text}}}});
 }
 
-// "pad left 0 0.5 right 0 0 triggers 0 1": what is not named is let go. "pad a": pressed and released.
+// "pad left 0 0.5 right 0 0 triggers 0 1": releases everything that is not named. "pad a": presses and releases.
 bool parse_pad(Words& words, Action& action) {
   static const std::vector<std::string> kNames = [] {
     std::vector<std::string> names{"left", "right", "triggers", "rest"};

@@ -1,5 +1,4 @@
-// Readers of single statements that lines.cpp puts into its table: expect, input, ui.* and aim.*. Private to the
-// grammar.
+// Readers of single statements for the table in lines.cpp: expect, input, ui.* and aim.*. Private to the grammar.
 #pragma once
 
 #include "base/words.h"

@@ -1,4 +1,4 @@
-// Reading ui.*: a widget's path and what to do to it.
+// Parses ui.*: a widget's path and the action.
 #include "script/lines_parts.h"
 
 namespace coaster::script {

@@ -1,4 +1,4 @@
-// The rates of movies: pictures a second.
+// Frame rates of movies, in pictures a second.
 #pragma once
 
 #include <algorithm>

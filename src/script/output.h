@@ -1,4 +1,4 @@
-// State as text: every query's value, every widget.
+// State as text: the values of all queries, all widgets.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace coaster::script {
 
-// A JSON object of all queries; those with an argument once for each entity (document and motion for hash).
+// Returns a JSON object of all queries; queries with an argument appear once per entity (document and motion for hash).
 std::string state_json(const query::Context& context);
-// A widget a line: path, kind, place, size, value, state.
+// Returns one line per widget: path, kind, position, size, value, state.
 std::string widgets_text(std::span<const WidgetState> widgets);
 
 }  // namespace coaster::script

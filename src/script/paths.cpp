@@ -1,4 +1,4 @@
-// Reading anywhere, writing below $OUT alone.
+// Scripts read anywhere and write only below $OUT.
 #include "script/paths.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kOut = "$OUT";
 
-// What follows "$OUT/", when the path starts so.
+// Splits off the rest after "$OUT/", if the path starts with it.
 bool below_out(std::string_view written, std::string_view& rest) {
   if (!written.starts_with(kOut)) return false;
   rest = written.substr(kOut.size());

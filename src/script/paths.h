@@ -1,4 +1,4 @@
-// Where scripts may read and write.
+// The paths that scripts may read and write.
 #pragma once
 
 #include <filesystem>
@@ -8,18 +8,18 @@
 
 namespace coaster::script {
 
-// "$OUT" at the front stands for `out`. Other relative paths: from the script's folder when something is there, else
-// from the current folder.
+// Resolves a path to read. A leading "$OUT" means `out`. Other relative paths are resolved in the script's folder if
+// the file exists there, else in the current folder.
 std::filesystem::path find_input(const std::filesystem::path& folder, std::string_view written,
                                  const std::filesystem::path& out);
 
-// A path to write to. Code::usage unless it lies below $OUT; the folders up to it are made.
+// Resolves a path to write and creates its parent folders. Code::usage unless it lies below $OUT.
 base::Result<std::filesystem::path> find_output(std::string_view written, const std::filesystem::path& out);
 
-// True when `path` lies in `folder` or below, links followed.
+// True if `path` lies in or below `folder`, after following links.
 bool lies_below(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-// Makes the folder. Code::io when that fails or nothing can be written into it.
+// Creates the folder. Code::io if that fails or it is not writable.
 base::Status make_folder(const std::filesystem::path& folder);
 
 }  // namespace coaster::script

@@ -1,4 +1,4 @@
-// Recording: each line is flushed, so that a crash loses at most the last second of ticks.
+// Recording. Each line is flushed, so a crash loses at most the last second of ticks.
 #include "script/recorder.h"
 
 #include <system_error>
@@ -12,7 +12,7 @@
 namespace coaster::script {
 namespace {
 
-// Settings and selection at the start, as the commands that set them.
+// Returns the commands that restore settings and selection at the start.
 std::vector<edit::Command> settings_commands(const edit::Session& session) {
   const world::Settings& s = session.settings;
   std::vector<edit::Command> commands{edit::SetEvaluator{s.evaluator},
@@ -104,7 +104,7 @@ base::Status Recorder::snapshot(base::Files& files, const edit::Session& session
 }
 
 base::Status Recorder::command(base::Files& files, const edit::Command& command, const edit::Session& after) {
-  // Neither document nor motion depends on what is written, nor on the limits that forces are held against.
+  // Exports and force limits do not affect document or motion: leave them out.
   if (edit::output_path(command) != nullptr || command.is<edit::LoadEnvelope>()) return {};
   if (const base::Status written = write_ticks(); !written) return written;
   if (command.is<edit::Load>() || command.is<edit::RecoverTrack>()) return snapshot(files, after);

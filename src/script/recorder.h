@@ -1,5 +1,4 @@
-// Writes what happens to a session as a script: a snapshot of the track, then every command with the ticks between
-// them.
+// Records a session as a script: a snapshot of the track, then every command with the ticks between them.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +13,7 @@ namespace coaster::script {
 
 class Recorder {
  public:
-  // Begins the script `path` and saves the track beside it (rec.coaster: rec.json). Code::io when either cannot be
+  // Begins the script `path` and saves the track beside it (rec.coaster: rec.json). Code::io if either cannot be
   // written.
   static base::Result<std::unique_ptr<Recorder>> start(base::Files& files, const std::filesystem::path& path,
                                                        const edit::Session& session);
@@ -22,10 +21,10 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // A command that was applied with success; `after` is the session then. Saving is left out; a file that was opened is
-  // saved beside the script once more, so that a recording needs nothing else.
+  // Records a command that was applied successfully; `after` is the session afterwards. Leaves out saving. Copies an
+  // opened file beside the script, so that a recording is self-contained.
   base::Status command(base::Files& files, const edit::Command& command, const edit::Session& after);
-  // Ticks that went by. They are written before the next command, or when a second of them has gathered.
+  // Counts ticks. They are written before the next command, or after a second of ticks.
   base::Status ticks(int count);
 
  private:

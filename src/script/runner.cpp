@@ -1,4 +1,4 @@
-// Blocks, commands, time and input.
+// The runner's blocks, commands, time and input.
 #include "script/runner.h"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ Failure Runner::perform(const RunCommand& run) {
   edit::Command command = run.command;
   if (edit::Load* const load = command.as<edit::Load>()) {
     load->path = input(load->path).string();
-    // A file that cannot be opened is a bad file too: the exit code says which kind of thing is wrong, not why.
+    // A file that cannot be opened counts as a bad file: the exit code gives the kind of error, not the reason.
     const base::Status loaded = stage_.apply(command);
     return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
   }
@@ -87,7 +87,7 @@ Failure Runner::perform(const SetEnvironment& change) {
   if (change.samples) environment_.samples = *change.samples;
   if (change.seed) environment_.seed = *change.seed;
   if (change.scale) environment_.scale = *change.scale;
-  // A folder alone leaves picture and scale as they are: settings that it holds may say otherwise.
+  // A folder alone keeps picture and scale: its settings may change them.
   const bool home_alone = change.home && !change.width && !change.samples && !change.seed && !change.scale;
   if (!home_alone)
     if (const base::Status status = stage_.set_environment(environment_); !status) return failure(status);
@@ -95,7 +95,7 @@ Failure Runner::perform(const SetEnvironment& change) {
   if (!stage_.host().set_home) return wrong("there is nothing to keep for a user");
   const auto folder = find_output(change.home->text, options_.out);
   if (!folder) return failure(folder.status(), change.home->column);
-  // The first time in a run it is nobody's home yet; what an earlier run left there would make this one go otherwise.
+  // Empties the folder at its first use in a run: files of an earlier run would change the result.
   std::error_code ignored;
   if (std::find(homes_.begin(), homes_.end(), *folder) == homes_.end()) std::filesystem::remove_all(*folder, ignored);
   homes_.push_back(*folder);
@@ -135,7 +135,7 @@ Failure Runner::perform(const Input& given) {
       if (platform::Drop* const drop = std::get_if<platform::Drop>(&event)) drop->path = input(drop->path).string();
     const std::uint64_t before = stage_.commands();
     if (const base::Status status = stage_.frame(std::move(events)); !status) return failure(status);
-    // What a key did shows in this frame's numbers: its release joins the next frame then.
+    // This frame's numbers show the effect of a key press, so its release joins the next frame.
     if (given.last_step_can_wait && i + 2 == given.steps.size() && stage_.commands() != before) {
       stage_.put_off(given.steps.back());
       break;

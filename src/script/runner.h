@@ -1,4 +1,4 @@
-// Runs a parsed script against a Host, from its first statement to its last or to the first that fails.
+// Runs a parsed script against a Host, up to its last statement or the first that fails.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,12 @@
 namespace coaster::script {
 
 struct RunOptions {
-  std::filesystem::path out;  // what $OUT stands for
+  std::filesystem::path out;  // the folder that $OUT means
   bool update_goldens = false;
-  Environment environment;  // before the first env line
+  Environment environment;  // in effect before the first env line
 };
 
-// Why a statement failed; column 0: that of the statement.
+// A failed statement's error; column 0: the column of the statement.
 struct Failure {
   base::Code code = base::Code::ok;
   std::string message;
@@ -31,12 +31,12 @@ inline Failure failed(std::string message, int column = 0) {
 }
 inline Failure wrong(std::string message, int column = 0) { return {base::Code::usage, std::move(message), column}; }
 
-// Ok, or the exit code's reason with place, line, caret, frame and where picture and state were written
-// (describe_error()).
+// Runs the script. On failure returns the exit code's reason with place, line, caret, frame and the paths of picture
+// and state (describe_error()).
 base::Status run_script(const Script& script, Host& host, const RunOptions& options);
 
-// One run. The statements' meaning is spread over runner.cpp (blocks, session), runner_expect.cpp, runner_ui.cpp,
-// runner_aim.cpp and runner_output.cpp.
+// One run. The statements are implemented in runner.cpp (blocks, commands, time, input), runner_expect.cpp,
+// runner_lesson.cpp, runner_aim.cpp, ui_driver.cpp and runner_output.cpp.
 class Runner {
  public:
   Runner(const Script& script, Host& host, const RunOptions& options)
@@ -79,21 +79,21 @@ class Runner {
   Failure perform(const StartMovie& start);
   Failure perform(const StopMovie& stop);
 
-  // The condition's value now; `found` gets it as text.
+  // Evaluates the condition; `found` receives the value as text.
   base::Result<bool> check(const Condition& condition, std::string& found);
   const Source& source() const { return script_.sources[static_cast<std::size_t>(source_)]; }
   std::filesystem::path input(std::string_view written) const;
-  // Picture, widgets and values beside $OUT; the note for the message.
+  // Writes picture, widgets and values to $OUT; returns a note for the message.
   std::string write_evidence();
 
   const Script& script_;
   Stage stage_;
   const RunOptions& options_;
   Environment environment_;
-  int lessons_ = 0;                           // begun so far
-  bool left_ = false;                         // the player has had enough of them
-  std::vector<std::filesystem::path> homes_;  // that env has named
-  int source_ = 0;                            // of the statement that runs
+  int lessons_ = 0;                           // started so far
+  bool left_ = false;                         // the player has left the lessons
+  std::vector<std::filesystem::path> homes_;  // named by env
+  int source_ = 0;                            // source of the running statement
   const Statement* failed_at_ = nullptr;      // the innermost statement that failed
 };
 

@@ -1,4 +1,4 @@
-// aim.*: the cursor goes to where an entity is on the screen, and presses there only when the program finds that entity
+// aim.*: moves the cursor to an entity's position on the screen, and presses only if the program finds that entity
 // under it.
 #include <algorithm>
 
@@ -46,7 +46,7 @@ std::string name_of(const world::Document& document, const view::Pick& pick) {
   return label;
 }
 
-// The hovered thing must be the one aimed at; ground and world points may have anything over them but panels.
+// The hovered entity must be the target. Ground and world points may be covered by anything except panels.
 Failure check_hover(Stage& stage, const AimAction& aim) {
   const view::PickKind wanted = pick_kind(aim.target);
   if (wanted == view::PickKind::none || !stage.host().hovered) return {};
@@ -99,8 +99,8 @@ Failure Runner::perform(const AimAction& aim) {
       if (const base::Status status = stage_.frame({MouseMove{at.x, at.y}}); !status) return failure(status);
     }
     const platform::Event up = MouseButton{Button::left, false, aim.modifiers};
-    // A click that did its work at the press leaves the release to the next frame: the last frame's numbers are those
-    // of the work.
+    // A click that takes effect at the press leaves the release to the next frame, so that the last frame's numbers
+    // show the effect.
     const bool done = stage_.commands() != before && steps == 0 && i + 1 == clicks;
     if (done) stage_.put_off({up});
     else if (const base::Status status = stage_.frame({up}); !status) return failure(status);

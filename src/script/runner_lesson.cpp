@@ -1,4 +1,4 @@
-// Lessons: the player's own hand where there is one, the script's where there is none.
+// Lessons: waits for the player if there is one, else runs the lesson's body.
 #include <algorithm>
 
 #include "script/runner.h"
@@ -6,7 +6,7 @@
 namespace coaster::script {
 namespace {
 
-constexpr int kMostLessonFrames = 3600;  // that a lesson's own lines may take to have their effect
+constexpr int kMostLessonFrames = 3600;  // limit for a lesson's own lines to take effect
 
 int lessons_in(const Block& block) {
   int count = 0;

@@ -24,7 +24,7 @@ Json to_json(const query::Value& value) {
   return std::visit(Visitor{}, value);
 }
 
-// The entities that an argument such as "@knot" ranges over.
+// Returns the values of an argument such as "@knot".
 std::vector<std::string> arguments_of(std::string_view argument, const world::Document& document) {
   std::vector<std::string> names;
   const auto add = [&](const std::vector<world::Entity>& entities) {
@@ -45,7 +45,7 @@ std::vector<std::string> arguments_of(std::string_view argument, const world::Do
 }  // namespace
 
 std::string state_json(const query::Context& context) {
-  constexpr std::size_t kMostKnots = 1000;  // values of single knots are left out for larger tracks
+  constexpr std::size_t kMostKnots = 1000;  // values of single knots are left out of larger tracks
   Json all = Json::object();
   for (const query::Query& query : query::queries()) {
     const std::string name(query.name);
@@ -79,7 +79,7 @@ std::string widgets_text(std::span<const WidgetState> widgets) {
 
 std::string Runner::write_evidence() {
   Host& host = stage_.host();
-  base::Files files;  // not the program's: those may have faults injected
+  base::Files files;  // not the program's, which may have faults injected
   const query::Context context = host.context();
   std::string note = "frame " + std::to_string(context.stats.frame) + "; " + (options_.out / "frame.png").string();
   const bool written = host.screenshot(options_.out / "frame.png").ok();

@@ -1,4 +1,4 @@
-// When scripts draw.
+// Decides when a script draws a frame.
 #include "script/stage.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ base::Status Stage::set_home(const std::filesystem::path& folder) {
 }
 
 base::Status Stage::apply(const edit::Command& command) {
-  picture_stale_ = panels_stale_ = true;  // a refused command shows a notice
+  picture_stale_ = panels_stale_ = true;  // a rejected command shows a notice
   return host_.apply(command);
 }
 

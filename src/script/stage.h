@@ -1,4 +1,4 @@
-// Frames as scripts need them: knows when the picture is older than the state, and draws a frame without ticks then.
+// Draws frames for scripts: tracks whether the picture is older than the state, and then draws a frame without ticks.
 #pragma once
 
 #include "script/host.h"
@@ -16,17 +16,17 @@ class Stage {
   base::Status set_environment(const Environment& environment);
   base::Status set_home(const std::filesystem::path& folder);
   base::Status apply(const edit::Command& command);
-  // One frame with these events, and those put off.
+  // Draws one frame with these events and the postponed ones.
   base::Status frame(platform::Events events, int ticks = kTicksPerFrame);
-  // Events that join the next frame.
+  // Adds events to the next frame.
   void put_off(platform::Events events);
   void advance(std::int64_t ticks);
 
-  // Draws a frame without ticks when something changed since the last one: then values of the last frame are those of
-  // the state.
+  // Draws a frame without ticks if anything changed since the last one, so that the last frame's values match the
+  // state.
   base::Status settle();
-  // Draws until the panels show the state too: they show what was before a frame's commands, and lay out new contents a
-  // frame later.
+  // Draws until the panels show the state, too: they show the state before a frame's commands, and lay out new contents
+  // one frame later.
   base::Status settle_panels();
 
   std::uint64_t commands() const { return host_.commands ? host_.commands() : 0; }

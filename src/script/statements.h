@@ -1,4 +1,4 @@
-// What a script says, parsed: statements as plain data. How lines become statements: grammar.h; what they do: runner.h.
+// Parsed scripts: statements as plain data. grammar.h parses them, runner.h runs them.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,11 @@ namespace coaster::script {
 struct Statement;
 using Block = std::vector<Statement>;
 
-// A command of edit::Command; the paths of load and save are as written.
+// Runs an edit::Command; the paths of load and save are as written.
 struct RunCommand {
   edit::Command command;
 };
-// Only what the line names.
+// Sets only what the line names.
 struct SetEnvironment {
   std::optional<int> width, height, samples;
   std::optional<std::uint64_t> seed;
@@ -60,8 +60,8 @@ struct Wait {
   std::int64_t most = 7200;
   bool frames = false;
 };
-// "lesson TEXT [at WIDGET] until CONDITION ... end": the player does what the text says; without a player, or on
-// request, the body does it.
+// "lesson TEXT [at WIDGET] until CONDITION ... end": the player does what the text says. Without a player, or on
+// request, the body runs.
 struct Lesson {
   std::string text;
   std::optional<base::Token> widget;
@@ -79,7 +79,7 @@ struct ExpectFile {
   std::optional<base::Token> same_as;
   bool negated = false;
 };
-// The statement must fail; words that do not even parse have failed already, with `parse_error`.
+// The statement must fail. `parse_error`: it failed to parse.
 struct ExpectError {
   Block statement;
   std::string parse_error;
@@ -124,7 +124,7 @@ struct AimAction {
   std::optional<AimPoint> to;
 };
 
-// Camera as the line names it; the rest stays.
+// Sets the values that the line names.
 struct MoveCamera {
   std::optional<glm::vec3> target;
   std::optional<float> yaw_deg, pitch_deg, distance;
@@ -150,16 +150,16 @@ struct Sheet {
 struct Dump {
   std::string name;
 };
-// Texts and values, separated by blanks.
+// Prints texts and values, separated by blanks.
 struct Log {
   struct Part {
-    std::string text;  // when query is empty
+    std::string text;  // if query is empty
     std::string query, argument;
     int column = 1;
   };
   std::vector<Part> parts;
 };
-// Pictures of all ticks that follow, until StopMovie.
+// Records all ticks until StopMovie.
 struct StartMovie {
   base::Token folder;
   int fps = kUsualMovieRate;
@@ -171,7 +171,7 @@ struct Fault {
   int nth = 1;
 };
 
-// What is imported by hand next takes so many frames longer, so that a script sees it under way.
+// Delays the next import by hand by a number of frames, so that a script sees its progress.
 struct SlowImport {
   int frames = 0;
 };
@@ -181,19 +181,19 @@ using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, G
                             Snap, Shot, Sheet, Dump, Log, StartMovie, StopMovie, Fault, SlowImport>;
 
 struct Statement {
-  int source = 0;  // into Script::sources
+  int source = 0;  // index into Script::sources
   int line = 1, column = 1;
   Action action;
 };
 
 struct Source {
-  std::string name;  // as given by who named it
+  std::string name;  // as written where it was named
   std::filesystem::path folder;
   std::vector<std::string> lines;
 };
 
 struct Script {
-  std::vector<Source> sources;  // the script, then what it includes
+  std::vector<Source> sources;  // the script, then its includes
   Block statements;
 };
 

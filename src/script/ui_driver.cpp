@@ -1,4 +1,4 @@
-// Reaching and working widgets. Nothing is activated by id: what a hand could not press is refused.
+// Finds and operates widgets. It never activates a widget by id: what a mouse cannot press is an error.
 #include "script/ui_driver.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using platform::MouseMove;
 
 MouseMove middle(const WidgetState& w) { return {w.x + w.width / 2, w.y + w.height / 2}; }
 
-// The number a widget shows, without its unit.
+// Returns the number that a widget shows, without its unit.
 std::optional<double> number_shown(const std::string& text) {
   for (std::size_t size = text.size(); size > 0; --size)
     if (const auto number = base::parse_double(std::string_view(text).substr(0, size))) return number;
@@ -51,7 +51,7 @@ Failure UiDriver::open_one(WidgetState widget) {
   return failure(stage_.settle_panels());
 }
 
-// Opens what the path goes through: headers, combos, menus; then the closed headers of its panel.
+// Opens headers, combos and menus on the path; then the closed headers of its panel.
 Failure UiDriver::open_way_to(std::string_view path) {
   const auto missing = [&] { return find_widgets(stage_.host().widgets(), path).empty(); };
   for (std::size_t slash = path.find('/'); slash != std::string_view::npos && missing();
@@ -91,13 +91,13 @@ Failure UiDriver::find(std::string_view path, WidgetState& widget) {
   return {};
 }
 
-// How likely two widgets scroll together: of one group, of one panel, or neither.
+// Ranks how likely two widgets scroll together: same group, same panel, or neither.
 int kinship(std::string_view a, std::string_view b) {
   if (a.substr(0, a.rfind('/')) == b.substr(0, b.rfind('/'))) return 2;
   return panel_of(a) == panel_of(b) ? 1 : 0;
 }
 
-// Turns the wheel over the widget's column: at a widget of it that is in sight, of its own group where there is one.
+// Turns the wheel over the widget's column: at a visible widget of it, preferably of the same group.
 Failure UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
   float last_y = widget.y;
   int stuck = 0;
@@ -135,15 +135,15 @@ Failure UiDriver::reach(std::string_view path) {
   return refusal(widget_);
 }
 
-// A press or key whose work is done may leave its release to the next frame, so that the last frame's numbers are those
-// of the work.
+// A press or key that takes effect at once may leave its release to the next frame, so that the last frame's numbers
+// show the effect.
 Failure UiDriver::release(platform::Event event, std::uint64_t commands_before, bool can_wait) {
   if (can_wait && stage_.commands() != commands_before) {
     stage_.put_off({std::move(event)});
     return {};
   }
   if (Failure up = frame({std::move(event)}); !up) return up;
-  // Some widgets report what was done a frame after the release.
+  // Some widgets report their result one frame after the release.
   return stage_.commands() == commands_before ? frame({}) : Failure{};
 }
 
@@ -207,7 +207,7 @@ Failure UiDriver::drag_to(std::string_view path, double value) {
   bool there = false;
   for (int i = 0; i < 16 && high - low > 0.5f && !there; ++i) {
     const float x = (low + high) / 2;
-    // Two frames: a slider shows what it was at the start of a frame.
+    // Two frames: a slider shows its value at the start of a frame.
     if (Failure moved = frame({MouseMove{x, y}}); !moved) return moved;
     if (Failure again = frame({}); !again) return again;
     const WidgetState* const shown = now(path);
@@ -228,7 +228,7 @@ Failure UiDriver::open(std::string_view path, bool open) {
   return press_and_release({});
 }
 
-// "Edit/Undo": the menu Edit opens as what the path goes through.
+// "Edit/Undo": the menu Edit opens as part of the path.
 Failure UiDriver::menu(std::string_view path) {
   const std::string in_bar = path.starts_with("Menu/") ? std::string(path) : "Menu/" + std::string(path);
   if (Failure clicked = click(in_bar); !clicked) return clicked;
@@ -263,7 +263,7 @@ Failure Runner::perform(const UiAction& ui) {
   UiDriver driver(stage_);
   const std::string& path = ui.path.text;
   std::error_code ignored;
-  const bool below_out = ui.text == "$OUT" || ui.text.starts_with("$OUT/");  // fields that files are named in
+  const bool below_out = ui.text == "$OUT" || ui.text.starts_with("$OUT/");  // text fields that name files
   const std::string words =
       below_out ? std::filesystem::absolute(options_.out, ignored).string() + ui.text.substr(4) : ui.text;
   const auto act = [&]() -> Failure {

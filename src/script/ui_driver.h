@@ -1,4 +1,4 @@
-// Works widgets as a hand does: moves there, presses, releases, a frame each; scrolls and opens what hides them.
+// Operates widgets like a user: moves there, presses, releases, one frame each; scrolls and opens what hides them.
 #pragma once
 
 #include <functional>
@@ -14,21 +14,21 @@ class UiDriver {
  public:
   explicit UiDriver(Stage& stage) : stage_(stage) {}
 
-  // Moves the cursor onto the widget, which must be one, in sight, enabled and uncovered. Headers and menus on the way
-  // are opened. Errors: Code::usage when no or several widgets have the path; Code::expectation when it cannot be
-  // reached, with the reason.
+  // Moves the cursor onto the widget, which must be unique, visible, enabled and uncovered. Opens headers and menus on
+  // the path. Errors: Code::usage if no or several widgets match the path; Code::expectation with the reason if it
+  // cannot be reached.
   Failure reach(std::string_view path);
   Failure click(std::string_view path, int clicks = 1);
-  // Clicks when the widget's state is another one.
+  // Clicks if the widget is in the other state.
   Failure check(std::string_view path, bool on);
-  // Ctrl+click opens a slider's or number's field too; then select all, the text, Enter.
+  // Ctrl+click, which also opens the field of a slider or number; then select all, the text, Enter.
   Failure type(std::string_view path, std::string_view text);
   Failure drag_by(std::string_view path, float pixels);
-  // Moves along the slider until it shows the value; when no pixel does, types it.
+  // Drags along the slider until it shows the value; types the value if no pixel does.
   Failure drag_to(std::string_view path, double value);
   Failure open(std::string_view path, bool open);
   Failure menu(std::string_view path);
-  // Positive: down. The path may be a panel's or a widget's in it.
+  // Positive scrolls down. The path is a panel's or that of a widget in it.
   Failure scroll(std::string_view path, double notches);
 
  private:
@@ -36,13 +36,13 @@ class UiDriver {
   Failure press_and_release(platform::Modifiers modifiers);
   Failure key(platform::Key key, platform::Modifiers modifiers, bool release_can_wait = false);
   Failure release(platform::Event event, std::uint64_t commands_before, bool can_wait);
-  // The widget after opening headers on its path, as last drawn.
+  // Finds the widget as last drawn, after opening headers on its path.
   Failure find(std::string_view path, WidgetState& widget);
   Failure open_way_to(std::string_view path);
   Failure open_one(WidgetState widget);
   Failure click_widget(const WidgetState& widget);
   Failure bring_into_sight(std::string_view path, WidgetState& widget);
-  // Refuses what is not in sight, covered or disabled.
+  // Returns why a widget that is out of sight, covered or disabled cannot be used.
   Failure refusal(const WidgetState& widget) const;
   const WidgetState* now(std::string_view path);
 

@@ -1,4 +1,4 @@
-// Label paths.
+// Matching of label paths.
 #include "script/widgets.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::vector<std::string> parts_of(std::string_view path) {
   }
 }
 
-// The parts of `wanted` occur in order in `path`, the last one last.
+// True if the parts of `wanted` occur in `path` in order, the last one last.
 bool has_parts(std::string_view path, std::string_view wanted) {
   const auto have = parts_of(path), want = parts_of(wanted);
   if (have.back() != want.back()) return false;

@@ -10,18 +10,18 @@
 
 namespace coaster::script {
 
-// The widgets that a path means, by the first of these that finds any: the whole path; its end behind a slash ("Insert
-// point" for "Track/Insert point"); both in any case of letters; its parts in order with others between ("Inspector/x"
-// for "Inspector/Position/x"). Labels that cannot be worked stand back behind widgets that can.
+// Returns the widgets that match a path, by the first of these rules that finds any: the whole path; its end after a
+// slash ("Insert point" for "Track/Insert point"); both ignoring case; its parts in order with others in between
+// ("Inspector/x" for "Inspector/Position/x"). Widgets that can be operated take precedence over plain labels.
 std::vector<std::size_t> find_widgets(std::span<const WidgetState> widgets, std::string_view path);
 
-// The one widget of that path. Code::usage when there is none (with a suggestion) or several (with a list).
+// Returns the one widget of that path. Code::usage if there is none (with a suggestion) or several (with a list).
 base::Result<std::size_t> find_widget(std::span<const WidgetState> widgets, std::string_view path);
 
-// The path's part before the first slash.
+// Returns the path's part before the first slash.
 std::string_view panel_of(std::string_view path);
 
-// True for a header whose contents are not shown.
+// True for a header whose contents are hidden.
 bool is_closed_header(const WidgetState& widget);
 bool is_on(const WidgetState& widget);
 
