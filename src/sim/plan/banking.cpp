@@ -8,7 +8,7 @@ namespace {
 
 using glm::dvec3;
 
-// r'' in 1/m where segment `index` begins (t = 0) or ends (t = 1).
+// Returns r'' in 1/m at the start (t = 0) or end (t = 1) of segment `index`.
 dvec3 bend_at(const Derived& derived, std::size_t index, double t) {
   const curve::Cubic& c = derived.shape(derived.order[index]).key.cubic;
   const dvec3 d = curve::derivative(c, t), dd = curve::second_derivative(c, t);
@@ -16,7 +16,7 @@ dvec3 bend_at(const Derived& derived, std::size_t index, double t) {
   return square > 1e-18 ? (dd - d * (glm::dot(dd, d) / square)) / square : dvec3(0);
 }
 
-// The mean of the curvatures on both sides of knot i.
+// Returns the mean of the curvatures on both sides of knot i.
 dvec3 mean_bend(const Derived& derived, std::size_t i) {
   const std::size_t count = derived.order.size();
   dvec3 sum(0);
@@ -26,7 +26,7 @@ dvec3 mean_bend(const Derived& derived, std::size_t i) {
   return sides > 0 ? sum / static_cast<double>(sides) : sum;
 }
 
-// The first sample at which the middle car is past `distance` (m from the track's start).
+// Returns the first sample at which the middle car is past `distance` (m from the track's start).
 std::optional<std::size_t> passing(const Ghost& ghost, double distance) {
   double ahead = distance - (ghost.start.front - 0.5 * (ghost.start.cars - 1) * ghost.start.spacing);
   if (ghost.closed) ahead -= ghost.track_length * std::floor(ahead / ghost.track_length);

@@ -10,17 +10,17 @@
 namespace coaster::sim {
 namespace {
 
-constexpr double kTurnOfSpan = 1.6;  // rad: what a first span may turn
+constexpr double kTurnOfSpan = 1.6;  // rad, largest turn of an initial span
 constexpr int kMostRounds = 60, kMostSpans = 2000;
-constexpr std::size_t kMostThinning = 400'000;  // points times knots: beyond it no knot is tried to be left out
+constexpr std::size_t kMostThinning = 400'000;  // points times knots: beyond it no knots are removed
 constexpr double kFarFromExact = 1e-9;
 
 struct Bounds {
   double distance, roll, jump;
 };
 
-// Float rounds a coordinate by half an ulp: that is nobody's fault. A control point that is off by e changes a
-// curvature by about 8 e / handle^2.
+// Float rounds a coordinate by half an ulp, which no fit can avoid. An error e of a control point changes a curvature
+// by about 8 e / handle^2.
 Bounds bounds_for(const ElementCurve& curve, std::span<const std::size_t> at) {
   double largest = 0, shortest = curve.length();
   for (const std::size_t i : at) {
@@ -34,9 +34,9 @@ Bounds bounds_for(const ElementCurve& curve, std::span<const std::size_t> at) {
           kElementJump + 8.0 * half_ulp / (handle * handle)};
 }
 
-// A choice of knots, and what its spans are like.
+// A choice of knots, and the checks of its spans.
 struct Trial {
-  std::vector<std::size_t> at;  // places in the curve's points
+  std::vector<std::size_t> at;  // indices into the curve's points
   Spans spans;
   Bounds bounds;
   std::vector<SpanCheck> checks;
@@ -59,7 +59,7 @@ bool holds(const ElementCurve& curve, Trial& t, std::size_t k) {
          t.spans.jumps[k] <= t.bounds.jump && t.spans.jumps[k + 1] <= t.bounds.jump;
 }
 
-// Checks spans from `first` on, round to the one before it, until one does not hold.
+// Checks spans from `first`, cyclically, until one fails.
 bool all_hold(const ElementCurve& curve, Trial& t, std::size_t first) {
   const std::size_t count = t.checks.size();
   for (std::size_t i = 0; i < count; ++i)
@@ -67,7 +67,7 @@ bool all_hold(const ElementCurve& curve, Trial& t, std::size_t first) {
   return true;
 }
 
-// How far a piece turns, rad, by its points.
+// Returns the total turn of a piece, rad, from its points.
 double turn_of(const ElementCurve& curve, std::size_t first, std::size_t last) {
   double turn = 0;
   for (std::size_t i = first + 1; i <= last; ++i)
@@ -75,7 +75,8 @@ double turn_of(const ElementCurve& curve, std::size_t first, std::size_t last) {
   return turn;
 }
 
-// The ends of the pieces and, evenly between them by length, as many points as each is to have spans.
+// Returns the ends of the pieces and, evenly spaced between them by length, points for the given number of spans of
+// each piece.
 std::vector<std::size_t> places_for(const ElementCurve& curve, std::span<const int> counts) {
   std::vector<std::size_t> at{0};
   for (std::size_t p = 0; p + 1 < curve.breaks.size(); ++p) {
@@ -94,8 +95,7 @@ std::vector<std::size_t> places_for(const ElementCurve& curve, std::span<const i
   return at;
 }
 
-// More spans in the pieces in which some do not hold. 0: all hold; 1: there is more to try; -1: there is nothing more
-// to do.
+// Adds spans to the pieces with failing spans. Returns 0: none fails; 1: more to try; -1: nothing more to do.
 int refine(const ElementCurve& curve, Trial& trial, std::vector<int>& counts) {
   bool changed = false, all = true;
   std::size_t k = 0;
@@ -112,8 +112,8 @@ int refine(const ElementCurve& curve, Trial& trial, std::vector<int>& counts) {
   return all ? 0 : changed ? 1 : -1;
 }
 
-// Leaves out knots while everything holds: first in pairs that lie alike from both ends, as most elements are
-// symmetric, then singly.
+// Removes knots while everything holds: first in pairs symmetric about the middle, as most elements are symmetric, then
+// singly.
 void thin(const ElementCurve& curve, Trial& best) {
   const auto attempt = [&](std::size_t k, std::size_t other) {
     std::vector<std::size_t> fewer = best.at;
@@ -130,7 +130,7 @@ void thin(const ElementCurve& curve, Trial& best) {
     if (!attempt(k, k)) ++k;
 }
 
-// As many spans as asked for, with ends such that each is alike hard.
+// Returns the ends of `count` spans of about equal difficulty.
 std::vector<std::size_t> evened(const ElementCurve& curve, const Trial& trial, std::size_t count) {
   std::vector<double> sums{0.0};
   for (const SpanCheck& check : trial.checks) {
@@ -151,7 +151,7 @@ std::vector<std::size_t> evened(const ElementCurve& curve, const Trial& trial, s
   return places;
 }
 
-// Tries one span fewer, evened out over several rounds, until that does not hold.
+// Tries one span fewer, evened out over several rounds, until that fails.
 void even_out(const ElementCurve& curve, Trial& best) {
   constexpr int kRounds = 4;
   for (bool better = true; better && best.at.size() > 2;) {
@@ -161,7 +161,7 @@ void even_out(const ElementCurve& curve, Trial& best) {
       trial = try_places(curve, evened(curve, trial, best.at.size() - 2));
       better = true;
       for (std::size_t k = 0; k < trial.checks.size(); ++k)
-        better = holds(curve, trial, k) && better;  // all: the next round needs them
+        better = holds(curve, trial, k) && better;  // all of them: the next round needs the results
     }
     if (better) best = std::move(trial);
   }

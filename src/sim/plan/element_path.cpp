@@ -53,7 +53,7 @@ double Bend::angle(double u) const {
 }
 
 dvec2 Bend::run_and_rise() const {
-  constexpr int kSteps = 24;  // of each part, at most 0.13 rad in a bend of half a turn
+  constexpr int kSteps = 24;  // per part, at most 0.13 rad in a bend of half a turn
   const auto part = [&](double begin, double length) {
     return integral(length, kSteps, [&](double u) {
       const auto [sin, cos] = base::sin_cos(angle(begin + u));
@@ -129,7 +129,7 @@ ElementCurve ElementPath::finish(double reach) {
     if (!(p.s < fade) || start_roll_ == 0) break;
     p.up = curve::perpendicular(p.tangent, curve::rotate(p.up, p.tangent, start_roll_ * (1.0 - p.s / fade)));
   }
-  // A piece too short for a span of its own goes with a neighbour.
+  // A piece too short for a span of its own is merged with a neighbour.
   std::vector<std::size_t> breaks{0};
   for (const std::size_t at : curve_.breaks)
     if (curve_.points[at].s - curve_.points[breaks.back()].s >= kShortestSpan &&

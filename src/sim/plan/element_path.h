@@ -1,5 +1,5 @@
-// The ideal curve of an element, before Bezier spans are fitted to it: pieces in closed form by derivative, integrated
-// to dense points.
+// The ideal curve of an element, before Bezier spans are fitted to it: pieces given by closed-form derivatives,
+// integrated to dense points.
 #pragma once
 
 #include <cstddef>
@@ -16,29 +16,29 @@ struct ElementPoint {
   double s = 0;                 // m, arc length from the curve's start
   glm::dvec3 position{0};       // m
   glm::dvec3 tangent{1, 0, 0};  // unit
-  glm::dvec3 curvature{0};      // 1/m, what turns the tangent per metre: towards the centre
+  glm::dvec3 curvature{0};      // 1/m, derivative of the tangent by length: towards the centre
   glm::dvec3 up{0, 1, 0};       // unit, perpendicular to the tangent
 };
 
-// Tangent and curvature are continuous all along; what changes at a break is how the curvature changes.
+// Tangent and curvature are continuous along the curve; at a break the derivative of the curvature changes.
 struct ElementCurve {
   std::vector<ElementPoint> points;
-  std::vector<std::size_t> breaks;  // places in `points` where pieces begin, and the last point
-  std::size_t lead =
-      0;  // where the element proper begins: before it the curvature and the slope of the track's end are eased out
+  std::vector<std::size_t> breaks;  // indices into `points` where pieces begin, and the last point
+  std::size_t lead = 0;  // start of the element proper; before it is the lead-in, where curvature and slope of the
+                         // track's end fade out
   double length() const { return points.empty() ? 0 : points.back().s; }
 };
 
-// What a piece is at its parameter u, in the axes of the builder: first and second derivative by u, and what is up.
+// A piece at its parameter u, in the axes of the builder: first and second derivative by u, and the up vector.
 struct ElementRate {
   glm::dvec3 d1{1, 0, 0}, d2{0};
-  glm::dvec3 up{0};  // not yet perpendicular; 0: upright, as near to +Y as can be
-  double roll = 0;   // rad about the tangent on top of that, positive to the rider's right
+  glm::dvec3 up{0};  // not yet perpendicular; 0: upright, as near to +Y as possible
+  double roll = 0;   // rad about the tangent on top of `up`, positive to the rider's right
 };
 using ElementPiece = std::function<ElementRate(double u)>;
 
-// A bend from one angle to another: clothoid, circle, clothoid. Curvature rises from 0 to 1/radius, in proportion to
-// the length, over a quarter of the angle, at most 30 degrees of it; and falls alike.
+// A bend from one angle to another: clothoid, circle, clothoid. Curvature rises linearly in the length from 0 to
+// 1/radius, over a quarter of the angle, at most 30 degrees, and falls in the same way.
 struct Bend {
   static constexpr double kShortest = 6;  // m: a slight bend gets a larger radius instead
   double from = 0, to = 0;                // rad
@@ -50,35 +50,35 @@ struct Bend {
   double length() const { return 2.0 * ramp() + arc(); }
   double angle(double u) const;  // rad at u in [0, length()]
   double bend(double u) const;   // 1/m, d angle / du, signed
-  // Integrals over the whole bend of cos(angle) and sin(angle), m; relative error below 1e-12.
+  // Returns the integrals over the whole bend of cos(angle) and sin(angle), m; relative error below 1e-12.
   glm::dvec2 run_and_rise() const;
 };
 
-// Integral of f over [0, length] by 4-point Gauss-Legendre on `steps` equal parts.
+// Returns the integral of f over [0, length] by 4-point Gauss-Legendre on `steps` equal parts.
 glm::dvec2 integral(double length, int steps, const std::function<glm::dvec2(double)>& f);
 
-// Puts pieces one behind the other. Positions are integrated in steps of at most kStep (longer pieces: kMaxSteps) by
-// 4-point Gauss-Legendre: for what turns by less than 0.2 rad a step the error is below 1e-12 of the length. Nothing
-// but + - * / sqrt and base::sin_cos: the same bits everywhere.
+// Joins pieces. Positions are integrated in steps of at most kStep (longer pieces: kMaxSteps) by 4-point
+// Gauss-Legendre: for turns below 0.2 rad per step the error is below 1e-12 of the length. Uses only + - * / sqrt and
+// base::sin_cos: the same bits everywhere.
 class ElementPath {
  public:
   static constexpr double kStep = 0.25;  // m
   static constexpr int kMaxSteps = 4000;
 
-  // Starts at a place with a tangent, no curvature and what is up there.
+  // Starts at a position with a tangent, a curvature and an up vector.
   ElementPath(glm::dvec3 position, glm::dvec3 tangent, glm::dvec3 curvature, glm::dvec3 up);
   void set_axes(glm::dvec3 forward, glm::dvec3 up, glm::dvec3 left) { forward_ = forward, up_ = up, left_ = left; }
-  // Pieces shorter than 1e-9 m are left out.
+  // Leaves out pieces shorter than 1e-9 m.
   void add(double length, const ElementPiece& piece);
   // A bend in the plane of forward and up, angles from forward.
   void add(const Bend& bend);
-  // From here on the element proper.
+  // Marks the end of the lead-in.
   void begin_element() { curve_.lead = curve_.points.size() - 1; }
 
   const ElementPoint& end() const { return curve_.points.back(); }
   const ElementCurve& curve() const { return curve_; }
-  // No more pieces. The roll that the start has over what the pieces say there fades out to the first break that is
-  // `reach` metres away, else to the end.
+  // Finishes the curve. The difference between the start's roll and that of the pieces fades out until the first break
+  // at least `reach` metres away, else until the end.
   ElementCurve finish(double reach);
 
  private:

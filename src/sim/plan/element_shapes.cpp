@@ -1,4 +1,4 @@
-// What leads from the track's end into an element, and the elements in plan: straight, curve, helix.
+// The lead-in from the track's end to an element, and the elements in plan: straight, curve, helix.
 #include "sim/plan/element_shapes.h"
 
 #include <algorithm>
@@ -15,19 +15,19 @@ using base::kPi;
 using glm::dvec3;
 using world::ElementKind;
 
-constexpr double kMostHelixSlope = 0.6;   // m per m of plan
-constexpr double kLongestHelix = 14'000;  // m, in plan, without what the clothoids add
-constexpr double kMostRollRate_deg = 60;  // a metre
-constexpr double kLevel = 1e-4;           // rad: what is as level as this needs no levelling
-constexpr double kRollFade = 8;           // m, at least, over which a rolled end is turned upright
+constexpr double kMostHelixSlope = 0.6;   // m per m in plan
+constexpr double kLongestHelix = 14'000;  // m, in plan, without the clothoids
+constexpr double kMostRollRate_deg = 60;  // per metre
+constexpr double kLevel = 1e-4;           // rad: smaller slopes need no levelling
+constexpr double kRollFade = 8;           // m, shortest length over which a rolled end is turned upright
 
-// Rad over the horizon.
+// Returns the angle above the horizon, rad.
 double slope_of(dvec3 forward) {
   return base::arc_tangent(forward.y, std::sqrt(forward.x * forward.x + forward.z * forward.z));
 }
 
-// From the end's curvature to none, linearly in the length, in the plane of the bend. `upright`: else up is carried
-// along.
+// Adds the decrease from the end's curvature to 0, linear in the length, in the plane of the bend. `upright`: up
+// follows the horizon; else it is carried along.
 void ease(ElementPath& path, bool upright) {
   const dvec3 bend = path.end().curvature, forward = path.end().tangent;
   const double k = glm::length(bend);
@@ -47,7 +47,7 @@ void ease(ElementPath& path, bool upright) {
   });
 }
 
-// Axes along the heading; the angle over the horizon.
+// Sets the axes along the heading; returns the angle above the horizon.
 double head(ElementPath& path) {
   const dvec3 forward = path.end().tangent, ahead = glm::normalize(dvec3(forward.x, 0, forward.z)), up(0, 1, 0);
   path.set_axes(ahead, up, glm::cross(up, ahead));
@@ -64,10 +64,10 @@ void add_straight(world::Element& element, ElementPath& path, bool upright, std:
   path.add(length, [=](double u) { return ElementRate{{1, 0, 0}, {0, 0, 0}, {0, 1, 0}, roll * u / length}; });
 }
 
-// Going round in plan: clothoid, circle, clothoid, to one side. The slope dy/du is `slopes(u)` with its derivative.
+// A turn in plan: clothoid, circle, clothoid, to one side. The slope dy/du is `slopes(u)` with its derivative.
 struct Round {
   Bend bend;    // of the heading, positive to the right
-  double bank;  // rad at the tightest; in proportion to the curvature elsewhere
+  double bank;  // rad where the curvature is largest; proportional to the curvature elsewhere
   double roll(double u) const { return bank * bend.bend(u) * bend.radius; }
 };
 struct Slope {
@@ -89,7 +89,7 @@ void add_round(ElementPath& path, const Round& round, const std::function<Slope(
   path.add(ramp, piece(ramp + arc));
 }
 
-// A speed makes the bank: gravity and the turn together press straight into the seat.
+// The bank follows from a speed: gravity and the turn together press straight into the seat.
 Round round_of(const world::Element& element, double angle) {
   const double side = element.right ? 1.0 : -1.0, radius = world::value_of(element, "radius"),
                speed = world::value_of(element, "speed");
@@ -102,7 +102,7 @@ bool begins_level(ElementKind kind) {
   return kind == ElementKind::camelback || kind == ElementKind::loop || kind == ElementKind::corkscrew;
 }
 
-// m, of the bend that levels out before an element.
+// Returns the radius in m of the bend that levels out before an element.
 double levelling_radius(const world::Element& element) {
   return element.kind == ElementKind::camelback ? world::value_of(element, "radius")
                                                 : std::max(12.0, 1.2 * world::value_of(element, "height"));
@@ -132,8 +132,8 @@ void add_curve(ShapeTask& task) {
   add_round(task.path, round_of(task.element, angle), [rise](double) { return Slope{rise, 0}; });
 }
 
-// The slope goes smoothly (3v^2 - 2v^3, whose derivative is 0 at both ends) from the end's to that of the helix over
-// the first clothoid, and to none over the last; so its curvature begins and ends at none.
+// Over the first clothoid the slope changes smoothly (3v^2 - 2v^3, with derivative 0 at both ends) from the end's to
+// the helix's, and over the last to 0; so the curvature of the slope is 0 at both ends.
 void add_helix(ShapeTask& task) {
   const double most = kLongestHelix / (2.0 * kPi * world::value_of(task.element, "radius"));
   if (world::value_of(task.element, "turns") > most)

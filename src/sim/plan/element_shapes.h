@@ -1,4 +1,4 @@
-// The ideal curves of the elements: one function for each row of world::elements(), in sim/element_shapes*.cpp.
+// The ideal curves of the elements: one function per row of world::elements(), in element_shapes*.cpp.
 #pragma once
 
 #include <string>
@@ -9,39 +9,39 @@
 
 namespace coaster::sim {
 
-// Where an element goes on from: the open end of a track.
+// The open end of a track, where an element continues.
 struct TrackEnd {
   glm::dvec3 position{0, 2, 0}, forward{1, 0, 0}, up{0, 1, 0};  // m, unit, unit and perpendicular
   glm::dvec3 curvature{0};                                      // 1/m, at the end of the track's last segment
   friend bool operator==(const TrackEnd&, const TrackEnd&) = default;
 };
 
-// A curve, or why there is none. Values of the element that had to give way are changed, each with a line that contains
-// the word "limit".
+// A curve, or the reason why there is none. Values of the element that had to be limited are changed, each with a line
+// that contains the word "limit".
 struct ElementShape {
   ElementCurve curve;
   std::string refusal;  // empty: there is a curve
 };
 
-// Ends steeper than this have no heading that a curve could turn; only a straight goes on from them.
+// Steeper ends have no heading for a curve to turn; only a straight continues them.
 inline constexpr double kSteepestEnd_deg = 80;
-// 1/m: an end that is as straight as the first counts as straight, well within what counts as G2 (curve/continuity.h:
-// 1e-3); from one that bends more than the second nothing goes on.
+// 1/m: an end that bends less than the first counts as straight, well within the tolerance of G2 (curve/continuity.h:
+// 1e-3); an end that bends more than the second accepts no element.
 inline constexpr double kStraightEnd = 5e-5;
 inline constexpr double kSharpestEnd = 0.5;
-// Easing turns by at most this, over at most kLongestEase.
+// The easing of curvature turns by at most this angle, over at most kLongestEase.
 inline constexpr double kEaseAngle = 0.175, kLongestEase = 12;  // rad, m
 
-// `element` is within the limits of its table. The curve begins at the end with its direction and its curvature, and
-// ends straight.
+// Returns the curve of an element whose values are within the limits of its table. It begins at the end with its
+// direction and curvature, and ends straight.
 ElementShape element_shape(world::Element& element, const TrackEnd& end, std::vector<std::string>& lines);
 
-// "height 3 m is beyond the limit of 5.2 m: REASON", and the value set to the limit.
+// Sets the value to the limit and adds the line "height 3 m is beyond the limit of 5.2 m: REASON".
 void give_way(world::Element& element, std::string_view parameter, double limit, std::string_view reason,
               std::vector<std::string>& lines);
 
-// Each adds its pieces to a path whose axes are the heading, +Y and the left, from a place without curvature. `slope`:
-// the angle over the horizon there, rad; 0 for those that begin level.
+// Each function adds its pieces to a path whose axes are the heading, +Y and the left, from a point without curvature.
+// `slope`: the angle above the horizon there, rad; 0 for elements that begin level.
 struct ShapeTask {
   world::Element& element;
   ElementPath& path;

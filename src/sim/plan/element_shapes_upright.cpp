@@ -1,4 +1,4 @@
-// The elements that go up and down: climb, dive and camelback in a vertical plane, loop and corkscrew about an axis.
+// The vertical elements: climb, dive and camelback in a vertical plane, loop and corkscrew about an axis.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ using glm::dvec3;
 
 constexpr int kBisections = 60;
 
-// The x in [low, high] at which f goes from below 0 to above, to the last bit that matters.
+// Returns the x in [low, high] at which f crosses 0 upwards, to machine accuracy.
 double root(double low, double high, const std::function<double(double)>& f) {
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (low + high);
@@ -24,7 +24,7 @@ double root(double low, double high, const std::function<double(double)>& f) {
   return 0.5 * (low + high);
 }
 
-// A piece of a curve in the plane of heading and up, with angle and bend by arc length.
+// Returns a piece of a curve in the plane of heading and up, from angle and curvature by arc length.
 ElementPiece upright_piece(std::function<double(double)> angle, std::function<double(double)> bend) {
   return [angle = std::move(angle), bend = std::move(bend)](double u) {
     const auto [sin, cos] = base::sin_cos(angle(u));
@@ -33,8 +33,8 @@ ElementPiece upright_piece(std::function<double(double)> angle, std::function<do
   };
 }
 
-// The foot of a camelback, by its steepest angle: clothoid to 1/radius, circle, and a clothoid that goes on through the
-// inflection to the curvature of the parabola -bend. Mirrored it is the other foot.
+// The foot of a camelback, by its steepest angle: a clothoid to 1/radius, a circle, and a clothoid through the
+// inflection to the parabola's curvature -bend. The other foot is its mirror image.
 struct Foot {
   double angle, radius, crest_bend;
   double first, second, arc;  // m: clothoids and circle
@@ -46,7 +46,8 @@ struct Foot {
     crest_bend = cos * cos * cos / p;
     first_angle = std::min(angle / 3, kPi / 6);
     first = 2 * r * first_angle;
-    // As fast as the first one, unless it would turn back by more than a quarter of the angle after the inflection.
+    // As fast as the first clothoid, unless it would turn back by more than a quarter of the angle after the
+    // inflection.
     second = std::min(first * (1 + r * crest_bend), 0.5 * angle * (1 / r + crest_bend) / (crest_bend * crest_bend));
     second_angle = 0.5 * second * (1 / r - crest_bend);
     arc = r * (angle - first_angle - second_angle);
@@ -79,13 +80,13 @@ double tangent_of(double angle) {
   return sin / cos;
 }
 
-// A turn about an axis that lies level: in the plane across the axis a teardrop of clothoid, circle, clothoid, one
-// whole turn, while it goes along the axis in proportion. The tangent keeps its angle to the axis, and curvature and
-// torsion their ratio (a generalised helix), so that after a whole turn the frame is what it was: upright and straight
-// ahead. What is up is the normal: nothing pushes sideways but gravity.
+// A turn about a level axis: in the plane across the axis a teardrop of clothoid, circle, clothoid, one whole turn,
+// while it advances along the axis at a constant rate. The tangent keeps its angle to the axis, and curvature and
+// torsion keep their ratio (a generalised helix), so after a whole turn the frame is as at the start: upright and
+// straight ahead. Up is the normal: only gravity pushes sideways.
 class Winding {
  public:
-  // `top`: rad of the turn that are a circle in the plane across.
+  // `top`: rad of the turn that are a circle in the plane across the axis.
   Winding(double height, double top) : ramp_angle_(kPi - 0.5 * top) {
     const dvec2 half = direction(0, ramp()) + direction(ramp(), 0.5 * top);  // from the foot to the apex, of radius 1
     radius_ = height / half.y;
@@ -95,7 +96,7 @@ class Winding {
   double ramp() const { return 2 * radius_ * ramp_angle_; }
   double arc() const { return arc_; }
   double length() const { return 2 * ramp() + arc_; }  // m, in the plane across
-  double width() const { return width_; }              // m, by which the teardrop goes forward in that plane
+  double width() const { return width_; }              // m, advance of the teardrop in that plane
   double turned(double u) const {
     if (u <= ramp()) return u * u / (2 * radius_ * ramp());
     if (u < ramp() + arc_) return ramp_angle_ + (u - ramp()) / radius_;
@@ -156,10 +157,10 @@ void add_climb_or_dive(ShapeTask& task) {
   task.path.add(Bend{to, 0, radius});
 }
 
-// A train of speed v at the foot has v^2 - 2 g h left at the crest, h higher: thrown from there it would fly along the
-// parabola of parameter p = (v^2 - 2 g h) / g, y = -x^2 / (2 p); on rails of that shape its riders float.
+// A train of speed v at the foot has v^2 - 2 g h at the crest, h higher. A body thrown from there would follow the
+// parabola of parameter p = (v^2 - 2 g h) / g, y = -x^2 / (2 p); on rails of that shape riders float.
 void add_camelback(ShapeTask& task) {
-  constexpr double kLeastRest = 1.15;  // of the energy that the crest takes
+  constexpr double kLeastRest = 1.15;  // least entry energy, relative to that of the crest
   const double height = world::value_of(task.element, "height"), g = world::kGravity;
   const double least = std::sqrt(2 * kLeastRest * g * height);
   if (world::value_of(task.element, "speed") < least)
@@ -196,7 +197,7 @@ void add_camelback(ShapeTask& task) {
 void add_loop(ShapeTask& task) {
   constexpr double kMostAxis = 0.5;  // sine: 30 degrees
   const Winding w(world::value_of(task.element, "height"), base::radians(world::value_of(task.element, "top")));
-  // Along an axis at the angle a it goes length * tan(a), of which cos(a) is to the side; the teardrop takes width *
+  // Along an axis at the angle a it advances length * tan(a), of which cos(a) is sideways; the teardrop takes width *
   // sin(a) back.
   const double room = w.length() - w.width();
   if (world::value_of(task.element, "shift") > kMostAxis * room)

@@ -14,13 +14,13 @@ using glm::dmat2;
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kMostRoll = 2.5;  // rad in a span: well below half a turn, so that it takes no whole turns to tell
-constexpr double kShortest = 0.1, kLongest = 0.8;  // of a span's length: handles
+constexpr double kMostRoll = 2.5;  // rad per span: well below half a turn, so that no whole turns are needed
+constexpr double kShortest = 0.1, kLongest = 0.8;  // handles, relative to a span's length
 
 dvec3 across(dvec3 v, dvec3 tangent) { return v - tangent * glm::dot(v, tangent); }
 
-// The unit direction in which a span bends at one of its ends; 0 where it is straight. `other` is the tangent at its
-// far end.
+// Returns the unit direction in which a span bends at one of its ends; 0 if it is straight. `other` is the tangent at
+// its far end.
 dvec3 bend_direction(const ElementPoint& p, dvec3 other, double length) {
   constexpr double kFelt = 1e-6;  // rad
   for (const dvec3 wish : {p.curvature * length, across(other, p.tangent)})
@@ -33,8 +33,8 @@ struct Nodes {
   std::vector<double> out, in;  // by knot: the handle after it and the one before it
 };
 
-// The jump of the curvature vector at an inner knot: (2/3) |handle polygon's second leg across the tangent| / handle^2
-// on both sides.
+// The jump of the curvature vector at an inner knot: (2/3) |second leg of the control polygon across the tangent| /
+// handle^2 on both sides.
 struct JumpTerms {
   dvec3 after, before;  // m, from the knot to the far handle
   double out_square, in_square;
@@ -56,16 +56,16 @@ Basis basis_at(dvec3 tangent) {
   return {u, glm::cross(tangent, u)};
 }
 
-// The 2 x 2 block of what turning a tangent does to a jump: columns for turning along `of`, rows along `on`.
+// The 2 x 2 block of the effect of turning a tangent on a jump: columns for turning along `of`, rows along `on`.
 dmat2 block(double factor, const Basis& of, const Basis& on) {
   return dmat2(factor * dvec2(glm::dot(of.u, on.u), glm::dot(of.u, on.v)),
                factor * dvec2(glm::dot(of.v, on.u), glm::dot(of.v, on.v)));
 }
 
-// One step of Newton's method for the inner tangents; returns the largest jump before it. Turning a tangent changes the
-// jump at its own knot four times as much as at its neighbours', so elimination needs no pivots.
+// Does one Newton step for the inner tangents; returns the largest jump before it. Turning a tangent changes the jump
+// at its own knot four times as much as at its neighbours', so elimination needs no pivots.
 double turn_tangents(Nodes& n) {
-  constexpr double kMostTurn = 0.1;  // rad a step
+  constexpr double kMostTurn = 0.1;  // rad per step
   const std::size_t count = n.place.size();
   std::vector<Basis> basis(count);
   std::vector<dmat2> upper(count, dmat2(0.0));
@@ -97,9 +97,9 @@ double turn_tangents(Nodes& n) {
   return largest;
 }
 
-// A curvature at an end that torsion leaves over: there the tangent is fixed, so the next knot moves across it, by at
-// most kMostShift off the ideal curve. A shift changes the far handle by about 1.5 times as much, since the next
-// tangent turns with it.
+// Removes the curvature error at an end that torsion leaves. The tangent there is fixed, so the next knot moves
+// sideways, by at most kMostShift from the ideal curve. A shift changes the far handle by about 1.5 times as much,
+// because the next tangent turns with it.
 void shift_second(Nodes& n, const ElementCurve& curve, std::span<const std::size_t> at, bool last) {
   constexpr double kMostShift = 0.5 * kElementDistance;
   const std::size_t count = n.place.size(), end = last ? count - 1 : 0, next = last ? count - 2 : 1;
@@ -122,8 +122,8 @@ std::vector<world::Knot> knots_of(const ElementCurve& curve, std::span<const std
     world::Knot knot;
     knot.position = glm::vec3(n.place[k]);
     knot.tangent = glm::vec3(n.tangent[k]);
-    // From the tangent in double, not from the rounded one: gcc 12 at -O2 was seen to leave out a rounding to float and
-    // back, and the bits count.
+    // From the tangent in double, not from the rounded one: gcc 12 at -O2 may omit a rounding to float and back, and
+    // the bits matter.
     knot.up = glm::vec3(curve::perpendicular(n.tangent[k], curve.points[at[k]].up));
     knot.in_length = as_handle(k > 0 ? n.in[k] : n.out[k]);
     knot.out_length = as_handle(k + 1 < at.size() ? n.out[k] : n.in[k]);
@@ -140,8 +140,8 @@ curve::Cubic cubic_between(const world::Knot& from, const world::Knot& to) {
 
 }  // namespace
 
-// Follows the ideal curve's points along a span; the frame is carried as the track's is (sim/shape/derived.cpp):
-// rotation-minimising, and what is left to the second knot's up spread over the length.
+// Follows the ideal curve's points along a span. The frame is carried as the track's (sim/shape/derived.cpp):
+// rotation-minimising, with the remaining angle to the second knot's up spread over the length.
 SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& from, const world::Knot& to) {
   const curve::Cubic c = cubic_between(from, to);
   SpanCheck check;
@@ -180,7 +180,7 @@ SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& fr
 
 HandleLengths handle_lengths(const ElementPoint& from, const ElementPoint& to) {
   constexpr int kSteps = 16;
-  constexpr double kHold = 1e-7;  // of a third of the length, against nothing where the span is straight
+  constexpr double kHold = 1e-7;  // weak preference for a third of the length, negligible unless the span is straight
   const double length = to.s - from.s, third = length / 3.0;
   const dvec3 chord = to.position - from.position;
   const dvec3 first = bend_direction(from, to.tangent, length), second = bend_direction(to, from.tangent, length);
@@ -191,7 +191,7 @@ HandleLengths handle_lengths(const ElementPoint& from, const ElementPoint& to) {
     const double r0 = glm::dot(first, chord) - b * turn0 - 1.5 * a * a * k0,
                  r1 = a * turn1 - glm::dot(second, chord) - 1.5 * b * b * k1;
     const dvec2 da(-3.0 * a * k0, turn1), db(-turn0, -3.0 * b * k1);
-    // Normal equations of the two residuals and of the weak hold.
+    // Normal equations of the two residuals and of that preference.
     const double aa = glm::dot(da, da) + kHold * kHold, bb = glm::dot(db, db) + kHold * kHold, ab = glm::dot(da, db);
     const double ra = -(da.x * r0 + da.y * r1) - kHold * kHold * (a - third),
                  rb = -(db.x * r0 + db.y * r1) - kHold * kHold * (b - third);

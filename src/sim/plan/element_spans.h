@@ -1,5 +1,5 @@
-// The spans between chosen points of an element's ideal curve, and how well they follow it. Private to element_fit.cpp
-// and element_spans.cpp.
+// The spans between chosen points of an element's ideal curve, and their errors. Private to element_fit.cpp and
+// element_spans.cpp.
 #pragma once
 
 #include <span>
@@ -12,21 +12,21 @@ namespace coaster::sim {
 struct SpanCheck {
   double error = 0;       // m
   double roll_error = 0;  // rad
-  bool sound = true;      // handles of a sensible length, less than half a turn of roll
+  bool sound = true;      // sensible handle lengths and less than half a turn of roll
 };
 
 struct Spans {
   std::vector<world::Knot> knots;
-  std::vector<double> jumps;  // 1/m, one for each knot: the ends against what they should have
+  std::vector<double> jumps;  // 1/m, one per knot; at the ends relative to the required curvature
 };
 
-// `at`: places in curve.points, rising, the first and the last point included.
+// `at`: ascending indices into curve.points, including the first and the last.
 Spans make_spans(const ElementCurve& curve, std::span<const std::size_t> at);
 
-// The span between two neighbouring knots, which stand for the first and the last of these points.
+// Checks the span between two neighbouring knots against the points between them.
 SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& from, const world::Knot& to);
 
-// The handle lengths of one span, see element_fit.h; a third of the length where curvature says nothing.
+// The handle lengths of one span, see element_fit.h; a third of the length if curvature does not determine them.
 struct HandleLengths {
   double out = 0, in = 0;  // m
 };

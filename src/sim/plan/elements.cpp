@@ -13,7 +13,7 @@ using glm::dvec3;
 
 constexpr double kLongestElement = 20'000;  // m
 
-// Within the limits of the table, with a line for each value that was not.
+// Clamps values to the limits of the table, with a line for each.
 void clamp_values(world::Element& element, std::vector<std::string>& lines) {
   const world::ElementRow& row = world::element_row(element.kind);
   element.right = element.right && row.sided;

@@ -10,7 +10,7 @@ namespace {
 
 using glm::dvec3;
 
-// The nearest parameter by Newton's method from `t`; where that ends badly, by searching the whole segment.
+// Returns the nearest parameter by Newton's method from `t`; searches the whole segment if that fails.
 curve::NearestPoint nearest_from(const curve::Cubic& cubic, const curve::CoefficientsD& c, dvec3 target, double t) {
   for (int i = 0; i < 4; ++i) {
     const dvec3 off = c.c0 + t * (c.c1 + t * (c.c2 + t * c.c3)) - target,
@@ -35,7 +35,7 @@ std::vector<FitReport> measure_spans(const Derived& derived, std::span<const Fit
     double guess = 0;
     for (std::size_t k = ends[i]; k <= ends[i + 1]; ++k) {
       const std::size_t r = k < rows.size() ? k : 0;
-      // From where the row before it is: a step of the mean size further.
+      // Starts from the previous row's parameter plus a mean step.
       const double mean = 1.0 / static_cast<double>(ends[i + 1] - ends[i]);
       const double start = k == ends[i] ? 0.0 : k == ends[i + 1] ? 1.0 : std::min(1.0, guess + mean);
       const curve::NearestPoint near = nearest_from(shape.key.cubic, c, rows[r].position, start);

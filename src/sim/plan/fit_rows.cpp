@@ -18,7 +18,7 @@ double frame_angle_deg(const curve::Frame& a, const curve::Frame& b) {
 
 std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double reach) {
   const std::size_t count = rows.size();
-  std::vector<char> near(count, 0), jumps(count, 0);  // jumps: from row i to the one after it
+  std::vector<char> near(count, 0), jumps(count, 0);  // jumps: from row i to the next
   std::vector<double> steps(count, 0);
   for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
     const FitRow &a = rows[i], &b = rows[(i + 1) % count];
@@ -26,8 +26,8 @@ std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double r
     const double angle = frame_angle_deg({a.forward, a.up}, {b.forward, b.up});
     jumps[i] = angle > kJumpAngle && angle > kJumpRate * steps[i];
   }
-  // How far the last jump is behind, on the way forward, then how far the next is ahead, on the way back; from the
-  // middle of its step. A closed track is gone round twice: the second time knows of the jumps of the first.
+  // The distance to the last jump, in a forward pass, then to the next, in a backward pass; from the middle of its
+  // step. A closed track needs two rounds: the second knows the jumps of the first.
   const std::size_t laps = closed ? 2 * count : count;
   double gone = 2 * reach + 1;
   for (std::size_t n = 1; n < laps; ++n) {
@@ -51,7 +51,7 @@ bool rows_close(std::span<const FitRow> rows) {
   for (std::size_t i = 1; i < rows.size(); ++i)
     longest = std::max(longest, glm::distance(rows[i - 1].position, rows[i].position));
   const dvec3 gap = first.position - last.position;
-  constexpr double kRounding = 1e-5, kSameWay = 0.5;  // m, of printed places; cosine
+  constexpr double kRounding = 1e-5, kSameWay = 0.5;  // m, rounding of printed positions; cosine
   return glm::length(gap) <= 1.01 * longest + kRounding && glm::dot(gap, last.forward) >= -kRounding &&
          glm::dot(first.forward, last.forward) > kSameWay;
 }

@@ -1,4 +1,4 @@
-// Rows that a track is fitted to: measured places with frames, and what can be told from them alone.
+// Rows that a track is fitted to: measured positions with frames, and properties that follow from them alone.
 #pragma once
 
 #include <span>
@@ -8,25 +8,25 @@
 
 namespace coaster::sim {
 
-// A place that a track goes through: position in m, unit direction of travel, unit `up` perpendicular to it.
+// A point on the track: position in m, unit direction of travel, unit `up` perpendicular to it.
 struct FitRow {
   glm::dvec3 position{0}, forward{1, 0, 0}, up{0, 1, 0};
 };
 
-// Where the frame turns by over kJumpAngle, and by over kJumpRate, from one row to the next the rows jump: no smooth
-// rail turns so fast.
+// The rows jump where the frame turns by over kJumpAngle and by over kJumpRate from one row to the next: no smooth rail
+// turns so fast.
 inline constexpr double kJumpReach = 0.5;   // m along the rows
 inline constexpr double kJumpAngle = 5.0;   // degrees
 inline constexpr double kJumpRate = 100.0;  // degrees per m
 
-// The angle of the rotation from one frame to the other, degrees.
+// Returns the angle of the rotation from one frame to the other, degrees.
 double frame_angle_deg(const curve::Frame& a, const curve::Frame& b);
 
-// Whether the last row leads back to the first one: a step that is no longer than the others, ahead and about the same
-// way.
+// True if the last row leads back to the first: a step that is no longer than the others, ahead and in about the same
+// direction.
 bool rows_close(std::span<const FitRow> rows);
 
-// For each row, whether it is within `reach` m of a jump.
+// Returns for each row whether it is within `reach` m of a jump.
 std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double reach);
 
 }  // namespace coaster::sim

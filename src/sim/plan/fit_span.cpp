@@ -12,7 +12,7 @@ namespace {
 
 using glm::dvec2, glm::dvec3;
 
-constexpr std::size_t kFittedRows = 40;  // rows that handle lengths are fitted to; all are checked
+constexpr std::size_t kFittedRows = 40;  // rows that handle lengths are fitted to; all rows are checked
 constexpr int kIterations = 12;
 constexpr double kMostFitRoll = 2 * base::kPi * (world::kMaxTurns - 1);
 
@@ -33,7 +33,7 @@ Curve curve_of(const Ends& e, double out, double in) {
   return {e.p0, 3.0 * d0, 3.0 * (d1 - d0), (d2 - d1) - (d1 - d0)};
 }
 
-// The parameter nearest to `target` by Newton's method from t, kept in [0,1].
+// Returns the parameter nearest to `target` by Newton's method from t, kept in [0,1].
 double nearer(const Curve& c, dvec3 target, double t, int steps) {
   for (int i = 0; i < steps; ++i) {
     const dvec3 d = c.derivative(t), off = c.point(t) - target;
@@ -49,7 +49,7 @@ struct Handles {
   double out, in;
 };
 
-// Gauss-Newton on the distances across the curve: a row's place along it does not count, so that sliding parameters do
+// Gauss-Newton on the distances across the curve. A row's position along it does not count, so sliding parameters do
 // not slow it down.
 Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first,
                     std::size_t last, const Ends& ends, std::vector<double>& parameters,
@@ -76,7 +76,7 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
       x0 += glm::dot(g0, off), x1 += glm::dot(g1, off);
       weight += 9 * t * t * u * u;
     }
-    // A little of the identity: on a straight the lengths make no difference and stay.
+    // Slight damping: on a straight the lengths make no difference and stay.
     const double damping = 1e-7 * weight + 1e-12;
     a00 += damping, a11 += damping;
     const double determinant = a00 * a11 - a01 * a01;
@@ -89,7 +89,7 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
   return h;
 }
 
-// Keeps what of the polygon has normal . x <= limit.
+// Keeps the part of the polygon with normal . x <= limit.
 void clip(RollWindow& polygon, dvec2 normal, double limit, RollWindow& spare) {
   bool all = true;
   for (const dvec2 p : polygon) all = all && glm::dot(normal, p) <= limit;
@@ -104,7 +104,7 @@ void clip(RollWindow& polygon, dvec2 normal, double limit, RollWindow& spare) {
   polygon.swap(spare);
 }
 
-// The frame carried along the curve from row to row, in steps of at most 1/32, and the length travelled.
+// Carries the frame along the curve from row to row, in steps of at most 1/32, and integrates the length.
 class Carrier {
  public:
   Carrier(const Curve& c, const curve::Frame& start)
@@ -131,8 +131,8 @@ class Carrier {
   double speed_, t_ = 0, length_ = 0;
 };
 
-// Follows all rows along the curve: false when one is too far off or looks elsewhere. Fills rolls, shares of the
-// length, and squared sines between the directions, by row from `first`.
+// Follows all rows along the curve. Returns false if one is too far off or has another direction. Fills rolls,
+// fractions of the length, and squared sines between the directions, by row from `first`.
 bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
                  const Curve& c, const Ends& ends, const SpanBounds& bounds, SpanScratch& s) {
   const std::size_t count = last - first + 1;
@@ -185,7 +185,7 @@ SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances
   RollWindow spare;
   for (std::size_t i = 1; first + i < last && !fit.window.empty(); ++i) {
     if (bounds.free[first + i]) continue;
-    // The angle of the whole rotation is that of its two parts, as sides of a right angle, for small ones.
+    // For small angles, the angle of the whole rotation is the hypotenuse of its two parts.
     const double room = std::sqrt(std::max(0.0, most * most - s.fronts[i] * s.fronts[i]));
     const double share = s.shares[i], error = fit.roll * share - s.rolls[i];
     const dvec2 normal(1 - share, share);

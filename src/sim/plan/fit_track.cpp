@@ -13,12 +13,12 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kInnerReach = 0.45;  // m: rows whose frames are not fitted; less than what is left out of the report
-constexpr int kMaxRounds = 12;        // of halving what the finished document misses
-constexpr std::size_t kFirstStride = 32;     // rows that the first span is tried with
-constexpr double kShortSpan = 0.06;          // m: handles, which have a least length, would be long for a shorter one
-constexpr int kEvenings = 3;                 // bisections for the least bounds that the same number of knots keeps
-constexpr double kLeastScale = 0.4;          // of the bounds
+constexpr double kInnerReach = 0.45;         // m: rows whose frames are not fitted; less than the report leaves out
+constexpr int kMaxRounds = 12;               // rounds of halving spans that fail on the finished document
+constexpr std::size_t kFirstStride = 32;     // rows of the first span to try
+constexpr double kShortSpan = 0.06;          // m: a shorter span would be short for the least handle length
+constexpr int kEvenings = 3;                 // bisections for the smallest bounds that the same number of knots meets
+constexpr double kLeastScale = 0.4;          // relative to the bounds
 constexpr std::size_t kEvenedRows = 60'000;  // more rows are not evened out: that takes four times as long
 
 struct Span {
@@ -26,21 +26,21 @@ struct Span {
   SpanFit fit;
 };
 
-// What a fit works on. `rows` has the first row once more at the end of a closed track.
+// The state of a fit. On a closed track `rows` repeats the first row at the end.
 struct Work {
   std::vector<FitRow> rows;
   std::vector<double> distances;
   std::vector<char> free;
   bool closed = false;
-  double scale = 1;  // of the bounds
+  double scale = 1;  // relative to the bounds
   SpanScratch scratch;
   std::vector<Span> spans;
-  std::vector<double> rolls;  // additional roll of a knot on each row, radians
+  std::vector<double> rolls;  // additional roll of a knot at each row, radians
   base::Progress* progress = nullptr;
-  int passes = 0;  // of fit_spans() that are done
+  int passes = 0;  // completed calls of fit_spans()
 
   bool cancelled() const { return progress && progress->cancelled; }
-  // Within the present pass, 0..1. The passes take about the same time, what follows them little.
+  // Reports progress within the present pass, 0..1. The passes take about the same time, the rest little.
   void tell(double part) const {
     const double all = (rows.size() > kEvenedRows ? 1 : 1 + kEvenings) + 0.2;
     if (progress) progress->done = std::max(progress->done.load(), std::min(1.0, (passes + part) / all));
@@ -63,8 +63,8 @@ struct Work {
   }
 };
 
-// The longest span from `first`: doubling from the last one's length, then bisection. What fits is taken to fit when
-// shorter, too.
+// Returns the longest span from `first`: doubles the last one's length, then bisects. Assumes that a shorter part of a
+// fitting span fits too.
 Span longest_span(Work& w, std::size_t first, double low, double high, std::size_t usual) {
   const std::size_t end = w.rows.size() - 1;
   Span good{first, first + 1, w.fit(first, first + 1, low, high)};
@@ -87,7 +87,7 @@ Span longest_span(Work& w, std::size_t first, double low, double high, std::size
     if (fit.within) good.last = last, good.fit = std::move(fit);
     else bad = last;
   }
-  // A knot just before the end goes back a little: the step that closes a track is shorter than the others.
+  // A knot just before the end moves back a little: the step that closes a track is shorter than the others.
   if (good.last < end && w.distances[end] - w.distances[good.last] < kShortSpan) {
     std::size_t last = good.last;
     while (last > first + 1 && w.distances[end] - w.distances[last] < kShortSpan) --last;
@@ -116,12 +116,13 @@ void fit_spans(Work& w) {
   ++w.passes;
 }
 
-// The longest spans leave an odd short one at the end. As many spans within tighter bounds are alike, and nearer to the
-// rows.
+// The longest spans leave a short one at the end. The same number of spans with tighter bounds are more even, and
+// closer to the rows.
 void even_out(Work& w) {
   if (w.spans.size() < 2 || w.rows.size() > kEvenedRows) return;
   std::vector<Span> best = w.spans;
-  // A span's length goes with the second to fourth root of the bound: with n spans there is 4 / n to give away at most.
+  // A span's length goes with the second to fourth root of the bound: with n spans the bounds can shrink by 4 / n at
+  // most.
   double low = std::max(kLeastScale, 1 - 4.0 / static_cast<double>(best.size())), high = 1;
   for (int i = 0; i < kEvenings && !w.cancelled(); ++i) {
     w.scale = 0.5 * (low + high);
@@ -134,7 +135,7 @@ void even_out(Work& w) {
   w.spans = std::move(best);
 }
 
-// The middle of what the window leaves for the first knot when the second has `second`.
+// Returns the middle of the window for the first knot when the second has `second`.
 double middle_of_first(const RollWindow& window, double second) {
   double low = 1, high = -1;
   const auto take = [&](double x) { low = std::min(low, x), high = std::max(high, x); };
@@ -146,11 +147,11 @@ double middle_of_first(const RollWindow& window, double second) {
     if ((a.y < second && b.y > second) || (a.y > second && b.y < second))
       take(a.x + (second - a.y) / (b.y - a.y) * (b.x - a.x));
   }
-  if (low > high) return nearest ? nearest->x : 0;  // rounding has left `second` just outside
+  if (low > high) return nearest ? nearest->x : 0;  // rounding has put `second` just outside
   return 0.5 * (low + high);
 }
 
-// Chooses a roll for every knot, from the last one back, so that each span keeps its frames.
+// Chooses a roll for every knot, from the last to the first, so that each span keeps its frames within the bound.
 void choose_rolls(Work& w) {
   w.rolls.assign(w.rows.size(), 0);
   if (w.spans.empty()) return;
@@ -195,10 +196,10 @@ world::Document document_of(const Work& w, Derived& derived) {
     world::append_knot(document,
                        knot_of(w.rows[last.last], w.rolls[last.last], last.fit.in_length, last.fit.in_length));
   world::Settings settings;
-  settings.steps = 1;  // no polylines are looked at
+  settings.steps = 1;  // polylines are not needed
   derived = {};
   derive(document, settings, {}, derived);
-  // Whole turns: what the rows turn, less what the knots' frames say by themselves.
+  // Whole turns: the rotation of the rows, less the rotation between the knots' frames.
   bool turned = false;
   for (std::size_t i = 0; i < count; ++i) {
     const double wanted = w.spans[i].fit.roll + w.rolls[w.spans[i].last] - w.rolls[w.spans[i].first];

@@ -1,4 +1,4 @@
-// A track through measured rows: as few knots as keep it within bounds of them. Knots stand on rows; joints are G1.
+// A track through measured rows: as few knots as stay within the bounds. Knots are at rows; joints are G1.
 #pragma once
 
 #include <span>
@@ -10,15 +10,15 @@
 
 namespace coaster::sim {
 
-// Bounds of the fit. A row within kJumpReach of a jump may be off in its frame, not in its place.
+// Bounds of the fit. A row within kJumpReach of a jump must meet the bound of the distance but not that of the frame.
 inline constexpr double kFitDistance = 0.01;  // m
 inline constexpr double kFitAngle = 0.5;      // degrees
 
-// How well the document's own curve and frames (world::cubic_of, sim::frame_at) meet the rows; every row is measured.
+// The errors of the document's own curve and frames (world::cubic_of, sim::frame_at) at the rows; every row is
+// measured.
 struct FitReport {
-  double max_error = 0;  // m, the largest distance of a row from the curve
-  double frame_error =
-      0;  // degrees, the largest angle of the rotation between a row's frame and the track's there, but near jumps
+  double max_error = 0;    // m, the largest distance of a row from the curve
+  double frame_error = 0;  // degrees, the largest angle between a row's frame and the track's, except near jumps
   int knots = 0;
 };
 
@@ -27,12 +27,12 @@ struct FittedTrack {
   FitReport report;
 };
 
-// A document with knots, segments and nothing else. Needs at least 2 rows (3 when closed) with finite places within
-// world::kMaxCoordinate, neighbours apart by more than 1e-6 m, and unit perpendicular frames. On a closed track the
-// first row is not repeated, and is a knot. The bounds are kept whenever rows are 0.03 m apart or more and coordinates
-// within 10 km: two rows that are neighbours always fit, and a span that the finished document misses is halved. Same
-// rows, same bits, on every machine. Deterministic; about 25 us a row. `progress` (or null) is told how far it is; once
-// it is cancelled, an empty document comes back.
+// Returns a document of knots and segments only. Needs at least 2 rows (3 if closed) with finite positions within
+// world::kMaxCoordinate, neighbours more than 1e-6 m apart, and unit perpendicular frames. On a closed track the first
+// row is not repeated, and is a knot. The bounds are met if rows are at least 0.03 m apart and coordinates within 10
+// km: two neighbouring rows always fit, and a span that misses on the finished document is halved. The same bits on
+// every machine; about 25 us per row. Reports to `progress` (may be null); returns an empty document once it is
+// cancelled.
 FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress = nullptr);
 
 }  // namespace coaster::sim

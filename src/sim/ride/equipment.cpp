@@ -8,8 +8,8 @@ namespace {
 
 using world::EquipmentKind;
 
-constexpr double kStopWithin = 0.02;  // m from the stopping place
-constexpr double kStopSpeed = 0.05;   // m/s, slow enough to be stopped
+constexpr double kStopWithin = 0.02;  // m from the stopping point
+constexpr double kStopSpeed = 0.05;   // m/s, slow enough to stop
 constexpr double kCreep = 0.3;        // m/s, at which tyres push a train that stopped short
 
 double car_place(const Rails& rails, const TrainPlace& train, int car) {
@@ -20,7 +20,7 @@ double car_place(const Rails& rails, const TrainPlace& train, int car) {
 
 bool inside(const EquipmentSpan& span, double at) { return at >= span.from && at < span.to; }
 
-// The part of a train's cars that is on a span.
+// Returns the fraction of a train's cars that is on a span.
 double share_on(const EquipmentSpan& span, const Rails& rails, const TrainPlace& train) {
   int on = 0;
   for (int i = 0; i < train.cars; ++i) on += inside(span, car_place(rails, train, i));
@@ -29,17 +29,17 @@ double share_on(const EquipmentSpan& span, const Rails& rails, const TrainPlace&
 
 struct Moment {
   double speed, free, dt;
-  // The acceleration by equipment after which the speed is `to`, and what gravity and losses leave of it.
+  // Returns the acceleration that equipment must add to gravity and losses to reach the speed `to`.
   double towards(double to) const { return (to - speed) / dt - free; }
 };
 
-// Net acceleration towards a speed, within -brake..push.
+// Returns the net acceleration towards a speed, within -brake..push.
 double steer(const Moment& now, double to, double push, double brake) {
   return std::clamp((to - now.speed) / now.dt, -brake, push) - now.free;
 }
 
 double lift(const world::Equipment& e, const Moment& now) {
-  const double ratchet = now.towards(0.0);  // what keeps it from rolling back
+  const double ratchet = now.towards(0.0);  // prevents rollback
   const double pull = std::min(now.towards(e.speed), e.acceleration - now.free);
   return std::max({pull, ratchet, 0.0});
 }
@@ -57,7 +57,7 @@ double brake(const world::Equipment& e, const Moment& now, double share, Control
   return now.speed > 0 ? -std::min(most, std::max(-to_rest, 0.0)) : std::min(most, std::max(to_rest, 0.0));
 }
 
-// Brings a train to stand with its first car at the span's end, waits, and sends it off.
+// Stops a train with its first car at the span's end, waits, and dispatches it.
 Drive stop_and_go(const EquipmentSpan& span, const Moment& now, double left, bool way_free, ControlState& state) {
   const world::Equipment& e = span.equipment;
   const double push = e.acceleration;
@@ -73,7 +73,7 @@ Drive stop_and_go(const EquipmentSpan& span, const Moment& now, double left, boo
         1 + static_cast<std::int32_t>(e.kind == EquipmentKind::station ? e.seconds * world::kTicksPerSecond : 0);
     return {now.towards(0.0), true};
   }
-  // Down along v^2 = 2 a d to the stopping place, with twice that much in reserve; never past it.
+  // Follows v^2 = 2 a d down to the stopping point; the brake is three times as strong as that needs. Never past it.
   const double allowed = std::sqrt(2.0 * push * std::max(left - 0.5 * kStopWithin, 0.0));
   const double target = std::min(std::max<double>(e.speed, kCreep), allowed);
   const double last_step = std::max(left, 0.0) / now.dt;
@@ -100,12 +100,12 @@ Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const T
     const double share = share_on(span, rails, train);
     const EquipmentKind kind = span.equipment.kind;
     const bool stops = kind == EquipmentKind::station || kind == EquipmentKind::block;
-    // The stopping place is the span's very end: a first car that stands there belongs to it.
+    // The stopping point is the span's very end: a first car that stands there belongs to it.
     const bool front_on =
         inside(span, front) || (stops && state.dwell > 0 && std::abs(front - span.to) < 2 * kStopWithin);
     if (share == 0 && !front_on) continue;
     const Moment now{speed, free + drive.acceleration,
-                     dt};  // what other spans do counts: a train on two lifts is pulled once
+                     dt};  // includes what other spans do: a train on two lifts is pulled once
     if (stops) {
       on_stop = true;
       if (front_on && (kind == EquipmentKind::station || !way_free || state.dwell > 0)) {

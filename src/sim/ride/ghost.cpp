@@ -9,9 +9,8 @@
 namespace coaster::sim {
 namespace {
 
-// The train's mean slope over the place of its first car, on a uniform grid: a train is a point in this landscape.
-// Within a cell the slope is the derivative of a cubic Hermite height, so that what the ride gains and loses by it adds
-// up to the heights.
+// The train's mean slope as a function of its first car's position, on a uniform grid. Within a cell the slope is the
+// derivative of a cubic Hermite height, so that the ride's gains and losses add up to the heights.
 class Landscape {
  public:
   Landscape(const RailTables& tables, std::span<const SegmentTable* const> segments, const GhostStart& start)
@@ -29,7 +28,7 @@ class Landscape {
     }
   }
 
-  // On a closed track at most one round before or after it.
+  // On a closed track `at` may be up to one lap outside.
   double slope(double at) const {
     if (closed_ && at >= length_) at -= length_;
     if (closed_ && at < 0) at += length_;
@@ -43,12 +42,12 @@ class Landscape {
   struct Cell {
     double a, b, c;
   };
-  // Walks the segments in their order, as the grid does.
+  // Visits the segments in order, as the grid does.
   void add_car(const RailTables& tables, std::span<const SegmentTable* const> segments, double back,
                std::vector<TableRail>& sums) const {
     std::size_t index = segments.size();
     const double first = tables.locate(-back, index);
-    double offset = first;  // the place in the segment is step * i + offset
+    double offset = first;  // the position in the segment is step * i + offset
     double left = tables.start(index + 1) - tables.start(index);
     for (std::size_t i = 0; i < sums.size(); ++i) {
       double s = step_ * static_cast<double>(i) + offset;
@@ -96,7 +95,7 @@ class Simulation {
     settle();
   }
 
-  // `ghost` gives its memory.
+  // Reuses the memory of `ghost`.
   Ghost run(const GhostLimits& limits, Ghost ghost) {
     std::vector<GhostSample> samples = std::move(ghost.samples);
     std::vector<Force> forces = std::move(ghost.forces);
@@ -129,8 +128,7 @@ class Simulation {
     return drive - direction * (world::kGravity * resistance_.rolling + resistance_.drag * speed * speed);
   }
   double gravity(double at) const { return -world::kGravity * landscape_.slope(at - round_); }
-  // After each move: the gravity there, which is asked for several times, and the start of the round that the train is
-  // in.
+  // After each move: computes the gravity there, which is used several times, and the start of the train's lap.
   void settle() {
     if (rails_.closed && !(moving_.at >= round_ && moving_.at < round_ + rails_.length))
       round_ = rails_.length * std::floor(moving_.at / rails_.length);
@@ -159,7 +157,7 @@ class Simulation {
 
   void advance(double drive, Ghost& ghost) {
     const double sign = direction(drive), dt = world::kTick;
-    if (moving_.speed == 0 && sign == 0 && resistance_.rolling > 0) return;  // at rest, and friction holds it
+    if (moving_.speed == 0 && sign == 0 && resistance_.rolling > 0) return;  // at rest, held by friction
     const auto with = [&](const Moving& m, double pull) {
       const double by_others = others(m.speed, sign, drive);
       return Moving{m.speed, pull + by_others, by_others * m.speed};
@@ -175,7 +173,7 @@ class Simulation {
                          mean(k1.work, k2.work, k3.work, k4.work)},
                         dt);
     const bool losses = !(resistance_ == world::Resistance{});
-    if (losses && sign != 0 && next.speed * sign < 0) {  // friction brings it to rest, not beyond
+    if (losses && sign != 0 && next.speed * sign < 0) {  // friction stops it and does not reverse it
       const double part = moving_.speed / (moving_.speed - next.speed);
       next = {moving_.at + part * (next.at - moving_.at), 0.0, moving_.work + part * (next.work - moving_.work)};
     }

@@ -1,5 +1,5 @@
-// The ghost: a whole ride of one train, simulated at once over tables of the rails. It answers what a ride will be like
-// while the track is still being dragged, and is the timetable of the integrator `precomputed`.
+// The ghost: a whole ride of one train, simulated at once over tables of the rails. It predicts the ride while the
+// track is being dragged, and is the timetable of the integrator `precomputed`.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace coaster::sim {
 
-// Where and how fast a train sets off.
+// The start position and speed of a train.
 struct GhostStart {
   double front = 0;  // m from the track's start, of the first car
   double speed = 0;  // m/s
@@ -36,7 +36,7 @@ struct GhostSample {
   double work = 0;          // J/kg by losses and equipment
 };
 
-// Felt acceleration in g on the seat's axes, riders on the heartline.
+// Felt acceleration in g on the seat's axes, for riders on the heartline.
 struct Force {
   float forward = 0, left = 0, up = 1;
 };
@@ -46,15 +46,15 @@ struct Ghost {
   GhostStart start;
   double track_length = 0;
   bool closed = false;
-  std::vector<GhostSample> samples;                   // one each tick of 1/120 s, the first at the start
+  std::vector<GhostSample> samples;                   // one per tick of 1/120 s, the first at the start
   std::vector<Force> forces;                          // entry k of car c at [k * cars + c], at tick k * kForceEvery
-  world::FailureKind end = world::FailureKind::none;  // none: a whole lap, or the time was up
-  bool lap = false;                                   // came round once
-  std::uint64_t serial = 0;                           // of the memo's simulations, from 1: a new number for a new ride
-  double lap_time = 0;                                // s, from the start round to it again, when `lap`
+  world::FailureKind end = world::FailureKind::none;  // none: a whole lap, or the time limit
+  bool lap = false;                                   // completed a lap
+  std::uint64_t serial = 0;                           // number of the simulation, from 1: a new ride has a new number
+  double lap_time = 0;                                // s, from the start to the start again, if `lap`
 
   double seconds() const { return samples.empty() ? 0.0 : static_cast<double>(samples.size() - 1) * world::kTick; }
-  // Track distance of the first car at a sample, wrapped on a closed track.
+  // Returns the track distance of the first car at a sample, wrapped on a closed track.
   double distance(std::size_t sample) const;
 };
 
@@ -63,31 +63,31 @@ struct GhostLimits {
   bool stop_after_lap = true;
 };
 
-// Runge-Kutta 4 over the train's mean height, one step a tick: on a frictionless 2 km circuit its energy stays within
-// 1e-6 of the largest kinetic energy, and a lap takes under 4 ms with 8 cars. The train is alone on the track. An empty
-// track gives one sample. `memory` is used again for the result.
+// Simulates by Runge-Kutta 4 over the train's mean height, one step per tick: on a frictionless 2 km circuit the energy
+// stays within 1e-6 of the largest kinetic energy, and a lap takes under 4 ms with 8 cars. The train is alone on the
+// track. An empty track gives one sample. Reuses `memory` for the result.
 Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
                const GhostStart& start, const GhostLimits& limits = {}, Ghost memory = {});
 
-// How a designed train starts.
+// Returns the start of a designed train.
 GhostStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design);
 
-// Keeps the tables and the ghosts of a document's trains, and simulates again what has changed when it is asked. What
-// it hands out is good until kMostEntries other rides were asked for.
+// Caches the tables and the ghosts of a document's trains, and simulates on demand after changes. A result stays valid
+// until kMostEntries other rides have been requested.
 class GhostMemo {
  public:
-  // The ride of a designed train from its start; null when there is no such cart or no track.
+  // Returns the ride of a designed train from its start; null if there is no such train or no track.
   const Ghost* ride(const world::Document& document, const Derived& derived, world::Entity cart);
-  // A ride from anywhere: the timetable of a train in motion.
+  // Returns a ride from any start: the timetable of a moving train.
   const Ghost& from(const world::Document& document, const Derived& derived, const GhostStart& start);
-  // The same ride as a table of one lap, for as long as from()'s answer is good; not valid where laps do not repeat:
-  // with losses or equipment, and where none is completed.
+  // Returns the same ride as a table of one lap, valid as long as from()'s result. The table is invalid if laps do not
+  // repeat (with losses or equipment) or none is completed.
   const LapTable& lap(const world::Document& document, const Derived& derived, const GhostStart& start);
-  // Room for as many rides at least (up to kMostEntries * 16), so that that many trains do not push out each other's.
+  // Keeps at least as many rides (up to kMostEntries * 16), so that many trains do not evict each other's.
   void keep(std::size_t rides);
-  // The tables behind them, up to date.
+  // Returns the tables, up to date.
   const RailTables& tables(const world::Document& document, const Derived& derived);
-  // How often anything was simulated: what a test counts.
+  // Returns the number of simulations, for tests.
   std::uint64_t simulations() const { return simulations_; }
 
  private:
@@ -95,7 +95,7 @@ class GhostMemo {
     std::uint64_t key = 0;
     Ghost ghost;
     std::uint64_t used = 0;
-    bool has_lap = false;  // `lap` was made from the ghost
+    bool has_lap = false;  // `lap` is up to date with the ghost
     LapTable lap;
   };
   Entry& find(const world::Document& document, const Derived& derived, const GhostStart& start,
@@ -103,7 +103,7 @@ class GhostMemo {
 
   RailTables tables_;
   std::vector<EquipmentSpan> equipment_;
-  std::deque<Entry> entries_;  // at most most_, the one used longest ago goes
+  std::deque<Entry> entries_;  // at most most_; the least recently used is evicted
   std::uint64_t simulations_ = 0, clock_ = 0;
   static constexpr std::size_t kMostEntries = 16;
   std::size_t most_ = kMostEntries;

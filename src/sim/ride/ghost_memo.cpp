@@ -1,4 +1,4 @@
-// Rides that were simulated already, by a hash of everything that they depend on.
+// The cache of simulated rides, by a hash of their inputs.
 #include <algorithm>
 
 #include "base/hash.h"

@@ -1,4 +1,5 @@
-// The integrator table. Stepped rows work in arc length on a train between two joints; ride.cpp splits ticks there.
+// The integrator table. Stepped rows work in arc length on a train between two joints; ride_step.cpp splits ticks
+// there.
 #include <array>
 #include <cmath>
 
@@ -7,7 +8,7 @@
 namespace coaster::sim {
 namespace {
 
-// s' = v, v' = a(s) + b(v), W' = b v: gravity does not depend on the speed, losses and equipment on nothing else.
+// s' = v, v' = a(s) + b(v), W' = b v: gravity depends only on s, losses and equipment only on v.
 struct Slopes {
   double speed, acceleration, power;
 };
@@ -40,15 +41,15 @@ TrainState verlet(const TrainContext& context, TrainState state, double dt) {
   return {x, speed, state.work + 0.5 * dt * (k.power + others * speed)};
 }
 
-// Semi-implicit Euler: the speed first, then the place with the new speed.
+// Semi-implicit Euler: the speed first, then the position with the new speed.
 TrainState euler(const TrainContext& context, TrainState state, double dt) {
   const Slopes k = slopes(context, state);
   const double speed = state.speed + dt * k.acceleration;
   return {state.x + dt * speed, speed, state.work + dt * k.power};
 }
 
-// Barrett 2012, section 4: the speed from the energy, then distance = speed x time. Paper erratum: where the speed is 0
-// it stays there, so a cart at rest never starts and one that should roll back stops.
+// Barrett 2012, section 4: the speed from the energy, then distance = speed x time. Paper erratum: a speed of 0 stays
+// 0, so a cart at rest never starts and one that should roll back stops.
 TrainState energy_method(const TrainContext& context, TrainState state, double dt) {
   const double kinetic =
       context.reference_energy + state.work - world::kGravity * (context.height(state.x) - context.datum);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPerTick = world::kTick, kPerSecond = world::kTicksPerSecond;
 
-// Hermite on one tick from (a, va) to (b, vb), m and m/s, u in [0, 1]; at u = 0 exactly (a, va).
+// Hermite over one tick from (a, va) to (b, vb), m and m/s, u in [0, 1]; at u = 0 exactly (a, va).
 inline void between(double a, double va, double b, double vb, double u, double& along, double& speed) {
   const double way = b - a, first = va * kPerTick, last = vb * kPerTick;
   const double p = first + last - 2.0 * way, q = 3.0 * way - 2.0 * first - last;
@@ -33,9 +33,9 @@ struct Columns {
   double *phase, *along, *speed, *laps;
 };
 
-constexpr std::size_t kBlock = 64;  // what is handed from loop to loop stays in the first cache
+constexpr std::size_t kBlock = 64;  // data passed between loops stay in the first-level cache
 
-// One tick on: in which tick of the lap trains are then, and what part of it has passed.
+// Advances by one tick: the tick of the lap that each train is in, and the elapsed fraction of it.
 inline void turn(double period, std::size_t count, double* __restrict phase, double* __restrict laps,
                  std::int32_t* __restrict entry, double* __restrict part) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -59,8 +59,8 @@ inline void place(std::size_t count, const Pair* __restrict before, const Pair* 
   }
 }
 
-// Loops of one kind of work each, so that all but the look-up run on several trains at once. Every step is one rounded
-// operation, whatever the width, so that the bits are the same.
+// Loops that each do one kind of work, so that all but the look-up are vectorised. Every step is one rounded operation,
+// so the bits do not depend on the vector width.
 void advance_block(const LapTable& table, std::size_t count, const Columns& carts) {
   std::array<std::int32_t, kBlock> entry;
   std::array<double, kBlock> part;
@@ -83,11 +83,11 @@ LapTable::LapTable(const Ghost& ghost) {
     entries_.push_back({sample.travelled, sample.speed});
     if (sample.travelled >= length_ && entries_.size() >= 2) break;
   }
-  // The lap ends in the last tick; one more entry, so that a phase of exactly the period has a tick to be in.
+  // The lap ends in the last tick. One more entry, so that a phase of exactly the period has a tick.
   entries_.push_back({entries_.back().along + entries_.back().speed * kPerTick, entries_.back().speed});
   period_ = static_cast<double>(entries_.size() - 2);
   period_ = phase_at(length_);
-  if (period_ < 1.0) entries_.clear();  // several laps a tick are no table's work
+  if (period_ < 1.0) entries_.clear();  // a table cannot represent several laps per tick
 }
 
 double LapTable::phase_at(double along) const {

@@ -1,5 +1,5 @@
-// One lap as a table over time: the ride of the paper's conclusion, computed once and looked up ever after. Any number
-// of trains that share an energy and a length run on one table, each at its own place in it.
+// One lap as a table over time: the ride of the paper's conclusion, computed once and looked up afterwards. Trains of
+// the same energy and length share a table, each at its own phase.
 #pragma once
 
 #include <span>
@@ -14,22 +14,23 @@ struct LapEntry {
   double speed = 0;  // m/s
 };
 
-// Place and speed at a time: cubic Hermite in time between ticks (the speed is the place's exact derivative there), so
-// that at whole ticks it is the ghost's own samples, bit by bit, and between them within 1e-7 m of the curve through
-// them.
+// Position and speed by time: cubic Hermite in time between ticks (the speed is the exact derivative of the position
+// there). At whole ticks it equals the ghost's samples bit for bit, between them it is within 1e-7 m of the curve
+// through them.
 class LapTable {
  public:
   LapTable() = default;
-  // Of a ghost that came round; otherwise, or where a lap takes less than a tick, the table is not valid. Whether laps
-  // repeat is for the caller to say: without losses and equipment they do.
+  // Builds the table of a ghost that completed a lap. Invalid for other ghosts, and if a lap takes less than a tick.
+  // The caller must know that laps repeat: they do without losses and equipment.
   explicit LapTable(const Ghost& ghost);
 
   bool valid() const { return entries_.size() >= 2; }
-  double period() const { return period_; }  // ticks a lap takes, not a whole number
+  double period() const { return period_; }  // ticks per lap, not a whole number
   double length() const { return length_; }  // m
-  // The time, in ticks, at which the train is `along` m into its lap, in [0, length()]: bisection to the last bit.
+  // Returns the time, in ticks, at which the train is `along` m into its lap, in [0, length()]: bisection to the last
+  // bit.
   double phase_at(double along) const;
-  // One each tick, the last two at and after the end of the lap.
+  // One per tick, the last two at and after the end of the lap.
   std::span<const LapEntry> entries() const { return entries_; }
 
  private:
@@ -42,13 +43,13 @@ struct LapCart {
   double phase = 0;  // ticks into the lap, [0, period)
   double along = 0;  // m into the lap
   double speed = 0;  // m/s
-  double laps = 0;   // completed, a whole number: the way so far is laps * length + along - where it began
+  double laps = 0;   // completed laps, a whole number: the distance so far is laps * length + along - start
   friend bool operator==(const LapCart&, const LapCart&) = default;
 };
-// At a phase in [0, period], no lap completed.
+// Returns a train at a phase in [0, period], with no lap completed.
 LapCart lap_cart(const LapTable& table, double phase);
 
-// Many of them, member by member: 32 bytes a train, so that ten thousand stay in the processor's second cache.
+// Many trains, member by member: 32 bytes per train, so that ten thousand fit into the second-level cache.
 struct LapCarts {
   std::vector<double> phase, along, speed, laps;
   std::size_t size() const { return phase.size(); }
@@ -56,7 +57,8 @@ struct LapCarts {
   LapCart at(std::size_t i) const { return {phase[i], along[i], speed[i], laps[i]}; }
 };
 
-// By one tick; needs a valid table. A train's bits depend on its own state alone, not on how many move with it.
+// Advance by one tick; the table must be valid. A train's bits depend only on its own state, not on the number of
+// trains.
 void advance(const LapTable& table, LapCart& cart);
 void advance(const LapTable& table, LapCarts& carts);
 

@@ -1,4 +1,4 @@
-// Where cars are in space, how they are turned, and what their riders feel.
+// Position and orientation of cars, and the forces on their riders.
 #include <cmath>
 
 #include "base/check.h"
@@ -10,7 +10,7 @@ namespace {
 
 using glm::dvec3;
 
-// The point of the heartline over arc length s of a segment.
+// Returns the heartline's point at arc length s of a segment.
 dvec3 heartline_point(const SegmentShape& shape, double s, double heartline) {
   return curve::point(shape.key.cubic, shape.arc.parameter(s)) + heartline * frame_at(shape, s).up;
 }
@@ -24,7 +24,7 @@ std::vector<CarPlace> places_of(const world::Document& document, const Derived& 
   return places;
 }
 
-// The train's acceleration along the rails, as its last tick had it.
+// Returns the train's acceleration along the rails in its last tick.
 double acceleration_of(const world::Document& document, const Derived& derived, world::Entity entity,
                        std::span<const CarPlace> places, const world::CartMotion& cart) {
   const world::Cart* const design = document.entities.find<world::Cart>(entity);
@@ -41,7 +41,7 @@ Pose pose(const Derived& derived, CarPlace place, world::FrameMethod method) {
   const SegmentShape& shape = derived.shape(derived.order[place.index]);
   const double length = shape.arc.length(), s = std::fmin(std::fmax(place.s, 0.0), length);
   const TrackFrame at = track_frame(derived, method, place.index, s);
-  // A car beyond an open end stands on the straight continuation.
+  // A car beyond an open end is on the straight continuation.
   return {curve::point(shape.key.cubic, shape.arc.parameter(s)) + (place.s - s) * at.frame.forward, at.frame,
           at.defined};
 }
@@ -68,13 +68,13 @@ Felt felt(const world::Document& document, const Derived& derived, world::Entity
   COASTER_CHECK(car >= 0 && static_cast<std::size_t>(car) < places.size(), "a car of the train");
   const CarPlace place = places[static_cast<std::size_t>(car)];
   // a = s'' h'(s) + s'^2 h''(s) along the heartline h, by central differences over +-step of rail. The stencil stays
-  // within the segment: the roll rate may jump at a joint, which the heartline answers with a corner, and a difference
-  // over it with noise.
+  // within the segment: the roll rate may jump at a joint, where the heartline then has a corner and a difference
+  // across it gives noise.
   const SegmentShape& shape = derived.shape(derived.order[place.index]);
   const double length = shape.arc.length(), step = std::fmin(0.02, 0.25 * length);
   const double s = std::fmin(std::fmax(place.s, step), length - step);
   const curve::Frame frame = frame_at(shape, s);
-  if (!(step > 0)) return {frame.up.y, frame.left().y, frame.forward.y};  // no length: at rest, whatever the speed
+  if (!(step > 0)) return {frame.up.y, frame.left().y, frame.forward.y};  // a segment of zero length: as at rest
   const double d = document.heartline;
   const dvec3 before = heartline_point(shape, s - step, d), here = heartline_point(shape, s, d),
               after = heartline_point(shape, s + step, d);

@@ -1,4 +1,4 @@
-// Trains at their start, under edits, and put elsewhere; their energy. Ticks are in ride_step.cpp.
+// Trains at their start, after edits, and after seek; their energy. Ticks are in ride_step.cpp.
 #include "sim/ride/ride.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ world::CartMotion begin(const world::Document& document, const Derived& derived,
   return motion;
 }
 
-// A train in motion after an edit: the same segment and fraction of it, else the same distance along the track.
+// Updates a moving train after an edit: the same segment and fraction, else the same distance along the track.
 void follow_edit(const world::Document& document, const Derived& derived, world::Entity entity,
                  world::CartMotion& cart) {
   std::size_t index = index_in(derived, cart.segment);

@@ -1,5 +1,4 @@
-// The ride's ticks: trains advanced part by part between joints, equipment and losses, and the ways in which a ride
-// ends.
+// The ticks of the ride: trains advanced in parts between joints, equipment and losses, and the ends of a ride.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,10 +13,10 @@
 namespace coaster::sim {
 namespace {
 
-// A tick that meets more joints than this for each car (segments of no length) is cut short: the train waits for the
+// A tick that crosses more joints per car than this (segments of zero length) is cut short: the train waits for the
 // next tick.
 constexpr int kMaxJointsPerTick = 64;
-// A car that hangs over an open end is this far out at least, so that it does not meet its joint again.
+// Least distance of a car beyond an open end, so that it does not cross its joint again.
 constexpr double kOverhang = 1e-9;  // m
 
 struct TickContext {
@@ -26,8 +25,8 @@ struct TickContext {
   world::Resistance resistance;  // of the train whose tick it is
 };
 
-// The time in (0, dt] at which `value` (of the state after that time) first reaches zero from below: bisection and
-// secants in turn, on the side beyond, to 1e-15 s.
+// Returns the time in (0, dt] at which `value` (of the state after that time) first reaches zero from below:
+// alternating bisection and secants, on the far side, to 1e-15 s.
 template <class Value>
 double time_of(const TickContext& tick, const TrainContext& context, const TrainState& state, double dt,
                const Value& value) {
@@ -44,7 +43,7 @@ double time_of(const TickContext& tick, const TrainContext& context, const Train
   return high;
 }
 
-// Moves the cars by x; those that come to the joint at `reached` go over it. False where the first car comes to an open
+// Moves the cars by x; those that reach the joint at `reached` cross it. Returns false if the first car reaches an open
 // end.
 bool move_cars(const Derived& derived, double x, bool forward, bool at_joint, std::vector<CarPlace>& places,
                std::int64_t& laps) {
@@ -73,8 +72,7 @@ bool move_cars(const Derived& derived, double x, bool forward, bool at_joint, st
   return on_track;
 }
 
-// The sign of the motion that losses oppose. At rest friction takes the side that gravity and drive pull away from, as
-// far as it reaches.
+// Returns the sign of the motion that losses oppose. At rest friction opposes gravity and drive, up to its limit.
 double direction_of(const TrainContext& context, double speed) {
   if (speed != 0) return speed > 0 ? 1.0 : -1.0;
   const double pull = context.gravity(0.0) + context.drive;
@@ -86,8 +84,8 @@ bool stays_at_rest(const TrainContext& context, double speed) {
   return speed == 0 && context.resistance.rolling > 0 && direction_of(context, 0.0) == 0.0;
 }
 
-// Advances a train by `dt` in one step that goes over joints. False, and nothing is changed, where that will not do: at
-// open ends, and where losses bring it to rest.
+// Advances a train by `dt` in one step across joints. Returns false and changes nothing if that is not possible: at
+// open ends, and where losses stop it.
 bool advance_across(const TickContext& tick, double dt, double drive, std::vector<CarPlace>& places,
                     world::CartMotion& cart) {
   const Derived& derived = tick.input.derived;
@@ -102,7 +100,8 @@ bool advance_across(const TickContext& tick, double dt, double drive, std::vecto
   if (!derived.closed && !(to > 0 && to < derived.length)) return false;
   const CarPlace before = places.front();
   for (CarPlace& car : places) car = behind(derived, car, -next.x);
-  // Further on and yet nearer to the track's start: round, unless the track is so short that one step is several laps.
+  // Moved on and yet nearer to the track's start: it completed a lap, unless the track is so short that one step is
+  // several laps.
   const auto order = [](const CarPlace& a, const CarPlace& b) {
     return a.index != b.index ? a.index < b.index : a.s < b.s;
   };
@@ -112,7 +111,7 @@ bool advance_across(const TickContext& tick, double dt, double drive, std::vecto
   return true;
 }
 
-// Advances a train by `dt` in parts that end at joints and where losses bring it to rest. False at an open end.
+// Advances a train by `dt` in parts that end at joints and where losses stop it. Returns false at an open end.
 bool advance_stepped(const TickContext& tick, double dt, double drive, std::vector<CarPlace>& places,
                      world::CartMotion& cart) {
   const Derived& derived = tick.input.derived;
@@ -150,7 +149,7 @@ bool advance_stepped(const TickContext& tick, double dt, double drive, std::vect
   return true;
 }
 
-// What equipment does in this tick; true in `held` when it holds the train still.
+// Returns the effect of equipment in this tick; `held` is true if it holds the train still.
 Drive drive_for(const TickContext& tick, std::size_t train, std::span<const TrainPlace> trains,
                 std::span<const CarPlace> places, world::CartMotion& cart) {
   const RideInput& input = tick.input;
@@ -169,7 +168,7 @@ Drive drive_for(const TickContext& tick, std::size_t train, std::span<const Trai
   return drive;
 }
 
-// How a train's tick ended the ride, if it did.
+// Returns how a train's tick ended the ride, if it did.
 std::optional<world::FailureKind> failure_of(const TickContext& tick, bool held, bool on_track, double arrival,
                                              world::CartMotion& cart) {
   cart.furthest = std::max(cart.furthest, cart.travelled);
@@ -215,7 +214,7 @@ std::vector<Train> trains_of(const RideInput& input, world::Motion& motion) {
   return trains;
 }
 
-// One tick of one train. False when it stands at an open end.
+// Advances one train by one tick. Returns false if it is at an open end.
 bool advance_train(const TickContext& tick, const Drive& drive, Train& train) {
   world::CartMotion& cart = *train.motion;
   if (drive.held) {
@@ -261,7 +260,7 @@ void step_trains(const RideInput& input, const Integrator& row, int ticks, world
       cart.drive = drive.acceleration;
       const bool on_track = advance_train(tick, drive, trains[i]);
       const double arrival = cart.speed;
-      if (!on_track) halt(cart);  // at the buffers
+      if (!on_track) halt(cart);  // at the buffer stop
       cart.peak_kinetic = std::max(cart.peak_kinetic, 0.5 * cart.speed * cart.speed);
       any |= on_track;
       if (const auto failure = failure_of(tick, drive.held, on_track, arrival, cart))

@@ -29,7 +29,7 @@ GhostStart start_of(const RideInput& input, world::Entity entity, const world::T
           static_cast<double>(design.mass)};
 }
 
-// The next tick's entry. False when the timetable says that the ride is over.
+// Applies the next tick's entry. Returns false if the timetable ends the ride.
 bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity entity, world::CartMotion& cart,
                       world::FailureKind& failure) {
   const Ghost* ghost = &memo.from(input.document, input.derived, start_of(input, entity, cart.timetable));
@@ -59,7 +59,7 @@ bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity ent
   return true;
 }
 
-// All ticks of a train whose laps repeat: one lap's table, round and round.
+// Runs all ticks of a train whose laps repeat, on one lap's table.
 void follow_laps(const RideInput& input, const LapTable& table, int ticks, world::CartMotion& cart) {
   LapCart on = lap_cart(table, cart.timetable.phase);
   const double front = cart.timetable.front, length = table.length();
@@ -77,8 +77,8 @@ void follow_laps(const RideInput& input, const LapTable& table, int ticks, world
   settle_on(input.derived, {place.index, place.s}, cart);
 }
 
-// By the energy, with the first car at a place that is `height` m high (a vertex: not quite the curve), the others
-// behind it on the curve.
+// Returns the speed by the energy, with the first car at height `height` m (of a vertex: not exactly on the curve) and
+// the others behind it on the curve.
 double speed_at(const RideInput& input, const TrainLoad& load, const world::CartMotion& cart, CarPlace front,
                 double height) {
   if (load.cars > 1) {
@@ -96,7 +96,7 @@ double speed_at(const RideInput& input, const TrainLoad& load, const world::Cart
 
 void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world::Motion& motion) {
   memo.keep(motion.carts.size() + 4);
-  std::vector<std::size_t> rounds, others;  // trains whose laps repeat, and the rest
+  std::vector<std::size_t> rounds, others;  // trains whose laps repeat, and the others
   for (std::size_t i = 0; i < motion.carts.size(); ++i) {
     world::CartMotion& cart = motion.carts.items()[i];
     if (!cart.timetable.valid) begin_timetable(cart, cart.timetable);
@@ -104,7 +104,7 @@ void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
         memo.lap(input.document, input.derived, start_of(input, motion.carts.entities()[i], cart.timetable)).valid();
     (repeats ? rounds : others).push_back(i);
   }
-  int done = 0;  // ticks, the one in which the ride failed included: that one is everybody's last
+  int done = 0;  // ticks, including the one in which the ride failed: it is the last for all trains
   for (; done < ticks && motion.state == world::RideState::running && (done == 0 || !others.empty()); ++done) {
     bool any = !rounds.empty();
     for (const std::size_t i : others) {
@@ -135,14 +135,14 @@ void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
 
 bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double dt, world::CartMotion& cart) {
   const Derived& derived = input.derived;
-  constexpr int kMostVertices = 100'000;  // in one tick
+  constexpr int kMostVertices = 100'000;  // per tick
   double time = cart.carry + dt;
   const bool forward = cart.speed > 0 || (cart.speed == 0 && load.drive >= 0);
   const double sign = forward ? 1.0 : -1.0;
   std::size_t index = front_place(derived, cart).index;
   for (int n = 0; n < kMostVertices; ++n) {
     const SegmentShape& shape = derived.shape(derived.order[index]);
-    // A row on the GPU leaves no polyline here: as many steps of the exact curve.
+    // A GPU evaluator has no polyline here: use as many steps of the exact curve.
     const auto count =
         static_cast<int>(shape.points.empty() ? derived.steps + 1 : static_cast<int>(shape.points.size()));
     const auto vertex = [&](int i) {
@@ -166,7 +166,7 @@ bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double d
     const glm::dvec3 a = vertex(here), b = vertex(to);
     const double chord = glm::length(b - a), s = shape.arc.distance(static_cast<double>(to) / (count - 1));
     cart.speed = sign * speed_at(input, load, cart, {index, cart.s}, a.y);
-    // From rest equipment takes it over the first chord with v^2 = 2 a s, at half of that speed in the mean.
+    // From rest, equipment moves it over the first chord with v^2 = 2 a s, at half of that speed on average.
     const double pace =
         cart.speed != 0 ? std::abs(cart.speed) : 0.5 * std::sqrt(std::max(0.0, 2.0 * sign * load.drive * chord));
     if (!(pace > 0) || !(time >= chord / pace)) break;

@@ -36,7 +36,7 @@ world::Resistance resistance_of(const world::Document& document, double car_mass
 CarPlace behind(const Derived& derived, CarPlace place, double back) {
   const std::size_t count = derived.order.size();
   place.s -= back;
-  // A track of nothing but segments without length has no place that is further back.
+  // A track of only zero-length segments has no point farther back.
   for (std::size_t joints = 0; joints < 4 * count; ++joints) {
     if (place.s < 0) {
       if (place.index == 0 && !derived.closed) return place;

@@ -11,8 +11,8 @@ namespace {
 
 using glm::dvec3;
 
-// Frames at uniform t: rotation-minimising from `up_from`, and the twist that is left to `up_to`, spread linearly in
-// arc length.
+// Builds frames at uniform t: rotation-minimising from `up_from`, with the remaining twist to `up_to` spread linearly
+// in arc length.
 void build_frames(const ShapeKey& key, SegmentShape& shape) {
   const curve::Cubic& c = key.cubic;
   shape.frames.resize(kFrameIntervals + 1);
@@ -44,8 +44,7 @@ void build_shape(const ShapeKey& key, SegmentShape& shape) {
   build_frames(key, shape);
 }
 
-// The largest distance of a vertex from the exact point at the same parameter: the deviation that the evaluator's
-// rounding makes.
+// Returns the largest distance of a vertex from the exact point at the same parameter: the evaluator's rounding error.
 double deviation_of(const SegmentShape& shape) {
   const int n = static_cast<int>(shape.points.size()) - 1;
   double worst = 0;
@@ -80,7 +79,7 @@ void evaluate_polyline(const curve::Evaluator& row, const PolylineKey& key, cons
   derived.evaluated_vertices += key.steps + 1;
 }
 
-// Gives the memory back, too: the GPU's evaluators need the control points alone.
+// Also frees the memory: GPU evaluators need only the control points.
 void drop_polyline(SegmentShape& shape) {
   if (shape.polyline_key.steps == 0) return;
   shape.points = std::vector<glm::vec3>();
@@ -89,8 +88,8 @@ void drop_polyline(SegmentShape& shape) {
   shape.deviation = 0;
 }
 
-// `reshaped`: places in the order of segments whose cubics are new. Other segments, or most of them elsewhere, and the
-// old tree is of no use.
+// Refits the tree. `reshaped`: indices of segments with new cubics. Rebuilds it if segments were added, removed or
+// reordered, or most of them moved.
 void update_tree(bool reordered, std::span<const std::size_t> reshaped, Derived& derived) {
   if (!reordered && reshaped.empty()) return;
   if (reordered || reshaped.size() > derived.order.size() / 2) {

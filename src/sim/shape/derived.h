@@ -1,5 +1,5 @@
-// Everything derived from document and settings: curves, lengths, frames, polylines. Rebuilt where the key differs,
-// never saved, never changed by hand.
+// Everything derived from document and settings: curves, lengths, frames, polylines. Rebuilt where the key differs;
+// never saved, never edited.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@
 
 namespace coaster::sim {
 
-// What the shape of a segment depends on; compared bit by bit with ==.
+// The inputs of a segment's shape, compared bit by bit with ==.
 struct ShapeKey {
   curve::Cubic cubic;
   glm::vec3 up_from{0}, up_to{0};
   std::int32_t turns = 0;
   glm::vec3 tangent_from{1, 0, 0},
-      tangent_to{1, 0, 0};  // the knots': the control points' rounding hides a little of them
+      tangent_to{1, 0, 0};  // the knots' own: rounding of the control points loses a little
   friend bool operator==(const ShapeKey&, const ShapeKey&) = default;
 };
 
@@ -32,8 +32,7 @@ struct PolylineKey {
   friend bool operator==(const PolylineKey&, const PolylineKey&) = default;
 };
 
-// One segment's derived data. `shape_build` and `polyline_build` are fresh numbers at each rebuild: caches compare
-// them.
+// One segment's derived data. Each rebuild gives `shape_build` and `polyline_build` a new number, which caches compare.
 struct SegmentShape {
   ShapeKey key;
   curve::PreparedCubic curve;
@@ -44,11 +43,11 @@ struct SegmentShape {
   std::vector<curve::Frame> frames;  // kFrameIntervals+1 frames at uniform t: rotation-minimising plus the spread twist
   double twist = 0;                  // radians spread linearly in arc length (frames include it)
   std::uint64_t shape_build = 0;
-  std::optional<world::EquipmentKind> fitted;  // what stands on the segment; no part of its shape
+  std::optional<world::EquipmentKind> fitted;  // the segment's equipment; not part of its shape
 
   PolylineKey polyline_key;  // steps 0: there is no polyline
   std::vector<glm::vec3> points,
-      tangents;  // steps+1 vertices, or none when the evaluator runs on the GPU; tangents are B'(t), not normalised
+      tangents;          // steps+1 vertices, or none for a GPU evaluator; tangents are B'(t), not normalised
   double deviation = 0;  // m, largest |vertex - exact point at the same t|, long double oracle
   std::uint64_t polyline_build = 0;
 };
@@ -56,46 +55,44 @@ inline constexpr int kFrameIntervals = 32;
 
 struct Derived {
   world::Pool<SegmentShape> segments;  // by the document's segment entities
-  std::vector<world::Entity> order;    // as document.track.segments
+  std::vector<world::Entity> order;    // in the order of document.track.segments
+  std::vector<double> starts;  // m, distance of segment i's start along the track; size order.size()+1, back() = length
   std::vector<double>
-      starts;  // m, distance along the track where segment i starts; size order.size()+1, back() = length
-  std::vector<double>
-      twists;        // rad, what the knots' frames turned against rotation-minimising ones before segment i; as starts
-  SegmentTree tree;  // over `order`: what is near a ray
+      twists;  // rad, rotation of the knots' frames relative to rotation-minimising ones before segment i; as starts
+  SegmentTree tree;  // over `order`, for picking and clearance
   bool closed = false;
   double length = 0;           // m, adaptive Gauss-Legendre
   double measured_length = 0;  // m, by the chosen arc-length method
-  curve::Stage
-      stage{};    // where polylines are evaluated: beyond the processor, segments hold none and drawing makes them
-  int steps = 0;  // of a segment's polyline
-  std::int64_t vertices = 0;  // of all polylines, wherever they are evaluated
-  double deviation = 0;       // m, the largest of all segments; 0 where the processor evaluates nothing
-  // Of the last derive():
+  curve::Stage stage{};        // where polylines are evaluated; by a shader, segments hold none
+  int steps = 0;               // of a segment's polyline
+  std::int64_t vertices = 0;   // of all polylines, wherever evaluated
+  double deviation = 0;        // m, the largest of all segments; 0 for a GPU evaluator
+  // Statistics of the last derive():
   int rebuilds = 0;               // segments whose shape or polyline was evaluated
-  double evaluation_seconds = 0;  // spent in the evaluator's polyline function alone
+  double evaluation_seconds = 0;  // time in the evaluator's polyline function alone
   std::int64_t evaluated_vertices = 0;
   std::uint64_t last_build = 0;
 
   const SegmentShape& shape(world::Entity segment) const { return segments.get(segment); }
 };
 
-// Seconds on some monotonic clock, to measure with; nothing derived depends on it. An empty function measures nothing.
+// Seconds on a monotonic clock, for measuring; no derived value depends on it. An empty function measures nothing.
 using Clock = std::function<double()>;
 
-// Brings `derived` up to date. Cost: one key comparison per segment, and a rebuild for each one that changed.
+// Updates `derived`. Costs one key comparison per segment, and a rebuild for each one that changed.
 void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived);
 
-// Place on the track by distance from its start; wraps on a closed track, clamps on an open one. Needs a segment.
+// Position on the track by distance from its start; wraps on a closed track, clamps on an open one. Needs a segment.
 struct TrackPlace {
-  std::size_t index = 0;  // into derived.order
+  std::size_t index = 0;  // index into derived.order
   double s = 0;           // m within the segment
 };
 TrackPlace place_at(const Derived& derived, double distance);
 
-// The frame at arc length s of a segment (rotation-minimising from the first knot's up, twist spread), forward exactly
-// the unit tangent.
+// Returns the frame at arc length s of a segment (rotation-minimising from the first knot's up, twist spread); forward
+// is exactly the unit tangent.
 curve::Frame frame_at(const SegmentShape& shape, double s);
-// The same without a Derived, by parameter: for splitting a segment.
+// The same by parameter, without a Derived: for splitting a segment.
 curve::Frame frame_of(const world::Document& document, world::Entity segment, double t);
 
 }  // namespace coaster::sim

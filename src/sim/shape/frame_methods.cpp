@@ -1,4 +1,4 @@
-// The rows of the table of frame methods. Where Frenet-Serret breaks is found in frenet_breaks.cpp.
+// The rows of the table of frame methods. frenet_breaks.cpp finds where Frenet-Serret fails.
 #include "sim/shape/frame_methods.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using glm::dvec3;
 
 const SegmentShape& shape_of(const Derived& derived, std::size_t index) { return derived.shape(derived.order[index]); }
 
-// How far the knots' frames have turned since the track's start against frames that turn the least.
+// Returns the rotation of the knots' frames since the track's start, relative to rotation-minimising frames.
 double turned(const Derived& derived, std::size_t index, double s) {
   const SegmentShape& shape = shape_of(derived, index);
   const double length = shape.arc.length();
@@ -33,13 +33,12 @@ TrackFrame by_knots(const Derived& derived, std::size_t index, double s) {
 }
 
 TrackFrame minimising(const Derived& derived, std::size_t index, double s) {
-  // Carrying by double reflection turns a vector rigidly with the frame: one carried frame, the knots', stands for all.
+  // Double reflection turns a vector rigidly with the frame, so the knots' frame gives all carried frames.
   const double spread = derived.length > 0 ? loop_twist(derived) * (derived.starts[index] + s) / derived.length : 0.0;
   return {rolled(frame_at(shape_of(derived, index), s), spread - turned(derived, index, s))};
 }
 
-// The last Frenet normal before a place where there is none, as the angle from the knots' frame there, and what that
-// had turned.
+// The last Frenet normal before a place without one: its angle to the knots' frame there, and that frame's rotation.
 struct LastNormal {
   double angle, turned;
 };
@@ -48,8 +47,7 @@ std::optional<LastNormal> last_normal(const Derived& derived, std::size_t index,
   double whole_laps = 0;
   for (std::size_t back = 0; back <= std::min<std::size_t>(kFrenetReach, count); ++back) {
     const SegmentShape& shape = shape_of(derived, index);
-    // The segment at hand is searched finely, those before it coarsely: mostly they are straight from end to end or not
-    // at all.
+    // The current segment is searched finely, those before it coarsely: most are straight from end to end or nowhere.
     const int intervals = back == 0 ? kFrameIntervals : 8;
     for (int i = intervals; i >= 0; --i) {
       const double t = static_cast<double>(i) / intervals;

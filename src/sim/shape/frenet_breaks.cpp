@@ -1,4 +1,4 @@
-// Where the Frenet-Serret normal is undefined or flips (Paper erratum): inside segments and over joints.
+// The places where the Frenet-Serret normal is undefined or flips (Paper erratum): inside segments and at joints.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -16,7 +16,7 @@ constexpr double kHalfSpan = 1.0 / 64;  // of the parameter: a flip happens with
 
 bool defined(const curve::Cubic& cubic, double t) { return curve::frenet(cubic, t).has_value(); }
 
-// Runs of undefined samples. A lone one at an end belongs to the joint there, one beside a flip to the flip.
+// Adds runs of undefined samples. A single one at an end belongs to the joint there, one beside a flip to the flip.
 void add_undefined(const curve::Cubic& cubic, world::Entity segment, std::vector<FrenetBreak>& found) {
   const std::size_t flips = found.size();
   const auto at = [](int i) { return static_cast<double>(i) / kFrameIntervals; };
@@ -34,8 +34,7 @@ void add_undefined(const curve::Cubic& cubic, world::Entity segment, std::vector
   std::sort(found.begin(), found.end(), [](const FrenetBreak& a, const FrenetBreak& b) { return a.t < b.t; });
 }
 
-// The normal at an end of a segment, taken a little inside where the end itself has none; nothing where that has none
-// either.
+// The normal at an end of a segment, taken slightly inside if the end itself has none; nothing if that has none either.
 struct EndNormal {
   std::optional<dvec3> normal;
   bool at_end = true;
@@ -46,7 +45,7 @@ EndNormal end_normal(const curve::Cubic& cubic, bool at_start) {
   return {f ? std::optional(f->normal) : std::nullopt, false};
 }
 
-// The joint before segment `index`, told at t = 0 of that segment. Beside a span without normals it is part of the
+// Adds the joint before segment `index`, at t = 0 of that segment. Beside a span without normals it is part of the
 // span.
 void add_joint(const Derived& derived, std::size_t index, std::vector<FrenetBreak>& found) {
   if (index == 0 && !derived.closed) return;
@@ -95,7 +94,7 @@ const std::vector<FrenetBreak>& FrenetBreaks::update(const Derived& derived) {
   closed_ = derived.closed;
   if (order_ != derived.order) {
     order_ = derived.order;
-    entries_ = {};  // a removed segment's slot may be used again
+    entries_ = {};  // a removed segment's slot may be reused
   }
   all_.clear();
   for (std::size_t i = 0; i < order_.size(); ++i) {
@@ -103,7 +102,7 @@ const std::vector<FrenetBreak>& FrenetBreaks::update(const Derived& derived) {
     Entry* entry = entries_.find(order_[i]);
     if (!entry || entry->build != shape.shape_build)
       entry = &entries_.put(order_[i], {shape.shape_build, frenet_breaks(shape, order_[i])});
-    // The joint depends on the segment before too: it is cheap enough to ask again whenever anything has changed.
+    // The joint also depends on the previous segment: recomputing it after any change is cheap enough.
     add_joint(derived, i, all_);
     all_.insert(all_.end(), entry->found.begin(), entry->found.end());
   }

@@ -12,7 +12,7 @@ glm::vec3 on_axes(const dvec3& v, const curve::Frame& frame) {
   return {glm::dot(v, frame.forward), glm::dot(v, frame.left()), glm::dot(v, frame.up)};
 }
 
-// Curvature vector r'' in 1/m at parameter t; 0 where the curve stands still.
+// Returns the curvature vector r'' in 1/m at parameter t; 0 where the speed is 0.
 dvec3 bend_of(const curve::Cubic& c, double t) {
   const dvec3 d = curve::derivative(c, t), dd = curve::second_derivative(c, t);
   const double square = glm::dot(d, d);
@@ -40,7 +40,7 @@ void fill(const SegmentShape& shape, double heartline, SegmentTable& table) {
     FeltEntry& entry = table.felt[i];
     entry.weight = on_axes(dvec3(0, 1, 0), frames[i]);
     if (!(table.step > 0)) continue;
-    // U' and U'' by differences of the neighbouring entries; at an end those of the entry next to it.
+    // U' and U'' by differences of neighbouring entries; at an end those of the next entry.
     const std::size_t k = std::clamp<std::size_t>(i, 1, count - 2);
     const dvec3 first = (frames[k + 1].up - frames[k - 1].up) / (2.0 * table.step);
     const dvec3 second = (frames[k + 1].up - 2.0 * frames[k].up + frames[k - 1].up) / (table.step * table.step);

@@ -1,5 +1,5 @@
-// Tables over arc length of everything that a ride needs of the rails: heights, slopes and what riders feel. Kept per
-// segment, so that an edit refills those that it changed alone; no ride over them inverts an arc length.
+// Tables over arc length of the rails' data for rides: heights, slopes and the riders' forces. Kept per segment, so
+// that an edit refills only the segments that it changed; a ride over them inverts no arc length.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +21,9 @@ struct FeltEntry {
 };
 
 struct SegmentTable {
-  std::uint64_t build = 0;            // of the shape it was filled from
+  std::uint64_t build = 0;            // of the shape that it was filled from
   double heartline = 0;               // m
-  double step = 0;                    // m between entries; 0 for a segment of no length
+  double step = 0;                    // m between entries; 0 for a segment of zero length
   double per_metre = 0;               // 1 / step, else 0
   std::vector<double> height, slope;  // n+1 entries, uniform in s
   std::vector<FeltEntry> felt;
@@ -31,20 +31,20 @@ struct SegmentTable {
 
 class RailTables {
  public:
-  // Refills what changed. Cost: one comparison for a segment that did not, about 1 us for each entry of one that did.
+  // Refills what changed. Costs one comparison per unchanged segment, about 1 us per entry of a changed one.
   void update(const Derived& derived, double heartline);
 
-  // By place in derived.order.
+  // By index in derived.order.
   const SegmentTable& segment(std::size_t index) const { return tables_.get(order_[index]); }
   std::size_t size() const { return order_.size(); }
   double start(std::size_t index) const { return starts_[index]; }
   double length() const { return starts_.empty() ? 0.0 : starts_.back(); }
   bool closed() const { return closed_; }
-  // Grows with each update that changed anything.
+  // Increases with each update that changed anything.
   std::uint64_t serial() const { return serial_; }
 
-  // The segment on which distance d lies, wrapped on a closed track, clamped on an open one; `hint` is looked at first
-  // and set.
+  // Returns the position of distance d within its segment, wrapped on a closed track, clamped on an open one. `hint` is
+  // the segment tried first; it is set to the segment found.
   double locate(double distance, std::size_t& hint) const {
     if (hint < order_.size() && distance >= starts_[hint] && distance <= starts_[hint + 1])
       return distance - starts_[hint];
@@ -61,8 +61,8 @@ class RailTables {
   std::uint64_t serial_ = 0;
 };
 
-// Height (m) and slope at s within a segment: cubic Hermite, so the slope is the height's exact derivative; beyond the
-// ends the rails go on straight. Error below 1e-6 m for tracks with bends above 5 m.
+// Height (m) and slope at s within a segment: cubic Hermite, so the slope is the exact derivative of the height; beyond
+// the ends the rails continue straight. Error below 1e-6 m for tracks with bends above 5 m.
 struct TableRail {
   double height, slope;
 };
@@ -80,8 +80,8 @@ inline TableRail rail_at(const SegmentTable& table, double s) {
   return {y0 + u * (m0 + u * (b + u * a)), (m0 + u * (2.0 * b + u * 3.0 * a)) * table.per_metre};
 }
 
-// What riders feel at s within a segment, in g on the seat's axes, while the train is accelerated by `a` g along the
-// rails and the square of its speed is `v2` g m; linear between entries.
+// Returns the riders' force at s within a segment, in g on the seat's axes, while the train accelerates by `a` g along
+// the rails and its squared speed is `v2` g m; linear between entries.
 inline glm::vec3 felt_at(const SegmentTable& table, double s, float a, float v2) {
   const auto of = [&](const FeltEntry& entry) { return a * entry.along + v2 * entry.bend + entry.weight; };
   if (!(table.step > 0)) return of(table.felt.front());

@@ -1,4 +1,4 @@
-// Bounds of segments and of what holds them; refitting. Which blocks share a node is decided in segment_tree_build.cpp.
+// Bounds of segments and nodes; refitting. segment_tree_build.cpp decides which blocks share a node.
 #include "sim/shape/segment_tree.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ using glm::dvec3;
 constexpr int kPieces = 4;
 using PieceControls = std::array<dvec3, 3 * kPieces + 1>;
 
-// The control points of the curve's four quarters, by de Casteljau: their hull is a sixteenth as far off as that of the
-// whole.
+// Returns the control points of the curve's four quarters, by de Casteljau: their hull is a sixteenth as far from the
+// curve as the whole curve's hull.
 PieceControls quarters(const curve::Cubic& cubic) {
   PieceControls out;
   const auto halve = [](const std::array<dvec3, 4>& p, std::array<dvec3, 4>& left, std::array<dvec3, 4>& right) {
@@ -56,7 +56,7 @@ double distance_to_chord(dvec3 p, dvec3 from, dvec3 along) {
   return glm::length(p - from - s * along);
 }
 
-// The distance to the chord is convex, so the curve's is at most that of the farthest control point.
+// The distance to the chord is convex, so the curve's distance is at most that of the farthest control point.
 float radius_about_chord(const PieceControls& controls) {
   const dvec3 from = controls.front(), along = controls.back() - from;
   double radius = 0;
@@ -116,7 +116,7 @@ void refit_block(SegmentTree& tree, SegmentBlock& block) {
 void refit_all(SegmentTree& tree) {
   for (SegmentBlock& block : tree.blocks)
     put_box(tree.nodes[static_cast<std::size_t>(block.parent)], block.lane, fill_block(tree, block));
-  for (std::size_t i = tree.nodes.size(); i-- > 1;)  // children stand behind their parents
+  for (std::size_t i = tree.nodes.size(); i-- > 1;)  // children come after their parents
     put_box(tree.nodes[static_cast<std::size_t>(tree.nodes[i].parent)], tree.nodes[i].lane, box_of(tree.nodes[i]));
 }
 

@@ -1,6 +1,6 @@
-// A hierarchy of boxes over the segments of a track, for finding those near a ray without asking all: four boxes a
-// node, four segments of the track in a row a leaf, so that a processor tests four at a time. Refitted where segments
-// moved, built anew when there are others.
+// A hierarchy of boxes over the segments of a track, to find those near a ray without testing all: four boxes per node,
+// four consecutive segments per leaf, so that a processor tests four at a time. Refitted if segments moved, rebuilt if
+// they are added or removed.
 #pragma once
 
 #include <array>
@@ -14,13 +14,12 @@ namespace coaster::sim {
 
 using FourFloats = std::array<float, 4>;
 
-// Up to four segments that follow each other in the track: lane i is segment `first` + i. A segment lies within
-// `radius` of its chord.
+// Up to four consecutive segments: lane i is segment `first` + i. A segment lies within `radius` of its chord.
 struct alignas(64) SegmentBlock {
-  std::array<FourFloats, 3> from{}, to{};  // by axis, m: the chords' ends, exactly p0 and p3
+  std::array<FourFloats, 3> from{}, to{};  // by axis, m: the ends of the chords, exactly p0 and p3
   FourFloats radius{};                     // m, rounded up
   std::int32_t first = 0, count = 0;
-  std::int32_t parent = -1, lane = 0;  // the node that holds this block's box, and where in it
+  std::int32_t parent = -1, lane = 0;  // the node that holds this block's box, and its lane there
 };
 
 // Up to four children, each a node (its index) or a block (the complement ~index). Boxes contain all of the child's
@@ -28,29 +27,29 @@ struct alignas(64) SegmentBlock {
 struct alignas(64) TreeNode {
   std::array<FourFloats, 6> bounds{};  // m: least x, y, z, greatest x, y, z
   std::array<std::int32_t, 4> child{};
-  std::uint32_t lanes = 0;  // bit i: there is a child i; the first ones are there
+  std::uint32_t lanes = 0;  // bit i: there is a child i; the first bits are set
   std::int32_t parent = -1, lane = 0;
 };
 
 inline constexpr int kMaxTreeDepth =
-    48;  // nodes above each other, however the segments lie: far more segments than a document may have
+    48;  // largest depth, however the segments lie: for far more segments than a document may have
 
 struct SegmentTree {
-  std::vector<curve::Cubic> cubics;  // in the track's order
+  std::vector<curve::Cubic> cubics;  // in track order
   std::vector<SegmentBlock> blocks;  // segment i is in blocks[i / 4]
-  std::vector<TreeNode> nodes;       // the root first, children behind their parents; none without segments
+  std::vector<TreeNode> nodes;       // the root first, children after their parents; none without segments
 };
 
-// Builds the tree of `cubics` anew by the surface-area heuristic over blocks. About 0.1 microseconds a segment.
+// Builds the tree of `cubics` by the surface-area heuristic over blocks. About 0.1 microseconds per segment.
 void build_tree(std::vector<curve::Cubic> cubics, SegmentTree& tree);
 
-// Brings the tree up to date after tree.cubics changed at these places: their boxes and those on the way to the root;
-// 0.5 microseconds a segment, or all of them in one sweep when that is less work. The boxes are those of a tree built
-// anew; which ones share a node is not.
+// Updates the tree after changes of tree.cubics at these indices: their boxes and those up to the root, 0.5
+// microseconds per segment, or all boxes in one pass if that is less work. The boxes are the same as in a rebuilt tree;
+// the grouping into nodes may differ.
 void refit_tree(std::span<const std::size_t> changed, SegmentTree& tree);
 
-// Calls visit(place in the track) for the segments of all blocks whose box meets `box`, until one returns false:
-// whether none did.
+// Calls visit(index in the track) for the segments of all blocks whose box meets `box`, until one returns false.
+// Returns true if none did.
 template <class Visit>
 bool all_near(const SegmentTree& tree, const curve::Box& box, const Visit& visit) {
   if (tree.nodes.empty()) return true;
@@ -77,8 +76,8 @@ bool all_near(const SegmentTree& tree, const curve::Box& box, const Visit& visit
   return true;
 }
 
-// The box that a curve's control points fill after two halvings: contains the curve, and is larger than need be by a
-// few thousandths of it.
+// Returns the bounding box of a curve's control points after two subdivisions: it contains the curve, and is too large
+// by a few thousandths of it.
 curve::Box tight_box(const curve::Cubic& cubic);
 
 }  // namespace coaster::sim

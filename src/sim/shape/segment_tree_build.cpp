@@ -1,5 +1,5 @@
-// Which blocks share a node: from the root down, the range with the largest surface is split where the surface-area
-// heuristic, over sixteen bins an axis, finds it cheapest (Wald, On fast construction of SAH-based bounding volume
+// Groups blocks into nodes: from the root down, the range with the largest surface is split where the surface-area
+// heuristic, over sixteen bins per axis, gives the lowest cost (Wald, On fast construction of SAH-based bounding volume
 // hierarchies, 2007, doi 10.1109/RT.2007.4342588).
 #include <algorithm>
 #include <limits>
@@ -10,7 +10,7 @@ namespace coaster::sim {
 namespace {
 
 constexpr int kBins = 16;
-constexpr int kDeepBeforeHalving = 24;  // below that ranges are split in equal halves, which bounds the depth
+constexpr int kDeepBeforeHalving = 24;  // deeper ranges are split in equal halves, which bounds the depth
 
 struct Item {
   curve::Box box;
@@ -18,7 +18,7 @@ struct Item {
   std::int32_t block = 0;
 };
 
-// Half the surface of the box, wider by what a ray's reach may be: boxes of straights along an axis differ, too.
+// Returns half the surface of the box, enlarged by the reach of a ray, so that boxes of straights along an axis differ.
 float surface(const curve::Box& box) {
   const glm::vec3 d = box.high - box.low + 0.1f;
   return d.x * d.y + d.y * d.z + d.z * d.x;
@@ -41,7 +41,7 @@ struct Bin {
   float cost() const { return surface(box) * static_cast<float>(count); }
 };
 
-// How the middles of a range fall into bins along one axis.
+// The bins of a range's middles along one axis.
 struct Binning {
   int axis = 0;
   float low = 0, scale = 0;
@@ -53,7 +53,7 @@ struct Binning {
 struct Split {
   float cost = std::numeric_limits<float>::infinity();
   Binning binning;
-  int bin = 0;  // the first of the right part
+  int bin = 0;  // the first of the second part
 };
 
 void try_axis(std::span<const Item> items, const Binning& binning, Split& best) {
@@ -74,7 +74,7 @@ void try_axis(std::span<const Item> items, const Binning& binning, Split& best) 
   }
 }
 
-// The place in `items`, reordered, where the second part starts; both parts have items.
+// Partitions `items` and returns the start of the second part; both parts are not empty.
 std::size_t split(std::span<Item> items, bool halve) {
   glm::vec3 low = items[0].middle, high = low;
   for (const Item& item : items) low = glm::min(low, item.middle), high = glm::max(high, item.middle);

@@ -14,9 +14,9 @@ double square_distance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec
   return glm::dot(off, off);
 }
 
-// How far the points of `from` get from the polygon `to`, squared. Places follow each other, so the search starts where
-// the last one ended and stops as soon as something is nearer than the largest distance found: that point cannot raise
-// it.
+// Returns the squared largest distance of the points of `from` to the polygon `to`. Consecutive points are close, so
+// the search starts where the last one ended, and stops once it finds anything nearer than the largest distance so far:
+// that point cannot raise it.
 double directed(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to) {
   const std::size_t spans = std::max<std::size_t>(1, to.size() - 1);
   double largest = 0;

@@ -14,13 +14,14 @@ using glm::dvec3;
 
 double square(dvec3 v) { return glm::dot(v, v); }
 
-// The place nearest to p on the line a + t d, t in [0,1].
+// Returns the t in [0,1] of the point nearest to p on the line a + t d.
 double nearest_place(dvec3 p, dvec3 a, dvec3 d) {
   const double length = square(d);
   return length > 0 ? std::clamp(glm::dot(p - a, d) / length, 0.0, 1.0) : 0.0;
 }
 
-// Metres along the rails from the held place to one of another segment, the shorter way round.
+// Returns the distance in metres along the rails from the held position to one of another segment, the shorter way
+// round.
 double along_rails(const Derived& derived, Held held, std::size_t index, float along) {
   const double start = derived.starts[index],
                ring = start + static_cast<double>(along) * (derived.starts[index + 1] - start);
@@ -53,8 +54,8 @@ bool clear_of_piece(const Question& bar, const Ring& a, const Ring& b, bool held
          bar.keeps(kWheelRoom, a, b, -0.5 * kGauge, 0);
 }
 
-// A chord from `from` to `to` metres along the rails beside the held place, in pieces that are within its reach and
-// such that are not.
+// Tests a chord from `from` to `to` metres along the rails from the held position, split into the pieces within its
+// reach and those outside.
 bool clear_of_chord(const Question& bar, const Ring& a, const Ring& b, double from, double to) {
   std::array<double, 4> ends{from, std::clamp(-kHeldReach, std::min(from, to), std::max(from, to)),
                              std::clamp(kHeldReach, std::min(from, to), std::max(from, to)), to};
@@ -70,8 +71,8 @@ bool clear_of_chord(const Question& bar, const Ring& a, const Ring& b, double fr
 
 }  // namespace
 
-// The distance is a convex function of both places: where the unbounded lines' nearest places lie outside, it is least
-// on a border.
+// The distance is a convex function of both parameters: if the nearest points of the infinite lines are outside, the
+// minimum is on a border.
 double distance_between(dvec3 a, dvec3 b, dvec3 c, dvec3 d) {
   const dvec3 u = b - a, v = d - c, w = a - c;
   const double uu = square(u), uv = glm::dot(u, v), vv = square(v), det = uu * vv - uv * uv;

@@ -1,5 +1,5 @@
-// The room that trains need: an envelope swept along the rails, asked whether a straight bar stays out of it. Found by
-// the track's hierarchy of boxes; the curve between rings counts as its chord, which is off by kSagitta.
+// The clearance envelope of trains, swept along the rails, and the test whether a straight bar stays outside it. Uses
+// the track's hierarchy of boxes; the curve between rings counts as its chord, with an error of kSagitta.
 #pragma once
 
 #include <span>
@@ -10,37 +10,37 @@
 
 namespace coaster::sim {
 
-// Elsewhere on the track: a tube about a line over the rails, from under the spine to over the riders' heads.
+// Elsewhere on the track: a tube about a line above the rails, from below the spine to above the riders' heads.
 inline constexpr double kEnvelopeRadius = 1.6, kEnvelopeLift = 0.45;  // m
 // Where the bar's own support holds the track, within kHeldReach of it along the rails: a tube about the riders, and
 // the rails with the wheels on them.
 inline constexpr double kHeldReach = 4.0, kRiderRadius = 1.1, kRiderLift = 1.05;  // m
-inline constexpr double kBarMargin = 0.03;  // m more than all of these, for the chords
+inline constexpr double kBarMargin = 0.03;  // m added to all of these, for the error of chords
 
 struct Bar {
   glm::vec3 from{0}, to{0};              // m
   float from_radius = 0, to_radius = 0;  // m
-  bool grounded = false;                 // stands at `to` on a footing
+  bool grounded = false;                 // ends at `to` in a footing
   friend bool operator==(const Bar&, const Bar&) = default;
 };
 
-// One segment as clearance sees it.
+// The data of one segment for clearance.
 struct Lane {
   std::vector<Ring> rings;  // as rings_of()
   curve::Box box;           // about the curve
 };
 
-// The place whose support the bar belongs to.
+// The position whose support the bar belongs to.
 struct Held {
   std::size_t index = 0;  // in derived.order
   double s = 0;           // m within the segment
 };
 
-// Whether the bar stays out of the room that trains need. `lanes` has one for each segment of derived.order. Cost:
-// logarithmic in the segments plus those near the bar, about a microsecond each.
+// Returns true if the bar stays outside the clearance envelope. `lanes` has one entry per segment of derived.order.
+// Costs the logarithm of the segments plus about a microsecond for each one near the bar.
 bool is_clear(const Derived& derived, std::span<const Lane* const> lanes, const Bar& bar, Held held);
 
-// The least distance of two lines between their ends, m. Points are lines without length.
+// Returns the smallest distance of two line segments, m. Points are segments of zero length.
 double distance_between(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d);
 
 bool meet(const curve::Box& a, const curve::Box& b);

@@ -11,32 +11,31 @@ namespace coaster::sim {
 namespace {
 
 constexpr double kNeeded = kTrainRadius + kTrackRadius;       // m between the line of a train and that of track
-constexpr double kReach = kNeeded + kTrainLift + kTrackDrop;  // m: rails farther apart are in nobody's way
+constexpr double kReach = kNeeded + kTrainLift + kTrackDrop;  // m: rails farther apart never conflict
 
-// The shorter way along the rails from the end of one stretch to the start of another behind it, m; below 0 where they
+// Returns the shorter distance along the rails from the end of one stretch to the start of another, m; negative if they
 // overlap.
 double between_stretches(const Derived& derived, double from, double to, double other_from, double other_to) {
   const double onward = other_from - to;
   return derived.closed ? std::min(onward, from + derived.length - other_to) : onward;
 }
 
-// How many of the chords after r to t, which are all as long along the curve, are sure to come no nearer than by
-// `metres`.
+// Returns how many of the chords after r to t, all of the same length along the curve, certainly come closer by less
+// than `metres`.
 std::size_t chords_within(double metres, const LinePoint& r, const LinePoint& t) {
   return static_cast<std::size_t>(metres / std::max(double{t.s} - double{r.s}, 1e-6));
 }
 
 glm::dvec3 lifted(glm::vec3 position, glm::vec3 up, double by) { return glm::dvec3(position) + by * glm::dvec3(up); }
 
-// By how much two chords, p to q and r to t, are farther apart than can matter, m; below 0 they may matter to each
-// other.
+// Returns by how much two chords, p to q and r to t, are out of reach of each other, m; negative if they may conflict.
 double beyond_reach(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t) {
-  constexpr double kRounding = 0.05;  // m, of coordinates in float at the border of the world
+  constexpr double kRounding = 0.05;  // m, rounding of float coordinates at the border of the world
   const double apart = 0.5 * static_cast<double>(glm::distance(p.position + q.position, r.position + t.position));
   return apart - 0.5 * (double{q.s} - double{p.s} + double{t.s} - double{r.s}) - kReach - kRounding;
 }
 
-// By how much a train on one of them lacks room for the other; 0 or less where it has enough.
+// Returns the clearance that a train on one chord lacks from the other; 0 or less if it has enough.
 double missing_between(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t) {
   const auto distance = [&](double one, double other) {
     return distance_between(lifted(p.position, p.up, one), lifted(q.position, q.up, one),
@@ -45,8 +44,8 @@ double missing_between(const LinePoint& p, const LinePoint& q, const LinePoint& 
   return kNeeded - std::min(distance(kTrainLift, -kTrackDrop), distance(-kTrackDrop, kTrainLift));
 }
 
-// Segments that may have other neighbours than before: those between a common start and a common end of both orders,
-// one on each side of them, and both ends of the track, which may have been joined or cut.
+// Marks segments that may have new neighbours: those between a common start and a common end of both orders, one on
+// each side of them, and both ends of the track, which may have been joined or cut.
 void mark_rearranged(const std::vector<world::Entity>& before, const std::vector<world::Entity>& now,
                      std::vector<bool>& stale) {
   if (now.empty()) return;
@@ -84,7 +83,7 @@ void Conflicts::take_shapes(const Derived& derived, std::vector<bool>& stale) {
   }
 }
 
-// Whether two places are one stretch depends on all that lies between them.
+// Whether two positions are one stretch depends on everything between them.
 void Conflicts::spread(const Derived& derived, std::vector<bool>& stale) const {
   const std::size_t count = derived.order.size();
   const std::vector<bool> changed = stale;
@@ -103,7 +102,7 @@ void Conflicts::spread(const Derived& derived, std::vector<bool>& stale) const {
   }
 }
 
-// Looks at two segments, a not behind b in the track; adds at most `most` hits and returns how many.
+// Checks two segments, a not behind b in the track; adds at most `most` hits and returns their number.
 std::size_t Conflicts::look_at(const Derived& derived, world::Entity a, world::Entity b, std::size_t most) {
   const Entry &first = entries_.get(a), &second = entries_.get(b);
   const double first_start = derived.starts[first.index], second_start = derived.starts[second.index];
@@ -141,7 +140,7 @@ void Conflicts::look_around(const Derived& derived, std::size_t index, const std
   });
 }
 
-// Hits that follow each other on both stretches are one conflict.
+// Consecutive hits on both stretches are one conflict.
 void Conflicts::gather(const Derived& derived) {
   found_.clear();
   const auto place = [&](world::Entity segment, std::size_t i) -> const LinePoint& {
@@ -156,7 +155,7 @@ void Conflicts::gather(const Derived& derived) {
   });
   struct Open {
     std::size_t conflict;
-    double last;  // where its other stretch was last
+    double last;  // last position on its other stretch
   };
   std::vector<Open> open;
   for (const Hit& hit : hits_) {

@@ -1,5 +1,5 @@
-// Where a track is in its own way: stretches that come nearer to each other than a train on one of them needs. Kept by
-// segment, and looked for again where the track changed.
+// Conflicts: stretches of a track that are closer to each other than a train on one of them needs. Cached per segment,
+// and recomputed where the track changed.
 #pragma once
 
 #include <cstdint>
@@ -10,59 +10,58 @@
 
 namespace coaster::sim {
 
-// A train needs a tube about a line over the rails, half a metre more than riders and their elbows fill; track fills
-// one about a line under them.
+// A train needs a tube about a line above the rails, half a metre wider than riders with their elbows; track fills a
+// tube about a line below them.
 inline constexpr double kTrainRadius = 1.5, kTrainLift = 0.45;  // m
 inline constexpr double kTrackRadius = 0.78, kTrackDrop = 0.3;  // m
-// Places nearer than this along the rails are one stretch, and never in each other's way.
+// Positions closer than this along the rails are one stretch and never conflict.
 inline constexpr double kSameStretch = 8;   // m
-inline constexpr double kConflictStep = 2;  // m of the chords that stand for the curve, longer beyond 1,000 a segment
+inline constexpr double kConflictStep = 2;  // m, length of the chords of the curve; longer beyond 1,000 per segment
 
-// Two stretches that are too near to each other all along.
+// Two stretches that are too close to each other over their whole length.
 struct Conflict {
-  double at = 0, other = 0;             // m along the track, at < other: where it is narrowest
-  double from = 0, to = 0;              // m along the track, where the first stretch begins and ends
-  double other_from = 0, other_to = 0;  // m, the same of the other
-  double missing = 0;  // m of room that a train lacks there, above 0, at most kTrainRadius + kTrackRadius
-  glm::vec3 at_place{0}, other_place{0};  // m, on the rails' line
+  double at = 0, other = 0;               // m along the track, at < other: the narrowest point
+  double from = 0, to = 0;                // m along the track, start and end of the first stretch
+  double other_from = 0, other_to = 0;    // m, the same of the other
+  double missing = 0;                     // m of clearance missing there, above 0, at most kTrainRadius + kTrackRadius
+  glm::vec3 at_place{0}, other_place{0};  // m, on the rails' centre line
   friend bool operator==(const Conflict&, const Conflict&) = default;
 };
 
-// A place of a line that chords join, m; `s` metres along it.
+// A point of a polyline, m; `s` metres along it.
 struct LinePoint {
   glm::vec3 position{0}, up{0, 1, 0};
   float s = 0;
 };
 
-// A stretch of a line that is no track yet, too near to track or to the line's own earlier part.
+// A part of a line that is not yet track, too close to track or to an earlier part of the line.
 struct Narrow {
   double from = 0, to = 0;  // m along the line
-  double missing = 0;       // m, as a conflict's
+  double missing = 0;       // m, as in a conflict
 };
 
-// The most that any of them lacks, m; 0 without any.
+// Returns the largest missing clearance, m; 0 if there is none.
 double worst(std::span<const Narrow> parts);
 
 class Conflicts {
  public:
-  // Brings them up to date with the same Derived as before: all conflicts in the track's order. Cost while nothing
-  // changed: a comparison for each segment; else some microseconds for each that changed and for what is within
-  // kSameStretch of it. Where a great many places are in each other's way, not all are found: no more than kMostHits
-  // for each chord of a segment.
+  // Updates the conflicts from the same Derived as before and returns all of them in track order. If nothing changed,
+  // costs one comparison per segment; else a few microseconds for each changed segment and those within kSameStretch of
+  // it. On tracks with very many conflicts not all are found: at most kMostHits per chord of a segment.
   const std::vector<Conflict>& update(const Derived& derived);
-  // Where the line would be in the way of the track as last brought up to date, or in its own, if it went on from the
-  // track's end, which is open.
+  // Returns where the line would conflict with the track as of the last update, or with itself, if it continued the
+  // track's open end.
   std::vector<Narrow> against(const Derived& derived, std::span<const LinePoint> line) const;
-  int looked_at() const { return looked_at_; }  // segments in the last update
+  int looked_at() const { return looked_at_; }  // segments checked in the last update
 
  private:
   struct Entry {
     std::uint64_t build = 0;
-    std::size_t index = 0;  // in the track
-    curve::Box box;         // about the curve
+    std::size_t index = 0;  // index in the track
+    curve::Box box;         // of the curve
     std::vector<LinePoint> places;
   };
-  // Chord `i` of segment a and chord `k` of segment b are too near.
+  // Chord `i` of segment a and chord `k` of segment b are too close.
   struct Hit {
     world::Entity a, b;
     std::size_t i = 0, k = 0;

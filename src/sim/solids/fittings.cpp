@@ -1,5 +1,5 @@
-// What equipment puts on the rails of its segment: chain, fins, motor blocks, walkway, platforms. Lengthwise parts run
-// from joint to joint, so that a lift over several segments is one; rows of things divide each segment evenly.
+// The solids of equipment on its segment's rails: chain, fins, motor blocks, walkway, platforms. Lengthwise parts run
+// from joint to joint, so that a lift over several segments looks like one; rows of parts divide each segment evenly.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kShortestFitted = 0.5;  // m of segment that shows anything
+constexpr double kShortestFitted = 0.5;  // m of segment, below which nothing is shown
 
 struct Fitting {
   const SegmentShape& shape;
@@ -32,12 +32,12 @@ dvec3 place_of(const Ring& at, dvec2 offset) {
   return at.position + offset.x * at.frame.left() + offset.y * at.frame.up;
 }
 
-// A block about (left, up) with half sides along forward, up and left.
+// Adds a block around (left, up) with half sides along forward, up and left.
 void add_block(const Ring& at, dvec2 middle, dvec3 half, Part part, bool from_afar, Mesh& mesh) {
   add_box(place_of(at, middle), at.frame, half, part, at.along, from_afar, mesh);
 }
 
-// What carries the things between the rails: cross-bars from arm to arm and a beam along the track on them.
+// The bed between the rails: crossbars from arm to arm and a beam along the track on them.
 constexpr double kBedTop = -0.17;
 void add_bed(const Fitting& fitting, double half_width) {
   along_track(fitting, kTieSpacing, [&](const Ring& at) {
@@ -46,7 +46,7 @@ void add_bed(const Fitting& fitting, double half_width) {
   add_beam(fitting.rings, {-half_width, kBedTop - 0.07}, {half_width, kBedTop}, Part::tie, true, fitting.mesh);
 }
 
-// A band with a ridge for each second link, in a trough.
+// Adds a band with a ridge for each second link, in a trough.
 void add_chain(const Fitting& fitting) {
   constexpr double kPitch = 0.30, kTroughHalf = 0.15;
   add_bed(fitting, kTroughHalf);
@@ -63,7 +63,7 @@ void add_chain(const Fitting& fitting) {
   });
 }
 
-// Two rows of plates that stand upright between the rails.
+// Adds two rows of upright plates between the rails.
 void add_fins(const Fitting& fitting) {
   add_bed(fitting, 0.22);
   along_track(fitting, 0.9, [&](const Ring& at) {
@@ -74,7 +74,7 @@ void add_fins(const Fitting& fitting) {
   });
 }
 
-// Pairs of blocks, with a slot between them that the train's fin runs through.
+// Adds pairs of blocks, with a slot between them for the train's fin.
 void add_stators(const Fitting& fitting) {
   add_bed(fitting, 0.30);
   along_track(fitting, 0.75, [&](const Ring& at) {
@@ -85,7 +85,7 @@ void add_stators(const Fitting& fitting) {
   });
 }
 
-// Rings that stand upright whatever the roll: left is level, up at right angles to it and to the track.
+// Returns rings that are upright for any roll: left is level, up is perpendicular to it and to the track.
 std::vector<Ring> level(std::vector<Ring> rings) {
   for (Ring& ring : rings) ring.frame.up = curve::perpendicular(ring.frame.forward, {0, 1, 0});
   return rings;
@@ -97,7 +97,7 @@ bool walkable(const std::vector<Ring>& rings, double most_slope, double least_up
   });
 }
 
-// Posts and two rails over the outer edge of a floor at (left, up).
+// Adds posts and two rails over the outer edge of a floor at (left, up).
 void add_handrail(const Fitting& fitting, const std::vector<Ring>& rings, dvec2 edge, double spacing, bool upright) {
   constexpr double kHeight = 1.05;
   for (const double height : {0.55, kHeight})
@@ -109,7 +109,7 @@ void add_handrail(const Fitting& fitting, const std::vector<Ring>& rings, dvec2 
   });
 }
 
-// A walkway on brackets from the spine, on the left.
+// Adds a walkway on brackets from the spine, on the left.
 void add_walkway(const Fitting& fitting) {
   constexpr double kInner = 1.05, kOuter = 1.70, kFloor = -0.38;
   if (!walkable(fitting.rings, 0.82, 0.75)) return;
@@ -121,7 +121,7 @@ void add_walkway(const Fitting& fitting) {
   });
 }
 
-// Floors on both sides, a little under the cars' floor, with a yellow edge, a handrail at the back and legs to the
+// Adds floors on both sides, slightly below the cars' floor, with a yellow edge, a handrail at the back and legs to the
 // ground.
 void add_platforms(const Fitting& fitting) {
   constexpr double kInner = 1.02, kOuter = 3.4, kFloor = 0.22, kThick = 0.24, kEdge = 0.14;

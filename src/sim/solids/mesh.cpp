@@ -18,7 +18,7 @@ void add_vertex(dvec3 position, dvec3 normal, Part part, float along, Mesh& mesh
   mesh.vertices.push_back({glm::vec3(position), glm::vec3(normal), static_cast<float>(part), along});
 }
 
-// Unit circle, counter-clockwise as seen by one who looks against the direction of travel: x to the left, y up.
+// Returns the unit circle, counter-clockwise when looking against the direction of travel: x to the left, y up.
 std::vector<dvec2> circle(int sides) {
   std::vector<dvec2> out;
   for (int k = 0; k < sides; ++k) {
@@ -28,7 +28,7 @@ std::vector<dvec2> circle(int sides) {
   return out;
 }
 
-// The sides between rings of `count` vertices, of which every `step`-th counts, and a fan over each end.
+// Adds the sides between rings of `count` vertices, of which every `step`-th is used, and a fan over each end.
 void add_sides(std::span<const std::uint32_t> rings, std::uint32_t count, std::uint32_t step, Indices& out) {
   for (std::size_t ring = 0; ring + 1 < rings.size(); ++ring)
     for (std::uint32_t k = 0; k < count; k += step) {
@@ -41,8 +41,8 @@ void add_sides(std::span<const std::uint32_t> rings, std::uint32_t count, std::u
                            rings.back() + k + step});
 }
 
-// A quadrilateral a, b, c, d with its own vertices. Its normal is that of the diagonals, whatever small bend there is;
-// a face without area gets one that is at least unit.
+// Adds a quadrilateral a, b, c, d with its own vertices. Its normal is that of the diagonals, even if it is slightly
+// bent; a face of zero area gets `otherwise`.
 void add_quad(const std::array<dvec3, 4>& corners, dvec3 otherwise, Part part, float along, bool from_afar,
               Mesh& mesh) {
   const dvec3 across = glm::cross(corners[2] - corners[0], corners[3] - corners[1]);

@@ -1,5 +1,4 @@
-// Triangle meshes as they are drawn, and the few solids that they are put together from. Pure functions, nothing here
-// knows what it builds.
+// Triangle meshes and the basic solids that they are made of. Pure functions, independent of what is built.
 #pragma once
 
 #include <array>
@@ -13,7 +12,7 @@
 
 namespace coaster::sim {
 
-// What a triangle is made of: rows of the table of paints in shaders/mesh.frag, in its order.
+// The material of a triangle: rows of the table of paints in shaders/mesh.frag, in the same order.
 enum class Part : std::uint8_t {
   rail,
   spine,
@@ -39,28 +38,28 @@ enum class Part : std::uint8_t {
 struct MeshVertex {
   glm::vec3 position;
   glm::vec3 normal;   // unit
-  float part;         // static_cast<float>(Part): the shader picks the colour
-  float along = 0;    // place on the segment, arc length over length, 0..1
-  float segment = 0;  // the entity's index, filled in by who draws the track
+  float part;         // static_cast<float>(Part): the shader selects the colour
+  float along = 0;    // position on the segment, arc length over length, 0..1
+  float segment = 0;  // the entity's index, set by the drawing code
 };
 
-// Triangles are counter-clockwise seen from outside. `coarse` is the same solid from afar, of the same vertices; empty
-// where there is no such thing.
+// Triangles are counter-clockwise seen from outside. `coarse` is the same solid for distant views, with the same
+// vertices; empty if there is none.
 struct Mesh {
   std::vector<MeshVertex> vertices;
   std::vector<std::uint32_t> indices, coarse;
   void clear() { vertices.clear(), indices.clear(), coarse.clear(); }
 };
 
-// A cross-section that a solid is swept through.
+// A cross-section for sweeping a solid.
 struct Ring {
   glm::dvec3 position{0};
   curve::Frame frame;
-  float along = 0;  // arc length over the segment's
+  float along = 0;  // arc length over the segment's length
 };
 
 // A tube about the line at `offset` (left, up) from the rings' middle, closed by a fan at both ends; smooth normals.
-// From afar it has `coarse_sides` sides, which divide `sides`, and every other ring.
+// For distant views it has `coarse_sides` sides, a divisor of `sides`, and every other ring.
 struct Tube {
   glm::dvec2 offset{0};
   double radius = 0.1;
@@ -69,25 +68,26 @@ struct Tube {
 };
 void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh);
 
-// A convex outline (left, up), counter-clockwise as seen by one who looks against the direction of travel, swept along
-// the rings: flat sides and ends.
+// Adds a convex outline (left, up), counter-clockwise when looking against the direction of travel, swept along the
+// rings: flat sides and ends.
 void add_extrusion(std::span<const Ring> rings, std::span<const glm::dvec2> outline, Part part, bool from_afar,
                    Mesh& mesh);
-// The rectangle between two corners.
+// Adds the swept rectangle between two corners.
 void add_beam(std::span<const Ring> rings, glm::dvec2 low, glm::dvec2 high, Part part, bool from_afar, Mesh& mesh);
 
-// A flat convex face, counter-clockwise as seen from outside.
+// Adds a flat convex face, counter-clockwise as seen from outside.
 void add_face(std::span<const glm::dvec3> corners, Part part, float along, bool from_afar, Mesh& mesh);
 
-// Six flat faces about eight corners: four of one end, counter-clockwise as seen from outside, and those of the other
-// end that they are joined to.
+// Adds six flat faces around eight corners: four of one end, counter-clockwise as seen from outside, and the matching
+// ones of the other end.
 void add_prism(const std::array<glm::dvec3, 4>& near, const std::array<glm::dvec3, 4>& far, Part part, float along,
                bool from_afar, Mesh& mesh);
-// A box of half sides `half` along the frame's forward, up and left.
+// Adds a box with half sides `half` along the frame's forward, up and left.
 void add_box(glm::dvec3 middle, const curve::Frame& frame, glm::dvec3 half, Part part, float along, bool from_afar,
              Mesh& mesh);
 
-// A round bar from one point to another, with a radius at each; smooth sides, flat ends. Equal points add nothing.
+// Adds a round bar from one point to another, with a radius at each; smooth sides, flat ends. Adds nothing for equal
+// points.
 void add_bar(glm::dvec3 from, glm::dvec3 to, double from_radius, double to_radius, int sides, Part part, float along,
              bool from_afar, Mesh& mesh);
 

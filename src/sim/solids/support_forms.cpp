@@ -12,16 +12,16 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kHigh = 15;         // m: from here on two legs look right
-constexpr double kStrutted = 9;      // m: legs this long have a strut between them
-constexpr double kUpright = -0.1;    // of the frame's up: below it the track hangs on its head
-constexpr double kLevelPart = 0.35;  // of a direction, to be called sideways
+constexpr double kHigh = 15;         // m: higher track gets two legs
+constexpr double kStrutted = 9;      // m: longer legs have a strut between them
+constexpr double kUpright = -0.1;    // of the frame's up: below it the track is inverted
+constexpr double kLevelPart = 0.35;  // horizontal part of a direction that counts as sideways
 
 struct Site {
-  dvec3 top;  // in the spine's axis
+  dvec3 top;  // on the spine's axis
   double height, radius;
-  dvec3 side;     // level, at right angles to the track
-  dvec3 back{0};  // level, away from the riders; none on track that lies flat
+  dvec3 side;     // level, perpendicular to the track
+  dvec3 back{0};  // level, away from the riders; zero on level track
   bool upright;
 };
 
@@ -63,12 +63,12 @@ class FormTrial {
     };
     const Bar a = one(1), b = one(-1);
     if (site_.height < kStrutted) return takes_(std::array{a, b});
-    constexpr float kDown = 0.55f;  // of the legs' way down
+    constexpr float kDown = 0.55f;  // of the legs' height
     const double thin = 0.55 * site_.radius;
     return takes_(std::array{
         a, b, bar(dvec3(glm::mix(a.from, a.to, kDown)), dvec3(glm::mix(b.from, b.to, kDown)), thin, thin, false)});
   }
-  // Down a little on the way out where the track stands, level where it hangs.
+  // An arm that slopes down outwards on upright track and is level on inverted track.
   bool arm(dvec3 direction, double out) const {
     const dvec3 elbow = site_.top + out * direction - dvec3(0, site_.upright ? 0.25 * out : 0.0, 0);
     if (direction == dvec3(0) || elbow.y < kLowestSupport) return false;
@@ -97,7 +97,7 @@ bool try_forms(const Ring& at, const std::function<bool(std::span<const Bar>)>& 
   }
   const std::array<dvec3, 3> ways =
       site.upright ? std::array{site.side, -site.side, site.back} : std::array{site.back, site.side, -site.side};
-  // Longer from higher up, so that columns of places above each other do not stand in each other.
+  // Longer for higher track, so that the columns of stacked track do not intersect.
   const double longer = 0.08 * std::min(site.height, 30.0);
   for (const double out : {2.2, 3.1, 4.2, 5.5, 7.0})
     for (const dvec3& way : ways)

@@ -1,4 +1,4 @@
-// The forms that a support can have, in the order in which they are tried. Private to this room.
+// The forms of a support, in the order in which they are tried. Private to this room.
 #pragma once
 
 #include <functional>
@@ -8,10 +8,10 @@
 
 namespace coaster::sim {
 
-// Calls `takes` with the bars of form after form for the track at `at`, until it returns true; false when it never
-// does. Straight down; two legs where the track is high or straight down is taken; a leaning leg; a column beside the
-// track with an arm, which is what track on its head gets. Bars start in the spine or at an elbow and stay within
-// kSupportReach of it, sideways.
+// Calls `takes` with the bars of one form after the other for the track at `at`, until it returns true; returns false
+// if it never does. The forms: a vertical column; two legs for high track or if vertical is blocked; a leaning leg; a
+// column beside the track with an arm, which inverted track gets. Bars start in the spine or at an elbow and stay
+// within kSupportReach of it sideways.
 bool try_forms(const Ring& at, const std::function<bool(std::span<const Bar>)>& takes);
 
 }  // namespace coaster::sim

@@ -12,7 +12,7 @@ using glm::dvec3;
 
 constexpr int kSides = 10;
 
-// Concrete that shows a little over the ground, and the plate that the bar is bolted to.
+// Adds a concrete footing slightly above the ground, and the plate that the bar is bolted to.
 void add_footing(dvec3 at, double radius, Mesh& mesh) {
   constexpr double kHeight = 0.22, kPlate = 0.05;
   const double wide = 1.7 * radius + 0.16, plate = 1.25 * radius + 0.06;
@@ -35,8 +35,7 @@ void build_support_mesh(const SegmentSupports& supports, Mesh& mesh) {
   for (const Bar& bar : supports.bars) {
     const dvec3 from(bar.from), to(bar.to);
     const auto from_radius = static_cast<double>(bar.from_radius), to_radius = static_cast<double>(bar.to_radius);
-    // Where it meets another bar it ends a little further on, so that there is no notch.
-    // A leg that leans ends inside its footing.
+    // At another bar it ends slightly farther on, so that there is no notch. A leaning leg ends inside its footing.
     const double length = glm::length(to - from), over = bar.grounded ? -0.15 : 0.5 * to_radius;
     add_bar(from, length > 0.2 ? to + over / length * (to - from) : to, from_radius, to_radius, kSides, Part::support,
             0, true, mesh);

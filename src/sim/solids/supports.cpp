@@ -10,9 +10,9 @@
 namespace coaster::sim {
 namespace {
 
-// How far apart supports are to be on a segment.
+// Returns the desired spacing of supports on a segment.
 double wanted_spacing(const SegmentShape& shape) {
-  constexpr double kTight = 14;      // m of radius: here and below they are closest
+  constexpr double kTight = 14;      // m of radius: at and below it spacing is smallest
   constexpr double kHighTrack = 25;  // m
   const double length = shape.arc.length();
   double turned = 0;
@@ -24,7 +24,7 @@ double wanted_spacing(const SegmentShape& shape) {
                   kMaxSupportSpacing - (kMaxSupportSpacing - kMinSupportSpacing) * std::max(bent, high));
 }
 
-// Whether the feet of `bars` stand at some distance from those of the segment's other supports.
+// True if the feet of `bars` are some distance from those of the segment's other supports.
 bool apart(std::span<const Bar> bars, std::span<const Bar> others) {
   constexpr float kApart = 1;  // m
   return std::none_of(bars.begin(), bars.end(), [&](const Bar& bar) {
@@ -34,7 +34,7 @@ bool apart(std::span<const Bar> bars, std::span<const Bar> others) {
   });
 }
 
-// All places where a bar of the segment's supports could be, and the room that it asks about.
+// Returns the box of all possible bars of the segment's supports with their clearance.
 curve::Box reach_of(const curve::Box& box) {
   const float aside = kSupportReach + static_cast<float>(kEnvelopeRadius + kEnvelopeLift + kSpineDrop) + 1;
   curve::Box reach = widened(box, aside);
@@ -46,7 +46,7 @@ curve::Box reach_of(const curve::Box& box) {
 
 SupportRow support_row(const SegmentShape& shape) {
   constexpr double kShortest = 0.05,
-                   kMost = 1.7;  // m; of the wanted spacing over a segment's length, for a support on each
+                   kMost = 1.7;  // m; largest spacing relative to the segment's length, for a support on each
   const double length = shape.arc.length();
   if (!(length > kShortest)) return {};
   double wanted = wanted_spacing(shape) / length;
@@ -78,7 +78,7 @@ void Supports::take_shapes(const Derived& derived) {
   }
 }
 
-// Short segments take turns by their place in the track: where that changed, others have one.
+// Short segments take turns by their index in the track: where that changed, others have a support.
 void Supports::take_turns() {
   for (std::size_t i = 0; i < order_.size(); ++i) {
     Entry& entry = entries_.get(order_[i]);

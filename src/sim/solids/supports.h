@@ -1,6 +1,6 @@
-// What holds the track up, found by itself: columns from the spine to the ground that stay out of the room that trains
-// need. Kept by segment and found again where the track near a support's possible places changed; they follow from the
-// track as it is alone, however it came to be so.
+// Supports of the track, built automatically: columns from the spine to the ground that stay outside the clearance
+// envelope of trains. Cached per segment and recomputed where the track near a support's possible positions changed.
+// They depend only on the present track, not on its history.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,21 @@
 namespace coaster::sim {
 
 inline constexpr double kMinSupportSpacing = 8,
-                        kMaxSupportSpacing = 12;  // m that are aimed at; closer where the track is bent or high
-inline constexpr int kMostSupports = 400;         // of a segment: of one of many kilometres they stand further apart
-inline constexpr double kLowestSupport = 0.5;     // m of the spine's axis over the ground
-inline constexpr float kSupportReach = 8;         // m, no foot is further off to the side
+                        kMaxSupportSpacing = 12;  // m, target; closer where the track is curved or high
+inline constexpr int kMostSupports = 400;         // per segment: on very long segments the spacing is larger
+inline constexpr double kLowestSupport = 0.5;     // m of the spine's axis above the ground
+inline constexpr float kSupportReach = 8;         // m, largest sideways distance of a foot
 
-// Those of one segment: bars from the spine on, `to` nearer to the ground.
+// The supports of one segment: bars from the spine on, `to` nearer to the ground.
 struct SegmentSupports {
   std::vector<Bar> bars;
-  std::vector<Ring> holds;  // where the track is held, one for each support
-  int places = 0;           // where one was looked for
-  std::uint64_t build = 0;  // a fresh number when the bars changed; 0: never any
+  std::vector<Ring> holds;  // where the track is held, one per support
+  int places = 0;           // positions tried
+  std::uint64_t build = 0;  // a new number when the bars change; 0: never any
 };
 
-// How many supports a segment asks for: `count` evenly on every `turns`-th segment of its kind. By its own shape alone:
-// a change further up the track moves none.
+// The number of supports of a segment: `count`, evenly spaced, on every `turns`-th segment of its kind. Depends only on
+// the segment's shape: a change elsewhere moves none.
 struct SupportRow {
   int count = 0, turns = 1;
   int on(std::size_t index) const { return index % static_cast<std::size_t>(turns) == 0 ? count : 0; }
@@ -35,14 +35,14 @@ SupportRow support_row(const SegmentShape& shape);
 
 class Supports {
  public:
-  // Brings them up to date. Cost while nothing changes: a comparison for each segment. Else the supports of the
-  // segments that changed and of those that they came near to or left are found again, about 10 microseconds a support.
+  // Updates the supports. If nothing changed, costs one comparison per segment. Else recomputes the supports of changed
+  // segments and of those that they came near to or left, about 10 microseconds per support.
   void update(const Derived& derived);
 
   const SegmentSupports* of(world::Entity segment) const;
   int count() const { return count_; }        // supports
-  int rebuilds() const { return rebuilds_; }  // segments whose supports were looked for in the last update
-  // Segments as in the last update.
+  int rebuilds() const { return rebuilds_; }  // segments whose supports were recomputed in the last update
+  // Segments as of the last update.
   const std::vector<world::Entity>& order() const { return order_; }
 
  private:
@@ -50,9 +50,9 @@ class Supports {
     std::uint64_t shape_build = 0;
     bool stale = true;
     Lane lane;
-    curve::Box reach;  // about all places where a bar could stand
+    curve::Box reach;  // of all possible positions of bars
     SupportRow row;
-    int count = -1;  // asked for at its place in the track
+    int count = -1;  // number wanted at its index in the track
     SegmentSupports found;
   };
   void drop_vanished(const Derived& derived);
@@ -63,15 +63,15 @@ class Supports {
 
   world::Pool<Entry> entries_;
   std::vector<world::Entity> order_;
-  std::vector<curve::Box> moved_;   // where track came to be or was, of the update in progress
-  std::vector<const Lane*> lanes_;  // by place in the order
+  std::vector<curve::Box> moved_;   // present and former boxes of moved track, in the current update
+  std::vector<const Lane*> lanes_;  // by index in the order
   std::uint64_t last_build_ = 0;
   bool closed_ = false;
   int count_ = 0, rebuilds_ = 0;
 };
 
-// Their solids: round bars with a plate and a footing where they stand, a collar about the spine where they hold it.
-// Replaces what `mesh` holds.
+// Builds their solids: round bars with a plate and a footing on the ground, and a collar around the spine. Replaces the
+// contents of `mesh`.
 void build_support_mesh(const SegmentSupports& supports, Mesh& mesh);
 
 }  // namespace coaster::sim

@@ -1,4 +1,4 @@
-// Sweeps one segment: rings where the curve bends, three tubes through them, arms from the rails down to the spine.
+// Sweeps one segment: rings where the curve bends, three tubes through them, and arms from the rails down to the spine.
 #include "sim/solids/track_mesh.h"
 
 #include <algorithm>
@@ -13,27 +13,27 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kRingTwist = base::radians(6.0);  // from ring to ring
-constexpr double kRingSpacing = 4.0;               // m, the most on a segment that bends at all
-constexpr double kStraight = base::radians(0.25);  // of bend and twist together: below it a segment counts as straight
+constexpr double kRingTwist = base::radians(6.0);  // between rings
+constexpr double kRingSpacing = 4.0;               // m, largest spacing on a segment that bends
+constexpr double kStraight = base::radians(0.25);  // of bend and twist together: below it a segment is straight
 constexpr double kShortestWithTie = 0.3;           // m
 
 double angle_between(dvec3 a, dvec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
 
-// The frame that a knot has, whichever of its segments asks.
+// Returns the frame of a knot, the same from both of its segments.
 curve::Frame knot_frame(glm::vec3 tangent, glm::vec3 up) {
   const dvec3 forward = glm::normalize(dvec3(tangent));
   return {forward, curve::perpendicular(forward, dvec3(up))};
 }
 
-// How many rings a stretch of `step` metres that bends by `bend` radians asks for: a chord over the angle b of a circle
-// of radius r is off by r b^2 / 8.
+// Returns the number of rings that a stretch of `step` metres with a bend of `bend` radians needs: a chord over the
+// angle b of a circle of radius r deviates by r b^2 / 8.
 double rings_wanted(double bend, double twist, double step) {
   const double by_sagitta = std::sqrt(bend * step / (8 * kSagitta));
   return std::max({by_sagitta, twist / kRingTwist, step / kRingSpacing});
 }
 
-// A plate from rail to spine, wider at the spine; its ends are inside both.
+// Adds a plate from rail to spine, wider at the spine; its ends are inside both.
 void add_arm(const Ring& at, double side, Mesh& mesh) {
   constexpr double kHalfThickness = 0.045, kHalfAtRail = 0.06, kHalfAtSpine = 0.15;
   const dvec2 rail(0.5 * kGauge * side, 0), spine(0.06 * side, -kSpineDrop + 0.04),
@@ -87,7 +87,7 @@ std::vector<double> ring_places(const SegmentShape& shape) {
 std::vector<Ring> rings_of(const SegmentShape& shape) {
   std::vector<Ring> rings;
   for (const double s : ring_places(shape)) rings.push_back(ring_at(shape, s));
-  // Two places without distance between them are the start twice.
+  // A segment of zero length has the start ring twice.
   if (!(shape.arc.length() > 0))
     rings.back() = {curve::point(shape.key.cubic, 1.0), knot_frame(shape.key.tangent_to, shape.key.up_to), 1};
   return rings;

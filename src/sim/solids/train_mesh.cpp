@@ -19,7 +19,7 @@ void add_block(dvec3 low, dvec3 high, Part part, Mesh& mesh) {
   add_box(0.5 * (low + high), kAhead, half, part, 0, true, mesh);
 }
 
-// A block whose upper face is moved by `lean` along X.
+// Adds a block whose upper face is shifted by `lean` along X.
 void add_leaning(dvec3 low, dvec3 high, double lean, Part part, Mesh& mesh) {
   const auto face = [&](double x) {
     return std::array{dvec3(x, low.y, high.z), dvec3(x, low.y, low.z), dvec3(x + lean, high.y, low.z),
@@ -28,11 +28,11 @@ void add_leaning(dvec3 low, dvec3 high, double lean, Part part, Mesh& mesh) {
   add_prism(face(high.x), face(low.x), part, 0, true, mesh);
 }
 
-// A cross-section of the body: a rectangle with round corners, and a stripe on each side and on top.
+// A cross-section of the body: a rounded rectangle with a stripe on each side and on top.
 struct BodySection {
   double x, low, high, half_width;
 };
-constexpr int kCorner = 3;                                                  // steps of a round corner
+constexpr int kCorner = 3;                                                  // steps of a rounded corner
 constexpr double kStripeLow = 0.38, kStripeHigh = 0.60, kTopStripe = 0.16;  // of the height, of the half width
 
 std::vector<dvec3> outline(const BodySection& s) {
@@ -65,14 +65,14 @@ void add_body(std::span<const BodySection> sections, Mesh& mesh) {
   add_loft(rows, parts, mesh);
 }
 
-// A wheel about an axis along Z or Y, with a hub on the outside.
+// Adds a wheel about an axis along Z or Y, with a hub on the outside.
 void add_wheel(dvec3 middle, dvec3 half_axis, double radius, Mesh& mesh) {
   constexpr int kWheelSides = 16;
   add_bar(middle - half_axis, middle + half_axis, radius, radius, kWheelSides, Part::wheel, 0, true, mesh);
   add_bar(middle + half_axis, middle + 1.12 * half_axis, 0.5 * radius, 0.45 * radius, 10, Part::fin, 0, false, mesh);
 }
 
-// Wheels that roll on, beside and under one rail, and what carries them.
+// Adds wheels above, beside and below one rail, and their bogie.
 void add_bogie(double x, double side, Mesh& mesh) {
   constexpr double kRoad = 0.15, kGuide = 0.09, kUnder = 0.085, kHalf = 0.05, kPlate = 0.93;
   const double rail = 0.5 * kGauge;
@@ -104,7 +104,7 @@ void add_seat(double x, double z, Mesh& mesh) {
 
 void add_loft(std::span<const std::vector<dvec3>> sections, std::span<const Part> parts, Mesh& mesh) {
   const std::size_t count = parts.size(), rows = sections.size();
-  // Normals of corners: the sum of the faces' around them, by area.
+  // Normals of corners: the area-weighted sum of the adjacent faces' normals.
   std::vector<dvec3> normals(rows * count, dvec3(0));
   for (std::size_t row = 0; row + 1 < rows; ++row)
     for (std::size_t k = 0; k < count; ++k) {
@@ -194,7 +194,7 @@ Mesh car_mesh(bool leading) {
   if (leading) body.insert(body.end(), std::begin(nose), std::end(nose));
   else body.insert(body.end(), std::begin(plain), std::end(plain));
   add_body(body, mesh);
-  // The floor of the seats, and under the body what carries it.
+  // The floor of the seats, and the chassis below the body.
   add_block({-0.98, 0.66, -0.44}, {leading ? 0.36 : 0.62, 0.69, 0.44}, Part::seat, mesh);
   add_block({-1.02, 0.14, -0.34}, {leading ? 0.98 : 1.02, 0.25, 0.34}, Part::tie, mesh);
   for (const double x : {-0.66, 0.66})

@@ -8,8 +8,8 @@
 namespace coaster::sim {
 namespace {
 
-// How far a ride is beyond the envelope near the span: g times seconds of excess of all spans of its car and axis that
-// touch its stretch of track.
+// Returns by how much a ride exceeds the envelope near the span: g times seconds of excess of all spans of its car and
+// axis that overlap its stretch of track.
 double excess(const Ghost& ghost, const Envelope& envelope, const RedSpan& span) {
   constexpr double kNear = 10;  // m on each side
   const auto touches = [&](const RedSpan& other) {
@@ -28,7 +28,7 @@ class Trials {
     derive(document_, settings_, {}, derived_);
   }
   const Derived& derived() const { return derived_; }
-  // Of the document as it is.
+  // Of the present document.
   double excess_of(const Envelope& envelope, const RedSpan& span) {
     document_ = original_;
     return excess_now(envelope, span);
@@ -49,7 +49,7 @@ class Trials {
   }
   static world::Settings coarse() {
     world::Settings settings;
-    settings.steps = 1;  // no polylines are looked at
+    settings.steps = 1;  // polylines are not needed
     return settings;
   }
   const world::Document& original_;

@@ -1,4 +1,4 @@
-// Which knot to move, and where to, so that a red span fades: finite differences over whole rides.
+// Suggests a knot to move, and its direction, to reduce an overload: finite differences over whole rides.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@ struct Advice {
   world::Entity knot;
   glm::vec3 direction{0};  // unit, along an axis of the world
   double before = 0,
-         after = 0;  // g over the limit, summed over the span's kind of red spans, now and after a move of kAdviceStep
+         after = 0;  // g over the limit, summed over the overloads of that kind, now and after a move of kAdviceStep
 };
 inline constexpr float kAdviceStep = 0.25f;  // m
-inline constexpr int kAdviceReach = 3;       // knots on each side of the span that are tried
+inline constexpr int kAdviceReach = 3;       // knots to try on each side of the span
 
-// Tries the knots from kAdviceReach before the span to as many after it, each along +-x, +-y and +-z, and returns what
-// lowers the span's excess most; nothing when no move does. Cost: about 40 rides, 2 ms each for a circuit of 1 km.
+// Tries the knots from kAdviceReach before the span to as many after it, each along +-x, +-y and +-z. Returns the move
+// that reduces the span's excess most; nothing if none does. Cost: about 40 rides, 2 ms each for a circuit of 1 km.
 std::optional<Advice> advise(const world::Document& document, world::Entity cart, const Envelope& envelope,
                              const RedSpan& span);
 

@@ -5,7 +5,7 @@
 namespace coaster::sim {
 namespace {
 
-// Points of the ideal curve, kConflictStep apart or more where it is long, both ends included.
+// Returns points of the ideal curve at least kConflictStep apart, both ends included.
 std::vector<LinePoint> line_of(const ElementCurve& curve) {
   constexpr double kMostChords = 600;
   const double step = std::max(kConflictStep, curve.length() / kMostChords);

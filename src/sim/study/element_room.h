@@ -1,4 +1,4 @@
-// Whether an element of the palette would have room at the end of the track.
+// Whether an element of the palette has clearance at the end of the track.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,11 @@
 
 namespace coaster::sim {
 
-// Where the plan's ideal curve would be in the way of track or of itself; kept while plan and track are the same.
+// The parts of the plan's ideal curve that conflict with track or with the curve itself; cached while plan and track
+// are unchanged.
 class ElementRoom {
  public:
-  // `conflicts` has been brought up to date with `derived`.
+  // `conflicts` must be up to date with `derived`.
   const std::vector<Narrow>& update(const ElementPlan& plan, const Conflicts& conflicts, const Derived& derived);
 
  private:

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kForceRate = static_cast<double>(world::kTicksPerSecond) / kForceEvery;
 
-// One section of second order, by the bilinear transform of 1 / (p^2 + p/q + 1) with the cutoff kept.
+// A second-order section, by the bilinear transform of 1 / (p^2 + p/q + 1) with the cutoff preserved.
 struct Section {
   double b, a1, a2;  // (b, 2b, b) over (1, a1, a2)
   Section(double rate, double cutoff, double q) {
@@ -37,13 +37,13 @@ float along_axis(const Force& force, ForceAxis axis) {
   return 0;
 }
 
-// For each entry the longest run around it in which no value is below its own: [first, last].
+// For each entry the longest run around it with no value below its own: [first, last].
 struct Run {
   std::size_t first, last;
 };
 std::vector<Run> runs_at_least(std::span<const float> values) {
   std::vector<Run> runs(values.size());
-  std::vector<std::size_t> open;  // entries whose run goes on, values ascending
+  std::vector<std::size_t> open;  // entries whose run is still open, values ascending
   for (std::size_t i = 0; i <= values.size(); ++i) {
     while (!open.empty() && (i == values.size() || values[open.back()] > values[i])) {
       runs[open.back()].last = i - 1;
@@ -133,7 +133,7 @@ double limit(const EnvelopeCurve& curve, double seconds) {
 
 void low_pass(std::span<float> values, double rate, double cutoff) {
   if (values.empty()) return;
-  // The two pairs of poles of a Butterworth filter of order 4.
+  // The two pole pairs of a fourth-order Butterworth filter.
   Section(rate, cutoff, 0.54119610014619698).run(values);
   Section(rate, cutoff, 1.30656296487637652).run(values);
 }
@@ -142,7 +142,7 @@ std::vector<float> pressed(const Ghost& ghost, int car, ForceAxis axis, double c
   const auto cars = static_cast<std::size_t>(ghost.start.cars);
   std::vector<float> values;
   values.reserve(ghost.forces.size() / cars);
-  // The side is low-passed with its sign: what changes sides quickly does not last.
+  // Lateral g is low-passed with its sign: a force that changes sides quickly does not last.
   for (std::size_t i = static_cast<std::size_t>(car); i < ghost.forces.size(); i += cars)
     values.push_back(axis == ForceAxis::side ? ghost.forces[i].left : along_axis(ghost.forces[i], axis));
   low_pass(values, kForceRate, cutoff);

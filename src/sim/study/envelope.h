@@ -1,5 +1,4 @@
-// How long which acceleration may last: limits by duration, as third parties read ASTM F2291 and EN 13814. Data to
-// edit, not a compliance check.
+// Force limits by duration, as third parties read ASTM F2291 and EN 13814. Data to edit, not a compliance check.
 #pragma once
 
 #include <array>
@@ -13,51 +12,51 @@
 
 namespace coaster::sim {
 
-// The directions in which a rider is pressed or lifted, each with a limit of its own.
+// The directions in which a rider is pressed or lifted, each with its own limit.
 enum class ForceAxis : std::uint8_t { down, lift, side, forward, back };  // +Gz, -Gz, +-Gy, +Gx, -Gx
 inline constexpr std::size_t kForceAxes = 5;
-std::string_view name(ForceAxis axis);   // "down" ...
-std::string_view label(ForceAxis axis);  // "into the seat (+Gz)" ...
+std::string_view name(ForceAxis axis);   // "down" and so on
+std::string_view label(ForceAxis axis);  // "into the seat (+Gz)" and so on
 
 struct EnvelopePoint {
   double seconds, g;
   friend bool operator==(const EnvelopePoint&, const EnvelopePoint&) = default;
 };
-// For each axis the largest g for each duration, durations ascending: linear between points, constant beyond them.
+// For each axis the largest g by duration, durations ascending: linear between points, constant beyond them.
 using EnvelopeCurve = std::vector<EnvelopePoint>;
 struct Envelope {
   std::array<EnvelopeCurve, kForceAxes> curves;
-  double shortest = 0.2;  // s: what is shorter does not count
-  double cutoff = 5.0;    // Hz, of the low-pass before it is looked at
+  double shortest = 0.2;  // s: shorter overloads do not count
+  double cutoff = 5.0;    // Hz, of the low-pass filter
   friend bool operator==(const Envelope&, const Envelope&) = default;
 };
 const Envelope& default_envelope();
 double limit(const EnvelopeCurve& curve, double seconds);
 
-// A Butterworth low-pass of four poles over samples `rate` a second apart, started in the steady state of the first
-// one. In place.
+// Applies a Butterworth low-pass of four poles in place to samples at `rate` per second, starting in the steady state
+// of the first.
 void low_pass(std::span<float> values, double rate, double cutoff);
 
-// Riders of car `car` on one axis, low-passed, positive into the direction that the axis limits (side: the size), one
-// entry for each of Ghost::forces.
+// Returns the low-passed force on riders of car `car` on one axis, positive in the direction that the axis limits
+// (side: absolute), one value per entry of Ghost::forces.
 std::vector<float> pressed(const Ghost& ghost, int car, ForceAxis axis, double cutoff);
 
-// A stretch of a ride in which some acceleration lasts longer than it may.
+// An overload: a stretch of a ride in which an acceleration lasts longer than its limit allows.
 struct RedSpan {
   int car = 0;
   ForceAxis axis = ForceAxis::down;
   double from = 0, to = 0;                    // s since the start
   double from_distance = 0, to_distance = 0;  // m along the track, of that car
   double worst = 0,
-         allowed = 0;  // g, where it is furthest beyond: the low-passed value and the limit for how long it lasts
-  double at = 0;       // s, when
+         allowed = 0;  // g, at the largest excess: the low-passed value and the limit for its duration
+  double at = 0;       // s, time of the largest excess
 };
 
-// All of a ride, cars and axes in order. A moment is red when it belongs to a time in which a level is never left and
-// that lasts longer than the level may: found for all levels at once in O(n).
+// Returns all overloads of a ride, cars and axes in order. A moment is red if it belongs to an interval in which the
+// value stays above a level for longer than the level's limit: found for all levels at once in O(n).
 std::vector<RedSpan> red_spans(const Ghost& ghost, const Envelope& envelope);
 
-// The same, kept while the ride and the envelope are the same.
+// The same, cached while the ride and the envelope are unchanged.
 class RedSpans {
  public:
   const std::vector<RedSpan>& update(const Ghost& ghost, const Envelope& envelope) {

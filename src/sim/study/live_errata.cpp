@@ -13,7 +13,7 @@
 namespace coaster::sim {
 namespace {
 
-// Where the rails slope most, of 33 places; the ends count by what lies before them.
+// Returns the steepest of 33 points on the rails; at the ends only a slope into the segment counts.
 double steepest_place(const SegmentShape& shape) {
   double best = 0.5 * shape.arc.length(), most = -1;
   for (int i = 1; i < kFrameIntervals; ++i) {
@@ -23,8 +23,8 @@ double steepest_place(const SegmentShape& shape) {
   return best;
 }
 
-// Metres that a cart goes in kFrozenTicks from rest at `from` on segment `index`, by a row of the integrators; it stops
-// at the segment's ends.
+// Returns the distance in m that a cart moves in kFrozenTicks from rest at `from` on segment `index`, by an integrator;
+// it stops at the segment's ends.
 double way_from_rest(const Derived& derived, std::size_t index, double from, const Integrator& row) {
   const SegmentShape& shape = derived.shape(derived.order[index]);
   const std::array<CarPlace, 1> car{CarPlace{index, from}};
@@ -50,7 +50,7 @@ Erratum frozen(const Derived& derived, std::size_t index) {
           "off; metres after half a second."};
 }
 
-// The rougher of the segment's two joints.
+// Returns the larger curvature jump of the segment's two joints.
 double curvature_jump(const Derived& derived, std::size_t index) {
   const std::size_t count = derived.order.size();
   double jump = 0;

@@ -1,4 +1,4 @@
-// Measuring evaluators: rows are interleaved in every round, so that what the machine does besides falls on all of them
+// Measures the evaluators. Rows are interleaved in every round, so that other load on the machine affects all of them
 // alike.
 #include "sim/study/measure.h"
 
@@ -9,7 +9,7 @@
 namespace coaster::sim {
 namespace {
 
-// Which round of which number of steps a share is. Rounds go outermost: a first table is there early.
+// The round and the number of steps of a share. Rounds are outermost, so that a first table is complete early.
 struct Share {
   std::size_t column;
   int round;
@@ -25,7 +25,7 @@ double checksum_of(std::span<const glm::vec3> points) {
   return static_cast<double>(sum.x) + static_cast<double>(sum.y) + static_cast<double>(sum.z);
 }
 
-// The rounds' middle value.
+// Returns the median of the rounds.
 double median(std::span<const double> values) {
   std::array<double, kMeasureRounds> sorted{};
   std::copy(values.begin(), values.end(), sorted.begin());
@@ -41,7 +41,7 @@ void time_row(Measurement& m, MeasuredRow& row, Share share, std::span<glm::vec3
   const double began = clock ? clock() : 0;
   for (int i = 0; i < segments; ++i) {
     evaluator.polyline(m.curves[static_cast<std::size_t>(i) % m.curves.size()], points, {});
-    // One vertex of each: the calls go through a table, but what nobody reads need not be written.
+    // Reads one vertex of each: the calls go through a table, but unread results need not be written.
     m.checksum += static_cast<double>(points[points.size() / 2].x);
   }
   const double ended = clock ? clock() : 0;
@@ -54,7 +54,7 @@ void time_row(Measurement& m, MeasuredRow& row, Share share, std::span<glm::vec3
   cell.ns_per_point = 1e9 * median(std::span(seconds).first(static_cast<std::size_t>(cell.rounds)));
 }
 
-// Every vertex of every curve against the exact point at the same t.
+// Compares every vertex of every curve with the exact point at the same t.
 void find_errors(Measurement& m, std::size_t column, std::span<glm::vec3> points) {
   const int steps = kMeasuredSteps[column];
   std::vector<glm::dvec3> exact(points.size());
@@ -90,7 +90,7 @@ void measure_next(Measurement& m, const Clock& clock) {
   if (!m.running) return;
   const Share share = share_of(m.next);
   std::vector<glm::vec3> points(static_cast<std::size_t>(kMeasuredSteps[share.column]) + 1);
-  if (share.round == 0) find_errors(m, share.column, points);  // and every row's code and data are warm
+  if (share.round == 0) find_errors(m, share.column, points);  // this also warms up every row's code and data
   for (std::size_t i = 0; i < m.rows.size(); ++i)
     time_row(m, m.rows[(i + static_cast<std::size_t>(share.round)) % m.rows.size()], share, points, clock);
   ++m.next;

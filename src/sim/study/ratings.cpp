@@ -19,7 +19,7 @@ void take(Extreme& extreme, double value, bool first, bool larger, std::size_t s
   extreme = {value, static_cast<double>(sample) * world::kTick, at.distance(sample, car), car};
 }
 
-// The largest of a car's low-passed values on one axis goes into `extreme` when it is larger.
+// Updates `extreme` with the largest of a car's low-passed values on one axis.
 void take_force(const Ghost& ghost, int car, ForceAxis axis, double cutoff, double sign, Extreme& extreme) {
   const std::vector<float> values = pressed(ghost, car, axis, cutoff);
   const CarAt at{ghost};
@@ -56,7 +56,7 @@ void take_heights(const Ghost& ghost, const RailTables& tables, Ratings& r) {
     take(r.highest, height, i == 0, true, i, 0, at), take(r.lowest, height, i == 0, false, i, 0, at);
     take(r.top_speed, std::abs(ghost.samples[i].speed), i == 0, true, i, 0, at);
     if (i == 0) top = bottom = height;
-    constexpr double kNoise = 0.05;  // m up, before a descent is over
+    constexpr double kNoise = 0.05;  // m up, before a descent ends
     if (height < bottom) bottom = height;
     if (height > bottom + kNoise) {
       end_drop();
@@ -69,7 +69,7 @@ void take_heights(const Ghost& ghost, const RailTables& tables, Ratings& r) {
 
 void count_inversions(const Ghost& ghost, const RailTables& tables, Ratings& r) {
   constexpr float kBelow = -0.2f,
-                  kAbove = 0.2f;  // of the up vector's height, so that a rider lying on the side is not counted twice
+                  kAbove = 0.2f;  // of the up vector's height, so that a rider on the side is not counted twice
   const CarAt at{ghost};
   const int car = ghost.start.cars / 2;
   std::size_t hint = 0;

@@ -1,4 +1,4 @@
-// What a ride amounts to: its numbers and the ratings that park games made of such numbers.
+// The figures of a ride, and the ratings that park games derive from them.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace coaster::sim {
 
-// The largest or smallest of something, and where and when.
+// An extreme value, its time and its position.
 struct Extreme {
   double value = 0;
   double seconds = 0;   // since the start
@@ -16,29 +16,29 @@ struct Extreme {
 };
 
 struct Ratings {
-  bool complete = false;           // came round, or to the end of an open track
+  bool complete = false;           // completed the lap, or reached the end of an open track
   double seconds = 0, length = 0;  // of the lap; m of track
   Extreme top_speed;               // m/s
   Extreme highest, lowest;         // m, of the rails under the first car
   Extreme up_most, up_least, side_most, forward_most,
-      back_most;            // g, low-passed; side: the size; back: backwards, positive
+      back_most;            // g, low-passed; side: absolute; back: backwards, positive
   double mean_speed = 0;    // m/s
-  double airtime = 0;       // s with the middle car's riders lifted (vertical g below 0)
+  double airtime = 0;       // s during which the middle car's riders are lifted (vertical g below 0)
   int drops = 0;            // descents of kDrop or more
   double highest_drop = 0;  // m
-  int inversions = 0;       // times that the riders are turned upside down
-  // After the formulas published for OpenRCT2, with real g: their terms of vertical and lateral g and of drops alone.
+  int inversions = 0;       // number of times that riders are turned upside down
+  // By the formulas published for OpenRCT2, with real g: only their terms of vertical and lateral g and of drops.
   double excitement = 0, intensity = 0, nausea = 0;
 };
 inline constexpr double kDrop = 3.0;  // m
 
-// Of a ghost on these tables; `cutoff` in Hz is that of the low-pass for the forces. Inversions are counted where the
-// riders' up, that is the rotation-minimising frame with its banking, points below the horizon by more than 0.2 and
-// then above it again.
+// Returns the ratings of a ghost on these tables; `cutoff` in Hz is that of the forces' low-pass. An inversion counts
+// where the riders' up, that is the rotation-minimising frame with its banking, points below the horizon by more than
+// 0.2 and then above it again.
 Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff);
 
-// Keeps the last ride's ratings while the ride and the cutoff are the same. Cost of a new one: about 1 ms for a lap of
-// a minute with one car.
+// Caches the last ride's ratings while the ride and the cutoff are unchanged. A new one takes about 1 ms for a lap of a
+// minute with one car.
 class RatingsMemo {
  public:
   const Ratings& update(const Ghost& ghost, const RailTables& tables, double cutoff) {
@@ -54,13 +54,13 @@ class RatingsMemo {
   Ratings ratings_;
 };
 
-// A report to read, and the ride by time as CSV (a line every kForceEvery ticks, units in the heading, forces of the
-// car named as they are).
+// Return a readable report, and the ride by time as CSV (one line per kForceEvery ticks, units in the heading, named by
+// the car whose forces it has).
 std::string report_text(const Ghost& ghost, const Ratings& ratings, const std::vector<RedSpan>& red,
                         const std::string& track_name);
 std::string report_csv(const Ghost& ghost, const RailTables& tables);
 
-// Why a ride stopped by itself, for people: "", "stalled", "rolled back", "ran off the open end", "collided".
+// Returns the reason for the end of a ride as text: "", "stalled", "rolled back", "ran off the open end", "collided".
 std::string_view text(world::FailureKind kind);
 
 }  // namespace coaster::sim

@@ -10,7 +10,7 @@ namespace {
 
 using world::Colouring;
 
-constexpr double kMostCurvature = 1e3;  // 1/m: a cusp has no bound
+constexpr double kMostCurvature = 1e3;  // 1/m: unbounded at a cusp
 
 double place(const SegmentShape& shape, int j) { return shape.arc.length() * j / (kValuesPerSegment - 1); }
 
@@ -22,8 +22,7 @@ float curvature_at(const SegmentShape& shape, int j) {
   return static_cast<float>(std::isfinite(value) ? std::min(value, kMostCurvature) : kMostCurvature);
 }
 
-// Millimetres: each place takes the largest of the vertices that are nearest to it, and with few vertices what lies
-// between two of them.
+// Millimetres: each position takes the largest of its nearest vertices; with few vertices, interpolates between two.
 void fill_error(const SegmentShape& shape, const world::Settings& settings, std::span<float> out) {
   const auto& profile =
       error_profile(shape.curve, curve::evaluators()[static_cast<std::size_t>(settings.evaluator)], settings.steps);
@@ -53,7 +52,7 @@ double value_of(const Ghost& ghost, std::size_t entry, Colouring colouring) {
   }
 }
 
-// Spreads the ride's values over the places that the middle car passes.
+// Distributes the ride's values over the positions that the middle car passes.
 class Spread {
  public:
   Spread(const Derived& derived, double rest, std::vector<float>& out)
@@ -64,7 +63,7 @@ class Spread {
         places_.push_back(
             std::lerp(derived.starts[i], derived.starts[i + 1], static_cast<double>(j) / (kValuesPerSegment - 1)));
   }
-  // From way a with value va to way b with value vb.
+  // From distance a with value va to distance b with value vb.
   void add(double a, double va, double b, double vb) {
     if (a > b) std::swap(a, b), std::swap(va, vb);
     const double turn = closed_ && length_ > 0 ? length_ * std::floor(a / length_) : 0.0;
@@ -96,8 +95,8 @@ void fill_ride(const Derived& derived, const Ghost& ghost, Colouring colouring, 
                behind + ghost.samples[(k + 1) * kForceEvery].travelled, value_of(ghost, k + 1, colouring));
 }
 
-// Multiples of 1, 2 or 5 times a power of ten, about five of them from low to high: the legend does not jitter while a
-// knot is dragged.
+// Rounds to multiples of 1, 2 or 5 times a power of ten, about five of them from low to high: the legend does not
+// jitter during a drag.
 void round_range(TrackValues& values) {
   double low = 1e300, high = -1e300;
   for (const float value : values.values)

@@ -1,5 +1,5 @@
-// What the track is coloured by: a value at uniform places of every segment, of the whole ride, the curve or the
-// evaluator. Kept, so that a frame in which nothing changed costs a comparison.
+// The values that colour the track, at uniform positions of every segment: of the whole ride, the curve or the
+// evaluator. Cached, so that a frame without changes costs a comparison.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@
 namespace coaster::sim {
 
 inline constexpr int kValuesPerSegment = 32;   // uniform in arc length, both ends included
-inline constexpr float kUnknownValue = 3e38f;  // where the ride does not come
+inline constexpr float kUnknownValue = 3e38f;  // where the ride does not arrive
 
 struct TrackValues {
   world::Colouring colouring{};
-  std::vector<float> values;  // kValuesPerSegment for each segment of derived.order, in the unit of the colouring's row
-  double low = 0, high = 1;   // of the legend: round numbers around what occurs, low < high
+  std::vector<float> values;  // kValuesPerSegment per segment of derived.order, in the unit of the colouring's row
+  double low = 0, high = 1;   // of the legend: round numbers around the values, low < high
   std::span<const float> of(std::size_t index) const {
     return std::span(values).subspan(index * kValuesPerSegment, kValuesPerSegment);
   }
@@ -25,10 +25,10 @@ struct TrackValues {
 
 class TrackValueMemo {
  public:
-  // `ghost` is read for rows of the ride alone; without one their values are unknown. Rides: riders of the middle car;
-  // where it passes more than once, what differs most from rest. Height and curvature: only changed segments are
-  // computed again, 10 us each; error as sim::error_profile() of settings.evaluator, the largest near each place.
-  // Plain: nothing.
+  // Updates the values. `ghost` is read only for colourings of the ride; without one their values are unknown. Ride
+  // values: riders of the middle car; if it passes several times, the value that differs most from rest. Height and
+  // curvature: only changed segments are recomputed, 10 us each. Error: sim::error_profile() of settings.evaluator, the
+  // largest near each position. Plain: nothing.
   const TrackValues& update(const Derived& derived, const world::Settings& settings, const Ghost* ghost);
 
  private:
