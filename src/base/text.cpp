@@ -1,8 +1,8 @@
 #include "base/text.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+
+#include <fmt/format.h>
 
 namespace coaster::base {
 namespace {
@@ -33,22 +33,6 @@ bool read_quoted(std::string_view line, std::size_t& i, Token& token, TextError&
   }
   ++i;
   return true;
-}
-
-template <class T>
-std::optional<T> parse_number(std::string_view text) {
-  T value{};
-  const char* end = text.data() + text.size();
-  const auto [stopped, code] = std::from_chars(text.data(), end, value);
-  if (code != std::errc{} || stopped != end || text.empty()) return std::nullopt;
-  return value;
-}
-
-template <class T>
-std::string print_number(T value) {
-  char buffer[64];
-  const auto [end, code] = std::to_chars(buffer, buffer + sizeof buffer, value);
-  return code == std::errc{} ? std::string(buffer, end) : std::string("nan");
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -120,21 +104,6 @@ std::string quoted(std::string_view text) {
   return out + '"';
 }
 
-std::optional<double> parse_double(std::string_view text) {
-  const auto value = parse_number<double>(text);
-  return value && std::isfinite(*value) ? value : std::nullopt;
-}
-
-std::optional<float> parse_float(std::string_view text) {
-  const auto value = parse_number<float>(text);
-  return value && std::isfinite(*value) ? value : std::nullopt;
-}
-
-std::optional<std::int64_t> parse_int(std::string_view text) { return parse_number<std::int64_t>(text); }
-
-std::string to_text(float value) { return print_number(value); }
-std::string to_text(double value) { return print_number(value); }
-
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates) {
   const std::string* best = nullptr;
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
@@ -155,8 +124,7 @@ std::string suggestion(std::string_view word, std::span<const std::string> candi
 }
 
 std::string at_place(std::string_view file, int line, int column, std::string_view message) {
-  return std::string(file) + ":" + std::to_string(line) + ":" + std::to_string(column) +
-         ": error: " + std::string(message);
+  return fmt::format("{}:{}:{}: error: {}", file, line, column, message);
 }
 
 }  // namespace coaster::base

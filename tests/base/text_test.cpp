@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <bit>
-#include <cmath>
 
 namespace coaster::base {
 namespace text_test {
@@ -53,27 +51,6 @@ RC_GTEST_PROP(text, a_quoted_text_reads_back, (const std::string& text)) {
   RC_ASSERT(tokenise(base::quoted(clean), tokens, error));
   RC_ASSERT(tokens.size() == 1u);
   RC_ASSERT(tokens[0].text == clean);
-}
-
-RC_GTEST_PROP(text, every_finite_float_reads_back_to_the_same_bits, (std::uint32_t bits)) {
-  const float value = std::bit_cast<float>(bits);
-  RC_PRE(std::isfinite(value));
-  RC_ASSERT(std::bit_cast<std::uint32_t>(parse_float(to_text(value)).value()) == bits);
-}
-
-RC_GTEST_PROP(text, every_finite_double_reads_back_to_the_same_bits, (std::uint64_t bits)) {
-  const double value = std::bit_cast<double>(bits);
-  RC_PRE(std::isfinite(value));
-  RC_ASSERT(std::bit_cast<std::uint64_t>(parse_double(to_text(value)).value()) == bits);
-}
-
-TEST(text, what_is_no_finite_number_is_refused) {
-  for (const char* text : {"", "nan", "inf", "-inf", "1e999", "+1", " 1", "1 ", "0x10", "1,5", "--1", "1.5.2"})
-    EXPECT_FALSE(parse_double(text)) << text;
-  EXPECT_FALSE(parse_float("1e39"));
-  EXPECT_TRUE(parse_double("1e39"));
-  EXPECT_FALSE(parse_int("1.5"));
-  EXPECT_EQ(parse_int("-12"), -12);
 }
 
 TEST(text, the_nearest_word_is_suggested_and_far_ones_are_not) {
