@@ -9,6 +9,8 @@
 #include <cstring>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/files.h"
 
 namespace coaster::base {
@@ -30,7 +32,8 @@ Owner read_owner(int fd) {
 
 std::string describe(const Owner& owner) {
   if (owner.pid.empty()) return "another process";
-  return "process " + owner.pid + (owner.host.empty() || owner.host == host_name() ? "" : " on " + owner.host);
+  return fmt::format("process {}{}", owner.pid,
+                     owner.host.empty() || owner.host == host_name() ? "" : " on " + owner.host);
 }
 
 // Whether the file that was locked is still the one of that name: its last owner may have removed it in between.
@@ -95,7 +98,7 @@ LockAttempt try_lock(const std::filesystem::path& path) {
       ::close(fd);
       continue;
     } else {
-      const std::string text = std::to_string(::getpid()) + "\n" + host_name() + "\n";
+      const std::string text = fmt::format("{}\n{}\n", ::getpid(), host_name());
       const bool told =
           ::ftruncate(fd, 0) == 0 && ::pwrite(fd, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
       (void)told;  // the lock holds without it; whoever asks gets no number then

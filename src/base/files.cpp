@@ -10,6 +10,8 @@
 #include <cstring>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/hash.h"
 
 namespace coaster::base {
@@ -33,7 +35,7 @@ class Descriptor {
 };
 
 Status failure(Code code, const std::filesystem::path& path, std::string_view what, int error) {
-  return {code, path.string() + ": " + std::string(what) + ": " + std::strerror(error)};
+  return {code, fmt::format("{}: {}: {}", path.string(), what, std::strerror(error))};
 }
 
 Code code_of_open(int error) {
@@ -65,13 +67,13 @@ std::string host_mark() {
 // below 255 bytes.
 std::string temporary_stem(const std::filesystem::path& target) {
   constexpr std::size_t kMostBytes = 200;
-  return "." + target.filename().string().substr(0, kMostBytes) + host_mark();
+  return fmt::format(".{}{}", target.filename().string().substr(0, kMostBytes), host_mark());
 }
 
 // A new file beside `target` with the mode that the process gives new files; `name` is its path. -1 and errno on
 // failure.
 int open_temporary(const std::filesystem::path& target, std::string& name) {
-  const std::string stem = temporary_stem(target) + std::to_string(::getpid()) + ".";
+  const std::string stem = fmt::format("{}{}.", temporary_stem(target), ::getpid());
   for (int i = 0; i < 1000; ++i) {
     name = (target.parent_path() / (stem + std::to_string(i))).string();
     const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -137,8 +139,7 @@ Result<std::string> Files::read(const std::filesystem::path& path, std::size_t l
   if (::fstat(file.get(), &info) != 0) return failure(Code::io, path, "cannot be examined", errno);
   if (S_ISDIR(info.st_mode)) return Status{Code::bad_file, path.string() + ": is a directory, expected a file"};
   if (!S_ISREG(info.st_mode)) return Status{Code::bad_file, path.string() + ": is not a regular file"};
-  const Status too_large{Code::bad_file,
-                         path.string() + ": is larger than the limit of " + std::to_string(limit) + " bytes"};
+  const Status too_large{Code::bad_file, fmt::format("{}: is larger than the limit of {} bytes", path.string(), limit)};
   if (static_cast<std::uint64_t>(info.st_size) > limit) return too_large;
 
   std::string bytes;

@@ -3,10 +3,11 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <iterator>
+
+#include <fmt/format.h>
 
 namespace coaster::base {
 namespace {
@@ -54,7 +55,7 @@ Status make_folders(const std::filesystem::path& folder) {
     if (const Status above = make_folders(folder.parent_path()); !above) return above;
   if (::mkdir(folder.c_str(), 0700) == 0 || std::filesystem::is_directory(folder, error)) return {};
   error = std::error_code(errno, std::generic_category());
-  return {Code::io, folder.string() + ": cannot be made: " + error.message()};
+  return {Code::io, fmt::format("{}: cannot be made: {}", folder.string(), error.message())};
 }
 
 Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& folder, bool hidden) {
@@ -70,7 +71,7 @@ Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& folder
       entries.push_back({name, is_folder, is_folder ? 0 : static_cast<std::uintmax_t>(info.st_size),
                          static_cast<std::int64_t>(info.st_mtime)});
   }
-  if (error) return Status{Code::bad_file, folder.string() + ": " + error.message()};
+  if (error) return Status{Code::bad_file, fmt::format("{}: {}", folder.string(), error.message())};
   std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
     if (a.folder != b.folder) return a.folder;
     const std::string left = lower(a.name), right = lower(b.name);
@@ -97,9 +98,7 @@ std::string size_text(std::uintmax_t bytes) {
   double value = static_cast<double>(bytes);
   std::size_t unit = 0;
   while (value >= 999.5 && unit + 1 < std::size(kUnits)) value /= 1000, ++unit;
-  char text[32];
-  std::snprintf(text, sizeof text, unit > 0 && value < 9.95 ? "%.1f %s" : "%.0f %s", value, kUnits[unit]);
-  return text;
+  return fmt::format("{:.{}f} {}", value, unit > 0 && value < 9.95 ? 1 : 0, kUnits[unit]);
 }
 
 }  // namespace coaster::base

@@ -1,5 +1,6 @@
 #include "base/hash.h"
 
+#include <fmt/format.h>
 #include <xxhash.h>
 
 namespace coaster::base {
@@ -18,11 +19,6 @@ void Hasher::bytes(const void* data, std::size_t size) {
 
 std::uint64_t Hasher::digest() const { return XXH64_digest(state_->xxh); }
 
-std::string hex16(std::uint64_t value) {
-  constexpr char digits[] = "0123456789abcdef";
-  std::string text(16, '0');
-  for (int i = 15; i >= 0; --i, value >>= 4) text[static_cast<std::size_t>(i)] = digits[value & 15];
-  return text;
-}
+std::string hex16(std::uint64_t value) { return fmt::format("{:016x}", value); }
 
 }  // namespace coaster::base

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace coaster::base {
 
 std::string lower(std::string_view text) {
@@ -39,7 +41,7 @@ bool Words::accept(std::string_view word) {
 const Token* Words::take(std::string_view what) {
   if (failed_) return nullptr;
   if (const Token* const next = peek()) return ++next_, next;
-  fail(end_column(), "expected " + std::string(what) + " at the end of the line");
+  fail(end_column(), fmt::format("expected {} at the end of the line", what));
   return nullptr;
 }
 
@@ -49,7 +51,7 @@ std::optional<double> Words::number(std::string_view what) {
   std::string_view text = word->text;
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto value = parse_double(text);
-  if (!value) fail(word->column, "expected " + std::string(what) + ", found " + base::quoted(word->text));
+  if (!value) fail(word->column, fmt::format("expected {}, found {}", what, base::quoted(word->text)));
   return value;
 }
 
@@ -58,8 +60,7 @@ std::optional<std::int64_t> Words::whole(std::string_view what, std::int64_t low
   if (!word) return std::nullopt;
   const auto value = parse_int(word->text);
   if (value && *value >= low && *value <= high) return value;
-  fail(word->column, "expected " + std::string(what) + " (" + std::to_string(low) + ".." + std::to_string(high) +
-                         "), found " + base::quoted(word->text));
+  fail(word->column, fmt::format("expected {} ({}..{}), found {}", what, low, high, base::quoted(word->text)));
   return std::nullopt;
 }
 
@@ -70,7 +71,7 @@ std::optional<glm::vec3> Words::vector(std::string_view what) {
     if (!word) return std::nullopt;
     const auto value = parse_float(word->text);
     if (!value) {
-      fail(word->column, "expected " + std::string(what) + ", found " + base::quoted(word->text));
+      fail(word->column, fmt::format("expected {}, found {}", what, base::quoted(word->text)));
       return std::nullopt;
     }
     v[axis] = *value;
@@ -94,7 +95,7 @@ std::optional<std::size_t> Words::one_of(std::string_view what, std::span<const 
   const auto found = std::find(names.begin(), names.end(), word->text);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   fail(word->column,
-       "expected " + std::string(what) + ", found " + base::quoted(word->text) + suggestion(word->text, names));
+       fmt::format("expected {}, found {}{}", what, base::quoted(word->text), suggestion(word->text, names)));
   return std::nullopt;
 }
 

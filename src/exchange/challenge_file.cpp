@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "exchange/formats.h"
 #include "exchange/own/json_fields.h"
 #include "exchange/own/track_file.h"
@@ -20,7 +22,7 @@ bool read_text(Fields& fields, std::string_view member, std::string& to) {
   if (!fields.text(member, to)) return false;
   if (to.empty()) return fields.fail(member, "expected a text, found \"\"");
   return to.size() <= kMaxChallengeText ||
-         fields.fail(member, "longer than the limit of " + std::to_string(kMaxChallengeText) + " bytes");
+         fields.fail(member, fmt::format("longer than the limit of {} bytes", kMaxChallengeText));
 }
 
 bool read_challenge_head(ChallengeParse& parse, Fields& fields) {
@@ -44,7 +46,7 @@ bool read_rules(ChallengeParse& parse, Fields& fields, RuleList which) {
   if (!list) return false;
   if (which == RuleList::goals && list->empty()) return fields.fail(name, "expected one goal at least");
   if (list->size() > kMaxChallengeRules)
-    return fields.fail(name, "more than the limit of " + std::to_string(kMaxChallengeRules));
+    return fields.fail(name, fmt::format("more than the limit of {}", kMaxChallengeRules));
   for (std::size_t i = 0; i < list->size(); ++i) {
     Fields entry((*list)[i], {name, i}, parse.error);
     ChallengeRule rule;
@@ -60,12 +62,12 @@ bool read_hints(ChallengeParse& parse, Fields& fields) {
   const Json* const list = fields.list("hints");
   if (!list) return false;
   if (list->size() > kMaxChallengeHints)
-    return fields.fail("hints", "more than the limit of " + std::to_string(kMaxChallengeHints));
+    return fields.fail("hints", fmt::format("more than the limit of {}", kMaxChallengeHints));
   for (std::size_t i = 0; i < list->size(); ++i) {
     const Json& hint = (*list)[i];
     const bool fits = hint.is_string() && !hint.get_ref<const std::string&>().empty() &&
                       hint.get_ref<const std::string&>().size() <= kMaxChallengeText;
-    if (!fits) return fields.fail("hints[" + std::to_string(i) + "]", "expected a text, found " + describe(hint));
+    if (!fits) return fields.fail(fmt::format("hints[{}]", i), "expected a text, found " + describe(hint));
     parse.loaded.challenge.hints.push_back(hint.get<std::string>());
   }
   return true;
@@ -114,11 +116,11 @@ base::Result<LoadedChallenge> parse_challenge(std::string_view text, std::string
   if (!tree) return tree.status();
   ChallengeParse parse;
   if (!read_all(parse, *tree, folder, files))
-    return base::Status{base::Code::bad_file, std::string(name) + ": error: " + parse.error};
+    return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, parse.error)};
   for (std::string& warning : parse.loaded.warnings) {
     constexpr std::string_view kKept = " is kept";  // as of tracks; a challenge is not written back
     if (warning.ends_with(kKept)) warning.replace(warning.size() - kKept.size(), kKept.size(), " is ignored");
-    warning = std::string(name) + ": warning: " + warning;
+    warning = fmt::format("{}: warning: {}", name, warning);
   }
   return std::move(parse.loaded);
 }

@@ -2,6 +2,8 @@
 // limits.
 #include "gfx/curve_stages.h"
 
+#include <fmt/format.h>
+
 #include "base/check.h"
 #include "gfx/shader_sources.h"
 #include "gfx/track_cache.h"
@@ -45,8 +47,7 @@ void PolylinePen::set(const Program& program) const {
 
 std::string CurveStages::refusal(Stage stage) const {
   if (stage == Stage::tessellation_shader && (!gl_->at_least(4, 0) || gl_->PatchParameteri == nullptr))
-    return "tessellation shaders need OpenGL 4.0, the driver has " + std::to_string(gl_->major) + "." +
-           std::to_string(gl_->minor);
+    return fmt::format("tessellation shaders need OpenGL 4.0, the driver has {}.{}", gl_->major, gl_->minor);
   return programs_->failures[static_cast<std::size_t>(stage)];
 }
 

@@ -1,6 +1,8 @@
 // Fills the table of OpenGL functions and checks the version of the current context.
 #include "gfx/gl.h"
 
+#include <fmt/format.h>
+
 namespace coaster::gfx {
 namespace {
 
@@ -30,12 +32,11 @@ base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc) {
   gl.GetIntegerv(GL_MAJOR_VERSION, &gl.major);
   gl.GetIntegerv(GL_MINOR_VERSION, &gl.minor);
   if (!gl.at_least(kNeededMajor, kNeededMinor))
-    return base::Status{base::Code::graphics, "OpenGL " + std::to_string(kNeededMajor) + "." +
-                                                  std::to_string(kNeededMinor) + " is needed, the driver has " +
-                                                  text_of(gl, GL_VERSION)};
+    return base::Status{base::Code::graphics, fmt::format("OpenGL {}.{} is needed, the driver has {}", kNeededMajor,
+                                                          kNeededMinor, text_of(gl, GL_VERSION))};
   if (missing != nullptr)
     return base::Status{base::Code::graphics,
-                        std::string("OpenGL: the driver lacks ") + missing + " (" + text_of(gl, GL_VERSION) + ")"};
+                        fmt::format("OpenGL: the driver lacks {} ({})", missing, text_of(gl, GL_VERSION))};
   gl.GetIntegerv(GL_MAX_SAMPLES, &gl.max_samples);
   gl.renderer = text_of(gl, GL_RENDERER);
   return gl;

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace coaster::gfx {
 namespace {
 
@@ -37,7 +39,7 @@ base::Result<Object> compile(const Gl& gl, GLenum kind, std::string_view name, s
   gl.GetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);
   if (ok != GL_TRUE)
     return base::Status{base::Code::graphics,
-                        "shader " + std::string(name) + extension_of(kind) + log_of(gl, shader.id(), false)};
+                        fmt::format("shader {}{}{}", name, extension_of(kind), log_of(gl, shader.id(), false))};
   return shader;
 }
 
@@ -79,9 +81,8 @@ base::Result<Target> make_target(const Gl& gl, int width, int height, int sample
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target.colour.id());
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth.id());
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    return base::Status{base::Code::graphics, "OpenGL: no framebuffer of " + std::to_string(width) + "x" +
-                                                  std::to_string(height) + " with " + std::to_string(samples) +
-                                                  " samples"};
+    return base::Status{base::Code::graphics,
+                        fmt::format("OpenGL: no framebuffer of {}x{} with {} samples", width, height, samples)};
   return target;
 }
 
@@ -128,7 +129,7 @@ base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources) 
   gl.GetProgramiv(id, GL_LINK_STATUS, &ok);
   if (ok != GL_TRUE)
     return base::Status{base::Code::graphics,
-                        "shader " + std::string(sources.name) + " does not link: " + log_of(gl, id, true)};
+                        fmt::format("shader {} does not link: {}", sources.name, log_of(gl, id, true))};
   return program;
 }
 

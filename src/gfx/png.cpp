@@ -1,6 +1,8 @@
 // PNG in memory, by stb. The caller reads and writes files (base::Files), so that faults can be injected there.
 #include <climits>
 
+#include <fmt/format.h>
+
 #include "gfx/image.h"
 
 #pragma GCC diagnostic push
@@ -37,7 +39,7 @@ std::string encode_png(const Image& image) {
 
 base::Result<Image> decode_png(std::string_view bytes, std::string_view name) {
   const auto fail = [&](const std::string& why) {
-    return base::Status{base::Code::bad_file, std::string(name) + ": not a PNG picture: " + why};
+    return base::Status{base::Code::bad_file, fmt::format("{}: not a PNG picture: {}", name, why)};
   };
   if (bytes.size() > std::size_t(INT_MAX)) return fail("too large");
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "platform/surface.h"
 
 namespace coaster::platform {
@@ -216,7 +218,7 @@ std::string last_error() {
 std::string window_library() {
   int major = 0, minor = 0, revision = 0;
   glfwGetVersion(&major, &minor, &revision);  // of the library at run time, not of the header
-  return "GLFW " + std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(revision);
+  return fmt::format("GLFW {}.{}.{}", major, minor, revision);
 }
 
 base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options) {

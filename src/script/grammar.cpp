@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "base/words.h"
 #include "script/lines.h"
 #include "script/lines_parts.h"
@@ -55,7 +57,7 @@ void Parser::header(int source, int number, std::span<const base::Token> tokens)
   if (!version) return error(source, number, column, "expected \"coaster-script 1\"");
   if (*version > kScriptVersion)
     return error(source, number, column,
-                 "the script needs version " + std::to_string(*version) + "; this program reads version 1");
+                 fmt::format("the script needs version {}; this program reads version 1", *version));
   if (*version < 1) error(source, number, column, "expected version 1");
 }
 
@@ -203,8 +205,8 @@ std::string describe_error(const Source& source, int line, int column, std::stri
   if (line >= 1 && static_cast<std::size_t>(line) <= source.lines.size()) {
     const std::string& text = source.lines[static_cast<std::size_t>(line) - 1];
     const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
-    out += "\n    " + text.substr(blanks) + "\n    " +
-           std::string(static_cast<std::size_t>(std::max(0, column - 1 - static_cast<int>(blanks))), ' ') + "^";
+    out += fmt::format("\n    {}\n    {}^", text.substr(blanks),
+                       std::string(static_cast<std::size_t>(std::max(0, column - 1 - static_cast<int>(blanks))), ' '));
   }
   return out + hint;
 }

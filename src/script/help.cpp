@@ -5,6 +5,8 @@
 #include <array>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "edit/commands/codec.h"
 #include "query/query.h"
 
@@ -87,7 +89,7 @@ constexpr std::array kOutput{
 template <class Rows>
 void section(std::string& out, std::string_view title, const Rows& rows) {
   out += std::string(title) + "\n";
-  for (const HelpRow& row : rows) out += "  " + std::string(row.usage) + "\n      " + std::string(row.text) + "\n";
+  for (const HelpRow& row : rows) out += fmt::format("  {}\n      {}\n", row.usage, row.text);
   out += "\n";
 }
 
@@ -100,12 +102,12 @@ std::string help() {
   section(out, "Checks and output", kOutput);
   out += "Commands\n";
   for (const edit::CommandHelp& row : edit::command_table())
-    out += "  " + row.usage + "\n      " + std::string(row.info.help) + "\n";
+    out += fmt::format("  {}\n      {}\n", row.usage, row.info.help);
   out += "\nQueries\n";
   for (const query::Query& query : query::queries()) {
-    out += "  " + std::string(query.name) + (query.argument.empty() ? "" : " " + std::string(query.argument));
-    if (!query.unit.empty()) out += " (" + std::string(query.unit) + ")";
-    out += "\n      " + std::string(query.text) + "\n";
+    out += fmt::format("  {}{}", query.name, query.argument.empty() ? "" : " " + std::string(query.argument));
+    if (!query.unit.empty()) out += fmt::format(" ({})", query.unit);
+    out += fmt::format("\n      {}\n", query.text);
   }
   return out +
          "\nExit codes: 0 ok, 1 an expectation failed, 2 usage or script error, 3 bad file, 4 no graphics, 5 input or "

@@ -5,6 +5,8 @@
 #include <array>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "base/words.h"
 #include "edit/commands/codec.h"
 #include "query/condition.h"
@@ -162,8 +164,7 @@ bool parse_movie_start(Words& words, Action& action) {
     const auto fps = words.whole("pictures a second", 1, world::kTicksPerSecond);
     if (!fps) return false;
     if (!is_movie_rate(*fps))
-      return words.fail(
-          column, "expected " + std::string(kMovieRateWords) + " pictures a second, found " + std::to_string(*fps));
+      return words.fail(column, fmt::format("expected {} pictures a second, found {}", kMovieRateWords, *fps));
     start.fps = static_cast<int>(*fps);
   }
   start.gif = words.accept("gif");
@@ -299,7 +300,8 @@ bool parse_line(std::span<const base::Token> line, base::TextError& error, Actio
     return row.parse(words, action) && !words.failed();
   }
   if (!edit::is_command(first.text)) {
-    error = {first.column, "no command " + base::quoted(first.text) + base::suggestion(first.text, statement_words())};
+    error = {first.column,
+             fmt::format("no command {}{}", base::quoted(first.text), base::suggestion(first.text, statement_words()))};
     return false;
   }
   auto command = edit::parse(line, error);

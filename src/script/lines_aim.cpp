@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "script/lines_parts.h"
 
 namespace coaster::script {
@@ -13,7 +15,7 @@ constexpr std::string_view kTargets =
     "@k3, @k3.in, @k3.out, @s2:0.4, @c1, gizmo.x .. gizmo.xy, ground X Y Z or world X Y Z";
 
 bool refuse(Words& words, const base::Token& word) {
-  return words.fail(word.column, "expected " + std::string(kTargets) + ", found " + base::quoted(word.text));
+  return words.fail(word.column, fmt::format("expected {}, found {}", kTargets, base::quoted(word.text)));
 }
 
 // Parses "@k3.in", "@s2:0.4" and so on.

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace coaster::script {
 namespace {
 
@@ -62,8 +64,8 @@ bool parse_error(Words& words, Action& action) {
   if (rest.empty()) return words.fail(words.end_column(), "expected a statement that must fail");
   const std::vector<std::string>& known = statement_words();
   if (std::find(known.begin(), known.end(), rest.front().text) == known.end())
-    return words.fail(rest.front().column,
-                      "no command " + base::quoted(rest.front().text) + base::suggestion(rest.front().text, known));
+    return words.fail(rest.front().column, fmt::format("no command {}{}", base::quoted(rest.front().text),
+                                                       base::suggestion(rest.front().text, known)));
   Statement inner;
   inner.column = rest.front().column;
   base::TextError error;

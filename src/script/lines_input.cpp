@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace coaster::script {
 namespace {
 
@@ -93,7 +95,7 @@ bool parse_pad(Words& words, Action& action) {
     const auto value = words.number(what);
     if (!value) return std::nullopt;
     if (!(*value >= low && *value <= 1)) {
-      words.fail(column, std::string("expected ") + what + ", found " + base::to_text(*value));
+      words.fail(column, fmt::format("expected {}, found {}", what, base::to_text(*value)));
       return std::nullopt;
     }
     return static_cast<float>(*value);

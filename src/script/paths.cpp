@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "base/files.h"
 #include "base/text.h"
 
@@ -54,7 +56,7 @@ base::Result<std::filesystem::path> find_output(std::string_view written, const 
 base::Status make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) return {base::Code::io, folder.string() + ": cannot be made: " + error.message()};
+  if (error) return {base::Code::io, fmt::format("{}: cannot be made: {}", folder.string(), error.message())};
   base::Files files;
   const std::filesystem::path probe = folder / ".coaster-probe";
   if (const base::Status wrote = files.write_atomic(probe, ""); !wrote) return wrote;

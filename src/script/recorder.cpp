@@ -3,6 +3,8 @@
 
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "base/file_lock.h"
 #include "base/text.h"
 #include "edit/commands/codec.h"
@@ -90,7 +92,7 @@ base::Status Recorder::line(const std::string& text) {
 
 base::Status Recorder::write_ticks() {
   if (pending_ticks_ == 0) return {};
-  const std::string text = "ticks " + std::to_string(pending_ticks_);
+  const std::string text = fmt::format("ticks {}", pending_ticks_);
   pending_ticks_ = 0;
   return line(text);
 }
@@ -98,7 +100,8 @@ base::Status Recorder::write_ticks() {
 base::Status Recorder::snapshot(base::Files& files, const edit::Session& session) {
   std::filesystem::path track = path_;
   ++snapshots_;
-  track.replace_filename(path_.stem().string() + (snapshots_ > 1 ? "-" + std::to_string(snapshots_) : "") + ".json");
+  track.replace_filename(
+      fmt::format("{}{}.json", path_.stem().string(), snapshots_ > 1 ? "-" + std::to_string(snapshots_) : ""));
   if (const base::Status saved = exchange::save_track(files, track, session.document); !saved) return saved;
   return line("load " + base::quoted(track.filename().string()));
 }

@@ -2,6 +2,8 @@
 // under it.
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "script/runner.h"
 
 namespace coaster::script {
@@ -33,7 +35,7 @@ std::string name_of(const world::Document& document, const view::Pick& pick) {
     case view::PickKind::none: return "nothing";
     case view::PickKind::handle_in: return label + ".in";
     case view::PickKind::handle_out: return label + ".out";
-    case view::PickKind::curve: return label + ":" + base::to_text(static_cast<float>(pick.t));
+    case view::PickKind::curve: return fmt::format("{}:{}", label, base::to_text(static_cast<float>(pick.t)));
     case view::PickKind::knot:
     case view::PickKind::cart: break;
     case view::PickKind::axis_x:
@@ -59,7 +61,7 @@ Failure check_hover(Stage& stage, const AimAction& aim) {
   const std::string what = name_of(document, found);
   if (found.kind == view::PickKind::none)
     return failed("the cursor finds nothing at " + aim.target_text + ": something covers it", aim.target_column);
-  return failed(aim.target_text + " is covered by " + what, aim.target_column);
+  return failed(fmt::format("{} is covered by {}", aim.target_text, what), aim.target_column);
 }
 
 }  // namespace

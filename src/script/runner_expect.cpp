@@ -1,6 +1,8 @@
 // expect and wait.
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "query/condition.h"
 #include "script/runner.h"
 #include "script/widgets.h"
@@ -23,7 +25,7 @@ Failure Runner::perform(const Expect& expect) {
   const base::Result<bool> result = check(condition, found);
   if (!result) return failure(result.status(), condition.column);
   if (*result) return {};
-  return failed(std::string(condition.negated ? "expected not " : "expected ") + condition.text + ", found " + found,
+  return failed(fmt::format("{}{}, found {}", condition.negated ? "expected not " : "expected ", condition.text, found),
                 condition.column);
 }
 
@@ -38,8 +40,8 @@ Failure Runner::perform(const Wait& wait) {
     else if (const base::Status status = stage_.frame({}); !status) return failure(status);
   }
   return {base::Code::timeout,
-          "waited " + std::to_string(wait.most) + (wait.frames ? " frames" : " ticks") + " for " + wait.condition.text +
-              ", found " + found,
+          fmt::format("waited {}{} for {}, found {}", wait.most, wait.frames ? " frames" : " ticks",
+                      wait.condition.text, found),
           wait.condition.column};
 }
 
@@ -61,7 +63,7 @@ Failure Runner::perform(const ExpectWidget& expect) {
                                            : widget.covered ? "covered"
                                                             : "not visible")
                                         : (is ? "enabled" : "disabled");
-  return failed(base::quoted(widget.path) + " is " + word, expect.path.column);
+  return failed(fmt::format("{} is {}", base::quoted(widget.path), word), expect.path.column);
 }
 
 Failure Runner::perform(const ExpectFile& expect) {
@@ -79,7 +81,7 @@ Failure Runner::perform(const ExpectFile& expect) {
   if (expect.negated) return failed("the files are the same", expect.path.column);
   const auto [a, b] = std::mismatch(bytes->begin(), bytes->end(), wanted->begin(), wanted->end());
   const auto line = 1 + std::count(bytes->begin(), a, '\n');
-  return failed(path.string() + " differs from line " + std::to_string(line) + " on", expect.path.column);
+  return failed(fmt::format("{} differs from line {} on", path.string(), line), expect.path.column);
 }
 
 Failure Runner::perform(const ExpectError& expect) {
@@ -92,8 +94,9 @@ Failure Runner::perform(const ExpectError& expect) {
     message = result.message;
   }
   if (!expect.contains || message.find(*expect.contains) != std::string::npos) return {};
-  return failed("expected an error with " + base::quoted(*expect.contains) + ", found " + base::quoted(message),
-                expect.statement.front().column);
+  return failed(
+      fmt::format("expected an error with {}, found {}", base::quoted(*expect.contains), base::quoted(message)),
+      expect.statement.front().column);
 }
 
 }  // namespace coaster::script

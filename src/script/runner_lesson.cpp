@@ -1,6 +1,8 @@
 // Lessons: waits for the player if there is one, else runs the lesson's body.
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "script/runner.h"
 
 namespace coaster::script {
@@ -38,7 +40,8 @@ Failure Runner::perform(const Lesson& lesson) {
     if (!done) result = failure(done.status(), lesson.until.column);
     if (!done || *done) break;
     if (shown && waited >= kMostLessonFrames) {
-      result = {base::Code::timeout, "the lesson's own lines have not led to " + lesson.until.text + ", found " + found,
+      result = {base::Code::timeout,
+                fmt::format("the lesson's own lines have not led to {}, found {}", lesson.until.text, found),
                 lesson.until.column};
       break;
     }

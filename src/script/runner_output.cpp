@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "exchange/own/json_text.h"
 #include "exchange/own/track_file.h"
 #include "query/condition.h"
@@ -57,7 +59,7 @@ std::string state_json(const query::Context& context) {
     if (context.session.document.track.knots.size() > kMostKnots) continue;
     for (const std::string& argument : arguments_of(query.argument, context.session.document)) {
       const auto value = query.evaluate(context, argument);
-      if (value) all[name + " " + argument] = to_json(*value);
+      if (value) all[fmt::format("{} {}", name, argument)] = to_json(*value);
     }
   }
   return exchange::json_file(all);
@@ -66,8 +68,8 @@ std::string state_json(const query::Context& context) {
 std::string widgets_text(std::span<const WidgetState> widgets) {
   std::string text;
   for (const WidgetState& w : widgets) {
-    text += base::quoted(w.path) + " " + w.kind + " " + base::to_text(w.x) + "," + base::to_text(w.y) + " " +
-            base::to_text(w.width) + "x" + base::to_text(w.height);
+    text += fmt::format("{} {} {},{} {}x{}", base::quoted(w.path), w.kind, base::to_text(w.x), base::to_text(w.y),
+                        base::to_text(w.width), base::to_text(w.height));
     if (!w.value.empty()) text += " value " + base::quoted(w.value);
     if (!w.visible) text += " out-of-sight";
     if (!w.enabled) text += " disabled";
@@ -81,9 +83,9 @@ std::string Runner::write_evidence() {
   Host& host = stage_.host();
   base::Files files;  // not the program's, which may have faults injected
   const query::Context context = host.context();
-  std::string note = "frame " + std::to_string(context.stats.frame) + "; " + (options_.out / "frame.png").string();
+  std::string note = fmt::format("frame {}; {}", context.stats.frame, (options_.out / "frame.png").string());
   const bool written = host.screenshot(options_.out / "frame.png").ok();
-  if (!written) note = "frame " + std::to_string(context.stats.frame) + "; " + options_.out.string() + "/";
+  if (!written) note = fmt::format("frame {}; {}/", context.stats.frame, options_.out.string());
   const bool texts = files.write_atomic(options_.out / "widgets.txt", widgets_text(host.widgets())).ok() &&
                      files.write_atomic(options_.out / "state.json", state_json(context)).ok();
   if (texts) note += written ? ", widgets.txt, state.json" : "widgets.txt, state.json";

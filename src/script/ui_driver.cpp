@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace coaster::script {
 namespace {
 
@@ -223,7 +225,7 @@ Failure UiDriver::drag_to(std::string_view path, double value) {
 Failure UiDriver::open(std::string_view path, bool open) {
   if (Failure reached = reach(path); !reached) return reached;
   if (widget_.kind != "header" && widget_.kind != "combo" && widget_.kind != "menu")
-    return wrong(base::quoted(widget_.path) + " is a " + widget_.kind + ": headers, combos and menus open");
+    return wrong(fmt::format("{} is a {}: headers, combos and menus open", base::quoted(widget_.path), widget_.kind));
   if (widget_.kind == "header" && is_closed_header(widget_) != open) return {};
   return press_and_release({});
 }
@@ -233,7 +235,7 @@ Failure UiDriver::menu(std::string_view path) {
   const std::string in_bar = path.starts_with("Menu/") ? std::string(path) : "Menu/" + std::string(path);
   if (Failure clicked = click(in_bar); !clicked) return clicked;
   if (widget_.kind == "menu" || widget_.kind == "item") return {};
-  return wrong(base::quoted(widget_.path) + " is a " + widget_.kind + ", no item of a menu");
+  return wrong(fmt::format("{} is a {}, no item of a menu", base::quoted(widget_.path), widget_.kind));
 }
 
 Failure UiDriver::scroll(std::string_view path, double notches) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/words.h"
 
 namespace coaster::script {
@@ -70,11 +72,13 @@ base::Result<std::size_t> find_widget(std::span<const WidgetState> widgets, std:
   const std::vector<std::size_t> found = find_widgets(widgets, path);
   if (found.size() == 1) return found[0];
   if (found.empty())
-    return base::Status{base::Code::usage, "no widget " + base::quoted(path) + nearest_path(widgets, path)};
+    return base::Status{base::Code::usage,
+                        fmt::format("no widget {}{}", base::quoted(path), nearest_path(widgets, path))};
   std::string list;
   for (const std::size_t i : found)
-    list += (list.empty() ? "" : ", ") + base::quoted(widgets[i].path) + " (" + widgets[i].kind + ")";
-  return base::Status{base::Code::usage, base::quoted(path) + " is the path of several widgets: " + list};
+    list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", base::quoted(widgets[i].path), widgets[i].kind);
+  return base::Status{base::Code::usage,
+                      fmt::format("{} is the path of several widgets: {}", base::quoted(path), list)};
 }
 
 std::string_view panel_of(std::string_view path) { return path.substr(0, path.find('/')); }

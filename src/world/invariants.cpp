@@ -3,6 +3,8 @@
 #include <cmath>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "world/document.h"
 
 namespace coaster::world {
@@ -17,7 +19,7 @@ bool within(double value, double low, double high) { return value >= low && valu
 
 Broken broken_knot(const Document& document, Entity e) {
   const Knot& k = knot(document, e);
-  const auto broken = [&](const char* what) { return label_of(document, e) + ": " + what; };
+  const auto broken = [&](const char* what) { return fmt::format("{}: {}", label_of(document, e), what); };
   for (int axis = 0; axis < 3; ++axis)
     if (!within(k.position[axis], -kMaxCoordinate, kMaxCoordinate)) return broken("position beyond the limit");
   const glm::dvec3 tangent(k.tangent), up(k.up);

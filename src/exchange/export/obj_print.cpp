@@ -1,5 +1,7 @@
 // A track's solid as Wavefront OBJ.
 #include "base/text.h"
+
+#include <fmt/format.h>
 #include "exchange/export/track_shapes.h"
 #include "exchange/export/track_solid.h"
 
@@ -27,12 +29,12 @@ std::string print_obj(const world::Document& document) {
   std::size_t before = 1;  // numbers count from 1, over all groups
   for (const SolidPart& part : solid.parts) {
     if (part.indices.empty()) continue;
-    out += "g " + std::string(part.name) + "\n";
+    out += fmt::format("g {}\n", part.name);
     for (const glm::vec3 p : part.positions) add_vector(out, "v", p);
     for (const glm::vec3 n : part.normals) add_vector(out, "vn", n);
     for (std::size_t i = 0; i < part.indices.size(); ++i) {
       const std::string number = std::to_string(before + part.indices[i]);
-      out += (i % 3 == 0 ? "f " : " ") + number + "//" + number + (i % 3 == 2 ? "\n" : "");
+      out += fmt::format("{}{}//{}{}", i % 3 == 0 ? "f " : " ", number, number, i % 3 == 2 ? "\n" : "");
     }
     before += part.positions.size();
   }
@@ -40,7 +42,7 @@ std::string print_obj(const world::Document& document) {
   out += "g centre_line\n";
   for (const glm::vec3 p : solid.centre_line) add_vector(out, "v", p);
   out += "l";
-  for (std::size_t i = 0; i < solid.centre_line.size(); ++i) out += ' ' + std::to_string(before + i);
+  for (std::size_t i = 0; i < solid.centre_line.size(); ++i) out += fmt::format(" {}", before + i);
   return out + "\n";
 }
 

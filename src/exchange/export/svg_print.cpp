@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "exchange/export/track_shapes.h"
 
@@ -40,7 +42,7 @@ std::string escaped(std::string_view text) {
 }
 
 std::string attribute(const char* name, double value) {
-  return std::string(" ") + name + "=\"" + base::to_text(static_cast<float>(value)) + "\"";
+  return fmt::format(" {}=\"{}\"", name, base::to_text(static_cast<float>(value)));
 }
 
 // The control points' box: contains the curve.
@@ -59,12 +61,12 @@ Extent extent_of(const std::vector<curve::Cubic>& cubics, Project project) {
 std::string path(const std::vector<curve::Cubic>& cubics, Project project, bool closed) {
   const auto pair = [&](glm::vec3 p) {
     const glm::vec2 at = project(p);
-    return base::to_text(at.x) + " " + base::to_text(at.y);
+    return fmt::format("{} {}", base::to_text(at.x), base::to_text(at.y));
   };
   std::string d;
   for (const curve::Cubic& c : cubics) {
     if (d.empty()) d = "M" + pair(c.p0);
-    d += " C" + pair(c.p1) + " " + pair(c.p2) + " " + pair(c.p3);
+    d += fmt::format(" C{} {} {}", pair(c.p1), pair(c.p2), pair(c.p3));
   }
   return closed ? d + " Z" : d;
 }
@@ -92,16 +94,15 @@ std::string print_drawing(const Drawing& drawing, const std::vector<curve::Cubic
                bar = bar_length(e.width());
   const std::string font = attribute("font-size", style.text) + " font-family=\"sans-serif\"";
   std::string out =
-      "<text" + attribute("x", x) + attribute("y", top + style.text) + font + ">" + drawing.label + "</text>\n";
-  out += std::string("<g id=\"") + drawing.id + "\" transform=\"translate(" + base::to_text(x - e.left) + " " +
-         base::to_text(y - e.top) + ")\" fill=\"none\" stroke=\"#1f4e79\"" + attribute("stroke-width", style.line) +
-         ">\n";
+      fmt::format("<text{}{}{}>{}</text>\n", attribute("x", x), attribute("y", top + style.text), font, drawing.label);
+  out += fmt::format("<g id=\"{}\" transform=\"translate({} {})\" fill=\"none\" stroke=\"#1f4e79\"{}>\n", drawing.id,
+                     base::to_text(x - e.left), base::to_text(y - e.top), attribute("stroke-width", style.line));
   if (!cubics.empty()) out += "<path d=\"" + path(cubics, drawing.project, closed) + "\"/>\n";
   out += "</g>\n";
-  out += std::string("<path id=\"") + drawing.id + "-bar\" d=\"M" + base::to_text(x) + " " + base::to_text(below) +
-         " h" + base::to_text(bar) + "\" stroke=\"black\"" + attribute("stroke-width", 2 * style.line) + "/>\n";
-  out += "<text" + attribute("x", x + bar + 0.5 * style.text) + attribute("y", below + 0.35 * style.text) + font + ">" +
-         base::to_text(static_cast<float>(bar)) + " m</text>\n";
+  out += fmt::format("<path id=\"{}-bar\" d=\"M{} {} h{}\" stroke=\"black\"{}/>\n", drawing.id, base::to_text(x),
+                     base::to_text(below), base::to_text(bar), attribute("stroke-width", 2 * style.line));
+  out += fmt::format("<text{}{}{}>{} m</text>\n", attribute("x", x + bar + 0.5 * style.text),
+                     attribute("y", below + 0.35 * style.text), font, base::to_text(static_cast<float>(bar)));
   return out;
 }
 
@@ -118,12 +119,12 @@ std::string print_svg(const world::Document& document) {
   const double width = std::max(above.extent.width(), 20 * style.text) + 2 * style.margin;
   const double second = style.margin + above.extent.height() + extra,
                height = second + beside.extent.height() + extra + style.margin;
-  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" +
-                    attribute("width", kPaperWidth) + attribute("height", kPaperWidth * height / width) +
-                    " viewBox=\"0 0 " + base::to_text(static_cast<float>(width)) + " " +
-                    base::to_text(static_cast<float>(height)) + "\">\n<title>" + escaped(document.name) +
-                    "</title>\n<desc>1 unit is 1 metre</desc>\n" +
-                    "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+  std::string out = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"{}{} viewBox=\"0 0 {} "
+      "{}\">\n<title>{}</title>\n<desc>1 unit is 1 metre</desc>\n<rect width=\"100%\" height=\"100%\" "
+      "fill=\"white\"/>\n",
+      attribute("width", kPaperWidth), attribute("height", kPaperWidth * height / width),
+      base::to_text(static_cast<float>(width)), base::to_text(static_cast<float>(height)), escaped(document.name));
   out += print_drawing(above, cubics, document.track.closed, style, style.margin);
   out += print_drawing(beside, cubics, document.track.closed, style, second);
   return out + "</svg>\n";

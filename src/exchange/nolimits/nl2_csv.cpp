@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "sim/plan/fit_track.h"
 #include "world/topology.h"
@@ -82,11 +84,10 @@ struct Reader {
   std::string error;
 
   bool fail(std::string_view expected, std::string_view found) {
-    error = std::string(name) + ":" + std::to_string(lines.number()) + ": error: expected " + std::string(expected) +
-            ", found " + std::string(found);
+    error = fmt::format("{}:{}: error: expected {}, found {}", name, lines.number(), expected, found);
     return false;
   }
-  std::string place() const { return std::string(name) + ":" + std::to_string(lines.number()); }
+  std::string place() const { return fmt::format("{}:{}", name, lines.number()); }
 };
 
 bool read_header(Reader& r) {
@@ -102,7 +103,7 @@ bool read_header(Reader& r) {
     if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = trimmed(cell.substr(1, cell.size() - 2));
     if (i == 0 && same_word(cell, "No")) cell = kColumns[0];
     if (!same_word(cell, kColumns[i]))
-      return r.fail("column " + std::to_string(i + 1) + " of the header to be \"" + std::string(kColumns[i]) + "\"",
+      return r.fail(fmt::format("column {} of the header to be \"{}\"", i + 1, kColumns[i]),
                     base::quoted_start(cells[i]));
   }
   if (count != kColumns.size())
@@ -116,13 +117,10 @@ bool read_vector(Reader& r, const std::array<std::string_view, kColumns.size()>&
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t i = first + static_cast<std::size_t>(axis);
     const auto number = base::parse_double(cells[i]);
-    const auto expected = [&](std::string_view what) {
-      return std::string(what) + " in column " + std::string(kColumns[i]);
-    };
+    const auto expected = [&](std::string_view what) { return fmt::format("{} in column {}", what, kColumns[i]); };
     if (!number) return r.fail(expected("a finite number"), base::quoted_start(cells[i]));
     if (!(std::abs(*number) <= limit))
-      return r.fail(expected("a number within " + std::to_string(static_cast<int>(limit))),
-                    base::quoted_start(cells[i]));
+      return r.fail(expected(fmt::format("a number within {}", static_cast<int>(limit))), base::quoted_start(cells[i]));
     v[axis] = *number;
   }
   return true;
@@ -167,11 +165,11 @@ bool read_row(Reader& r, std::string_view line) {
   const std::size_t count = split(line, cells);
   if (count != kColumns.size())
     return r.fail("13 columns, separated by tabs", count > kColumns.size() ? "more" : std::to_string(count));
-  if (r.data_rows >= kMaxNl2Rows) return r.fail("at most " + std::to_string(kMaxNl2Rows) + " rows", "more");
+  if (r.data_rows >= kMaxNl2Rows) return r.fail(fmt::format("at most {} rows", kMaxNl2Rows), "more");
   const auto number = base::parse_int(cells[0]);
   const auto expected = static_cast<std::int64_t>(r.data_rows + 1);
   if (!number || *number != expected)
-    return r.fail("the row's number " + std::to_string(expected), base::quoted_start(cells[0]));
+    return r.fail(fmt::format("the row's number {}", expected), base::quoted_start(cells[0]));
   sim::FitRow row;
   if (!read_vector(r, cells, 1, world::kMaxCoordinate, row.position) || !read_frame(r, cells, row) ||
       !check_cut(r, cells))

@@ -1,6 +1,7 @@
 // A document as the rows of a NoLimits 2 CSV.
 #include <array>
-#include <charconv>
+
+#include <fmt/format.h>
 
 #include "base/check.h"
 #include "base/text.h"
@@ -12,13 +13,7 @@ namespace {
 
 using glm::dvec3;
 
-// Six decimals, as %.6f in the C locale.
-void print_number(std::string& out, double value) {
-  std::array<char, 64> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, 6).ptr;
-  out += '\t';
-  out.append(buffer.data(), end);
-}
+void print_number(std::string& out, double value) { fmt::format_to(std::back_inserter(out), "\t{:.6f}", value); }
 
 void print_row(std::string& out, std::size_t number, dvec3 position, const curve::Frame& frame) {
   out += std::to_string(number);
@@ -42,8 +37,8 @@ base::Status check_nl2_csv(const world::Document& document, double spacing) {
     return {base::Code::refused, "error: expected a track with segments, found none"};
   const double length = world::exact_length(document);
   if (!(length / spacing < static_cast<double>(kMaxNl2Rows - 1)))
-    return {base::Code::refused, "error: expected at most " + std::to_string(kMaxNl2Rows) + " rows, found " +
-                                     base::to_text(length) + " m of track"};
+    return {base::Code::refused,
+            fmt::format("error: expected at most {} rows, found {} m of track", kMaxNl2Rows, base::to_text(length))};
   return {};
 }
 
@@ -51,7 +46,7 @@ std::string print_nl2_csv(const world::Document& document, double spacing) {
   COASTER_CHECK(spacing > 0 && check_nl2_csv(document, spacing).ok(), "callers check what can be written");
   const sim::Derived derived = shapes_of(document);
   std::string out;
-  for (const std::string_view column : kNl2Columns) out += (out.empty() ? "\"" : "\t\"") + std::string(column) + "\"";
+  for (const std::string_view column : kNl2Columns) out += fmt::format("{}{}\"", out.empty() ? "\"" : "\t\"", column);
   out += '\n';
   std::size_t index = 0, number = 0;
   const auto row_at = [&](double s) {

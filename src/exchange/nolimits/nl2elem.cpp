@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include <tinyxml2.h>
 
 #include "base/text.h"
@@ -21,7 +23,7 @@ constexpr double kSameVertex = 1e-6;     // m between the last vertex and the fi
 struct XmlReader {
   std::string name, error;
   bool fail(int line, const std::string& expected, const std::string& found) {
-    error = name + ":" + std::to_string(line) + ": error: expected " + expected + ", found " + found;
+    error = fmt::format("{}:{}: error: expected {}, found {}", name, line, expected, found);
     return false;
   }
 };
@@ -40,7 +42,7 @@ std::string_view text_of(const XMLElement& element) {
 bool read_number(XmlReader& r, const XMLElement& parent, const char* tag, double limit, double& value) {
   const XMLElement* const element = parent.FirstChildElement(tag);
   const std::string what = std::string("<") + tag + ">";
-  if (!element) return r.fail(parent.GetLineNum(), what + " in <" + parent.Name() + ">", "none");
+  if (!element) return r.fail(parent.GetLineNum(), fmt::format("{} in <{}>", what, parent.Name()), "none");
   if (const XMLElement* const second = element->NextSiblingElement(tag))
     return r.fail(second->GetLineNum(), "one " + what, "a second one");
   const std::string_view text = text_of(*element);
@@ -48,7 +50,7 @@ bool read_number(XmlReader& r, const XMLElement& parent, const char* tag, double
   if (!number || !std::isfinite(*number))
     return r.fail(element->GetLineNum(), "a finite number in " + what, base::quoted_start(text));
   if (!(std::abs(*number) <= limit))
-    return r.fail(element->GetLineNum(), "a number within " + base::to_text(limit) + " in " + what,
+    return r.fail(element->GetLineNum(), fmt::format("a number within {} in {}", base::to_text(limit), what),
                   base::quoted_start(text));
   value = *number;
   return true;
@@ -66,7 +68,7 @@ bool read_strict(XmlReader& r, const XMLElement& parent, bool& strict) {
 
 bool read_vertex(XmlReader& r, const XMLElement& element, ElementFile& file) {
   if (file.vertices.size() >= world::kMaxKnots)
-    return r.fail(element.GetLineNum(), "at most " + std::to_string(world::kMaxKnots) + " vertices", "more");
+    return r.fail(element.GetLineNum(), fmt::format("at most {} vertices", world::kMaxKnots), "more");
   SplineVertex v;
   constexpr double kLimit = world::kMaxCoordinate;
   if (!read_number(r, element, "x", kLimit, v.position.x) || !read_number(r, element, "y", kLimit, v.position.y) ||
@@ -79,7 +81,7 @@ bool read_vertex(XmlReader& r, const XMLElement& element, ElementFile& file) {
 
 bool read_roll(XmlReader& r, const XMLElement& element, ElementFile& file) {
   if (file.rolls.size() >= world::kMaxKnots)
-    return r.fail(element.GetLineNum(), "at most " + std::to_string(world::kMaxKnots) + " rolls", "more");
+    return r.fail(element.GetLineNum(), fmt::format("at most {} rolls", world::kMaxKnots), "more");
   ElementRoll roll;
   dvec3 right(0);
   constexpr double kLimit = 2;
@@ -130,8 +132,7 @@ bool read_file(XmlReader& r, std::string_view text, ElementFile& file, std::vect
   const XMLElement* const element = root->FirstChildElement("element");
   if (!element) return r.fail(root->GetLineNum(), "<element> in <root>", "none");
   if (const XMLElement* const second = element->NextSiblingElement("element"))
-    warnings.push_back(r.name + ":" + std::to_string(second->GetLineNum()) +
-                       ": warning: only the first <element> is read");
+    warnings.push_back(fmt::format("{}:{}: warning: only the first <element> is read", r.name, second->GetLineNum()));
   return read_element(r, *element, file);
 }
 

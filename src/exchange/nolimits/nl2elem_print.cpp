@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/check.h"
 #include "base/text.h"
 #include "exchange/nolimits/nl2_spline.h"
@@ -55,7 +57,7 @@ std::vector<SplineVertex> vertices_of(const sim::Derived& derived, std::size_t s
 
 void print_line(std::string& out, int depth, const char* tag, const std::string& value) {
   out.append(static_cast<std::size_t>(depth), '\t');
-  out += std::string("<") + tag + ">" + value + "</" + tag + ">\r\n";
+  out += fmt::format("<{}>{}</{}>\r\n", tag, value, tag);
 }
 
 void print_vertex(std::string& out, dvec3 p) {
@@ -84,8 +86,8 @@ base::Status check_nl2elem(const world::Document& document) {
   if (document.track.segments.empty())
     return {base::Code::refused, "error: expected a track with segments, found none"};
   if (const double length = world::exact_length(document); !(length <= kMaxNl2ElemLength && length > 0.01))
-    return {base::Code::refused, "error: expected a track of 0.01 to " + base::to_text(kMaxNl2ElemLength) +
-                                     " m, found " + base::to_text(length) + " m"};
+    return {base::Code::refused, fmt::format("error: expected a track of 0.01 to {} m, found {} m",
+                                             base::to_text(kMaxNl2ElemLength), base::to_text(length))};
   return {};
 }
 

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "base/portable_math.h"
 #include "base/text.h"
 #include "curve/frames.h"
@@ -37,7 +39,7 @@ struct ChunkReader {
   std::string name;
 
   base::Status fail(std::size_t offset, const std::string& message) const {
-    return {base::Code::bad_file, name + ": error: at byte " + std::to_string(offset) + ": " + message};
+    return {base::Code::bad_file, fmt::format("{}: error: at byte {}: {}", name, offset, message)};
   }
   std::uint32_t whole(std::size_t at) const {
     std::uint32_t value = 0;
@@ -57,22 +59,22 @@ struct Chunk {
 // told when there is none.
 base::Result<Chunk> find_chunk(const ChunkReader& reader, std::string_view tag, std::size_t from, std::size_t least) {
   base::Status fault =
-      reader.fail(from, "expected a chunk \"" + std::string(tag) + "\", found none to the end of the file");
+      reader.fail(from, fmt::format("expected a chunk \"{}\", found none to the end of the file", tag));
   bool found = false;
   for (std::size_t at = reader.bytes.find(tag, from); at != std::string_view::npos;
        at = reader.bytes.find(tag, at + 1)) {
     const std::size_t left = reader.bytes.size() - at;
     base::Status wrong;
     if (left < kHeadBytes) {
-      wrong = reader.fail(at, "the file ends within the head of chunk \"" + std::string(tag) + "\"");
+      wrong = reader.fail(at, fmt::format("the file ends within the head of chunk \"{}\"", tag));
     } else {
       const Chunk chunk{at, at + kHeadBytes, reader.whole(at + kTagBytes)};
       if (chunk.size > left - kHeadBytes)
-        wrong = reader.fail(at + kTagBytes, "chunk \"" + std::string(tag) + "\" has " + std::to_string(chunk.size) +
-                                                " bytes, but the file " + std::to_string(left - kHeadBytes) + " more");
+        wrong = reader.fail(at + kTagBytes, fmt::format("chunk \"{}\" has {} bytes, but the file {} more", tag,
+                                                        chunk.size, left - kHeadBytes));
       else if (chunk.size < least)
-        wrong = reader.fail(at + kTagBytes, "expected a chunk \"" + std::string(tag) + "\" of at least " +
-                                                std::to_string(least) + " bytes, found " + std::to_string(chunk.size));
+        wrong = reader.fail(at + kTagBytes, fmt::format("expected a chunk \"{}\" of at least {} bytes, found {}", tag,
+                                                        least, chunk.size));
       else return chunk;
     }
     if (!found) fault = std::move(wrong);
@@ -102,9 +104,10 @@ base::Result<glm::vec3> read_point(const ChunkReader& reader, std::size_t at, co
     const std::size_t place = at + 4u * static_cast<std::size_t>(axis);
     value[axis] = reader.number(place);
     if (!(std::abs(value[axis]) <= world::kMaxCoordinate))
-      return reader.fail(place, std::string("expected a coordinate of the ") + what + " within " +
-                                    base::to_text(world::kMaxCoordinate) + " m, found " +
-                                    (std::isfinite(value[axis]) ? base::to_text(value[axis]) : "no finite number"));
+      return reader.fail(place,
+                         fmt::format("expected a coordinate of the {} within {} m, found {}", what,
+                                     base::to_text(world::kMaxCoordinate),
+                                     std::isfinite(value[axis]) ? base::to_text(value[axis]) : "no finite number"));
   }
   return value;
 }
@@ -112,8 +115,8 @@ base::Result<glm::vec3> read_point(const ChunkReader& reader, std::size_t at, co
 base::Result<std::vector<Record>> read_records(const ChunkReader& reader, const Chunk& chunk) {
   const std::size_t count = reader.whole(chunk.payload + 16), room = (chunk.size - kVerticesHead) / kRecordBytes;
   if (count > room || count > world::kMaxKnots)
-    return reader.fail(chunk.payload + 16, "expected at most " + std::to_string(std::min(room, world::kMaxKnots)) +
-                                               " knots, found " + std::to_string(count));
+    return reader.fail(chunk.payload + 16,
+                       fmt::format("expected at most {} knots, found {}", std::min(room, world::kMaxKnots), count));
   std::vector<Record> records;
   records.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -165,15 +168,15 @@ base::Result<world::Knot> make_knot(const ChunkReader& reader, const std::vector
   dvec3 direction = a + b > 0 ? in + out : between_neighbours(records, i, closed);
   if (!(glm::length(direction) > 0)) {
     if (records.size() > 1)
-      return reader.fail(
-          r.offset, "knot " + std::to_string(i + 1) + " has no direction: its handles cancel out or have no length");
+      return reader.fail(r.offset,
+                         fmt::format("knot {} has no direction: its handles cancel out or have no length", i + 1));
     direction = {1, 0, 0};
   }
   if (a > 0 && b > 0) {
     const double turn = base::arc_tangent(glm::length(glm::cross(in, out)), glm::dot(in, out));
     if (turn > kCorner)
-      return reader.fail(r.offset, "knot " + std::to_string(i + 1) + " is a corner of " +
-                                       base::to_text(static_cast<float>(base::degrees(turn))) + " degrees");
+      return reader.fail(r.offset, fmt::format("knot {} is a corner of {} degrees", i + 1,
+                                               base::to_text(static_cast<float>(base::degrees(turn)))));
     if (turn > kWorthATell) ++changes.straightened, changes.largest_turn = std::max(changes.largest_turn, turn);
   }
   world::Knot knot;
@@ -182,9 +185,9 @@ base::Result<world::Knot> make_knot(const ChunkReader& reader, const std::vector
   knot.tangent = glm::vec3(glm::normalize(direction));
   for (const auto& [length, stored, used] : {std::tuple{a, &knot.in_length, comes}, {b, &knot.out_length, goes}}) {
     if (length > world::kMaxHandle)
-      return reader.fail(r.offset, "knot " + std::to_string(i + 1) + " has a handle of " +
-                                       base::to_text(static_cast<float>(length)) + " m, over the limit of " +
-                                       base::to_text(world::kMaxHandle));
+      return reader.fail(r.offset,
+                         fmt::format("knot {} has a handle of {} m, over the limit of {}", i + 1,
+                                     base::to_text(static_cast<float>(length)), base::to_text(world::kMaxHandle)));
     *stored = std::max(static_cast<float>(length), world::kMinHandle);
     if (used && length < world::kMinHandle) ++changes.lengthened;
   }
@@ -244,9 +247,8 @@ base::Status set_turns(const ChunkReader& reader, world::Document& document, std
       twist_of(cubic, world::knot(document, segment.from).up, world::knot(document, segment.to).up, rolled);
   const double turns = std::round((twist.whole - twist.least) / (2 * base::kPi));
   if (std::abs(turns) > world::kMaxTurns)
-    return reader.fail(to.offset + 36, "the roll goes over " + base::to_text(turns) +
-                                           " turns from the knot before, the limit is " +
-                                           std::to_string(world::kMaxTurns));
+    return reader.fail(to.offset + 36, fmt::format("the roll goes over {} turns from the knot before, the limit is {}",
+                                                   base::to_text(turns), world::kMaxTurns));
   segment.turns = static_cast<std::int32_t>(turns);
   return {};
 }
@@ -254,12 +256,12 @@ base::Status set_turns(const ChunkReader& reader, world::Document& document, std
 std::vector<std::string> warnings_of(const Changes& changes) {
   std::vector<std::string> warnings;
   if (changes.lengthened > 0)
-    warnings.push_back(std::to_string(changes.lengthened) + " handles shorter than " +
-                       base::to_text(world::kMinHandle) + " m were made that long");
+    warnings.push_back(fmt::format("{} handles shorter than {} m were made that long", changes.lengthened,
+                                   base::to_text(world::kMinHandle)));
   if (changes.straightened > 0)
-    warnings.push_back(std::to_string(changes.straightened) + " knots had handles that are not on one line, by up to " +
-                       base::to_text(static_cast<float>(base::degrees(changes.largest_turn))) +
-                       " degrees; they were turned onto one");
+    warnings.push_back(
+        fmt::format("{} knots had handles that are not on one line, by up to {} degrees; they were turned onto one",
+                    changes.straightened, base::to_text(static_cast<float>(base::degrees(changes.largest_turn)))));
   return warnings;
 }
 
@@ -276,10 +278,10 @@ base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view
   const std::size_t at = *place;
   const auto mark = static_cast<unsigned char>(bytes[at]);
   if (mark != 0 && mark != 0xff)
-    return reader.fail(at, "expected the closed byte 0 or 255, found " + std::to_string(mark));
+    return reader.fail(at, fmt::format("expected the closed byte 0 or 255, found {}", mark));
   const bool closed = mark == 0xff;
   if (closed && records->size() < 2)
-    return reader.fail(at, "a closed track has at least 2 knots, found " + std::to_string(records->size()));
+    return reader.fail(at, fmt::format("a closed track has at least 2 knots, found {}", records->size()));
 
   LoadedTrack track;
   world::Document& document = track.document;
@@ -294,7 +296,7 @@ base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view
   for (std::size_t i = 0; i < document.track.segments.size(); ++i)
     if (const base::Status status = set_turns(reader, document, i, *records); !status) return status;
   if (const auto broken = world::broken_invariant(document))
-    return base::Status{base::Code::bad_file, reader.name + ": error: " + *broken};
+    return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", reader.name, *broken)};
   track.warnings = warnings_of(changes);
   return track;
 }

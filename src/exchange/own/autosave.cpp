@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/text.h"
@@ -25,8 +27,7 @@ void remove_file(const std::filesystem::path& file) {
 std::filesystem::path free_info(const std::filesystem::path& folder) {
   std::error_code ignored;
   for (int i = 1;; ++i) {
-    std::filesystem::path info =
-        folder / (std::to_string(::getpid()) + "-" + std::to_string(i) + std::string(kInfoEnding));
+    std::filesystem::path info = folder / (fmt::format("{}-{}{}", ::getpid(), i, kInfoEnding));
     if (!std::filesystem::exists(info, ignored)) return info;
   }
 }
@@ -46,15 +47,14 @@ base::Result<AutosaveInfo> parse_autosave_info(std::string_view text, std::strin
   AutosaveInfo info;
   Fields fields(*tree, {}, error);
   constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / 2;
-  const bool read =
-      fields.text("format", format) &&
-      (format == kAutosaveFormat || fields.reject("format", "\"" + std::string(kAutosaveFormat) + "\"")) &&
-      fields.whole("version", version, 1, kAutosaveVersion) && fields.text("track", track) &&
-      fields.text("original", info.original) && fields.text("name", info.name) &&
-      fields.whole("time", info.time, 0, kMost) && fields.whole("pid", pid, 0, std::numeric_limits<int>::max()) &&
-      fields.text("hash", info.hash);
+  const bool read = fields.text("format", format) &&
+                    (format == kAutosaveFormat || fields.reject("format", fmt::format("\"{}\"", kAutosaveFormat))) &&
+                    fields.whole("version", version, 1, kAutosaveVersion) && fields.text("track", track) &&
+                    fields.text("original", info.original) && fields.text("name", info.name) &&
+                    fields.whole("time", info.time, 0, kMost) &&
+                    fields.whole("pid", pid, 0, std::numeric_limits<int>::max()) && fields.text("hash", info.hash);
   if (read && std::filesystem::path(track).filename() != track) fields.reject("track", "a name without a folder");
-  if (!error.empty()) return base::Status{base::Code::bad_file, std::string(name) + ": error: " + error};
+  if (!error.empty()) return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, error)};
   info.track = track;
   info.pid = static_cast<int>(pid);
   return info;
@@ -82,7 +82,7 @@ base::Status Autosave::write(base::Files& files, const std::filesystem::path& fo
     info_ = free_info(folder);
     lock_ = base::try_lock(info_).lock;
   }
-  std::filesystem::path track = folder / (stem_of(info_) + "." + std::to_string(++serial_) + std::string(kTrackEnding));
+  std::filesystem::path track = folder / (fmt::format("{}.{}{}", stem_of(info_), ++serial_, kTrackEnding));
   if (const base::Status wrote = files.write_atomic(track, print_track(document)); !wrote) {
     remove_file(track);  // in place already when the folder's fsync failed
     return wrote;

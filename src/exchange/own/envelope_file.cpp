@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "exchange/own/json_fields.h"
 
@@ -43,7 +45,7 @@ bool read_curves(EnvelopeParse& parse, Fields& fields) {
     const Json* const list = fields.list(name);
     if (!list) return false;
     if (list->size() > kMaxEnvelopePoints)
-      return fields.fail(name, "more than the limit of " + std::to_string(kMaxEnvelopePoints) + " points");
+      return fields.fail(name, fmt::format("more than the limit of {} points", kMaxEnvelopePoints));
     for (std::size_t i = 0; i < list->size(); ++i)
       if (!read_point(parse, (*list)[i], name, i, parse.loaded.envelope.curves[axis])) return false;
   }
@@ -59,11 +61,11 @@ base::Result<LoadedEnvelope> parse_envelope(std::string_view text, std::string_v
   EnvelopeParse parse;
   Fields fields(*tree, {}, parse.error);
   if (parse.error.empty() && read_envelope_head(parse, fields)) read_curves(parse, fields);
-  if (!parse.error.empty()) return base::Status{base::Code::bad_file, std::string(name) + ": error: " + parse.error};
+  if (!parse.error.empty()) return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, parse.error)};
   for (std::string& warning : parse.loaded.warnings) {
     constexpr std::string_view kKept = " is kept";  // as of tracks; an envelope is not written back
     if (warning.ends_with(kKept)) warning.replace(warning.size() - kKept.size(), kKept.size(), " is ignored");
-    warning = std::string(name) + ": warning: " + warning;
+    warning = fmt::format("{}: warning: {}", name, warning);
   }
   return std::move(parse.loaded);
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 
 namespace coaster::exchange {
@@ -19,9 +21,7 @@ std::string limit_text(T limit) {
 
 }  // namespace
 
-std::string Place::text() const {
-  return list.empty() ? std::string() : std::string(list) + "[" + std::to_string(index) + "]";
-}
+std::string Place::text() const { return list.empty() ? std::string() : fmt::format("{}[{}]", list, index); }
 
 Fields::Fields(const Json& value, Place place, std::string& error) : place_(place), error_(error) {
   if (value.is_object()) object_ = &value;
@@ -41,17 +41,17 @@ bool Fields::fail(std::string_view member, std::string_view message) {
 bool Fields::reject(std::string_view name, std::string_view expected) {
   const auto it = object_->find(std::string(name));
   const std::string found = it == object_->end() ? "nothing" : describe(*it);
-  return fail(name, "expected " + std::string(expected) + ", found " + found);
+  return fail(name, fmt::format("expected {}, found {}", expected, found));
 }
 
 bool Fields::head(std::string_view format, std::int32_t newest) {
   std::string found;
   std::int64_t version = 0;
   if (!text("format", found)) return false;
-  if (found != format) return reject("format", "\"" + std::string(format) + "\"");
+  if (found != format) return reject("format", fmt::format("\"{}\"", format));
   if (!whole("version", version, 1, std::numeric_limits<std::int32_t>::max())) return false;
-  return version <= newest || fail("version", "version " + std::to_string(version) +
-                                                  " is newer than this program reads (" + std::to_string(newest) + ")");
+  return version <= newest ||
+         fail("version", fmt::format("version {} is newer than this program reads ({})", version, newest));
 }
 
 const Json* Fields::member(std::string_view name, std::string_view expected) {
@@ -82,7 +82,7 @@ bool Fields::flag(std::string_view name, bool& value) {
 }
 
 bool Fields::number(std::string_view name, double& value, double low, double high) {
-  const std::string expected = "a number from " + limit_text(low) + " to " + limit_text(high);
+  const std::string expected = fmt::format("a number from {} to {}", limit_text(low), limit_text(high));
   const Json* const m = member(name, expected);
   if (!m) return false;
   if (!m->is_number()) return reject(name, expected);
@@ -91,7 +91,7 @@ bool Fields::number(std::string_view name, double& value, double low, double hig
 }
 
 bool Fields::length(std::string_view name, float& value, float low, float high) {
-  const std::string expected = "a length from " + limit_text(low) + " to " + limit_text(high) + " m";
+  const std::string expected = fmt::format("a length from {} to {} m", limit_text(low), limit_text(high));
   const Json* const m = member(name, expected);
   if (!m) return false;
   if (!m->is_number()) return reject(name, expected);
@@ -103,7 +103,7 @@ bool Fields::length(std::string_view name, float& value, float low, float high) 
 }
 
 bool Fields::whole(std::string_view name, std::int64_t& value, std::int64_t low, std::int64_t high) {
-  const std::string expected = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+  const std::string expected = fmt::format("a whole number from {} to {}", low, high);
   const Json* const m = member(name, expected);
   if (!m) return false;
   if (!m->is_number_integer()) return reject(name, expected);
@@ -120,12 +120,12 @@ bool Fields::vector(std::string_view name, glm::dvec3& value, double limit) {
   if (!m->is_array() || m->size() != 3) return reject(name, "3 finite numbers");
   for (int axis = 0; axis < 3; ++axis) {
     const Json& component = (*m)[static_cast<std::size_t>(axis)];
-    const std::string at = std::string(name) + "[" + std::to_string(axis) + "]";
+    const std::string at = fmt::format("{}[{}]", name, axis);
     if (!component.is_number()) return fail(at, "expected a finite number, found " + describe(component));
     value[axis] = component.get<double>();
     if (!(std::abs(value[axis]) <= limit))
-      return fail(at, "expected a number from " + limit_text(-limit) + " to " + limit_text(limit) + ", found " +
-                          describe(component));
+      return fail(at, fmt::format("expected a number from {} to {}, found {}", limit_text(-limit), limit_text(limit),
+                                  describe(component)));
   }
   return true;
 }
@@ -148,7 +148,8 @@ std::string Fields::unknown(std::vector<std::string>& warnings) const {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
     members.emplace_back(key, value);
     const std::string where = place_.text();
-    warnings.push_back(where + (where.empty() ? "" : ": ") + "unknown member " + describe(Json(key)) + " is kept");
+    warnings.push_back(
+        fmt::format("{}{}unknown member {} is kept", where, where.empty() ? "" : ": ", describe(Json(key))));
   }
   return members.empty() ? std::string() : json_line(extra);
 }

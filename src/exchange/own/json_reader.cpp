@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 
 namespace coaster::exchange {
@@ -87,7 +89,7 @@ class Builder {
   }
   bool add(Json value) { return append(std::move(value)), true; }
   bool open(Json value) {
-    if (open_.size() == kMaxNesting) return fail("nesting deeper than the limit of " + std::to_string(kMaxNesting));
+    if (open_.size() == kMaxNesting) return fail(fmt::format("nesting deeper than the limit of {}", kMaxNesting));
     // The pointer stays good: nothing is appended to the parent before this one closes.
     Json* const node = append(std::move(value));
     open_.push_back({node, {}, {}});
@@ -101,7 +103,7 @@ class Builder {
     for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
       const Json& parent = *open_[i].node;
       if (parent.is_array()) {
-        path += "[" + std::to_string(parent.size() - 1) + "]";
+        path += fmt::format("[{}]", parent.size() - 1);
       } else {
         const auto& members = static_cast<const Json::object_t::Container&>(parent.get_ref<const Json::object_t&>());
         path += (path.empty() ? "" : ".") + clipped(members.back().first, kClip);
@@ -111,7 +113,7 @@ class Builder {
   }
   bool fail(const std::string& message) {
     const std::string where = place();
-    error = std::string(name_) + ": error: " + where + (where.empty() ? "" : ": ") + message;
+    error = fmt::format("{}: error: {}{}{}", name_, where, where.empty() ? "" : ": ", message);
     return false;
   }
 
@@ -132,7 +134,7 @@ base::Result<Json> read_json(std::string_view text, std::string_view name) {
 }
 
 std::string describe(const Json& value) {
-  if (value.is_array()) return "an array of " + std::to_string(value.size());
+  if (value.is_array()) return fmt::format("an array of {}", value.size());
   if (value.is_object()) return "an object";
   return clipped(value.dump(-1, ' ', true, Json::error_handler_t::replace), kClip);
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "exchange/own/json_fields.h"
 
 namespace coaster::exchange {
@@ -36,8 +38,8 @@ bool read_entry(const Json& value, std::size_t index, Progress& progress, std::s
   const Json* const best = fields.list("best");
   if (!best) return false;
   if (best->size() > kMaxProgressValues)
-    return fields.fail("best", "more than the limit of " + std::to_string(kMaxProgressValues));
-  const std::string place = "challenges[" + std::to_string(index) + "].best";
+    return fields.fail("best", fmt::format("more than the limit of {}", kMaxProgressValues));
+  const std::string place = fmt::format("challenges[{}].best", index);
   if (!read_values(*best, place, entry, error)) return false;
   progress.challenges.push_back(std::move(entry));
   return true;
@@ -49,7 +51,7 @@ bool read_all(const Json& tree, Progress& progress, std::string& error) {
   const Json* const list = fields.list("challenges");
   if (!list) return false;
   if (list->size() > kMaxProgressEntries)
-    return fields.fail("challenges", "more than the limit of " + std::to_string(kMaxProgressEntries));
+    return fields.fail("challenges", fmt::format("more than the limit of {}", kMaxProgressEntries));
   for (std::size_t i = 0; i < list->size(); ++i)
     if (!read_entry((*list)[i], i, progress, error)) return false;
   return true;
@@ -63,7 +65,7 @@ base::Result<Progress> parse_progress(std::string_view text, std::string_view na
   Progress progress;
   std::string error;
   if (!read_all(*tree, progress, error))
-    return base::Status{base::Code::bad_file, std::string(name) + ": error: " + error};
+    return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, error)};
   return progress;
 }
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "exchange/own/json_reader.h"
 
@@ -172,18 +174,17 @@ base::Result<LoadedSettings> parse_settings(std::string_view text, std::string_v
   const base::Result<Json> tree = read_json(text, name);
   if (!tree) return tree.status();
   const auto bad = [&](const std::string& what) {
-    return base::Status{base::Code::bad_file, std::string(name) + ": error: " + what};
+    return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, what)};
   };
   if (!tree->is_object()) return bad("expected an object, found " + describe(*tree));
   if (const auto format = tree->find("format"); format == tree->end() || *format != kSettingsFormat)
-    return bad("format: expected \"" + std::string(kSettingsFormat) + "\", found " +
-               (format == tree->end() ? "none" : describe(*format)));
+    return bad(fmt::format("format: expected \"{}\", found {}", kSettingsFormat,
+                           format == tree->end() ? "none" : describe(*format)));
   LoadedSettings loaded;
   for (const Member& member : kMembers) {
     const auto found = tree->find(std::string(member.name));
     if (found == tree->end() || member.read(*found, loaded.settings)) continue;
-    loaded.warnings.push_back(std::string(member.name) + ": expected " + std::string(member.expected) + ", found " +
-                              describe(*found));
+    loaded.warnings.push_back(fmt::format("{}: expected {}, found {}", member.name, member.expected, describe(*found)));
   }
   Json others = Json::object();
   for (const auto& [key, value] : tree->items())

@@ -1,6 +1,8 @@
 // Track files on disk: the format by the path's ending, whole-file reading, atomic writing.
 #include "exchange/own/track_file.h"
 
+#include <fmt/format.h>
+
 #include "base/utf8.h"
 #include "exchange/formats.h"
 
@@ -11,9 +13,9 @@ namespace {
 std::string unfit_ending(const std::filesystem::path& path, const Format* format, Direction direction) {
   std::string text = path.string() + ": error: ";
   if (format)
-    text += std::string(format->ending) + " (" + std::string(format->label) + ") can only be " +
-            (direction == Direction::read ? "written" : "read") + "; ";
-  return text + "expected a file ending in " + known_endings(direction);
+    text += fmt::format("{} ({}) can only be {}; ", format->ending, format->label,
+                        direction == Direction::read ? "written" : "read");
+  return fmt::format("{}expected a file ending in {}", text, known_endings(direction));
 }
 
 }  // namespace
@@ -36,12 +38,13 @@ base::Status save_track(base::Files& files, const std::filesystem::path& path, c
   const Format* const format = format_of(path);
   if (!format || !format->print) return {base::Code::refused, unfit_ending(path, format, Direction::write)};
   if (format->check)
-    if (const base::Status fit = format->check(document); !fit) return {fit.code, path.string() + ": " + fit.message};
+    if (const base::Status fit = format->check(document); !fit)
+      return {fit.code, fmt::format("{}: {}", path.string(), fit.message)};
   const std::string bytes = format->print(document);
   // What could not be read again is not written.
   if (format->parse && bytes.size() > base::kMaxFileBytes)
-    return {base::Code::refused, path.string() + ": error: " + std::to_string(bytes.size()) +
-                                     " bytes are over the limit of " + std::to_string(base::kMaxFileBytes)};
+    return {base::Code::refused, fmt::format("{}: error: {} bytes are over the limit of {}", path.string(),
+                                             bytes.size(), base::kMaxFileBytes)};
   return files.write_atomic(path, bytes);
 }
 

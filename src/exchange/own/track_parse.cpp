@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "exchange/own/json_fields.h"
 #include "exchange/own/track_file.h"
@@ -93,8 +95,8 @@ bool read_joint(Fields& fields, world::Knot& knot) {
   else if (joint == "automatic") knot.joint = world::JointKind::automatic;
   else return fields.reject("joint", R"("smooth", "aligned" or "automatic")");
   if (knot.joint == world::JointKind::smooth && knot.in_length != knot.out_length)
-    return fields.fail("joint", "a smooth joint has equal handle lengths, found in " + base::to_text(knot.in_length) +
-                                    " and out " + base::to_text(knot.out_length));
+    return fields.fail("joint", fmt::format("a smooth joint has equal handle lengths, found in {} and out {}",
+                                            base::to_text(knot.in_length), base::to_text(knot.out_length)));
   return true;
 }
 
@@ -207,15 +209,15 @@ bool read_lists(TrackParse& parse, Fields& fields) {
                     *const carts = fields.list("carts");
   if (!knots || !segments || !carts) return false;
   if (knots->size() > world::kMaxKnots)
-    return fields.fail("knots", "more than the limit of " + std::to_string(world::kMaxKnots));
+    return fields.fail("knots", fmt::format("more than the limit of {}", world::kMaxKnots));
   const bool closed = parse.document.track.closed;
   if (closed && knots->size() < 2) return fields.fail("closed", "a closed track has at least 2 knots");
   const std::size_t expected = closed ? knots->size() : knots->empty() ? 0 : knots->size() - 1;
   for (std::size_t i = 0; i < knots->size(); ++i)
     if (!read_knot(parse, (*knots)[i], i)) return false;
   if (segments->size() != expected)
-    return fields.reject("segments", std::to_string(expected) + " for " + std::to_string(knots->size()) +
-                                         (closed ? " knots of a closed track" : " knots of an open track"));
+    return fields.reject("segments", fmt::format("{} for {}{}", expected, knots->size(),
+                                                 closed ? " knots of a closed track" : " knots of an open track"));
   for (std::size_t i = 0; i < segments->size(); ++i)
     if (!read_segment(parse, (*segments)[i], i)) return false;
   for (std::size_t i = 0; i < carts->size(); ++i)
@@ -230,7 +232,7 @@ void shorten(std::vector<std::string>& warnings) {
   if (warnings.size() <= kMost) return;
   const std::size_t left_out = warnings.size() - kMost;
   warnings.resize(kMost);
-  warnings.push_back("and " + std::to_string(left_out) + " more unknown members, kept");
+  warnings.push_back(fmt::format("and {} more unknown members, kept", left_out));
 }
 
 }  // namespace
@@ -244,9 +246,9 @@ base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view na
     world::settle_joints(parse.document);
     if (const auto broken = world::broken_invariant(parse.document)) parse.error = *broken;
   }
-  if (!parse.error.empty()) return base::Status{base::Code::bad_file, std::string(name) + ": error: " + parse.error};
+  if (!parse.error.empty()) return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, parse.error)};
   shorten(parse.warnings);
-  for (std::string& warning : parse.warnings) warning = std::string(name) + ": warning: " + warning;
+  for (std::string& warning : parse.warnings) warning = fmt::format("{}: warning: {}", name, warning);
   return LoadedTrack{std::move(parse.document), std::move(parse.warnings)};
 }
 

@@ -1,6 +1,8 @@
 // A document as the text of a track file. The same document always gives the same bytes.
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "exchange/own/json_reader.h"
 #include "exchange/own/track_file.h"
@@ -22,7 +24,7 @@ std::string number(float value) {
   return wide && static_cast<float>(*wide) == value ? text : base::to_text(static_cast<double>(value));
 }
 
-std::string vector(glm::vec3 v) { return "[" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + "]"; }
+std::string vector(glm::vec3 v) { return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z)); }
 
 std::string id(const Document& document, Entity e) { return json_string(world::label_of(document, e)); }
 
@@ -47,8 +49,8 @@ void for_each_extra(const world::Extra& extra, Write write) {
 std::string extra_members(const Document& document, Entity e) {
   std::string text;
   if (const auto* const extra = document.entities.find<world::Extra>(e))
-    for_each_extra(*extra,
-                   [&](const std::string& key, const std::string& value) { text += ", " + key + ": " + value; });
+    for_each_extra(
+        *extra, [&](const std::string& key, const std::string& value) { text += fmt::format(", {}: {}", key, value); });
   return text + "}";
 }
 
@@ -64,9 +66,9 @@ std::string knot_line(const Document& document, Entity e) {
 std::string equipment_members(const Document& document, Entity e) {
   const auto* const found = document.entities.find<world::Equipment>(e);
   if (!found) return {};
-  std::string text = ", \"equipment\": \"" +
-                     std::string(world::kEquipmentNames[static_cast<std::size_t>(found->kind)]) +
-                     "\", \"speed\": " + number(found->speed) + ", \"acceleration\": " + number(found->acceleration);
+  std::string text = fmt::format(", \"equipment\": \"{}\", \"speed\": {}, \"acceleration\": {}",
+                                 world::kEquipmentNames[static_cast<std::size_t>(found->kind)], number(found->speed),
+                                 number(found->acceleration));
   const world::Equipment plain;
   if (found->hysteresis != plain.hysteresis) text += ", \"hysteresis\": " + number(found->hysteresis);
   if (found->seconds != plain.seconds) text += ", \"seconds\": " + number(found->seconds);
@@ -76,7 +78,7 @@ std::string equipment_members(const Document& document, Entity e) {
 std::string train_members(const world::Cart& cart) {
   const world::Cart plain;
   std::string text;
-  if (cart.cars != plain.cars) text += ", \"cars\": " + std::to_string(cart.cars);
+  if (cart.cars != plain.cars) text += fmt::format(", \"cars\": {}", cart.cars);
   if (cart.spacing != plain.spacing) text += ", \"spacing\": " + number(cart.spacing);
   if (cart.length != plain.length) text += ", \"length\": " + number(cart.length);
   if (cart.mass != plain.mass) text += ", \"mass\": " + number(cart.mass);
@@ -110,7 +112,7 @@ std::string cart_line(const Document& document, Entity e) {
 template <class Line>
 void print_list(std::string& out, std::string_view key, const Document& document, const std::vector<Entity>& entities,
                 Line line) {
-  out += ",\n  \"" + std::string(key) + "\": [";
+  out += fmt::format(",\n  \"{}\": [", key);
   for (std::size_t i = 0; i < entities.size(); ++i)
     out += (i == 0 ? "\n    " : ",\n    ") + line(document, entities[i]);
   out += entities.empty() ? "]" : "\n  ]";
@@ -132,8 +134,9 @@ std::string print_track(const Document& document) {
   std::sort(carts.begin(), carts.end(),
             [&](Entity a, Entity b) { return world::name_of(document, a) < world::name_of(document, b); });
   print_list(out, "carts", document, carts, cart_line);
-  for_each_extra(document.extra,
-                 [&](const std::string& key, const std::string& value) { out += ",\n  " + key + ": " + value; });
+  for_each_extra(document.extra, [&](const std::string& key, const std::string& value) {
+    out += fmt::format(",\n  {}: {}", key, value);
+  });
   return out + "\n}\n";
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/portable_math.h"
 #include "base/text.h"
 #include "world/motion.h"
@@ -116,9 +118,8 @@ void give_way(world::Element& element, std::string_view parameter, double limit,
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (parameters[i].name != parameter) continue;
     const std::string unit = parameters[i].unit.empty() ? "" : " " + std::string(parameters[i].unit);
-    lines.push_back(std::string(parameter) + " " + base::to_text(element.values[i]) + unit +
-                    " is beyond the limit of " + base::to_text(std::round(limit * 1000.0) / 1000.0) + unit + ": " +
-                    std::string(reason));
+    lines.push_back(fmt::format("{} {}{} is beyond the limit of {}{}: {}", parameter, base::to_text(element.values[i]),
+                                unit, base::to_text(std::round(limit * 1000.0) / 1000.0), unit, reason));
     element.values[i] = limit;
   }
 }

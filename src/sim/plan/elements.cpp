@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "curve/continuity.h"
 
@@ -28,8 +30,8 @@ void clamp_values(world::Element& element, std::vector<std::string>& lines) {
     const double cut = std::clamp(value, p.low, p.high);
     if (cut == value) continue;
     const std::string unit = p.unit.empty() ? "" : " " + std::string(p.unit);
-    lines.push_back(std::string(p.name) + " " + base::to_text(value) + unit + " is beyond the limit of " +
-                    base::to_text(cut) + unit);
+    lines.push_back(fmt::format("{} {}{} is beyond the limit of {}{}", p.name, base::to_text(value), unit,
+                                base::to_text(cut), unit));
     value = cut;
   }
 }

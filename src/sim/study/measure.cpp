@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 namespace coaster::sim {
 namespace {
@@ -106,15 +107,13 @@ const MeasuredRow* row_of(const Measurement& m, curve::EvaluatorId evaluator) {
 }
 
 std::string to_csv(const Measurement& m, std::string_view machine) {
-  std::string csv = "# " + std::string(machine) + "\r\nevaluator,steps,ns_per_point,worst_error_m,rounds\r\n";
+  std::string csv = fmt::format("# {}\r\nevaluator,steps,ns_per_point,worst_error_m,rounds\r\n", machine);
   for (const MeasuredRow& row : m.rows)
     for (std::size_t column = 0; column < kMeasuredSteps.size(); ++column) {
       const MeasuredCell& cell = row.cells[column];
       if (cell.rounds == 0) continue;
-      char numbers[96];
-      std::snprintf(numbers, sizeof numbers, ",%d,%.4g,%.4g,%d\r\n", kMeasuredSteps[column], cell.ns_per_point,
-                    cell.worst_error, cell.rounds);
-      csv += std::string(curve::evaluator(row.evaluator).name) + numbers;
+      csv += fmt::format("{},{},{:.4g},{:.4g},{}\r\n", curve::evaluator(row.evaluator).name, kMeasuredSteps[column],
+                         cell.ns_per_point, cell.worst_error, cell.rounds);
     }
   return csv;
 }

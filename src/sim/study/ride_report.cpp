@@ -1,24 +1,23 @@
 // The ride report, as text and as CSV.
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "sim/study/ratings.h"
 
 namespace coaster::sim {
 namespace {
 
-[[gnu::format(printf, 2, 3)]] void add(std::string& out, const char* format, ...) {
-  char line[256];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  out += line;
+template <class... Values>
+void add(std::string& out, fmt::format_string<Values...> format, Values&&... values) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
 }
 
 void add_extreme(std::string& out, const char* what, const Extreme& e, const char* unit) {
-  add(out, "  %-22s %8.2f %-4s at %7.1f m, %6.2f s, car %d\n", what, e.value, unit, e.distance, e.seconds, e.car + 1);
+  add(out, "  {:<22} {:8.2f} {:<4} at {:7.1f} m, {:6.2f} s, car {}\n", what, e.value, unit, e.distance, e.seconds,
+      e.car + 1);
 }
 
 }  // namespace
@@ -26,14 +25,13 @@ void add_extreme(std::string& out, const char* what, const Extreme& e, const cha
 std::string report_text(const Ghost& ghost, const Ratings& r, const std::vector<RedSpan>& red,
                         const std::string& track_name) {
   std::string out = track_name + "\n";
-  add(out, "  %-22s %8.2f m\n", "length", r.length);
-  add(out, "  %-22s %8.2f s%s\n", ghost.lap ? "lap" : "time", r.seconds, ghost.lap ? "" : " (no whole lap)");
+  add(out, "  {:<22} {:8.2f} m\n", "length", r.length);
+  add(out, "  {:<22} {:8.2f} s{}\n", ghost.lap ? "lap" : "time", r.seconds, ghost.lap ? "" : " (no whole lap)");
   if (ghost.end != world::FailureKind::none)
-    add(out, "  %-22s %s at %.1f m\n", "end", std::string(text(ghost.end)).c_str(),
-        ghost.distance(ghost.samples.size() - 1));
-  add(out, "  %-22s %8d, %d m apart\n", "cars", ghost.start.cars, static_cast<int>(std::lround(ghost.start.spacing)));
+    add(out, "  {:<22} {} at {:.1f} m\n", "end", text(ghost.end), ghost.distance(ghost.samples.size() - 1));
+  add(out, "  {:<22} {:8}, {} m apart\n", "cars", ghost.start.cars, static_cast<int>(std::lround(ghost.start.spacing)));
   add_extreme(out, "top speed", r.top_speed, "m/s");
-  add(out, "  %-22s %8.2f m/s\n", "mean speed", r.mean_speed);
+  add(out, "  {:<22} {:8.2f} m/s\n", "mean speed", r.mean_speed);
   add_extreme(out, "highest", r.highest, "m");
   add_extreme(out, "lowest", r.lowest, "m");
   add_extreme(out, "most vertical", r.up_most, "g");
@@ -41,22 +39,22 @@ std::string report_text(const Ghost& ghost, const Ratings& r, const std::vector<
   add_extreme(out, "most lateral", r.side_most, "g");
   add_extreme(out, "most forwards", r.forward_most, "g");
   add_extreme(out, "most backwards", r.back_most, "g");
-  add(out, "  %-22s %8.2f s\n", "airtime", r.airtime);
-  add(out, "  %-22s %8d, highest %.2f m\n", "drops", r.drops, r.highest_drop);
-  add(out, "  %-22s %8d\n", "inversions", r.inversions);
-  add(out, "  %-22s %8.2f, intensity %.2f, nausea %.2f (OpenRCT2's terms of g and drops, with real g)\n", "excitement",
-      r.excitement, r.intensity, r.nausea);
-  add(out, "  %-22s %8zu (acceleration by duration; not a compliance check)\n", "red spans", red.size());
+  add(out, "  {:<22} {:8.2f} s\n", "airtime", r.airtime);
+  add(out, "  {:<22} {:8}, highest {:.2f} m\n", "drops", r.drops, r.highest_drop);
+  add(out, "  {:<22} {:8}\n", "inversions", r.inversions);
+  add(out, "  {:<22} {:8.2f}, intensity {:.2f}, nausea {:.2f} (OpenRCT2's terms of g and drops, with real g)\n",
+      "excitement", r.excitement, r.intensity, r.nausea);
+  add(out, "  {:<22} {:8} (acceleration by duration; not a compliance check)\n", "red spans", red.size());
   for (const RedSpan& span : red)
-    add(out, "    car %2d, %-22s %6.2f g where %.2f g may last, %.2f..%.2f s, %.1f..%.1f m\n", span.car + 1,
-        std::string(label(span.axis)).c_str(), span.worst, span.allowed, span.from, span.to, span.from_distance,
+    add(out, "    car {:2}, {:<22} {:6.2f} g where {:.2f} g may last, {:.2f}..{:.2f} s, {:.1f}..{:.1f} m\n",
+        span.car + 1, label(span.axis), span.worst, span.allowed, span.from, span.to, span.from_distance,
         span.to_distance);
   return out;
 }
 
 std::string report_csv(const Ghost& ghost, const RailTables& tables) {
   std::string out = "time_s,distance_m,speed_m_s,height_m,acceleration_m_s2";
-  for (int car = 1; car <= ghost.start.cars; ++car) add(out, ",up_%d_g,left_%d_g,forward_%d_g", car, car, car);
+  for (int car = 1; car <= ghost.start.cars; ++car) add(out, ",up_{}_g,left_{}_g,forward_{}_g", car, car, car);
   out += '\n';
   std::size_t hint = 0;
   const auto cars = static_cast<std::size_t>(ghost.start.cars);
@@ -68,11 +66,11 @@ std::string report_csv(const Ghost& ghost, const RailTables& tables) {
       const double s = tables.locate(distance, hint);
       height = rail_at(tables.segment(hint), s).height;
     }
-    add(out, "%.6f,%.4f,%.4f,%.4f,%.4f", static_cast<double>(sample) * world::kTick, distance,
+    add(out, "{:.6f},{:.4f},{:.4f},{:.4f},{:.4f}", static_cast<double>(sample) * world::kTick, distance,
         ghost.samples[sample].speed, height, ghost.samples[sample].acceleration);
     for (std::size_t car = 0; car < cars; ++car) {
       const Force& f = ghost.forces[k * cars + car];
-      add(out, ",%.4f,%.4f,%.4f", f.up, f.left, f.forward);
+      add(out, ",{:.4f},{:.4f},{:.4f}", f.up, f.left, f.forward);
     }
     out += '\n';
   }
