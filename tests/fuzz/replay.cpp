@@ -1,4 +1,5 @@
-// Runs a target over the files of a folder, without a fuzzer: replay TARGET FOLDER. A crash that was found stays fixed.
+// Gives every file of a folder and of those in it to every target, without a fuzzer: replay FOLDER. What one reader
+// crashed on stays fixed, and is tried on the others.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -10,21 +11,20 @@
 #include "fuzz/targets.h"
 
 int main(int count, char** arguments) {
-  if (count != 3) return std::fprintf(stderr, "replay TARGET FOLDER\n"), 2;
-  for (const coaster::fuzz::Target& target : coaster::fuzz::targets()) {
-    if (target.name != arguments[1]) continue;
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(arguments[2])) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    for (const auto& path : files) {
-      std::printf("%s\n", path.filename().c_str());
+  if (count != 2) return std::fprintf(stderr, "replay FOLDER\n"), 2;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(arguments[1]))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const auto& path : files) {
+    std::printf("%s\n", path.c_str());
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    for (const coaster::fuzz::Target& target : coaster::fuzz::targets()) {
+      std::printf("  %.*s\n", static_cast<int>(target.name.size()), target.name.data());
       std::fflush(stdout);
-      std::ifstream file(path, std::ios::binary);
-      const std::string bytes{std::istreambuf_iterator<char>(file), {}};
       target.run(bytes);
     }
-    return files.empty() ? (std::fprintf(stderr, "%s: no files\n", arguments[2]), 1) : 0;
   }
-  std::fprintf(stderr, "%s: no such target\n", arguments[1]);
-  return 2;
+  return files.empty() ? (std::fprintf(stderr, "%s: no files\n", arguments[1]), 1) : 0;
 }
