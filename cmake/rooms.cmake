@@ -2,7 +2,7 @@
 # One static library coaster_NAME from the .cpp files in and below src/NAME. Rooms include each other's headers as "room/file.h"; which room may
 # include which is checked by tools/check_layers.
 # Headers of the standard library and GLM, parsed once for all rooms: a third of the time that a file takes to compile. Sources include what
-# they need all the same; the core's clang build is made without, and would miss it.
+# they need all the same; clang-tidy (tools/lint) reads them without.
 option(COASTER_PRECOMPILE "Precompile the standard headers" ON)
 function(coaster_precompile target)
   if(NOT COASTER_PRECOMPILE)
