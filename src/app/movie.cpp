@@ -95,7 +95,7 @@ MovieEncoder::MovieEncoder(const MovieOrder& order, int frames)
     : order_(order), frames_(frames), program_(find_program("ffmpeg")) {
   if (program_.empty() || frames < 1) return;
   files_ = {"movie.mp4"};
-  if (order.gif) files_.push_back("movie.gif");
+  if (order.gif) files_.emplace_back("movie.gif");
   all_ = files_.size();
   next();
 }

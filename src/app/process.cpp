@@ -46,6 +46,7 @@ base::Status Process::start(std::vector<std::string> words, const std::filesyste
   if (errors) posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
   if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   pid_t pid = 0;

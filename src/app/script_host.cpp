@@ -137,7 +137,7 @@ script::Host make_script_host(Program& program) {
     if (!p->filming) return base::Status{base::Code::refused, "no movie is being recorded"};
     return finish_movie(*p);
   };
-  host.context = [p]() -> const query::Context { return context_of(*p); };
+  host.context = [p]() -> query::Context { return context_of(*p); };
   host.widgets = [p] { return widgets(*p); };
   host.pixel_of = [p](const AimPoint& aim) { return pixel_of(*p, aim); };
   host.position_of = [p](const AimPoint& aim) { return position_of(*p, aim); };

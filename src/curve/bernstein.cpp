@@ -29,9 +29,9 @@ std::array<dvec3, 3> hodograph(const Cubic& cubic) {
   return {legs[0], legs[1], legs[2]};
 }
 
-std::array<dvec3, 4> as_cubic_controls(std::span<const dvec3> points) {
-  COASTER_CHECK(!points.empty() && points.size() <= 4, "a curve of degree 0 to 3");
-  std::vector<dvec3> all(points.begin(), points.end());
+std::array<dvec3, 4> as_cubic_controls(std::span<const dvec3> controls) {
+  COASTER_CHECK(!controls.empty() && controls.size() <= 4, "a curve of degree 0 to 3");
+  std::vector<dvec3> all(controls.begin(), controls.end());
   while (all.size() < 4) all = elevated<double, dvec3>(all);
   return {all[0], all[1], all[2], all[3]};
 }

@@ -39,6 +39,7 @@ std::vector<T> solve(const std::vector<Row>& rows, std::vector<T> right) {
 
 std::vector<dvec3> solve_open(const std::vector<Row>& rows) {
   std::vector<dvec3> right;
+  right.reserve(rows.size());
   for (const Row& row : rows) right.push_back(row.right);
   return solve(rows, std::move(right));
 }
