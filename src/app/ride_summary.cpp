@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 #include "exchange/own/json_text.h"
 #include "sim/ride/ride.h"
@@ -42,17 +43,15 @@ void measure(const edit::Session& session, RideSummary& summary) {
 }
 
 std::string to_text(const RideSummary& s) {
-  char text[1024];
-  std::snprintf(text, sizeof text,
-                "%zu knots, %zu segments, %s, %.2f m\n"
-                "rode %.2f m in %.2f s, %lld laps\n"
-                "top speed %.2f m/s, heights %.2f..%.2f m\n"
-                "up %.2f..%.2f g, sideways at most %.2f g\n"
-                "energy drift at most %.1e\n",
-                s.knots, s.segments, s.closed ? "closed" : "open", s.length, s.distance,
-                static_cast<double>(s.ticks) * world::kTick, static_cast<long long>(s.laps), s.top_speed, s.lowest,
-                s.highest, s.least_up, s.most_up, s.most_side, s.worst_drift);
-  return s.name + ": " + text;
+  return fmt::format(
+      "{}: {} knots, {} segments, {}, {:.2f} m\n"
+      "rode {:.2f} m in {:.2f} s, {} laps\n"
+      "top speed {:.2f} m/s, heights {:.2f}..{:.2f} m\n"
+      "up {:.2f}..{:.2f} g, sideways at most {:.2f} g\n"
+      "energy drift at most {:.1e}\n",
+      s.name, s.knots, s.segments, s.closed ? "closed" : "open", s.length, s.distance,
+      static_cast<double>(s.ticks) * world::kTick, s.laps, s.top_speed, s.lowest, s.highest, s.least_up, s.most_up,
+      s.most_side, s.worst_drift);
 }
 
 std::string to_json(const RideSummary& s) {

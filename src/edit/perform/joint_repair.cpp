@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "curve/continuity.h"
 #include "curve/g2.h"
@@ -114,12 +116,13 @@ base::Status acceptable(const Document& document, const Joint& j, const curve::G
   const double most = 0.5 * std::min(polygon(cubic_from(document, j.before)), polygon(cubic_from(document, j.at))),
                far = farthest(problem, s);
   if (far > most)
-    return refusal("a control point would move " + metres(far) + ", more than half a segment (" + metres(most) + ")");
+    return refusal(
+        fmt::format("a control point would move {}, more than half a segment ({})", metres(far), metres(most)));
   for (const double length :
        {glm::length(s.position - s.in_handle), glm::length(s.out_handle - s.position), s.before_length, s.after_length})
     if (!(length >= double{world::kMinHandle} && length <= double{world::kMaxHandle}))
-      return refusal("a handle would leave the limits of " + base::to_text(world::kMinHandle) + " to " +
-                     base::to_text(world::kMaxHandle) + " m");
+      return refusal(fmt::format("a handle would leave the limits of {} to {} m", base::to_text(world::kMinHandle),
+                                 base::to_text(world::kMaxHandle)));
   for (int axis = 0; axis < 3; ++axis)
     if (std::abs(s.position[axis]) > double{world::kMaxCoordinate})
       return refusal("the knot would leave the limit of coordinates");

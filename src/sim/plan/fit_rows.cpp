@@ -24,7 +24,7 @@ std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double r
     const FitRow &a = rows[i], &b = rows[(i + 1) % count];
     steps[i] = glm::distance(a.position, b.position);
     const double angle = frame_angle_deg({a.forward, a.up}, {b.forward, b.up});
-    jumps[i] = angle > kJumpAngle && angle > kJumpRate * steps[i];
+    jumps[i] = angle > kJumpAngle && angle > kJumpRate * steps[i] ? 1 : 0;
   }
   // The distance to the last jump, in a forward pass, then to the next, in a backward pass; from the middle of its
   // step. A closed track needs two rounds: the second knows the jumps of the first.

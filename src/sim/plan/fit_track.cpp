@@ -76,9 +76,10 @@ Span longest_span(Work& w, std::size_t first, double low, double high, std::size
     const std::size_t last = std::min(first + length, end);
     if (last <= good.last || last >= bad) break;
     SpanFit fit = w.fit(first, last, low, high);
-    if (fit.within) good.last = last, good.fit = std::move(fit);
+    const bool within = fit.within;
+    if (within) good.last = last, good.fit = std::move(fit);
     else bad = last;
-    length = fit.within || good.last == last ? length + std::max<std::size_t>(1, length / 2) : length;
+    length = within ? length + std::max<std::size_t>(1, length / 2) : length;
     if (bad <= end) break;
   }
   while (bad > good.last + 1 + (good.last - first) / 64) {

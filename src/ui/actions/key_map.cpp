@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "ui/actions/actions.h"
 
@@ -35,7 +37,7 @@ std::vector<Wanted> readable(std::span<const exchange::KeyChoice> choices, std::
   for (const exchange::KeyChoice& choice : choices) {
     const auto row = row_of(choice.action);
     if (!row) {
-      problems.push_back("no action " + base::quoted(choice.action) + nearest_action(choice.action));
+      problems.push_back(fmt::format("no action {}{}", base::quoted(choice.action), nearest_action(choice.action)));
       continue;
     }
     Wanted wanted{*row, {}};
@@ -48,9 +50,9 @@ std::vector<Wanted> readable(std::span<const exchange::KeyChoice> choices, std::
                                  return std::find(w.chords.begin(), w.chords.end(), *chord) != w.chords.end();
                                })
                 : all.end();
-      if (!chord) problems.push_back(choice.action + ": no key " + base::quoted(text));
+      if (!chord) problems.push_back(fmt::format("{}: no key {}", choice.action, base::quoted(text)));
       else if (owner != all.end())
-        problems.push_back(text + " is wanted by " + std::string(actions()[owner->row].name) + " and " + choice.action);
+        problems.push_back(fmt::format("{} is wanted by {} and {}", text, actions()[owner->row].name, choice.action));
       else wanted.chords.push_back(*chord);
       usable = usable && chord && owner == all.end();
     }
@@ -75,8 +77,8 @@ KeyMap KeyMap::make(std::span<const exchange::KeyChoice> choices, std::vector<st
       for (const Chord& chord : wanted.chords) {
         if (row == wanted.row) continue;
         if (std::erase(map.rows_[row], chord) > 0)
-          problems.push_back(platform::to_text(chord) + " is " + std::string(actions()[wanted.row].name) +
-                             " now, no longer " + std::string(actions()[row].name));
+          problems.push_back(fmt::format("{} is {} now, no longer {}", platform::to_text(chord),
+                                         actions()[wanted.row].name, actions()[row].name));
       }
   return map;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include <fmt/format.h>
+
 namespace coaster::ui {
 namespace {
 
@@ -34,9 +36,9 @@ std::string scientific(double value, int digits, bool pretty) {
     if (mantissa.back() == '.') mantissa.pop_back();
   }
   const int exponent = std::atoi(plain.c_str() + e + 1);
-  if (!pretty) return mantissa + "e" + std::to_string(exponent);
+  if (!pretty) return fmt::format("{}e{}", mantissa, exponent);
   const std::string power = "10" + superscript(exponent);
-  return mantissa == "1" ? power : mantissa == "-1" ? "-" + power : mantissa + "\u00B7" + power;
+  return mantissa == "1" ? power : mantissa == "-1" ? "-" + power : fmt::format("{}\u00B7{}", mantissa, power);
 }
 
 // The smallest of 1, 2, 5 times a power of ten that is at least `least`.
