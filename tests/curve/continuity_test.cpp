@@ -46,6 +46,19 @@ TEST(continuity, classes_are_told_apart) {
   EXPECT_EQ(joint(kBefore, c2).geometric, Geometric::g2);
 }
 
+// A straight, and the same bent by an angle at the joint: below a milliradian it counts as none.
+TEST(continuity, an_angle_below_a_milliradian_is_none) {
+  const Cubic before{{1, 2, 3}, {4, 2, 3}, {7, 2, 3}, {10, 2, 3}};
+  for (const auto& [angle, level] :
+       {std::pair(0.9e-3, Geometric::g2), {1.1e-3, Geometric::g0}, {-5e-3, Geometric::g0}}) {
+    Cubic after;
+    for (int i = 0; i < 4; ++i)
+      (&after.p0)[i] = glm::vec3(10 + 3 * i * std::cos(angle), 2 + 3 * i * std::sin(angle), 3);
+    EXPECT_NEAR(joint(before, after).angle, std::abs(angle), 1e-6);
+    EXPECT_EQ(joint(before, after).geometric, level) << angle;
+  }
+}
+
 TEST(continuity, names_are_those_of_the_field) {
   EXPECT_EQ(name(Geometric::g1), "G1");
   EXPECT_EQ(name(Parametric::c2), "C2");

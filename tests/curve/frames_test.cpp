@@ -103,5 +103,25 @@ TEST(frames, perpendicular_is_unit_for_every_wish) {
     }
 }
 
+// |B' x B''| by the derivatives themselves, at 20,000 places.
+TEST(binormal, minima_are_those_of_a_fine_search) {
+  int found_some = 0;
+  for (const Cubic& c : random_cubics(200, 17, 20, 9)) {
+    const auto size = [&](double t) { return glm::length(glm::cross(derivative(c, t), second_derivative(c, t))); };
+    constexpr int kSteps = 20'000;
+    std::vector<double> wanted;
+    for (int i = 1; i < kSteps; ++i) {
+      const double t = static_cast<double>(i) / kSteps;
+      if (size(t) < size(t - 1.0 / kSteps) && size(t) <= size(t + 1.0 / kSteps)) wanted.push_back(t);
+    }
+    if (wanted.size() == 2 && wanted[1] - wanted[0] < 1.0 / 16) continue;
+    const BinormalMinima minima = binormal_minima(binormal_curve(c));
+    ASSERT_EQ(static_cast<std::size_t>(minima.count), wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(minima.t[i], wanted[i], 1.0 / kSteps);
+    found_some += minima.count;
+  }
+  EXPECT_GT(found_some, 40);
+}
+
 }  // namespace frames_test
 }  // namespace coaster::curve

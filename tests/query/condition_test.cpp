@@ -32,6 +32,10 @@ TEST(condition, numbers_compare_with_and_without_tolerance) {
   EXPECT_EQ(holds_for("<= 3 +-0.1", 3.05), 1);
   EXPECT_EQ(holds_for("> 2.5", 2.6), 1);
   EXPECT_EQ(holds_for(">= 2.5", 2.4), 0);
+  EXPECT_EQ(holds_for(">= 2.5 +-0.2", 2.4), 1);
+  EXPECT_EQ(holds_for(">= 2.5 +-0.05", 2.4), 0);
+  EXPECT_EQ(holds_for(">= 0.7", static_cast<double>(0.7f)), 1) << "0.7f is below 0.7";
+  EXPECT_EQ(holds_for("<= 0.1", static_cast<double>(0.1f)), 1) << "0.1f is above 0.1";
   EXPECT_EQ(holds_for("== 0.1", static_cast<double>(0.1f)), 1) << "a value kept in single precision equals its text";
   EXPECT_EQ(holds_for("== 16777217", 16777216.0), 0) << "whole numbers are exact";
   EXPECT_EQ(holds_for("== nonsense", 1.0), -1);

@@ -1,3 +1,4 @@
+// Queries of joints and of curvature: closed forms of the control points.
 #include <cmath>
 
 #include "base/portable_math.h"

@@ -1,3 +1,4 @@
+// The camera that follows a train: what it looks at and how late it is.
 #include "view/camera_rig.h"
 
 #include <rapidcheck/gtest.h>

@@ -58,6 +58,22 @@ TEST(gizmo, every_part_is_picked_where_a_script_aims_from_any_side) {
     }
 }
 
+// From between the arrows of x and -z the squares beside y lie over each other; the one on the eye's side is in front.
+TEST(gizmo, of_two_squares_over_each_other_the_nearer_is_picked) {
+  const Scene s;
+  for (const auto& [yaw, nearer, other] :
+       {std::tuple(-45.0f, PickKind::plane_x, PickKind::plane_z), {135.0f, PickKind::plane_z, PickKind::plane_x}})
+    for (const float turned : {-2.0f, 0.0f, 2.0f}) {
+      const View view = s.view(yaw + turned, 5);
+      const auto gizmo = gizmo_of(s.document, s.settings, view);
+      const glm::vec2 a = pixel_of(view, gizmo_place(*gizmo, 1, nearer)),
+                      b = pixel_of(view, gizmo_place(*gizmo, 1, other));
+      ASSERT_LT(glm::distance(a, b), 5) << "they are over each other";
+      EXPECT_EQ(pick_gizmo(*gizmo, view, 1, a), nearer) << yaw + turned;
+      EXPECT_EQ(pick_gizmo(*gizmo, view, 1, b), nearer) << yaw + turned;
+    }
+}
+
 TEST(gizmo, keeps_its_size_on_the_screen) {
   Scene s;
   for (const float distance : {20.0f, 200.0f, 2000.0f}) {

@@ -106,6 +106,24 @@ TEST(pick, outside_the_viewport_is_nothing) {
             PickKind::none);
 }
 
+// As large as they are drawn: 5 px about a knot's middle at UI scale 1, beyond them the curve has 8 px.
+TEST(pick, knots_reach_as_far_as_their_discs_in_every_direction) {
+  Scene scene(test::straight_document({-20, 5, 1}, {20, 5, 1}, 2), {{0, 5, 1}, 0, 0, 60});
+  const world::Entity knot = scene.document.track.knots[1];
+  const glm::vec2 middle(*project(scene.view, world::knot(scene.document, knot).position));
+  for (const float scale : {1.0f, 1.5f}) {
+    scene.settings.ui_scale = scale;
+    for (int k = 0; k < 16; ++k) {
+      const float a = 0.3f + static_cast<float>(M_PI) / 8 * static_cast<float>(k);
+      for (const auto& [reach, kind] : {std::pair(4.9f, PickKind::knot), {5.1f, PickKind::curve}}) {
+        const glm::vec2 pixel = middle + scale * reach * glm::vec2(std::cos(a), std::sin(a));
+        EXPECT_EQ(pick(scene.document, scene.derived, scene.motion, scene.settings, scene.view, pixel).kind, kind)
+            << scale << " " << k << " " << reach;
+      }
+    }
+  }
+}
+
 TEST(pick, handles_can_be_picked_of_the_selection_alone) {
   Scene scene(test::sample_document());
   const world::Entity knot = scene.document.track.knots[2];

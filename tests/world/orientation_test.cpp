@@ -87,6 +87,21 @@ TEST(orientation, whole_turns_of_roll_leave_the_same_bits) {
   EXPECT_EQ(a, b);
 }
 
+TEST(orientation, what_is_off_by_a_ten_thousandth_is_repaired_as_well) {
+  for (const float off : {1e-4f, -1e-4f, 3e-5f}) {
+    Knot k;
+    k.tangent = {0.6f * (1 + off), 0.8f * (1 + off), 0}, k.up = {-0.8f, 0.6f, 0};
+    orthonormalise(k);
+    expect_orthonormal(k);
+    k.tangent = {0.6f, 0.8f, 0}, k.up = {-0.8f + 0.6f * off, 0.6f + 0.8f * off, 0};
+    orthonormalise(k);
+    expect_orthonormal(k);
+    k.up = {-0.8f * (1 + off), 0.6f * (1 + off), 0};
+    orthonormalise(k);
+    expect_orthonormal(k);
+  }
+}
+
 TEST(orientation, orthonormalise_repairs_and_is_idempotent) {
   Knot k;
   k.tangent = {3, 4, 0}, k.up = {1, 1, 1};

@@ -163,5 +163,16 @@ RC_GTEST_PROP(topology, any_sequence_keeps_every_invariant, ()) {
   }
 }
 
+TEST(topology, a_removed_knot_leaves_the_turns_of_both_its_segments) {
+  for (const auto& [first, second, both] : {std::tuple(2, -1, 1), {1, 3, 4}, {-2, -1, -3}}) {
+    Document d = test::sample_document();
+    d.entities.get<Segment>(d.track.segments[1]).turns = first;
+    d.entities.get<Segment>(d.track.segments[2]).turns = second;
+    remove_knot(d, d.track.knots[2]);
+    ASSERT_EQ(d.track.segments.size(), 3u);
+    EXPECT_EQ(segment(d, d.track.segments[1]).turns, both);
+  }
+}
+
 }  // namespace topology_test
 }  // namespace coaster::world

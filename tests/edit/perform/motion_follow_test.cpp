@@ -66,6 +66,21 @@ TEST_F(EditingUnderCarts, undo_of_a_removal_takes_carts_back_to_their_distance) 
               distance, 1e-6);
 }
 
+TEST_F(EditingUnderCarts, a_reversed_track_leaves_carts_on_their_way_through_space) {
+  const auto velocity = [&](const char* name) {
+    return cart(name).speed * sim::pose(session.derived, cart(name), world::FrameMethod::knots).frame.forward;
+  };
+  for (int turn = 0; turn < 2; ++turn) {
+    const glm::dvec3 one = place("c1"), two = place("c2"), one_goes = velocity("c1"), two_goes = velocity("c2");
+    ASSERT_GT(glm::length(one_goes), 1);
+    good("reverse");
+    EXPECT_NEAR(glm::distance(place("c1"), one), 0, 1e-3) << turn;
+    EXPECT_NEAR(glm::distance(place("c2"), two), 0, 1e-3) << turn;
+    EXPECT_NEAR(glm::distance(velocity("c1"), one_goes), 0, 1e-3) << turn;
+    EXPECT_NEAR(glm::distance(velocity("c2"), two_goes), 0, 1e-3) << turn;
+  }
+}
+
 TEST_F(EditingUnderCarts, a_stopped_ride_shows_carts_as_designed) {
   good("ride.stop");
   good("start_speed 7.7");

@@ -91,6 +91,14 @@ TEST_F(Transforming, mirrored_twists_go_the_other_way) {
   EXPECT_NEAR(session.derived.shape(segment).twist, -twist, 1e-3);
 }
 
+TEST_F(Transforming, a_twist_between_a_mirrored_knot_and_one_that_stays_keeps_its_turns) {
+  good("turns @s2 to 2");
+  for (const char* const knot : {"@k2", "@k3"}) {
+    good(std::string("mirror ") + knot + " across 1 0 0 about 0 0 0");
+    EXPECT_EQ(world::segment(session.document, entity("s2")).turns, 2) << knot;
+  }
+}
+
 TEST_F(Transforming, align_gives_one_coordinate_to_all) {
   good("align all axis y to 7.25");
   for (const Knot& knot : knots()) EXPECT_EQ(knot.position.y, 7.25f);

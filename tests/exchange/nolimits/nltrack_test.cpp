@@ -127,6 +127,28 @@ TEST(NoLimitsTrack, roll_that_goes_on_over_turns_is_ridden_in_full) {
     EXPECT_NEAR(derived.shape(derived.order[i]).twist, -(double{rolls[i + 1]} - double{rolls[i]}), 1e-5) << i;
 }
 
+// On a level ring neither horizon nor frame turns against the other: the twist is the difference of the rolls, over the
+// closing joint the least that leads back to the first roll.
+TEST(NoLimitsTrack, the_closing_joint_gets_the_least_turn_back_to_the_first_roll) {
+  for (const float step : {1.7f, -1.7f, 0.9f, 3.7f}) {
+    std::vector<Vertex> vertices;
+    for (int i = 0; i < 4; ++i) {
+      const double a = M_PI / 2 * i;
+      vertices.push_back(vertex({20 * std::cos(a), 5, -20 * std::sin(a)}, {-std::sin(a), 0, -std::cos(a)}, 11, 11,
+                                step * static_cast<float>(i)));
+    }
+    const auto loaded = parse_nltrack(encode(vertices, true), "x.nltrack");
+    ASSERT_TRUE(loaded) << loaded.status().message;
+    sim::Derived derived;
+    sim::derive(loaded->document, {}, {}, derived);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(derived.shape(derived.order[i]).twist, -double{step}, 1e-4) << i;
+    double back = 3.0 * double{step};
+    while (back > M_PI) back -= 2 * M_PI;
+    while (back < -M_PI) back += 2 * M_PI;
+    EXPECT_NEAR(derived.shape(derived.order[3]).twist, back, 1e-4) << step;
+  }
+}
+
 // A vertical loop without roll: inverted at the top, where the horizon has turned over.
 TEST(NoLimitsTrack, a_plane_loop_has_no_turns) {
   const float half = static_cast<float>(base::kPi);
@@ -216,6 +238,17 @@ TEST(NoLimitsTrack, handles_without_length_and_bent_ones_are_told_of) {
   vertices = ring();
   for (Vertex& v : vertices) v.point = v.in = v.out = {1, 2, 3};
   refused(encode(vertices, true), std::to_string(kFirst) + ":", "no direction");
+}
+
+TEST(NoLimitsTrack, handles_may_bend_by_a_right_angle_and_no_more) {
+  for (const double degrees : {85.0, 89.0, 91.0, 100.0}) {
+    std::vector<Vertex> vertices;
+    for (int i = 0; i < 3; ++i) vertices.push_back(vertex({20.0f * static_cast<float>(i), 10, 0}, {1, 0, 0}, 6, 6));
+    const double turn = base::radians(degrees);
+    vertices[1].out = vertices[1].point + glm::vec3(6 * std::cos(turn), 0, 6 * std::sin(turn));
+    const auto loaded = parse_nltrack(encode(vertices, false), "x.nltrack");
+    EXPECT_EQ(loaded.ok(), degrees < 90) << degrees;
+  }
 }
 
 TEST(NoLimitsTrack, spoilt_bytes_give_a_document_that_holds_its_promises_or_an_error) {

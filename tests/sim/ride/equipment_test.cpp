@@ -115,6 +115,28 @@ TEST(equipment, a_station_stops_at_its_end_waits_and_sends_off) {
   EXPECT_NEAR(ride.train().speed, 2.0, 0.05);
 }
 
+// Constant deceleration: v^2 = 2 a d at d metres before the stopping place. A tick's way behind at most, since the
+// speed at its end answers the place at its start.
+TEST(equipment, a_station_brakes_a_train_by_its_own_acceleration) {
+  const double a = 2.0;
+  world::Document d = runway(0, {{3, {world::EquipmentKind::station, 6.0f, static_cast<float>(a), 0, 1.5f}}});
+  d.start_speed = 6;
+  Ride ride(d);
+  int seen = 0;
+  double last = 6;
+  while (ride.train().speed > 0.5) {
+    ride.step(1);
+    const double left = ride.derived.starts[4] - ride.train().track_distance, v = ride.train().speed;
+    if (left < 8.5 && left > 0.5) {
+      ++seen;
+      EXPECT_NEAR(v * v, 2 * a * left, 2 * a * (v * world::kTick + 0.011)) << left;
+      EXPECT_NEAR((last - v) / world::kTick, a, 0.1) << left;
+    }
+    last = v;
+  }
+  EXPECT_GT(seen, 200);
+}
+
 TEST(equipment, losses_act_against_the_motion_in_both_directions) {
   for (const double start : {7.3, -7.3}) {
     world::Document d = runway(0, {}, 3);

@@ -77,6 +77,46 @@ TEST(pose, sits_on_the_curve_facing_along_it) {
               1e-9);
 }
 
+TEST(pose, cars_follow_each_other_at_the_trains_spacing) {
+  const double spacing = 3.7, radius = 20.3;
+  for (const bool round : {false, true}) {
+    world::Document d = round ? test::ring_document(64, radius, 0.0)
+                              : test::straight_document({1.1f, 2.3f, 2.7f}, {41.1f, 9.3f, 7.7f}, 3);
+    const world::Entity train = world::add_cart(d, d.track.segments[0], 0.0);
+    d.entities.get<world::Cart>(train).cars = 4;
+    d.entities.get<world::Cart>(train).spacing = static_cast<float>(spacing);
+    const Derived derived = test::derived_of(d);
+    const world::CartMotion cart = at_distance(derived, 25.3, 5);
+    const std::vector<Pose> cars = car_poses(d, derived, train, cart, world::FrameMethod::knots);
+    ASSERT_EQ(cars.size(), 4u);
+    EXPECT_LT(glm::distance(cars[0].position, pose(derived, cart, world::FrameMethod::knots).position), 1e-9);
+    for (std::size_t i = 1; i < cars.size(); ++i) {
+      const double chord = round ? 2 * radius * std::sin(spacing / (2 * radius)) : spacing;
+      EXPECT_NEAR(glm::distance(cars[i - 1].position, cars[i].position), chord, 1e-4) << round;
+      EXPECT_GT(glm::dot(cars[i - 1].position - cars[i].position, cars[i].frame.forward), 0);
+    }
+  }
+}
+
+// On a level straight that rolls evenly from 0 to 90 degrees.
+TEST(felt, each_car_feels_the_place_where_it_is) {
+  world::Document d = test::straight_document({1.1f, 22.3f, 2.7f}, {31.1f, 22.3f, 2.7f});
+  world::append_knot(d, test::skew_knot({61.1f, 22.3f, 2.7f}, {1, 0, 0}, 10, 10));
+  world::set_roll(d.entities.get<world::Knot>(d.track.knots[1]), 90);
+  world::set_roll(d.entities.get<world::Knot>(d.track.knots[2]), 90);
+  const world::Entity train = world::add_cart(d, d.track.segments[0], 0.0);
+  d.entities.get<world::Cart>(train).cars = 3;
+  d.entities.get<world::Cart>(train).spacing = 10;
+  const Derived derived = test::derived_of(d);
+  const world::CartMotion cart = at_distance(derived, 25, 0);  // cars at 25, 15 and 5 m of 30 m
+  for (int car = 0; car < 3; ++car) {
+    const double roll = M_PI / 2 * (25 - 10 * car) / 30;
+    const Felt f = felt(d, derived, train, cart, car);
+    EXPECT_NEAR(f.up, std::cos(roll), 1e-3) << car;
+    EXPECT_NEAR(std::abs(f.left), std::sin(roll), 1e-3) << car;
+  }
+}
+
 TEST(pose, frenet_points_up_to_the_centre_of_curvature) {
   const Derived derived = test::derived_of(test::circle_document(7.5, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}));
   const glm::dvec3 centre(3.3, 9.2, -2.9);

@@ -78,6 +78,26 @@ TEST(rail_tables, what_riders_feel_is_what_the_ride_says_on_the_exact_curve) {
   EXPECT_GT(motion.carts.get(cart).travelled, derived.length / 2);
 }
 
+// A straight that turns once about itself at the even rate w: U' = w across and U'' = -w^2 U everywhere, so the
+// heartline's h' is (1, +-d w, 0) and its h'' (0, 0, -d w^2) on the seat's axes, at both ends as in the middle.
+TEST(rail_tables, the_heartline_of_a_twisted_straight_has_the_closed_form_up_to_the_ends) {
+  world::Document d = test::straight_document({1.1f, 12.3f, 2.7f}, {13.1f, 12.3f, 2.7f});
+  d.entities.get<world::Segment>(d.track.segments[0]).turns = 1;
+  const Derived derived = test::derived_of(d);
+  const double heartline = 1.1, w = 2 * M_PI / 12;
+  RailTables tables;
+  tables.update(derived, heartline);
+  const std::vector<FeltEntry>& felt = tables.segment(0).felt;
+  ASSERT_GT(felt.size(), 40u);
+  for (const FeltEntry& entry : felt) {
+    EXPECT_NEAR(entry.along.x, 1, 1e-3);
+    EXPECT_NEAR(std::abs(entry.along.y), heartline * w, 0.02);
+    EXPECT_EQ(entry.along.y > 0, felt[7].along.y > 0);
+    EXPECT_NEAR(entry.along.z, 0, 0.02);
+    EXPECT_NEAR(std::hypot(entry.bend.y, entry.bend.z), heartline * w * w, 0.02);
+  }
+}
+
 TEST(rail_tables, an_edit_refills_its_two_segments_alone) {
   world::Document d = hilly();
   Derived derived;

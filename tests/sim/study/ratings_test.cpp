@@ -75,6 +75,21 @@ TEST(ratings, airtime_is_the_time_on_a_parabola_that_is_taken_too_fast) {
   EXPECT_NEAR(slow.highest.value - 5.7, speed * speed * 0.5 / (2 * kG), 1e-2);
 }
 
+// OpenRCT2 counts at most 2.5 g of what lifts riders, and at most 1.5 g to the side, 9 drops.
+TEST(ratings, negative_g_count_for_excitement_up_to_two_and_a_half) {
+  for (const double more : {0.4, 1.0, 1.9}) {
+    const double speed = 15.0;
+    const Ratings r = Rated(parabola(speed, M_PI / 4), speed * std::sqrt(1 + more), 0.0).rate();
+    EXPECT_NEAR(r.up_least.value, -2 * more, 0.1);  // q / cos^2
+    EXPECT_LT(r.side_most.value, 1.5);
+    EXPECT_EQ(r.drops, 1);
+    const double lifted = std::min(-r.up_least.value, 2.5);
+    EXPECT_NEAR(r.excitement,
+                0.08 * r.up_most.value + 0.24 * lifted + 0.4 * r.side_most.value + 0.11 + 0.0049 * r.highest_drop, 1e-3)
+        << more;
+  }
+}
+
 TEST(ratings, inversions_are_counted_for_a_loop_and_a_corkscrew_and_not_for_a_bank) {
   EXPECT_EQ(Rated(test::circle_document(7.5, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}), 20.3).rate().inversions, 1);
   world::Document twisted = test::straight_document({1.1f, 9.3f, 2.7f}, {91.1f, 9.3f, 12.7f}, 3);
@@ -99,6 +114,23 @@ TEST(ratings, drops_are_the_descents_of_the_hills) {
   // Energy: the top speed is at the lowest place.
   EXPECT_NEAR(r.top_speed.distance, r.lowest.distance, 1.0);
   EXPECT_EQ(Rated(test::ring_document(24, 40.7, 1.2), 16.3).rate().drops, 0);  // 2.4 m are none
+}
+
+// Level knots whose spans rise or fall evenly from one to the next: tops and bottoms are the knots' own heights.
+world::Document staircase(const std::vector<float>& heights) {
+  world::Document d;
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    world::append_knot(d, test::skew_knot({18.0f * static_cast<float>(i), heights[i], 2.7f}, {1, 0, 0}, 6, 6));
+  return d;
+}
+
+TEST(ratings, a_rise_of_a_few_centimetres_does_not_end_a_drop_and_a_larger_one_does) {
+  for (const auto& [rise, drops, highest] : {std::tuple(0.03f, 1, 12.0), {0.1f, 2, 7.1}, {0.3f, 2, 7.3}}) {
+    const Ratings r = Rated(staircase({20, 15, 15 + rise, 8}), 6.3, 0.0).rate();
+    EXPECT_TRUE(r.complete);
+    EXPECT_EQ(r.drops, drops) << rise;
+    EXPECT_NEAR(r.highest_drop, highest, 0.01) << rise;
+  }
 }
 
 TEST(ratings, a_ride_that_does_not_come_round_is_not_complete) {

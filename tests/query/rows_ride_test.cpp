@@ -1,0 +1,52 @@
+// What the queries of a ride say of a cart on a level circle: v^2 / r to the inside, 1 g up, nothing forwards.
+#include <cmath>
+
+#include "edit/session_fixture.h"
+#include "query/query.h"
+#include "sim/tracks.h"
+
+namespace coaster::query {
+namespace rows_ride_test {
+
+constexpr double kRadius = 20.3, kSpeed = 11.7;
+
+class RideRows : public test::SessionTest {
+ protected:
+  double number(std::string_view name) const {
+    return std::get<double>(*find_query(name)->evaluate({session, stats, "", ""}, {}));
+  }
+  FrameStats stats;
+  void start_on_a_circle(bool to_the_right) {
+    world::Document d = test::ring_document(64, kRadius, 0.0);
+    if (to_the_right) world::reverse(d);
+    d.start_speed = kSpeed;
+    world::add_cart(d, d.track.segments[3], 0.37);
+    start_on(d);
+  }
+};
+
+TEST_F(RideRows, forces_on_a_level_circle_are_the_closed_form_in_both_directions) {
+  for (const bool to_the_right : {false, true}) {
+    start_on_a_circle(to_the_right);
+    const double inward = kSpeed * kSpeed / kRadius / 9.81;
+    EXPECT_NEAR(number("ride.g_side"), to_the_right ? -inward : inward, 5e-3);
+    EXPECT_NEAR(number("ride.g_up"), 1, 1e-3);
+    EXPECT_NEAR(number("ride.g_forward"), 0, 1e-3);
+    EXPECT_NEAR(number("ride.speed"), kSpeed, 1e-9);
+  }
+}
+
+TEST_F(RideRows, a_second_on_a_level_circle_is_as_far_as_the_speed_says) {
+  start_on_a_circle(false);
+  const double from = number("ride.distance");
+  good("ride.start");
+  edit::advance(session, 120);
+  EXPECT_NEAR(number("ride.travelled"), kSpeed, 1e-3);
+  EXPECT_NEAR(number("ride.distance"), from + kSpeed, 1e-3);
+  edit::advance(session, static_cast<int>(120 * 2 * M_PI * kRadius / kSpeed));
+  EXPECT_EQ(number("ride.lap"), 1);
+  EXPECT_NEAR(number("ride.energy"), 0.5 * kSpeed * kSpeed + 9.81 * (number("ride.height") - number("datum")), 1e-3);
+}
+
+}  // namespace rows_ride_test
+}  // namespace coaster::query
