@@ -51,7 +51,7 @@ std::filesystem::path free_folder(const Program& program) {
   std::error_code failed;
   for (int i = 1; i < kMostNumbers; ++i)
     if (path = folder / (file_stem(program.session.document.name) + "-movie-" + std::to_string(i));
-        !std::filesystem::exists(path, failed))
+        !std::filesystem::exists(std::filesystem::symlink_status(path, failed)))
       break;
   return path;
 }
@@ -70,7 +70,8 @@ base::Status begin_lap(Program& program) {
 
 void start_by_hand(Program& program) {
   base::Status begun = begin_lap(program);
-  if (begun) begun = start_movie(program, {free_folder(program)}, true);
+  if (begun)
+    begun = start_movie(program, {free_folder(program), script::kUsualMovieRate, false, program.files.root()}, true);
   if (!begun) return edit::notify(program.session, edit::NoticeKind::error, begun.message);
   program.filming->by_hand = true;
   program.filming->lap_ticks = ticks_of_lap(program.session);

@@ -7,7 +7,6 @@
 
 #include "app/program.h"
 #include "base/text.h"
-#include "script/paths.h"
 
 namespace coaster::app {
 namespace {
@@ -28,17 +27,17 @@ std::string joined(const std::vector<std::string>& lines) {
 }
 
 // The text of a file that is not there is "".
-base::Result<std::string> read_settings(Program& program, const std::filesystem::path& file) {
+base::Result<std::string> read_settings(Keeper& keeper, const std::filesystem::path& file) {
   std::error_code ignored;
   if (file.empty() || !std::filesystem::exists(file, ignored)) return std::string();
-  return program.files.read(file);
+  return keeper.files.read(file);
 }
 
 // Settings, or what is wrong in `problems`.
-exchange::UserSettings load_settings(Program& program, Keeper& keeper, std::vector<std::string>& problems) {
+exchange::UserSettings load_settings(Keeper& keeper, std::vector<std::string>& problems) {
   const std::filesystem::path file = settings_file(keeper);
-  (void)base::remove_leftovers(file);
-  const base::Result<std::string> text = read_settings(program, file);
+  (void)keeper.files.remove_leftovers(file);
+  const base::Result<std::string> text = read_settings(keeper, file);
   if (!text) {
     problems.push_back(text.status().message + "; it stays as it is, and this run's settings are not kept");
     keeper.may_write = false;
@@ -50,11 +49,10 @@ exchange::UserSettings load_settings(Program& program, Keeper& keeper, std::vect
     problems = std::move(loaded->warnings);
     return std::move(loaded->settings);
   }
-  std::error_code error;
-  std::filesystem::rename(file, file.string() + ".bad", error);
-  keeper.may_write = !error;
-  problems.push_back(loaded.status().message + (error ? "; it stays as it is, and this run's settings are not kept"
-                                                      : "; set aside as settings.json.bad"));
+  keeper.may_write = keeper.files.rename(file, file.filename().string() + ".bad");
+  problems.push_back(loaded.status().message + (!keeper.may_write
+                                                    ? "; it stays as it is, and this run's settings are not kept"
+                                                    : "; set aside as settings.json.bad"));
   return {};
 }
 
@@ -98,9 +96,9 @@ void follow_session(const Program& program, exchange::UserSettings& settings) {
 
 void write_settings(Program& program, Keeper& keeper) {
   if (!keeper.may_write || keeper.folders.config.empty() || keeper.state.settings == keeper.written) return;
-  base::Status status = base::make_folders(keeper.folders.config);
+  base::Status status = keeper.files.root().make_folders(keeper.folders.config, 0700);
   if (status)
-    status = program.files.write_atomic(settings_file(keeper), exchange::print_settings(keeper.state.settings));
+    status = keeper.files.write_atomic(settings_file(keeper), exchange::print_settings(keeper.state.settings));
   if (status) {
     keeper.written = keeper.state.settings;
     keeper.settings_failed = false;
@@ -158,7 +156,7 @@ void answer(Program& program, Keeper& keeper, ui::Recovery what) {
   if (what == ui::Recovery::later) {
     keeper.found.clear();  // the files stay
   } else if (what == ui::Recovery::discard) {
-    exchange::discard(keeper.found.front());
+    exchange::discard(keeper.files, keeper.found.front());
     keeper.found.erase(keeper.found.begin());
   } else {
     exchange::FoundAutosave found = std::move(keeper.found.front());
@@ -166,16 +164,13 @@ void answer(Program& program, Keeper& keeper, ui::Recovery what) {
     // Put aside again before the old one goes: at no time is there none. What cannot be read or written leaves it for
     // the next start.
     const bool recovered = apply(program, edit::RecoverTrack{found.info.track.string(), found.info.original}).ok();
-    if (recovered && autosave_now(program)) exchange::discard(found);
+    if (recovered && autosave_now(program)) exchange::discard(keeper.files, found);
   }
   offer(keeper);
 }
 
 void make_folder(Program& program, const std::string& folder) {
-  base::Status made;
-  if (!program.writable.empty() && !script::lies_below(folder, program.writable))
-    made = {base::Code::refused, "scripts write only below $OUT, found " + base::quoted(folder)};
-  else made = base::make_folders(folder);
+  const base::Status made = program.files.root().make_folders(folder, 0700);
   if (!made) edit::notify(program.session, NoticeKind::error, made.message);
 }
 
@@ -196,12 +191,13 @@ void take_output(Program& program, Keeper& keeper, const ui::Output& output) {
 
 }  // namespace
 
-void start_keeping(Program& program, const base::UserFolders& folders, bool default_layout) {
+void start_keeping(Program& program, const base::UserFolders& folders, const base::Root& root, bool default_layout) {
   auto made = std::make_unique<Keeper>();
   Keeper& keeper = *made;
+  keeper.files = program.files.with(root);
   keeper.folders = folders;
   std::vector<std::string> problems;
-  exchange::UserSettings settings = load_settings(program, keeper, problems);
+  exchange::UserSettings settings = load_settings(keeper, problems);
   keeper.written = settings;
   if (default_layout) {
     settings.ui_scale = 1;
@@ -217,7 +213,7 @@ void start_keeping(Program& program, const base::UserFolders& folders, bool defa
   keeper.state.settings = keeper.seen = settings;
   keeper.state.system.available = keeper.dialog.available();
   load_progress(program, keeper, problems);
-  keeper.found = exchange::find_autosaves(program.files, recovery_folder(keeper));
+  keeper.found = exchange::find_autosaves(keeper.files, recovery_folder(keeper));
   offer(keeper);
   program.keeper = std::move(made);
   show(program, settings);
@@ -239,7 +235,7 @@ base::Status autosave_now(Program& program) {
   Keeper& keeper = *program.keeper;
   const std::filesystem::path& path = program.session.path;
   const std::string original = path.empty() ? std::string() : base::canonical_path(path).string();
-  const base::Status wrote = keeper.autosave.write(program.files, recovery_folder(keeper), program.session.document,
+  const base::Status wrote = keeper.autosave.write(keeper.files, recovery_folder(keeper), program.session.document,
                                                    original, static_cast<std::int64_t>(std::time(nullptr)));
   if (wrote) {
     keeper.autosaved = world::hash(program.session.document);

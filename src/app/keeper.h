@@ -17,6 +17,7 @@ namespace coaster::app {
 struct Program;
 
 struct Keeper {
+  base::Files files;               // of what it keeps, not of the document
   base::UserFolders folders;       // settings.json is in config, autosaves in state/recovery
   ui::UserState state;             // what panels see; its settings are the present ones
   exchange::UserSettings written;  // as the file has them
@@ -37,9 +38,9 @@ struct Keeper {
 };
 
 // Reads the settings and makes them those of the session and the panels, and looks for autosaves that other runs left.
-// What is wrong with the settings is told in one notice; a file that is none is renamed to settings.json.bad.
-// `default_layout`: forgets panels, scale and the window's place.
-void start_keeping(Program& program, const base::UserFolders& folders, bool default_layout);
+// What is wrong with the settings is told in one notice; a file that is none is renamed to settings.json.bad. It writes
+// below `root`, with the program's faults. `default_layout`: forgets panels, scale and the window's place.
+void start_keeping(Program& program, const base::UserFolders& folders, const base::Root& root, bool default_layout);
 
 // Writes what has changed. `clean`: the user is done, so the autosave goes; otherwise it stays for the next start.
 void stop_keeping(Program& program, bool clean);

@@ -19,13 +19,16 @@ bool holds_everything(const std::filesystem::path& path) {
 // The session has another file, or none.
 void follow_file(Program& program, Keeper& keeper) {
   const std::filesystem::path& path = program.session.path;
-  if (path.empty() || keeper.lock.covers(path)) {
-    if (path.empty()) keeper.lock.release();
+  const base::Root& root = program.files.root();
+  const bool locked =
+      !path.empty() && root.contains(path);  // a script leaves nothing beside a file outside of its folder
+  if (!locked || keeper.lock.covers(path)) {
+    if (!locked) keeper.lock.release();
     keeper.state.holder.clear();
     return;
   }
   keeper.state.holder.clear();
-  base::LockAttempt attempt = base::try_lock(path);
+  base::LockAttempt attempt = base::try_lock(path, root);
   keeper.lock = std::move(attempt.lock);
   if (attempt.outcome == Outcome::held) {
     keeper.state.holder = "another coaster (" + attempt.holder + ")";
@@ -45,7 +48,7 @@ base::Status before_command(Program& program, const edit::Command& command) {
   const auto* const save = command.as<edit::Save>();
   if (!program.keeper || save == nullptr || !holds_everything(save->path) || program.keeper->lock.covers(save->path))
     return {};
-  base::LockAttempt attempt = base::try_lock(save->path);
+  base::LockAttempt attempt = base::try_lock(save->path, program.files.root());
   if (attempt.outcome == Outcome::held)
     return {base::Code::refused,
             "save: " + save->path + " is open in another coaster (" + attempt.holder + "): save under another name"};

@@ -20,8 +20,8 @@ void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& p
   const std::filesystem::path file = progress_file(keeper);
   std::error_code error;
   if (file.empty() || !std::filesystem::exists(file, error)) return;
-  (void)base::remove_leftovers(file);
-  const base::Result<std::string> text = program.files.read(file);
+  (void)keeper.files.remove_leftovers(file);
+  const base::Result<std::string> text = keeper.files.read(file);
   if (!text) {
     problems.push_back(text.status().message + "; it stays as it is, and medals of this run are not kept");
     keeper.may_write_progress = false;
@@ -32,10 +32,10 @@ void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& p
     keeper.state.progress = keeper.progress_written = std::move(*loaded);
     return;
   }
-  std::filesystem::rename(file, file.string() + ".bad", error);
-  keeper.may_write_progress = !error;
-  problems.push_back(loaded.status().message + (error ? "; it stays as it is, and medals of this run are not kept"
-                                                      : "; set aside as progress.json.bad"));
+  keeper.may_write_progress = keeper.files.rename(file, file.filename().string() + ".bad");
+  problems.push_back(loaded.status().message + (!keeper.may_write_progress
+                                                    ? "; it stays as it is, and medals of this run are not kept"
+                                                    : "; set aside as progress.json.bad"));
 }
 
 void watch_progress(Program& program, Keeper& keeper) {
@@ -43,9 +43,9 @@ void watch_progress(Program& program, Keeper& keeper) {
     (void)exchange::merge(keeper.state.progress, success);
   if (!keeper.may_write_progress || keeper.folders.state.empty() || keeper.state.progress == keeper.progress_written)
     return;
-  base::Status status = base::make_folders(keeper.folders.state);
+  base::Status status = keeper.files.root().make_folders(keeper.folders.state, 0700);
   if (status)
-    status = program.files.write_atomic(progress_file(keeper), exchange::print_progress(keeper.state.progress));
+    status = keeper.files.write_atomic(progress_file(keeper), exchange::print_progress(keeper.state.progress));
   // What cannot be written is told once and tried again with the next success.
   keeper.progress_written = keeper.state.progress;
   if (!status && !std::exchange(keeper.progress_failed, true))

@@ -17,7 +17,6 @@
 #include "platform/signals.h"
 #include "query/challenge.h"
 #include "script/grammar.h"
-#include "script/paths.h"
 #include "script/runner.h"
 
 namespace coaster::app {
@@ -134,14 +133,15 @@ int run_script(const Options& options) {
   run.update_goldens = options.update_goldens;
   run.environment.seed = options.seed;
   if (options.width > 0) run.environment.width = options.width, run.environment.height = options.height;
-  if (const base::Status made = script::make_folder(run.out); !made) return finish({base::Code::io, made.message});
+  const auto out = base::Root().open(run.out);
+  if (!out) return finish(out.status());
   const platform::Size size{run.environment.width, run.environment.height};
   auto program = make_program(options, size, 0);
   if (!program) return finish(program.status());
   (*program)->stats.hide_times = true;
-  (*program)->writable = run.out;
+  (*program)->files = base::Files(*out);
   if (!options.config.empty()) {
-    start_keeping(**program, {options.config, options.config}, options.reset_layout);
+    start_keeping(**program, {options.config, options.config}, {}, options.reset_layout);  // the user named it
     platform::watch_signals();
     run.environment.scale = (*program)->session.settings.ui_scale;  // until the script says otherwise
   }
@@ -211,11 +211,12 @@ int run_headless(const Options& options) {
   const platform::Size size =
       options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
   const std::filesystem::path out = options.out.empty() ? "out" : options.out;
-  if (const base::Status made = options.movie.empty() ? script::make_folder(out) : base::Status{}; !made)
-    return finish({base::Code::io, made.message});
+  const auto root = options.movie.empty() ? base::Root().open(out) : base::Result<base::Root>(base::Root());
+  if (!root) return finish(root.status());
   constexpr int kSamples = 4;
   auto program = make_program(options, size, kSamples);
   if (!program) return finish(program.status());
+  (*program)->files = base::Files(*root);
   const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);
   if (const base::Status opened = open_track(**program, track); !opened) return finish(opened);
   if (const base::Status limits = open_envelope((*program)->session, (*program)->files, options); !limits)
@@ -249,7 +250,7 @@ int run_window(const Options& options) {
   Program& p = **program;
   const base::UserFolders folders =
       options.config.empty() ? base::user_folders() : base::UserFolders{options.config, options.config};
-  start_keeping(p, folders, options.reset_layout);
+  start_keeping(p, folders, {}, options.reset_layout);
   platform::watch_signals();
   p.keeper->unasked = options.file.empty();
   const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);

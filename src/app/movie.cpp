@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <thread>
 #include <utility>
 
 #include "base/files.h"
 #include "gfx/image.h"
 #include "script/movie_rates.h"
-#include "script/paths.h"
 
 namespace coaster::app {
 namespace {
@@ -25,15 +26,40 @@ bool is_picture_name(const std::string& name) {
                      [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-base::Status remove_pictures(const std::filesystem::path& folder) {
+base::Status remove_pictures(base::Files& files, const std::filesystem::path& folder) {
   std::error_code error;
   std::vector<std::filesystem::path> old;
   for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
     if (is_picture_name(at->path().filename().string())) old.push_back(at->path());
-  for (const std::filesystem::path& path : old)
-    if (!error) std::filesystem::remove(path, error);
   if (error) return {base::Code::io, folder.string() + ": " + error.message()};
+  for (const std::filesystem::path& path : old)
+    if (!files.remove(path)) return {base::Code::io, path.string() + ": cannot be removed: " + std::strerror(errno)};
   return {};
+}
+
+// ffmpeg's arguments for one file, written to `output`; words[0] is `program`. Names are relative to the folder, where
+// the process runs: a folder with a "%" in its name would be taken for a pattern.
+std::vector<std::string> arguments(const std::string& program, const MovieOrder& order, int frames,
+                                   const std::string& file, const std::string& output) {
+  std::vector<std::string> words{program,         "-nostdin",  "-y",     "-loglevel",      "error",
+                                 "-nostats",      "-progress", "pipe:1", "-framerate",     std::to_string(order.fps),
+                                 "-start_number", "0",         "-i",     "frame-%05d.png", "-frames:v"};
+  if (file.ends_with(".gif")) {
+    // At most 25 a second, since a GIF counts hundredths, and 640 pixels wide; one palette for the whole movie.
+    const int fps = std::min(order.fps, 25);
+    words.push_back(std::to_string(std::max(1, frames * fps / order.fps)));
+    words.insert(words.end(),
+                 {"-filter_complex", "fps=" + std::to_string(fps) +
+                                         ",scale='min(640,iw)':-2:flags=lanczos,split[a][b];[a]palettegen=stats_mode="
+                                         "diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4"});
+  } else {
+    words.push_back(std::to_string(frames));
+    // What every player shows: 4:2:0 with even sides.
+    words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-preset", "medium", "-crf",
+                               "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"});
+  }
+  words.insert(words.end(), {"-f", file.substr(file.rfind('.') + 1), output});
+  return words;
 }
 
 }  // namespace
@@ -49,10 +75,13 @@ Movie::Movie(const MovieOrder& order)
 
 base::Result<std::unique_ptr<Movie>> Movie::start(const MovieOrder& order) {
   COASTER_CHECK(script::is_movie_rate(order.fps), "a picture of a movie shows a whole tick");
-  if (const base::Status made = script::make_folder(order.folder); !made)
-    return base::Status{base::Code::io, made.message};
-  if (const base::Status removed = remove_pictures(order.folder); !removed) return removed;
-  return std::unique_ptr<Movie>(new Movie(order));
+  auto root = order.root.open(order.folder);
+  if (!root) return root.status();
+  MovieOrder below = order;
+  below.root = std::move(*root);
+  base::Files files(below.root);
+  if (const base::Status removed = remove_pictures(files, order.folder); !removed) return removed;
+  return std::unique_ptr<Movie>(new Movie(below));
 }
 
 // Waits for the oldest writers until at most `room` are left.
@@ -76,11 +105,11 @@ base::Status Movie::add(gfx::Image picture) {
     failed_ = {base::Code::refused, "a movie has at most " + std::to_string(kMost) + " pictures"};
   if (!failed_) return failed_;
   collect(most_writers_ - 1);
-  writers_.push_back(
-      std::async(std::launch::async, [path = order_.folder / picture_name(frames_), image = std::move(picture)] {
-        base::Files files;  // pictures go through file handling of their own: injected faults are meant for documents
-        return files.write_atomic(path, gfx::encode_png(image));
-      }));
+  writers_.push_back(std::async(std::launch::async, [root = order_.root, path = order_.folder / picture_name(frames_),
+                                                     image = std::move(picture)] {
+    base::Files files(root);  // pictures go through file handling of their own: injected faults are meant for documents
+    return files.write_atomic(path, gfx::encode_png(image));
+  }));
   ++frames_;
   wait_ = ticks_a_frame();
   return failed_;
@@ -100,39 +129,19 @@ MovieEncoder::MovieEncoder(const MovieOrder& order, int frames)
   next();
 }
 
-// Names are relative to the folder, where the process runs: a folder with a "%" in its name would be taken for a
-// pattern.
-std::vector<std::string> MovieEncoder::arguments(const std::string& program, const MovieOrder& order, int frames,
-                                                 const std::string& file) {
-  std::vector<std::string> words{program,         "-nostdin",  "-y",     "-loglevel",      "error",
-                                 "-nostats",      "-progress", "pipe:1", "-framerate",     std::to_string(order.fps),
-                                 "-start_number", "0",         "-i",     "frame-%05d.png", "-frames:v"};
-  if (file.ends_with(".gif")) {
-    // At most 25 a second, since a GIF counts hundredths, and 640 pixels wide; one palette for the whole movie.
-    const int fps = std::min(order.fps, 25);
-    words.push_back(std::to_string(std::max(1, frames * fps / order.fps)));
-    words.insert(words.end(),
-                 {"-filter_complex", "fps=" + std::to_string(fps) +
-                                         ",scale='min(640,iw)':-2:flags=lanczos,split[a][b];[a]palettegen=stats_mode="
-                                         "diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4"});
-  } else {
-    words.push_back(std::to_string(frames));
-    // What every player shows: 4:2:0 with even sides.
-    words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-preset", "medium", "-crf",
-                               "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"});
-  }
-  words.push_back(file);
-  return words;
-}
-
 void MovieEncoder::next() {
-  while (!files_.empty()) {
-    const base::Status started =
-        process_.start(arguments(program_, order_, frames_, files_.front()), order_.folder, true);
-    if (started) return;
-    error_ = started.message;
-    files_.clear();
+  if (files_.empty()) return;
+  auto made = base::Files(order_.root).create(order_.folder / files_.front());
+  base::Status started = made.status();
+  if (made) {
+    making_.emplace(std::move(*made));
+    started = process_.start(arguments(program_, order_, frames_, files_.front(), making_->temporary()),
+                             making_->folder(), true);
   }
+  if (started) return;
+  making_.reset();
+  error_ = started.message;
+  files_.clear();
 }
 
 // Lines "frame=12" tell how far it is; other lines with a "=" in their first word are of the same report; the last of
@@ -164,7 +173,10 @@ std::optional<std::string> MovieEncoder::poll() {
     const std::optional<int> status = process_.poll();
     read_progress();
     if (!status) return std::nullopt;
-    if (*status == 0) {
+    const bool placed = *status == 0 && making_->put_in_place();
+    if (*status == 0 && !placed) error_ = std::strerror(errno);
+    making_.reset();
+    if (placed) {
       made_.push_back(files_.front());
       files_.erase(files_.begin());
       error_.clear();  // warnings

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/process.h"
+#include "base/files.h"
 #include "gfx/renderer.h"
 #include "script/movie_rates.h"
 #include "world/motion.h"
@@ -21,17 +22,18 @@ struct MovieOrder {
   std::filesystem::path folder;
   int fps = script::kUsualMovieRate;  // one of script::kMovieRates
   bool gif = false;                   // movie.gif, too
+  base::Root root;                    // that the folder lies below
 };
 
 // Takes pictures, in order, and writes them as FOLDER/frame-00000.png and on.
 class Movie {
  public:
-  // Makes the folder, and removes the pictures of an earlier movie there: files named as its own, no others. Code::io
-  // with the reason.
+  // Makes the folder, below which all is written without following links, and removes the pictures of an earlier movie
+  // there: files named as its own, no others. Code::io with the reason.
   static base::Result<std::unique_ptr<Movie>> start(const MovieOrder& order);
 
-  const MovieOrder& order() const { return order_; }
-  int frames() const { return frames_; }  // taken
+  const MovieOrder& order() const { return order_; }  // its root is the folder
+  int frames() const { return frames_; }              // taken
   int ticks_a_frame() const { return world::kTicksPerSecond / order_.fps; }
   int wait() const { return wait_; }        // ticks until the next picture is due; 0: now
   void pass(int ticks) { wait_ -= ticks; }  // at most wait()
@@ -59,16 +61,13 @@ class Movie {
 // Makes FOLDER/movie.mp4 and FOLDER/movie.gif from the pictures, by ffmpeg in a process of its own.
 class MovieEncoder {
  public:
-  // Begins. Without ffmpeg, and for a movie without pictures, there is nothing to do.
+  // Begins, with the order of Movie::order(): ffmpeg writes new files, which get their names when they are whole.
+  // Without ffmpeg, and for a movie without pictures, there is nothing to do.
   MovieEncoder(const MovieOrder& order, int frames);
 
   // Without waiting: one line that says what has become of the movie, once all is made or failed.
   std::optional<std::string> poll();
   double done() const { return done_; }  // 0..1
-  // The program's arguments for one file; words[0] is `program`.
-  static std::vector<std::string> arguments(const std::string& program, const MovieOrder& order, int frames,
-                                            const std::string& file);
-
  private:
   void read_progress();
   void next();
@@ -79,6 +78,7 @@ class MovieEncoder {
   std::vector<std::string> files_, made_;  // names in the folder; files_ are still to be made, the first of them now
   std::size_t all_ = 0;
   double done_ = 0;
+  std::optional<base::NewFile> making_;
   Process process_;
 };
 

@@ -10,18 +10,20 @@
 namespace coaster::app {
 namespace {
 
-base::Status make_folders(const std::filesystem::path& path) {
-  std::error_code error;
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  if (error) return {base::Code::io, path.string() + ": " + error.message()};
-  return {};
+// Pictures go through file handling of their own: injected faults are meant for documents.
+base::Status write(const base::Root& root, const std::filesystem::path& path, const gfx::Image& image) {
+  const std::filesystem::path folder = path.parent_path();
+  if (const base::Status made = folder.empty() ? base::Status{} : root.make_folders(folder); !made) return made;
+  base::Files files(root);
+  return files.write_atomic(path, gfx::encode_png(image));
 }
 
-// Pictures go through file handling of their own: injected faults are meant for documents.
-base::Status write(const std::filesystem::path& path, const gfx::Image& image) {
-  if (const base::Status made = make_folders(path); !made) return made;
-  base::Files files;
-  return files.write_atomic(path, gfx::encode_png(image));
+// The script's folder: the one that "golden/NAME.png" lies in.
+base::Status write_golden(const std::string& name, const std::filesystem::path& golden, const gfx::Image& image) {
+  std::filesystem::path folder = golden.parent_path();
+  for ([[maybe_unused]] const std::filesystem::path& part : std::filesystem::path(name)) folder = folder.parent_path();
+  const auto root = base::Root().open(folder.empty() ? "." : folder);
+  return root ? write(*root, golden, image) : root.status();
 }
 
 std::string page(const std::string& file) {
@@ -37,7 +39,7 @@ std::string page(const std::string& file) {
 base::Status write_picture(Program& program, const std::filesystem::path& path) {
   if (program.stats.frame == 0) return {base::Code::refused, "no frame has been drawn"};
   draw_pixels(program);
-  return write(path, program.renderer->read_pixels());
+  return write(program.files.root(), path, program.renderer->read_pixels());
 }
 
 namespace {
@@ -54,7 +56,7 @@ std::filesystem::path user_folder(const char* variable, const char* name) {
 }
 
 std::filesystem::path picture_folder(const Program& program) {
-  if (!program.writable.empty()) return program.writable;
+  if (program.files.root().limited()) return program.files.root().folder();
   const std::filesystem::path folder = user_folder("XDG_PICTURES_DIR", "Pictures");
   return folder.empty() ? "." : folder;
 }
@@ -62,7 +64,7 @@ std::filesystem::path picture_folder(const Program& program) {
 }  // namespace
 
 std::filesystem::path movie_folder(const Program& program) {
-  if (!program.writable.empty()) return program.writable;
+  if (program.files.root().limited()) return program.files.root().folder();
   const std::filesystem::path folder = user_folder("XDG_VIDEOS_DIR", "Videos");
   return folder.empty() ? picture_folder(program) : folder;
 }
@@ -85,13 +87,15 @@ void take_photo(Program& program) {
   std::filesystem::path path;
   std::error_code failed;
   for (int i = 1; i < kMostNumbers; ++i)
-    if (path = folder / (stem + "-" + std::to_string(i) + ".png"); !std::filesystem::exists(path, failed)) break;
+    if (path = folder / (stem + "-" + std::to_string(i) + ".png");
+        !std::filesystem::exists(std::filesystem::symlink_status(path, failed)))
+      break;
   const base::Status wrote = write_picture(program, path);
   edit::notify(program.session, wrote ? edit::NoticeKind::info : edit::NoticeKind::error,
                wrote ? "saved " + path.string() : wrote.message);
 }
 
-base::Status write_sheet(const std::filesystem::path& path, int columns, bool half,
+base::Status write_sheet(const base::Root& root, const std::filesystem::path& path, int columns, bool half,
                          std::span<const std::filesystem::path> pictures) {
   constexpr int kGap = 12;  // px
   base::Files files;
@@ -103,7 +107,7 @@ base::Status write_sheet(const std::filesystem::path& path, int columns, bool ha
     if (!image) return image.status();
     images.push_back(half ? gfx::half_size(*image) : std::move(*image));
   }
-  return write(path, gfx::contact_sheet(images, columns, kGap));
+  return write(root, path, gfx::contact_sheet(images, columns, kGap));
 }
 
 base::Status compare_picture(Program& program, const std::string& name, const std::filesystem::path& golden,
@@ -111,12 +115,13 @@ base::Status compare_picture(Program& program, const std::string& name, const st
   if (program.stats.frame == 0) return {base::Code::refused, "no frame has been drawn"};
   draw_pixels(program);
   const gfx::Image picture = program.renderer->read_pixels();
-  if (update) return write(golden, picture);
-  base::Files files;
+  if (update) return write_golden(name, golden, picture);
+  const base::Root& root = program.files.root();
+  base::Files files(root);
   const auto at = [&](const char* kind) { return folder / (name + "." + kind); };
   const auto bytes = files.read(golden);
   if (!bytes) {
-    if (const base::Status wrote = write(at("new.png"), picture); !wrote) return wrote;
+    if (const base::Status wrote = write(root, at("new.png"), picture); !wrote) return wrote;
     return {base::Code::expectation, "no golden picture " + golden.string() +
                                          " (--update-goldens makes it); the picture is " + at("new.png").string()};
   }
@@ -124,10 +129,10 @@ base::Status compare_picture(Program& program, const std::string& name, const st
   if (!reference) return reference.status();
   const gfx::Difference difference = gfx::compare(picture, *reference);
   if (difference.acceptable) return {};
-  for (const base::Status& wrote : {write(at("new.png"), picture), write(at("reference.png"), *reference)})
+  for (const base::Status& wrote : {write(root, at("new.png"), picture), write(root, at("reference.png"), *reference)})
     if (!wrote) return wrote;
   if (difference.same_size)
-    if (const base::Status wrote = write(at("difference.png"), difference.picture); !wrote) return wrote;
+    if (const base::Status wrote = write(root, at("difference.png"), difference.picture); !wrote) return wrote;
   if (const base::Status wrote = files.write_atomic(at("html"), page(std::filesystem::path(name).filename().string()));
       !wrote)
     return wrote;

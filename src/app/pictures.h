@@ -17,7 +17,7 @@ base::Status write_picture(Program& program, const std::filesystem::path& path);
 void take_photo(Program& program);
 
 // Puts PNG files side by side into one, each at half its size if asked to. Code::bad_file for one that is no picture.
-base::Status write_sheet(const std::filesystem::path& path, int columns, bool half,
+base::Status write_sheet(const base::Root& root, const std::filesystem::path& path, int columns, bool half,
                          std::span<const std::filesystem::path> pictures);
 
 // Where movies go, each in a folder of its own: the user's of videos ($XDG_VIDEOS_DIR, else ~/Videos, else that of
@@ -28,8 +28,8 @@ std::filesystem::path movie_folder(const Program& program);
 std::string file_stem(const std::string& name);
 
 // By the rule of gfx/image.h. Writes NAME.new.png, NAME.reference.png, NAME.difference.png and NAME.html into `folder`
-// when they differ. `update`: writes the golden instead. Code::expectation when there is no golden or the pictures
-// differ.
+// when they differ. `update`: writes the golden instead, SCRIPTS/golden/NAME.png, below the folder SCRIPTS.
+// Code::expectation when there is no golden or the pictures differ.
 base::Status compare_picture(Program& program, const std::string& name, const std::filesystem::path& golden,
                              const std::filesystem::path& folder, bool update);
 

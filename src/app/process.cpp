@@ -32,7 +32,7 @@ std::string find_program(const char* name) {
 
 Process::~Process() { end(); }
 
-base::Status Process::start(std::vector<std::string> words, const std::filesystem::path& folder, bool errors) {
+base::Status Process::start(std::vector<std::string> words, int folder, bool errors) {
   end();
   output_.clear();
   int ends[2];
@@ -44,7 +44,7 @@ base::Status Process::start(std::vector<std::string> words, const std::filesyste
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
   if (errors) posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-  if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  if (folder >= 0) posix_spawn_file_actions_addfchdir_np(&actions, folder);
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());

@@ -21,9 +21,9 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  // Starts words[0], a full path, in `folder` (empty: the current one), after ending the one before. Its standard
+  // Starts words[0], a full path, in an open folder (-1: the current one), after ending the one before. Its standard
   // output is read here, its errors, too, when `errors`; there is no input. Code::io with the reason.
-  base::Status start(std::vector<std::string> words, const std::filesystem::path& folder = {}, bool errors = false);
+  base::Status start(std::vector<std::string> words, int folder = -1, bool errors = false);
   bool running() const { return pid_ > 0; }
   // Takes what there is to read, without waiting; the exit status once it has ended, 128 + N when signal N ended it.
   std::optional<int> poll();

@@ -9,7 +9,6 @@
 #include "base/hash.h"
 #include "base/text.h"
 #include "query/challenge.h"
-#include "script/paths.h"
 #include "view/camera.h"
 
 namespace coaster::app {
@@ -73,8 +72,7 @@ namespace {
 
 // One command, applied and recorded.
 base::Status apply_one(Program& program, const edit::Command& command) {
-  if (const std::string* const path = edit::output_path(command);
-      path && !program.writable.empty() && !script::lies_below(*path, program.writable)) {
+  if (const std::string* const path = edit::output_path(command); path && !program.files.root().contains(*path)) {
     const base::Status refused{
         base::Code::refused,
         std::string(edit::info(command).name) + ": scripts write only below $OUT, found " + base::quoted(*path)};
@@ -95,7 +93,7 @@ base::Status apply_one(Program& program, const edit::Command& command) {
   view::follow(program.rig, watched(program), 0);
   ++program.commands;
   if (!applied || !program.recorder) return applied;
-  const base::Status recorded = program.recorder->command(program.files, command, program.session);
+  const base::Status recorded = program.recorder->command(command, program.session);
   if (!recorded) {
     edit::notify(program.session, edit::NoticeKind::error, recorded.message);
     program.recorder.reset();

@@ -25,7 +25,7 @@ namespace coaster::app {
 
 struct Program {
   Options options;
-  base::Files files;
+  base::Files files;  // of a script: below its folder alone
   edit::Session session;
   query::FrameStats stats;
   std::unique_ptr<platform::Surface> surface;
@@ -36,7 +36,6 @@ struct Program {
   std::unique_ptr<Keeper> keeper;              // null: nothing is kept for a user
   std::unique_ptr<Filming> filming;            // a movie that is being made; null: none
   Sounds sounds;                               // of a window
-  std::filesystem::path writable;              // scripts: the only folder that may be written to; empty: no limit
 
   std::unique_ptr<ImportJob> import;  // a file that is being read; null: none
   int import_delay = 0;               // frames that the next one takes longer, as a script wants it

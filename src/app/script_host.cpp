@@ -131,7 +131,7 @@ script::Host make_script_host(Program& program) {
   host.advance = [p](int ticks) { film(*p, ticks, [p](int some) { advance(*p, some); }); };
   host.slow_import = [p](int frames) { p->import_delay = frames; };
   host.start_movie = [p](const std::filesystem::path& folder, int fps, bool gif) {
-    return start_movie(*p, {folder, fps, gif});
+    return start_movie(*p, {folder, fps, gif, p->files.root()});
   };
   host.stop_movie = [p] {
     if (!p->filming) return base::Status{base::Code::refused, "no movie is being recorded"};
@@ -142,7 +142,10 @@ script::Host make_script_host(Program& program) {
   host.pixel_of = [p](const AimPoint& aim) { return pixel_of(*p, aim); };
   host.position_of = [p](const AimPoint& aim) { return position_of(*p, aim); };
   host.screenshot = [p](const std::filesystem::path& path) { return write_picture(*p, path); };
-  host.sheet = write_sheet;
+  host.sheet = [p](const std::filesystem::path& path, int columns, bool half,
+                   std::span<const std::filesystem::path> pictures) {
+    return write_sheet(p->files.root(), path, columns, half, pictures);
+  };
   host.snap = [p](const std::string& name, const std::filesystem::path& golden, const std::filesystem::path& folder,
                   bool update) { return compare_picture(*p, name, golden, folder, update); };
   host.commands = [p] { return p->commands; };
@@ -153,7 +156,7 @@ script::Host make_script_host(Program& program) {
   host.set_home = [p](const std::filesystem::path& folder) {
     stop_keeping(*p, false);
     p->quit = false;
-    start_keeping(*p, {folder, folder}, false);
+    start_keeping(*p, {folder, folder}, p->files.root(), false);
     for (int i = 0; i < 2; ++i) run_frame(*p, {platform::Tick{0}}, 0);  // a question that comes up is laid out
     return base::Status{};
   };

@@ -37,11 +37,28 @@ std::string describe(const Owner& owner) {
 }
 
 // Whether the file that was locked is still the one of that name: its last owner may have removed it in between.
-bool is_still(int fd, const std::filesystem::path& file) {
+bool is_still(int fd, const Place& place) {
   struct stat mine {
   }, named{};
-  return ::fstat(fd, &mine) == 0 && ::stat(file.c_str(), &named) == 0 && mine.st_dev == named.st_dev &&
-         mine.st_ino == named.st_ino;
+  return ::fstat(fd, &mine) == 0 &&
+         ::fstatat(place.folder.get(), place.name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0 &&
+         mine.st_dev == named.st_dev && mine.st_ino == named.st_ino;
+}
+
+// A file with another name too is somebody else's, and a pipe or a device is none.
+bool is_lock_file(const struct stat& info) { return S_ISREG(info.st_mode) && info.st_nlink <= 1; }
+
+// The lock's file, open; not valid and a reason otherwise.
+Descriptor open_lock(const Place& place, std::string& reason) {
+  constexpr const char* kForeign = "something else has the lock's name";
+  struct stat info {};
+  const bool exists = ::fstatat(place.folder.get(), place.name.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0;
+  if (exists && !is_lock_file(info)) return reason = kForeign, Descriptor();
+  Descriptor file(
+      ::openat(place.folder.get(), place.name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
+  if (!file.valid()) return reason = std::strerror(errno), Descriptor();
+  if (::fstat(file.get(), &info) != 0 || !is_lock_file(info)) return reason = kForeign, Descriptor();
+  return file;
 }
 
 }  // namespace
@@ -60,54 +77,53 @@ std::filesystem::path canonical_path(const std::filesystem::path& path) {
 FileLock& FileLock::operator=(FileLock&& other) noexcept {
   if (this == &other) return *this;
   release();
-  fd_ = std::exchange(other.fd_, -1);
+  fd_ = std::move(other.fd_);
   target_ = std::exchange(other.target_, {});
-  file_ = std::exchange(other.file_, {});
+  place_ = std::move(other.place_);
   return *this;
 }
 
 bool FileLock::covers(const std::filesystem::path& path) const { return held() && canonical_path(path) == target_; }
 
 void FileLock::release() {
-  if (fd_ < 0) return;
-  ::unlink(file_.c_str());  // while it is locked, so that nobody else has it
-  ::close(std::exchange(fd_, -1));
+  if (!held()) return;
+  ::unlinkat(place_.folder.get(), place_.name.c_str(), 0);  // while it is locked, so that nobody else has it
+  (void)fd_.close();
   target_.clear();
-  file_.clear();
+  place_ = {};
 }
 
-LockAttempt try_lock(const std::filesystem::path& path) {
+LockAttempt try_lock(const std::filesystem::path& path, const Root& root) {
   LockAttempt attempt;
   FileLock lock;
   lock.target_ = canonical_path(path);
-  lock.file_ = lock.target_.parent_path() / ("." + lock.target_.filename().string() + ".lock");
+  Result<Place> place = root.locate(lock.target_);
+  if (!place) {
+    attempt.reason = place.status().message;
+    return attempt;
+  }
+  lock.place_ = {std::move(place->folder), "." + place->name + ".lock"};
   for (int tries = 0; tries < 100; ++tries) {
-    const int fd = ::open(lock.file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-    if (fd < 0) {
-      attempt.reason = std::strerror(errno);
-      return attempt;
-    }
-    const int locked = ::flock(fd, LOCK_EX | LOCK_NB), error = errno;
-    const Owner owner = read_owner(fd);
+    Descriptor file = open_lock(lock.place_, attempt.reason);
+    if (!file.valid()) return attempt;
+    const int locked = ::flock(file.get(), LOCK_EX | LOCK_NB), error = errno;
+    const Owner owner = read_owner(file.get());
     if (locked != 0 && error != EWOULDBLOCK) {
       attempt.reason = std::strerror(error);
     } else if (locked != 0 || (!owner.host.empty() && owner.host != host_name())) {
       attempt.outcome = LockAttempt::Outcome::held;
       attempt.holder = describe(owner);
-    } else if (!is_still(fd, lock.file_)) {
-      ::close(fd);
+    } else if (!is_still(file.get(), lock.place_)) {
       continue;
     } else {
       const std::string text = fmt::format("{}\n{}\n", ::getpid(), host_name());
-      const bool told =
-          ::ftruncate(fd, 0) == 0 && ::pwrite(fd, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+      const bool told = ::ftruncate(file.get(), 0) == 0 &&
+                        ::pwrite(file.get(), text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
       (void)told;  // the lock holds without it; whoever asks gets no number then
-      lock.fd_ = fd;
+      lock.fd_ = std::move(file);
       attempt.outcome = LockAttempt::Outcome::taken;
       attempt.lock = std::move(lock);
-      return attempt;
     }
-    ::close(fd);
     return attempt;
   }
   attempt.reason = "its lock comes and goes";

@@ -1,5 +1,6 @@
 #include "base/files.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,42 +18,12 @@
 namespace coaster::base {
 namespace {
 
-// A file descriptor that closes itself, for every way out of a function.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return fd_; }
-  bool valid() const { return fd_ >= 0; }
-  int close() { return ::close(std::exchange(fd_, -1)); }
-
- private:
-  int fd_;
-};
-
 Status failure(Code code, const std::filesystem::path& path, std::string_view what, int error) {
   return {code, fmt::format("{}: {}: {}", path.string(), what, std::strerror(error))};
 }
 
 Code code_of_open(int error) {
   return error == ENOENT || error == ENOTDIR || error == ELOOP || error == ENAMETOOLONG ? Code::bad_file : Code::io;
-}
-
-// Replaces a symbolic link by what it points to, which need not exist: std::filesystem::canonical would refuse that.
-Status follow_links(std::filesystem::path& path) {
-  const std::filesystem::path asked = path;
-  std::error_code error;
-  for (int depth = 0; std::filesystem::is_symlink(path, error); ++depth) {
-    if (depth == 40) return failure(Code::io, asked, "the symbolic link cannot be followed", ELOOP);
-    const std::filesystem::path next = std::filesystem::read_symlink(path, error);
-    if (error) return failure(Code::io, asked, "the symbolic link cannot be followed", error.value());
-    path = path.parent_path() / next;  // an absolute `next` replaces the whole
-  }
-  return {};
 }
 
 // ".1f2e3d4c.", for this machine.
@@ -65,25 +36,22 @@ std::string host_mark() {
 // ".loop.json.1f2e3d4c." of "loop.json": what its temporary files start with on this machine. A process number says
 // nothing about another machine's processes, so each has its own names; long names are cut, for the whole must stay
 // below 255 bytes.
-std::string temporary_stem(const std::filesystem::path& target) {
+std::string temporary_stem(const std::string& name) {
   constexpr std::size_t kMostBytes = 200;
-  return fmt::format(".{}{}", target.filename().string().substr(0, kMostBytes), host_mark());
+  return fmt::format(".{}{}", name.substr(0, kMostBytes), host_mark());
 }
 
-// A new file beside `target` with the mode that the process gives new files; `name` is its path. -1 and errno on
-// failure.
-int open_temporary(const std::filesystem::path& target, std::string& name) {
-  const std::string stem = fmt::format("{}{}.", temporary_stem(target), ::getpid());
+// A new file in the folder of `place` with the mode that the process gives new files; `name` is its own. Not valid and
+// errno on failure.
+Descriptor open_temporary(const Place& place, std::string& name) {
+  const std::string stem = fmt::format("{}{}.", temporary_stem(place.name), ::getpid());
   for (int i = 0; i < 1000; ++i) {
-    name = (target.parent_path() / (stem + std::to_string(i))).string();
-    const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (fd >= 0 || errno != EEXIST) return fd;
+    name = stem + std::to_string(i);
+    const int fd =
+        ::openat(place.folder.get(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (fd >= 0 || errno != EEXIST) return Descriptor(fd);
   }
-  return -1;
-}
-
-std::filesystem::path folder_of(const std::filesystem::path& target) {
-  return target.has_parent_path() ? target.parent_path() : ".";
+  return Descriptor();
 }
 
 // The number that a text starts with, cut off from it.
@@ -107,22 +75,61 @@ bool is_leftover(std::string_view name) {
   return take_number(name) && name.empty() && !process_runs(*pid);
 }
 
-int sweep(const std::filesystem::path& folder, const std::string& stem) {
-  int removed = 0;
-  std::error_code error;
-  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const std::string name = at->path().filename().string();
-    if (name.starts_with(stem) && is_leftover(name)) removed += ::unlink(at->path().c_str()) == 0 ? 1 : 0;
+// The names in an open folder.
+std::vector<std::string> names_in(int folder) {
+  std::vector<std::string> names;
+  const int fd = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  DIR* const entries = fd < 0 ? nullptr : ::fdopendir(fd);
+  if (entries == nullptr) {
+    (void)Descriptor(fd);
+    return names;
   }
+  while (const dirent* const entry = ::readdir(entries))
+    if (const std::string_view name = entry->d_name; name != "." && name != "..") names.emplace_back(name);
+  ::closedir(entries);
+  return names;
+}
+
+int sweep(int folder, const std::string& stem) {
+  int removed = 0;
+  for (const std::string& name : names_in(folder))
+    if (name.starts_with(stem) && is_leftover(name)) removed += ::unlinkat(folder, name.c_str(), 0) == 0 ? 1 : 0;
   return removed;
+}
+
+// Opens each folder below the one before it, so that a link that takes a folder's place is not followed.
+bool remove_from(int folder, const std::string& name) {
+  if (::unlinkat(folder, name.c_str(), 0) == 0 || errno == ENOENT) return true;
+  {
+    const Descriptor inner(::openat(folder, name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    if (!inner.valid()) return false;
+    for (const std::string& entry : names_in(inner.get()))
+      if (!remove_from(inner.get(), entry)) return false;
+  }
+  return ::unlinkat(folder, name.c_str(), AT_REMOVEDIR) == 0;
 }
 
 }  // namespace
 
-void Files::inject(IoOperation operation, int nth) { countdown_[static_cast<std::size_t>(operation)] = nth; }
+NewFile::~NewFile() {
+  if (!placed_ && place_.folder.valid()) ::unlinkat(folder(), temporary_.c_str(), 0);
+}
+
+bool NewFile::put_in_place() {
+  placed_ = ::renameat(folder(), temporary_.c_str(), folder(), place_.name.c_str()) == 0;
+  return placed_;
+}
+
+Files Files::with(Root root) const {
+  Files files(std::move(root));
+  files.faults_ = faults_;
+  return files;
+}
+
+void Files::inject(IoOperation operation, int nth) { (*faults_)[static_cast<std::size_t>(operation)] = nth; }
 
 bool Files::fails(IoOperation operation) {
-  int& count = countdown_[static_cast<std::size_t>(operation)];
+  int& count = (*faults_)[static_cast<std::size_t>(operation)];
   if (count == 0 || --count > 0) return false;
   errno = EIO;
   return true;
@@ -154,47 +161,85 @@ Result<std::string> Files::read(const std::filesystem::path& path, std::size_t l
   }
 }
 
-Status Files::write_atomic(const std::filesystem::path& path, std::string_view bytes) {
-  std::filesystem::path target = path;
-  if (const Status followed = follow_links(target); !followed.ok()) return followed;
+Result<NewFile> Files::create(const std::filesystem::path& path) {
+  // The folder is opened before anything changes, so that all that can fail behind the rename is its own fsync.
+  Result<Place> place = root_.locate(path);
+  if (!place) return place.status();
+  const int folder = place->folder.get();
+  const char* const name = place->name.c_str();
   struct stat old {};
-  const bool exists = ::stat(target.c_str(), &old) == 0;
+  const bool exists = ::fstatat(folder, name, &old, AT_SYMLINK_NOFOLLOW) == 0;
+  if (exists && S_ISLNK(old.st_mode)) return root_.link_refused(path);  // without a limit it was followed
   if (exists && !S_ISREG(old.st_mode))
-    return {Code::io, path.string() + ": is not a regular file, so it cannot be written"};
-
-  if (exists && ::access(target.c_str(), W_OK) != 0) return failure(Code::io, path, "is read-only", errno);
-
-  (void)remove_leftovers(target);
-  const std::filesystem::path folder = folder_of(target);
-  // Opened before anything changes, so that all that can fail behind the rename is the folder's own fsync.
-  Descriptor directory(fails(IoOperation::open) ? -1 : ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!directory.valid()) return failure(Code::io, path, "open of the folder", errno);
+    return Status{Code::io, path.string() + ": is not a regular file, so it cannot be written"};
+  if (exists && ::faccessat(folder, name, W_OK, 0) != 0) return failure(Code::io, path, "is read-only", errno);
+  (void)sweep(folder, temporary_stem(place->name));
+  if (fails(IoOperation::open)) return failure(Code::io, path, "open of the folder", errno);
   std::string temporary;
-  Descriptor file(fails(IoOperation::open) ? -1 : open_temporary(target, temporary));
+  Descriptor file = fails(IoOperation::open) ? Descriptor() : open_temporary(*place, temporary);
   if (!file.valid()) return failure(Code::io, path, "open", errno);
-  // From here on every error removes the temporary file and leaves the old one as it was.
-  const auto give_up = [&](std::string_view what) {
-    const Status status = failure(Code::io, path, what, errno);
-    ::unlink(temporary.c_str());
-    return status;
-  };
+  NewFile made(std::move(*place), std::move(temporary), std::move(file));
+  if (exists && ::fchmod(made.file().get(), old.st_mode & 07777) != 0) return failure(Code::io, path, "chmod", errno);
+  return made;
+}
 
-  if (exists && ::fchmod(file.get(), old.st_mode & 07777) != 0) return give_up("chmod");
+Status Files::write_atomic(const std::filesystem::path& path, std::string_view bytes) {
+  Result<NewFile> made = create(path);
+  if (!made) return made.status();
+  Descriptor& file = made->file();
+  // From here on every error removes the temporary file and leaves the old one as it was.
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t wrote =
         fails(IoOperation::write) ? -1 : ::write(file.get(), bytes.data() + done, bytes.size() - done);
     if (wrote < 0 && errno == EINTR) continue;
-    if (wrote < 0) return give_up("write");
+    if (wrote < 0) return failure(Code::io, path, "write", errno);
     done += static_cast<std::size_t>(wrote);
   }
-  if (fails(IoOperation::fsync) || ::fsync(file.get()) != 0) return give_up("fsync");
-  if (fails(IoOperation::close) || file.close() != 0) return give_up("close");
-  if (fails(IoOperation::rename) || ::rename(temporary.c_str(), target.c_str()) != 0) return give_up("rename");
+  if (fails(IoOperation::fsync) || ::fsync(file.get()) != 0) return failure(Code::io, path, "fsync", errno);
+  if (fails(IoOperation::close) || file.close() != 0) return failure(Code::io, path, "close", errno);
+  if (fails(IoOperation::rename) || !made->put_in_place()) return failure(Code::io, path, "rename", errno);
 
   // The new file is in place; without this a power cut could still bring the old one back.
-  if (fails(IoOperation::fsync) || ::fsync(directory.get()) != 0)
+  if (fails(IoOperation::fsync) || ::fsync(made->folder()) != 0)
     return failure(Code::io, path, "fsync of the folder", errno);
   return {};
+}
+
+namespace {
+
+// The place of a path whose last name is not followed either.
+Result<Place> place_itself(const Root& root, const std::filesystem::path& path) {
+  if (root.limited()) return root.locate(path);
+  Result<Place> place = root.locate(path.parent_path() / ".");
+  if (place) place->name = path.filename().string();
+  return place;
+}
+
+}  // namespace
+
+bool Files::remove(const std::filesystem::path& path) {
+  const Result<Place> place = place_itself(root_, path);
+  return place && ::unlinkat(place->folder.get(), place->name.c_str(), 0) == 0;
+}
+
+bool Files::remove_tree(const std::filesystem::path& path) {
+  const Result<Place> place = place_itself(root_, path);
+  return place && remove_from(place->folder.get(), place->name);
+}
+
+bool Files::rename(const std::filesystem::path& path, const std::string& name) {
+  const Result<Place> place = place_itself(root_, path);
+  return place && ::renameat(place->folder.get(), place->name.c_str(), place->folder.get(), name.c_str()) == 0;
+}
+
+int Files::remove_leftovers(const std::filesystem::path& target) {
+  const Result<Place> place = place_itself(root_, target);
+  return place ? sweep(place->folder.get(), temporary_stem(place->name)) : 0;
+}
+
+int Files::remove_leftovers_in(const std::filesystem::path& folder) {
+  const Result<Place> place = root_.locate(folder / ".coaster");
+  return place ? sweep(place->folder.get(), {}) : 0;
 }
 
 std::string host_name() {
@@ -204,8 +249,5 @@ std::string host_name() {
 }
 
 bool process_runs(int pid) { return pid > 0 && (::kill(pid, 0) == 0 || errno == EPERM); }
-
-int remove_leftovers(const std::filesystem::path& target) { return sweep(folder_of(target), temporary_stem(target)); }
-int remove_leftovers_in(const std::filesystem::path& folder) { return sweep(folder, {}); }
 
 }  // namespace coaster::base

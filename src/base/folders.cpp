@@ -48,12 +48,13 @@ std::filesystem::path data_folder() {
   return {};
 }
 
-Status make_folders(const std::filesystem::path& folder) {
+Status make_folders(const std::filesystem::path& folder, unsigned mode) {
   std::error_code error;
   if (std::filesystem::is_directory(folder, error)) return {};
   if (folder.has_parent_path() && folder.parent_path() != folder)
-    if (const Status above = make_folders(folder.parent_path()); !above) return above;
-  if (::mkdir(folder.c_str(), 0700) == 0 || std::filesystem::is_directory(folder, error)) return {};
+    if (const Status above = make_folders(folder.parent_path(), mode); !above) return above;
+  if (::mkdir(folder.c_str(), static_cast<mode_t>(mode)) == 0 || std::filesystem::is_directory(folder, error))
+    return {};
   error = std::error_code(errno, std::generic_category());
   return {Code::io, fmt::format("{}: cannot be made: {}", folder.string(), error.message())};
 }

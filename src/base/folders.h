@@ -23,8 +23,9 @@ UserFolders user_folders();
 // source tree that it was built from, and /usr/share/coaster. Empty without any.
 std::filesystem::path data_folder();
 
-// Makes a folder and those above it, for its owner alone. Code::io with the reason.
-Status make_folders(const std::filesystem::path& folder);
+// Makes a folder and those above it with `mode` less the process's mask: by default for its owner alone. Code::io with
+// the reason.
+Status make_folders(const std::filesystem::path& folder, unsigned mode = 0700);
 
 struct FolderEntry {
   std::string name;

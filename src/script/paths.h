@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "base/status.h"
+#include "base/root.h"
 
 namespace coaster::script {
 
@@ -13,13 +13,8 @@ namespace coaster::script {
 std::filesystem::path find_input(const std::filesystem::path& folder, std::string_view written,
                                  const std::filesystem::path& out);
 
-// Resolves a path to write and creates its parent folders. Code::usage unless it lies below $OUT.
-base::Result<std::filesystem::path> find_output(std::string_view written, const std::filesystem::path& out);
-
-// True if `path` lies in or below `folder`, after following links.
-bool lies_below(const std::filesystem::path& path, const std::filesystem::path& folder);
-
-// Creates the folder. Code::io if that fails or it is not writable.
-base::Status make_folder(const std::filesystem::path& folder);
+// Resolves a path to write, below the folder of `out`, which is $OUT, and creates its parent folders. Code::usage
+// outside it, and the errors of base::Root.
+base::Result<std::filesystem::path> find_output(std::string_view written, const base::Root& out);
 
 }  // namespace coaster::script

@@ -1,6 +1,9 @@
 // Recording. Each line is flushed, so a crash loses at most the last second of ticks.
 #include "script/recorder.h"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -65,17 +68,26 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
   return commands;
 }
 
+// A recording takes the place of a link of its name.
+void drop_link(base::Files& files, const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(path, ignored)) (void)files.remove(path);
+}
+
 }  // namespace
 
-base::Result<std::unique_ptr<Recorder>> Recorder::start(base::Files& files, const std::filesystem::path& path,
+base::Result<std::unique_ptr<Recorder>> Recorder::start(const base::Files& files, const std::filesystem::path& path,
                                                         const edit::Session& session) {
-  std::error_code ignored;
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), ignored);
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  if (!out) return base::Status{base::Code::io, path.string() + ": cannot be written"};
-  std::unique_ptr<Recorder> recorder(new Recorder(path, std::move(out)));
+  auto folder = base::Root().open(path.has_parent_path() ? path.parent_path() : ".");
+  if (!folder) return folder.status();
+  base::Files below = files.with(std::move(*folder));
+  drop_link(below, path);
+  auto out = below.create(path);
+  if (!out) return out.status();
+  if (!out->put_in_place()) return base::Status{base::Code::io, path.string() + ": cannot be written"};
+  std::unique_ptr<Recorder> recorder(new Recorder(path, std::move(below), std::move(*out)));
   if (const base::Status s = recorder->line("coaster-script 1"); !s) return s;
-  if (const base::Status s = recorder->snapshot(files, session); !s) return s;
+  if (const base::Status s = recorder->snapshot(session); !s) return s;
   for (const edit::Command& command : settings_commands(session))
     if (const base::Status s = recorder->line(edit::print(command)); !s) return s;
   return recorder;
@@ -84,9 +96,13 @@ base::Result<std::unique_ptr<Recorder>> Recorder::start(base::Files& files, cons
 Recorder::~Recorder() { (void)write_ticks(); }
 
 base::Status Recorder::line(const std::string& text) {
-  out_ << text << '\n';
-  out_.flush();
-  if (!out_) return {base::Code::io, path_.string() + ": the recording cannot be written"};
+  const std::string bytes = text + '\n';
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t wrote = ::write(out_.file().get(), bytes.data() + done, bytes.size() - done);
+    if (wrote < 0 && errno == EINTR) continue;
+    if (wrote < 0) return {base::Code::io, path_.string() + ": the recording cannot be written"};
+    done += static_cast<std::size_t>(wrote);
+  }
   return {};
 }
 
@@ -97,20 +113,21 @@ base::Status Recorder::write_ticks() {
   return line(text);
 }
 
-base::Status Recorder::snapshot(base::Files& files, const edit::Session& session) {
+base::Status Recorder::snapshot(const edit::Session& session) {
   std::filesystem::path track = path_;
   ++snapshots_;
   track.replace_filename(
       fmt::format("{}{}.json", path_.stem().string(), snapshots_ > 1 ? "-" + std::to_string(snapshots_) : ""));
-  if (const base::Status saved = exchange::save_track(files, track, session.document); !saved) return saved;
+  drop_link(files_, track);
+  if (const base::Status saved = exchange::save_track(files_, track, session.document); !saved) return saved;
   return line("load " + base::quoted(track.filename().string()));
 }
 
-base::Status Recorder::command(base::Files& files, const edit::Command& command, const edit::Session& after) {
+base::Status Recorder::command(const edit::Command& command, const edit::Session& after) {
   // Exports and force limits do not affect document or motion: leave them out.
   if (edit::output_path(command) != nullptr || command.is<edit::LoadEnvelope>()) return {};
   if (const base::Status written = write_ticks(); !written) return written;
-  if (command.is<edit::Load>() || command.is<edit::RecoverTrack>()) return snapshot(files, after);
+  if (command.is<edit::Load>() || command.is<edit::RecoverTrack>()) return snapshot(after);
   if (const auto* const challenge = command.as<edit::StartChallenge>())
     return line(edit::print(edit::StartChallenge{base::canonical_path(challenge->path).string()}));
   return line(edit::print(command));

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "base/files.h"
@@ -13,9 +12,10 @@ namespace coaster::script {
 
 class Recorder {
  public:
-  // Begins the script `path` and saves the track beside it (rec.coaster: rec.json). Code::io if either cannot be
-  // written.
-  static base::Result<std::unique_ptr<Recorder>> start(base::Files& files, const std::filesystem::path& path,
+  // Begins the script `path` and saves the track beside it (rec.coaster: rec.json), with the faults of `files`. Both
+  // are new files: links of these names are replaced; links in the folder's own path are followed. Code::io if either
+  // cannot be written.
+  static base::Result<std::unique_ptr<Recorder>> start(const base::Files& files, const std::filesystem::path& path,
                                                        const edit::Session& session);
   ~Recorder();
   Recorder(const Recorder&) = delete;
@@ -23,18 +23,20 @@ class Recorder {
 
   // Records a command that was applied successfully; `after` is the session afterwards. Leaves out saving. Copies an
   // opened file beside the script, so that a recording is self-contained.
-  base::Status command(base::Files& files, const edit::Command& command, const edit::Session& after);
+  base::Status command(const edit::Command& command, const edit::Session& after);
   // Counts ticks. They are written before the next command, or after a second of ticks.
   base::Status ticks(int count);
 
  private:
-  Recorder(std::filesystem::path path, std::ofstream out) : path_(std::move(path)), out_(std::move(out)) {}
+  Recorder(std::filesystem::path path, base::Files files, base::NewFile out)
+      : path_(std::move(path)), files_(std::move(files)), out_(std::move(out)) {}
   base::Status line(const std::string& text);
   base::Status write_ticks();
-  base::Status snapshot(base::Files& files, const edit::Session& session);
+  base::Status snapshot(const edit::Session& session);
 
   std::filesystem::path path_;
-  std::ofstream out_;
+  base::Files files_;  // writes into the folder of path_ alone
+  base::NewFile out_;
   int snapshots_ = 0;
   std::int64_t pending_ticks_ = 0;
 };

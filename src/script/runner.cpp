@@ -2,6 +2,7 @@
 #include "script/runner.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "script/grammar.h"
 #include "script/paths.h"
@@ -14,7 +15,9 @@ base::Status run_script(const Script& script, Host& host, const RunOptions& opti
 }
 
 base::Status Runner::run() {
-  if (const base::Status made = make_folder(options_.out); !made) return made;
+  auto out = base::Root().open(options_.out);
+  if (!out) return out.status();
+  files_ = base::Files(std::move(*out));
   if (const base::Status status = stage_.set_environment(environment_); !status) return status;
   const Failure result = run(script_.statements);
   if (result) return {};
@@ -74,7 +77,7 @@ Failure Runner::perform(const RunCommand& run) {
     return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
   }
   if (const std::string* const written = edit::output_path(command)) {
-    const auto path = find_output(*written, options_.out);
+    const auto path = find_output(*written, files_.root());
     if (!path) return failure(path.status());
     edit::set_output_path(command, path->string());
   }
@@ -93,11 +96,10 @@ Failure Runner::perform(const SetEnvironment& change) {
     if (const base::Status status = stage_.set_environment(environment_); !status) return failure(status);
   if (!change.home) return {};
   if (!stage_.host().set_home) return wrong("there is nothing to keep for a user");
-  const auto folder = find_output(change.home->text, options_.out);
+  const auto folder = find_output(change.home->text, files_.root());
   if (!folder) return failure(folder.status(), change.home->column);
   // Empties the folder at its first use in a run: files of an earlier run would change the result.
-  std::error_code ignored;
-  if (std::find(homes_.begin(), homes_.end(), *folder) == homes_.end()) std::filesystem::remove_all(*folder, ignored);
+  if (std::find(homes_.begin(), homes_.end(), *folder) == homes_.end()) (void)files_.remove_tree(*folder);
   homes_.push_back(*folder);
   return failure(stage_.set_home(*folder));
 }

@@ -89,6 +89,7 @@ class Runner {
   const Script& script_;
   Stage stage_;
   const RunOptions& options_;
+  base::Files files_;  // writes below $OUT alone, without the faults that scripts inject into the host's
   Environment environment_;
   int lessons_ = 0;                           // started so far
   bool left_ = false;                         // the player has left the lessons

@@ -81,13 +81,12 @@ std::string widgets_text(std::span<const WidgetState> widgets) {
 
 std::string Runner::write_evidence() {
   Host& host = stage_.host();
-  base::Files files;  // not the program's, which may have faults injected
   const query::Context context = host.context();
   std::string note = fmt::format("frame {}; {}", context.stats.frame, (options_.out / "frame.png").string());
   const bool written = host.screenshot(options_.out / "frame.png").ok();
   if (!written) note = fmt::format("frame {}; {}/", context.stats.frame, options_.out.string());
-  const bool texts = files.write_atomic(options_.out / "widgets.txt", widgets_text(host.widgets())).ok() &&
-                     files.write_atomic(options_.out / "state.json", state_json(context)).ok();
+  const bool texts = files_.write_atomic(options_.out / "widgets.txt", widgets_text(host.widgets())).ok() &&
+                     files_.write_atomic(options_.out / "state.json", state_json(context)).ok();
   if (texts) note += written ? ", widgets.txt, state.json" : "widgets.txt, state.json";
   return note;
 }
@@ -100,7 +99,7 @@ Failure Runner::perform(const Snap& snap) {
 
 Failure Runner::perform(const Shot& shot) {
   const auto path =
-      find_output(shot.path.text.starts_with("$OUT") ? shot.path.text : "$OUT/" + shot.path.text, options_.out);
+      find_output(shot.path.text.starts_with("$OUT") ? shot.path.text : "$OUT/" + shot.path.text, files_.root());
   if (!path) return failure(path.status(), shot.path.column);
   if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
   return failure(stage_.host().screenshot(*path));
@@ -109,7 +108,7 @@ Failure Runner::perform(const Shot& shot) {
 Failure Runner::perform(const Sheet& sheet) {
   if (!stage_.host().sheet) return wrong("there are no pictures");
   const auto below_out = [&](const base::Token& token) {
-    return find_output(token.text.starts_with("$OUT") ? token.text : "$OUT/" + token.text, options_.out);
+    return find_output(token.text.starts_with("$OUT") ? token.text : "$OUT/" + token.text, files_.root());
   };
   const auto path = below_out(sheet.path);
   if (!path) return failure(path.status(), sheet.path.column);
@@ -124,21 +123,20 @@ Failure Runner::perform(const Sheet& sheet) {
 
 Failure Runner::perform(const Dump& dump) {
   if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
-  const auto stem = find_output("$OUT/" + dump.name, options_.out);
+  const auto stem = find_output("$OUT/" + dump.name, files_.root());
   if (!stem) return failure(stem.status());
   const auto with = [&](const char* ending) { return std::filesystem::path(stem->string() + ending); };
-  base::Files files;
   const query::Context context = stage_.host().context();
   if (const base::Status s = stage_.host().screenshot(with(".frame.png")); !s) return failure(s);
-  if (const base::Status s = files.write_atomic(with(".widgets.txt"), widgets_text(stage_.host().widgets())); !s)
+  if (const base::Status s = files_.write_atomic(with(".widgets.txt"), widgets_text(stage_.host().widgets())); !s)
     return failure(s);
-  if (const base::Status s = files.write_atomic(with(".state.json"), state_json(context)); !s) return failure(s);
-  return failure(files.write_atomic(with(".json"), exchange::print_track(context.session.document)));
+  if (const base::Status s = files_.write_atomic(with(".state.json"), state_json(context)); !s) return failure(s);
+  return failure(files_.write_atomic(with(".json"), exchange::print_track(context.session.document)));
 }
 
 Failure Runner::perform(const StartMovie& start) {
   if (!stage_.host().start_movie) return wrong("there are no pictures to make a movie of");
-  const auto folder = find_output(start.folder.text, options_.out);
+  const auto folder = find_output(start.folder.text, files_.root());
   if (!folder) return failure(folder.status(), start.folder.column);
   return failure(stage_.host().start_movie(*folder, start.fps, start.gif));
 }

@@ -169,8 +169,8 @@ TEST_F(files, what_a_killed_writer_left_goes_with_the_next_save_of_the_same_file
 TEST_F(files, what_a_running_writer_is_at_stays) {
   const fs::path left = temporary_of(folder / "a", ::getppid());
   ASSERT_FALSE(left.empty());
-  EXPECT_EQ(remove_leftovers(folder / "a"), 0);
-  EXPECT_EQ(remove_leftovers_in(folder), 0);
+  EXPECT_EQ(io.remove_leftovers(folder / "a"), 0);
+  EXPECT_EQ(io.remove_leftovers_in(folder), 0);
   EXPECT_TRUE(fs::exists(left));
 }
 
@@ -181,7 +181,7 @@ TEST_F(files, names_that_look_alike_are_nobody_s_leftovers) {
   for (const std::string& other :
        std::vector<std::string>{name + "x", name.substr(1), ".a.00000000.1.0", ".a.", ".a.json.lock"})
     std::ofstream(folder / other) << "mine";
-  EXPECT_EQ(remove_leftovers_in(folder), 0);
+  EXPECT_EQ(io.remove_leftovers_in(folder), 0);
   EXPECT_EQ(entries(), 5u);
 }
 

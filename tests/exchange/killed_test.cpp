@@ -114,7 +114,7 @@ TEST_F(killed, an_autosave_is_found_whole_whenever_its_program_was_killed) {
       ASSERT_TRUE(track) << track.status().message;
       EXPECT_EQ(track->document.name, found.front().info.name);
       EXPECT_EQ(track->document.start_speed, static_cast<double>(found.front().info.time));
-      discard(found.front());
+      discard(files, found.front());
     }
     found.clear();
     (void)find_autosaves(files, folder);

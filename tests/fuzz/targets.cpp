@@ -1,9 +1,16 @@
 #include "fuzz/targets.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "base/check.h"
+#include "base/file_lock.h"
 #include "exchange/challenge_file.h"
 #include "exchange/own/envelope_file.h"
 #include "exchange/own/progress_file.h"
@@ -62,6 +69,94 @@ void progress(std::string_view bytes) {
   COASTER_CHECK(again.ok() && *again == *loaded, "what is kept of progress is read back the same");
 }
 
+// Everything below a folder, links not followed: path, mode, inode, bytes.
+std::string census(const std::filesystem::path& folder) {
+  std::vector<std::string> lines;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    struct stat info {};
+    COASTER_CHECK(::lstat(entry.path().c_str(), &info) == 0, "what is listed is there");
+    std::string line = entry.path().string() + " " + std::to_string(info.st_mode) + " " + std::to_string(info.st_ino);
+    if (S_ISREG(info.st_mode)) line += " " + *base::Files().read(entry.path());
+    lines.push_back(std::move(line));
+  }
+  std::sort(lines.begin(), lines.end());
+  std::string all;
+  for (const std::string& line : lines) all += line + "\n";
+  return all;
+}
+
+// A folder with ways out of it, "run", beside the folder that they lead to, "outside". Both lie deep, for names with
+// many "..".
+class LinkFarm {
+ public:
+  LinkFarm() : top_(std::filesystem::temp_directory_path() / ("coaster_farm_" + std::to_string(::getpid()))) {
+    std::filesystem::remove_all(top_);
+    std::filesystem::path deep = top_;
+    for (int i = 0; i <= kMostUp; ++i) deep /= "n";
+    outside = deep / "outside", run = deep / "run";
+    std::filesystem::create_directories(outside / "folder");
+    std::filesystem::create_directories(run / "folder");
+    std::ofstream(outside / "victim") << "victim";
+    for (const auto& [name, target] :
+         std::array<std::pair<const char*, std::filesystem::path>, 7>{{{"away", "../outside"},
+                                                                       {"up", ".."},
+                                                                       {"absolute", outside},
+                                                                       {"dangling", "../outside/new"},
+                                                                       {"file", "../outside/victim"},
+                                                                       {"self", "self"},
+                                                                       {"folder/away", "../../outside"}}})
+      std::filesystem::create_symlink(target, run / name);
+    for (const char* const name : {"hard", ".x.lock"})
+      std::filesystem::create_hard_link(outside / "victim", run / name);
+    COASTER_CHECK(::mkfifo((run / "pipe").c_str(), 0600) == 0 && ::mkfifo((run / ".y.lock").c_str(), 0600) == 0,
+                  "pipes are made");
+  }
+  ~LinkFarm() { std::filesystem::remove_all(top_); }
+  LinkFarm(const LinkFarm&) = delete;
+  LinkFarm& operator=(const LinkFarm&) = delete;
+
+  static constexpr int kMostUp = 10;
+  std::filesystem::path outside, run;
+
+ private:
+  std::filesystem::path top_;
+};
+
+// Each line is an operation's letter and a path below the run's folder, or below the folder outside when it begins with
+// "/".
+void outputs(std::string_view bytes) {
+  if (bytes.size() > 2'000) return;
+  const LinkFarm farm;
+  const std::string before = census(farm.outside);
+  base::Files files(*base::Root().open(farm.run));
+  while (!bytes.empty()) {
+    const std::string line(bytes.substr(0, bytes.find('\n')));
+    bytes.remove_prefix(std::min(bytes.size(), line.size() + 1));
+    const std::string name = line.empty() ? "" : line.substr(1);
+    int up = 0;
+    for (std::size_t at = name.find(".."); at != std::string::npos; at = name.find("..", at + 2)) ++up;
+    if (up > LinkFarm::kMostUp) continue;
+    const std::filesystem::path path = name.starts_with('/') ? farm.outside / name.substr(1) : farm.run / name;
+    switch (line.empty() ? ' ' : line.front()) {
+      case 'w':
+        if (const base::Status wrote = files.write_atomic(path, "written"); !wrote) check_error(wrote);
+        break;
+      case 'm': (void)files.root().make_folders(path); break;
+      case 'l': (void)base::try_lock(path, files.root()); break;
+      case 'o':
+        if (const auto inner = files.root().open(path))
+          (void)base::Files(*inner).write_atomic(path / "inner", "written");
+        break;
+      case 'n': (void)files.rename(path, "renamed"); break;
+      case 's': (void)(files.remove_leftovers(path) + files.remove_leftovers_in(path)); break;
+      case 'r': (void)files.remove(path); break;
+      case 't': (void)files.remove_tree(path); break;
+      default: break;
+    }
+  }
+  COASTER_CHECK(census(farm.outside) == before, "nothing outside of the folder is made, changed or removed");
+}
+
 #ifdef COASTER_FUZZ_SCRIPTS
 void script(std::string_view bytes) {
   if (bytes.find("include") != std::string_view::npos) return;  // reads whatever file it names
@@ -71,8 +166,8 @@ void script(std::string_view bytes) {
 #endif
 
 constexpr std::array kReaders{
-    Target{"envelope", envelope},   Target{"settings", settings},
-    Target{"challenge", challenge}, Target{"progress", progress},
+    Target{"envelope", envelope}, Target{"settings", settings}, Target{"challenge", challenge},
+    Target{"progress", progress}, Target{"outputs", outputs},
 #ifdef COASTER_FUZZ_SCRIPTS
     Target{"script", script},
 #endif

@@ -36,7 +36,7 @@ TEST(recorder, a_replay_has_the_same_hashes) {
     const auto go = [&](const std::string& text, int ticks) {
       const edit::Command c = command(text);
       ASSERT_TRUE(original.apply(c).ok()) << text;
-      ASSERT_TRUE((*recorder)->command(files, c, original.session).ok());
+      ASSERT_TRUE((*recorder)->command(c, original.session).ok());
       edit::advance(original.session, ticks);
       ASSERT_TRUE((*recorder)->ticks(ticks).ok());
     };

@@ -18,9 +18,8 @@ namespace {
 
 constexpr std::string_view kInfoEnding = ".info.json", kTrackEnding = ".track.json";
 
-void remove_file(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!file.empty()) std::filesystem::remove(file, ignored);
+void remove_file(base::Files& files, const std::filesystem::path& file) {
+  if (!file.empty()) (void)files.remove(file);
 }
 
 // The first name that no file has: "4711-1".
@@ -76,15 +75,16 @@ std::string print_autosave_info(const AutosaveInfo& info) {
 base::Status Autosave::write(base::Files& files, const std::filesystem::path& folder, const world::Document& document,
                              const std::string& original, std::int64_t time) {
   if (folder.empty()) return {base::Code::io, "there is no folder for autosaves: HOME is not set"};
-  if (const base::Status made = base::make_folders(folder); !made) return made;
+  if (const base::Status made = files.root().make_folders(folder, 0700); !made) return made;
   if (info_.empty() || info_.parent_path() != folder) {
     remove();
+    files_ = files;
     info_ = free_info(folder);
-    lock_ = base::try_lock(info_).lock;
+    lock_ = base::try_lock(info_, files.root()).lock;
   }
   std::filesystem::path track = folder / (fmt::format("{}.{}{}", stem_of(info_), ++serial_, kTrackEnding));
   if (const base::Status wrote = files.write_atomic(track, print_track(document)); !wrote) {
-    remove_file(track);  // in place already when the folder's fsync failed
+    remove_file(files, track);  // in place already when the folder's fsync failed
     return wrote;
   }
   const AutosaveInfo info{track, original, document.name, time, ::getpid(), base::hex16(world::hash(document))};
@@ -95,17 +95,17 @@ base::Status Autosave::write(base::Files& files, const std::filesystem::path& fo
     const auto named = now ? parse_autosave_info(*now, "") : base::Result<AutosaveInfo>(now.status());
     const bool names_new = named && folder / named->track == track;
     if (names_new) std::swap(track_, track);
-    remove_file(track);  // the one that is not named
+    remove_file(files, track);  // the one that is not named
     return told;
   }
-  if (track_ != track) remove_file(track_);
+  if (track_ != track) remove_file(files, track_);
   track_ = track;
   return {};
 }
 
 void Autosave::remove() {
-  remove_file(info_);
-  remove_file(track_);
+  remove_file(files_, info_);
+  remove_file(files_, track_);
   lock_.release();
   info_.clear();
   track_.clear();
@@ -113,7 +113,7 @@ void Autosave::remove() {
 
 std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesystem::path& folder) {
   std::vector<FoundAutosave> found;
-  (void)base::remove_leftovers_in(folder);
+  (void)files.remove_leftovers_in(folder);
   const auto entries = base::list_folder(folder, true);
   if (!entries) return found;
   std::vector<std::string> spared;  // stems of live programs, and of what cannot be read
@@ -121,7 +121,7 @@ std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesys
     if (entry.folder || !entry.name.ends_with(kInfoEnding) || entry.name.starts_with('.')) continue;
     const std::filesystem::path file = folder / entry.name;
     spared.push_back(stem_of(file));
-    base::LockAttempt attempt = base::try_lock(file);
+    base::LockAttempt attempt = base::try_lock(file, files.root());
     if (attempt.outcome == base::LockAttempt::Outcome::held) continue;
     const base::Result<std::string> text = files.read(file);
     base::Result<AutosaveInfo> info =
@@ -138,16 +138,16 @@ std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesys
     if (std::find(spared.begin(), spared.end(), stem) != spared.end()) continue;
     const auto pid = base::parse_int(stem.substr(0, stem.find('-')));
     if (pid && base::process_runs(static_cast<int>(*pid))) continue;
-    remove_file(folder / entry.name);
+    remove_file(files, folder / entry.name);
   }
   std::sort(found.begin(), found.end(),
             [](const FoundAutosave& a, const FoundAutosave& b) { return a.info.time > b.info.time; });
   return found;
 }
 
-void discard(FoundAutosave& found) {
-  remove_file(found.info_file);
-  remove_file(found.info.track);
+void discard(base::Files& files, FoundAutosave& found) {
+  remove_file(files, found.info_file);
+  remove_file(files, found.info.track);
   found.lock.release();
 }
 

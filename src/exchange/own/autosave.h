@@ -43,6 +43,7 @@ class Autosave {
   bool exists() const { return !track_.empty(); }
 
  private:
+  base::Files files_;  // of the last write()
   std::filesystem::path info_, track_;
   base::FileLock lock_;
   int serial_ = 0;
@@ -61,6 +62,6 @@ struct FoundAutosave {
 std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesystem::path& folder);
 
 // Removes the track and its small file.
-void discard(FoundAutosave& found);
+void discard(base::Files& files, FoundAutosave& found);
 
 }  // namespace coaster::exchange

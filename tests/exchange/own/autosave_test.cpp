@@ -85,7 +85,7 @@ TEST_F(autosave, who_has_found_one_keeps_it_from_others_until_it_is_let_go) {
   }
   auto again = find_autosaves(files, folder);
   ASSERT_EQ(again.size(), 1u);
-  discard(again.front());
+  discard(files, again.front());
   EXPECT_EQ(entries(), 0u);
 }
 

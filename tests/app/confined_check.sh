@@ -1,0 +1,120 @@
+# Nothing that a script writes leaves its folder, whatever links, hard links and pipes were prepared there.
+. "$(dirname "$0")/lib.sh"
+TRACK=$SOURCE/tests/tracks/two_knots.json
+away=$OUT/away
+mkdir -p "$away" "$OUT/bin"
+cat >"$OUT/bin/ffmpeg" <<'END'
+#!/bin/sh
+for last; do :; done
+echo "a movie" >"$last"
+END
+chmod +x "$OUT/bin/ffmpeg"
+PATH=$OUT/bin:$PATH
+
+# prepare LINK...: a run folder of these dangling links, each to a file of its name outside.
+prepare() {
+  rm -rf "$OUT/run"
+  mkdir -p "$OUT/run"
+  local link
+  for link; do
+    mkdir -p "$(dirname "$OUT/run/$link")"
+    ln -s "$away/$(basename "$link")" "$OUT/run/$link"
+  done
+}
+# run CODE TEXT arguments...: a script of these lines.
+run() {
+  printf 'coaster-script 1\nenv size 96x54\nload "%s"\n%b' "$TRACK" "$2" >"$OUT/try.coaster"
+  expect_code "$1" --headless --script "$OUT/try.coaster" --out "$OUT/run" "${@:3}"
+  nothing_outside "$2 ${*:3}"
+}
+nothing_outside() {
+  [ -z "$(ls -A "$away")" ] || fail "$1 wrote outside: $(ls -A "$away")"
+  rm -rf "$away"
+  mkdir "$away"
+}
+
+# Links in the place of the files.
+prepare a.json
+run 2 'save "$OUT/a.json"\n'
+expect_text stderr "a.json: is a symbolic link; this run writes only below $OUT/run"
+[ ! -e "$OUT/run/frame.png" ] && fail "the evidence of a failure is missing"
+prepare a.png
+run 2 'shot "$OUT/a.png"\n'
+for name in a.frame.png a.widgets.txt a.state.json a.json; do
+  prepare "$name"
+  run 2 'dump "a"\n'
+done
+prepare frame.png widgets.txt state.json
+run 1 'expect knots == 77\n'
+prepare a.new.png
+run 2 'snap a\n'
+prepare sheet.png
+run 2 'shot "$OUT/b.png"\nsheet "$OUT/sheet.png" "b.png"\n'
+prepare a.csv
+run 2 'report.save "$OUT/a.csv"\n'
+
+# Links in the place of a folder.
+for line in 'save "$OUT/in/a.json"' 'shot "$OUT/in/a.png"' 'dump "in/a"' 'snap in/a' 'env home "$OUT/in/home"' 'movie.start "$OUT/in/m"' 'movie.start "$OUT/in"'; do
+  prepare
+  ln -s "$away" "$OUT/run/in"
+  run 2 "$line\nticks 8\n"
+done
+
+# Movies: pictures and the file that ffmpeg writes; in the language and by option.
+prepare m/frame-00000.png
+run 0 'movie.start "$OUT/m"\nticks 8\nmovie.stop\n'
+[ -f "$OUT/run/m/frame-00000.png" ] && [ ! -L "$OUT/run/m/frame-00000.png" ] || fail "the link was not replaced by the picture"
+[ "$(cat "$OUT/run/m/movie.mp4")" = "a movie" ] || fail "no movie file"
+prepare m/movie.mp4
+run 0 'movie.start "$OUT/m"\nticks 8\nmovie.stop\n'
+expect_text stderr "movie.mp4: is a symbolic link"
+run 0 'ticks 8\n' --movie "$OUT/run/m"
+
+# Recordings take the place of links; the folder may be one.
+prepare rec.coaster rec.json rec-2.json
+run 0 "load \"$TRACK\"\n" --record "$OUT/run/rec.coaster"
+for name in rec.coaster rec.json rec-2.json; do
+  [ -f "$OUT/run/$name" ] && [ ! -L "$OUT/run/$name" ] || fail "the recording did not take the place of $name"
+done
+
+# The user's folder of a script: made anew, without what was prepared; no lock beside a file outside.
+prepare home/settings.json
+ln -s "$away" "$OUT/run/home/recovery"
+cp "$TRACK" "$away/foreign.json"
+printf 'coaster-script 1\nenv size 96x54\nenv home "$OUT/home"\nload "%s"\nload "%s"\nframes 2\nmove @k1 to 1 2 3\nframes 4000\n' "$away/foreign.json" "$away/foreign.json" >"$OUT/try.coaster"
+ln "$away/foreign.json" "$OUT/foreign.json"
+touch "$away/.foreign.json.lock"
+expect_code 0 --headless --script "$OUT/try.coaster" --out "$OUT/run"
+[ -e "$away/.foreign.json.lock" ] || fail "a lock outside was deleted"
+cmp -s "$away/foreign.json" "$TRACK" || fail "a track outside was changed"
+rm -f "$away/foreign.json" "$away/.foreign.json.lock" "$OUT/foreign.json"
+nothing_outside "env home"
+prepare
+run 0 'env home "$OUT/home"\nsave "$OUT/a.json"\nframes 2\n'
+
+# A photo takes the next number.
+prepare two-knots-1.png
+run 0 'key f12\nframes 2\n'
+
+# A hard link is replaced; a pipe is refused.
+prepare
+echo victim >"$OUT/victim"
+ln "$OUT/victim" "$OUT/run/a.json"
+mkfifo "$OUT/run/b.json"
+run 0 'save "$OUT/a.json"\n'
+[ "$(cat "$OUT/victim")" = victim ] || fail "a hard link was written through"
+run 5 'save "$OUT/b.json"\n'
+
+# --out itself may be a link.
+prepare
+mv "$OUT/run" "$OUT/real"
+ln -s real "$OUT/run"
+run 0 'save "$OUT/a.json"\nshot "$OUT/b/a.png"\n'
+[ -f "$OUT/real/a.json" ] && [ -f "$OUT/real/b/a.png" ] || fail "a folder named by a link was not written to"
+
+# Golden pictures lie below the script's folder.
+ln -s "$away" "$OUT/golden"
+printf 'coaster-script 1\nenv size 96x54\nsnap a\n' >"$OUT/try.coaster"
+expect_code 2 --headless --script "$OUT/try.coaster" --out "$OUT/run" --update-goldens
+nothing_outside "--update-goldens"
+finish
