@@ -8,6 +8,14 @@ namespace coaster::script {
 
 using base::Words;
 
+bool parse_snap(Words& words, Action& action);  // lines_output.cpp
+bool parse_shot(Words& words, Action& action);
+bool parse_sheet(Words& words, Action& action);
+bool parse_dump(Words& words, Action& action);
+bool parse_log(Words& words, Action& action);
+bool parse_movie_start(Words& words, Action& action);
+bool parse_movie_stop(Words& words, Action& action);
+
 bool parse_expect(Words& words, Action& action);  // lines_expect.cpp
 
 bool parse_lesson(Words& words, Action& action);  // opens a block; lines_expect.cpp

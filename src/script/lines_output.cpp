@@ -1,0 +1,106 @@
+// Parses the statements that write something: snap, shot, sheet, dump, log, movie.
+#include "script/lines_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "query/condition.h"
+#include "script/grammar.h"
+
+namespace coaster::script {
+
+bool parse_snap(Words& words, Action& action) {
+  const base::Token* const name = words.take("a name");
+  if (!name) return false;
+  if (name->text.empty() || name->text.find("..") != std::string::npos || name->text.starts_with('/'))
+    return words.fail(name->column, "expected a name below the script's folder golden");
+  action = Snap{name->text};
+  return words.end();
+}
+
+bool parse_shot(Words& words, Action& action) {
+  const base::Token* const path = words.take("a file below $OUT");
+  if (path) action = Shot{*path};
+  return path && words.end();
+}
+
+bool parse_sheet(Words& words, Action& action) {
+  Sheet sheet;
+  const base::Token* const path = words.take("a file below $OUT");
+  if (!path) return false;
+  sheet.path = *path;
+  if (words.accept("columns")) {
+    const auto columns = words.whole("a number of columns", 1, 100);
+    if (!columns) return false;
+    sheet.columns = static_cast<int>(*columns);
+  }
+  sheet.half = words.accept("half");
+  do {
+    const base::Token* const picture = words.take("a picture's file");
+    if (!picture) return false;
+    sheet.pictures.push_back(*picture);
+  } while (!words.at_end());
+  action = std::move(sheet);
+  return true;
+}
+
+bool parse_dump(Words& words, Action& action) {
+  const base::Token* const name = words.take("a name");
+  if (!name) return false;
+  std::string text = name->text;
+  if (text.starts_with("$OUT/")) text = text.substr(5);
+  if (text.empty() || text.find("..") != std::string::npos || text.starts_with('/'))
+    return words.fail(name->column, "expected a name");
+  action = Dump{text};
+  return words.end();
+}
+
+bool parse_log(Words& words, Action& action) {
+  Log log;
+  if (words.at_end()) return words.fail(words.end_column(), "expected a query or a text");
+  while (!words.at_end()) {
+    if (words.peek()->quoted) {
+      log.parts.push_back({words.take("a text")->text, {}, {}, 1});
+      continue;
+    }
+    Condition value;
+    const base::Token* const name = words.peek();
+    // A query alone: parse_condition stops after its words.
+    const query::Query* const query = query::find_query(name->text);
+    const std::size_t count = query && !query->argument.empty() ? 2 : 1;
+    base::TextError error;
+    Words part(words.rest().first(std::min(count, words.rest().size())), error);
+    if (!parse_condition(part, value)) return words.fail(error.column, error.message);
+    for (std::size_t i = 0; i < count; ++i) words.take("a query");
+    log.parts.push_back({{}, value.query, value.argument, value.column});
+  }
+  action = log;
+  return true;
+}
+
+bool parse_movie_start(Words& words, Action& action) {
+  const base::Token* const folder = words.take("a folder below $OUT");
+  if (!folder) return false;
+  StartMovie start{*folder};
+  if (words.accept("fps")) {
+    const int column = words.at_end() ? words.end_column() : words.peek()->column;
+    const auto fps = words.whole("pictures a second", 1, world::kTicksPerSecond);
+    if (!fps) return false;
+    if (!is_movie_rate(*fps))
+      return words.fail(column, fmt::format("expected {} pictures a second, found {}", kMovieRateWords, *fps));
+    start.fps = static_cast<int>(*fps);
+  }
+  start.gif = words.accept("gif");
+  action = start;
+  return words.end();
+}
+
+bool parse_movie_stop(Words& words, Action& action) {
+  action = StopMovie{};
+  return words.end();
+}
+
+}  // namespace coaster::script
