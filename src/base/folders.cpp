@@ -9,18 +9,14 @@
 
 #include <fmt/format.h>
 
+#include "base/words.h"
+
 namespace coaster::base {
 namespace {
 
 std::filesystem::path from_environment(const char* name) {
   const char* const value = std::getenv(name);
   return value != nullptr && value[0] == '/' ? std::filesystem::path(value) : std::filesystem::path();
-}
-
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
 }
 
 }  // namespace

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curve/frames.h"
+
 namespace coaster::curve {
-namespace {
-
 using glm::dvec3;
-
-}  // namespace
 
 dvec3 curvature_vector(const Cubic& cubic, double t) {
   const dvec3 d = derivative(cubic, t), dd = second_derivative(cubic, t);
@@ -20,8 +18,7 @@ dvec3 curvature_vector(const Cubic& cubic, double t) {
 Joint joint(const Cubic& before, const Cubic& after) {
   Joint j{};
   j.gap = glm::length(dvec3(before.p3) - dvec3(after.p0));
-  const dvec3 t0 = unit_tangent(before, 1.0), t1 = unit_tangent(after, 0.0);
-  j.angle = std::atan2(glm::length(glm::cross(t0, t1)), glm::dot(t0, t1));
+  j.angle = angle_between(unit_tangent(before, 1.0), unit_tangent(after, 0.0));
   const dvec3 d0 = derivative(before, 1.0), d1 = derivative(after, 0.0);
   const double v0 = glm::length(d0), v1 = glm::length(d1);
   j.speed_ratio = v0 > 0 ? v1 / v0 : 0.0;

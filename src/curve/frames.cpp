@@ -68,9 +68,10 @@ BinormalMinima binormal_minima(const BinormalCurve& curve) {
   return found;
 }
 
+double angle_between(dvec3 a, dvec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+
 double binormal_turn(const BinormalCurve& curve, double t0, double t1) {
-  const dvec3 from = curve.at(t0), to = curve.at(t1);
-  return std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to));
+  return angle_between(curve.at(t0), curve.at(t1));
 }
 
 Frame transport(const Frame& from, dvec3 x0, dvec3 x1, dvec3 t1) {

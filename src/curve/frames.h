@@ -40,6 +40,9 @@ struct BinormalMinima {
 };
 BinormalMinima binormal_minima(const BinormalCurve& curve);
 
+// Returns the angle between two vectors of any length, radians in [0, pi]; 0 if one of them is zero.
+double angle_between(glm::dvec3 a, glm::dvec3 b);
+
 // Returns the angle by which the binormal turns from t0 to t1, radians in [0, pi]; 0 where it has no direction.
 double binormal_turn(const BinormalCurve& curve, double t0, double t1);
 
@@ -58,6 +61,9 @@ glm::dvec3 rotate(glm::dvec3 v, glm::dvec3 axis, double radians);
 // Returns the signed angle in (-pi, pi] that turns `from` to `to` about `axis`; the same bits everywhere
 // (base::arc_tangent).
 double signed_angle(glm::dvec3 from, glm::dvec3 to, glm::dvec3 axis);
+
+// Returns the part of `v` that is perpendicular to unit `forward`.
+inline glm::dvec3 across(glm::dvec3 v, glm::dvec3 forward) { return v - forward * glm::dot(v, forward); }
 
 // Returns the unit vector perpendicular to unit `forward` that is nearest to `wish`; if they are parallel, a
 // perpendicular vector that depends on `forward` alone.

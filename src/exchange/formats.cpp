@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "base/words.h"
 #include "exchange/export/track_shapes.h"
 #include "exchange/nolimits/nl2_csv.h"
 #include "exchange/nolimits/nl2elem.h"
@@ -27,15 +28,12 @@ constexpr std::array kFormats{
     Format{".svg", "drawing", nullptr, print_svg, false, false},
 };
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 }  // namespace
 
 std::span<const Format> formats() { return kFormats; }
 
 const Format* format_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), lower);
+  const std::string ending = base::lower(path.extension().string());
   const auto found =
       std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return f.ending == ending; });
   return found == kFormats.end() ? nullptr : &*found;

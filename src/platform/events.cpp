@@ -5,6 +5,8 @@
 #include <cctype>
 #include <utility>
 
+#include "base/words.h"
+
 namespace coaster::platform {
 namespace {
 
@@ -25,13 +27,6 @@ constexpr std::pair<std::string_view, Key> kNames[] = {
     {"f8", Key::f8},         {"f9", Key::f9},           {"f10", Key::f10},
     {"f11", Key::f11},       {"f12", Key::f12},         {"keypadenter", Key::keypad_enter}};
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
-
 Key key_named(const std::string& name) {
   if (name.size() == 1 && std::isalnum(static_cast<unsigned char>(name[0])))
     return static_cast<Key>(std::toupper(static_cast<unsigned char>(name[0])));
@@ -44,7 +39,7 @@ Key key_named(const std::string& name) {
 
 std::optional<Chord> parse_chord(std::string_view text) {
   Chord chord;
-  std::string rest = lower(text);
+  std::string rest = base::lower(text);
   for (;;) {
     const std::size_t plus = rest.find('+');
     if (plus == std::string::npos || plus == 0) break;

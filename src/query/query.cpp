@@ -38,9 +38,7 @@ const Query* find_query(std::string_view name) {
 }
 
 std::optional<int> rank_of(std::string_view query_name, std::string_view word) {
-  std::string lower(word);
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string lower = base::lower(word);
   const auto place = [&](std::span<const std::string_view> words) -> std::optional<int> {
     const auto found = std::find(words.begin(), words.end(), lower);
     if (found == words.end()) return std::nullopt;

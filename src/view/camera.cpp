@@ -36,15 +36,19 @@ glm::vec3 towards_eye(float yaw_deg, float pitch_deg) {
 
 }  // namespace
 
+glm::dmat3 axes_of(const Eye& eye) {
+  const glm::dvec3 forward = glm::normalize(eye.forward), right = glm::normalize(glm::cross(forward, eye.up));
+  return {right, glm::cross(right, forward), -forward};
+}
+
 View view_of(const Eye& eye, Viewport viewport) {
   View out;
   out.viewport = with_area(viewport);
   out.eye = glm::vec3(eye.position);
   // Built from the direction itself: eye + forward would lose it to rounding when the eye is kilometres away.
-  const glm::dvec3 f = glm::normalize(eye.forward), r = glm::normalize(glm::cross(f, eye.up)), u = glm::cross(r, f),
-                   e(out.eye);
-  out.view = glm::mat4(glm::dmat4(r.x, u.x, -f.x, 0, r.y, u.y, -f.y, 0, r.z, u.z, -f.z, 0, -glm::dot(r, e),
-                                  -glm::dot(u, e), glm::dot(f, e), 1));
+  const glm::dmat3 to_eye = glm::transpose(axes_of(eye));
+  out.view = glm::mat4(glm::dmat4(to_eye));
+  out.view[3] = glm::vec4(glm::vec3(-(to_eye * glm::dvec3(out.eye))), 1);
   // The near plane moves out with the viewing distance, so that depth stays precise over a large track.
   const float far_off = static_cast<float>(eye.far_off), near_plane = std::max(kNearPlane, far_off * 2e-3f),
               far_plane = std::max(kFarPlane, far_off * 4.0f);

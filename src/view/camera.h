@@ -41,6 +41,9 @@ struct Eye {
 inline constexpr float kLowestEye = 0.3f;  // m above the ground plane y = 0
 inline constexpr float kRiderEye = 1.1f;   // m above the rails
 
+// Returns right, up and back of an eye as columns: unit, perpendicular. `up` must not be parallel to `forward`.
+glm::dmat3 axes_of(const Eye& eye);
+
 // Both eyes stay above the ground.
 Eye orbit_eye(const world::Camera& camera);
 Eye fly_eye(const world::FlyCamera& fly, float field_of_view_deg);

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable_math.h"
+#include "curve/frames.h"
 #include "view/camera_rig.h"
 
 namespace coaster::view {
@@ -16,37 +18,21 @@ constexpr double kSteepest = 0.8;         // rad, limit of the calm view's pitch
 constexpr double kBobLag = 0.12;          // s, time constant of the neck
 constexpr double kBobUp = 0.02, kBobSide = 0.03, kMostBob = 0.07;  // m per g, m per g, m
 constexpr double kRumble = 0.003;                                  // m at 20 m/s
-constexpr double kPi = 3.14159265358979323846;
 
-double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
-
-// Returns `v` turned by the least rotation that takes unit `from` to unit `to`; about some perpendicular axis if they
-// are opposite.
-dvec3 carried(const dvec3& v, const dvec3& from, const dvec3& to) {
-  const double c = glm::dot(from, to);
-  if (c < -0.999999) return v;
-  const dvec3 axis = glm::cross(from, to);
-  return v * c + glm::cross(axis, v) + axis * (glm::dot(axis, v) / (1 + c));
-}
-
-dvec3 turned(const dvec3& v, const dvec3& about, double angle) {
-  return v * std::cos(angle) + glm::cross(about, v) * std::sin(angle) +
-         about * (glm::dot(about, v) * (1 - std::cos(angle)));
-}
+double wrapped(double angle) { return std::remainder(angle, 2 * base::kPi); }
 
 // Returns the head's offset: against g, plus a small shake. The distance travelled is the only clock.
 dvec3 bob_of(const Watched& w, const Ridden& ridden) {
   const sim::Felt g = sim::felt(w.document, w.derived, ridden.cart, ridden.motion);
   const double shake = kRumble * std::min(std::abs(ridden.motion.speed) / 20, 1.5), d = ridden.motion.travelled;
   const auto part = [](double metres) { return std::isfinite(metres) ? std::clamp(metres, -kMostBob, kMostBob) : 0.0; };
-  return {0, part(kBobUp * (1 - g.up)) + shake * std::sin(2 * kPi * d / 3.1),
-          part(-kBobSide * g.left) + shake * std::sin(2 * kPi * d / 4.7)};
+  return {0, part(kBobUp * (1 - g.up)) + shake * std::sin(2 * base::kPi * d / 3.1),
+          part(-kBobSide * g.left) + shake * std::sin(2 * base::kPi * d / 4.7)};
 }
 
 // Turns the rider's up: carried along by the least rotation, then rolled after the track's roll.
 void roll_after(CameraRig& rig, const curve::Frame& frame, double lag, double dt) {
-  dvec3 up = carried(rig.up, rig.forward, frame.forward);
-  up -= glm::dot(up, frame.forward) * frame.forward;
+  dvec3 up = curve::across(curve::least_rotation(rig.forward, frame.forward, rig.up, rig.up), frame.forward);
   const double length = glm::length(up);
   rig.forward = frame.forward;
   if (!(length > 1e-6) || !(lag > 0)) {
@@ -55,11 +41,11 @@ void roll_after(CameraRig& rig, const curve::Frame& frame, double lag, double dt
   }
   up /= length;
   // Beyond half a turn the lag is ambiguous: take the value nearest to the last one.
-  const double seen = std::atan2(glm::dot(glm::cross(up, frame.up), frame.forward), glm::dot(up, frame.up));
+  const double seen = curve::signed_angle(up, frame.up, frame.forward);
   rig.roll_lag += wrapped(seen - rig.roll_lag);
   Damped<double> roll{-rig.roll_lag, rig.roll_rate};
   roll.approach(0, lag, dt);
-  rig.up = turned(up, frame.forward, roll.value + rig.roll_lag);
+  rig.up = curve::rotate(up, frame.forward, roll.value + rig.roll_lag);
   rig.roll_lag = -roll.value, rig.roll_rate = roll.rate;
 }
 
@@ -81,7 +67,7 @@ void Heading::follow(const curve::Frame& frame, double lag, double dt) {
   const double flat = std::sqrt(f.x * f.x + f.z * f.z),
                part = std::clamp((flat - kVague) / (kClear - kVague), 0.0, 1.0);
   double off = flat > 1e-9 ? wrapped(std::atan2(-f.x, -f.z) - yaw) : 0.0;
-  if (frame.up.y < kUpright && std::cos(off) < 0) off = wrapped(off + kPi);
+  if (frame.up.y < kUpright && std::cos(off) < 0) off = wrapped(off + base::kPi);
   const double k = 2 / lag;
   for (double rest = dt; rest > 1e-9; rest -= world::kTick) {  // small steps, because the pull changes with the angle
     const double step = std::min(rest, world::kTick);

@@ -33,10 +33,7 @@ Ridden ridden_of(const Watched& w, world::Entity cart, const world::CartMotion& 
   return out;
 }
 
-dquat turn_of(const Eye& eye) {
-  const dvec3 f = glm::normalize(eye.forward), r = glm::normalize(glm::cross(f, eye.up)), u = glm::cross(r, f);
-  return glm::quat_cast(glm::dmat3(r, u, -f));
-}
+dquat turn_of(const Eye& eye) { return glm::quat_cast(axes_of(eye)); }
 
 bool finite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 bool usable(const Eye& eye) {

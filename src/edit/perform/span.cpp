@@ -18,8 +18,7 @@ using world::Knot;
 // Where the front of a train is once the track is turned round: at what was its rear, so that it stays on the same
 // rails.
 double turned(const sim::Derived& derived, double front, double behind) {
-  const double place = derived.length - (front - behind);
-  if (derived.closed) return derived.length > 0 ? place - derived.length * std::floor(place / derived.length) : 0;
+  const double place = sim::within_lap(derived.length - (front - behind), derived.length, derived.closed);
   return std::clamp(place, 0.0, derived.length);
 }
 

@@ -16,9 +16,7 @@ using world::RideState;
 double mean_height(const sim::Ghost& ghost, const sim::RailTables& tables, double travelled, std::size_t& hint) {
   double sum = 0;
   for (int car = 0; car < ghost.start.cars; ++car) {
-    double at = ghost.start.front + travelled - car * ghost.start.spacing;
-    if (ghost.closed && ghost.track_length > 0) at -= ghost.track_length * std::floor(at / ghost.track_length);
-    const double s = tables.locate(at, hint);
+    const double s = tables.locate(ghost.place(travelled, car), hint);
     sum += sim::rail_at(tables.segment(hint), s).height;
   }
   return sum / ghost.start.cars;
@@ -44,9 +42,8 @@ std::optional<Shortfall> shortfall(const sim::Ghost& ghost, const sim::RailTable
   }
   if (top - from < kRise) return std::nullopt;
   const auto along = [&](double travelled) {
-    const double at = ghost.start.front + travelled;
-    return ghost.closed && ghost.track_length > 0 ? at - ghost.track_length * std::floor(at / ghost.track_length)
-                                                  : std::min(at, ghost.track_length);
+    const double at = ghost.place(travelled);
+    return ghost.closed ? at : std::min(at, ghost.track_length);
   };
   return Shortfall{top - from, along(top_at), along(furthest)};
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "base/words.h"
 #include "sim/plan/fit_track.h"
 #include "world/topology.h"
 
@@ -63,11 +64,7 @@ std::size_t split(std::string_view line, std::array<std::string_view, kColumns.s
   }
 }
 
-bool same_word(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return a.size() == b.size() &&
-         std::equal(a.begin(), a.end(), b.begin(), [&](char x, char y) { return lower(x) == lower(y); });
-}
+bool same_word(std::string_view a, std::string_view b) { return base::lower(a) == base::lower(b); }
 
 std::size_t decimals(std::string_view number) {
   const std::size_t point = number.find('.');

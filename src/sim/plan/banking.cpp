@@ -3,6 +3,9 @@
 #include <cmath>
 #include <optional>
 
+#include "curve/continuity.h"
+#include "curve/frames.h"
+
 namespace coaster::sim {
 namespace {
 
@@ -10,10 +13,7 @@ using glm::dvec3;
 
 // Returns r'' in 1/m at the start (t = 0) or end (t = 1) of segment `index`.
 dvec3 bend_at(const Derived& derived, std::size_t index, double t) {
-  const curve::Cubic& c = derived.shape(derived.order[index]).key.cubic;
-  const dvec3 d = curve::derivative(c, t), dd = curve::second_derivative(c, t);
-  const double square = glm::dot(d, d);
-  return square > 1e-18 ? (dd - d * (glm::dot(dd, d) / square)) / square : dvec3(0);
+  return curve::curvature_vector(derived.shape(derived.order[index]).key.cubic, t);
 }
 
 // Returns the mean of the curvatures on both sides of knot i.
@@ -28,8 +28,8 @@ dvec3 mean_bend(const Derived& derived, std::size_t i) {
 
 // Returns the first sample at which the middle car is past `distance` (m from the track's start).
 std::optional<std::size_t> passing(const Ghost& ghost, double distance) {
-  double ahead = distance - (ghost.start.front - 0.5 * (ghost.start.cars - 1) * ghost.start.spacing);
-  if (ghost.closed) ahead -= ghost.track_length * std::floor(ahead / ghost.track_length);
+  const double middle = ghost.start.front - 0.5 * (ghost.start.cars - 1) * ghost.start.spacing;
+  const double ahead = within_lap(distance - middle, ghost.track_length, ghost.closed);
   if (ahead < 0) return std::nullopt;
   for (std::size_t k = 0; k < ghost.samples.size(); ++k)
     if (ghost.samples[k].travelled >= ahead) return k;
@@ -48,7 +48,7 @@ std::vector<glm::vec3> banked_ups(const world::Document& document, const Derived
     if (!sample) continue;
     const double speed = ghost.samples[*sample].speed;
     const dvec3 tangent(knot.tangent), felt = speed * speed * mean_bend(derived, i) + dvec3(0, world::kGravity, 0);
-    dvec3 across = felt - tangent * glm::dot(felt, tangent);
+    dvec3 across = curve::across(felt, tangent);
     if (glm::length(across) < kLeastFelt * world::kGravity) continue;
     if (glm::dot(across, dvec3(knot.up)) < 0) across = -across;
     ups.back() = glm::vec3(glm::normalize(across));

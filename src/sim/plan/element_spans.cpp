@@ -5,6 +5,7 @@
 
 #include "base/portable_math.h"
 #include "curve/continuity.h"
+#include "curve/frames.h"
 #include "world/topology.h"
 
 namespace coaster::sim {
@@ -17,13 +18,11 @@ using glm::dvec3;
 constexpr double kMostRoll = 2.5;  // rad per span: well below half a turn, so that no whole turns are needed
 constexpr double kShortest = 0.1, kLongest = 0.8;  // handles, relative to a span's length
 
-dvec3 across(dvec3 v, dvec3 tangent) { return v - tangent * glm::dot(v, tangent); }
-
 // Returns the unit direction in which a span bends at one of its ends; 0 if it is straight. `other` is the tangent at
 // its far end.
 dvec3 bend_direction(const ElementPoint& p, dvec3 other, double length) {
   constexpr double kFelt = 1e-6;  // rad
-  for (const dvec3 wish : {p.curvature * length, across(other, p.tangent)})
+  for (const dvec3 wish : {p.curvature * length, curve::across(other, p.tangent)})
     if (const double size = glm::length(wish); size > kFelt) return wish / size;
   return dvec3(0);
 }
@@ -44,7 +43,7 @@ JumpTerms jump_at(const Nodes& n, std::size_t k) {
   JumpTerms j{n.place[k + 1] - n.in[k + 1] * n.tangent[k + 1] - n.place[k],
               n.place[k - 1] + n.out[k - 1] * n.tangent[k - 1] - n.place[k], n.out[k] * n.out[k], n.in[k] * n.in[k],
               dvec3(0)};
-  j.jump = 2.0 / 3.0 * across(j.after / j.out_square - j.before / j.in_square, n.tangent[k]);
+  j.jump = 2.0 / 3.0 * curve::across(j.after / j.out_square - j.before / j.in_square, n.tangent[k]);
   return j;
 }
 
@@ -107,7 +106,7 @@ void shift_second(Nodes& n, const ElementCurve& curve, std::span<const std::size
   const dvec3 far = last ? n.place[next] + n.out[next] * n.tangent[next] : n.place[next] - n.in[next] * n.tangent[next];
   const double handle = last ? n.in[end] : n.out[end];
   const dvec3 wanted = curve.points[at[end]].curvature,
-              is = 2.0 / 3.0 * across(far - n.place[end], n.tangent[end]) / (handle * handle);
+              is = 2.0 / 3.0 * curve::across(far - n.place[end], n.tangent[end]) / (handle * handle);
   const dvec3 ideal = curve.points[at[next]].position;
   dvec3 off = n.place[next] + handle * handle * (wanted - is) - ideal;
   if (const double size = glm::length(off); size > kMostShift) off *= kMostShift / size;

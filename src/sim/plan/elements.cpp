@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "curve/continuity.h"
+#include "curve/frames.h"
 
 namespace coaster::sim {
 namespace {
@@ -57,7 +58,7 @@ std::optional<TrackEnd> open_end(const world::Document& document) {
   end.up = curve::perpendicular(end.forward, dvec3(last.up));
   if (!track.segments.empty()) {
     const dvec3 bend = curve::curvature_vector(world::cubic_of(document, track.segments.back()), 1.0);
-    end.curvature = bend - end.forward * glm::dot(bend, end.forward);
+    end.curvature = curve::across(bend, end.forward);
   }
   return end;
 }

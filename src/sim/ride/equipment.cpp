@@ -13,9 +13,7 @@ constexpr double kStopSpeed = 0.05;   // m/s, slow enough to stop
 constexpr double kCreep = 0.3;        // m/s, at which tyres push a train that stopped short
 
 double car_place(const Rails& rails, const TrainPlace& train, int car) {
-  double at = train.front - car * train.spacing;
-  if (rails.closed && rails.length > 0) at -= rails.length * std::floor(at / rails.length);
-  return at;
+  return within_lap(train.front - car * train.spacing, rails.length, rails.closed);
 }
 
 bool inside(const EquipmentSpan& span, double at) { return at >= span.from && at < span.to; }

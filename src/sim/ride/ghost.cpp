@@ -229,12 +229,6 @@ class Simulation {
 
 }  // namespace
 
-double Ghost::distance(std::size_t sample) const {
-  const double at = start.front + samples[sample].travelled;
-  if (!closed || !(track_length > 0)) return at;
-  return at - track_length * std::floor(at / track_length);
-}
-
 Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
                const GhostStart& start, const GhostLimits& limits, Ghost memory) {
   if (tables.size() == 0 || !(tables.length() > 0)) {

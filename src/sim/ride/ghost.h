@@ -54,8 +54,12 @@ struct Ghost {
   double lap_time = 0;                                // s, from the start to the start again, if `lap`
 
   double seconds() const { return samples.empty() ? 0.0 : static_cast<double>(samples.size() - 1) * world::kTick; }
-  // Returns the track distance of the first car at a sample, wrapped on a closed track.
-  double distance(std::size_t sample) const;
+  // Returns the track distance (m) of car `car` (0: the first) after the train has travelled that far from its start,
+  // less whole laps on a closed track.
+  double place(double travelled, int car = 0) const {
+    return within_lap(start.front + travelled - car * start.spacing, track_length, closed);
+  }
+  double distance(std::size_t sample, int car = 0) const { return place(samples[sample].travelled, car); }
 };
 
 struct GhostLimits {

@@ -163,10 +163,8 @@ void derive(const world::Document& document, const world::Settings& settings, co
 
 TrackPlace place_at(const Derived& derived, double distance) {
   COASTER_CHECK(!derived.order.empty(), "a place needs a segment");
-  if (derived.closed && derived.length > 0) {
-    distance -= derived.length * std::floor(distance / derived.length);
-    if (distance >= derived.length) distance = 0;
-  }
+  distance = within_lap(distance, derived.length, derived.closed);
+  if (derived.closed && distance >= derived.length) distance = 0;
   distance = std::clamp(distance, 0.0, derived.length);
   const auto above = std::upper_bound(derived.starts.begin(), derived.starts.end(), distance);
   std::size_t index = static_cast<std::size_t>(above - derived.starts.begin());

@@ -2,6 +2,7 @@
 // never saved, never edited.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -81,6 +82,11 @@ using Clock = std::function<double()>;
 
 // Updates `derived`. Costs one key comparison per segment, and a rebuild for each one that changed.
 void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived);
+
+// Returns `distance` (m) less whole laps of `length` on a closed track, in [0, length] (rounding can reach the end).
+inline double within_lap(double distance, double length, bool closed) {
+  return closed && length > 0 ? distance - length * std::floor(distance / length) : distance;
+}
 
 // Position on the track by distance from its start; wraps on a closed track, clamps on an open one. Needs a segment.
 struct TrackPlace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curve/continuity.h"
+
 namespace coaster::sim {
 namespace {
 
@@ -10,14 +12,6 @@ using glm::dvec3;
 
 glm::vec3 on_axes(const dvec3& v, const curve::Frame& frame) {
   return {glm::dot(v, frame.forward), glm::dot(v, frame.left()), glm::dot(v, frame.up)};
-}
-
-// Returns the curvature vector r'' in 1/m at parameter t; 0 where the speed is 0.
-dvec3 bend_of(const curve::Cubic& c, double t) {
-  const dvec3 d = curve::derivative(c, t), dd = curve::second_derivative(c, t);
-  const double square = glm::dot(d, d);
-  if (!(square > 1e-18)) return dvec3(0);
-  return (dd - d * (glm::dot(dd, d) / square)) / square;
 }
 
 void fill(const SegmentShape& shape, double heartline, SegmentTable& table) {
@@ -32,7 +26,7 @@ void fill(const SegmentShape& shape, double heartline, SegmentTable& table) {
   for (std::size_t i = 0; i < count; ++i) {
     const double s = i + 1 == count ? length : table.step * static_cast<double>(i), t = shape.arc.parameter(s);
     frames[i] = frame_at(shape, s);
-    bends[i] = bend_of(shape.key.cubic, t);
+    bends[i] = curve::curvature_vector(shape.key.cubic, t);
     table.height[i] = curve::point(shape.key.cubic, t).y;
     table.slope[i] = frames[i].forward.y;
   }
@@ -71,10 +65,9 @@ void RailTables::update(const Derived& derived, double heartline) {
 }
 
 double RailTables::search(double distance, std::size_t& hint) const {
-  const double total = length();
-  if (closed_ && total > 0 && (distance < 0 || distance >= total)) {
-    distance -= total * std::floor(distance / total);
-    if (distance >= total) distance = 0;
+  if (const double total = length(); distance < 0 || distance >= total) {
+    distance = within_lap(distance, total, closed_);
+    if (closed_ && distance >= total) distance = 0;
   }
   const std::size_t last = order_.size() - 1;
   if (hint > last || distance < starts_[hint] || distance > starts_[hint + 1]) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/portable_math.h"
+#include "curve/frames.h"
 
 namespace coaster::sim {
 namespace {
@@ -17,8 +18,6 @@ constexpr double kRingTwist = base::radians(6.0);  // between rings
 constexpr double kRingSpacing = 4.0;               // m, largest spacing on a segment that bends
 constexpr double kStraight = base::radians(0.25);  // of bend and twist together: below it a segment is straight
 constexpr double kShortestWithTie = 0.3;           // m
-
-double angle_between(dvec3 a, dvec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
 
 // Returns the frame of a knot, the same from both of its segments.
 curve::Frame knot_frame(glm::vec3 tangent, glm::vec3 up) {
@@ -63,12 +62,12 @@ std::vector<double> ring_places(const SegmentShape& shape) {
   std::array<double, kFrameIntervals + 1> place{}, wanted{};
   double turned = std::abs(shape.twist);
   for (int i = 0; i < kFrameIntervals; ++i)
-    turned += angle_between(shape.frames[i].forward, shape.frames[i + 1].forward);
+    turned += curve::angle_between(shape.frames[i].forward, shape.frames[i + 1].forward);
   const bool straight = turned < kStraight;
   for (int i = 1; i <= kFrameIntervals; ++i) {
     place[i] = i == kFrameIntervals ? length : shape.arc.distance(static_cast<double>(i) / kFrameIntervals);
     const double step = place[i] - place[i - 1], share = length > 0 ? step / length : 0.0;
-    const double bend = angle_between(shape.frames[i - 1].forward, shape.frames[i].forward);
+    const double bend = curve::angle_between(shape.frames[i - 1].forward, shape.frames[i].forward);
     wanted[i] = wanted[i - 1] + (straight ? share : rings_wanted(bend, std::abs(shape.twist) * share, step));
   }
   const int intervals = std::clamp(static_cast<int>(std::ceil(wanted.back() - 1e-6)), 1, kMaxRings - 1);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable_math.h"
+
 namespace coaster::sim {
 namespace {
 
@@ -12,8 +14,7 @@ constexpr double kForceRate = static_cast<double>(world::kTicksPerSecond) / kFor
 struct Section {
   double b, a1, a2;  // (b, 2b, b) over (1, a1, a2)
   Section(double rate, double cutoff, double q) {
-    const double k = std::tan(3.14159265358979323846 * std::min(cutoff, 0.45 * rate) / rate),
-                 norm = 1.0 / (1.0 + k / q + k * k);
+    const double k = std::tan(base::kPi * std::min(cutoff, 0.45 * rate) / rate), norm = 1.0 / (1.0 + k / q + k * k);
     b = k * k * norm, a1 = 2.0 * (k * k - 1.0) * norm, a2 = (1.0 - k / q + k * k) * norm;
   }
   void run(std::span<float> values) const {
@@ -75,10 +76,7 @@ void find_spans(const Ghost& ghost, const Envelope& envelope, int car, ForceAxis
     over[i] = {values[i] - allowed, allowed};
     ++edges[runs[i].first], --edges[runs[i].last + 1];
   }
-  const auto distance = [&](std::size_t entry) {
-    const double at = ghost.start.front + ghost.samples[entry * kForceEvery].travelled - car * ghost.start.spacing;
-    return ghost.closed ? at - ghost.track_length * std::floor(at / ghost.track_length) : at;
-  };
+  const auto distance = [&](std::size_t entry) { return ghost.distance(entry * kForceEvery, car); };
   int depth = 0;
   std::size_t begin = 0;
   for (std::size_t i = 0; i <= values.size(); ++i) {

@@ -6,25 +6,16 @@
 namespace coaster::sim {
 namespace {
 
-struct CarAt {
-  const Ghost& ghost;
-  double distance(std::size_t sample, int car) const {
-    const double at = ghost.start.front + ghost.samples[sample].travelled - car * ghost.start.spacing;
-    return ghost.closed && ghost.track_length > 0 ? at - ghost.track_length * std::floor(at / ghost.track_length) : at;
-  }
-};
-
-void take(Extreme& extreme, double value, bool first, bool larger, std::size_t sample, int car, const CarAt& at) {
+void take(Extreme& extreme, double value, bool first, bool larger, std::size_t sample, int car, const Ghost& ghost) {
   if (!first && !(larger ? value > extreme.value : value < extreme.value)) return;
-  extreme = {value, static_cast<double>(sample) * world::kTick, at.distance(sample, car), car};
+  extreme = {value, static_cast<double>(sample) * world::kTick, ghost.distance(sample, car), car};
 }
 
 // Updates `extreme` with the largest of a car's low-passed values on one axis.
 void take_force(const Ghost& ghost, int car, ForceAxis axis, double cutoff, double sign, Extreme& extreme) {
   const std::vector<float> values = pressed(ghost, car, axis, cutoff);
-  const CarAt at{ghost};
   for (std::size_t i = 0; i < values.size(); ++i)
-    take(extreme, sign * values[i], car == 0 && i == 0, sign > 0, i * kForceEvery, car, at);
+    take(extreme, sign * values[i], car == 0 && i == 0, sign > 0, i * kForceEvery, car, ghost);
 }
 
 void take_forces(const Ghost& ghost, double cutoff, Ratings& r) {
@@ -42,7 +33,6 @@ void take_forces(const Ghost& ghost, double cutoff, Ratings& r) {
 
 // Heights under the first car: extremes, and descents from a top to the next bottom.
 void take_heights(const Ghost& ghost, const RailTables& tables, Ratings& r) {
-  const CarAt at{ghost};
   std::size_t hint = 0;
   double top = 0, bottom = 0;
   const auto end_drop = [&] {
@@ -52,9 +42,9 @@ void take_heights(const Ghost& ghost, const RailTables& tables, Ratings& r) {
     r.highest_drop = std::max(r.highest_drop, drop);
   };
   for (std::size_t i = 0; i < ghost.samples.size(); i += kForceEvery) {
-    const double s = tables.locate(at.distance(i, 0), hint), height = rail_at(tables.segment(hint), s).height;
-    take(r.highest, height, i == 0, true, i, 0, at), take(r.lowest, height, i == 0, false, i, 0, at);
-    take(r.top_speed, std::abs(ghost.samples[i].speed), i == 0, true, i, 0, at);
+    const double s = tables.locate(ghost.distance(i), hint), height = rail_at(tables.segment(hint), s).height;
+    take(r.highest, height, i == 0, true, i, 0, ghost), take(r.lowest, height, i == 0, false, i, 0, ghost);
+    take(r.top_speed, std::abs(ghost.samples[i].speed), i == 0, true, i, 0, ghost);
     if (i == 0) top = bottom = height;
     constexpr double kNoise = 0.05;  // m up, before a descent ends
     if (height < bottom) bottom = height;
@@ -70,12 +60,11 @@ void take_heights(const Ghost& ghost, const RailTables& tables, Ratings& r) {
 void count_inversions(const Ghost& ghost, const RailTables& tables, Ratings& r) {
   constexpr float kBelow = -0.2f,
                   kAbove = 0.2f;  // of the up vector's height, so that a rider on the side is not counted twice
-  const CarAt at{ghost};
   const int car = ghost.start.cars / 2;
   std::size_t hint = 0;
   bool inverted = false;
   for (std::size_t i = 0; i < ghost.samples.size(); i += kForceEvery) {
-    const double s = tables.locate(at.distance(i, car), hint);
+    const double s = tables.locate(ghost.distance(i, car), hint);
     const float up = felt_at(tables.segment(hint), s, 0.0f, 0.0f).z;
     if (!inverted && up < kBelow) ++r.inversions, inverted = true;
     if (up > kAbove) inverted = false;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/words.h"
 #include "edit/commands/codec.h"
 #include "ui/actions/key_map.h"
 #include "ui/screens/dialogs.h"
@@ -20,12 +21,6 @@ namespace coaster::ui {
 namespace {
 
 constexpr int kShown = 12;
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 // One line of the list: an action, a command, or what is typed when that is a command.
 struct PaletteLine {
@@ -120,7 +115,7 @@ void draw_row(Act& act, const PaletteLine& entry, bool chosen, bool& pressed) {
 }  // namespace
 
 int match(std::string_view words, std::string_view name, std::string_view help) {
-  const std::string wanted = lower(words), in_name = lower(name), in_help = lower(help);
+  const std::string wanted = base::lower(words), in_name = base::lower(name), in_help = base::lower(help);
   int score = 1;
   std::size_t at = 0;
   while (at < wanted.size()) {

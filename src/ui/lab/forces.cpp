@@ -72,8 +72,7 @@ struct Cursor {
 std::optional<Cursor> cursor_of(const edit::Session& session, const sim::Ghost& ghost, const ForceStudy& study) {
   const world::CartMotion* const cart = session.motion.carts.find(edit::chosen_cart(session));
   if (!cart || study.way.empty()) return std::nullopt;
-  double way = cart->track_distance - ghost.start.front;
-  if (ghost.closed && ghost.track_length > 0) way -= ghost.track_length * std::floor(way / ghost.track_length);
+  const double way = sim::within_lap(cart->track_distance - ghost.start.front, ghost.track_length, ghost.closed);
   const auto at = std::lower_bound(study.way.begin(), study.way.end(), way);
   if (at == study.way.end()) return std::nullopt;
   return Cursor{way, study.time[static_cast<std::size_t>(at - study.way.begin())]};

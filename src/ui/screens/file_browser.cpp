@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/words.h"
 #include "exchange/formats.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
@@ -16,12 +17,6 @@ namespace {
 
 constexpr std::size_t kMostRows = 2000;  // drawn at once; typing finds the others
 constexpr double kReadAgain = 1;         // s
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
 
 // "~/x" and "/x" are paths, whatever is looked for.
 bool is_path(const std::string& words) {
@@ -81,10 +76,10 @@ bool FileBrowser::knows(const base::FolderEntry& entry) const {
 }
 
 FileBrowser::Entries FileBrowser::shown_entries() const {
-  const std::string wanted = mode_ == Mode::open && !is_path(words_) ? lower(words_) : "";
+  const std::string wanted = mode_ == Mode::open && !is_path(words_) ? base::lower(words_) : "";
   Entries shown;
   for (const base::FolderEntry& entry : entries_)
-    if ((entry.folder || all_ || knows(entry)) && lower(entry.name).find(wanted) != std::string::npos)
+    if ((entry.folder || all_ || knows(entry)) && base::lower(entry.name).find(wanted) != std::string::npos)
       shown.push_back(&entry);
   return shown;
 }
