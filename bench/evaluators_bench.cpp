@@ -159,7 +159,7 @@ benchmark::internal::Benchmark* add(const std::string& name, Run run, Rest... re
   add("store/vertices", store, kSegments * kSteps * 24, false);
   add("store/non_temporal", store, kManySegments * kSteps * 12, true);
   for (const curve::Evaluator& row : curve::evaluators()) {
-    if (row.stage != curve::Stage::processor) continue;  // their processor twin is Horner's row
+    if (row.evaluated_by != curve::EvaluatedBy::processor) continue;  // their processor twin is Horner's row
     const std::string name(row.name);
     add("evaluate/points/" + name, evaluate, row, false);
     add("evaluate/points_and_tangents/" + name, evaluate, row, true);

@@ -128,13 +128,14 @@ void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size si
   stats.polyline_upload_bytes = drawn.polyline_upload_bytes;
   stats.polyline_bytes = drawn.polyline_bytes;
   stats.drawn_by = drawn.drawn_by;
-  if (drawn.drawn_by != derived.stage)
-    stats.stage_refusals[static_cast<std::size_t>(derived.stage)] = program.renderer->refusal(derived.stage);
+  if (drawn.drawn_by != derived.evaluated_by)
+    stats.stage_refusals[static_cast<std::size_t>(derived.evaluated_by)] =
+        program.renderer->refusal(derived.evaluated_by);
   stats.gpu_deviation = drawn.deviation;
   stats.deviation_pending = drawn.deviation_pending;
   stats.gpu_ms = drawn.gpu_ms;
   stats.rebuilds = program.rebuilds;
-  if (derived.stage != curve::Stage::processor) {
+  if (derived.evaluated_by != curve::EvaluatedBy::processor) {
     stats.evaluation_ms = 0;
     stats.evaluated_vertices = 0;
   } else if (program.rebuilds > 0) {

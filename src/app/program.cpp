@@ -55,8 +55,8 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   auto renderer = gfx::Renderer::make(program->gl, samples);
   if (!renderer) return renderer.status();
   program->renderer = std::move(*renderer);
-  for (const curve::Stage stage :
-       {curve::Stage::vertex_shader, curve::Stage::geometry_shader, curve::Stage::tessellation_shader})
+  for (const curve::EvaluatedBy stage : {curve::EvaluatedBy::vertex_shader, curve::EvaluatedBy::geometry_shader,
+                                         curve::EvaluatedBy::tessellation_shader})
     program->stats.stage_refusals[static_cast<std::size_t>(stage)] = program->renderer->refusal(stage);
   auto panels = ui::Host::make(program->gl, screen->content_scale());
   if (!panels) return panels.status();
@@ -88,7 +88,7 @@ base::Status apply_one(Program& program, const edit::Command& command) {
   after_command(program, command, applied);
   if (program.session.derived.last_build != builds) program.rebuilds += program.session.derived.rebuilds;
   if (applied && command.is<edit::SetEvaluator>())
-    if (const std::string reason = program.renderer->refusal(program.session.derived.stage); !reason.empty())
+    if (const std::string reason = program.renderer->refusal(program.session.derived.evaluated_by); !reason.empty())
       edit::notify(program.session, edit::NoticeKind::warning, "drawn by the vertex shader instead: " + reason);
   view::follow(program.rig, watched(program), 0);
   ++program.commands;

@@ -147,11 +147,11 @@ constexpr std::array<Evaluator, 10> kEvaluators{{
     {"forward_differences8", "Forward differences, 8 lanes", "each lane steps by 8/n, started anew every 64 points",
      "3 vector additions, by eights", detail::forward_differences8, forward_differences8_bound},
     {"gpu_vertex", "Vertex shader", "Horner at t = gl_VertexID / n, coefficients a segment",
-     "3 vector additions, 3 vector multiplications", horner, horner_bound, Stage::vertex_shader},
+     "3 vector additions, 3 vector multiplications", horner, horner_bound, EvaluatedBy::vertex_shader},
     {"gpu_geometry", "Geometry shader", "Horner at t = i / n for a point that becomes a strip",
-     "3 vector additions, 3 vector multiplications", horner, horner_bound, Stage::geometry_shader},
+     "3 vector additions, 3 vector multiplications", horner, horner_bound, EvaluatedBy::geometry_shader},
     {"gpu_tessellation", "Tessellation shader", "Horner at gl_TessCoord.x of a patch of four control points",
-     "3 vector additions, 3 vector multiplications", horner, horner_bound, Stage::tessellation_shader},
+     "3 vector additions, 3 vector multiplications", horner, horner_bound, EvaluatedBy::tessellation_shader},
 }};
 
 }  // namespace

@@ -26,7 +26,7 @@ using PolylineFunction = void (*)(const PreparedCubic& curve, std::span<glm::vec
 // Where the displayed points of a method are computed: on the processor, or by a shader from the control points.
 // `polyline` of a shader method repeats the shader's arithmetic on the processor, so tests, deviations and picking need
 // no GL.
-enum class Stage { processor, vertex_shader, geometry_shader, tessellation_shader };
+enum class EvaluatedBy { processor, vertex_shader, geometry_shader, tessellation_shader };
 
 struct Evaluator {
   std::string_view name;     // in scripts and files: "bernstein"
@@ -37,7 +37,7 @@ struct Evaluator {
   // Returns the largest |vertex - exact| in m for `steps` steps of a cubic whose control points are at most `extent`
   // from the origin and whose control polygon is `size` long; derived in evaluators.cpp.
   double (*error_bound)(double extent, double size, int steps);
-  Stage stage = Stage::processor;
+  EvaluatedBy evaluated_by = EvaluatedBy::processor;
 };
 
 std::span<const Evaluator> evaluators();

@@ -6,7 +6,7 @@
 
 namespace coaster::gfx {
 
-CurveDeviation::Result CurveDeviation::update(CurveStages& stages, curve::Stage stage, const TrackCache& track,
+CurveDeviation::Result CurveDeviation::update(GpuCurves& curves, curve::EvaluatedBy stage, const TrackCache& track,
                                               const sim::Derived& derived) {
   if (stage != stage_ || derived.steps != steps_) known_.clear(), able_ = true;
   stage_ = stage, steps_ = derived.steps;
@@ -19,7 +19,7 @@ CurveDeviation::Result CurveDeviation::update(CurveStages& stages, curve::Stage 
     CurveSlots run{track.control_buffer(), int(k), 1, steps_};
     while (run.count < room && k + 1 < placed.size() && changed(k + 1)) ++run.count, ++k;
     room -= run.count;
-    able_ = measure(stages, run, derived, placed);
+    able_ = measure(curves, run, derived, placed);
   }
   Result result;
   for (std::size_t k = 0; k < placed.size(); ++k) {
@@ -30,23 +30,23 @@ CurveDeviation::Result CurveDeviation::update(CurveStages& stages, curve::Stage 
   return result;
 }
 
-bool CurveDeviation::measure(CurveStages& stages, const CurveSlots& slots, const sim::Derived& derived,
+bool CurveDeviation::measure(GpuCurves& curves, const CurveSlots& slots, const sim::Derived& derived,
                              std::span<const TrackCache::Placed> placed) {
   if (gl_->GetBufferSubData == nullptr) return false;
-  records_.resize(CurveStages::captured_count(stage_, slots));
-  const std::size_t bytes = records_.size() * sizeof(CurveStages::Captured);
+  records_.resize(GpuCurves::captured_count(stage_, slots));
+  const std::size_t bytes = records_.size() * sizeof(GpuCurves::Captured);
   gl_->BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer_.id());
   if (bytes > capacity_) {
     gl_->BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, GLsizeiptr(bytes), nullptr, GL_DYNAMIC_READ);
     capacity_ = bytes;
   }
-  const bool captured = stages.capture(stage_, slots);
+  const bool captured = curves.capture(stage_, slots);
   if (captured) gl_->GetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLsizeiptr(bytes), records_.data());
   gl_->BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
   if (!captured) return false;
   std::vector<double> worst(std::size_t(slots.count), 0.0);  // squared
   std::vector<int> seen(std::size_t(slots.count), 0);
-  for (const CurveStages::Captured& record : records_) {
+  for (const GpuCurves::Captured& record : records_) {
     const int slot = int(record.slot), number = int(record.number);
     if (slot < 0 || slot >= slots.count || number < 0 || number > slots.steps) return false;
     const curve::Cubic& cubic = derived.shape(placed[std::size_t(slots.first + slot)].segment).key.cubic;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "gfx/curve_stages.h"
+#include "gfx/gpu_curves.h"
 #include "gfx/track_cache.h"
 
 namespace coaster::gfx {
@@ -21,7 +21,7 @@ class CurveDeviation {
   };
   // Measures segments that have not been measured with this stage, shape and resolution, up to kBudget vertices per
   // call (at least one segment), and waits for the GPU. If nothing changed, a call costs one comparison per segment.
-  Result update(CurveStages& stages, curve::Stage stage, const TrackCache& track, const sim::Derived& derived);
+  Result update(GpuCurves& curves, curve::EvaluatedBy stage, const TrackCache& track, const sim::Derived& derived);
   static constexpr int kBudget = 32'768;
 
  private:
@@ -29,17 +29,17 @@ class CurveDeviation {
     TrackCache::Placed placed;
     double metres = 0;
   };
-  bool measure(CurveStages& stages, const CurveSlots& slots, const sim::Derived& derived,
+  bool measure(GpuCurves& curves, const CurveSlots& slots, const sim::Derived& derived,
                std::span<const TrackCache::Placed> placed);
 
   const Gl* gl_;
   Object buffer_;
   std::size_t capacity_ = 0;  // bytes
-  curve::Stage stage_{};
+  curve::EvaluatedBy stage_{};
   int steps_ = 0;
   bool able_ = true;
   std::vector<Known> known_;  // by slot
-  std::vector<CurveStages::Captured> records_;
+  std::vector<GpuCurves::Captured> records_;
 };
 
 }  // namespace coaster::gfx

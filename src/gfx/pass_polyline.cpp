@@ -10,15 +10,15 @@ constexpr float kPolylineWidth = 1.75f;  // px
 constexpr glm::vec4 kPolylineColour{1, 1, 1, 0.9f};
 
 // Draws the polyline's quads: from cached vertices, or from control points by the stage that evaluates them.
-void draw_lines(const Pass& pass, const TrackCache& track, CurveStages& stages) {
+void draw_lines(const Pass& pass, const TrackCache& track, GpuCurves& curves) {
   const view::View& view = pass.scene.view;
   const PolylinePen pen{
       pass.view_projection, view.eye, {view.viewport.width, view.viewport.height}, kPolylineWidth, kPolylineColour};
   const int steps = pass.scene.derived.steps;
-  if (pass.stats.drawn_by != curve::Stage::processor) {
+  if (pass.stats.drawn_by != curve::EvaluatedBy::processor) {
     const int slots = static_cast<int>(track.placed().size());
     pass.count(2LL * slots * steps);
-    if (!pass.scene.unseen) stages.draw(pass.stats.drawn_by, {track.control_buffer(), 0, slots, steps}, pen);
+    if (!pass.scene.unseen) curves.draw(pass.stats.drawn_by, {track.control_buffer(), 0, slots, steps}, pen);
     return;
   }
   pass.programs.polyline.use();
@@ -30,7 +30,7 @@ void draw_lines(const Pass& pass, const TrackCache& track, CurveStages& stages) 
 
 }  // namespace
 
-void draw_polyline(const Pass& pass, const TrackCache& track, CurveStages& stages, GpuTimer& timer) {
+void draw_polyline(const Pass& pass, const TrackCache& track, GpuCurves& curves, GpuTimer& timer) {
   if (!pass.scene.show_polyline || pass.scene.derived.order.empty()) return;
   const Gl& gl = pass.gl;
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
@@ -42,7 +42,7 @@ void draw_polyline(const Pass& pass, const TrackCache& track, CurveStages& stage
   gl.DepthFunc(GL_LEQUAL);
   gl.DepthMask(GL_FALSE);
   timer.begin();
-  draw_lines(pass, track, stages);
+  draw_lines(pass, track, curves);
   timer.end();
   pass.stats.gpu_ms = timer.ms();
   gl.DepthMask(GL_TRUE);

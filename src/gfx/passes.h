@@ -2,7 +2,7 @@
 // pass sets what it needs.
 #pragma once
 
-#include "gfx/curve_stages.h"
+#include "gfx/gpu_curves.h"
 #include "gfx/gpu_timer.h"
 #include "gfx/instances.h"
 #include "gfx/renderer.h"
@@ -49,7 +49,7 @@ void draw_solids(const Pass& pass, const TrackCache& track, const Instances& ins
                  const SunShadows& shadows);
 
 // Draws the laboratory's polyline. `timer` measures its GPU time.
-void draw_polyline(const Pass& pass, const TrackCache& track, CurveStages& stages, GpuTimer& timer);
+void draw_polyline(const Pass& pass, const TrackCache& track, GpuCurves& curves, GpuTimer& timer);
 
 // Draws lines and marks over everything.
 void draw_overlay(const Pass& pass, const Instances& instances);

@@ -17,7 +17,7 @@ struct Renderer::Parts {
   AirBuffer air;
   TrackCache track;
   Instances instances;
-  CurveStages stages;
+  GpuCurves gpu_curves;
   ValueTexture values;  // colours of the track
   CurveDeviation deviation;
   SunShadows shadows;
@@ -25,13 +25,13 @@ struct Renderer::Parts {
   Object empty_array;  // for triangles without attributes
   FrameTargets targets;
 
-  Parts(const Gl& table, std::shared_ptr<const ScenePrograms> compiled, CurveStages with)
+  Parts(const Gl& table, std::shared_ptr<const ScenePrograms> compiled, GpuCurves with)
       : gl(table),
         programs(std::move(compiled)),
         air(table),
         track(table),
         instances(table),
-        stages(std::move(with)),
+        gpu_curves(std::move(with)),
         values(table),
         deviation(table),
         shadows(table),
@@ -52,9 +52,9 @@ void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
   stats.upload_bytes = synced.bytes;
   stats.polyline_upload_bytes = synced.polyline_bytes;
   stats.polyline_bytes = track.held_polyline_bytes();
-  stats.drawn_by = stages.usable(scene.derived.stage);
-  if (stats.drawn_by != curve::Stage::processor) {
-    const CurveDeviation::Result measured = deviation.update(stages, stats.drawn_by, track, scene.derived);
+  stats.drawn_by = gpu_curves.usable(scene.derived.evaluated_by);
+  if (stats.drawn_by != curve::EvaluatedBy::processor) {
+    const CurveDeviation::Result measured = deviation.update(gpu_curves, stats.drawn_by, track, scene.derived);
     stats.deviation = measured.metres;
     stats.deviation_pending = measured.pending;
   }
@@ -66,14 +66,14 @@ base::Result<std::unique_ptr<Renderer>> Renderer::make(const Gl& gl, int samples
   auto programs = make_scene_programs(gl);
   if (!programs) return programs.status();
   std::unique_ptr<Renderer> renderer(new Renderer(
-      std::make_unique<Parts>(gl, std::make_shared<const ScenePrograms>(std::move(*programs)), CurveStages(gl))));
+      std::make_unique<Parts>(gl, std::make_shared<const ScenePrograms>(std::move(*programs)), GpuCurves(gl))));
   renderer->set_samples(samples);
   return renderer;
 }
 
 std::unique_ptr<Renderer> Renderer::sibling(int samples) const {
   std::unique_ptr<Renderer> renderer(
-      new Renderer(std::make_unique<Parts>(parts_->gl, parts_->programs, parts_->stages.sibling())));
+      new Renderer(std::make_unique<Parts>(parts_->gl, parts_->programs, parts_->gpu_curves.sibling())));
   renderer->set_samples(samples);
   return renderer;
 }
@@ -81,7 +81,7 @@ std::unique_ptr<Renderer> Renderer::sibling(int samples) const {
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Renderer::~Renderer() = default;
 
-std::string Renderer::refusal(curve::Stage stage) const { return parts_->stages.refusal(stage); }
+std::string Renderer::refusal(curve::EvaluatedBy stage) const { return parts_->gpu_curves.refusal(stage); }
 
 void Renderer::set_samples(int samples) { parts_->targets.set_samples(samples); }
 
@@ -102,7 +102,7 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   parts.targets.begin(scene.view.viewport, around_of(scene.theme), scene.unseen);
   draw_backdrop(pass, parts.shadows);
   draw_solids(pass, parts.track, parts.instances, parts.values, parts.shadows);
-  draw_polyline(pass, parts.track, parts.stages, parts.polyline_timer);
+  draw_polyline(pass, parts.track, parts.gpu_curves, parts.polyline_timer);
   draw_overlay(pass, parts.instances);
   parts.targets.finish();
   return stats;

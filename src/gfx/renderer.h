@@ -47,7 +47,8 @@ struct DrawStats {
   std::int64_t upload_bytes = 0;           // written to the track's buffers
   std::int64_t polyline_upload_bytes = 0;  // of these, polylines: vertices, or control points for GPU evaluators
   std::int64_t polyline_bytes = 0;         // size of all polylines
-  curve::Stage drawn_by{};    // evaluator of the polyline: derived.stage, or the vertex shader as its substitute
+  curve::EvaluatedBy
+      drawn_by{};             // evaluator of the polyline: derived.evaluated_by, or the vertex shader as its substitute
   double deviation = 0;       // m, of vertices computed by the GPU, see CurveDeviation; 0 for processor evaluators
   int deviation_pending = 0;  // segments whose deviation will be measured in the next frames
 };
@@ -71,8 +72,8 @@ class Renderer {
 
   // Returns why a stage cannot evaluate polylines on this driver; empty if it can. draw() then uses the vertex shader:
   // the same picture.
-  std::string refusal(curve::Stage stage) const;
-  bool supports(curve::Stage stage) const { return refusal(stage).empty(); }
+  std::string refusal(curve::EvaluatedBy stage) const;
+  bool supports(curve::EvaluatedBy stage) const { return refusal(stage).empty(); }
 
   // 0 or 1: no multisampling; clamped to the driver's maximum.
   void set_samples(int samples);

@@ -26,7 +26,7 @@ void TrackCache::timed(const Work& work) {
 }
 
 TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Clock& clock) {
-  const bool on_processor = derived.stage == curve::Stage::processor;
+  const bool on_processor = derived.evaluated_by == curve::EvaluatedBy::processor;
   synced_ = {};
   clock_ = &clock;
   ++stamp_;

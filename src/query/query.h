@@ -31,7 +31,7 @@ struct FrameStats {
   std::int64_t upload_bytes = 0;           // B written to the track's buffers in the last frame
   std::int64_t polyline_upload_bytes = 0;  // B of these, to polylines: vertices, or control points for GPU evaluators
   std::int64_t polyline_bytes = 0;         // B of all polylines
-  curve::Stage drawn_by{};                 // evaluator of the last frame's polylines
+  curve::EvaluatedBy drawn_by{};           // evaluator of the last frame's polylines
   double gpu_deviation = 0;                // m, of vertices computed by the GPU
   int deviation_pending = 0;               // segments whose deviation on the GPU is not yet measured
   std::array<std::string, 4> stage_refusals;  // by stage: why the driver cannot evaluate there; empty if it can

@@ -147,16 +147,16 @@ Answer vertices(const Context& c, View) { return number(c.session.derived.vertic
 Answer vertex_budget(const Context& c, View) { return number(c.session.settings.vertex_budget); }
 // The processor's, or the one captured from the GPU.
 Answer deviation(const Context& c, View) {
-  return number(c.session.derived.stage == curve::Stage::processor ? c.session.derived.deviation
-                                                                   : c.stats.gpu_deviation);
+  return number(c.session.derived.evaluated_by == curve::EvaluatedBy::processor ? c.session.derived.deviation
+                                                                                : c.stats.gpu_deviation);
 }
 Answer deviation_pending(const Context& c, View) { return number(c.stats.deviation_pending); }
 Answer drawn_by(const Context& c, View) {
   switch (c.stats.drawn_by) {
-    case curve::Stage::processor: return text("processor");
-    case curve::Stage::vertex_shader: return text("vertex_shader");
-    case curve::Stage::geometry_shader: return text("geometry_shader");
-    case curve::Stage::tessellation_shader: return text("tessellation_shader");
+    case curve::EvaluatedBy::processor: return text("processor");
+    case curve::EvaluatedBy::vertex_shader: return text("vertex_shader");
+    case curve::EvaluatedBy::geometry_shader: return text("geometry_shader");
+    case curve::EvaluatedBy::tessellation_shader: return text("tessellation_shader");
   }
   return text("");
 }

@@ -18,7 +18,7 @@ base::Status Runner::run() {
   auto out = base::Root().open(options_.out);
   if (!out) return out.status();
   files_ = base::Files(std::move(*out));
-  if (const base::Status status = stage_.set_environment(environment_); !status) return status;
+  if (const base::Status status = frames_.set_environment(environment_); !status) return status;
   const Failure result = run(script_.statements);
   if (result) return {};
   const std::string note = write_evidence();
@@ -37,11 +37,11 @@ Failure Runner::run(const Block& block) {
 
 Failure Runner::run(const Statement& statement) {
   source_ = statement.source;
-  if (stage_.host().interrupted && stage_.host().interrupted()) {
+  if (frames_.host().interrupted && frames_.host().interrupted()) {
     failed_at_ = &statement;
     return failed("stopped by a signal");
   }
-  if (stage_.host().progress) stage_.host().progress(statement.line, static_cast<int>(source().lines.size()));
+  if (frames_.host().progress) frames_.host().progress(statement.line, static_cast<int>(source().lines.size()));
   failed_at_ = nullptr;
   Failure result = std::visit([this](const auto& action) { return perform(action); }, statement.action);
   if (!result && !failed_at_) failed_at_ = &statement;
@@ -57,23 +57,23 @@ Failure Runner::perform(const RunCommand& run) {
   if (edit::Load* const load = command.as<edit::Load>()) {
     load->path = input(load->path).string();
     // A file that cannot be opened counts as a bad file: the exit code gives the kind of error, not the reason.
-    const base::Status loaded = stage_.apply(command);
+    const base::Status loaded = frames_.apply(command);
     return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
   }
   if (edit::RecoverTrack* const recover = command.as<edit::RecoverTrack>()) {
     recover->path = input(recover->path).string();
     if (!recover->original.empty()) recover->original = input(recover->original).string();
-    const base::Status recovered = stage_.apply(command);
+    const base::Status recovered = frames_.apply(command);
     return recovered ? Failure{} : Failure{base::Code::bad_file, recovered.message};
   }
   if (edit::LoadEnvelope* const limits = command.as<edit::LoadEnvelope>()) {
     limits->path = input(limits->path).string();
-    const base::Status loaded = stage_.apply(command);
+    const base::Status loaded = frames_.apply(command);
     return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
   }
   if (edit::StartChallenge* const challenge = command.as<edit::StartChallenge>()) {
     challenge->path = input(challenge->path).string();
-    const base::Status loaded = stage_.apply(command);
+    const base::Status loaded = frames_.apply(command);
     return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
   }
   if (const std::string* const written = edit::output_path(command)) {
@@ -81,7 +81,7 @@ Failure Runner::perform(const RunCommand& run) {
     if (!path) return failure(path.status());
     edit::set_output_path(command, path->string());
   }
-  return failure(stage_.apply(command));
+  return failure(frames_.apply(command));
 }
 
 Failure Runner::perform(const SetEnvironment& change) {
@@ -93,26 +93,26 @@ Failure Runner::perform(const SetEnvironment& change) {
   // A folder alone keeps picture and scale: its settings may change them.
   const bool home_alone = change.home && !change.width && !change.samples && !change.seed && !change.scale;
   if (!home_alone)
-    if (const base::Status status = stage_.set_environment(environment_); !status) return failure(status);
+    if (const base::Status status = frames_.set_environment(environment_); !status) return failure(status);
   if (!change.home) return {};
-  if (!stage_.host().set_home) return wrong("there is nothing to keep for a user");
+  if (!frames_.host().set_home) return wrong("there is nothing to keep for a user");
   const auto folder = find_output(change.home->text, files_.root());
   if (!folder) return failure(folder.status(), change.home->column);
   // Empties the folder at its first use in a run: files of an earlier run would change the result.
   if (std::find(homes_.begin(), homes_.end(), *folder) == homes_.end()) (void)files_.remove_tree(*folder);
   homes_.push_back(*folder);
-  return failure(stage_.set_home(*folder));
+  return failure(frames_.set_home(*folder));
 }
 
 Failure Runner::perform(const Frames& frames) {
-  const auto& interrupted = stage_.host().interrupted;
+  const auto& interrupted = frames_.host().interrupted;
   for (std::int64_t i = 0; i < frames.count && !(interrupted && interrupted()); ++i)
-    if (const base::Status status = stage_.frame({}); !status) return failure(status);
+    if (const base::Status status = frames_.frame({}); !status) return failure(status);
   return {};
 }
 
 Failure Runner::perform(const Ticks& ticks) {
-  stage_.advance(ticks.count);
+  frames_.advance(ticks.count);
   return {};
 }
 
@@ -123,9 +123,9 @@ Failure Runner::perform(const Repeat& repeat) {
 }
 
 Failure Runner::perform(const Gesture& gesture) {
-  if (const base::Status status = stage_.apply(edit::BeginGesture{}); !status) return failure(status);
+  if (const base::Status status = frames_.apply(edit::BeginGesture{}); !status) return failure(status);
   if (Failure result = run(gesture.body); !result) return result;
-  return failure(stage_.apply(edit::EndGesture{}));
+  return failure(frames_.apply(edit::EndGesture{}));
 }
 
 Failure Runner::perform(const Include& include) { return run(include.body); }
@@ -135,11 +135,11 @@ Failure Runner::perform(const Input& given) {
     platform::Events events = given.steps[i];
     for (platform::Event& event : events)
       if (platform::Drop* const drop = std::get_if<platform::Drop>(&event)) drop->path = input(drop->path).string();
-    const std::uint64_t before = stage_.commands();
-    if (const base::Status status = stage_.frame(std::move(events)); !status) return failure(status);
+    const std::uint64_t before = frames_.commands();
+    if (const base::Status status = frames_.frame(std::move(events)); !status) return failure(status);
     // This frame's numbers show the effect of a key press, so its release joins the next frame.
-    if (given.last_step_can_wait && i + 2 == given.steps.size() && stage_.commands() != before) {
-      stage_.put_off(given.steps.back());
+    if (given.last_step_can_wait && i + 2 == given.steps.size() && frames_.commands() != before) {
+      frames_.put_off(given.steps.back());
       break;
     }
   }
@@ -147,36 +147,36 @@ Failure Runner::perform(const Input& given) {
 }
 
 Failure Runner::perform(const MoveCamera& move) {
-  world::Camera camera = stage_.host().context().session.settings.camera;
+  world::Camera camera = frames_.host().context().session.settings.camera;
   if (move.target) camera.target = *move.target;
   if (move.yaw_deg) camera.yaw_deg = *move.yaw_deg;
   if (move.pitch_deg) camera.pitch_deg = *move.pitch_deg;
   if (move.distance) camera.distance = *move.distance;
-  return failure(stage_.apply(edit::SetCamera{camera}));
+  return failure(frames_.apply(edit::SetCamera{camera}));
 }
 
 Failure Runner::perform(const FitCamera& fit) {
-  if (!stage_.host().viewport) return wrong("there is no viewport");
-  if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
-  const query::Context context = stage_.host().context();
+  if (!frames_.host().viewport) return wrong("there is no viewport");
+  if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
+  const query::Context context = frames_.host().context();
   const edit::Session& session = context.session;
-  const view::Viewport viewport = stage_.host().viewport();
+  const view::Viewport viewport = frames_.host().viewport();
   if (fit.selection && !session.settings.selected.valid()) return wrong("nothing is selected");
   const world::Camera& now = session.settings.camera;
-  return failure(stage_.apply(
+  return failure(frames_.apply(
       edit::SetCamera{fit.selection ? view::frame_entity(now, session.document, session.settings.selected, viewport)
                                     : view::frame_all(now, session.document, viewport)}));
 }
 
 Failure Runner::perform(const Fault& fault) {
-  if (!stage_.host().files) return wrong("there are no files to fail");
-  stage_.host().files->inject(fault.operation, fault.nth);
+  if (!frames_.host().files) return wrong("there are no files to fail");
+  frames_.host().files->inject(fault.operation, fault.nth);
   return {};
 }
 
 Failure Runner::perform(const SlowImport& slow) {
-  if (!stage_.host().slow_import) return wrong("there is nothing to import with");
-  stage_.host().slow_import(slow.frames);
+  if (!frames_.host().slow_import) return wrong("there is nothing to import with");
+  frames_.host().slow_import(slow.frames);
   return {};
 }
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "script/frame_driver.h"
 #include "script/host.h"
-#include "script/stage.h"
 #include "script/statements.h"
 
 namespace coaster::script {
@@ -40,7 +40,7 @@ base::Status run_script(const Script& script, Host& host, const RunOptions& opti
 class Runner {
  public:
   Runner(const Script& script, Host& host, const RunOptions& options)
-      : script_(script), stage_(host), options_(options), environment_(options.environment) {}
+      : script_(script), frames_(host), options_(options), environment_(options.environment) {}
 
   base::Status run();
 
@@ -87,7 +87,7 @@ class Runner {
   std::string write_evidence();
 
   const Script& script_;
-  Stage stage_;
+  FrameDriver frames_;
   const RunOptions& options_;
   base::Files files_;  // writes below $OUT alone, without the faults that scripts inject into the host's
   Environment environment_;

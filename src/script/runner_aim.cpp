@@ -49,11 +49,11 @@ std::string name_of(const world::Document& document, const view::Pick& pick) {
 }
 
 // The hovered entity must be the target. Ground and world points may be covered by anything except panels.
-Failure check_hover(Stage& stage, const AimAction& aim) {
+Failure check_hover(FrameDriver& frames, const AimAction& aim) {
   const view::PickKind wanted = pick_kind(aim.target);
-  if (wanted == view::PickKind::none || !stage.host().hovered) return {};
-  const view::Pick found = stage.host().hovered();
-  const query::Context context = stage.host().context();
+  if (wanted == view::PickKind::none || !frames.host().hovered) return {};
+  const view::Pick found = frames.host().hovered();
+  const query::Context context = frames.host().context();
   const world::Document& document = context.session.document;
   if (found.kind == wanted &&
       (aim.target.kind == AimPoint::Kind::gizmo || found.entity == world::find(document, aim.target.name)))
@@ -68,8 +68,8 @@ Failure check_hover(Stage& stage, const AimAction& aim) {
 
 Failure Runner::perform(const AimAction& aim) {
   const auto at_target = [&](const base::Status& status) { return failure(status, aim.target_column); };
-  if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
-  const base::Result<glm::vec2> pixel = stage_.host().pixel_of(aim.target);
+  if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
+  const base::Result<glm::vec2> pixel = frames_.host().pixel_of(aim.target);
   if (!pixel) return at_target(pixel.status());
   glm::vec2 end = *pixel;
   if (aim.verb == AimAction::Verb::drag) {
@@ -77,35 +77,35 @@ Failure Runner::perform(const AimAction& aim) {
     if (aim.to) {
       destination = *aim.to;
     } else {
-      const base::Result<glm::vec3> from = stage_.host().position_of(aim.target);
+      const base::Result<glm::vec3> from = frames_.host().position_of(aim.target);
       if (!from) return at_target(from.status());
       destination.kind = AimPoint::Kind::world;
       destination.position = *from + aim.by.value_or(glm::vec3(0));
     }
-    const base::Result<glm::vec2> to = stage_.host().pixel_of(destination);
+    const base::Result<glm::vec2> to = frames_.host().pixel_of(destination);
     if (!to) return at_target(to.status());
     end = *to;
   }
-  if (const base::Status status = stage_.frame({MouseMove{pixel->x, pixel->y}}); !status) return failure(status);
-  if (Failure covered = check_hover(stage_, aim); !covered) return covered;
+  if (const base::Status status = frames_.frame({MouseMove{pixel->x, pixel->y}}); !status) return failure(status);
+  if (Failure covered = check_hover(frames_, aim); !covered) return covered;
   if (aim.verb == AimAction::Verb::hover) return {};
 
   const int clicks = aim.verb == AimAction::Verb::doubleclick ? 2 : 1;
   for (int i = 0; i < clicks; ++i) {
-    const std::uint64_t before = stage_.commands();
-    if (const base::Status status = stage_.frame({MouseButton{Button::left, true, aim.modifiers}}); !status)
+    const std::uint64_t before = frames_.commands();
+    if (const base::Status status = frames_.frame({MouseButton{Button::left, true, aim.modifiers}}); !status)
       return failure(status);
     const int steps = aim.verb == AimAction::Verb::drag ? kDragSteps : 0;
     for (int step = 1; step <= steps; ++step) {
       const glm::vec2 at = *pixel + (end - *pixel) * (static_cast<float>(step) / static_cast<float>(steps));
-      if (const base::Status status = stage_.frame({MouseMove{at.x, at.y}}); !status) return failure(status);
+      if (const base::Status status = frames_.frame({MouseMove{at.x, at.y}}); !status) return failure(status);
     }
     const platform::Event up = MouseButton{Button::left, false, aim.modifiers};
     // A click that takes effect at the press leaves the release to the next frame, so that the last frame's numbers
     // show the effect.
-    const bool done = stage_.commands() != before && steps == 0 && i + 1 == clicks;
-    if (done) stage_.put_off({up});
-    else if (const base::Status status = stage_.frame({up}); !status) return failure(status);
+    const bool done = frames_.commands() != before && steps == 0 && i + 1 == clicks;
+    if (done) frames_.put_off({up});
+    else if (const base::Status status = frames_.frame({up}); !status) return failure(status);
   }
   return {};
 }

@@ -12,14 +12,14 @@ namespace coaster::script {
 base::Result<bool> Runner::check(const Condition& condition, std::string& found) {
   const query::Query* const query = query::find_query(condition.query);
   COASTER_CHECK(query, "the grammar lets known queries through alone");
-  const base::Result<query::Value> value = query->evaluate(stage_.host().context(), condition.argument);
+  const base::Result<query::Value> value = query->evaluate(frames_.host().context(), condition.argument);
   if (!value) return base::Status{base::Code::usage, value.status().message};
   found = describe(*query, *value);
   return holds(condition, *value);
 }
 
 Failure Runner::perform(const Expect& expect) {
-  if (const base::Status status = stage_.settle(); !status) return failure(status);
+  if (const base::Status status = frames_.settle(); !status) return failure(status);
   const Condition& condition = expect.condition;
   std::string found;
   const base::Result<bool> result = check(condition, found);
@@ -36,8 +36,8 @@ Failure Runner::perform(const Wait& wait) {
     if (!result) return failure(result.status(), wait.condition.column);
     if (*result) return {};
     if (i == wait.most) break;
-    if (!wait.frames) stage_.advance(1);
-    else if (const base::Status status = stage_.frame({}); !status) return failure(status);
+    if (!wait.frames) frames_.advance(1);
+    else if (const base::Status status = frames_.frame({}); !status) return failure(status);
   }
   return {base::Code::timeout,
           fmt::format("waited {}{} for {}, found {}", wait.most, wait.frames ? " frames" : " ticks",
@@ -46,8 +46,8 @@ Failure Runner::perform(const Wait& wait) {
 }
 
 Failure Runner::perform(const ExpectWidget& expect) {
-  if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
-  const std::vector<WidgetState> widgets = stage_.host().widgets();
+  if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
+  const std::vector<WidgetState> widgets = frames_.host().widgets();
   const base::Result<std::size_t> found = find_widget(widgets, expect.path.text);
   const bool asks_visible = expect.what == ExpectWidget::What::visible;
   if (!found) {

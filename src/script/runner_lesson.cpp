@@ -22,7 +22,7 @@ int lessons_in(const Block& block) {
 }  // namespace
 
 Failure Runner::perform(const Lesson& lesson) {
-  const Host& host = stage_.host();
+  const Host& host = frames_.host();
   const query::LessonCard card{lesson.text, lesson.widget ? lesson.widget->text : "", ++lessons_,
                                std::max(lessons_, lessons_in(script_.statements))};
   if (host.teach) host.teach(&card);
@@ -46,7 +46,7 @@ Failure Runner::perform(const Lesson& lesson) {
       break;
     }
     if (!host.watch) {
-      if (const base::Status status = stage_.frame({}); !status) return failure(status);
+      if (const base::Status status = frames_.frame({}); !status) return failure(status);
       continue;
     }
     const base::Result<query::LessonAnswer> answer = host.watch();

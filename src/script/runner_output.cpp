@@ -80,7 +80,7 @@ std::string widgets_text(std::span<const WidgetState> widgets) {
 }
 
 std::string Runner::write_evidence() {
-  Host& host = stage_.host();
+  Host& host = frames_.host();
   const query::Context context = host.context();
   std::string note = fmt::format("frame {}; {}", context.stats.frame, (options_.out / "frame.png").string());
   const bool written = host.screenshot(options_.out / "frame.png").ok();
@@ -92,21 +92,21 @@ std::string Runner::write_evidence() {
 }
 
 Failure Runner::perform(const Snap& snap) {
-  if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
+  if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
   const std::filesystem::path golden = source().folder / "golden" / (snap.name + ".png");
-  return failure(stage_.host().snap(snap.name, golden, options_.out, options_.update_goldens));
+  return failure(frames_.host().snap(snap.name, golden, options_.out, options_.update_goldens));
 }
 
 Failure Runner::perform(const Shot& shot) {
   const auto path =
       find_output(shot.path.text.starts_with("$OUT") ? shot.path.text : "$OUT/" + shot.path.text, files_.root());
   if (!path) return failure(path.status(), shot.path.column);
-  if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
-  return failure(stage_.host().screenshot(*path));
+  if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
+  return failure(frames_.host().screenshot(*path));
 }
 
 Failure Runner::perform(const Sheet& sheet) {
-  if (!stage_.host().sheet) return wrong("there are no pictures");
+  if (!frames_.host().sheet) return wrong("there are no pictures");
   const auto below_out = [&](const base::Token& token) {
     return find_output(token.text.starts_with("$OUT") ? token.text : "$OUT/" + token.text, files_.root());
   };
@@ -118,36 +118,36 @@ Failure Runner::perform(const Sheet& sheet) {
     if (!picture) return failure(picture.status(), token.column);
     pictures.push_back(*picture);
   }
-  return failure(stage_.host().sheet(*path, sheet.columns, sheet.half, pictures));
+  return failure(frames_.host().sheet(*path, sheet.columns, sheet.half, pictures));
 }
 
 Failure Runner::perform(const Dump& dump) {
-  if (const base::Status status = stage_.settle_panels(); !status) return failure(status);
+  if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
   const auto stem = find_output("$OUT/" + dump.name, files_.root());
   if (!stem) return failure(stem.status());
   const auto with = [&](const char* ending) { return std::filesystem::path(stem->string() + ending); };
-  const query::Context context = stage_.host().context();
-  if (const base::Status s = stage_.host().screenshot(with(".frame.png")); !s) return failure(s);
-  if (const base::Status s = files_.write_atomic(with(".widgets.txt"), widgets_text(stage_.host().widgets())); !s)
+  const query::Context context = frames_.host().context();
+  if (const base::Status s = frames_.host().screenshot(with(".frame.png")); !s) return failure(s);
+  if (const base::Status s = files_.write_atomic(with(".widgets.txt"), widgets_text(frames_.host().widgets())); !s)
     return failure(s);
   if (const base::Status s = files_.write_atomic(with(".state.json"), state_json(context)); !s) return failure(s);
   return failure(files_.write_atomic(with(".json"), exchange::print_track(context.session.document)));
 }
 
 Failure Runner::perform(const StartMovie& start) {
-  if (!stage_.host().start_movie) return wrong("there are no pictures to make a movie of");
+  if (!frames_.host().start_movie) return wrong("there are no pictures to make a movie of");
   const auto folder = find_output(start.folder.text, files_.root());
   if (!folder) return failure(folder.status(), start.folder.column);
-  return failure(stage_.host().start_movie(*folder, start.fps, start.gif));
+  return failure(frames_.host().start_movie(*folder, start.fps, start.gif));
 }
 
 Failure Runner::perform(const StopMovie&) {
-  if (!stage_.host().stop_movie) return wrong("there are no pictures to make a movie of");
-  return failure(stage_.host().stop_movie());
+  if (!frames_.host().stop_movie) return wrong("there are no pictures to make a movie of");
+  return failure(frames_.host().stop_movie());
 }
 
 Failure Runner::perform(const Log& log) {
-  if (const base::Status status = stage_.settle(); !status) return failure(status);
+  if (const base::Status status = frames_.settle(); !status) return failure(status);
   std::string line;
   for (const Log::Part& part : log.parts) {
     if (!line.empty()) line += " ";
@@ -155,11 +155,11 @@ Failure Runner::perform(const Log& log) {
       line += part.text;
       continue;
     }
-    const auto value = query::find_query(part.query)->evaluate(stage_.host().context(), part.argument);
+    const auto value = query::find_query(part.query)->evaluate(frames_.host().context(), part.argument);
     if (!value) return failure(value.status(), part.column);
     line += query::to_text(*value);
   }
-  stage_.host().print(line);
+  frames_.host().print(line);
   return {};
 }
 

@@ -28,7 +28,7 @@ std::optional<double> number_shown(const std::string& text) {
 }  // namespace
 
 const WidgetState* UiDriver::now(std::string_view path) {
-  widgets_ = stage_.host().widgets();
+  widgets_ = frames_.host().widgets();
   const auto found = find_widget(widgets_, path);
   return found ? &widgets_[*found] : nullptr;
 }
@@ -50,15 +50,15 @@ Failure UiDriver::open_one(WidgetState widget) {
   if (Failure sight = bring_into_sight(path, widget); !sight) return sight;
   if (Failure refused = refusal(widget); !refused) return refused;
   if (Failure clicked = click_widget(widget); !clicked) return clicked;
-  return failure(stage_.settle_panels());
+  return failure(frames_.settle_panels());
 }
 
 // Opens headers, combos and menus on the path; then the closed headers of its panel.
 Failure UiDriver::open_way_to(std::string_view path) {
-  const auto missing = [&] { return find_widgets(stage_.host().widgets(), path).empty(); };
+  const auto missing = [&] { return find_widgets(frames_.host().widgets(), path).empty(); };
   for (std::size_t slash = path.find('/'); slash != std::string_view::npos && missing();
        slash = path.find('/', slash + 1)) {
-    widgets_ = stage_.host().widgets();
+    widgets_ = frames_.host().widgets();
     const auto found = find_widget(widgets_, path.substr(0, slash));
     if (!found) continue;
     const WidgetState parent = widgets_[*found];
@@ -70,7 +70,7 @@ Failure UiDriver::open_way_to(std::string_view path) {
   std::vector<std::string> tried;
   for (bool again = true; again && missing();) {
     again = false;
-    widgets_ = stage_.host().widgets();
+    widgets_ = frames_.host().widgets();
     for (const WidgetState& widget : widgets_) {
       if (!is_closed_header(widget) || panel_of(widget.path) != panel) continue;
       if (std::find(tried.begin(), tried.end(), widget.path) != tried.end()) continue;
@@ -84,9 +84,9 @@ Failure UiDriver::open_way_to(std::string_view path) {
 }
 
 Failure UiDriver::find(std::string_view path, WidgetState& widget) {
-  if (const base::Status settled = stage_.settle_panels(); !settled) return failure(settled);
+  if (const base::Status settled = frames_.settle_panels(); !settled) return failure(settled);
   if (Failure opened = open_way_to(path); !opened) return opened;
-  widgets_ = stage_.host().widgets();
+  widgets_ = frames_.host().widgets();
   const auto found = find_widget(widgets_, path);
   if (!found) return failure(found.status());
   widget = widgets_[*found];
@@ -118,7 +118,7 @@ Failure UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
     const MouseMove at{x, middle(*over).y};
     const float notch = widget.y > at.y ? -1.0f : 1.0f;
     if (Failure turned = frame({at, platform::Wheel{0, notch}}); !turned) return turned;
-    if (const base::Status settled = stage_.settle_panels(); !settled) return failure(settled);
+    if (const base::Status settled = frames_.settle_panels(); !settled) return failure(settled);
     const WidgetState* const moved = now(path);
     if (!moved) break;
     widget = *moved;
@@ -140,23 +140,23 @@ Failure UiDriver::reach(std::string_view path) {
 // A press or key that takes effect at once may leave its release to the next frame, so that the last frame's numbers
 // show the effect.
 Failure UiDriver::release(platform::Event event, std::uint64_t commands_before, bool can_wait) {
-  if (can_wait && stage_.commands() != commands_before) {
-    stage_.put_off({std::move(event)});
+  if (can_wait && frames_.commands() != commands_before) {
+    frames_.put_off({std::move(event)});
     return {};
   }
   if (Failure up = frame({std::move(event)}); !up) return up;
   // Some widgets report their result one frame after the release.
-  return stage_.commands() == commands_before ? frame({}) : Failure{};
+  return frames_.commands() == commands_before ? frame({}) : Failure{};
 }
 
 Failure UiDriver::press_and_release(platform::Modifiers modifiers) {
-  const std::uint64_t before = stage_.commands();
+  const std::uint64_t before = frames_.commands();
   if (Failure down = frame({MouseButton{Button::left, true, modifiers}}); !down) return down;
   return release(MouseButton{Button::left, false, modifiers}, before, false);
 }
 
 Failure UiDriver::key(Key which, platform::Modifiers modifiers, bool release_can_wait) {
-  const std::uint64_t before = stage_.commands();
+  const std::uint64_t before = frames_.commands();
   if (Failure down = frame({KeyPress{which, true, false, modifiers}}); !down) return down;
   return release(KeyPress{which, false, false, {}}, before, release_can_wait);
 }
@@ -197,7 +197,7 @@ Failure UiDriver::drag_by(std::string_view path, float pixels) {
   for (int i = 1; i <= kSteps; ++i)
     if (Failure moved = frame({MouseMove{from.x + pixels * static_cast<float>(i) / kSteps, from.y}}); !moved)
       return moved;
-  const std::uint64_t before = stage_.commands();
+  const std::uint64_t before = frames_.commands();
   return release(MouseButton{Button::left, false, {}}, before, false);
 }
 
@@ -218,7 +218,7 @@ Failure UiDriver::drag_to(std::string_view path, double value) {
     there = *number == value;
     (*number < value ? low : high) = x;
   }
-  if (Failure up = release(MouseButton{Button::left, false, {}}, stage_.commands(), false); !up) return up;
+  if (Failure up = release(MouseButton{Button::left, false, {}}, frames_.commands(), false); !up) return up;
   return there ? Failure{} : type(path, base::to_text(value));
 }
 
@@ -239,8 +239,8 @@ Failure UiDriver::menu(std::string_view path) {
 }
 
 Failure UiDriver::scroll(std::string_view path, double notches) {
-  if (const base::Status settled = stage_.settle_panels(); !settled) return failure(settled);
-  widgets_ = stage_.host().widgets();
+  if (const base::Status settled = frames_.settle_panels(); !settled) return failure(settled);
+  widgets_ = frames_.host().widgets();
   const WidgetState* over = nullptr;
   for (const WidgetState& widget : widgets_)
     if (!over && widget.visible && !widget.covered && (panel_of(widget.path) == path || widget.path == path))
@@ -262,7 +262,7 @@ Failure UiDriver::scroll(std::string_view path, double notches) {
 }
 
 Failure Runner::perform(const UiAction& ui) {
-  UiDriver driver(stage_);
+  UiDriver driver(frames_);
   const std::string& path = ui.path.text;
   std::error_code ignored;
   const bool below_out = ui.text == "$OUT" || ui.text.starts_with("$OUT/");  // text fields that name files

@@ -4,15 +4,15 @@
 #include <functional>
 #include <string>
 
+#include "script/frame_driver.h"
 #include "script/runner.h"
-#include "script/stage.h"
 #include "script/widgets.h"
 
 namespace coaster::script {
 
 class UiDriver {
  public:
-  explicit UiDriver(Stage& stage) : stage_(stage) {}
+  explicit UiDriver(FrameDriver& frames) : frames_(frames) {}
 
   // Moves the cursor onto the widget, which must be unique, visible, enabled and uncovered. Opens headers and menus on
   // the path. Errors: Code::usage if no or several widgets match the path; Code::expectation with the reason if it
@@ -32,7 +32,7 @@ class UiDriver {
   Failure scroll(std::string_view path, double notches);
 
  private:
-  Failure frame(platform::Events events) { return failure(stage_.frame(std::move(events))); }
+  Failure frame(platform::Events events) { return failure(frames_.frame(std::move(events))); }
   Failure press_and_release(platform::Modifiers modifiers);
   Failure key(platform::Key key, platform::Modifiers modifiers, bool release_can_wait = false);
   Failure release(platform::Event event, std::uint64_t commands_before, bool can_wait);
@@ -46,7 +46,7 @@ class UiDriver {
   Failure refusal(const WidgetState& widget) const;
   const WidgetState* now(std::string_view path);
 
-  Stage& stage_;
+  FrameDriver& frames_;
   WidgetState widget_;  // of the last reach()
   std::vector<WidgetState> widgets_;
 };

@@ -19,7 +19,7 @@ template <class Do>
 
 // The beam's data for the box test, repeated four times.
 struct BoxSweep {
-  Four inverse[3], size[3], at_eye[3], depth[3], wider_at_eye;
+  Float4 inverse[3], size[3], at_eye[3], depth[3], wider_at_eye;
   int near_side[3],
       far_side[3];  // which of a node's six rows the line of sight meets first and last, and the deepest per axis
   int deep_side[3];
@@ -40,36 +40,36 @@ struct BoxSweep {
 // beam's radius at its far end.
 [[gnu::always_inline]] inline unsigned boxes_met(const sim::TreeNode& node, const BoxSweep& beam) {
   const auto row = [&node](int i) { return load(node.bounds[static_cast<std::size_t>(i)]); };
-  Four wider = beam.wider_at_eye, near_end = all(0), far_end = all(3e38f);
+  Float4 wider = beam.wider_at_eye, near_end = all(0), far_end = all(3e38f);
   each_axis([&](int a) { wider += beam.depth[a] * row(beam.deep_side[a]); });
   each_axis([&](int a) {
-    const Four more = wider * beam.size[a];
-    near_end = greatest(near_end, row(beam.near_side[a]) * beam.inverse[a] - beam.at_eye[a] - more);
-    far_end = least(far_end, row(beam.far_side[a]) * beam.inverse[a] - beam.at_eye[a] + more);
+    const Float4 more = wider * beam.size[a];
+    near_end = max(near_end, row(beam.near_side[a]) * beam.inverse[a] - beam.at_eye[a] - more);
+    far_end = min(far_end, row(beam.far_side[a]) * beam.inverse[a] - beam.at_eye[a] + more);
   });
-  return bits_of(near_end <= far_end) & bits_of(wider > all(0)) & node.lanes;
+  return mask_bits(near_end <= far_end) & mask_bits(wider > all(0)) & node.lanes;
 }
 
 // The same for the segments of a block, by their chords as seen from the eye and their radii about these. `closeness`:
 // for each lane, a value about proportional to the square of the distance on screen.
 [[gnu::always_inline]] inline unsigned chords_met(const sim::SegmentBlock& block, const Beam::Coarse& beam, float slope,
                                                   sim::FourFloats& closeness) {
-  Four from_u = all(0), from_v = all(0), from_w = all(0), to_u = all(0), to_v = all(0), to_w = all(0);
+  Float4 from_u = all(0), from_v = all(0), from_w = all(0), to_u = all(0), to_v = all(0), to_w = all(0);
   each_axis([&](int a) {
-    const Four from = load(block.from[a]) - all(beam.eye[a]), to = load(block.to[a]) - all(beam.eye[a]);
+    const Float4 from = load(block.from[a]) - all(beam.eye[a]), to = load(block.to[a]) - all(beam.eye[a]);
     from_u += all(beam.u[a]) * from, from_v += all(beam.v[a]) * from, from_w += all(beam.w[a]) * from;
     to_u += all(beam.u[a]) * to, to_v += all(beam.v[a]) * to, to_w += all(beam.w[a]) * to;
   });
-  const Four along_u = to_u - from_u, along_v = to_v - from_v, square = along_u * along_u + along_v * along_v;
-  const Four share = least(greatest(-(from_u * along_u + from_v * along_v) / (square + all(1e-30f)), all(0)), all(1));
-  const Four off_u = from_u + share * along_u, off_v = from_v + share * along_v, off = off_u * off_u + off_v * off_v;
-  const Four depth = greatest(from_w, to_w), radius = load(block.radius);
-  const Four rounding =
-      all(2e-6f) * (size(from_u) + size(from_v) + size(from_w) + size(to_u) + size(to_v) + size(to_w)) +
+  const Float4 along_u = to_u - from_u, along_v = to_v - from_v, square = along_u * along_u + along_v * along_v;
+  const Float4 share = min(max(-(from_u * along_u + from_v * along_v) / (square + all(1e-30f)), all(0)), all(1));
+  const Float4 off_u = from_u + share * along_u, off_v = from_v + share * along_v, off = off_u * off_u + off_v * off_v;
+  const Float4 depth = max(from_w, to_w), radius = load(block.radius);
+  const Float4 rounding =
+      all(2e-6f) * (abs(from_u) + abs(from_v) + abs(from_w) + abs(to_u) + abs(to_v) + abs(to_w)) +
       all(beam.rounding * beam.stretch);
-  const Four reach = all(slope) * (depth + radius) + radius * all(beam.stretch) + rounding;
+  const Float4 reach = all(slope) * (depth + radius) + radius * all(beam.stretch) + rounding;
   store(off / (depth * depth + all(1e-30f)), closeness);
-  return bits_of(off <= reach * reach) & bits_of(depth + radius + rounding > all(0)) & ((1u << block.count) - 1);
+  return mask_bits(off <= reach * reach) & mask_bits(depth + radius + rounding > all(0)) & ((1u << block.count) - 1);
 }
 
 // Segments waiting to be visited, the closest first.

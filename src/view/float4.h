@@ -1,4 +1,4 @@
-// Four floats side by side: one register of every x86-64 processor and of most others. Picking gives the same result
+// Float4 floats side by side: one register of every x86-64 processor and of most others. Picking gives the same result
 // with each.
 #pragma once
 
@@ -11,27 +11,27 @@
 
 namespace coaster::view {
 
-typedef float Four __attribute__((vector_size(16)));
-typedef int FourTruths __attribute__((vector_size(16)));  // 0 (false) or -1 (true) per lane
+typedef float Float4 __attribute__((vector_size(16)));
+typedef int Mask4 __attribute__((vector_size(16)));  // 0 (false) or -1 (true) per lane
 
-inline Four all(float x) { return Four{x, x, x, x}; }
-inline void store(Four x, std::array<float, 4>& out) { std::memcpy(out.data(), &x, sizeof x); }
-inline Four load(const std::array<float, 4>& x) {
-  Four out;
+inline Float4 all(float x) { return Float4{x, x, x, x}; }
+inline void store(Float4 x, std::array<float, 4>& out) { std::memcpy(out.data(), &x, sizeof x); }
+inline Float4 load(const std::array<float, 4>& x) {
+  Float4 out;
   std::memcpy(&out, x.data(), sizeof out);
   return out;
 }
 
 #if defined(__SSE2__)
-inline Four least(Four a, Four b) { return _mm_min_ps(a, b); }
-inline Four greatest(Four a, Four b) { return _mm_max_ps(a, b); }
-inline unsigned bits_of(FourTruths t) { return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(t))); }
+inline Float4 min(Float4 a, Float4 b) { return _mm_min_ps(a, b); }
+inline Float4 max(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
+inline unsigned mask_bits(Mask4 t) { return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(t))); }
 #else
-inline Four least(Four a, Four b) { return a < b ? a : b; }
-inline Four greatest(Four a, Four b) { return a > b ? a : b; }
-inline unsigned bits_of(FourTruths t) { return (t[0] & 1u) | (t[1] & 2u) | (t[2] & 4u) | (t[3] & 8u); }
+inline Float4 min(Float4 a, Float4 b) { return a < b ? a : b; }
+inline Float4 max(Float4 a, Float4 b) { return a > b ? a : b; }
+inline unsigned mask_bits(Mask4 t) { return (t[0] & 1u) | (t[1] & 2u) | (t[2] & 4u) | (t[3] & 8u); }
 #endif
 
-inline Four size(Four x) { return greatest(x, -x); }
+inline Float4 abs(Float4 x) { return max(x, -x); }
 
 }  // namespace coaster::view

@@ -37,8 +37,8 @@ TEST_F(Cache, another_evaluator_uploads_everything_once_and_another_stage_of_the
   EXPECT_EQ(draw(track).uploads, 9);
   for (std::size_t row = curve::evaluators().size(); row-- > 0;) {
     const auto id = static_cast<curve::EvaluatorId>(row);
-    const bool was_on_gpu = track.derived.stage != curve::Stage::processor,
-               is_on_gpu = curve::evaluator(id).stage != curve::Stage::processor;
+    const bool was_on_gpu = track.derived.evaluated_by != curve::EvaluatedBy::processor,
+               is_on_gpu = curve::evaluator(id).evaluated_by != curve::EvaluatedBy::processor;
     const int expected = id == track.settings.evaluator || (was_on_gpu && is_on_gpu) ? 0 : 9;
     track.settings.evaluator = id;
     track.derive();

@@ -73,7 +73,7 @@ TEST_F(ChallengeTest, what_may_be_judged_depends_on_track_and_ride_alone) {
   ASSERT_TRUE(begin(R"("judged": "build", "goals": [{"expect": "knots <= 3", "text": "x"}])"));
   FrameStats other;
   other.frame = 77, other.uploads = 5, other.rebuilds = 3, other.upload_bytes = 1000, other.polyline_upload_bytes = 99,
-  other.polyline_bytes = 12, other.drawn_by = curve::Stage::geometry_shader;
+  other.polyline_bytes = 12, other.drawn_by = curve::EvaluatedBy::geometry_shader;
   other.gpu_deviation = 3.25, other.deviation_pending = 2, other.recolours = 4, other.colour_low = -3,
   other.colour_high = 9, other.fps = 61, other.cpu_ms = 7, other.gl_ms = 8, other.gpu_ms = 9;
   other.evaluation_ms = 4.5, other.evaluated_vertices = 1200, other.draw_calls = 31, other.samples = 4,

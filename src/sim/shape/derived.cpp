@@ -125,7 +125,7 @@ void derive(const world::Document& document, const world::Settings& settings, co
   const curve::Evaluator& row = curve::evaluator(settings.evaluator);
   const curve::ArcLengthMethod& method = curve::arc_length_method(settings.arc_length);
   const PolylineKey polyline{settings.evaluator, settings.steps};
-  derived.stage = row.stage;
+  derived.evaluated_by = row.evaluated_by;
   derived.steps = settings.steps;
 
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
@@ -146,7 +146,7 @@ void derive(const world::Document& document, const world::Settings& settings, co
       shape->measured_by = settings.arc_length;
       shape->measured_steps = settings.steps;
     }
-    const bool on_processor = row.stage == curve::Stage::processor;
+    const bool on_processor = row.evaluated_by == curve::EvaluatedBy::processor;
     const bool stale = new_shape || (on_processor && !(shape->polyline_key == polyline));
     if (!on_processor) drop_polyline(*shape);
     if (on_processor && stale) evaluate_polyline(row, polyline, clock, *shape, derived);

@@ -62,12 +62,12 @@ struct Derived {
       twists;  // rad, rotation of the knots' frames relative to rotation-minimising ones before segment i; as starts
   SegmentTree tree;  // over `order`, for picking and clearance
   bool closed = false;
-  double length = 0;           // m, adaptive Gauss-Legendre
-  double measured_length = 0;  // m, by the chosen arc-length method
-  curve::Stage stage{};        // where polylines are evaluated; by a shader, segments hold none
-  int steps = 0;               // of a segment's polyline
-  std::int64_t vertices = 0;   // of all polylines, wherever evaluated
-  double deviation = 0;        // m, the largest of all segments; 0 for a GPU evaluator
+  double length = 0;                  // m, adaptive Gauss-Legendre
+  double measured_length = 0;         // m, by the chosen arc-length method
+  curve::EvaluatedBy evaluated_by{};  // where polylines are evaluated; by a shader, segments hold none
+  int steps = 0;                      // of a segment's polyline
+  std::int64_t vertices = 0;          // of all polylines, wherever evaluated
+  double deviation = 0;               // m, the largest of all segments; 0 for a GPU evaluator
   // Statistics of the last derive():
   int rebuilds = 0;               // segments whose shape or polyline was evaluated
   double evaluation_seconds = 0;  // time in the evaluator's polyline function alone

@@ -7,7 +7,7 @@
 #include "base/check.h"
 #include "base/portable_math.h"
 #include "curve/continuity.h"
-#include "curve/errata.h"
+#include "curve/paper_claims.h"
 #include "sim/ride/ride.h"
 
 namespace coaster::sim {

@@ -81,7 +81,8 @@ Measurement start_measurement(const Derived& derived) {
     m.curves.push_back(derived.shape(derived.order[i * segments / curves]).curve);
   const std::span<const curve::Evaluator> table = curve::evaluators();
   for (std::size_t i = 0; i < table.size(); ++i)
-    if (table[i].stage == curve::Stage::processor) m.rows.push_back({static_cast<curve::EvaluatorId>(i), {}, {}});
+    if (table[i].evaluated_by == curve::EvaluatedBy::processor)
+      m.rows.push_back({static_cast<curve::EvaluatorId>(i), {}, {}});
   m.total = kMeasureRounds * static_cast<int>(kMeasuredSteps.size());
   m.running = true;
   return m;

@@ -7,20 +7,20 @@
 namespace coaster::ui {
 namespace {
 
-using curve::Stage;
+using curve::EvaluatedBy;
 
 enum class Group { paper, fast, gpu };
 // The table begins with the methods of the paper; rows that are computed on the GPU say so.
 Group group_of(std::size_t row) {
   constexpr std::size_t kOfThePaper = 4;
-  if (curve::evaluators()[row].stage != Stage::processor) return Group::gpu;
+  if (curve::evaluators()[row].evaluated_by != EvaluatedBy::processor) return Group::gpu;
   return row < kOfThePaper ? Group::paper : Group::fast;
 }
 
 void method(Ui& ui, std::size_t row) {
   const curve::Evaluator& one = curve::evaluators()[row];
   const auto id = static_cast<curve::EvaluatorId>(row);
-  const std::string& refusal = ui.state.stats.stage_refusals[static_cast<std::size_t>(one.stage)];
+  const std::string& refusal = ui.state.stats.stage_refusals[static_cast<std::size_t>(one.evaluated_by)];
   const std::string tooltip = std::string(one.formula) + "\nCost a point: " + std::string(one.cost) +
                               (refusal.empty() ? "" : "\nNot here: " + refusal);
   if (radio(ui, one.label, ui.session().settings.evaluator == id, tooltip, refusal.empty()))

@@ -154,12 +154,12 @@ TEST(derived, evaluators_on_the_gpu_leave_no_polylines_and_cost_no_rebuild) {
   const double length = derived.length, measured = derived.measured_length;
   std::uint64_t last = derived.last_build;
   for (std::size_t row = 0; row < curve::evaluators().size(); ++row) {
-    if (curve::evaluators()[row].stage == curve::Stage::processor) continue;
+    if (curve::evaluators()[row].evaluated_by == curve::EvaluatedBy::processor) continue;
     settings.evaluator = static_cast<curve::EvaluatorId>(row);
     for (const int steps : {7, 4096, 1}) {
       settings.steps = steps;
       derive(d, settings, {}, derived);
-      EXPECT_EQ(derived.stage, curve::evaluators()[row].stage);
+      EXPECT_EQ(derived.evaluated_by, curve::evaluators()[row].evaluated_by);
       EXPECT_EQ(derived.steps, steps);
       EXPECT_EQ(derived.vertices, 8 * (steps + 1));
       EXPECT_EQ(derived.rebuilds, 0);

@@ -29,7 +29,7 @@ Measurement finished(const Derived& derived, const Clock& clock) {
 
 std::size_t processor_rows() {
   std::size_t rows = 0;
-  for (const curve::Evaluator& e : curve::evaluators()) rows += e.stage == curve::Stage::processor;
+  for (const curve::Evaluator& e : curve::evaluators()) rows += e.evaluated_by == curve::EvaluatedBy::processor;
   return rows;
 }
 
@@ -56,7 +56,7 @@ TEST(measure, every_processor_row_is_measured_at_every_number_of_steps) {
   EXPECT_EQ(progress(m), 1);
   ASSERT_EQ(m.rows.size(), processor_rows());
   for (const MeasuredRow& row : m.rows) {
-    EXPECT_EQ(curve::evaluator(row.evaluator).stage, curve::Stage::processor);
+    EXPECT_EQ(curve::evaluator(row.evaluator).evaluated_by, curve::EvaluatedBy::processor);
     for (std::size_t i = 0; i < kMeasuredSteps.size(); ++i) {
       const MeasuredCell& cell = row.cells[i];
       EXPECT_EQ(cell.rounds, kMeasureRounds);

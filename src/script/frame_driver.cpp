@@ -1,27 +1,27 @@
 // Decides when a script draws a frame.
-#include "script/stage.h"
+#include "script/frame_driver.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace coaster::script {
 
-base::Status Stage::set_environment(const Environment& environment) {
+base::Status FrameDriver::set_environment(const Environment& environment) {
   picture_stale_ = panels_stale_ = true;
   return host_.set_environment(environment);
 }
 
-base::Status Stage::set_home(const std::filesystem::path& folder) {
+base::Status FrameDriver::set_home(const std::filesystem::path& folder) {
   picture_stale_ = panels_stale_ = true;
   return host_.set_home(folder);
 }
 
-base::Status Stage::apply(const edit::Command& command) {
+base::Status FrameDriver::apply(const edit::Command& command) {
   picture_stale_ = panels_stale_ = true;  // a rejected command shows a notice
   return host_.apply(command);
 }
 
-base::Status Stage::frame(platform::Events events, int ticks) {
+base::Status FrameDriver::frame(platform::Events events, int ticks) {
   events.insert(events.begin(), put_off_.begin(), put_off_.end());
   put_off_.clear();
   const std::uint64_t before = commands();
@@ -31,12 +31,12 @@ base::Status Stage::frame(platform::Events events, int ticks) {
   return status;
 }
 
-void Stage::put_off(platform::Events events) {
+void FrameDriver::put_off(platform::Events events) {
   put_off_.insert(put_off_.end(), events.begin(), events.end());
   panels_stale_ = true;
 }
 
-void Stage::advance(std::int64_t ticks) {
+void FrameDriver::advance(std::int64_t ticks) {
   if (ticks > 0) picture_stale_ = true;
   while (ticks > 0) {
     const auto some = static_cast<int>(std::min<std::int64_t>(ticks, std::numeric_limits<int>::max()));
@@ -45,9 +45,9 @@ void Stage::advance(std::int64_t ticks) {
   }
 }
 
-base::Status Stage::settle() { return picture_stale_ ? frame({}, 0) : base::Status{}; }
+base::Status FrameDriver::settle() { return picture_stale_ ? frame({}, 0) : base::Status{}; }
 
-base::Status Stage::settle_panels() {
+base::Status FrameDriver::settle_panels() {
   if (!picture_stale_ && !panels_stale_) return {};
   for (int i = 0; i < 2; ++i)
     if (const base::Status status = frame({}, 0); !status) return status;

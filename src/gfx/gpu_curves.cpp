@@ -1,6 +1,6 @@
 // Programs and draw calls of the GPU evaluators. A segment of many steps is split into pieces that fit the stages'
 // limits.
-#include "gfx/curve_stages.h"
+#include "gfx/gpu_curves.h"
 
 #include <fmt/format.h>
 
@@ -11,20 +11,20 @@
 namespace coaster::gfx {
 namespace {
 
-using curve::Stage;
+using curve::EvaluatedBy;
 
 // Lines per point of the geometry shader (kLines there) and per patch of the tessellator (kLevel there).
 constexpr int kGeometryLines = 16, kTessellationLines = 64;
 
 int pieces(int steps, int lines) { return (steps + lines - 1) / lines; }
 
-ProgramSources sources_of(Stage stage, bool measuring) {
+ProgramSources sources_of(EvaluatedBy stage, bool measuring) {
   ProgramSources sources;
   switch (stage) {
-    case Stage::geometry_shader:
+    case EvaluatedBy::geometry_shader:
       sources.name = "gpu_geometry", sources.vertex = gpu_geometry_vert(), sources.geometry = gpu_geometry_geom();
       break;
-    case Stage::tessellation_shader:
+    case EvaluatedBy::tessellation_shader:
       sources.name = "gpu_tessellation", sources.vertex = gpu_tessellation_vert();
       sources.tessellation_control = gpu_tessellation_tesc(), sources.tessellation_evaluation = gpu_tessellation_tese();
       if (!measuring) sources.geometry = gpu_tessellation_geom();
@@ -45,19 +45,19 @@ void PolylinePen::set(const Program& program) const {
   program.set("paint", paint);
 }
 
-std::string CurveStages::refusal(Stage stage) const {
-  if (stage == Stage::tessellation_shader && (!gl_->at_least(4, 0) || gl_->PatchParameteri == nullptr))
+std::string GpuCurves::refusal(EvaluatedBy stage) const {
+  if (stage == EvaluatedBy::tessellation_shader && (!gl_->at_least(4, 0) || gl_->PatchParameteri == nullptr))
     return fmt::format("tessellation shaders need OpenGL 4.0, the driver has {}.{}", gl_->major, gl_->minor);
   return programs_->failures[static_cast<std::size_t>(stage)];
 }
 
-Stage CurveStages::usable(Stage wanted) {
-  if (wanted == Stage::processor || program(wanted, false) != nullptr) return wanted;
-  return Stage::vertex_shader;
+EvaluatedBy GpuCurves::usable(EvaluatedBy wanted) {
+  if (wanted == EvaluatedBy::processor || program(wanted, false) != nullptr) return wanted;
+  return EvaluatedBy::vertex_shader;
 }
 
 // Returns null if the driver lacks the stage or its compiler rejects the program; refusal() says why.
-const Program* CurveStages::program(Stage stage, bool measuring) {
+const Program* GpuCurves::program(EvaluatedBy stage, bool measuring) {
   const auto row = static_cast<std::size_t>(stage);
   std::optional<Program>& known = programs_->compiled[row][measuring ? 1 : 0];
   if (known) return &*known;
@@ -77,13 +77,13 @@ const Program* CurveStages::program(Stage stage, bool measuring) {
   return &*known;
 }
 
-void CurveStages::run(Stage stage, const CurveSlots& slots, const Program& program, bool measuring) {
+void GpuCurves::run(EvaluatedBy stage, const CurveSlots& slots, const Program& program, bool measuring) {
   const int steps = slots.steps;
   const std::size_t offset = std::size_t(slots.first) * kControlBytes;
   program.set("steps", steps);
   gl_->BindVertexArray(array_.id());
   gl_->BindBuffer(GL_ARRAY_BUFFER, slots.buffer);
-  if (stage == Stage::tessellation_shader) {
+  if (stage == EvaluatedBy::tessellation_shader) {
     float_attribute(*gl_, 0, 3, sizeof(glm::vec3), offset);
     for (GLuint i = 1; i < 4; ++i) gl_->DisableVertexAttribArray(i);
     gl_->PatchParameteri(GL_PATCH_VERTICES, 4);
@@ -91,13 +91,13 @@ void CurveStages::run(Stage stage, const CurveSlots& slots, const Program& progr
     return;
   }
   for (GLuint i = 0; i < 4; ++i) float_attribute(*gl_, i, 3, kControlBytes, offset + i * sizeof(glm::vec3), 1);
-  if (stage == Stage::geometry_shader)
+  if (stage == EvaluatedBy::geometry_shader)
     gl_->DrawArraysInstanced(GL_POINTS, 0, pieces(steps, kGeometryLines), slots.count);
   else if (measuring) gl_->DrawArraysInstanced(GL_POINTS, 0, steps + 1, slots.count);
   else gl_->DrawArraysInstanced(GL_TRIANGLES, 0, 6 * steps, slots.count);
 }
 
-void CurveStages::draw(Stage stage, const CurveSlots& slots, const PolylinePen& pen) {
+void GpuCurves::draw(EvaluatedBy stage, const CurveSlots& slots, const PolylinePen& pen) {
   const Program* const drawing = program(stage, false);
   if (drawing == nullptr) return;
   drawing->use();
@@ -105,14 +105,14 @@ void CurveStages::draw(Stage stage, const CurveSlots& slots, const PolylinePen& 
   run(stage, slots, *drawing, false);
 }
 
-std::size_t CurveStages::captured_count(Stage stage, const CurveSlots& slots) {
+std::size_t GpuCurves::captured_count(EvaluatedBy stage, const CurveSlots& slots) {
   int doubled = 1;
-  if (stage == Stage::geometry_shader) doubled = pieces(slots.steps, kGeometryLines);
-  if (stage == Stage::tessellation_shader) doubled = pieces(slots.steps, kTessellationLines);
+  if (stage == EvaluatedBy::geometry_shader) doubled = pieces(slots.steps, kGeometryLines);
+  if (stage == EvaluatedBy::tessellation_shader) doubled = pieces(slots.steps, kTessellationLines);
   return std::size_t(slots.count) * std::size_t(slots.steps + doubled);
 }
 
-bool CurveStages::capture(Stage stage, const CurveSlots& slots) {
+bool GpuCurves::capture(EvaluatedBy stage, const CurveSlots& slots) {
   const Gl& gl = *gl_;
   if (!gl.TransformFeedbackVaryings || !gl.BeginTransformFeedback || !gl.EndTransformFeedback || !gl.GenQueries ||
       !gl.GetQueryObjectuiv)

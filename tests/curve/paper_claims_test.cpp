@@ -1,4 +1,4 @@
-#include "curve/errata.h"
+#include "curve/paper_claims.h"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include "curve/arc_length.h"
 
 namespace coaster::curve {
-namespace errata_test {
+namespace paper_claims_test {
 
 // Skew and off the origin.
 const Cubic kBend{{3.3f, 7.1f, -2.9f}, {9.7f, 11.3f, -1.1f}, {17.9f, 6.7f, 4.3f}, {21.1f, 2.3f, 13.7f}};
 
-TEST(curve_errata, gravesens_product_is_an_area_and_the_mean_is_within_its_bound) {
+TEST(paper_claims, gravesens_product_is_an_area_and_the_mean_is_within_its_bound) {
   const GravesenClaim claim = gravesen_claim(kBend);
   EXPECT_LE(std::abs(claim.mean - claim.length), claim.bound);
   EXPECT_GT(claim.bound, 0);
@@ -23,7 +23,7 @@ TEST(curve_errata, gravesens_product_is_an_area_and_the_mean_is_within_its_bound
   EXPECT_NEAR(gravesen_claim(twice).product, 4 * claim.product, 1e-3);
 }
 
-TEST(curve_errata, one_difference_makes_a_line_that_is_right_for_uniform_straights_alone) {
+TEST(paper_claims, one_difference_makes_a_line_that_is_right_for_uniform_straights_alone) {
   const Cubic straight{{1.5f, 2.5f, 3.5f}, {3.5f, 3.5f, 2.5f}, {5.5f, 4.5f, 1.5f}, {7.5f, 5.5f, 0.5f}};
   EXPECT_LT(line_claim(straight, 64).distance, 1e-12);
   const LineClaim claim = line_claim(kBend, 64);
@@ -33,7 +33,7 @@ TEST(curve_errata, one_difference_makes_a_line_that_is_right_for_uniform_straigh
   EXPECT_EQ(line_claim(kBend, 1).distance, 0);
 }
 
-TEST(curve_errata, frenet_flips_by_180_degrees_over_an_inflection_and_double_reflection_does_not) {
+TEST(paper_claims, frenet_flips_by_180_degrees_over_an_inflection_and_double_reflection_does_not) {
   // Plane and S-shaped: the curvature changes its sign in between.
   const Cubic s{{3.3f, 1.1f, 2.7f}, {13.3f, 11.1f, 2.7f}, {17.3f, -8.9f, 2.7f}, {29.3f, 2.1f, 2.7f}};
   const FlipClaim claim = flip_claim(s);
@@ -45,13 +45,13 @@ TEST(curve_errata, frenet_flips_by_180_degrees_over_an_inflection_and_double_ref
   EXPECT_LT(flip_claim({{0, 0, 0}, {3, 4.1f, 0.2f}, {6, 4.1f, 0.9f}, {9, 0.3f, 1.1f}}).frenet_angle, 0.5);
 }
 
-TEST(curve_errata, a_straight_has_no_frenet_normal) {
+TEST(paper_claims, a_straight_has_no_frenet_normal) {
   const FlipClaim claim = flip_claim({{1, 2, 3}, {2, 2, 5}, {3, 2, 7}, {4, 2, 9}});
   EXPECT_FALSE(claim.defined);
   EXPECT_EQ(claim.frenet_angle, 0);
 }
 
-TEST(curve_errata, the_curve_leaves_a_crossing_polygon_but_never_the_hull) {
+TEST(paper_claims, the_curve_leaves_a_crossing_polygon_but_never_the_hull) {
   // The handles cross: p0 p1 p2 p3 is a bow tie, and the curve runs through its open waist.
   const Cubic bow_tie{{0.7f, 0.3f, 1.1f}, {10.7f, 6.3f, 1.1f}, {0.7f, 6.3f, 1.1f}, {10.7f, 0.3f, 1.1f}};
   const PenClaim claim = pen_claim(bow_tie);
@@ -62,7 +62,7 @@ TEST(curve_errata, the_curve_leaves_a_crossing_polygon_but_never_the_hull) {
   EXPECT_LT(pen_claim(arch).outside, 1e-9);
 }
 
-TEST(curve_errata, degenerate_curves_give_finite_numbers) {
+TEST(paper_claims, degenerate_curves_give_finite_numbers) {
   const glm::vec3 p{5.5f, -3.3f, 1e5f}, q{5.5f, 9.7f, 1e5f};
   for (const Cubic& c : {Cubic{p, p, p, p}, Cubic{p, p, q, q}, Cubic{p, q, p, q}, Cubic{p, q, q, p}}) {
     const GravesenClaim g = gravesen_claim(c);
@@ -74,5 +74,5 @@ TEST(curve_errata, degenerate_curves_give_finite_numbers) {
   }
 }
 
-}  // namespace errata_test
+}  // namespace paper_claims_test
 }  // namespace coaster::curve

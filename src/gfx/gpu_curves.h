@@ -31,21 +31,21 @@ struct CurveSlots {
   int first = 0, count = 0, steps = 1;
 };
 
-class CurveStages {
+class GpuCurves {
  public:
-  explicit CurveStages(const Gl& gl) : CurveStages(gl, std::make_shared<Programs>()) {}
+  explicit GpuCurves(const Gl& gl) : GpuCurves(gl, std::make_shared<Programs>()) {}
   // Returns another one in the same context with the same programs.
-  CurveStages sibling() const { return CurveStages(*gl_, programs_); }
+  GpuCurves sibling() const { return GpuCurves(*gl_, programs_); }
 
   // Returns why a stage cannot be used here; empty if it can. The base path needs nothing beyond WebGL 2: the vertex
   // stage always works, the tessellation stage from OpenGL 4.0 on. A compiler's messages are available after the first
   // use.
-  std::string refusal(curve::Stage stage) const;
+  std::string refusal(curve::EvaluatedBy stage) const;
   // Returns the stage itself, or the vertex stage as its substitute, which draws the same picture.
-  curve::Stage usable(curve::Stage wanted);
+  curve::EvaluatedBy usable(curve::EvaluatedBy wanted);
 
   // Draws the lines of all slots with the pen; empty slots have no area. `stage` is a usable GPU stage.
-  void draw(curve::Stage stage, const CurveSlots& slots, const PolylinePen& pen);
+  void draw(curve::EvaluatedBy stage, const CurveSlots& slots, const PolylinePen& pen);
 
   // One vertex of a polyline as computed by a stage and written by transform feedback.
   struct Captured {
@@ -55,10 +55,10 @@ class CurveStages {
   };
   // Returns the number of records that capture() writes: steps + 1 per slot; stages that split a segment into pieces
   // write the joints between these twice.
-  static std::size_t captured_count(curve::Stage stage, const CurveSlots& slots);
+  static std::size_t captured_count(curve::EvaluatedBy stage, const CurveSlots& slots);
   // Runs the stage without a picture and writes to the buffer bound at binding 0 for transform feedback. Returns false
   // if the driver cannot, or wrote another number of records. No slot may be empty.
-  bool capture(curve::Stage stage, const CurveSlots& slots);
+  bool capture(curve::EvaluatedBy stage, const CurveSlots& slots);
 
  private:
   static constexpr std::size_t kStages = 4;
@@ -66,10 +66,10 @@ class CurveStages {
     std::array<std::array<std::optional<Program>, 2>, kStages> compiled;  // by stage; [1]: the capturing program
     std::array<std::string, kStages> failures;
   };
-  CurveStages(const Gl& gl, std::shared_ptr<Programs> programs)
+  GpuCurves(const Gl& gl, std::shared_ptr<Programs> programs)
       : gl_(&gl), array_(make_vertex_array(gl)), programs_(std::move(programs)) {}
-  const Program* program(curve::Stage stage, bool measuring);
-  void run(curve::Stage stage, const CurveSlots& slots, const Program& program, bool measuring);
+  const Program* program(curve::EvaluatedBy stage, bool measuring);
+  void run(curve::EvaluatedBy stage, const CurveSlots& slots, const Program& program, bool measuring);
 
   const Gl* gl_;
   Object array_;

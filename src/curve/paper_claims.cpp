@@ -1,4 +1,4 @@
-#include "curve/errata.h"
+#include "curve/paper_claims.h"
 
 #include <algorithm>
 #include <array>

@@ -1,35 +1,35 @@
 // Polylines from control points alone: the same picture as from cached vertices, whatever the stage, and no more
 // uploaded than needed.
-#include "gfx/curve_stages.h"
+#include "gfx/gpu_curves.h"
 
 #include <array>
 
 #include "gfx/studio.h"
 
 namespace coaster::gfx {
-namespace curve_stages_test {
+namespace gpu_curves_test {
 
-using curve::Stage;
+using curve::EvaluatedBy;
 using test::Track;
 
-curve::EvaluatorId row_of(Stage stage) {
+curve::EvaluatorId row_of(EvaluatedBy stage) {
   for (std::size_t i = 0; i < curve::evaluators().size(); ++i)
-    if (curve::evaluators()[i].stage == stage) return static_cast<curve::EvaluatorId>(i);
+    if (curve::evaluators()[i].evaluated_by == stage) return static_cast<curve::EvaluatorId>(i);
   ADD_FAILURE() << "no row for a stage";
   return {};
 }
 
-class Stages : public test::Studio, public testing::WithParamInterface<Stage> {
+class Stages : public test::Studio, public testing::WithParamInterface<EvaluatedBy> {
  protected:
   void SetUp() override {
     test::Studio::SetUp();
     if (!renderer_->supports(GetParam())) GTEST_SKIP() << renderer_->refusal(GetParam());
   }
-  void on(Track& track, Stage stage) const {
-    track.settings.evaluator = stage == Stage::processor ? *curve::find_evaluator("horner") : row_of(stage);
+  void on(Track& track, EvaluatedBy stage) const {
+    track.settings.evaluator = stage == EvaluatedBy::processor ? *curve::find_evaluator("horner") : row_of(stage);
     track.derive();
   }
-  Image seen(Track& track, Stage stage, const world::Camera& camera) {
+  Image seen(Track& track, EvaluatedBy stage, const world::Camera& camera) {
     on(track, stage);
     const view::Viewport viewport{0, 0, static_cast<float>(width_), static_cast<float>(height_)};
     const view::View view = view::orbit_view(camera, viewport);
@@ -46,7 +46,7 @@ class Stages : public test::Studio, public testing::WithParamInterface<Stage> {
     inside.distance = 1.3f, inside.yaw_deg -= 41,
     inside.target = world::knot(track.document, track.document.track.knots[1]).position;
     for (const world::Camera& camera : {all, close, inside}) {
-      const Image cached = seen(track, Stage::processor, camera), shaded = seen(track, GetParam(), camera);
+      const Image cached = seen(track, EvaluatedBy::processor, camera), shaded = seen(track, GetParam(), camera);
       long differing = 0;
       for (std::size_t i = 0; i < cached.rgba.size(); i += 4) {
         int most = 0;
@@ -60,7 +60,8 @@ class Stages : public test::Studio, public testing::WithParamInterface<Stage> {
   }
 };
 INSTANTIATE_TEST_SUITE_P(all, Stages,
-                         testing::Values(Stage::vertex_shader, Stage::geometry_shader, Stage::tessellation_shader));
+                         testing::Values(EvaluatedBy::vertex_shader, EvaluatedBy::geometry_shader,
+                                         EvaluatedBy::tessellation_shader));
 
 TEST_P(Stages, draw_the_picture_of_the_cached_vertices) {
   width_ = 320, height_ = 180;
@@ -114,9 +115,10 @@ TEST_P(Stages, upload_48_bytes_a_segment_once_and_nothing_for_another_resolution
   EXPECT_EQ(moved.polyline_upload_bytes, 2 * 48);
   EXPECT_GT(moved.upload_bytes, moved.polyline_upload_bytes) << "the rails are swept anew";
   EXPECT_EQ(draw(track).uploads, 0);
-  on(track, row_of(Stage::vertex_shader) == track.settings.evaluator ? Stage::geometry_shader : Stage::vertex_shader);
+  on(track, row_of(EvaluatedBy::vertex_shader) == track.settings.evaluator ? EvaluatedBy::geometry_shader
+                                                                           : EvaluatedBy::vertex_shader);
   EXPECT_EQ(draw(track).uploads, 0) << "another stage needs the same control points";
-  on(track, Stage::processor);
+  on(track, EvaluatedBy::processor);
   EXPECT_EQ(draw(track).uploads, 9);
   on(track, GetParam());
   EXPECT_EQ(draw(track).upload_bytes, 9 * 48);
@@ -155,7 +157,7 @@ TEST_P(Stages, measure_the_deviation_of_what_the_gpu_computes) {
     EXPECT_EQ(draw(track).deviation, stats.deviation) << "a still frame keeps it";
     Track twin(test::ring_document(9, 170.3f), steps);
     twin.move(2, {1000.1f, 3.3f, -777.7f});
-    on(twin, Stage::processor);
+    on(twin, EvaluatedBy::processor);
     if (steps > 1) {
       EXPECT_GT(stats.deviation, 0) << "float rounds; nothing measured would be 0";
       EXPECT_LT(stats.deviation, 4 * twin.derived.deviation);
@@ -167,7 +169,7 @@ TEST_P(Stages, measure_the_deviation_of_what_the_gpu_computes) {
 
 TEST_P(Stages, measure_no_more_than_the_budget_in_a_frame) {
   constexpr int kSteps = 20;
-  const int segments = GetParam() == Stage::vertex_shader ? 5000 : 1900;
+  const int segments = GetParam() == EvaluatedBy::vertex_shader ? 5000 : 1900;
   Track track(test::ring_document(segments, 9000), kSteps);
   on(track, GetParam());
   DrawStats stats = draw(track);
@@ -205,16 +207,16 @@ using Driver = test::Studio;
 TEST_F(Driver, without_tessellation_the_vertex_shader_draws_and_the_reason_is_told) {
   gl_.PatchParameteri = nullptr;
   renderer_ = fresh();
-  EXPECT_TRUE(renderer_->supports(Stage::vertex_shader));
-  EXPECT_TRUE(renderer_->supports(Stage::geometry_shader));
-  EXPECT_NE(renderer_->refusal(Stage::tessellation_shader).find("need OpenGL 4.0"), std::string::npos);
+  EXPECT_TRUE(renderer_->supports(EvaluatedBy::vertex_shader));
+  EXPECT_TRUE(renderer_->supports(EvaluatedBy::geometry_shader));
+  EXPECT_NE(renderer_->refusal(EvaluatedBy::tessellation_shader).find("need OpenGL 4.0"), std::string::npos);
   Track track(test::ring_document(9, 17.3f));
-  track.settings.evaluator = row_of(Stage::vertex_shader);
+  track.settings.evaluator = row_of(EvaluatedBy::vertex_shader);
   track.derive();
   const Image by_vertices = picture(track);
-  track.settings.evaluator = row_of(Stage::tessellation_shader);
+  track.settings.evaluator = row_of(EvaluatedBy::tessellation_shader);
   track.derive();
-  EXPECT_EQ(draw(track).drawn_by, Stage::vertex_shader);
+  EXPECT_EQ(draw(track).drawn_by, EvaluatedBy::vertex_shader);
   EXPECT_TRUE(picture(track).rgba == by_vertices.rgba);
 }
 
@@ -223,7 +225,7 @@ TEST_F(Driver, without_feedback_or_timers_nothing_is_measured) {
   gl_.GenQueries = nullptr;
   renderer_ = fresh();
   Track track(test::ring_document(9, 17.3f));
-  track.settings.evaluator = row_of(Stage::vertex_shader);
+  track.settings.evaluator = row_of(EvaluatedBy::vertex_shader);
   track.derive();
   const DrawStats stats = draw(track);
   EXPECT_EQ(stats.deviation_pending, 9);
@@ -237,5 +239,5 @@ TEST_F(Driver, times_the_polyline_some_frames_later) {
   EXPECT_GT(stats.gpu_ms, 0);
 }
 
-}  // namespace curve_stages_test
+}  // namespace gpu_curves_test
 }  // namespace coaster::gfx

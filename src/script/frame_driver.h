@@ -8,9 +8,9 @@ namespace coaster::script {
 // A frame of a script is 1/60 s.
 inline constexpr int kTicksPerFrame = 2;
 
-class Stage {
+class FrameDriver {
  public:
-  explicit Stage(Host& host) : host_(host) {}
+  explicit FrameDriver(Host& host) : host_(host) {}
 
   Host& host() { return host_; }
   base::Status set_environment(const Environment& environment);

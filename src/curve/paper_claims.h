@@ -1,0 +1,44 @@
+// The paper's wrong claims about single curves beside the correct values, in numbers. Claims that need a track or a
+// ride are in sim/study/live_errata.h.
+#pragma once
+
+#include "curve/cubic.h"
+
+namespace coaster::curve {
+
+// Paper erratum: Gravesen's estimate is the mean of chord and control polygon, not half the polygon multiplied by the
+// chord.
+struct GravesenClaim {
+  double product;  // m^2, half the polygon times the chord, as in the paper
+  double mean;     // m, (chord + polygon) / 2
+  double length;   // m, the true length
+  double bound;    // m, (polygon - chord) / 2: largest error of the mean
+};
+GravesenClaim gravesen_claim(const Cubic& cubic);
+
+// Paper erratum: B(0) + i dB, one difference for all steps, is a straight line.
+struct LineClaim {
+  double distance;  // m, the largest distance of a vertex B(0) + i (B(1/n) - B(0)) from the vertex B(i/n)
+  double t;         // of the farthest vertex
+};
+// `steps` >= 1. Costs one evaluation per step, at most 4096.
+LineClaim line_claim(const Cubic& cubic, int steps);
+
+// Paper erratum: the Frenet-Serret normal flips across an inflection; the rotation-minimising frame does not.
+struct FlipClaim {
+  double t;                 // where the normal turns fastest
+  double frenet_angle;      // rad, turn of the Frenet normal about the tangent from t - 1/64 to t + 1/64, within [0,1]
+  double minimising_angle;  // rad, turn of the rotation-minimising frame about the tangent there: 0 to rounding
+  bool defined;             // false on a straight line: there is no normal
+};
+FlipClaim flip_claim(const Cubic& cubic);
+
+// Paper erratum: the lines between the control points are no "pen containing the curve". The curve can leave a polygon
+// that crosses itself or is not convex; it never leaves the convex hull.
+struct PenClaim {
+  double outside;       // m, how far the curve leaves the closed control polygon, seen along its mean normal
+  double outside_hull;  // m, the same for the hull of the four points: 0 to rounding
+};
+PenClaim pen_claim(const Cubic& cubic);
+
+}  // namespace coaster::curve
