@@ -1,4 +1,4 @@
-// A part of the viewport, as a fan, with the direction of sight for each pixel.
+// A part of the viewport, as a fan, with the ray direction of each pixel.
 uniform vec2 corners[6];          // -1 to 1
 uniform vec3 forward, right, up;  // right and up: to the viewport's edges at distance 1
 out vec3 direction;

@@ -1,7 +1,8 @@
-// A cubic from its control points, after line.glsl: what the evaluators on the GPU share, and the row Horner on the processor has.
-const float kBreak = 1e38;  // beyond it a control point's x says that the slot is empty
+// A cubic from its control points, after line.glsl: shared by the GPU evaluators. The same arithmetic as Horner on the
+// processor.
+const float kBreak = 1e38;  // a larger x of a control point marks an empty slot
 
-// Vertex i of a polyline of `steps` steps; both ends are exactly the control points, so joints never gap.
+// Returns vertex i of a polyline of `steps` steps; both ends are exactly the control points, so joints have no gaps.
 vec3 cubic_point(vec3 p0, vec3 p1, vec3 p2, vec3 p3, int i, int steps) {
   if (i >= steps) return p3;
   float t = float(i) / float(steps);

@@ -1,4 +1,5 @@
-// Hands a segment's control points to the geometry shader: instance k is the segment in slot k, vertex j the j-th kLines of its lines.
+// Passes a segment's control points to the geometry shader: instance k is the segment in slot k, vertex j the j-th
+// kLines of its lines.
 layout(location = 0) in vec3 p0;
 layout(location = 1) in vec3 p1;
 layout(location = 2) in vec3 p2;

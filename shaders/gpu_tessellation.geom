@@ -1,4 +1,4 @@
-// A line of the tessellator becomes a strip of two triangles, of constant width on the screen.
+// Turns a line of the tessellator into a strip of two triangles of constant width on the screen.
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
 in vec3 place[];
@@ -13,7 +13,7 @@ flat out float width;
 flat out vec4 tint;
 
 void main() {
-  // Tessellators may turn a line round; its width is that of the later end.
+  // Tessellators may reverse a line; its width is that of the later end.
   int later = number[0] < number[1] ? 1 : 0;
   for (int corner = 0; corner < 4; ++corner) {
     float off, wide;

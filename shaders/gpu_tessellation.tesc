@@ -1,4 +1,4 @@
-// Four control points are a patch; the levels say how many lines are made of it: none of an empty slot.
+// Four control points are a patch; the levels set the number of its lines: none for an empty slot.
 layout(vertices = 4) out;
 in vec3 handed[];
 flat in int piece[];
@@ -8,7 +8,7 @@ patch out int first;
 patch out int count;
 patch out int patch_slot;
 uniform int steps;
-const int kLevel = 64;  // every driver has levels of 64
+const int kLevel = 64;  // every driver supports levels of 64
 
 void main() {
   control[gl_InvocationID] = handed[gl_InvocationID];

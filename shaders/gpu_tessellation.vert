@@ -1,4 +1,5 @@
-// Hands a control point to the tessellator: vertices 4k to 4k+3 are the segment in slot k, instance j the j-th kLevel of its lines.
+// Passes a control point to the tessellator: vertices 4k to 4k+3 are the segment in slot k, instance j the j-th kLevel
+// of its lines.
 layout(location = 0) in vec3 control;
 out vec3 handed;
 flat out int piece;

@@ -1,5 +1,5 @@
-// The polyline evaluated by the vertex shader: instance k is the segment in slot k, six vertices are a line of it. With MEASURE vertex i
-// is the polyline's, captured with its number and slot.
+// The polyline evaluated by the vertex shader: instance k is the segment in slot k, six vertices are one of its lines.
+// With MEASURE vertex i is the polyline's, captured with its number and slot.
 layout(location = 0) in vec3 p0;
 layout(location = 1) in vec3 p1;
 layout(location = 2) in vec3 p2;

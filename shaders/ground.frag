@@ -1,10 +1,11 @@
-// The plane y = 0 by the ray of each pixel: no geometry, so no far edge. Its depth marks where ground_shadow.frag has work to do.
-uniform vec3 eye;  // over it
+// The plane y = 0 by the ray of each pixel: no geometry, so no far edge. Its depth marks where ground_shadow.frag must
+// run.
+uniform vec3 eye;  // above it
 in vec3 direction;
 out vec4 colour;
 
-// How much of lines of `width` metres every `spacing` metres a pixel shows: where a line is thinner than a pixel it stays a pixel wide and
-// pales instead; where the pattern grows finer than a few pixels it is gone, before it could shimmer.
+// Returns how much of lines of `width` metres every `spacing` metres a pixel shows. Lines thinner than a pixel stay a
+// pixel wide and fade; a pattern finer than a few pixels vanishes before it could shimmer.
 float grid(vec2 place, vec2 footprint, float spacing, float width) {
   vec2 size = footprint / spacing;
   float target = width / spacing;

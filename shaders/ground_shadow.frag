@@ -1,4 +1,5 @@
-// What shadows leave of the ground's colour on the screen, a factor: only where ground.frag has marked that there may be any.
+// The factor by which shadows darken the ground's colour on the screen; runs only where ground.frag has marked a
+// possible shadow.
 uniform vec3 eye;
 in vec3 direction;
 out vec4 colour;

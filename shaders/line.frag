@@ -1,4 +1,4 @@
-// A thin antialiased line; colours go to the screen as they are.
+// A thin antialiased line, without lighting or tone mapping.
 in float across;
 flat in float width;
 flat in vec4 tint;

@@ -20,6 +20,6 @@ void main() {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
-  // Depth 0: neither the near nor the far plane hides a mark.
+  // Depth 0: neither the near nor the far plane clips a mark.
   gl_Position = vec4(middle.xy / middle.w + place * 2.0 / viewport, 0.0, 1.0);
 }

@@ -1,8 +1,8 @@
-// Painted steel in the sun under the sky, or the flat faces of a drawing; with OUTLINE the drawing's lines. What lies on the other side of the
-// ground than the eye is hidden by it.
+// Painted steel in sun and sky light, or the flat faces of the blueprint style; with OUTLINE its outlines. The ground
+// hides solids on its other side.
 uniform vec3 eye;
 uniform int colouring;        // 1: rails and spine by the segment's values
-uniform sampler2D values;     // 32 a segment, uniform in arc length; 32 segments a row; over 1e38: unknown
+uniform sampler2D values;  // 32 per segment, uniform in arc length; 32 segments per row; over 1e38: unknown
 uniform vec2 value_range;     // from and to
 uniform vec3 stops[10];       // the colour map, uniform from 0 to 1
 uniform vec3 unknown;
@@ -37,7 +37,7 @@ vec3 value_colour() {
   return mix(stops[stop], stops[stop + 1], part - float(stop));
 }
 
-// How much of a part's surface is varnish: it mirrors sun and sky.
+// Returns how much of a part's surface is varnish, which reflects sun and sky.
 float gloss(int part) {
   if (part == 2) return 0.12;
   if (part == 5) return 0.06;
@@ -46,7 +46,7 @@ float gloss(int part) {
   return part == 3 || part == 4 ? 0.9 : 0.6;
 }
 
-// Linear light of a painted surface; `sun`: how much of the sun falls on it.
+// Returns the linear light of a painted surface; `sun`: fraction of sunlight on it.
 vec3 lit(vec3 paint_light, float shiny, float sun, vec3 normal, vec3 to_eye) {
   vec3 ambient = mix(air.ground_light.rgb, air.sky_light.rgb, 0.5 + 0.5 * normal.y);
   vec3 light = paint_light * (air.sun_light.rgb * sun + ambient);
@@ -73,7 +73,7 @@ void main() {
   float sun = max(dot(normal, air.sun.xyz), 0.0) * sun_reaches(world, normal);
   vec3 own = linear_of(by_value ? value_colour() : paint(part)), light;
   if (by_value) {
-    // Where colours are numbers, light only models: they stay near those of the legend, whatever the style.
+    // Colours that show values are shaded only lightly: they stay close to the legend in every style.
     light = own * (0.78 + 0.28 * sun + 0.12 * normal.y);
   } else if (air.sun.w > 0.5) {
     float bright = dot(own, vec3(0.2126, 0.7152, 0.0722));

@@ -1,5 +1,6 @@
-// Track and carts; with SHADOW as the sun sees them, with OUTLINE grown by a line's width. One program for both: compiling is what a first frame
-// waits for. The track has the unit matrix for its model, carts no place along a segment.
+// Track and trains; with SHADOW as seen from the sun, with OUTLINE grown by the width of the outline. One program for
+// both, because compiling delays the first frame. The track has the unit matrix as its model; trains have no position
+// along a segment.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float part;
@@ -11,13 +12,13 @@ layout(location = 7) in vec2 place;
 uniform mat4 view_projection;
 #ifndef SHADOW
 uniform vec3 eye;
-uniform float least_width;  // radius of tubes in metres, for each metre from the eye; 0: as they are
-uniform float outline;      // width of lines, likewise, at most 6 cm
+uniform float least_width;  // radius of tubes in metres per metre of distance; 0: unchanged
+uniform float outline;  // width of outlines, likewise, at most 6 cm
 #endif
 out vec3 world;
-out vec3 facing;   // towards the outside
+out vec3 facing;  // outwards
 flat out float material;
-out float along;           // of the segment's length, 0..1
+out float along;  // fraction of the segment's length, 0..1
 flat out float segment;    // index
 
 void main() {
@@ -27,7 +28,7 @@ void main() {
   along = place.x;
   segment = place.y;
 #ifndef SHADOW
-  // Colours that mean something can be seen from afar. No part of a cart is a rail or a spine.
+  // Coloured rails stay visible at a distance. No part of a train is a rail or a spine.
   if (part < 1.5) world += normal * max(least_width * distance(world, eye) - (part < 0.5 ? 0.12 : 0.28), 0.0);
 #endif
   material = part;

@@ -1,12 +1,12 @@
-// What the sun does not reach, after common.glsl: the maps that gfx/sun_shadows draws, one of the track and one of the trains.
-uniform mat4 track_light, train_light;        // world to 0..1: place in the map and depth
-uniform vec2 track_texel, train_texel;        // a texel's side in metres, and as a part of the map
+// Shadows of the sun, after common.glsl: reads the maps of gfx/sun_shadows, one of the track and one of the trains.
+uniform mat4 track_light, train_light;  // world to 0..1: position in the map, and depth
+uniform vec2 track_texel, train_texel;  // a texel's side in metres, and as a fraction of the map
 uniform highp sampler2DShadow track_depth, train_depth;
-uniform sampler2D track_cover, train_cover;   // r: how much of a texel is covered, g: times the height of what covers it, in kHighest
-uniform int taps;  // 4; told from outside so that loops stay loops, which compilers of software renderers are thankful for
+uniform sampler2D track_cover, train_cover;  // r: coverage of a texel, g: times the height of the caster, in kHighest
+uniform int taps;  // 4; a uniform, so that loops stay loops, which keeps compilers of software renderers fast
 
-// A map about a place on the ground: where in it that is, what the two sides of a pixel (m) become there, and the mipmap about as coarse as
-// the pixel, or a metre and a half.
+// A map around a point on the ground: the position in the map, the two sides of a pixel (m) there, and the mipmap level
+// about as coarse as the pixel, or as a metre and a half.
 struct Spot {
   vec2 at, major, minor;
   float level, inside;  // inside: 1, falling to 0 at the map's edges
@@ -25,14 +25,14 @@ Spot spot(mat4 to_map, vec2 texel, vec2 place, vec2 x, vec2 y) {
   return spot;
 }
 
-// Whether there may be any shadow at a place; quick.
+// Returns whether there may be a shadow at a point; fast.
 bool maybe_shaded(vec2 place, vec2 x, vec2 y) {
   Spot track = spot(track_light, track_texel, place, x, y), train = spot(train_light, train_texel, place, x, y);
   return track.inside * textureLod(track_cover, track.at, track.level).r + train.inside * textureLod(train_cover, train.at, train.level).r > 0.0;
 }
 
-// How much of the light is taken from a place on the ground: coverage over a pixel's footprint, drawn out along it, and over the penumbra, which
-// grows with the height of what throws the shadow.
+// Returns the fraction of light removed from a point on the ground: coverage over a pixel's footprint, stretched along
+// it, and over the penumbra, which grows with the height of the caster.
 float cover_at(sampler2D cover, vec2 texel, Spot spot) {
   vec2 coarse = textureLod(cover, spot.at, spot.level).rg;
   float metre = texel.y / texel.x;
@@ -45,7 +45,7 @@ float cover_at(sampler2D cover, vec2 texel, Spot spot) {
   }
   float covered = 0.25 * sum;
   float far = clamp(0.25 * length(spot.major) / texel.y, 0.0, 1.0);
-  return spot.inside * covered * (1.0 + 0.6 * far * (1.0 - covered));  // thin rails far off are still told by their shadow
+  return spot.inside * covered * (1.0 + 0.6 * far * (1.0 - covered));  // thin distant rails remain visible by their shadow
 }
 float ground_shadow(vec2 place, vec2 x, vec2 y) {
   float track = cover_at(track_cover, track_texel, spot(track_light, track_texel, place, x, y));
@@ -53,9 +53,9 @@ float ground_shadow(vec2 place, vec2 x, vec2 y) {
   return max(track, train);
 }
 
-// How much of the sun reaches a place of a solid with a normal: depths compared, over about two texels.
+// Returns the fraction of sunlight at a point of a solid with a normal: depth comparison over about two texels.
 float reached(highp sampler2DShadow depth, mat4 to_map, vec2 texel, vec3 world, vec3 normal) {
-  // Off the surface by a texel, so that it does not shade itself; the map holds the far sides of what throws shadows.
+  // Offset from the surface by a texel, so that it does not shade itself; the map holds the far sides of casters.
   vec3 at = (to_map * vec4(world + (0.6 * texel.x) * normal + (0.25 * texel.x) * air.sun.xyz, 1.0)).xyz;
   vec2 edge = 0.5 - abs(at.xy - 0.5);
   if (min(min(edge.x, edge.y), at.z) <= 0.0) return 1.0;

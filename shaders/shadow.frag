@@ -1,4 +1,4 @@
-// What a shadow map keeps beside depth: that a texel is covered, and how high what covers it lies over the ground.
+// The colour of a shadow map, besides depth: coverage, and the height of the caster above the ground.
 in vec3 world;
 in vec3 facing;
 flat in float material;

@@ -1,17 +1,18 @@
-// The sky with the sun and hills far away by the ray of each pixel; for an eye below the ground, the inside of the earth.
+// The sky with the sun and distant hills by the ray of each pixel; for an eye below the ground, the inside of the
+// earth.
 uniform vec3 eye;
 uniform float pixel;  // its side at distance 1
 in vec3 direction;
 out vec4 colour;
 
-// Two ridges far away, as tangents of their height: sums of waves round the horizon.
+// Two distant ridges, as tangents of their height: sums of waves around the horizon.
 vec2 ridges(float turn) {
   float far = 0.62 + 0.22 * sin(3.0 * turn + 1.1) + 0.13 * sin(7.0 * turn + 4.0) + 0.06 * sin(17.0 * turn) + 0.025 * sin(41.0 * turn + 2.0);
   float near = 0.34 + 0.16 * sin(4.0 * turn + 5.2) + 0.09 * sin(9.0 * turn + 0.7) + 0.05 * sin(23.0 * turn + 3.0) + 0.02 * sin(53.0 * turn);
   return air.hills.w * vec2(far, near);
 }
 
-// Thin clouds, drawn out by the wind, that end over the horizon.
+// Thin clouds, stretched by the wind, that end above the horizon.
 float clouds(vec3 sight) {
   vec2 at = sight.xz / (sight.y + 0.14) * vec2(0.9, 2.1) + vec2(3.1, 7.7);
   float billows = 0.5 * noise(at) + 0.27 * noise(at * 2.3 + 5.0) + 0.15 * noise(at * 5.1 + 11.0) + 0.08 * noise(at * 11.0 + 2.0);
@@ -26,7 +27,7 @@ vec3 heavens(vec3 sight) {
   float height = sight.y / max(length(sight.xz), 1e-4);
   vec2 ridge = ridges(atan(sight.z, sight.x));
   vec2 under = smoothstep(vec2(-1.0), vec2(1.0), (ridge - height) / pixel);
-  // Mist lies at their feet, the same as over the far ground.
+  // Mist at their feet, the same as over the distant ground.
   vec2 clear = mix(vec2(kFeet), vec2(0.46, 0.74), smoothstep(vec2(0.0), vec2(1.0), height / ridge));
   vec3 air_there = far_air(sight);
   light = mix(light, mix(air_there, air.hills.rgb, clear.x), under.x);

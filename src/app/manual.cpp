@@ -39,8 +39,8 @@ void options_section(std::string& out) {
     out += "\n" + roff(help) + ".\n";
   };
   for (const OptionRow& option : option_rows()) row(option.name, option.value, option.help);
-  row("--version", "", "Print the version and end");
-  row("--help", "", "Print a summary of the options and end");
+  row("--version", "", "Print the version and exit");
+  row("--help", "", "Print a summary of the options and exit");
 }
 
 std::vector<std::string> readable_endings() {
@@ -59,8 +59,8 @@ std::string manual_page() {
   out += ".SH SYNOPSIS\n.B coaster\n[\\fIOPTIONS\\fR] [\\fIFILE\\fR]\n";
   out += ".SH DESCRIPTION\n" + roff(kSummary) + "\n";
   out +=
-      "In a window, tracks are built with the mouse and ridden; without a display\n.B coaster \\-\\-headless\n"
-      "rides them in memory, and scripts do all that a person does. The manual is in /usr/share/doc/coaster.\n";
+      "In a window you build tracks with the mouse and ride them. Without a display\n.B coaster \\-\\-headless\n"
+      "rides them in memory, and scripts can do everything that a user can. The manual is in /usr/share/doc/coaster.\n";
   options_section(out);
   out += ".SH EXIT STATUS\n";
   for (const ExitCodeRow& row : exit_code_rows()) out += ".TP\n" + roff(row.code) + "\n" + roff(row.meaning) + ".\n";
@@ -68,9 +68,9 @@ std::string manual_page() {
       ".SH ENVIRONMENT\n"
       ".TP\n\\fBCOASTER_DATA\\fR\nFolder of the sample tracks, envelopes and challenges, instead of the installed "
       "one.\n"
-      ".TP\n\\fBXDG_CONFIG_HOME\\fR, \\fBXDG_STATE_HOME\\fR\nWhere settings and autosaves are kept, in a folder "
+      ".TP\n\\fBXDG_CONFIG_HOME\\fR, \\fBXDG_STATE_HOME\\fR\nFolders of settings and autosaves, in a folder "
       "coaster.\n"
-      ".TP\n\\fBXDG_PICTURES_DIR\\fR, \\fBXDG_VIDEOS_DIR\\fR\nWhere pictures and movies are written to.\n";
+      ".TP\n\\fBXDG_PICTURES_DIR\\fR, \\fBXDG_VIDEOS_DIR\\fR\nFolders for pictures and movies.\n";
   out +=
       ".SH EXAMPLES\n.EX\n"
       "coaster my\\-track.json\n"

@@ -17,46 +17,46 @@ namespace coaster::app {
 namespace {
 
 constexpr OptionRow kRows[] = {
-    {"FILE", "", Word::track, "Track to open (.json, or another format that its ending tells: docs/track-format.md)",
+    {"FILE", "", Word::track, "Track to open; the file extension selects the format (docs/track-format.md)",
      &Options::file},
     {"--headless", "", Word::nothing,
-     "Draw into memory; without a script: ride FILE, write OUT/ride.png, print a summary", &Options::headless},
+     "Run without a display; without a script: ride FILE, write OUT/ride.png, print a summary", &Options::headless},
     {"--script", "F", Word::script, "Run a script (.coaster)", &Options::script},
-    {"--record", "F", Word::script, "Record what happens as a script", &Options::record},
+    {"--record", "F", Word::script, "Record the session as a script", &Options::record},
     {"--frames", "N", Word::other, "End after N frames, or N pictures of a movie", &Options::frames},
-    {"--size", "WxH", Word::other, "Size of the picture, WIDTHxHEIGHT", &Options::size},
-    {"--seed", "N", Word::other, "Seed for scripts that name none", &Options::seed},
-    {"--out", "DIR", Word::folder, "Folder that scripts and pictures are written to", &Options::out},
-    {"--camera", "NAME", Word::camera,
-     "Look by the camera orbit, ride, chase or fly; a movie of a ride without a script: chase", &Options::camera},
+    {"--size", "WxH", Word::other, "Picture size, WIDTHxHEIGHT", &Options::size},
+    {"--seed", "N", Word::other, "Seed for scripts that do not set one", &Options::seed},
+    {"--out", "DIR", Word::folder, "Output folder of scripts and pictures", &Options::out},
+    {"--camera", "NAME", Word::camera, "Camera: orbit, ride, chase or fly; default chase for a movie of a ride",
+     &Options::camera},
     {"--movie", "DIR", Word::folder,
-     "Write numbered pictures of all that a script, or one lap of FILE, shows into this folder, and movie.mp4 where "
-     "ffmpeg is installed; needs --headless",
+     "Record the script, or one lap of FILE, as numbered pictures in this folder, and movie.mp4 if ffmpeg is "
+     "installed; "
+     "needs --headless",
      &Options::movie},
-    {"--fps", "N", Word::rate, "Pictures a second of the movie: 10, 12, 15, 20, 24, 30, 40, 60 or 120; 30 unless given",
+    {"--fps", "N", Word::rate, "Pictures per second of the movie: 10, 12, 15, 20, 24, 30, 40, 60 or 120; default 30",
      &Options::fps},
-    {"--gif", "", Word::nothing, "Make movie.gif, too, at most 640 pixels wide", &Options::gif},
-    {"--update-goldens", "", Word::nothing, "Make the pictures that snap finds the golden ones",
+    {"--gif", "", Word::nothing, "Also write movie.gif, at most 640 pixels wide", &Options::gif},
+    {"--update-goldens", "", Word::nothing, "Save the pictures of snap as new golden pictures",
      &Options::update_goldens},
     {"--validate", "", Word::nothing, "Check FILE (a track, a challenge or a script) or the script without running it",
      &Options::validate},
-    {"--json", "", Word::nothing, "Print the ride's summary as JSON", &Options::json},
+    {"--json", "", Word::nothing, "Print the summary of the ride as JSON", &Options::json},
     {"--report", "", Word::nothing,
      "Print the report of the whole ride of FILE: times, forces, ratings; no graphics needed", &Options::report},
-    {"--envelope", "F", Word::json, "Limits of force by duration (.json); not a compliance check", &Options::envelope},
+    {"--envelope", "F", Word::json, "Force limits by duration (.json); not a compliance check", &Options::envelope},
     {"--hash-log", "", Word::nothing, "Print the hashes of document and motion after each tick", &Options::hash_log},
     {"--config", "DIR", Word::folder,
-     "Keep settings and autosaves in this folder instead of the user's; scripts keep none without it (docs/files.md)",
+     "Folder for settings and autosaves instead of the user's; without it scripts keep none (docs/files.md)",
      &Options::config},
-    {"--reset-layout", "", Word::nothing, "Start with the window, scale and panels of the first start",
-     &Options::reset_layout},
-    {"--help-script", "", Word::nothing, "Explain the script language and end", &Options::help_script},
-    {"--help-man", "", Word::nothing, "Print the manual page (roff) and end", &Options::help_man},
-    {"--help-completion", "", Word::nothing, "Print the completion for bash and end", &Options::help_completion},
+    {"--reset-layout", "", Word::nothing, "Reset window, scale and panels to the defaults", &Options::reset_layout},
+    {"--help-script", "", Word::nothing, "Print the script language and exit", &Options::help_script},
+    {"--help-man", "", Word::nothing, "Print the manual page (roff) and exit", &Options::help_man},
+    {"--help-completion", "", Word::nothing, "Print the bash completion and exit", &Options::help_completion},
 };
 
-constexpr ExitCodeRow kExitCodes[] = {{"0", "ok"},       {"1", "an expectation failed"}, {"2", "usage or script error"},
-                                      {"3", "bad file"}, {"4", "no graphics"},           {"5", "input or output"},
+constexpr ExitCodeRow kExitCodes[] = {{"0", "success"},  {"1", "failed expectation"},   {"2", "usage or script error"},
+                                      {"3", "bad file"}, {"4", "no graphics"},          {"5", "input or output"},
                                       {"6", "timeout"},  {"128+N", "ended by signal N"}};
 
 std::string exit_code_line() {
@@ -86,7 +86,7 @@ void add(CLI::App& cli, const OptionRow& row, Options& options) {
   if (!row.value.empty()) option->option_text(std::string(row.value));
 }
 
-// What words that parse mean together; "" when all is well.
+// Returns the first conflict between options, "" if there is none.
 std::string trouble(Options& o) {
   if (!o.size.empty() && !base::parse_size(o.size, o.width, o.height))
     return "--size: expected WIDTHxHEIGHT such as 1280x720, found " + o.size;
@@ -96,7 +96,7 @@ std::string trouble(Options& o) {
   const auto& cameras = world::kCameraModeNames;
   if (!o.camera.empty() && std::find(cameras.begin(), cameras.end(), o.camera) == cameras.end())
     return "--camera: expected orbit, ride, chase or fly, found " + o.camera;
-  if (!o.movie.empty() && !o.headless) return "--movie needs --headless; in a window it is File/Record movie";
+  if (!o.movie.empty() && !o.headless) return "--movie needs --headless; in a window use File/Record movie";
   return {};
 }
 

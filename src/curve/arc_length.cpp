@@ -155,7 +155,7 @@ LengthEstimate default_length(const CoefficientsD& c, double a, double b) {
 }  // namespace
 
 LengthEstimate measure_arc_length(const Cubic& cubic, double t0, double t1, double relative_tolerance) {
-  COASTER_CHECK(t0 <= t1, "the length between parameters in ascending order");
+  COASTER_CHECK(t0 <= t1, "arc_length() needs t0 <= t1");
   const CoefficientsD c = coefficients_d(cubic);
   if (!(relative_tolerance > kFinestTolerance)) return default_length(c, t0, t1);
   return detail::adaptive_gauss_legendre(detail::hodograph(c, t0, t1), std::min(relative_tolerance, 0.1));

@@ -122,7 +122,7 @@ bool has_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_support
 }  // namespace
 
 void arc_lengths(std::span<const Cubic> cubics, double relative_tolerance, std::span<double> lengths) {
-  COASTER_CHECK(cubics.size() == lengths.size(), "one length for each cubic");
+  COASTER_CHECK(cubics.size() == lengths.size(), "`lengths` has the size of `cubics`");
   const double tolerance = std::clamp(relative_tolerance, kFinestTolerance, 0.1);
 #if COASTER_HAS_AVX2_LANES
   if (has_avx2()) {

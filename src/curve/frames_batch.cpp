@@ -26,8 +26,8 @@ void eight_chains(Processor on, const detail::FrameJob& job) {
 }  // namespace
 
 void transport_chains(int count, Places points, Places tangents, std::span<glm::dvec3> ups, Processor on) {
-  COASTER_CHECK(count >= 1 && points.size() % static_cast<std::size_t>(count) == 0, "whole chains");
-  COASTER_CHECK(tangents.size() == points.size() && ups.size() == points.size(), "a tangent and an up for each point");
+  COASTER_CHECK(count >= 1 && points.size() % static_cast<std::size_t>(count) == 0, "points are whole chains");
+  COASTER_CHECK(tangents.size() == points.size() && ups.size() == points.size(), "one tangent and one up per point");
   const auto n = static_cast<std::size_t>(count);
   const std::size_t chains = points.size() / n;
   const auto alone = [&](std::size_t c) {

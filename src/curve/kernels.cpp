@@ -82,7 +82,7 @@ std::size_t track_vertices(std::size_t curves, int steps, TrackLayout layout) {
 void track_points(std::span<const PreparedCubic> curves, int steps, TrackLayout layout, std::span<glm::vec3> out,
                   Processor on) {
   COASTER_CHECK(steps >= 1 && out.size() == track_vertices(curves.size(), steps, layout),
-                "as many vertices as the layout has");
+                "`out` has the size of the layout");
   if (curves.empty()) return;
   const int points = layout == TrackLayout::polylines ? steps + 1 : steps;
   const detail::Job job{floats(curves), curves.size(), steps, points, &out[0].x};
@@ -94,7 +94,7 @@ void track_points(std::span<const PreparedCubic> curves, int steps, TrackLayout 
 void track_vertices_with_tangents(std::span<const PreparedCubic> curves, int steps, std::span<TrackVertex> out,
                                   Processor on) {
   COASTER_CHECK(steps >= 1 && out.size() == track_vertices(curves.size(), steps, TrackLayout::polylines),
-                "n + 1 vertices a curve");
+                "n + 1 vertices per curve");
   if (curves.empty()) return;
   kernels(on).track_vertices({floats(curves), curves.size(), steps, steps + 1, &out[0].position.x});
 }

@@ -64,7 +64,7 @@ std::vector<dvec3> solve_closed(std::vector<Row> rows) {
 std::vector<dvec3> spline_derivatives(const SplinePoints& spline) {
   const std::size_t n = spline.points.size();
   COASTER_CHECK(n >= (spline.closed ? 3u : 2u) && spline.steps.size() == (spline.closed ? n : n - 1),
-                "a spline has points and a step between each two");
+                "a spline has one step between each two points");
   const auto step = [&](std::size_t i) { return spline.steps[i]; };
   const auto slope = [&](std::size_t i) { return (spline.points[(i + 1) % n] - spline.points[i]) / step(i); };
   const auto before = [n](std::size_t i) { return (i + n - 1) % n; };

@@ -1,4 +1,4 @@
-// Challenges from JSON.
+// Parses challenges from JSON.
 #include "exchange/challenge_file.h"
 
 #include <algorithm>
@@ -14,10 +14,10 @@ namespace {
 
 struct ChallengeParse {
   LoadedChallenge loaded;
-  std::string error;  // the first thing wrong, without the file's name
+  std::string error;  // the first error, without the file's name
 };
 
-// A text of at least one character that fits.
+// Reads a text of at least one character and at most the limit.
 bool read_text(Fields& fields, std::string_view member, std::string& to) {
   if (!fields.text(member, to)) return false;
   if (to.empty()) return fields.fail(member, "expected a text, found \"\"");
@@ -73,7 +73,7 @@ bool read_hints(ChallengeParse& parse, Fields& fields) {
   return true;
 }
 
-// The start track: a file beside the challenge, or a whole track as a member. What is wrong inside it is told as for
+// Reads the start track: a file beside the challenge, or a whole track as a member. Errors in it are reported as for
 // any track.
 bool read_track(ChallengeParse& parse, Fields& fields, const Json& tree, const std::filesystem::path& folder,
                 base::Files& files) {
@@ -118,7 +118,7 @@ base::Result<LoadedChallenge> parse_challenge(std::string_view text, std::string
   if (!read_all(parse, *tree, folder, files))
     return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, parse.error)};
   for (std::string& warning : parse.loaded.warnings) {
-    constexpr std::string_view kKept = " is kept";  // as of tracks; a challenge is not written back
+    constexpr std::string_view kKept = " is kept";  // as for tracks; a challenge is never written
     if (warning.ends_with(kKept)) warning.replace(warning.size() - kKept.size(), kKept.size(), " is ignored");
     warning = fmt::format("{}: warning: {}", name, warning);
   }

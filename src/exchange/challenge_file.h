@@ -1,5 +1,5 @@
 // The format of challenges, JSON (docs/challenges.md): a start track, goals and medals as expressions over queries, and
-// hints. Reading checks everything but what the expressions say, which this room does not know: query/challenge.h does.
+// hints. Reading checks everything except the expressions, which query/challenge.h parses.
 #pragma once
 
 #include <array>
@@ -16,20 +16,20 @@ namespace coaster::exchange {
 
 inline constexpr std::string_view kChallengeFormat = "coaster-challenge";
 inline constexpr int kChallengeVersion = 1;
-inline constexpr std::size_t kMaxChallengeRules = 32;  // of one list
+inline constexpr std::size_t kMaxChallengeRules = 32;  // per list
 inline constexpr std::size_t kMaxChallengeHints = 16;
 inline constexpr std::size_t kMaxChallengeText = 2000;  // bytes of any text
-inline constexpr double kMaxChallengeSeconds = 900;     // as long as the ghost rides
+inline constexpr double kMaxChallengeSeconds = 900;     // the time limit of the ghost's ride
 
-// lap: when the train has come round, or to the end of an open track. time: after some seconds of riding. build: as
-// soon as what is built meets the goals; values of the ride are the ghost's.
+// lap: when the train completes the lap or reaches the end of an open track. time: after some seconds of riding. build:
+// as soon as the track meets the goals; values of the ride are the ghost's.
 enum class Judged : std::uint8_t { lap, time, build };
 inline constexpr std::array<std::string_view, 3> kJudgedNames{"lap", "time", "build"};  // by Judged
 
-// One thing that must hold.
+// One rule.
 struct ChallengeRule {
   std::string expect;  // "ride.g_side_max <= 1.2", as after `expect` in a script
-  std::string text;    // what it means to a player
+  std::string text;    // explanation for the player
   friend bool operator==(const ChallengeRule&, const ChallengeRule&) = default;
 };
 
@@ -41,9 +41,9 @@ struct ChallengeFile {
   std::string name, teaches;
   Judged judged = Judged::lap;
   double seconds = 0;                               // of Judged::time
-  std::array<std::vector<ChallengeRule>, 5> rules;  // by RuleList; goals has one at least
+  std::array<std::vector<ChallengeRule>, 5> rules;  // by RuleList; goals is not empty
   std::vector<std::string> hints;
-  std::string track;  // the start track's file as written; empty: it is in the challenge itself
+  std::string track;  // the start track's file as written; empty if the challenge contains the track
   world::Document start;
 
   const std::vector<ChallengeRule>& list(RuleList which) const { return rules[static_cast<std::size_t>(which)]; }
@@ -51,19 +51,19 @@ struct ChallengeFile {
 
 struct LoadedChallenge {
   ChallengeFile challenge;
-  std::vector<std::string> warnings;  // one line each: unknown members, and those of the start track
+  std::vector<std::string> warnings;  // one line each: unknown members, and the warnings of the start track
 };
 
-// Parses a whole file's text; a start track that the file names is read beside it, in `folder`. Errors are
-// Code::bad_file with one line as for tracks: "NAME:LINE:COLUMN: error: ..." for broken JSON, "NAME: error:
-// goals[1].expect: expected ..., found ..." for everything else.
+// Parses a whole file's text. Reads a start track that is named as a file from `folder`. Errors are Code::bad_file with
+// one line as for tracks: "NAME:LINE:COLUMN: error: ..." for broken JSON, "NAME: error: goals[1].expect: expected ...,
+// found ..." for everything else.
 base::Result<LoadedChallenge> parse_challenge(std::string_view text, std::string_view name,
                                               const std::filesystem::path& folder, base::Files& files);
 
-// A file that ends in ".json".
+// Loads a file with the extension ".json".
 base::Result<LoadedChallenge> load_challenge(base::Files& files, const std::filesystem::path& path);
 
-// Whether a text says that it is a challenge: for callers that have a file of unknown kind.
+// True if a text declares itself a challenge, for files of unknown kind.
 bool looks_like_challenge(std::string_view text);
 
 }  // namespace coaster::exchange

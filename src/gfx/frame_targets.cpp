@@ -18,7 +18,7 @@ void FrameTargets::fit(int width, int height) {
   scene_.reset();
   resolved_.reset();
   auto plain = make_target(*gl_, width, height, 0);
-  COASTER_CHECK(plain.ok(), "the driver has framebuffers of the size of its screens");
+  COASTER_CHECK(plain.ok(), "the driver supports framebuffers of the screen's size");
   resolved_ = std::move(*plain);
   if (samples_ == 0) return;
   if (auto target = make_target(*gl_, width, height, samples_)) scene_ = std::move(*target);

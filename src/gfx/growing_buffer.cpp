@@ -26,7 +26,7 @@ bool GrowingBuffer::reserve(std::size_t bytes) {
 }
 
 void GrowingBuffer::write(std::size_t offset, const void* data, std::size_t bytes) {
-  COASTER_CHECK(offset + bytes <= capacity_, "writes stay inside the reserved room");
+  COASTER_CHECK(offset + bytes <= capacity_, "writes stay within the reserved size");
   gl_->BindBuffer(GL_COPY_WRITE_BUFFER, object_.id());
   gl_->BufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
 }

@@ -88,7 +88,7 @@ Image half_size(const Image& picture) {
 }
 
 Image contact_sheet(std::span<const Image> pictures, int columns, int gap) {
-  COASTER_CHECK(columns >= 1 && gap >= 0, "a sheet has columns");
+  COASTER_CHECK(columns >= 1 && gap >= 0, "a sheet has at least one column");
   constexpr std::array<std::uint8_t, 4> kGround{0x1B, 0x1F, 0x27, 0xFF};
   int width = 0, height = 0;
   for (const Image& picture : pictures)

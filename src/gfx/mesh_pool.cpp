@@ -6,7 +6,7 @@
 namespace coaster::gfx {
 namespace {
 
-static_assert(sizeof(sim::MeshVertex) == 36, "vertices are uploaded as they lie in memory");
+static_assert(sizeof(sim::MeshVertex) == 36, "vertices are uploaded with their memory layout");
 
 constexpr std::size_t kMostRuns = 96;  // of neighbours drawn in full; with more runs everything is
 

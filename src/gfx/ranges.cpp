@@ -8,7 +8,7 @@
 namespace coaster::gfx {
 
 Range Ranges::take(std::uint32_t size) {
-  COASTER_CHECK(size > 0, "an empty range has no place");
+  COASTER_CHECK(size > 0, "a range is not empty");
   for (auto gap = gaps_.begin(); gap != gaps_.end(); ++gap) {
     if (gap->second < size) continue;
     const Range range{gap->first, size};

@@ -86,7 +86,7 @@ std::string Renderer::refusal(curve::EvaluatedBy stage) const { return parts_->g
 void Renderer::set_samples(int samples) { parts_->targets.set_samples(samples); }
 
 DrawStats Renderer::draw(const Scene& scene, int width, int height) {
-  COASTER_CHECK(width >= 1 && height >= 1, "a picture has pixels");
+  COASTER_CHECK(width >= 1 && height >= 1, "a picture has at least one pixel");
   Parts& parts = *parts_;
   DrawStats stats;
   const Scenery& scenery = scenery_of(scene.style);

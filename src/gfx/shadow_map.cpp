@@ -41,7 +41,7 @@ void ShadowMap::make(int size) {
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, cover_.id(), 0);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
   COASTER_CHECK(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
-                "every driver of OpenGL 3.3 draws into RG8 and 24 bits of depth");
+                "OpenGL 3.3 requires RG8 and 24-bit depth framebuffers");
 }
 
 bool ShadowMap::update(int size, const SunAxes& axes, const ShadowFit& fit, std::uint64_t content, bool unseen,

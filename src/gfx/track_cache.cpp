@@ -9,8 +9,8 @@
 namespace coaster::gfx {
 namespace {
 
-static_assert(sizeof(PolylineVertex) == 24, "vertices are uploaded as they lie in memory");
-static_assert(sizeof(curve::Cubic) == kControlBytes, "control points, too");
+static_assert(sizeof(PolylineVertex) == 24, "vertices are uploaded with their memory layout");
+static_assert(sizeof(curve::Cubic) == kControlBytes, "so are control points");
 
 }  // namespace
 

@@ -76,15 +76,14 @@ base::Result<std::unique_ptr<SoundDevice>> SoundDevice::open() {
     const QuietErrors quiet;
     parts->device = alcOpenDevice(nullptr);
   }
-  if (!parts->device) return base::Status{base::Code::refused, "there is no sound device"};
+  if (!parts->device) return base::Status{base::Code::refused, "no sound device"};
   parts->context = alcCreateContext(parts->device, nullptr);
   if (!parts->context || !alcMakeContextCurrent(parts->context))
     return base::Status{base::Code::refused, "the sound device has no OpenAL context"};
   alGetError();
   alGenBuffers(kSoundBlocks, parts->buffers.data());
   alGenSources(1, &parts->source);
-  if (alGetError() != AL_NO_ERROR)
-    return base::Status{base::Code::refused, "the sound device has no room for a source"};
+  if (alGetError() != AL_NO_ERROR) return base::Status{base::Code::refused, "the sound device has no free source"};
   parts->unused.assign(parts->buffers.begin(), parts->buffers.end());
   return std::unique_ptr<SoundDevice>(new SoundDevice(std::move(parts)));
 }

@@ -109,7 +109,7 @@ std::string words_of(const edit::Session& session, const Rule& rule, const Findi
   char words[160];
   if (rule.query->name == "ride.envelope" && !edit::chosen_red_spans(session).empty()) {
     const sim::RedSpan& span = edit::chosen_red_spans(session).front();
-    std::snprintf(words, sizeof words, "%.2f g %s at %.1f m, %.2f g may last that long", span.worst,
+    std::snprintf(words, sizeof words, "%.2f g %s at %.1f m, limit %.2f g for that duration", span.worst,
                   std::string(sim::label(span.axis)).c_str(), span.from_distance, span.allowed);
     return words;
   }
@@ -123,9 +123,9 @@ std::string unridden(const edit::ActiveChallenge& challenge, const edit::RideRes
   if (challenge.file.judged == exchange::Judged::build) return {};
   if (result == nullptr) return "not ridden yet";
   if (result->end == edit::RideEnd::failed) return result->reason;
-  if (!result->whole) return "the track was changed or the train moved by hand during the ride: ride it from the start";
+  if (!result->whole) return "you changed the track or moved the train during the ride: start it again";
   if (challenge.file.judged == exchange::Judged::time && result->end != edit::RideEnd::time)
-    return "the ride ended too soon: " + result->reason;
+    return "the ride ended early: " + result->reason;
   return {};
 }
 
@@ -155,7 +155,7 @@ base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challe
       rule.query = find_query(rule.condition.query);
       if (!may_judge(*rule.query))
         return wrong(rule.condition.column, base::quoted(rule.condition.query) +
-                                                " does not speak of track and ride alone: expected another query");
+                                                " cannot be used in a rule: expected a query of track or ride");
       rules.push_back(std::move(rule));
     }
   return rules;
@@ -205,7 +205,7 @@ std::string wanted(const Rule& rule) {
 }
 
 edit::Verdict judge(const edit::Session& session, const edit::RideResult* result) {
-  COASTER_CHECK(session.challenge, "only a challenge is judged");
+  COASTER_CHECK(session.challenge, "judging needs an active challenge");
   const edit::ActiveChallenge& challenge = *session.challenge;
   edit::Verdict verdict;
   const base::Result<std::vector<Rule>> rules = read_rules(challenge.file, challenge.path);

@@ -53,7 +53,7 @@ bool parse_tolerance(Words& words, Condition& condition) {
       return words.fail(word->column, "expected a tolerance such as +-0.01, found " + base::quoted(word->text));
   }
   if (condition.tolerance && !(*condition.tolerance >= 0))
-    return words.fail(word->column, "a tolerance is not negative");
+    return words.fail(word->column, "expected a tolerance of 0 or more");
   return condition.tolerance.has_value();
 }
 
@@ -120,7 +120,7 @@ base::Result<bool> holds_text(const Condition& c, const std::string& found) {
     case Op::greater_equal: break;
   }
   const auto a = base::parse_double(found), b = number_of(wanted);
-  if (!a || !b) return mismatch("a text can be compared with ==, != and ~ alone");
+  if (!a || !b) return mismatch("a text can be compared only with ==, != and ~");
   return ordered(*c.op, *a, *b, c.tolerance.value_or(0), true);
 }
 
@@ -134,7 +134,7 @@ base::Result<bool> holds_ranked(const Condition& c, const Ranked& found) {
 
 base::Result<bool> holds_vector(const Condition& c, glm::dvec3 found) {
   if (*c.op != Op::equal && *c.op != Op::not_equal && *c.op != Op::contains)
-    return mismatch("a vector can be compared with == and != alone");
+    return mismatch("a vector can be compared only with == and !=");
   if (c.values.size() != 3) return mismatch("expected three numbers");
   bool same = true;
   for (int axis = 0; axis < 3; ++axis) {

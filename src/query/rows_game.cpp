@@ -63,26 +63,25 @@ Answer card_rides(const Context& c, View) { return number(c.session.result ? c.s
 Answer card_seconds(const Context& c, View) { return number(c.session.result ? c.session.result->seconds : 0.0); }
 
 constexpr std::array kGameRows{
-    Query{"challenge.active", "", "", "on while a challenge is under way.", active},
-    Query{"challenge.name", "", "", "The challenge's name, empty without one.", challenge_name},
-    Query{"challenge.goals", "", "", "Goals and limits of the challenge.", goals},
-    Query{"challenge.met", "", "", "How many of them hold now, by the ghost where they ask about the ride.", met},
-    Query{"challenge.passed", "", "", "on once the challenge was passed since it was begun.", passed},
-    Query{"challenge.medal", "", "", "The best medal since it was begun: 0 none, 1 bronze, 2 silver, 3 gold.", medal},
-    Query{"challenge.judged", "", "", "How often it was judged since it was begun.", judged},
-    Query{"challenge.failure", "", "",
-          "Why it was not passed when it was judged last; empty when it was, or never was judged.", failure},
-    Query{"challenge.hints", "", "", "Hints that show.", challenge_hints},
+    Query{"challenge.active", "", "", "on during a challenge.", active},
+    Query{"challenge.name", "", "", "Name of the challenge, empty without one.", challenge_name},
+    Query{"challenge.goals", "", "", "Number of goals and limits of the challenge.", goals},
+    Query{"challenge.met", "", "", "Number of them that hold now; rules about the ride use the ghost.", met},
+    Query{"challenge.passed", "", "", "on if the challenge has been passed since it was started.", passed},
+    Query{"challenge.medal", "", "", "Best medal since it was started: 0 none, 1 bronze, 2 silver, 3 gold.", medal},
+    Query{"challenge.judged", "", "", "Number of judgements since it was started.", judged},
+    Query{"challenge.failure", "", "", "Why the last judgement failed; empty if it passed or there was none.", failure},
+    Query{"challenge.hints", "", "", "Number of hints shown.", challenge_hints},
     Query{"challenge.deviation", "", "m",
           "How far the track and the challenge's start track are apart at most, whatever their knots; 0 without a "
           "challenge.",
           challenge_deviation},
-    Query{"card", "", "", "on when a score card shows at the end of a ride.", card},
-    Query{"card.shows", "", "", "on while a score card shows.", card_shows},
+    Query{"card", "", "", "on if a score card is shown at the end of a ride.", card},
+    Query{"card.shows", "", "", "on while a score card is shown.", card_shows},
     Query{"card.end", "", "", "How the last ride ended: lap, open end, time, failed; none before the first.", card_end},
-    Query{"card.reason", "", "", "Why it ended where it was not a lap.", card_reason},
-    Query{"card.seconds", "", "s", "How long it lasted.", card_seconds},
-    Query{"card.rides", "", "", "Rides that ended since the track was opened.", card_rides},
+    Query{"card.reason", "", "", "Why it ended, if not with a lap.", card_reason},
+    Query{"card.seconds", "", "s", "Duration of the last ride.", card_seconds},
+    Query{"card.rides", "", "", "Number of rides that ended since the track was opened.", card_rides},
 };
 
 }  // namespace

@@ -79,7 +79,7 @@ base::Result<sim::MeasuredCell> cell_of(const Context& c, View word) {
   for (std::size_t i = 0; i < sim::kMeasuredSteps.size(); ++i) {
     if (!steps || *steps != sim::kMeasuredSteps[i]) continue;
     if (measured == nullptr || measured->cells[i].rounds == 0)
-      return base::Status{base::Code::refused, std::string(word) + " is not measured"};
+      return base::Status{base::Code::refused, std::string(word) + " has not been measured"};
     return measured->cells[i];
   }
   return base::Status{base::Code::usage,
@@ -98,25 +98,23 @@ Answer measure_time(const Context& c, View word) {
 
 constexpr std::array kLabRows{
     Query{"shown", "polyline|frames|comb|circle|construction|rounding|flips|limits|supports|knots|conflicts", "",
-          "on when a layer of the laboratory is drawn.", shown},
-    Query{"colour", "", "", "What the track is coloured by.", colour},
+          "on if a layer of the laboratory is drawn.", shown},
+    Query{"colour", "", "", "Colouring of the track.", colour},
     Query{"colour.low", "", "", "Lower end of the colours' legend, in their unit.", colour_low},
     Query{"colour.high", "", "", "Upper end of the colours' legend.", colour_high},
-    Query{"magnification", "", "", "How many times the rounding layer magnifies.", magnification},
+    Query{"magnification", "", "", "Magnification of the rounding layer.", magnification},
     Query{"comb_scale", "", "m^2", "Length of the comb's teeth for a curvature of 1/m.", comb_scale},
-    Query{"laboratory", "", "", "on when the laboratory's pages show.", laboratory},
-    Query{"page", "", "", "The laboratory's page.", page},
+    Query{"laboratory", "", "", "on if the laboratory is shown.", laboratory},
+    Query{"page", "", "", "Page of the laboratory.", page},
     Query{"construction_point", "", "m",
-          "The point on the selected segment at the picked place; 0 0 0 when none is selected.", construction_point},
+          "Point at the picked position of the selected segment; 0 0 0 if none is selected.", construction_point},
     Query{"rounding", "", "m", "Largest rounding error of the evaluator's vertices on the selected segment.", rounding},
-    Query{"seam", "", "m", "Rounding error of the last vertex before the selected segment's end, which is exact.",
-          seam},
-    Query{"measuring", "", "", "on while evaluators are being measured.", measuring},
-    Query{"measure.progress", "", "", "Part of the measuring that is done, 0 to 1.", measure_progress},
-    Query{"measure.rows", "", "", "Evaluators in the table of measurements; 0 before the first measuring.",
-          measure_rows},
-    Query{"measure.error", "EVALUATOR/STEPS", "m", "Measured: the worst error, such as of horner/64.", measure_error},
-    Query{"measure.time", "EVALUATOR/STEPS", "ns", "Measured: time a point, such as of horner/64.", measure_time},
+    Query{"seam", "", "m", "Rounding error of the last vertex before the selected segment's exact end.", seam},
+    Query{"measuring", "", "", "on during the measurement of evaluators.", measuring},
+    Query{"measure.progress", "", "", "Progress of the measurement, 0 to 1.", measure_progress},
+    Query{"measure.rows", "", "", "Number of evaluators measured; 0 before the first measurement.", measure_rows},
+    Query{"measure.error", "EVALUATOR/STEPS", "m", "Measured largest error, for example of horner/64.", measure_error},
+    Query{"measure.time", "EVALUATOR/STEPS", "ns", "Measured time per point, for example of horner/64.", measure_time},
 };
 
 }  // namespace

@@ -92,19 +92,19 @@ Answer carts(const Context& c, std::string_view) {
 }
 
 constexpr std::array kRideRows{
-    Query{"carts", "", "", "Carts on the track.", carts},
-    Query{"ride.state", "", "", "stopped, running, paused, ended or failed; none without a cart.", state},
+    Query{"carts", "", "", "Number of trains.", carts},
+    Query{"ride.state", "", "", "stopped, running, paused, ended or failed; none without a train.", state},
     Query{"ride.speed", "", "m/s", "Speed along the track, negative backwards.", speed},
-    Query{"ride.height", "", "m", "Height (y) of the rails under the cart.", cart_height},
-    Query{"ride.distance", "", "m", "Place of the cart along the track, from its start.", distance},
-    Query{"ride.travelled", "", "m", "Way since the start, backwards counting negative.", travelled},
-    Query{"ride.lap", "", "", "Whole rounds since the start, backwards counting negative.", lap},
-    Query{"ride.segment", "", "", "The segment that the cart is on.", segment},
+    Query{"ride.height", "", "m", "Height (y) of the rails under the train.", cart_height},
+    Query{"ride.distance", "", "m", "Distance of the train along the track.", distance},
+    Query{"ride.travelled", "", "m", "Distance travelled since the start; backwards counts negative.", travelled},
+    Query{"ride.lap", "", "", "Whole laps since the start; backwards counts negative.", lap},
+    Query{"ride.segment", "", "", "Segment under the train.", segment},
     Query{"ride.energy", "", "J/kg", "v^2/2 + g (y - datum).", energy},
     Query{"ride.cost", "", "ns",
-          "What a tick of the live ride takes on this machine, all carts together; 0 before the first one.", cost},
+          "Time of a tick of the live ride on this machine, all trains together; 0 before the first tick.", cost},
     Query{"ride.energy_drift", "", "", "|energy - energy at the start| / largest kinetic energy.", energy_drift},
-    Query{"ride.g_up", "", "g", "Felt acceleration towards the rider's head; at rest on the flat 1.", g_up},
+    Query{"ride.g_up", "", "g", "Felt acceleration towards the rider's head; 1 at rest on level track.", g_up},
     Query{"ride.g_side", "", "g", "Felt acceleration to the rider's left.", g_side},
     Query{"ride.g_forward", "", "g", "Felt acceleration forwards.", g_forward},
 };

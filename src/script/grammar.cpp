@@ -57,7 +57,7 @@ void Parser::header(int source, int number, std::span<const base::Token> tokens)
   if (!version) return error(source, number, column, "expected \"coaster-script 1\"");
   if (*version > kScriptVersion)
     return error(source, number, column,
-                 fmt::format("the script needs version {}; this program reads version 1", *version));
+                 fmt::format("the script needs version {}; this program supports version 1", *version));
   if (*version < 1) error(source, number, column, "expected version 1");
 }
 
@@ -70,7 +70,7 @@ void Parser::include(int source, int number, std::span<const base::Token> tokens
   if (std::find(including_.begin(), including_.end(), canonical) != including_.end())
     return error(source, number, tokens[1].column, "the file " + base::quoted(tokens[1].text) + " includes itself");
   if (static_cast<int>(including_.size()) > kMaxIncludeDepth)
-    return error(source, number, tokens[1].column, "includes are nested too deep");
+    return error(source, number, tokens[1].column, "includes are nested too deeply");
   const auto text = files_.read(path);
   if (!text) return error(source, number, tokens[1].column, text.status().message);
   Statement statement{source, number, tokens[0].column, {}};
@@ -115,7 +115,7 @@ void Parser::statement(int source, int number, std::span<const base::Token> toke
     }
     if (!words.end()) error(source, number, problem.column, problem.message);
     if (static_cast<int>(open_.size()) >= kMaxBlockDepth)
-      return error(source, number, first.column, "blocks are nested too deep");
+      return error(source, number, first.column, "blocks are nested too deeply");
     open_.push_back({std::move(made), {}});
     return;
   }

@@ -98,7 +98,7 @@ bool parse_fault(Words& words, Action& action) {
   if (static_cast<std::size_t>(*operation) + 1 == kOperations.size()) {
     if (!words.accept("slow"))
       return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected \"slow\"");
-    const auto frames = words.whole("by how many frames", 1, 10'000);
+    const auto frames = words.whole("a number of frames", 1, 10'000);
     if (!frames) return false;
     action = SlowImport{static_cast<int>(*frames)};
     return words.end();
@@ -106,7 +106,7 @@ bool parse_fault(Words& words, Action& action) {
   if (!words.accept("fail"))
     return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected \"fail\"");
   const auto nth =
-      words.at_end() ? std::optional<std::int64_t>(1) : words.whole("which call from now on fails", 0, 1'000'000);
+      words.at_end() ? std::optional<std::int64_t>(1) : words.whole("the number of the call that fails", 0, 1'000'000);
   if (!nth) return false;
   action = Fault{static_cast<base::IoOperation>(*operation), static_cast<int>(*nth)};
   return words.end();

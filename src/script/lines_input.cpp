@@ -110,7 +110,7 @@ bool parse_pad(Words& words, Action& action) {
     }
     if (*name == 3) continue;
     const bool triggers = *name == 2;
-    const char* const what = triggers ? "a trigger, 0 to 1" : "a stick's place, -1 to 1";
+    const char* const what = triggers ? "a trigger, 0 to 1" : "a stick's position, -1 to 1";
     const auto first = within(what, triggers ? 0 : -1);
     const auto second = first ? within(what, triggers ? 0 : -1) : std::nullopt;
     if (!second) return false;

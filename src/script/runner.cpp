@@ -156,7 +156,7 @@ Failure Runner::perform(const MoveCamera& move) {
 }
 
 Failure Runner::perform(const FitCamera& fit) {
-  if (!frames_.host().viewport) return wrong("there is no viewport");
+  if (!frames_.host().viewport) return wrong("no viewport");
   if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
   const query::Context context = frames_.host().context();
   const edit::Session& session = context.session;
@@ -169,13 +169,13 @@ Failure Runner::perform(const FitCamera& fit) {
 }
 
 Failure Runner::perform(const Fault& fault) {
-  if (!frames_.host().files) return wrong("there are no files to fail");
+  if (!frames_.host().files) return wrong("this run cannot inject file faults");
   frames_.host().files->inject(fault.operation, fault.nth);
   return {};
 }
 
 Failure Runner::perform(const SlowImport& slow) {
-  if (!frames_.host().slow_import) return wrong("there is nothing to import with");
+  if (!frames_.host().slow_import) return wrong("this run cannot import");
   frames_.host().slow_import(slow.frames);
   return {};
 }

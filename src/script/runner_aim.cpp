@@ -60,7 +60,7 @@ Failure check_hover(FrameDriver& frames, const AimAction& aim) {
     return {};
   const std::string what = name_of(document, found);
   if (found.kind == view::PickKind::none)
-    return failed("the cursor finds nothing at " + aim.target_text + ": something covers it", aim.target_column);
+    return failed("nothing can be picked at " + aim.target_text + ": something covers it", aim.target_column);
   return failed(fmt::format("{} is covered by {}", aim.target_text, what), aim.target_column);
 }
 

@@ -11,7 +11,7 @@ namespace coaster::script {
 
 base::Result<bool> Runner::check(const Condition& condition, std::string& found) {
   const query::Query* const query = query::find_query(condition.query);
-  COASTER_CHECK(query, "the grammar lets known queries through alone");
+  COASTER_CHECK(query, "the grammar rejects unknown queries");
   const base::Result<query::Value> value = query->evaluate(frames_.host().context(), condition.argument);
   if (!value) return base::Status{base::Code::usage, value.status().message};
   found = describe(*query, *value);

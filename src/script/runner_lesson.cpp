@@ -31,7 +31,7 @@ Failure Runner::perform(const Lesson& lesson) {
   if (shown) {
     const base::Result<bool> before = check(lesson.until, found);
     if (before && *before)
-      return failed("there is nothing to learn: " + lesson.until.text + " before the lesson", lesson.until.column);
+      return failed("the lesson's condition already holds: " + lesson.until.text, lesson.until.column);
     if (Failure ran = run(lesson.body); !ran) return ran;
   }
   Failure result;
@@ -41,7 +41,7 @@ Failure Runner::perform(const Lesson& lesson) {
     if (!done || *done) break;
     if (shown && waited >= kMostLessonFrames) {
       result = {base::Code::timeout,
-                fmt::format("the lesson's own lines have not led to {}, found {}", lesson.until.text, found),
+                fmt::format("the lesson's lines did not reach {}, found {}", lesson.until.text, found),
                 lesson.until.column};
       break;
     }

@@ -106,7 +106,7 @@ Failure Runner::perform(const Shot& shot) {
 }
 
 Failure Runner::perform(const Sheet& sheet) {
-  if (!frames_.host().sheet) return wrong("there are no pictures");
+  if (!frames_.host().sheet) return wrong("this run has no pictures");
   const auto below_out = [&](const base::Token& token) {
     return find_output(token.text.starts_with("$OUT") ? token.text : "$OUT/" + token.text, files_.root());
   };
@@ -142,7 +142,7 @@ Failure Runner::perform(const StartMovie& start) {
 }
 
 Failure Runner::perform(const StopMovie&) {
-  if (!frames_.host().stop_movie) return wrong("there are no pictures to make a movie of");
+  if (!frames_.host().stop_movie) return wrong("this run has no pictures to record");
   return failure(frames_.host().stop_movie());
 }
 

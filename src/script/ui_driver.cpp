@@ -172,7 +172,7 @@ Failure UiDriver::check(std::string_view path, bool on) {
   if (Failure reached = reach(path); !reached) return reached;
   if (is_on(widget_) == on) return {};
   if (!on && widget_.kind == "radio")
-    return failed(base::quoted(widget_.path) + " is one of several: it goes off when another goes on");
+    return failed(base::quoted(widget_.path) + " is a radio button: it turns off when another one is selected");
   return press_and_release({});
 }
 
@@ -225,7 +225,7 @@ Failure UiDriver::drag_to(std::string_view path, double value) {
 Failure UiDriver::open(std::string_view path, bool open) {
   if (Failure reached = reach(path); !reached) return reached;
   if (widget_.kind != "header" && widget_.kind != "combo" && widget_.kind != "menu")
-    return wrong(fmt::format("{} is a {}: headers, combos and menus open", base::quoted(widget_.path), widget_.kind));
+    return wrong(fmt::format("{} is a {}, expected a header, combo or menu", base::quoted(widget_.path), widget_.kind));
   if (widget_.kind == "header" && is_closed_header(widget_) != open) return {};
   return press_and_release({});
 }
@@ -235,7 +235,7 @@ Failure UiDriver::menu(std::string_view path) {
   const std::string in_bar = path.starts_with("Menu/") ? std::string(path) : "Menu/" + std::string(path);
   if (Failure clicked = click(in_bar); !clicked) return clicked;
   if (widget_.kind == "menu" || widget_.kind == "item") return {};
-  return wrong(fmt::format("{} is a {}, no item of a menu", base::quoted(widget_.path), widget_.kind));
+  return wrong(fmt::format("{} is a {}, expected a menu item", base::quoted(widget_.path), widget_.kind));
 }
 
 Failure UiDriver::scroll(std::string_view path, double notches) {

@@ -77,8 +77,7 @@ base::Result<std::size_t> find_widget(std::span<const WidgetState> widgets, std:
   std::string list;
   for (const std::size_t i : found)
     list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", base::quoted(widgets[i].path), widgets[i].kind);
-  return base::Status{base::Code::usage,
-                      fmt::format("{} is the path of several widgets: {}", base::quoted(path), list)};
+  return base::Status{base::Code::usage, fmt::format("{} matches several widgets: {}", base::quoted(path), list)};
 }
 
 std::string_view panel_of(std::string_view path) { return path.substr(0, path.find('/')); }

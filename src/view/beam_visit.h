@@ -64,9 +64,8 @@ struct BoxSweep {
   const Float4 share = min(max(-(from_u * along_u + from_v * along_v) / (square + all(1e-30f)), all(0)), all(1));
   const Float4 off_u = from_u + share * along_u, off_v = from_v + share * along_v, off = off_u * off_u + off_v * off_v;
   const Float4 depth = max(from_w, to_w), radius = load(block.radius);
-  const Float4 rounding =
-      all(2e-6f) * (abs(from_u) + abs(from_v) + abs(from_w) + abs(to_u) + abs(to_v) + abs(to_w)) +
-      all(beam.rounding * beam.stretch);
+  const Float4 rounding = all(2e-6f) * (abs(from_u) + abs(from_v) + abs(from_w) + abs(to_u) + abs(to_v) + abs(to_w)) +
+                          all(beam.rounding * beam.stretch);
   const Float4 reach = all(slope) * (depth + radius) + radius * all(beam.stretch) + rounding;
   store(off / (depth * depth + all(1e-30f)), closeness);
   return mask_bits(off <= reach * reach) & mask_bits(depth + radius + rounding > all(0)) & ((1u << block.count) - 1);
@@ -125,7 +124,7 @@ std::size_t visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit lim
     tested += batch;
     for (std::size_t i = 0; i < batch; ++i) at[i] = nodes[node_count + i];
     std::size_t block_count = 0;
-    COASTER_CHECK(node_count + 4 * kAtOnce <= nodes.size(), "the tree is no deeper than it is built");
+    COASTER_CHECK(node_count + 4 * kAtOnce <= nodes.size(), "the tree is within its maximum depth");
     for (std::size_t i = 0; i < batch; ++i) {
       const sim::TreeNode& node = tree.nodes[static_cast<std::size_t>(at[i])];
       const unsigned met = boxes_met(node, sweep);

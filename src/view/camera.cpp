@@ -136,7 +136,7 @@ std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point) {
 }
 
 world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3> points, Viewport viewport) {
-  COASTER_CHECK(!points.empty(), "a camera frames at least one point");
+  COASTER_CHECK(!points.empty(), "framing needs at least one point");
   viewport = with_area(viewport);
   world::Camera out = from;
   const glm::vec3 back = towards_eye(from.yaw_deg, from.pitch_deg);

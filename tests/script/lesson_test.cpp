@@ -49,7 +49,7 @@ TEST(lesson, lines_that_do_not_lead_where_it_says_fail_in_time) {
   FakeHost fake;
   const base::Status status = run_lines(fake, "lesson \"Add two\" until knots == 2\n  append at 1 2 3\nend\n");
   EXPECT_EQ(status.code, base::Code::timeout);
-  EXPECT_NE(status.message.find("have not led to knots == 2, found 1"), std::string::npos) << status.message;
+  EXPECT_NE(status.message.find("did not reach knots == 2, found 1"), std::string::npos) << status.message;
 }
 
 TEST(lesson, what_is_so_already_is_no_lesson_where_nobody_plays) {

@@ -11,15 +11,15 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF's buffers are little-endian");
 
-// Numbers of the specification.
+// Constants of the specification.
 constexpr int kFloat = 5126, kUnsigned = 5125, kVertices = 34962, kIndices = 34963, kLineStrip = 3, kTriangles = 4;
 
 struct BinaryBuilder {
   Json views = Json::array(), accessors = Json::array();
   std::string bytes;
 
-  // A view of its own for each accessor; all are multiples of 4 bytes, so all are aligned. Returns the accessor's
-  // number.
+  // Adds an accessor with its own buffer view; sizes are multiples of 4 bytes, so everything is aligned. Returns the
+  // accessor's index.
   template <class T>
   std::size_t add(std::span<const T> items, int component, int target, Json accessor) {
     static_assert(sizeof(T) % 4 == 0);

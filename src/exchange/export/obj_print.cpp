@@ -14,7 +14,7 @@ void add_vector(std::string& out, const char* key, glm::vec3 v) {
   out += '\n';
 }
 
-// A name is one line, whatever is in it.
+// Replaces line breaks: an OBJ name is one line.
 std::string one_line(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\') c = ' ';
@@ -26,7 +26,7 @@ std::string one_line(std::string text) {
 std::string print_obj(const world::Document& document) {
   const TrackSolid solid = track_solid(document);
   std::string out = "# Track in metres, Y up\no " + one_line(document.name) + "\n";
-  std::size_t before = 1;  // numbers count from 1, over all groups
+  std::size_t before = 1;  // indices count from 1, over all groups
   for (const SolidPart& part : solid.parts) {
     if (part.indices.empty()) continue;
     out += fmt::format("g {}\n", part.name);

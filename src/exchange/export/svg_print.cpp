@@ -11,8 +11,8 @@
 namespace coaster::exchange {
 namespace {
 
-constexpr double kLeastExtent = 1.0;  // m of a drawing
-constexpr double kPaperWidth = 800;   // px of the whole
+constexpr double kLeastExtent = 1.0;  // m, smallest extent of a drawing
+constexpr double kPaperWidth = 800;   // px, width of the sheet
 
 struct Extent {
   double left = 0, top = 0, right = 0, bottom = 0;
@@ -24,7 +24,7 @@ using Project = glm::vec2 (*)(glm::vec3);
 glm::vec2 plan(glm::vec3 p) { return {p.x, p.z}; }
 glm::vec2 elevation(glm::vec3 p) { return {p.x, 0.0f - p.y}; }  // never -0
 
-// Sizes that go with the whole drawing, m on the ground.
+// Sizes in proportion to the drawing, m on the ground.
 struct Style {
   double margin, text, line;
 };
@@ -35,7 +35,7 @@ std::string escaped(std::string_view text) {
     if (c == '&') out += "&amp;";
     else if (c == '<') out += "&lt;";
     else if (c == '>') out += "&gt;";
-    else if (static_cast<unsigned char>(c) < 0x20) out += ' ';  // no XML has them
+    else if (static_cast<unsigned char>(c) < 0x20) out += ' ';  // not allowed in XML
     else out += c;
   }
   return out;
@@ -45,7 +45,7 @@ std::string attribute(const char* name, double value) {
   return fmt::format(" {}=\"{}\"", name, base::to_text(static_cast<float>(value)));
 }
 
-// The control points' box: contains the curve.
+// Returns the box of the control points, which contains the curve.
 Extent extent_of(const std::vector<curve::Cubic>& cubics, Project project) {
   if (cubics.empty()) return {};
   const glm::vec2 first = project(cubics[0].p0);
@@ -71,7 +71,7 @@ std::string path(const std::vector<curve::Cubic>& cubics, Project project, bool 
   return closed ? d + " Z" : d;
 }
 
-// The longest of 1, 2, 5 times a power of ten that is at most a third of the drawing.
+// Returns the largest 1, 2 or 5 times a power of ten that is at most a third of the drawing.
 double bar_length(double width) {
   double length = 0.1;
   for (double decade = 0.1; decade <= width; decade *= 10)
@@ -86,7 +86,7 @@ struct Drawing {
   Extent extent;
 };
 
-// The label above, the drawing, the bar with its length below. `top` is where it starts on the sheet.
+// Prints the label above, the drawing, and the bar with its length below. `top` is its start on the sheet.
 std::string print_drawing(const Drawing& drawing, const std::vector<curve::Cubic>& cubics, bool closed,
                           const Style& style, double top) {
   const Extent& e = drawing.extent;

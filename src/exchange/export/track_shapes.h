@@ -1,5 +1,5 @@
-// Export of the track's shape: Wavefront OBJ, glTF 2.0, and drawings as SVG. They hold no knots, so nothing reads them
-// back.
+// Export of the track's shape: Wavefront OBJ, glTF 2.0, and drawings as SVG. They hold no knots, so they cannot be
+// imported.
 #pragma once
 
 #include <string>
@@ -8,17 +8,18 @@
 
 namespace coaster::exchange {
 
-// Text with the groups "rails", "spine" and "ties" (v, vn, f, counter-clockwise from outside) and "centre_line" (one l
-// element). Metres, Y up; every number in its shortest exact form.
+// Returns text with the groups "rails", "spine" and "ties" (v, vn, f, counter-clockwise from outside) and "centre_line"
+// (one l element). Metres, Y up; every number in its shortest exact form.
 std::string print_obj(const world::Document& document);
 
-// glTF 2.0 (Khronos, registry.khronos.org/glTF/specs/2.0), one JSON file with its buffer inside: mesh "track" with a
-// primitive and a material each for rails, spine and ties, and mesh "centre line", a LINE_STRIP. Metres, Y up. A track
-// without segments gives a scene without nodes.
+// Returns glTF 2.0 (Khronos, registry.khronos.org/glTF/specs/2.0), one JSON file with an embedded buffer: mesh "track"
+// with a primitive and a material each for rails, spine and ties, and mesh "centre line", a LINE_STRIP. Metres, Y up. A
+// track without segments gives a scene without nodes.
 std::string print_gltf(const world::Document& document);
 
-// A plan (x to the right, z down, as seen from above) and an elevation (x to the right, y up), in metres at one scale,
-// each with a scale bar. The paths are cubics with the control points' own coordinates: exact at any magnification.
+// Returns a plan (x to the right, z down, as seen from above) and an elevation (x to the right, y up), in metres at one
+// scale, each with a scale bar. The paths are cubics with the coordinates of the control points: exact at any
+// magnification.
 std::string print_svg(const world::Document& document);
 
 }  // namespace coaster::exchange

@@ -1,5 +1,4 @@
-// Builds segment after segment and sorts the triangles by part; the centre line with as many chords as its bend asks
-// for.
+// Builds all segments and sorts the triangles by part; the centre line has as many chords as its curvature needs.
 #include "exchange/export/track_solid.h"
 
 #include <algorithm>
@@ -37,7 +36,7 @@ void add_mesh(const sim::Mesh& mesh, TrackSolid& solid) {
   for (const std::uint32_t i : mesh.indices) solid.parts[part_of(mesh.vertices[i])].indices.push_back(moved[i]);
 }
 
-// A chord over h of the parameter is off by at most h^2/8 of the largest second derivative, which is at one of the
+// A chord over h of the parameter deviates by at most h^2/8 of the largest second derivative, which is at one of the
 // ends.
 int chords(const curve::Cubic& cubic) {
   const double bend =

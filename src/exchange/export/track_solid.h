@@ -1,4 +1,4 @@
-// The whole track as triangles and a line, for formats that hold shapes alone. Private to this room.
+// The whole track as triangles and a line, for shape formats. Private to this room.
 #pragma once
 
 #include <array>
@@ -10,12 +10,12 @@
 
 namespace coaster::exchange {
 
-// One part of the track: triangles, counter-clockwise seen from outside; none where the track has no such thing.
+// One part of the track: triangles, counter-clockwise seen from outside; may be empty.
 struct SolidPart {
   std::string_view name;
   glm::vec3 colour{0};               // linear red, green, blue
   std::vector<glm::vec3> positions;  // m
-  std::vector<glm::vec3> normals;    // unit, one a position
+  std::vector<glm::vec3> normals;    // unit, one per position
   std::vector<std::uint32_t> indices;
 };
 
@@ -24,13 +24,13 @@ struct TrackSolid {
       SolidPart{"rails", {0.75f, 0.1f, 0.08f}},    SolidPart{"spine", {0.2f, 0.25f, 0.35f}},
       SolidPart{"ties", {0.45f, 0.47f, 0.5f}},     SolidPart{"equipment", {0.3f, 0.33f, 0.36f}},
       SolidPart{"supports", {0.8f, 0.81f, 0.83f}}, SolidPart{"concrete", {0.46f, 0.48f, 0.46f}}};
-  std::vector<glm::vec3> centre_line;  // of a closed track it ends where it starts; empty without segments
+  std::vector<glm::vec3> centre_line;  // a closed track's ends at its start; empty without segments
 };
 
 inline constexpr double kLineTolerance =
-    0.001;  // m, between the centre line and the curve (but at most 1000 chords a segment)
+    0.001;  // m, between the centre line and the curve (with at most 1000 chords per segment)
 
-// What is drawn of every segment, in order: the swept track, what its equipment puts on it, its supports.
+// Builds the solids of every segment, in order: the swept track, its equipment, its supports.
 TrackSolid track_solid(const world::Document& document);
 
 }  // namespace coaster::exchange

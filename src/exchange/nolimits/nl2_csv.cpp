@@ -1,4 +1,4 @@
-// The rows of a NoLimits 2 CSV, checked, and a track through them.
+// Parses and checks the rows of a NoLimits 2 CSV, and fits a track to them.
 #include "exchange/nolimits/nl2_csv.h"
 
 #include <array>
@@ -17,8 +17,8 @@ namespace {
 using glm::dvec3;
 
 constexpr auto& kColumns = kNl2Columns;
-constexpr double kSquare = 0.01;     // how far frames may be from unit and perpendicular
-constexpr double kSamePlace = 2e-6;  // m: rounding of printed places
+constexpr double kSquare = 0.01;     // tolerance for unit and perpendicular frames
+constexpr double kSamePlace = 2e-6;  // m: rounding of printed positions
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -26,7 +26,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// Lines of a text by number from 1, without their ends.
+// Iterates over the lines of a text, numbered from 1, without line endings.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {
@@ -43,7 +43,7 @@ class Lines {
     return true;
   }
   int number() const { return number_; }
-  bool ended() const { return ended_; }  // the line has a newline
+  bool ended() const { return ended_; }  // the line ends with a newline
   bool only_blanks_left() const { return rest_.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
  private:
@@ -52,7 +52,7 @@ class Lines {
   bool ended_ = false;
 };
 
-// The cells of a line; at most one more than there are columns.
+// Splits a line into cells; returns at most one more than there are columns.
 std::size_t split(std::string_view line, std::array<std::string_view, kColumns.size()>& cells) {
   std::size_t count = 0;
   for (;;) {
@@ -77,7 +77,7 @@ struct Reader {
   std::vector<sim::FitRow> rows;
   std::vector<std::string> warnings;
   std::size_t data_rows = 0;
-  std::size_t first_decimals = 0;  // the fewest of the first row's numbers
+  std::size_t first_decimals = 0;  // the fewest decimals of the first row's numbers
   std::string error;
 
   bool fail(std::string_view expected, std::string_view found) {
@@ -123,7 +123,7 @@ bool read_vector(Reader& r, const std::array<std::string_view, kColumns.size()>&
   return true;
 }
 
-// Takes a frame that is nearly right-handed, unit and perpendicular, and makes it exactly so; Front keeps its
+// Reads a frame that is nearly right-handed, unit and perpendicular, and makes it exactly so; Front keeps its
 // direction.
 bool read_frame(Reader& r, const std::array<std::string_view, kColumns.size()>& cells, sim::FitRow& row) {
   dvec3 front, left, up;
@@ -145,8 +145,8 @@ bool read_frame(Reader& r, const std::array<std::string_view, kColumns.size()>& 
   return true;
 }
 
-// A file that was cut off within its last number would read well; but not when numbers have the format's six decimals
-// elsewhere.
+// Detects a file that was truncated within its last number: the number is valid, but has fewer than the format's six
+// decimals.
 bool check_cut(Reader& r, const std::array<std::string_view, kColumns.size()>& cells) {
   if (r.data_rows == 0) {
     r.first_decimals = decimals(cells[1]);

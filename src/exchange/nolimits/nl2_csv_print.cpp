@@ -1,4 +1,4 @@
-// A document as the rows of a NoLimits 2 CSV.
+// Prints a document as the rows of a NoLimits 2 CSV.
 #include <array>
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ void print_row(std::string& out, std::size_t number, dvec3 position, const curve
 
 sim::Derived shapes_of(const world::Document& document) {
   world::Settings settings;
-  settings.steps = 1;  // no polylines are looked at
+  settings.steps = 1;  // polylines are not needed
   sim::Derived derived;
   sim::derive(document, settings, {}, derived);
   return derived;
@@ -55,7 +55,7 @@ std::string print_nl2_csv(const world::Document& document, double spacing) {
     const double within = std::min(s - derived.starts[index], shape.arc.length());
     print_row(out, ++number, curve::point(shape.key.cubic, shape.arc.parameter(within)), sim::frame_at(shape, within));
   };
-  // What is left at the end and would print as the same place is no row of its own.
+  // A remainder that would print as the same position gets no row.
   constexpr double kShortest = 1e-5;  // m
   for (double s = 0; s < derived.length - kShortest; s = static_cast<double>(number) * spacing) row_at(s);
   if (!derived.closed) row_at(derived.length);

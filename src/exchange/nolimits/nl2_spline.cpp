@@ -11,8 +11,8 @@ using glm::dvec3;
 UniformSpline::UniformSpline(const std::vector<SplineVertex>& vertices, bool closed) : closed_(closed) {
   COASTER_CHECK(vertices.size() >= (closed ? 3u : 2u), "a spline has a span");
   for (const SplineVertex& v : vertices) controls_.push_back(v.position);
-  // C[i-1] + 4 C[i] + C[i+1] = 6 V[i] where strict, by Gauss-Seidel: each sweep leaves a quarter of the error, so 40
-  // leave none in double.
+  // C[i-1] + 4 C[i] + C[i+1] = 6 V[i] for strict vertices, by Gauss-Seidel: each sweep leaves a quarter of the error,
+  // so 40 are exact in double.
   const auto count = static_cast<std::ptrdiff_t>(controls_.size());
   for (int sweep = 0; sweep < 40; ++sweep)
     for (std::ptrdiff_t i = closed ? 0 : 1; i < (closed ? count : count - 1); ++i)

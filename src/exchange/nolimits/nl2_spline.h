@@ -1,5 +1,5 @@
-// The spline of NoLimits 2 elements: a uniform cubic B-spline whose strict vertices are on the curve and whose others
-// are control vertices.
+// The spline of NoLimits 2 elements: a uniform cubic B-spline that passes through its strict vertices; the others are
+// control vertices.
 #pragma once
 
 #include <array>
@@ -18,22 +18,22 @@ struct SplineVertex {
 
 class UniformSpline {
  public:
-  // Needs 2 vertices, 3 when closed. An open spline starts at the first vertex and ends at the last one, without
-  // curvature there; a closed one goes on from the last vertex to the first.
+  // Needs 2 vertices, 3 if closed. An open spline starts at the first vertex and ends at the last one, with curvature 0
+  // there; a closed one continues from the last vertex to the first.
   UniformSpline(const std::vector<SplineVertex>& vertices, bool closed);
 
   std::size_t spans() const { return closed_ ? controls_.size() : controls_.size() - 1; }
-  // Bézier control points of the curve between two neighbouring vertices, exact but for rounding:
-  // (V0 + 4 V1 + V2)/6, (2 V1 + V2)/3, (V1 + 2 V2)/3, (V1 + 4 V2 + V3)/6.
+  // Returns the Bézier control points of the curve between two neighbouring vertices, exact to rounding: (V0 + 4 V1 +
+  // V2)/6, (2 V1 + V2)/3, (V1 + 2 V2)/3, (V1 + 4 V2 + V3)/6.
   std::array<glm::dvec3, 4> span(std::size_t i) const;
 
  private:
-  glm::dvec3 control(std::ptrdiff_t i) const;  // also one before the first and one behind the last
+  glm::dvec3 control(std::ptrdiff_t i) const;  // also one before the first and one after the last
   std::vector<glm::dvec3> controls_;
   bool closed_;
 };
 
-// A span as the cubic of the document, rounded to float.
+// Returns a span as a cubic of the document, rounded to float.
 inline curve::Cubic in_float(const std::array<glm::dvec3, 4>& c) {
   return {glm::vec3(c[0]), glm::vec3(c[1]), glm::vec3(c[2]), glm::vec3(c[3])};
 }

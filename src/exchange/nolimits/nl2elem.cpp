@@ -1,4 +1,4 @@
-// The XML of a NoLimits 2 element, checked, to vertices and rolls. What track they make is in nl2elem_track.cpp.
+// Parses and checks the XML of a NoLimits 2 element: vertices and rolls. nl2elem_track.cpp makes the track.
 #include "exchange/nolimits/nl2elem.h"
 
 #include <array>
@@ -17,8 +17,8 @@ namespace {
 using glm::dvec3;
 using tinyxml2::XMLElement;
 
-constexpr double kElementSquare = 0.05;  // how far frames may be from unit and perpendicular
-constexpr double kSameVertex = 1e-6;     // m between the last vertex and the first of a closed track
+constexpr double kElementSquare = 0.05;  // tolerance for unit and perpendicular frames
+constexpr double kSameVertex = 1e-6;     // m between the last and the first vertex of a closed track
 
 struct XmlReader {
   std::string name, error;

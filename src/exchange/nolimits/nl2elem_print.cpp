@@ -1,4 +1,4 @@
-// A document as a NoLimits 2 element.
+// Prints a document as a NoLimits 2 element.
 #include <algorithm>
 #include <cmath>
 
@@ -27,8 +27,8 @@ PlaceOnTrack place_on(const sim::Derived& derived, double s) {
   return {curve::point(shape.key.cubic, shape.arc.parameter(within)), sim::frame_at(shape, within)};
 }
 
-// Whether the spline is near the place at the same share of the length, which is no nearer than the track, and leads
-// the same way there, and whether roll goes on evenly between the vertices.
+// True if the spline is close to the track at the same fraction of the length, has the same direction there, and the
+// roll is linear between the vertices.
 bool is_close(const UniformSpline& spline, const sim::Derived& derived) {
   const auto place = [&](double spans) {
     return place_on(derived, derived.length * spans / static_cast<double>(spline.spans()));

@@ -27,7 +27,7 @@ dvec3 slope(const Controls& c, double t) {
   return 3 * u * u * (c[1] - c[0]) + 6 * u * t * (c[2] - c[1]) + 3 * t * t * (c[3] - c[2]);
 }
 
-// A piece of a span between two knots, and the roll that its first knot has.
+// A piece of a span between two knots, and the roll of its first knot.
 struct Piece {
   Controls span;
   double from = 0, to = 1;
@@ -40,7 +40,7 @@ struct Cut {
   std::optional<dvec3> up;
 };
 
-// Pieces between knots; `end_up`: the roll of an open track's last knot.
+// Returns the pieces between knots; `end_up`: the roll of an open track's last knot.
 std::vector<Piece> pieces_of(const UniformSpline& spline, const ElementFile& file, std::optional<dvec3>& end_up) {
   std::vector<curve::ArcLengthMap> arcs;
   std::vector<double> starts{0};
@@ -87,8 +87,8 @@ curve::Frame transported(curve::Frame frame, const Piece& piece) {
   return frame;
 }
 
-// `ups[i]` of knot i: between rolls the angle about the frame that turns least goes on evenly; before the first and
-// behind the last of an open track it stays.
+// Returns the up of each knot: between rolls the angle to the rotation-minimising frame is linear; before the first and
+// after the last roll of an open track it is constant.
 std::vector<dvec3> ups_of(const std::vector<Piece>& pieces, const std::optional<dvec3>& end_up, bool closed) {
   std::vector<curve::Frame> frames;
   const dvec3 first = glm::normalize(slope(pieces[0].span, 0));
@@ -110,7 +110,7 @@ std::vector<dvec3> ups_of(const std::vector<Piece>& pieces, const std::optional<
   const double length = pieces.back().start + pieces.back().length;
   if (!closed && end_up) add(length, angle_of(pieces.size(), *end_up));
   if (closed && !angles.empty()) {
-    // A lap later the frame has turned against itself; the first roll is the same.
+    // After a lap the carried frame has rotated; the first roll is the same.
     const Angle again = angles.front(), last = angles.back();
     const double lap = curve::signed_angle(frames.back().up, frames.front().up, frames.front().forward);
     add(length + again.s, again.value + lap);

@@ -1,4 +1,4 @@
-// From an element's vertices and rolls to a document.
+// Builds a document from an element's vertices and rolls.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@ namespace coaster::exchange {
 
 struct ElementRoll {
   glm::dvec3 up{0, 1, 0};  // unit
-  double coord = 0;        // of the track's length, 0..1
+  double coord = 0;        // fraction of the track's length, 0..1
 };
 
 struct ElementFile {
-  std::vector<SplineVertex> vertices;  // of a closed track: the first is not repeated
+  std::vector<SplineVertex> vertices;  // for a closed track the first is not repeated
   std::vector<int> lines;              // of the vertices
   std::vector<ElementRoll> rolls;      // in any order
   bool closed = false;
@@ -24,7 +24,7 @@ struct ElementTrack {
   world::Document document;
   ImportReport report;
   std::optional<std::size_t>
-      pathless;  // the vertex where the curve has no direction, or is beyond the limits: there is no document then
+      pathless;  // the vertex where the curve has no direction or exceeds the limits; there is no document then
 };
 
 ElementTrack track_of(const ElementFile& file);

@@ -44,7 +44,7 @@ base::Result<world::Knot> make_knot(std::string_view name, const std::vector<Nlt
   const NltrackKnot& r = records[i];
   const bool comes = i > 0 || closed, goes = i + 1 < records.size() || closed;  // whether a segment uses the handle
   dvec3 in = dvec3(r.point) - dvec3(r.in), out = dvec3(r.out) - dvec3(r.point);
-  if (!comes && goes && glm::length(out) > 0) in = out * (glm::length(in) / glm::length(out));  // unused: it has no say
+  if (!comes && goes && glm::length(out) > 0) in = out * (glm::length(in) / glm::length(out));  // unused: ignore it
   if (comes && !goes && glm::length(in) > 0) out = in * (glm::length(out) / glm::length(in));
   const double a = glm::length(in), b = glm::length(out);
   dvec3 direction = a + b > 0 ? in + out : between_neighbours(records, i, closed);
@@ -81,18 +81,18 @@ base::Result<world::Knot> make_knot(std::string_view name, const std::vector<Nlt
 
 struct Twist {
   double least = 0;  // rad in (-pi, pi], from the carried frame to the second knot's up
-  double whole = 0;  // the same but for whole turns, as the file means it
+  double whole = 0;  // the same plus whole turns, as meant by the file
 };
 
-// How the horizon turns against the rotation-minimising frame, plus what the track rolled against the horizon. Where
-// the track is steep the horizon turns over, one way or the other by what little the track leans, and no file tells
-// which was meant: each steep stretch counts as the way that brings the sum nearer to 0.
+// Returns the rotation of the horizon relative to the rotation-minimising frame, plus the track's roll relative to the
+// horizon. On steep track the horizon turns over in a direction that depends on small leans and that no file states:
+// for each steep stretch the direction that brings the sum closer to 0 is chosen.
 Twist twist_of(const curve::Cubic& cubic, glm::vec3 up_from, glm::vec3 up_to, double rolled) {
   const dvec3 up(0, 1, 0), start = curve::unit_tangent(cubic, 0);
   curve::Frame carried{start, curve::perpendicular(start, dvec3(up_from))},
       horizon{start, curve::perpendicular(start, up)};
   Twist twist{0, rolled};
-  std::vector<double> stretches;  // by how much the horizon turned over each
+  std::vector<double> stretches;  // rotation of the horizon over each
   bool was_steep = false;
   dvec3 at = curve::point(cubic, 0);
   for (int i = 1; i <= kHorizonSteps; ++i) {
@@ -123,7 +123,7 @@ base::Status set_turns(std::string_view name, world::Document& document, std::si
   const world::Entity e = document.track.segments[i];
   world::Segment& segment = document.entities.get<world::Segment>(e);
   const curve::Cubic cubic = world::cubic_of(document, e);
-  // Back at the first knot the roll may be whole turns away from where it started: that joint gets the least turn.
+  // Back at the first knot the roll may differ by whole turns: that joint gets the least turn.
   double rolled = kRollSign * (double{to.roll} - double{from.roll});
   if (i + 1 == records.size()) rolled = std::remainder(rolled, 2 * base::kPi);
   const Twist twist =

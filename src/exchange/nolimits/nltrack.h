@@ -1,4 +1,5 @@
-// Import of NoLimits 1 track files (.nltrack): Bézier knots with two handles and a roll, our own kind of curve.
+// Import of NoLimits 1 track files (.nltrack): Bézier knots with two handles and a roll, the same kind of curve as
+// ours.
 #pragma once
 
 #include <string_view>
@@ -7,19 +8,19 @@
 
 namespace coaster::exchange {
 
-// The layout, big-endian; what is not listed is passed over:
-//   "BEZR" u32 size of what follows, 16 bytes, u32 count, then count records of 60 bytes: point, in-handle, out-handle
-//   (absolute, 9 x f32, m),
-//          roll (f32, rad from the horizon), 3 flag bytes, 17 bytes of padding
-//   "SEGM" u32 size of what follows, u32 count, then u8 closed (0xFF or 0)
-// Positions come over bit for bit. A knot here is a position, a unit tangent and two lengths, so handles are rounded:
-// each stays within 2e-7 of its length and an ulp of its coordinates, where the file's handles lie on one line. Where
-// they do not, the tangent is along out-handle minus in-handle, and a warning tells the largest turn. Handles shorter
-// than world::kMinHandle become that long, with a warning; a handle that no segment uses (the ends of an open track)
-// may have no length. Rolls that go on over whole turns from knot to knot become `turns`. Roll in the file is positive
-// to the left (the document's is to the right, hence the change of sign); the three flags are passed over. All joints
-// are aligned (G1). The document's name is that of the file. Errors are Code::bad_file, "NAME: error: at byte N:
-// expected ..., found ...".
+// The layout, big-endian; everything else is skipped:
+//   "BEZR" u32 size of the rest, 16 bytes, u32 count, then count records of 60 bytes: point, in-handle, out-handle
+//          (absolute, 9 x f32, m), roll (f32, rad from the horizon), 3 flag bytes, 17 bytes of padding
+//   "SEGM" u32 size of the rest, u32 count, then u8 closed (0xFF or 0)
+// Positions are kept bit for bit. A knot here is a position, a unit tangent and two lengths, so handles are rounded:
+// each stays within 2e-7 of its length and an ulp of its coordinates if the file's handles are collinear. If they are
+// not, the tangent is along out-handle minus in-handle, and a warning gives the largest turn. Handles shorter than
+// world::kMinHandle are lengthened to it, with a warning; a handle that no segment uses (at the ends of an open track)
+// may have zero length. Rolls that continue over whole turns from knot to knot become `turns`. Roll in the file is
+// positive to the left (in the document to the right, hence the change of sign); the three flags are ignored. All
+// joints
+// are aligned (G1). The document is named after the file. Errors are Code::bad_file, "NAME: error: at byte N: expected
+// ..., found ...".
 base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view name);
 
 }  // namespace coaster::exchange

@@ -22,7 +22,7 @@ void remove_file(base::Files& files, const std::filesystem::path& file) {
   if (!file.empty()) (void)files.remove(file);
 }
 
-// The first name that no file has: "4711-1".
+// Returns the first unused name: "4711-1".
 std::filesystem::path free_info(const std::filesystem::path& folder) {
   std::error_code ignored;
   for (int i = 1;; ++i) {
@@ -84,18 +84,18 @@ base::Status Autosave::write(base::Files& files, const std::filesystem::path& fo
   }
   std::filesystem::path track = folder / (fmt::format("{}.{}{}", stem_of(info_), ++serial_, kTrackEnding));
   if (const base::Status wrote = files.write_atomic(track, print_track(document)); !wrote) {
-    remove_file(files, track);  // in place already when the folder's fsync failed
+    remove_file(files, track);  // may already exist if the folder's fsync failed
     return wrote;
   }
   const AutosaveInfo info{track, original, document.name, time, ::getpid(), base::hex16(world::hash(document))};
   if (const base::Status told = files.write_atomic(info_, print_autosave_info(info)); !told) {
-    // Which of the two the small file names now is known only by reading it.
+    // Only reading the small file shows which of the two it names.
     base::Files plain;
     const auto now = plain.read(info_);
     const auto named = now ? parse_autosave_info(*now, "") : base::Result<AutosaveInfo>(now.status());
     const bool names_new = named && folder / named->track == track;
     if (names_new) std::swap(track_, track);
-    remove_file(files, track);  // the one that is not named
+    remove_file(files, track);  // the one that it does not name
     return told;
   }
   if (track_ != track) remove_file(files, track_);
@@ -116,7 +116,7 @@ std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesys
   (void)files.remove_leftovers_in(folder);
   const auto entries = base::list_folder(folder, true);
   if (!entries) return found;
-  std::vector<std::string> spared;  // stems of live programs, and of what cannot be read
+  std::vector<std::string> spared;  // stems of running programs, and of unreadable files
   for (const base::FolderEntry& entry : *entries) {
     if (entry.folder || !entry.name.ends_with(kInfoEnding) || entry.name.starts_with('.')) continue;
     const std::filesystem::path file = folder / entry.name;

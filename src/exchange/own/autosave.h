@@ -1,6 +1,6 @@
-// Autosaves: what was not saved when a program ended without being asked. Each running program has one: a track file,
-// and beside it a small file that says whose it is, "ID.info.json", which is locked while its program runs. So a start
-// finds what crashed ones left, and no live one's.
+// Autosaves: unsaved changes of a program that ended unexpectedly. Each running program has one: a track file, and
+// beside it an info file "ID.info.json", which stays locked while its program runs. So the next start finds the
+// autosaves of crashed programs only.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@ namespace coaster::exchange {
 inline constexpr std::string_view kAutosaveFormat = "coaster-autosave";
 inline constexpr int kAutosaveVersion = 1;
 
-// What the small file says.
+// The contents of the info file.
 struct AutosaveInfo {
   std::filesystem::path track;  // the autosaved track, in the same folder
-  std::string original;         // the file whose unsaved state it is, absolute; empty: it never had one
+  std::string original;         // the original file, absolute; empty: none
   std::string name;             // of the track
   std::int64_t time = 0;        // of the autosave, s since 1970
   int pid = 0;                  // of the program that wrote it
@@ -33,12 +33,12 @@ std::string print_autosave_info(const AutosaveInfo& info);
 // The autosave of this program.
 class Autosave {
  public:
-  // Writes the track under a new name, then the small file that names it, then removes the track before: at any time
-  // what the small file names is whole. On an error what was there before stays. Code::io with the reason. Makes the
-  // folder when there is none.
+  // Writes the track under a new name, then the info file that names it, then removes the previous track: at any time
+  // the info file names a complete track. On an error the previous state stays. Code::io with the reason. Creates the
+  // folder if needed.
   base::Status write(base::Files& files, const std::filesystem::path& folder, const world::Document& document,
                      const std::string& original, std::int64_t time);
-  // Forgets what was written: it is saved, or not wanted.
+  // Deletes the autosave, because the track was saved or its changes were discarded.
   void remove();
   bool exists() const { return !track_.empty(); }
 
@@ -49,19 +49,19 @@ class Autosave {
   int serial_ = 0;
 };
 
-// One that another program left. While this lives, no other program finds it.
+// An autosave of another program. While this object lives, no other program finds it.
 struct FoundAutosave {
   AutosaveInfo info;
   std::filesystem::path info_file;
   base::FileLock lock;
-  std::int64_t file_time = 0;  // of the original's last change, s since 1970; 0: there is no such file
+  std::int64_t file_time = 0;  // of the original's last change, s since 1970; 0: no such file
 };
 
-// All that programs that no longer run have left in a folder, the newest first. Removes what belongs to none: tracks
-// that no small file names, temporary files of killed writers. A small file that cannot be read is left alone.
+// Returns the autosaves in a folder whose programs no longer run, newest first. Removes orphans: tracks that no info
+// file names, and temporary files of killed writers. Leaves unreadable info files alone.
 std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesystem::path& folder);
 
-// Removes the track and its small file.
+// Removes the track and its info file.
 void discard(base::Files& files, FoundAutosave& found);
 
 }  // namespace coaster::exchange

@@ -1,4 +1,4 @@
-// Force limits from and to JSON.
+// Reads and writes force limits as JSON.
 #include "exchange/own/envelope_file.h"
 
 #include <array>
@@ -13,7 +13,7 @@ namespace {
 
 struct EnvelopeParse {
   LoadedEnvelope loaded;
-  std::string error;  // the first thing wrong, without the file's name
+  std::string error;  // the first error, without the file's name
 };
 
 bool read_envelope_head(EnvelopeParse& parse, Fields& fields) {
@@ -63,7 +63,7 @@ base::Result<LoadedEnvelope> parse_envelope(std::string_view text, std::string_v
   if (parse.error.empty() && read_envelope_head(parse, fields)) read_curves(parse, fields);
   if (!parse.error.empty()) return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, parse.error)};
   for (std::string& warning : parse.loaded.warnings) {
-    constexpr std::string_view kKept = " is kept";  // as of tracks; an envelope is not written back
+    constexpr std::string_view kKept = " is kept";  // as for tracks; an envelope is never rewritten
     if (warning.ends_with(kKept)) warning.replace(warning.size() - kKept.size(), kKept.size(), " is ignored");
     warning = fmt::format("{}: warning: {}", name, warning);
   }

@@ -12,7 +12,7 @@
 namespace coaster::exchange {
 namespace {
 
-// Whole limits in full: 100000, not 1e+05.
+// Prints whole limits in full: 100000, not 1e+05.
 template <class T>
 std::string limit_text(T limit) {
   const bool plain = std::abs(limit) < 1e9 && limit == std::trunc(limit);
@@ -29,7 +29,7 @@ Fields::Fields(const Json& value, Place place, std::string& error) : place_(plac
 }
 
 bool Fields::fail(std::string_view member, std::string_view message) {
-  if (!error_.empty()) return false;  // the first one tells most
+  if (!error_.empty()) return false;  // only the first error is kept
   error_ = place_.text();
   if (!error_.empty() && !member.empty()) error_ += ".";
   error_ += member;
@@ -95,7 +95,7 @@ bool Fields::length(std::string_view name, float& value, float low, float high) 
   const Json* const m = member(name, expected);
   if (!m) return false;
   if (!m->is_number()) return reject(name, expected);
-  // Compared as float: 0.01 in the file means the float that 0.01f is.
+  // Compared as float: 0.01 in the file means the value of 0.01f.
   const double wide = m->get<double>();
   if (!(wide >= 0 && wide <= 2 * double{high})) return reject(name, expected);
   value = static_cast<float>(wide);
@@ -107,7 +107,7 @@ bool Fields::whole(std::string_view name, std::int64_t& value, std::int64_t low,
   const Json* const m = member(name, expected);
   if (!m) return false;
   if (!m->is_number_integer()) return reject(name, expected);
-  // Unsigned values beyond the signed range would turn negative.
+  // Unsigned values beyond the signed range would become negative.
   if (m->is_number_unsigned() && m->get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX))
     return reject(name, expected);
   value = m->get<std::int64_t>();

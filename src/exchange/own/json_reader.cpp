@@ -1,5 +1,5 @@
-// JSON text to tree through the library's event interface, which does not recurse: a million brackets are
-// refused at the 33rd.
+// Parses JSON text into a tree by the library's event interface, which does not recurse: a million brackets are
+// rejected at the 33rd.
 #include "exchange/own/json_reader.h"
 
 #include <algorithm>
@@ -14,9 +14,9 @@
 namespace coaster::exchange {
 namespace {
 
-constexpr std::size_t kClip = 60;  // bytes of foreign text in a message
+constexpr std::size_t kClip = 60;  // bytes of file contents in a message
 
-// Foreign text for a message: printable ASCII, not too much of it.
+// Returns file contents for a message: printable ASCII, truncated.
 std::string clipped(std::string text, std::size_t most) {
   const bool long_text = text.size() > most;
   if (long_text) text.resize(most);
@@ -25,7 +25,7 @@ std::string clipped(std::string text, std::size_t most) {
   return long_text ? text + "..." : text;
 }
 
-// Line and column of a byte.
+// Formats the line and column of a byte.
 std::string at_byte(std::string_view text, std::size_t offset, std::string_view name, std::string_view message) {
   offset = std::min(offset, text.size());
   const std::string_view before = text.substr(0, offset);
@@ -35,7 +35,7 @@ std::string at_byte(std::string_view text, std::size_t offset, std::string_view 
   return base::at_place(name, static_cast<int>(line), static_cast<int>(column), message);
 }
 
-// Receives the parser's events and builds the tree. Every function returns whether to go on.
+// Receives the parser's events and builds the tree. Every function returns whether to continue.
 class Builder {
  public:
   Builder(std::string_view text, std::string_view name) : text_(text), name_(name) {}
@@ -49,7 +49,7 @@ class Builder {
   bool number_unsigned(std::uint64_t value) { return add(value); }
   bool number_float(double value, const std::string&) { return add(value); }
   bool string(std::string& value) { return add(std::move(value)); }
-  bool binary(Json::binary_t&) { return false; }  // not in text
+  bool binary(Json::binary_t&) { return false; }  // does not occur in text
   bool start_object(std::size_t) { return open(Json::object()); }
   bool start_array(std::size_t) { return open(Json::array()); }
   bool end_object() { return close(); }
@@ -61,7 +61,7 @@ class Builder {
   }
   bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& e) {
     constexpr int kNumberOverflow = 406;
-    std::string message = e.what();  // "[json.exception...] parse error at line 1, column 2: what we want"
+    std::string message = e.what();  // "[json.exception...] parse error at line 1, column 2: the wanted part"
     if (e.id == kNumberOverflow) {
       message = "number " + clipped(token, kClip) + " is out of range";
     } else if (const std::size_t colon = message.find(": "); colon != std::string::npos) {
@@ -74,11 +74,11 @@ class Builder {
  private:
   struct Open {
     Json* node;
-    std::set<std::string> keys;  // of an object so far
-    std::string key;             // of the value to come
+    std::set<std::string> keys;  // keys of an object so far
+    std::string key;             // key of the next value
   };
 
-  // Appends behind all others; looking for an equal key again would make large objects quadratic.
+  // Appends at the end; searching for an equal key again would make large objects quadratic.
   Json* append(Json value) {
     if (open_.empty()) return root = std::move(value), &root;
     Json& parent = *open_.back().node;
@@ -90,14 +90,14 @@ class Builder {
   bool add(Json value) { return append(std::move(value)), true; }
   bool open(Json value) {
     if (open_.size() == kMaxNesting) return fail(fmt::format("nesting deeper than the limit of {}", kMaxNesting));
-    // The pointer stays good: nothing is appended to the parent before this one closes.
+    // The pointer stays valid: nothing is appended to the parent before this one closes.
     Json* const node = append(std::move(value));
     open_.push_back({node, {}, {}});
     return true;
   }
   bool close() { return open_.pop_back(), true; }
 
-  // "knots[3].tangent" from the open objects and arrays.
+  // Returns "knots[3].tangent" from the open objects and arrays.
   std::string place() const {
     std::string path;
     for (std::size_t i = 0; i + 1 < open_.size(); ++i) {

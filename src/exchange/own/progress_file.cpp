@@ -1,4 +1,4 @@
-// Progress from and to JSON.
+// Reads and writes progress as JSON.
 #include "exchange/own/progress_file.h"
 
 #include <algorithm>
@@ -102,7 +102,7 @@ bool merge(Progress& progress, const ChallengeProgress& success) {
     const auto known = std::find_if(found->best.begin(), found->best.end(),
                                     [&](const BestValue& best) { return best.query == value.query; });
     if (known == found->best.end()) found->best.push_back(value);
-    else if (known->less_is_better != value.less_is_better) *known = value;  // the challenge was rewritten
+    else if (known->less_is_better != value.less_is_better) *known = value;  // the challenge has been rewritten
     else if (value.less_is_better ? value.value < known->value : value.value > known->value) known->value = value.value;
   }
   return !(before == *found);

@@ -1,5 +1,4 @@
-// What a user has reached in challenges, JSON (docs/challenges.md): the best medal of each, and the best values it was
-// reached with.
+// A user's progress in challenges, JSON (docs/challenges.md): the best medal of each, and the best passing values.
 #pragma once
 
 #include <string>
@@ -15,7 +14,7 @@ inline constexpr int kProgressVersion = 1;
 inline constexpr int kMostMedals = 3;  // 1 bronze, 2 silver, 3 gold
 inline constexpr std::size_t kMaxProgressEntries = 10'000, kMaxProgressValues = 64;
 
-// A value that a challenge asks about, the best one that it was ever passed with.
+// A value that a challenge compares, and the best one it was passed with.
 struct BestValue {
   std::string query;  // as in the challenge, with its argument
   double value = 0;
@@ -24,26 +23,26 @@ struct BestValue {
 };
 
 struct ChallengeProgress {
-  std::string challenge;  // the file's name without folder and ending
+  std::string challenge;  // the file's name without folder and extension
   int medal = 0;          // 0..kMostMedals
   std::vector<BestValue> best;
   friend bool operator==(const ChallengeProgress&, const ChallengeProgress&) = default;
 };
 
 struct Progress {
-  std::vector<ChallengeProgress> challenges;  // no name twice, in the order of first success
+  std::vector<ChallengeProgress> challenges;  // unique names, in the order of first success
   friend bool operator==(const Progress&, const Progress&) = default;
 };
 
-// Parses a whole file's text. Code::bad_file with one line as for tracks for what is no such file in every part: half a
-// memory is no memory, and the caller sets it aside.
+// Parses a whole file's text. Code::bad_file with one line as for tracks if any part is invalid: the caller then
+// renames the file.
 base::Result<Progress> parse_progress(std::string_view text, std::string_view name);
-// Ends with a newline; parse_progress() gives the same back.
+// Returns the text; ends with a newline. parse_progress() gives the same back.
 std::string print_progress(const Progress& progress);
 
-// What is known of a challenge; null when it was never passed.
+// Returns the progress in a challenge; null if it was never passed.
 const ChallengeProgress* find(const Progress& progress, std::string_view challenge);
-// Takes another success in: the better medal and the better of each value stay. True when that changed anything.
+// Merges another success: keeps the better medal and the better of each value. Returns true if that changed anything.
 bool merge(Progress& progress, const ChallengeProgress& success);
 
 }  // namespace coaster::exchange

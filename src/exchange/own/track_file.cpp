@@ -1,4 +1,4 @@
-// Track files on disk: the format by the path's ending, whole-file reading, atomic writing.
+// Track files on disk: the format by the path's extension, whole-file reading, atomic writing.
 #include "exchange/own/track_file.h"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 namespace coaster::exchange {
 namespace {
 
-// "a.txt: error: expected a file ending in .json"; a format that goes the other way alone is named.
+// Returns "a.txt: error: expected a file ending in .json"; names a format that works only in the other direction.
 std::string unfit_ending(const std::filesystem::path& path, const Format* format, Direction direction) {
   std::string text = path.string() + ": error: ";
   if (format)
@@ -41,7 +41,7 @@ base::Status save_track(base::Files& files, const std::filesystem::path& path, c
     if (const base::Status fit = format->check(document); !fit)
       return {fit.code, fmt::format("{}: {}", path.string(), fit.message)};
   const std::string bytes = format->print(document);
-  // What could not be read again is not written.
+  // Does not write a file too large to be read again.
   if (format->parse && bytes.size() > base::kMaxFileBytes)
     return {base::Code::refused, fmt::format("{}: error: {} bytes are over the limit of {}", path.string(),
                                              bytes.size(), base::kMaxFileBytes)};

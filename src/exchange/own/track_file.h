@@ -17,8 +17,8 @@ namespace coaster::exchange {
 inline constexpr std::string_view kTrackFormat = "coaster-track";
 inline constexpr int kTrackVersion = 1;
 
-// How well a track that was fitted to a file's places meets them (sim/plan/fit_track.h); measured at every row on the
-// document itself.
+// The errors of a track that was fitted to a file's rows (sim/plan/fit_track.h), measured at every row on the document
+// itself.
 struct ImportReport {
   double max_error = 0;  // m, the largest distance of a row from the curve
   double frame_error =
@@ -30,24 +30,24 @@ struct ImportReport {
 struct LoadedTrack {
   world::Document document;
   std::vector<std::string> warnings;   // one line each: unknown members, which are kept; rows that were left out
-  std::optional<ImportReport> import;  // of formats that a track is fitted to
+  std::optional<ImportReport> import;  // for formats that a track is fitted to
 };
 
 // Parses a whole file's text. Errors are Code::bad_file with one line "NAME:LINE:COLUMN: error: ..." for broken JSON
-// and "NAME: error: knots[3].tangent: expected ..., found ..." for everything else. Refuses: wrong format or a newer
+// and "NAME: error: knots[3].tangent: expected ..., found ..." for everything else. Rejects a wrong format or newer
 // version, duplicate members, nesting over 32, NaN, infinities and numbers outside the limits of world/components.h,
 // zero tangents, unknown ids.
 base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view name);
 
-// The text of a document: two-space indentation, one knot a line, every float in its shortest exact form; ends with a
-// newline. parse_track(print_track(d)) equals d by hash, and printing that again gives the same bytes.
+// Returns the text of a document: two-space indentation, one knot per line, every float in its shortest exact form;
+// ends with a newline. parse_track(print_track(d)) equals d by hash, and printing that again gives the same bytes.
 std::string print_track(const world::Document& document);
 
-// What a track is called that was read from a file which tells no name: the file's, without folder and ending, as a
-// name may be.
+// Returns the name of a track from a file without one: the file's name without folder and extension, made valid.
 std::string name_of_file(std::string_view path);
 
-// By the ending of the path (exchange/formats.h); another is refused with the list of those known for that direction.
+// Loads a track by the path's extension (exchange/formats.h). Unknown extensions are rejected with the list of known
+// ones.
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path,
                                      base::Progress* progress = nullptr);
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document);

@@ -1,4 +1,4 @@
-// A track file's tree to a document. Checks everything that docs/track-format.md promises.
+// Builds a document from a track file's tree. Checks everything that docs/track-format.md promises.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -19,11 +19,11 @@ using world::Document;
 using world::Entity;
 using world::Kind;
 
-constexpr std::uint32_t kMaxIdNumber = 1'000'000'000;  // leaves room for the numbers that edits give
+constexpr std::uint32_t kMaxIdNumber = 1'000'000'000;  // leaves room for the numbers of new entities
 constexpr double kShortVector = 1e-9;
 constexpr double kParallel = 1e-6;  // sine of the angle between tangent and up
 
-// What one parse works on. `error` is the first thing wrong, without the file's name.
+// The state of a parse. `error` is the first error, without the file's name.
 struct TrackParse {
   Document document;
   std::vector<std::string> warnings;
@@ -35,7 +35,7 @@ std::string quoted_id(Kind kind, std::uint32_t number) {
   return "\"" + world::to_text(world::Name{kind, number}) + "\"";
 }
 
-// A member that names an entity: "k3".
+// Reads a member that names an entity: "k3".
 bool read_id(Fields& fields, std::string_view member, Kind kind, std::uint32_t& number) {
   std::string text;
   if (!fields.text(member, text)) return false;
@@ -46,7 +46,7 @@ bool read_id(Fields& fields, std::string_view member, Kind kind, std::uint32_t& 
   return true;
 }
 
-// The entity of an "id" member, with its name.
+// Creates the entity of an "id" member, with its name.
 bool create(TrackParse& parse, Fields& fields, Kind kind, Entity& e) {
   std::uint32_t number = 0;
   if (!read_id(fields, "id", kind, number)) return false;
@@ -65,7 +65,7 @@ void keep_unknown(TrackParse& parse, const Fields& fields, Entity e) {
   if (!extra.empty()) parse.document.entities.put(e, world::Extra{std::move(extra)});
 }
 
-// Unit vectors keep their bits, others are normalised before they are rounded to float.
+// Unit vectors keep their bits; others are normalised before they are rounded to float.
 glm::vec3 direction(glm::dvec3 v) {
   const double square = glm::dot(v, v);
   return glm::vec3(std::abs(square - 1.0) <= 1e-6 ? v : v / std::sqrt(square));
@@ -186,7 +186,7 @@ bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
   return true;
 }
 
-// How the track is operated: plain tracks have none of these members.
+// Reads how the track is operated: plain tracks have none of these members.
 bool read_operation(Fields& fields, Document& document) {
   return optional_length(fields, "rolling", document.resistance.rolling, 0, world::kMaxRolling) &&
          optional_length(fields, "drag", document.resistance.drag, 0, world::kMaxDrag) &&
@@ -226,7 +226,7 @@ bool read_lists(TrackParse& parse, Fields& fields) {
   return true;
 }
 
-// A foreign file may have something unknown on every knot.
+// A foreign file may have an unknown member on every knot.
 void shorten(std::vector<std::string>& warnings) {
   constexpr std::size_t kMost = 20;
   if (warnings.size() <= kMost) return;

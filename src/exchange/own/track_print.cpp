@@ -1,4 +1,4 @@
-// A document as the text of a track file. The same document always gives the same bytes.
+// Prints a document as a track file. The same document always gives the same bytes.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -13,10 +13,10 @@ namespace {
 using world::Document;
 using world::Entity;
 
-// -0 reads back as the whole number 0: written as 0, or printing twice would differ.
+// -0 is read back as the whole number 0, so it is written as 0; else printing twice would differ.
 std::string number(double value) { return value == 0 ? "0" : base::to_text(value); }
 
-// Readers go through double. Where rounding twice would miss the float, its exact value in double is written.
+// Readers parse to double. If rounding twice would miss the float, its exact value in double is written.
 std::string number(float value) {
   if (value == 0) return "0";
   std::string text = base::to_text(value);
@@ -37,7 +37,7 @@ std::string_view name_of_joint(world::JointKind joint) {
   return {};
 }
 
-// Calls write(key, value text) for each unknown member that is kept.
+// Calls write(key, value text) for each unknown member that was kept.
 template <class Write>
 void for_each_extra(const world::Extra& extra, Write write) {
   if (extra.json.empty()) return;
@@ -62,7 +62,7 @@ std::string knot_line(const Document& document, Entity e) {
          extra_members(document, e);
 }
 
-// What a plain segment, cart or track does not have is not written.
+// Leaves out members that have the defaults of a plain segment, cart or track.
 std::string equipment_members(const Document& document, Entity e) {
   const auto* const found = document.entities.find<world::Equipment>(e);
   if (!found) return {};

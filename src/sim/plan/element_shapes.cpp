@@ -59,7 +59,7 @@ double head(ElementPath& path) {
 void add_straight(world::Element& element, ElementPath& path, bool upright, std::vector<std::string>& lines) {
   const double most = kMostRollRate_deg * world::value_of(element, "length");
   if (const double wanted = world::value_of(element, "roll"); std::abs(wanted) > most)
-    give_way(element, "roll", wanted < 0 ? -most : most, "so short a straight cannot roll as far", lines);
+    give_way(element, "roll", wanted < 0 ? -most : most, "a straight this short cannot roll that far", lines);
   const double length = world::value_of(element, "length"), roll = base::radians(world::value_of(element, "roll"));
   const dvec3 forward = path.end().tangent, level = upright ? curve::perpendicular(forward, {0, 1, 0}) : path.end().up;
   path.set_axes(forward, level, glm::cross(level, forward));
@@ -163,7 +163,7 @@ void add_helix(ShapeTask& task) {
 ElementShape element_shape(world::Element& element, const TrackEnd& end, std::vector<std::string>& lines) {
   ElementShape shape;
   if (const double k = glm::length(end.curvature); k > kSharpestEnd) {
-    shape.refusal = "the track's end bends too sharply to go on from it: its radius is " +
+    shape.refusal = "the track's end is too sharp for an element: its radius is " +
                     base::to_text(std::round(1000.0 / k) / 1000.0) + " m";
     return shape;
   }
@@ -181,7 +181,7 @@ ElementShape element_shape(world::Element& element, const TrackEnd& end, std::ve
   }
   if (steep(end.forward) || steep(path.end().tangent)) {
     shape.refusal = "the track's end is steeper than " + base::to_text(kSteepestEnd_deg) +
-                    " degrees: only a straight can go on from it";
+                    " degrees: only a straight can follow it";
     return shape;
   }
   double slope = head(path);

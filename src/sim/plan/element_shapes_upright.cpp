@@ -145,7 +145,7 @@ void add_climb_or_dive(ShapeTask& task) {
   };
   double height = world::value_of(task.element, "height"), angle = steepest;
   if (const double least = bends(0); height < least) {
-    give_way(task.element, "height", least, "levelling out takes as much", task.lines);
+    give_way(task.element, "height", least, "levelling out needs that much", task.lines);
     height = least, angle = 0;
   } else if (bends(steepest) > height) {
     angle = root(0, steepest, [&](double a) { return bends(a) - height; });
@@ -164,7 +164,7 @@ void add_camelback(ShapeTask& task) {
   const double height = world::value_of(task.element, "height"), g = world::kGravity;
   const double least = std::sqrt(2 * kLeastRest * g * height);
   if (world::value_of(task.element, "speed") < least)
-    give_way(task.element, "speed", least, "a slower train would not get over the crest", task.lines);
+    give_way(task.element, "speed", least, "a slower train cannot pass the crest", task.lines);
   const double speed = world::value_of(task.element, "speed"), p = speed * speed / g - 2 * height,
                radius = world::value_of(task.element, "radius");
   const auto rise = [&](double angle) {
@@ -201,7 +201,7 @@ void add_loop(ShapeTask& task) {
   // sin(a) back.
   const double room = w.length() - w.width();
   if (world::value_of(task.element, "shift") > kMostAxis * room)
-    give_way(task.element, "shift", kMostAxis * room, "a loop of this height would lie on its side", task.lines);
+    give_way(task.element, "shift", kMostAxis * room, "a loop of this height would tip over sideways", task.lines);
   add_winding(task.path, w, world::value_of(task.element, "shift") / room, task.element.right ? -1.0 : 1.0);
 }
 

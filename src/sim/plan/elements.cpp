@@ -74,9 +74,10 @@ ElementPlan plan_element(const world::Element& element, const TrackEnd& end) {
   plan.length = plan.ideal.length();
   plan.lead = plan.ideal.points[plan.ideal.lead].s;
   if (plan.length > kLongestElement)
-    plan.refusal = "it would be longer than the limit of " + base::to_text(kLongestElement) + " m";
+    plan.refusal = "the element is longer than the limit of " + base::to_text(kLongestElement) + " m";
   else if (!within_world(plan.ideal))
-    plan.refusal = "it would leave the limit of coordinates, " + base::to_text(double{world::kMaxCoordinate}) + " m";
+    plan.refusal =
+        "the element leaves the limit of coordinates, " + base::to_text(double{world::kMaxCoordinate}) + " m";
   if (!plan.refusal.empty()) return plan;
   plan.fit = fit_element(plan.ideal);
   plan.lowest = plan.ideal.points.front().position.y;

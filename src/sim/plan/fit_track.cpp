@@ -238,7 +238,7 @@ Work prepare(std::span<const FitRow> rows, bool closed) {
 }  // namespace
 
 FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress) {
-  COASTER_CHECK(rows.size() >= (closed ? 3u : 2u), "a track needs rows");
+  COASTER_CHECK(rows.size() >= (closed ? 3u : 2u), "a track needs 2 rows, a closed one 3");
   Work w = prepare(rows, closed);
   w.progress = progress;
   fit_spans(w);

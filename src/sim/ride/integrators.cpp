@@ -59,14 +59,14 @@ TrainState energy_method(const TrainContext& context, TrainState state, double d
 
 constexpr std::array<Integrator, 6> kIntegrators{{
     {"rk4", "Runge-Kutta 4", "s'' = -g T_y(s), four slopes, twice a tick", IntegratorKind::stepped, rk4, 2, true},
-    {"verlet", "Velocity Verlet", "s += v dt + a dt^2/2, v += (a_old + a_new) dt/2; equal steps, over joints too",
+    {"verlet", "Velocity Verlet", "s += v dt + a dt^2/2, v += (a_old + a_new) dt/2; equal steps, across joints",
      IntegratorKind::stepped, verlet, 1, false},
     {"energy", "Energy (the paper's)", "v = sqrt(2 (E - g h)), s += v dt; freezes at v = 0", IntegratorKind::stepped,
      energy_method, 1, true},
     {"euler", "Semi-implicit Euler", "v += a dt, s += v dt", IntegratorKind::stepped, euler, 1, true},
     {"precomputed", "Precomputed timetable", "s(t) and v(t) of the whole ride from tables, looked up each tick",
      IntegratorKind::timetable, nullptr, 1, true},
-    {"vertices", "By polyline vertices", "from vertex to vertex, chord / speed apart; as smooth as the resolution",
+    {"vertices", "By polyline vertices", "from vertex to vertex in time chord / speed; as smooth as the resolution",
      IntegratorKind::vertices, nullptr, 1, true},
 }};
 

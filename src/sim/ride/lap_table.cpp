@@ -110,12 +110,12 @@ void LapCarts::add(const LapCart& cart) {
 }
 
 void advance(const LapTable& table, LapCart& cart) {
-  COASTER_CHECK(table.valid(), "trains run on a table of a whole lap");
+  COASTER_CHECK(table.valid(), "the table covers a whole lap");
   advance_block(table, 1, {&cart.phase, &cart.along, &cart.speed, &cart.laps});
 }
 
 void advance(const LapTable& table, LapCarts& carts) {
-  COASTER_CHECK(table.valid(), "trains run on a table of a whole lap");
+  COASTER_CHECK(table.valid(), "the table covers a whole lap");
   for (std::size_t i = 0; i < carts.size(); i += kBlock)
     advance_block(table, std::min(kBlock, carts.size() - i),
                   {&carts.phase[i], &carts.along[i], &carts.speed[i], &carts.laps[i]});

@@ -65,7 +65,7 @@ std::vector<Pose> car_poses(const world::Document& document, const Derived& deri
 Felt felt(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart,
           int car) {
   const std::vector<CarPlace> places = places_of(document, derived, entity, cart);
-  COASTER_CHECK(car >= 0 && static_cast<std::size_t>(car) < places.size(), "a car of the train");
+  COASTER_CHECK(car >= 0 && static_cast<std::size_t>(car) < places.size(), "the train has this car");
   const CarPlace place = places[static_cast<std::size_t>(car)];
   // a = s'' h'(s) + s'^2 h''(s) along the heartline h, by central differences over +-step of rail. The stencil stays
   // within the segment: the roll rate may jump at a joint, where the heartline then has a corner and a difference

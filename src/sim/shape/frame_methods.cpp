@@ -88,12 +88,12 @@ constexpr std::array<FrameMethodRow, 4> kFrameMethods{{
      "The knots' up carried by double reflection; the twist to the next knot's up is spread over the segment.",
      by_knots},
     {"rmf", "Rotation-minimising",
-     "The first knot's up carried along the whole track by double reflection (Wang et al. 2008); a loop's left-over "
+     "The first knot's up carried along the whole track by double reflection (Wang et al. 2008); a loop's remaining "
      "twist is spread.",
      minimising},
     {"frenet", "Frenet-Serret",
      "T, N = T'/|T'|, B = T \u00D7 N. Undefined on straights, and flips across an inflection.", frenet_serret},
-    {"world_up", "World up", "As upright as can be: left is level. Undefined on a vertical, and turns wildly near one.",
+    {"world_up", "World up", "As upright as possible: left is level. Undefined on a vertical, and unstable near one.",
      world_up},
 }};
 static_assert(static_cast<std::size_t>(world::FrameMethod::world_up) + 1 == kFrameMethods.size(),
@@ -104,7 +104,7 @@ static_assert(static_cast<std::size_t>(world::FrameMethod::world_up) + 1 == kFra
 std::span<const FrameMethodRow> frame_methods() { return kFrameMethods; }
 
 TrackFrame track_frame(const Derived& derived, world::FrameMethod method, std::size_t index, double s) {
-  COASTER_CHECK(index < derived.order.size(), "a frame is asked for on a segment of the track");
+  COASTER_CHECK(index < derived.order.size(), "frames exist only on segments of the track");
   return kFrameMethods[static_cast<std::size_t>(method)].frame(derived, index, s);
 }
 

@@ -60,7 +60,7 @@ dvec3 some_normal(dvec3 forward) { return curve::perpendicular(forward, {0, 1, 0
 
 void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh) {
   COASTER_CHECK(rings.size() >= 2 && tube.sides % tube.coarse_sides == 0,
-                "a tube has two ends, and corners that it keeps from afar");
+                "a tube has two rings, and its coarse sides divide its sides");
   const std::vector<dvec2> unit = circle(tube.sides);
   Indices all, every_other;
   for (std::size_t i = 0; i < rings.size(); ++i) {

@@ -120,7 +120,7 @@ void add_loft(std::span<const std::vector<dvec3>> sections, std::span<const Part
     for (std::size_t row = 0; row < rows; ++row) {
       const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
       for (const std::size_t corner : {k, next}) {
-        COASTER_CHECK(sections[row].size() == count, "sections have equally many corners");
+        COASTER_CHECK(sections[row].size() == count, "all sections have the same number of corners");
         const dvec3 normal = normals[row * count + corner];
         mesh.vertices.push_back(
             {glm::vec3(sections[row][corner]), glm::vec3(glm::normalize(normal)), static_cast<float>(parts[k])});

@@ -46,8 +46,8 @@ Erratum frozen(const Derived& derived, std::size_t index) {
           "m",
           way_from_rest(derived, index, from, rows[static_cast<std::size_t>(*find_integrator("rk4"))]),
           "m",
-          "A cart put at rest on a slope never starts that way: v = 0 moves it nowhere. With s'' = -g T_y it rolls "
-          "off; metres after half a second."};
+          "A cart at rest on a slope never starts: with v = 0 it does not move. With s'' = -g T_y it rolls "
+          "off. Values: metres after half a second."};
 }
 
 // Returns the larger curvature jump of the segment's two joints.
@@ -72,9 +72,9 @@ Erratum flip(const curve::Cubic& cubic) {
           base::degrees(claim.minimising_angle),
           "deg",
           claim.defined
-              ? "The normal turns that far within 1/32 of the segment, by 180 degrees over an inflection; a "
+              ? "The normal turns by this angle within 1/32 of the segment, by 180 degrees at an inflection; a "
                 "rotation-minimising frame does not turn about the tangent."
-              : "On a straight there is no Frenet-Serret normal at all; a rotation-minimising frame goes on as it is."};
+              : "A straight has no Frenet-Serret normal; a rotation-minimising frame continues unchanged."};
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ double g_step(double jump, double speed) { return speed * speed * jump / world::
 
 std::array<Erratum, kErrata.size()> errata(const Derived& derived, world::Entity segment, double speed, int steps) {
   const auto at = std::find(derived.order.begin(), derived.order.end(), segment);
-  COASTER_CHECK(at != derived.order.end(), "errata are asked of a segment of the track");
+  COASTER_CHECK(at != derived.order.end(), "errata need a segment of the track");
   const SegmentShape& shape = derived.shape(segment);
   const curve::Cubic& cubic = shape.key.cubic;
   const curve::GravesenClaim gravesen = curve::gravesen_claim(cubic);
@@ -92,19 +92,21 @@ std::array<Erratum, kErrata.size()> errata(const Derived& derived, world::Entity
   return {
       {{"gravesen", "The arc length is half the control polygon multiplied by the chord.", gravesen.product, "m^2",
         gravesen.mean, "m",
-        "It is their mean, (chord + polygon) / 2, which is off by (polygon - chord) / 2 at most. The product is an "
+        "It is their mean, (chord + polygon) / 2, with an error of at most (polygon - chord) / 2. The product is an "
         "area."},
        {"line", "A vertex of the polyline is B(0) + i dB, with one difference dB.", 0.0, "m",
         curve::line_claim(cubic, steps).distance, "m",
-        "That is a straight line in equal steps; a cubic needs three differences. So far is the line from the curve."},
+        "That is a straight line in equal steps; a cubic needs three differences. The value is the line's distance "
+        "from the curve."},
        frozen(derived, index),
        {"g_step", "C1 continuity makes the path smooth.", 0.0, "g", g_step(jump, speed), "g",
-        "C1 leaves a jump of curvature, and with it one of the force: v^2 |dK| / g. Equal curvature vectors (G2) take "
-        "it away."},
+        "C1 leaves jumps of curvature, so the force jumps by v^2 |dK| / g. Equal curvature vectors (G2) remove "
+        "them."},
        flip(cubic),
        {"pen", "Lines between the control points form a pen that contains the curve.", 0.0, "m",
         curve::pen_claim(cubic).outside, "m",
-        "The curve stays in their convex hull, not in their polygon, which may cross itself. So far it leaves the "
+        "The curve stays in their convex hull, not in their polygon, which may cross itself. The value is its distance "
+        "from the "
         "closed polygon."}}};
 }
 

@@ -26,7 +26,7 @@ std::string report_text(const Ghost& ghost, const Ratings& r, const std::vector<
                         const std::string& track_name) {
   std::string out = track_name + "\n";
   add(out, "  {:<22} {:8.2f} m\n", "length", r.length);
-  add(out, "  {:<22} {:8.2f} s{}\n", ghost.lap ? "lap" : "time", r.seconds, ghost.lap ? "" : " (no whole lap)");
+  add(out, "  {:<22} {:8.2f} s{}\n", ghost.lap ? "lap" : "time", r.seconds, ghost.lap ? "" : " (no complete lap)");
   if (ghost.end != world::FailureKind::none)
     add(out, "  {:<22} {} at {:.1f} m\n", "end", text(ghost.end), ghost.distance(ghost.samples.size() - 1));
   add(out, "  {:<22} {:8}, {} m apart\n", "cars", ghost.start.cars, static_cast<int>(std::lround(ghost.start.spacing)));
@@ -44,11 +44,10 @@ std::string report_text(const Ghost& ghost, const Ratings& r, const std::vector<
   add(out, "  {:<22} {:8}\n", "inversions", r.inversions);
   add(out, "  {:<22} {:8.2f}, intensity {:.2f}, nausea {:.2f} (OpenRCT2's terms of g and drops, with real g)\n",
       "excitement", r.excitement, r.intensity, r.nausea);
-  add(out, "  {:<22} {:8} (acceleration by duration; not a compliance check)\n", "red spans", red.size());
+  add(out, "  {:<22} {:8} (force limits by duration; not a compliance check)\n", "overloads", red.size());
   for (const RedSpan& span : red)
-    add(out, "    car {:2}, {:<22} {:6.2f} g where {:.2f} g may last, {:.2f}..{:.2f} s, {:.1f}..{:.1f} m\n",
-        span.car + 1, label(span.axis), span.worst, span.allowed, span.from, span.to, span.from_distance,
-        span.to_distance);
+    add(out, "    car {:2}, {:<22} {:6.2f} g, limit {:.2f} g, {:.2f}..{:.2f} s, {:.1f}..{:.1f} m\n", span.car + 1,
+        label(span.axis), span.worst, span.allowed, span.from, span.to, span.from_distance, span.to_distance);
   return out;
 }
 

@@ -53,7 +53,7 @@ TEST(ride_report, tells_the_ratings_of_the_ride) {
   EXPECT_NEAR(number_of(report, "highest") - number_of(report, "lowest"), 8.6, 0.05);
   EXPECT_NEAR(number_of(report, "most lateral"), ride.ratings.side_most.value, 0.01);
   EXPECT_NEAR(number_of(report, "drops"), ride.ratings.drops, 0);
-  EXPECT_NEAR(number_of(report, "red spans"), static_cast<double>(ride.red.size()), 0);
+  EXPECT_NEAR(number_of(report, "overloads"), static_cast<double>(ride.red.size()), 0);
   EXPECT_NE(report.find("not a compliance check"), std::string::npos);
 }
 
@@ -62,7 +62,7 @@ TEST(ride_report, names_every_red_span_with_its_limit) {
   ASSERT_FALSE(ride.red.empty());
   const std::string report = report_text(*ride.ghost, ride.ratings, ride.red, "");
   std::size_t lines = 0;
-  for (const std::string& line : split(report, '\n')) lines += line.find(" may last, ") != std::string::npos;
+  for (const std::string& line : split(report, '\n')) lines += line.find(", limit ") != std::string::npos;
   EXPECT_EQ(lines, ride.red.size());
 }
 
@@ -70,7 +70,7 @@ TEST(ride_report, says_why_a_ride_ended_early) {
   Reported ride(test::ring_document(24, 40.7, 9.3), 6.3, 1);
   ASSERT_NE(ride.ghost->end, world::FailureKind::none);
   const std::string report = report_text(*ride.ghost, ride.ratings, ride.red, "");
-  EXPECT_NE(report.find("no whole lap"), std::string::npos);
+  EXPECT_NE(report.find("no complete lap"), std::string::npos);
   EXPECT_NE(report.find(std::string(text(ride.ghost->end)) + " at "), std::string::npos);
 }
 
