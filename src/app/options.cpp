@@ -116,7 +116,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   CLI::App cli(std::string(kSummary), "coaster");
   cli.footer(exit_code_line());
   bool version = false;
-  cli.add_flag("--version", version, "Print the version and end");
+  cli.add_flag("--version", version, "Print the version and exit");
   for (const OptionRow& row : kRows) add(cli, row, o);
   try {
     cli.parse(argc, argv);
