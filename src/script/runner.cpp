@@ -95,7 +95,7 @@ Failure Runner::perform(const SetEnvironment& change) {
   if (!home_alone)
     if (const base::Status status = frames_.set_environment(environment_); !status) return failure(status);
   if (!change.home) return {};
-  if (!frames_.host().set_home) return wrong("there is nothing to keep for a user");
+  if (!frames_.host().set_home) return wrong("this run keeps no user data");
   const auto folder = find_output(change.home->text, files_.root());
   if (!folder) return failure(folder.status(), change.home->column);
   // Empties the folder at its first use in a run: files of an earlier run would change the result.

@@ -135,7 +135,7 @@ Failure Runner::perform(const Dump& dump) {
 }
 
 Failure Runner::perform(const StartMovie& start) {
-  if (!frames_.host().start_movie) return wrong("there are no pictures to make a movie of");
+  if (!frames_.host().start_movie) return wrong("this run has no pictures to record");
   const auto folder = find_output(start.folder.text, files_.root());
   if (!folder) return failure(folder.status(), start.folder.column);
   return failure(frames_.host().start_movie(*folder, start.fps, start.gif));
