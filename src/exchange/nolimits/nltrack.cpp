@@ -18,19 +18,19 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kWorthATell = base::radians(0.1);  // turn between handles that is told of
-constexpr double kCorner = base::radians(90.0);     // more is no track
-constexpr double kRollSign = -1.0;                  // the file counts to the left, the document to the right
-constexpr double kSteep = 0.9;     // sine of the slope from which on the horizon says little about roll
-constexpr int kHorizonSteps = 64;  // of a segment, to follow how the horizon turns against the frame
+constexpr double kWorthATell = base::radians(0.1);  // larger turns between handles are reported
+constexpr double kCorner = base::radians(90.0);     // larger turns are rejected
+constexpr double kRollSign = -1.0;  // roll is positive to the left in the file, to the right in the document
+constexpr double kSteep = 0.9;      // sine of the slope above which the horizon does not define roll well
+constexpr int kHorizonSteps = 64;   // per segment, to follow the horizon's rotation relative to the frame
 
-// What was changed so that a document can hold it.
+// Changes that were needed to fit a document.
 struct Changes {
   std::size_t lengthened = 0, straightened = 0;
   double largest_turn = 0;  // rad
 };
 
-// The direction of travel where both handles have no length: towards the next control points.
+// Returns the direction of travel if both handles have zero length: towards the next control points.
 dvec3 between_neighbours(const std::vector<NltrackKnot>& records, std::size_t i, bool closed) {
   const std::size_t count = records.size();
   const dvec3 here(records[i].point);
@@ -116,7 +116,7 @@ Twist twist_of(const curve::Cubic& cubic, glm::vec3 up_from, glm::vec3 up_to, do
   return twist;
 }
 
-// Whole turns that the least twist between the knots' `up` lacks.
+// Sets the whole turns that the least twist between the knots' `up` lacks.
 base::Status set_turns(std::string_view name, world::Document& document, std::size_t i,
                        const std::vector<NltrackKnot>& records) {
   const NltrackKnot &from = records[i], &to = records[(i + 1) % records.size()];

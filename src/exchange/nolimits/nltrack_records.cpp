@@ -39,9 +39,9 @@ struct Chunk {
   std::size_t end() const { return payload + size; }
 };
 
-// The first chunk of that tag at or behind `from` that lies within the file and has at least `least` bytes. What lies
-// before it is of no interest, and may have the tag in a text: then the next one counts, and the first one's fault is
-// told when there is none.
+// Returns the first chunk with that tag at or after `from` that lies within the file and has at least `least` bytes.
+// Earlier bytes may contain the tag as text: then the next one counts, and the first one's error is reported if there
+// is none.
 base::Result<Chunk> find_chunk(const ChunkReader& reader, std::string_view tag, std::size_t from, std::size_t least) {
   base::Status fault =
       reader.fail(from, fmt::format("expected a chunk \"{}\", found none to the end of the file", tag));
@@ -68,8 +68,8 @@ base::Result<Chunk> find_chunk(const ChunkReader& reader, std::string_view tag, 
   return fault;
 }
 
-// Where the closed byte is. Chunk SEGM has a size before its count of segments, which files of some writers lack: the
-// count, which is that of `knots` or one less, tells which it is. Where it is neither, the chunk is taken by its size.
+// Returns the position of the closed byte. Chunk SEGM has a size before its count of segments, which some writers omit:
+// the count, which is that of `knots` or one less, shows which it is. If it is neither, the chunk is read by its size.
 base::Result<std::size_t> closed_byte(const ChunkReader& reader, std::size_t from, std::size_t knots) {
   const auto counts = [&](std::size_t at) { return reader.whole(at) == knots || reader.whole(at) + 1 == knots; };
   for (std::size_t at = reader.bytes.find("SEGM", from); at != std::string_view::npos;
