@@ -88,7 +88,8 @@ class Spread {
 
 void fill_ride(const Derived& derived, const Ghost& ghost, Colouring colouring, std::vector<float>& out) {
   const std::size_t entries = ghost.forces.size() / static_cast<std::size_t>(ghost.start.cars);
-  const double behind = ghost.start.front - ghost.start.spacing * (ghost.start.cars / 2);
+  const int middle_car = ghost.start.cars / 2;
+  const double behind = ghost.start.front - ghost.start.spacing * middle_car;
   Spread spread(derived, colouring == Colouring::vertical ? 1.0 : 0.0, out);
   for (std::size_t k = 0; k + 1 < entries; ++k)
     spread.add(behind + ghost.samples[k * kForceEvery].travelled, value_of(ghost, k, colouring),
