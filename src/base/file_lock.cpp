@@ -16,7 +16,7 @@
 namespace coaster::base {
 namespace {
 
-// "4711\nHOST\n" of the open lock file; empty parts where it says nothing.
+// The contents of the open lock file, "4711\nHOST\n"; missing parts are empty.
 struct Owner {
   std::string pid, host;
 };
@@ -36,7 +36,7 @@ std::string describe(const Owner& owner) {
                      owner.host.empty() || owner.host == host_name() ? "" : " on " + owner.host);
 }
 
-// Whether the file that was locked is still the one of that name: its last owner may have removed it in between.
+// True if the locked file still has that name: its last owner may have removed it in between.
 bool is_still(int fd, const Place& place) {
   struct stat mine {
   }, named{};
@@ -45,10 +45,10 @@ bool is_still(int fd, const Place& place) {
          mine.st_dev == named.st_dev && mine.st_ino == named.st_ino;
 }
 
-// A file with another name too is somebody else's, and a pipe or a device is none.
+// A file with a second name belongs to someone else, and a pipe or device is no lock file.
 bool is_lock_file(const struct stat& info) { return S_ISREG(info.st_mode) && info.st_nlink <= 1; }
 
-// The lock's file, open; not valid and a reason otherwise.
+// Opens the lock file; on failure returns an invalid descriptor and sets `reason`.
 Descriptor open_lock(const Place& place, std::string& reason) {
   constexpr const char* kForeign = "something else has the lock's name";
   struct stat info {};
@@ -68,7 +68,7 @@ std::filesystem::path canonical_path(const std::filesystem::path& path) {
   std::filesystem::path whole = std::filesystem::absolute(path, error);
   if (error) whole = path;
   for (int depth = 0; depth < 40 && std::filesystem::is_symlink(whole, error);
-       ++depth)  // also one that leads to what is not there yet
+       ++depth)  // also one that leads to a missing file
     whole = whole.parent_path() / std::filesystem::read_symlink(whole, error);
   std::filesystem::path found = std::filesystem::weakly_canonical(whole, error);
   return error ? whole : found;
@@ -87,7 +87,7 @@ bool FileLock::covers(const std::filesystem::path& path) const { return held() &
 
 void FileLock::release() {
   if (!held()) return;
-  ::unlinkat(place_.folder.get(), place_.name.c_str(), 0);  // while it is locked, so that nobody else has it
+  ::unlinkat(place_.folder.get(), place_.name.c_str(), 0);  // while it is locked, so that nobody else takes it
   (void)fd_.close();
   target_.clear();
   place_ = {};
@@ -119,7 +119,7 @@ LockAttempt try_lock(const std::filesystem::path& path, const Root& root) {
       const std::string text = fmt::format("{}\n{}\n", ::getpid(), host_name());
       const bool told = ::ftruncate(file.get(), 0) == 0 &&
                         ::pwrite(file.get(), text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
-      (void)told;  // the lock holds without it; whoever asks gets no number then
+      (void)told;  // the lock is held even without this text; other programs then get no number
       lock.fd_ = std::move(file);
       attempt.outcome = LockAttempt::Outcome::taken;
       attempt.lock = std::move(lock);

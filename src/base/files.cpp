@@ -26,23 +26,23 @@ Code code_of_open(int error) {
   return error == ENOENT || error == ENOTDIR || error == ELOOP || error == ENAMETOOLONG ? Code::bad_file : Code::io;
 }
 
-// ".1f2e3d4c.", for this machine.
+// Returns ".1f2e3d4c.", a mark of this machine.
 std::string host_mark() {
   Hasher host;
   host.add(host_name());
   return "." + hex16(host.digest()).substr(0, 8) + ".";
 }
 
-// ".loop.json.1f2e3d4c." of "loop.json": what its temporary files start with on this machine. A process number says
-// nothing about another machine's processes, so each has its own names; long names are cut, for the whole must stay
+// Returns ".loop.json.1f2e3d4c." for "loop.json": the start of its temporary files' names on this machine. Process
+// numbers are unique only on one machine, so each machine has its own names. Long names are truncated to keep the total
 // below 255 bytes.
 std::string temporary_stem(const std::string& name) {
   constexpr std::size_t kMostBytes = 200;
   return fmt::format(".{}{}", name.substr(0, kMostBytes), host_mark());
 }
 
-// A new file in the folder of `place` with the mode that the process gives new files; `name` is its own. Not valid and
-// errno on failure.
+// Creates a new file in the folder of `place` with the process's default mode; sets `name`. On failure returns an
+// invalid descriptor, with errno.
 Descriptor open_temporary(const Place& place, std::string& name) {
   const std::string stem = fmt::format("{}{}.", temporary_stem(place.name), ::getpid());
   for (int i = 0; i < 1000; ++i) {
@@ -54,7 +54,7 @@ Descriptor open_temporary(const Place& place, std::string& name) {
   return Descriptor();
 }
 
-// The number that a text starts with, cut off from it.
+// Removes and returns the number that a text starts with.
 std::optional<int> take_number(std::string_view& text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -63,7 +63,7 @@ std::optional<int> take_number(std::string_view& text) {
   return number;
 }
 
-// Whether a name is that of a temporary file whose process is gone: it ends in host_mark() and "PID.NUMBER".
+// True if a name is that of a temporary file whose process has ended: host_mark() and "PID.NUMBER" at the end.
 bool is_leftover(std::string_view name) {
   const std::string mark = host_mark();
   const std::size_t at = name.rfind(mark);
@@ -75,7 +75,7 @@ bool is_leftover(std::string_view name) {
   return take_number(name) && name.empty() && !process_runs(*pid);
 }
 
-// The names in an open folder.
+// Returns the names in an open folder.
 std::vector<std::string> names_in(int folder) {
   std::vector<std::string> names;
   const int fd = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -97,7 +97,7 @@ int sweep(int folder, const std::string& stem) {
   return removed;
 }
 
-// Opens each folder below the one before it, so that a link that takes a folder's place is not followed.
+// Opens each folder relative to the previous one, so that a link that replaces a folder is not followed.
 bool remove_from(int folder, const std::string& name) {
   if (::unlinkat(folder, name.c_str(), 0) == 0 || errno == ENOENT) return true;
   {
@@ -162,7 +162,7 @@ Result<std::string> Files::read(const std::filesystem::path& path, std::size_t l
 }
 
 Result<NewFile> Files::create(const std::filesystem::path& path) {
-  // The folder is opened before anything changes, so that all that can fail behind the rename is its own fsync.
+  // The folder is opened before any change, so that after the rename only its fsync can fail.
   Result<Place> place = root_.locate(path);
   if (!place) return place.status();
   const int folder = place->folder.get();
@@ -187,7 +187,7 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
   Result<NewFile> made = create(path);
   if (!made) return made.status();
   Descriptor& file = made->file();
-  // From here on every error removes the temporary file and leaves the old one as it was.
+  // From here on every error removes the temporary file and leaves the old one unchanged.
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t wrote =
         fails(IoOperation::write) ? -1 : ::write(file.get(), bytes.data() + done, bytes.size() - done);
@@ -199,7 +199,7 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
   if (fails(IoOperation::close) || file.close() != 0) return failure(Code::io, path, "close", errno);
   if (fails(IoOperation::rename) || !made->put_in_place()) return failure(Code::io, path, "rename", errno);
 
-  // The new file is in place; without this a power cut could still bring the old one back.
+  // The new file is in place; without this a power cut could still restore the old one.
   if (fails(IoOperation::fsync) || ::fsync(made->folder()) != 0)
     return failure(Code::io, path, "fsync of the folder", errno);
   return {};
@@ -207,7 +207,7 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
 
 namespace {
 
-// The place of a path whose last name is not followed either.
+// Returns the place of a path whose last name is not followed either.
 Result<Place> place_itself(const Root& root, const std::filesystem::path& path) {
   if (root.limited()) return root.locate(path);
   Result<Place> place = root.locate(path.parent_path() / ".");

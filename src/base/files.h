@@ -1,4 +1,4 @@
-// Reading and atomic writing of whole files, with fault injection for tests. One object owns the injected faults.
+// Reads and atomically writes whole files, with fault injection for tests. One object owns the injected faults.
 #pragma once
 
 #include <array>
@@ -16,14 +16,13 @@
 
 namespace coaster::base {
 
-// The operations that can be made to fail; names for scripts are those of the enumerators ("io.fsync").
+// The operations that can be made to fail; scripts use the enumerators' names ("io.fsync").
 enum class IoOperation { open, read, write, fsync, rename, close };
 inline constexpr std::array<std::string_view, 6> kIoOperationNames{"open", "read", "write", "fsync", "rename", "close"};
 
-inline constexpr std::size_t kMaxFileBytes = 64u << 20;  // larger files are refused
+inline constexpr std::size_t kMaxFileBytes = 64u << 20;  // larger files are rejected
 
-// A new file under a temporary name in the folder of its place. It is removed with this object unless it was put in
-// place.
+// A new file under a temporary name in its target folder. Removed with this object unless it was put in place.
 class NewFile {
  public:
   NewFile(Place place, std::string temporary, Descriptor file)
@@ -34,7 +33,7 @@ class NewFile {
   Descriptor& file() { return file_; }
   int folder() const { return place_.folder.get(); }
   const std::string& temporary() const { return temporary_; }  // its name in the folder
-  // Renames it over whatever has the name of its place, which is never opened. False with errno.
+  // Renames it over the target name, whose old file is never opened. Returns false with errno.
   bool put_in_place();
 
  private:
@@ -44,42 +43,42 @@ class NewFile {
   bool placed_ = false;
 };
 
-// Copies share the injected faults and the root. Below a limited root nothing is written, made or removed through a
+// Copies share the injected faults and the root. With a limited root nothing is written, created or removed through a
 // link.
 class Files {
  public:
   // Without faults.
   explicit Files(Root root = {}) : root_(std::move(root)) {}
-  // With the faults of this one.
+  // With the faults of this object.
   Files with(Root root) const;
   const Root& root() const { return root_; }
 
-  // The `nth` call of `operation` from now on fails with EIO (nth = 1 is the next). 0 clears the fault.
+  // Makes the `nth` call of `operation` from now on fail with EIO (nth = 1 is the next). 0 clears the fault.
   void inject(IoOperation operation, int nth);
 
-  // The whole file. Code::bad_file for missing files, directories, anything but regular files and files over `limit`
-  // (message: "PATH: reason"); Code::io when reading breaks off. Reads anywhere.
+  // Returns the contents of a file. Code::bad_file for missing files, directories, anything but regular files and files
+  // over `limit` (message: "PATH: reason"); Code::io if reading fails. Reads anywhere.
   Result<std::string> read(const std::filesystem::path& path, std::size_t limit = kMaxFileBytes);
 
-  // Writes a temporary file beside the target, fsync, rename over it, fsync of the folder. Without a limit a symbolic
-  // link is followed; with one it is refused. An existing file keeps its mode; one that may not be written, or is not
-  // regular, is refused. What runs that were killed left beside the target goes first. On an error the temporary file
-  // is gone and the old file is as it was; but when the last step fails (fsync of the folder, the second fsync), the
-  // whole new file is in place and may not outlive a power cut. Code::io with "PATH: operation: reason"; Code::refused
-  // outside the limit.
+  // Writes a temporary file beside the target, fsync, rename over it, fsync of the folder. Without a limited root a
+  // symbolic link is followed; with one it is refused. An existing file keeps its mode; read-only and non-regular files
+  // are refused. Removes leftovers of killed runs first. On an error the temporary file is removed and the old file is
+  // unchanged; but if the last step fails (fsync of the folder, the second fsync), the complete new file is in place
+  // and may not survive a power cut. Code::io with "PATH: operation: reason"; Code::refused outside the limit.
   Status write_atomic(const std::filesystem::path& path, std::string_view bytes);
-  // The first half of it: for what is written piece by piece, or by another process.
+  // Does the first half of write_atomic: for files that are written in pieces, or by another process.
   Result<NewFile> create(const std::filesystem::path& path);
 
-  // Removes a file, or a link rather than what it points to. False when there is none or it cannot be removed.
+  // Removes a file, or a link itself. Returns false if there is none or it cannot be removed.
   bool remove(const std::filesystem::path& path);
-  // A folder with all that is in it, or a file; links are removed, not followed. False when something is left.
+  // Removes a folder with its contents, or a file; removes links without following them. Returns false if anything is
+  // left.
   bool remove_tree(const std::filesystem::path& path);
-  // Gives a file another name in its folder; a link itself is renamed. False when it cannot.
+  // Renames a file within its folder; renames a link itself. Returns false on failure.
   bool rename(const std::filesystem::path& path, const std::string& name);
 
-  // Removes the temporary files of write_atomic(`target`) whose processes, of this machine, are gone. Returns how many
-  // there were.
+  // Removes the temporary files of write_atomic(`target`) whose processes, on this machine, have ended. Returns their
+  // number.
   int remove_leftovers(const std::filesystem::path& target);
   // The same for every target in a folder.
   int remove_leftovers_in(const std::filesystem::path& folder);
@@ -92,8 +91,8 @@ class Files {
   std::shared_ptr<Faults> faults_ = std::make_shared<Faults>();
 };
 
-// Whether a process of this machine runs (or has not been waited for); one of another user counts.
+// True if a process of this machine is running (or has not been waited for), also one of another user.
 bool process_runs(int pid);
-std::string host_name();  // of this machine; empty when it has none
+std::string host_name();  // of this machine; empty if it has none
 
 }  // namespace coaster::base

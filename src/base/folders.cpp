@@ -37,7 +37,7 @@ std::filesystem::path data_folder() {
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   const std::filesystem::path beside =
       program.empty() ? std::filesystem::path() : program.parent_path().parent_path() / "share" / "coaster";
-  // The last is for places where a program cannot tell where it is: without /proc.
+  // The last one is for systems where a program cannot find its own path (no /proc).
   for (const std::filesystem::path& folder :
        {beside, std::filesystem::path(COASTER_SOURCE_DIR), std::filesystem::path("/usr/share/coaster")})
     if (!folder.empty() && std::filesystem::is_directory(folder / "tracks", error)) return folder;

@@ -12,8 +12,8 @@
 
 namespace coaster::base {
 
-// Feeds values in order; equal sequences of values give equal digests on every compiler and build.
-// -0.0 counts as +0.0, as operator== has it. Numbers are taken little-endian.
+// Hashes values in order; equal sequences of values give equal digests on every compiler and build. -0.0 counts as
+// +0.0, as in operator==. Numbers are hashed as little-endian.
 class Hasher {
  public:
   Hasher();
@@ -43,7 +43,7 @@ class Hasher {
   std::unique_ptr<State> state_;
 };
 
-// 16 lower-case hexadecimal digits.
+// Returns 16 lower-case hexadecimal digits.
 std::string hex16(std::uint64_t value);
 
 }  // namespace coaster::base

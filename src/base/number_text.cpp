@@ -1,6 +1,7 @@
-// A thin layer over fmt and fast_float, since not every standard library has std::to_chars and std::from_chars for
-// floating point. fmt prints the same shortest digits but chooses between fixed and scientific otherwise; fast_float
-// reads the same numbers but some versions return infinity or zero, without an error, for what is out of range.
+// A thin layer over fmt and fast_float, because not every standard library has std::to_chars and std::from_chars for
+// floating point. fmt prints the same shortest digits but has another rule for fixed and scientific notation;
+// fast_float reads the same numbers, but some versions return infinity or zero without an error for numbers out of
+// range.
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ std::optional<T> parse_number(std::string_view text) {
 
 // A number other than zero, without its sign, as d.ddd * 10^power.
 struct Decimal {
-  std::string digits;  // without zeros at the ends
+  std::string digits;  // without leading and trailing zeros
   int power = 0;
 };
 

@@ -58,7 +58,7 @@ double arc_tangent(double y, double x) {
   const double radius = std::sqrt(x * x + y * y);
   if (!(radius > 0.0) || !std::isfinite(radius)) return 0.0;
   const double c = x / radius, s = y / radius;
-  // A first guess within 0.005 rad in the octant, then Newton on sin(guess - angle): its error is cubed each time.
+  // A first guess within 0.005 rad in the octant, then Newton on sin(guess - angle), which cubes the error each time.
   const double small = std::min(std::abs(c), std::abs(s)) / std::max(std::abs(c), std::abs(s));
   double angle = small * (0.7853981633974483 + 0.273 * (1.0 - small));
   if (std::abs(s) > std::abs(c)) angle = kPi / 2 - angle;

@@ -1,5 +1,5 @@
-// Sine and cosine that give the same bits on every compiler, library and processor (given -ffp-contract=off):
-// for everything that ends up in a hash. Not faster than libm.
+// Sine and cosine with the same bits on every compiler, library and processor (given -ffp-contract=off), for values
+// that are hashed. Not faster than libm.
 #pragma once
 
 namespace coaster::base {
@@ -8,10 +8,10 @@ struct SinCos {
   double sin, cos;
 };
 
-// Sine and cosine of `radians`; absolute error below 1e-15 for |radians| <= 1e4. Non-finite input gives {0, 1}.
+// Returns sine and cosine of `radians`; absolute error below 1e-15 for |radians| <= 1e4. Non-finite input gives {0, 1}.
 SinCos sin_cos(double radians);
 
-// The angle of the point (x, y) in (-pi, pi], as std::atan2 has it, absolute error below 1e-15; {0, 0} gives 0.
+// Returns the angle of the point (x, y) in (-pi, pi], as std::atan2, absolute error below 1e-15; {0, 0} gives 0.
 double arc_tangent(double y, double x);
 
 inline constexpr double kPi = 3.14159265358979323846;

@@ -1,5 +1,4 @@
-// How far a long piece of work is, and whether it is still wanted: shared by the thread that works and the one that
-// shows it.
+// Progress of a long task and its cancellation: shared by the thread that works and the one that shows it.
 #pragma once
 
 #include <atomic>
@@ -7,8 +6,8 @@
 namespace coaster::base {
 
 struct Progress {
-  std::atomic<double> done{0};         // 0..1, never falls; the worker writes
-  std::atomic<bool> cancelled{false};  // set by who waits; the worker ends soon after, without a result
+  std::atomic<double> done{0};         // 0..1, never decreases; written by the worker
+  std::atomic<bool> cancelled{false};  // set by the waiting thread; the worker ends soon after, without a result
 };
 
 }  // namespace coaster::base

@@ -21,15 +21,14 @@ Status failure(const std::filesystem::path& path, std::string_view what, int err
   return {Code::io, path.string() + ": " + std::string(what) + ": " + std::strerror(error)};
 }
 
-// Absolute, without ".", ".." and a slash at the end. Looks at the text alone.
+// Returns an absolute path without ".", ".." and a slash at the end. Uses only the text.
 std::filesystem::path plain(const std::filesystem::path& path) {
   std::error_code ignored;
   const std::filesystem::path whole = std::filesystem::absolute(path, ignored).lexically_normal();
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-// Replaces a symbolic link by what it points to, which need not exist: std::filesystem::canonical would
-// refuse that.
+// Replaces a symbolic link by its target, which need not exist: std::filesystem::canonical would fail then.
 Status follow_links(std::filesystem::path& path) {
   const std::filesystem::path asked = path;
   std::error_code error;
@@ -37,7 +36,7 @@ Status follow_links(std::filesystem::path& path) {
     if (depth == 40) return failure(asked, "the symbolic link cannot be followed", ELOOP);
     const std::filesystem::path next = std::filesystem::read_symlink(path, error);
     if (error) return failure(asked, "the symbolic link cannot be followed", error.value());
-    path = path.parent_path() / next;  // an absolute `next` replaces the whole
+    path = path.parent_path() / next;  // an absolute `next` replaces the whole path
   }
   return {};
 }
@@ -95,7 +94,7 @@ const std::filesystem::path& Root::folder() const {
 
 bool Root::contains(const std::filesystem::path& path) const { return !limited() || below(path); }
 
-// The path from the folder on; nothing for the folder itself.
+// Returns the path relative to the folder; nothing for the folder itself.
 std::optional<std::filesystem::path> Root::below(const std::filesystem::path& path) const {
   const std::filesystem::path inner = plain(path);
   for (const std::filesystem::path& outer : held_->names) {
@@ -112,8 +111,8 @@ Status Root::link_refused(const std::filesystem::path& path) const {
   return {Code::refused, path.string() + ": is a symbolic link; this run writes only below " + folder().string()};
 }
 
-// Each folder is opened below the one before it, and never through a link. `make`: missing ones are made with
-// that mode.
+// Opens each folder relative to the previous one, and never through a link. `make`: creates missing ones with that
+// mode.
 Result<Descriptor> Root::walk(const std::filesystem::path& relative, std::optional<unsigned> make) const {
   std::filesystem::path now = held_->given;
   Descriptor folder(::openat(held_->opened.get(), ".", kOpenFolder));

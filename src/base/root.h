@@ -1,6 +1,5 @@
-// Where a run may write: anywhere, or only below one folder. A limited run opens every folder on the way by
-// descriptor and follows no link, so a prepared link, wherever it points, leads to an error instead of out of
-// the folder.
+// The limit of where a run may write: anywhere, or only below one folder. A limited run opens every folder on the path
+// by descriptor and follows no link, so a prepared link gives an error and never leads out of the folder.
 #pragma once
 
 #include <filesystem>
@@ -28,8 +27,8 @@ class Descriptor {
   int fd_ = -1;
 };
 
-// A file by its open folder and its name there, which need not exist. `name` has no slash; it is "." for a
-// folder itself.
+// A file as its open folder and its name there, which need not exist. `name` has no slash; it is "." for a folder
+// itself.
 struct Place {
   Descriptor folder;
   std::string name;
@@ -38,25 +37,25 @@ struct Place {
 // Copies share the folder's descriptor.
 class Root {
  public:
-  // No limit: paths mean what they mean to the system, and links are followed.
+  // No limit: paths have their usual meaning, and links are followed.
   Root() = default;
 
-  // The limit `folder`, which is made when it is missing. Without a limit until now its path may hold links;
-  // with one it must lie below and hold none. Code::io when it cannot be made, opened or written to.
+  // Returns a root limited to `folder`, which is created if missing. If there is no limit yet, its path may contain
+  // links; otherwise it must lie below the present limit and contain none. Code::io if it cannot be created, opened or
+  // written.
   Result<Root> open(const std::filesystem::path& folder) const;
 
   bool limited() const { return held_ != nullptr; }
   const std::filesystem::path& folder() const;  // as given to open(); empty without a limit
-  // Whether the text of the path, with ".." resolved, names the folder or something below it. True without a
-  // limit.
+  // True if the text of the path, with ".." resolved, is the folder or below it. True without a limit.
   bool contains(const std::filesystem::path& path) const;
 
-  // Opens the folder that a path lies in. Code::refused outside the limit or where a folder on the way is a
-  // symbolic link; Code::io otherwise.
+  // Opens the folder of a path. Code::refused outside the limit or if a folder on the path is a symbolic link; Code::io
+  // otherwise.
   Result<Place> locate(const std::filesystem::path& path) const;
-  // Makes a folder and those above it, with `mode` less the process's mask. Errors as of locate().
+  // Creates a folder and its parents, with `mode` less the process's mask. Errors as locate().
   Status make_folders(const std::filesystem::path& folder, unsigned mode = 0777) const;
-  // "PATH: is a symbolic link; this run writes only below FOLDER".
+  // Returns "PATH: is a symbolic link; this run writes only below FOLDER".
   Status link_refused(const std::filesystem::path& path) const;
 
  private:

@@ -1,4 +1,4 @@
-// What a function that can fail for the user's sake returns: a code and one line of text. Nothing throws.
+// The result of a function that can fail because of user input or files: a code and one line of text. Nothing throws.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,19 @@
 
 namespace coaster::base {
 
-// The numbers are the program's exit codes (docs/script.md), but for `refused`.
+// The numbers are the program's exit codes (docs/script.md), except for `refused`.
 enum class Code {
   ok = 0,
-  expectation = 1,  // an expectation of a script failed
+  expectation = 1,  // a script's expectation failed
   usage = 2,        // command line or script
-  bad_file = 3,     // a track that cannot be read
+  bad_file = 3,     // an unreadable track
   graphics = 4,     // no display, or OpenGL below 3.3
-  io = 5,           // the operating system refused to read or write
+  io = 5,           // the operating system could not read or write
   timeout = 6,
-  refused = 7,  // a command that would break a limit or names what is not there; exit code 2
+  refused = 7,  // a command that exceeds a limit or names a missing entity; exit code 2
 };
 
-// One line that says what, where and what was expected; empty when ok.
+// One line with what is wrong, where, and what was expected; empty if ok.
 struct Status {
   Code code = Code::ok;
   std::string message;
@@ -31,10 +31,10 @@ struct Status {
   friend bool operator==(const Status&, const Status&) = default;
 };
 
-// The exit code of the program for a code: `refused` counts as `usage`.
+// Returns the program's exit code for a code: `refused` counts as `usage`.
 inline int exit_code(Code code) { return code == Code::refused ? 2 : static_cast<int>(code); }
 
-// A value, or the Status that says why there is none.
+// A value, or the Status with the reason why there is none.
 template <class T>
 class Result {
  public:

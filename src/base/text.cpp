@@ -9,7 +9,7 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-// Reads a quoted word whose opening quote is at `i`; leaves `i` behind the closing one.
+// Reads a quoted word whose opening quote is at `i`; moves `i` past the closing one.
 bool read_quoted(std::string_view line, std::size_t& i, Token& token, TextError& error) {
   const std::size_t start = i++;
   token.quoted = true;

@@ -1,4 +1,4 @@
-// Text scanning and printing shared by scripts, commands and files: tokens with places, exact numbers, suggestions.
+// Scanning and printing of text for scripts, commands and files: tokens with positions, exact numbers, suggestions.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@
 
 namespace coaster::base {
 
-// One word of a line. `column` counts bytes from 1; `quoted` words had "..." around them (escapes \" \\ \n undone).
+// One word of a line. `column` counts bytes from 1; `quoted` words had "..." around them (escapes \" \\ \n are
+// resolved).
 struct Token {
   std::string text;
   int column = 1;
@@ -20,37 +21,37 @@ struct Token {
   friend bool operator==(const Token&, const Token&) = default;
 };
 
-// A line that could not be cut into tokens, and where.
+// The error in a line that cannot be tokenised, and its column.
 struct TextError {
   int column = 1;
   std::string message;
 };
 
-// Splits a line at blanks; `#` outside quotes starts a comment. On an unclosed quote or a control character
-// returns false and fills `error`.
+// Splits a line at blanks; `#` outside quotes starts a comment. On an unclosed quote or a control character returns
+// false and fills `error`.
 bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& error);
 
-// Puts quotes and escapes around a text so that tokenise gives it back.
+// Returns the text in quotes with escapes, so that tokenise reads it back.
 std::string quoted(std::string_view text);
-// The same for messages, where 40 bytes are enough to know a text by: what follows them is "...".
+// The same for messages: truncates to 40 bytes, followed by "...".
 std::string quoted_start(std::string_view text);
 
-// The whole text as a finite number ("1e39" as float is refused, so are nan and inf, blanks and a leading '+').
+// Parses the whole text as a finite number (rejects "1e39" as float, nan and inf, blanks and a leading '+').
 std::optional<double> parse_double(std::string_view text);
 std::optional<float> parse_float(std::string_view text);
 std::optional<std::int64_t> parse_int(std::string_view text);
 
-// The shortest text that parses back to the same number.
+// Returns the shortest text that parses back to the same number.
 std::string to_text(float value);
 std::string to_text(double value);
 
-// The candidate nearest to `word` by edit distance, if it is near enough to be a likely slip; ties go to the first.
+// Returns the candidate nearest to `word` by edit distance, if it is close enough to be a typo; ties go to the first.
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates);
 
-// "did you mean ..." with a leading blank, or "" when nothing is near.
+// Returns "did you mean ..." with a leading blank, or "" if nothing is close.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
-// "FILE:LINE:COLUMN: error: MESSAGE".
+// Returns "FILE:LINE:COLUMN: error: MESSAGE".
 std::string at_place(std::string_view file, int line, int column, std::string_view message);
 
 }  // namespace coaster::base

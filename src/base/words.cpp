@@ -1,4 +1,4 @@
-// Walking the words of a line.
+// Reads the words of a line.
 #include "base/words.h"
 
 #include <algorithm>

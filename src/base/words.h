@@ -1,4 +1,4 @@
-// Walks the words of one line for a grammar (scripts, conditions); the first failure is kept with its place.
+// Reads the words of one line for a grammar (scripts, conditions); keeps the first failure with its column.
 #pragma once
 
 #include <optional>
@@ -20,19 +20,19 @@ class Words {
   bool at_end() const { return next_ >= words_.size(); }
   const Token* peek() const { return at_end() ? nullptr : &words_[next_]; }
   std::span<const Token> rest() const { return words_.subspan(next_); }
-  // True, and one word further, when the next word is this one, unquoted.
+  // Skips the next word and returns true if it is this one, unquoted.
   bool accept(std::string_view word);
-  // The next word; fails at the end of the line with "expected WHAT".
+  // Takes the next word; fails at the end of the line with "expected WHAT".
   const Token* take(std::string_view what);
   std::optional<double> number(std::string_view what);
-  // A whole number in [low, high].
+  // Takes a whole number in [low, high].
   std::optional<std::int64_t> whole(std::string_view what, std::int64_t low, std::int64_t high);
   std::optional<glm::vec3> vector(std::string_view what);
-  // "on" or "off" (true, yes, 1; false, no, 0).
+  // Takes "on" or "off" (true, yes, 1; false, no, 0).
   std::optional<bool> on_off();
-  // One of the names, with a suggestion when it is none of them.
+  // Takes one of the names; fails with a suggestion for other words.
   std::optional<std::size_t> one_of(std::string_view what, std::span<const std::string> names);
-  // True when the line ends here.
+  // Returns true at the end of the line.
   bool end();
   bool fail(int column, std::string message);
   bool failed() const { return failed_; }
@@ -45,9 +45,9 @@ class Words {
   bool failed_ = false;
 };
 
-// "on", "true", "yes" and their opposites; nothing for other words.
+// Parses "on", "true", "yes" and their opposites; nothing for other words.
 std::optional<bool> parse_switch(std::string_view word);
-// "WIDTHxHEIGHT" in 1..16384.
+// Parses "WIDTHxHEIGHT" in 1..16384.
 bool parse_size(std::string_view text, int& width, int& height);
 std::string lower(std::string_view text);
 
