@@ -1,14 +1,16 @@
-# coaster_embed(TARGET SYMBOL FILE): the bytes of a file in the program. Adds to TARGET a generated source with
+# coaster_embed(TARGET SYMBOL FILE): embeds the bytes of a file in the program. Adds to TARGET a generated source with
 #   namespace coaster::embedded { extern const unsigned char SYMBOL[]; extern const std::size_t SYMBOL_size; }
-# where SYMBOL_size is the file's size in bytes and SYMBOL[SYMBOL_size] is a zero, so that text can be read as a C string. Whoever uses it
-# declares these two lines. Generated at build by this same file run as a script, again only when the input changes; a 600 KB
-# font takes about a second.
+# SYMBOL_size is the file's size in bytes; SYMBOL[SYMBOL_size] is a zero, so that text can be read as a C string. The
+# user
+# declares these two lines. The build runs this file as a script to generate the source, only when the input changes; a
+# 600 KB font takes about a second.
 if(CMAKE_SCRIPT_MODE_FILE)
   file(READ ${input} hex HEX)
   string(LENGTH "${hex}" digits)
   math(EXPR size "${digits} / 2")
   string(REGEX REPLACE "(..)" "0x\\1," bytes "${hex}")
-  # Lines of 32 bytes: compilers and editors dislike one line of megabytes. Expressions have no counts, so the pattern is spelt out.
+  # Lines of 32 bytes, because compilers and editors are slow with one long line. CMake's regular expressions have no
+  # repeat counts, so the pattern is written out.
   string(REPEAT "0x..," 32 line)
   string(REGEX REPLACE "(${line})" "\\1\n" bytes "${bytes}")
   file(WRITE ${output} "#include <cstddef>

@@ -1,10 +1,10 @@
-# What is installed where: cmake --install build/release --prefix X; and the packages that CPack makes of it (tools/package).
+# Installation: cmake --install build/release --prefix X; and the packages that CPack builds from it (tools/package).
 include(GNUInstallDirs)
-set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # cpack packs what is built; tools/package builds first
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # cpack packs an existing build; tools/package builds first
 set(COASTER_ID org.coaster_builder.coaster CACHE STRING "Name of launcher, icon and AppStream entry")
 set(COASTER_GENERATED ${CMAKE_BINARY_DIR}/generated)
 
-# Beside the program the archive has libraries of its own (cmake/package.cmake).
+# The archive has its own libraries beside the program (cmake/package.cmake).
 set_target_properties(coaster PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/coaster")
 install(TARGETS coaster RUNTIME_DEPENDENCY_SET coaster_libraries RUNTIME)
 install(RUNTIME_DEPENDENCY_SET coaster_libraries PRE_EXCLUDE_REGEXES "ld-linux|lib(c|m|dl|rt|pthread|gcc_s|stdc\\+\\+|asound|X[^.]*|xcb[^.]*|GL[^.]*)[.]so" LIBRARY DESTINATION lib/coaster COMPONENT libraries EXCLUDE_FROM_ALL)
@@ -16,7 +16,7 @@ endforeach()
 install(FILES README.md CHANGELOG.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.coaster" PATTERN "*.png" PATTERN "*.svg")
 
-# The manual page and the completion are printed by the program itself, from the table that parses its options.
+# The program prints the manual page and the completion, from the table that parses its options.
 add_custom_command(
   OUTPUT ${COASTER_GENERATED}/coaster.6 ${COASTER_GENERATED}/coaster.bash
   COMMAND coaster --help-man > ${COASTER_GENERATED}/coaster.6
@@ -26,7 +26,7 @@ add_custom_target(coaster_manual ALL DEPENDS ${COASTER_GENERATED}/coaster.6 ${CO
 install(FILES ${COASTER_GENERATED}/coaster.6 DESTINATION ${CMAKE_INSTALL_MANDIR}/man6)
 install(FILES ${COASTER_GENERATED}/coaster.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME coaster)
 
-# The desktop: a launcher, an icon, an entry for software centres.
+# Desktop integration: a launcher, an icon, an AppStream entry.
 configure_file(packaging/coaster.desktop.in ${COASTER_GENERATED}/${COASTER_ID}.desktop @ONLY)
 configure_file(packaging/coaster.metainfo.xml.in ${COASTER_GENERATED}/${COASTER_ID}.metainfo.xml @ONLY)
 install(FILES ${COASTER_GENERATED}/${COASTER_ID}.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
@@ -45,8 +45,8 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGE_FILE_NAME coaster-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR})
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION games)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)       # libraries that the program is linked with
-set(CPACK_DEBIAN_PACKAGE_DEPENDS libgl1)     # and those that it loads: OpenGL by GLFW,
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # linked libraries
+set(CPACK_DEBIAN_PACKAGE_DEPENDS libgl1)  # and loaded ones: OpenGL, by GLFW,
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libosmesa6, libgl1-mesa-dri")  # OSMesa for --headless
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, zenity")                 # movie files, the desktop's file dialog
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_SOURCE_DIR}/cmake/package.cmake)

@@ -1,12 +1,13 @@
-# Options of the vector kernels (src/curve/kernels_*.cpp) alone: optimised in every build type, so that tests and debug builds stay quick, and
-# on x86-64 a second copy with AVX2 and FMA, chosen at run time. The rest of the program keeps the baseline's instructions.
-# Vertices are for the display alone, so their kernels may fuse multiplications with additions; those of frames must not.
-set(kernel_options $<IF:$<BOOL:${COASTER_SANITIZE}>,-O1,-O3>)  # sanitized, -O3 takes minutes to compile
+# Options of the vector kernels (src/curve/kernels_*.cpp): optimised in every build type, so that tests and debug builds
+# stay fast, and on x86-64 a second copy with AVX2 and FMA, chosen at run time. The rest of the program uses the
+# baseline's instructions. Vertices are only displayed, so their kernels may use fused multiply-add; those of frames
+# must not.
+set(kernel_options $<IF:$<BOOL:${COASTER_SANITIZE}>,-O1,-O3>)  # with sanitizers -O3 takes minutes to compile
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  list(APPEND kernel_options -ftree-slp-vectorize)  # for the display, or without roundings to float and back
+  list(APPEND kernel_options -ftree-slp-vectorize)  # only displayed values, or no roundings to float and back
 endif()
 set_source_files_properties(src/curve/kernels_baseline.cpp src/curve/kernels_frames_baseline.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)
-set_source_files_properties(src/sim/ride/lap_table.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)  # its loops run on several trains at once
+set_source_files_properties(src/sim/ride/lap_table.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)  # its loops process several trains at once
 set_source_files_properties(src/view/sighted_curve.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)  # products of short polynomials
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$" AND NOT EMSCRIPTEN)
   set_source_files_properties(src/curve/kernels_avx2.cpp PROPERTIES

@@ -1,25 +1,27 @@
-# Compiler options that every target shares.
+# Compiler options of all targets.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# -O3 gains nothing outside the kernels, which ask for it (cmake/kernels.cmake), and takes a third longer to compile.
+# -O3 gains nothing outside the kernels, which set it themselves (cmake/kernels.cmake), and takes a third longer to
+# compile.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 
-# The same numbers from every compiler and optimisation level: no fused multiply-add that the source does not ask for. sqrt need not
-# set errno, which nothing reads.
+# The same numbers from every compiler and optimisation level: no fused multiply-add unless the source asks for it. sqrt
+# need not set errno, which nothing reads.
 add_compile_options(-ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-fpch-preprocess)  # lets ccache see through precompiled headers
-  # gcc 12 leaves out the rounding in double(float(x)) where it vectorises straight-line code (seen at -O2, not at -O0, nor with clang): documents
-  # would differ between builds.
+  # gcc 12 omits the rounding in double(float(x)) where it vectorises straight-line code (seen at -O2, not at -O0, nor
+  # with clang): documents would differ between builds.
   add_compile_options(-fno-tree-slp-vectorize)
-  # Wrong about moved variants (gcc bug 105562) and about std::string + (gcc bugs 105329, 105651).
+  # False positives about moved variants (gcc bug 105562) and about std::string + (gcc bugs 105329, 105651).
   add_compile_options(-Wno-maybe-uninitialized -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
 endif()
 add_compile_definitions(GLM_FORCE_XYZW_ONLY)
-# Unoptimised code would call functions for every component of a vector: inlined even there, it runs in 3/5 of the time and compiles as fast.
+# Unoptimised code would call functions for every component of a vector. Inlined, it runs in 3/5 of the time and
+# compiles as fast.
 add_compile_definitions($<$<CONFIG:Debug>:GLM_FORCE_INLINE>)
 
 if(COASTER_SANITIZE)

@@ -1,9 +1,9 @@
-# Run by CPack between installing into a staging folder and packing that: what only packages have.
+# Run by CPack between installing into a staging folder and packing it: files that only packages have.
 # In: CPACK_TEMPORARY_INSTALL_DIRECTORY, CPACK_GENERATOR.
 file(GLOB_RECURSE staged LIST_DIRECTORIES true ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*)
 
 if(CPACK_GENERATOR STREQUAL "DEB")
-  # By Debian's policy: manual pages and changelogs are compressed, and no path for libraries of one's own is in the program.
+  # By Debian policy manual pages and changelogs are compressed, and the program has no library path of its own.
   find_program(GZIP gzip REQUIRED)
   foreach(path ${staged})
     if(path MATCHES "/man/man6/coaster\\.6$")
@@ -18,7 +18,7 @@ if(CPACK_GENERATOR STREQUAL "DEB")
     endif()
   endforeach()
 else()
-  # The licences of the libraries that come along, from the packages that they are taken from.
+  # The licences of the included libraries, from their packages.
   find_program(DPKG dpkg)
   foreach(path ${staged})
     if(NOT DPKG OR NOT path MATCHES "/lib/coaster/(lib[^/]+)$")

@@ -1,7 +1,7 @@
 # coaster_room(NAME [USES room ...] [LINK library ...])
 # One static library coaster_NAME from the .cpp files in and below src/NAME. Rooms include each other's headers as "room/file.h"; which room may
 # include which is checked by tools/check_layers.
-# Headers of the standard library and GLM, parsed once for all rooms: a third of the time that a file takes to compile. Sources include what
+# Precompiled headers of the standard library and GLM for all rooms: they save a third of a file's compile time. Sources include what
 # they need all the same; clang-tidy (tools/lint) reads them without.
 option(COASTER_PRECOMPILE "Precompile the standard headers" ON)
 function(coaster_precompile target)
@@ -19,7 +19,8 @@ function(coaster_precompile target)
   target_precompile_headers(${target} REUSE_FROM coaster_headers)
 endfunction()
 
-# Compiles up to `most` sources of a target as one where whole suites are built. So a name in an unnamed namespace is the only one in its room.
+# Compiles up to `most` sources of a target as one in builds of the whole suite. So names in unnamed namespaces must be
+# unique in their room.
 function(coaster_unity target most)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${most})
 endfunction()
@@ -45,6 +46,6 @@ function(coaster_room name)
   coaster_precompile(coaster_${name})
   if(COASTER_UNITY STREQUAL "all")
     coaster_unity(coaster_${name} 24)
-    target_compile_options(coaster_${name} PRIVATE -Wno-shadow)  # a local may have the name of another file's constant
+    target_compile_options(coaster_${name} PRIVATE -Wno-shadow)  # a local may have the name of a constant in another file
   endif()
 endfunction()

@@ -1,4 +1,5 @@
-# The date of this version: that of its entry in CHANGELOG.md, "## 0.1.0 - 2026-11-21". Sets COASTER_VERSION_DATE; a version without an entry is an error.
+# Sets COASTER_VERSION_DATE to the date of the version's entry in CHANGELOG.md, "## 0.1.0 - 2026-11-21". A version
+# without an entry is an error.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/CHANGELOG.md)
 file(STRINGS ${CMAKE_CURRENT_SOURCE_DIR}/CHANGELOG.md coaster_entry REGEX "^## ${PROJECT_VERSION} - [0-9]+-[0-9]+-[0-9]+$" LIMIT_COUNT 1)
 if(NOT coaster_entry)

@@ -1,4 +1,4 @@
-# Each tests/scripts/*.coaster is a test of its own: it runs headless and must end with exit code 0.
+# Each tests/scripts/*.coaster is a test: it runs headless and must end with exit code 0.
 file(GLOB scripts CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/scripts/*.coaster)
 function(coaster_script_test name)
   add_test(NAME script.${name} COMMAND ${ARGN} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
@@ -9,7 +9,7 @@ foreach(script ${scripts})
   coaster_script_test(${name} $<TARGET_FILE:coaster> --headless --script ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/out/${name})
 endforeach()
 
-# Each challenge fails on its start track (--validate) and is passed by its solution.
+# Each challenge must fail on its start track (--validate) and pass with its solution.
 file(GLOB challenges CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/challenges/*.json)
 foreach(challenge ${challenges})
   cmake_path(GET challenge STEM name)
@@ -21,14 +21,14 @@ endforeach()
 # The circuit of docs/play.md.
 coaster_script_test(play $<TARGET_FILE:coaster> --headless --script ${CMAKE_SOURCE_DIR}/docs/play.coaster --out ${CMAKE_CURRENT_BINARY_DIR}/out/play)
 
-# What the tutorial asks of a player can be done: its lessons do it themselves where nobody plays.
+# The tutorial's steps must work: without a player its lessons run their own lines.
 file(GLOB tutorials CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tutorials/*.coaster)
 foreach(script ${tutorials})
   cmake_path(GET script STEM name)
   coaster_script_test(tutorial_${name} $<TARGET_FILE:coaster> --headless --script ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/out/tutorial_${name})
 endforeach()
 
-# The command line: exit codes, recordings that replay to the same hashes, files checked without running.
+# The command line: exit codes, recordings that replay to the same hashes, files validated without running.
 file(GLOB checks CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/*_check.sh)
 foreach(check ${checks})
   cmake_path(GET check STEM name)
