@@ -13,7 +13,7 @@ foreach(data tracks envelopes challenges tutorials)
     install(DIRECTORY ${data} DESTINATION ${CMAKE_INSTALL_DATADIR}/coaster)
   endif()
 endforeach()
-install(FILES README.md CHANGELOG.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.coaster" PATTERN "*.png" PATTERN "*.svg")
 
 # The program prints the manual page and the completion, from the table that parses its options.

@@ -154,7 +154,7 @@ bool check_cut(Reader& r, const std::array<std::string_view, kColumns.size()>& c
       r.first_decimals = std::min(r.first_decimals, decimals(cells[i]));
   }
   if (r.lines.ended() || r.first_decimals != 6 || decimals(cells.back()) >= 6) return true;
-  return r.fail("a last number with 6 decimals", base::quoted_start(cells.back()) + ": the file is cut off");
+  return r.fail("a last number with 6 decimals", base::quoted_start(cells.back()) + ": the file is truncated");
 }
 
 bool read_row(Reader& r, std::string_view line) {
@@ -174,7 +174,7 @@ bool read_row(Reader& r, std::string_view line) {
   ++r.data_rows;
   if (!r.rows.empty() && glm::distance(r.rows.back().position, row.position) <= kSamePlace) {
     if (r.warnings.size() < 20)
-      r.warnings.push_back(r.place() + ": warning: the row is where the one before it is; left out");
+      r.warnings.push_back(r.place() + ": warning: the row repeats the previous position; left out");
     return true;
   }
   r.rows.push_back(row);
@@ -186,7 +186,7 @@ bool read_rows(Reader& r) {
   std::string_view line;
   while (!r.lines.only_blanks_left() && r.lines.next(line))
     if (!read_row(r, line)) return false;
-  if (r.rows.size() < 2) return r.fail("at least 2 rows at different places", std::to_string(r.rows.size()));
+  if (r.rows.size() < 2) return r.fail("at least 2 rows at different positions", std::to_string(r.rows.size()));
   return true;
 }
 

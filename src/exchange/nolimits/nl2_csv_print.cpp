@@ -43,7 +43,7 @@ base::Status check_nl2_csv(const world::Document& document, double spacing) {
 }
 
 std::string print_nl2_csv(const world::Document& document, double spacing) {
-  COASTER_CHECK(spacing > 0 && check_nl2_csv(document, spacing).ok(), "callers check what can be written");
+  COASTER_CHECK(spacing > 0 && check_nl2_csv(document, spacing).ok(), "callers check the track first");
   const sim::Derived derived = shapes_of(document);
   std::string out;
   for (const std::string_view column : kNl2Columns) out += fmt::format("{}{}\"", out.empty() ? "\"" : "\t\"", column);

@@ -146,7 +146,7 @@ base::Result<LoadedTrack> parse_nl2elem(std::string_view text, std::string_view 
   else if (read_file(r, text, file, loaded.warnings)) {
     const ElementTrack track = track_of(file);
     if (track.pathless) {
-      r.fail(file.lines[*track.pathless], "neighbouring vertices that lead on", "none at this one");
+      r.fail(file.lines[*track.pathless], "a direction from vertex to vertex", "none at this one");
     } else {
       loaded.document = track.document;
       loaded.import = track.report;

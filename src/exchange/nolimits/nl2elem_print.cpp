@@ -92,7 +92,7 @@ base::Status check_nl2elem(const world::Document& document) {
 }
 
 std::string print_nl2elem(const world::Document& document) {
-  COASTER_CHECK(check_nl2elem(document).ok(), "callers check what can be written");
+  COASTER_CHECK(check_nl2elem(document).ok(), "callers check the track first");
   world::Settings settings;
   settings.steps = 1;
   sim::Derived derived;

@@ -140,11 +140,11 @@ base::Status set_turns(std::string_view name, world::Document& document, std::si
 std::vector<std::string> warnings_of(const Changes& changes) {
   std::vector<std::string> warnings;
   if (changes.lengthened > 0)
-    warnings.push_back(fmt::format("{} handles shorter than {} m were made that long", changes.lengthened,
+    warnings.push_back(fmt::format("{} handles shorter than {} m were lengthened to it", changes.lengthened,
                                    base::to_text(world::kMinHandle)));
   if (changes.straightened > 0)
     warnings.push_back(
-        fmt::format("{} knots had handles that are not on one line, by up to {} degrees; they were turned onto one",
+        fmt::format("{} knots had handles that were not collinear, by up to {} degrees; they were straightened",
                     changes.straightened, base::to_text(static_cast<float>(base::degrees(changes.largest_turn)))));
   return warnings;
 }

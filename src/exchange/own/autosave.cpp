@@ -74,7 +74,7 @@ std::string print_autosave_info(const AutosaveInfo& info) {
 
 base::Status Autosave::write(base::Files& files, const std::filesystem::path& folder, const world::Document& document,
                              const std::string& original, std::int64_t time) {
-  if (folder.empty()) return {base::Code::io, "there is no folder for autosaves: HOME is not set"};
+  if (folder.empty()) return {base::Code::io, "no folder for autosaves: HOME is not set"};
   if (const base::Status made = files.root().make_folders(folder, 0700); !made) return made;
   if (info_.empty() || info_.parent_path() != folder) {
     remove();

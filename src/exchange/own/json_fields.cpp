@@ -51,7 +51,7 @@ bool Fields::head(std::string_view format, std::int32_t newest) {
   if (found != format) return reject("format", fmt::format("\"{}\"", format));
   if (!whole("version", version, 1, std::numeric_limits<std::int32_t>::max())) return false;
   return version <= newest ||
-         fail("version", fmt::format("version {} is newer than this program reads ({})", version, newest));
+         fail("version", fmt::format("version {} is newer than this program supports ({})", version, newest));
 }
 
 const Json* Fields::member(std::string_view name, std::string_view expected) {

@@ -33,8 +33,7 @@ bool read_entry(const Json& value, std::size_t index, Progress& progress, std::s
   std::int64_t medal = 0;
   if (!fields.text("challenge", entry.challenge) || !fields.whole("medal", medal, 0, kMostMedals)) return false;
   entry.medal = static_cast<int>(medal);
-  if (entry.challenge.empty() || find(progress, entry.challenge))
-    return fields.reject("challenge", "a name that no other entry has");
+  if (entry.challenge.empty() || find(progress, entry.challenge)) return fields.reject("challenge", "a unique name");
   const Json* const best = fields.list("best");
   if (!best) return false;
   if (best->size() > kMaxProgressValues)

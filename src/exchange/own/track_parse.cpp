@@ -51,7 +51,7 @@ bool create(TrackParse& parse, Fields& fields, Kind kind, Entity& e) {
   std::uint32_t number = 0;
   if (!read_id(fields, "id", kind, number)) return false;
   auto& taken = parse.by_number[static_cast<std::size_t>(kind)];
-  if (taken.contains(number)) return fields.fail("id", quoted_id(kind, number) + " is taken already");
+  if (taken.contains(number)) return fields.fail("id", quoted_id(kind, number) + " is already used");
   e = parse.document.entities.create();
   parse.document.entities.put(e, world::Name{kind, number});
   taken.emplace(number, e);
@@ -232,7 +232,7 @@ void shorten(std::vector<std::string>& warnings) {
   if (warnings.size() <= kMost) return;
   const std::size_t left_out = warnings.size() - kMost;
   warnings.resize(kMost);
-  warnings.push_back(fmt::format("and {} more unknown members, kept", left_out));
+  warnings.push_back(fmt::format("and {} more unknown members are kept", left_out));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ template <class Write>
 void for_each_extra(const world::Extra& extra, Write write) {
   if (extra.json.empty()) return;
   const auto tree = read_json(extra.json, "extra");
-  COASTER_CHECK(tree && tree->is_object(), "what is kept is the text of a JSON object");
+  COASTER_CHECK(tree && tree->is_object(), "kept members are the text of a JSON object");
   for (const auto& [key, value] : tree->items()) write(json_string(key), json_line(value));
 }
 

@@ -101,8 +101,8 @@ TEST(nl2_csv, line_ends_marks_blank_lines_and_quotes_make_no_difference) {
 TEST(nl2_csv, errors_name_the_line_what_was_expected_and_what_was_found) {
   const std::string head(kHeader), two = rows(2);
   expect_error("", "t.csv:1: error: expected the header \"No.\" \"PosX\" ..., found an empty file");
-  expect_error(head, "t.csv:1: error: expected at least 2 rows at different places, found 0");
-  expect_error(rows(1), "t.csv:2: error: expected at least 2 rows at different places, found 1");
+  expect_error(head, "t.csv:1: error: expected at least 2 rows at different positions, found 0");
+  expect_error(rows(1), "t.csv:2: error: expected at least 2 rows at different positions, found 1");
   expect_error(replaced(two, "PosY", "PosW"),
                "t.csv:1: error: expected column 3 of the header to be \"PosY\", found \"\\\"PosW\\\"\"");
   expect_error(replaced(two, "\t\"UpZ\"", ""),
@@ -147,9 +147,9 @@ TEST(nl2_csv, rows_at_the_place_of_the_one_before_are_left_out_with_a_warning) {
   const auto loaded = parse_nl2_csv(text, "t.csv");
   ASSERT_TRUE(loaded.ok()) << loaded.status().message;
   ASSERT_EQ(loaded->warnings.size(), 1u);
-  EXPECT_EQ(loaded->warnings[0], "t.csv:3: warning: the row is where the one before it is; left out");
+  EXPECT_EQ(loaded->warnings[0], "t.csv:3: warning: the row repeats the previous position; left out");
   expect_error(std::string(kHeader) + row(1, 1) + row(2, 1),
-               "t.csv:3: error: expected at least 2 rows at different places, found 1");
+               "t.csv:3: error: expected at least 2 rows at different positions, found 1");
 }
 
 TEST(nl2_csv, a_file_that_is_cut_within_a_row_is_refused) {

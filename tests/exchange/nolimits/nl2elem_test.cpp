@@ -200,7 +200,7 @@ TEST(nl2elem, bad_files_are_refused_with_line_and_reason) {
        "x:6: error: expected a number within 1e+05 in <x>"},
       {with(vertex + "<vertex><x>5</x><y>2</y><z>3</z><strict>maybe</strict></vertex>"),
        "expected true or false in <strict>"},
-      {with(vertex + vertex), "expected neighbouring vertices that lead on"},
+      {with(vertex + vertex), "expected a direction from vertex to vertex"},
       {with(vertex + other + "<roll>" + frame + "</roll>"), "x:7: error: expected <coord> in <roll>, found none"},
       {with(vertex + other + "<roll>" + frame + "<coord>1.5</coord></roll>"), "expected a number within 1 in <coord>"},
       {with(vertex + other + "<roll>" + frame + "<coord>-0.5</coord></roll>"), "expected a <coord> from 0 to 1"},

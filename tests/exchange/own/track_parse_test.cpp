@@ -93,7 +93,7 @@ TEST(track_parse, the_head_is_checked) {
   expect_error("[]", "t.json: error: expected an object, found an array of 0");
   expect_error("{}", "format: missing");
   expect_error(with("coaster-track", "other"), "format: expected \"coaster-track\", found \"other\"");
-  expect_error(with("\"version\": 1", "\"version\": 2"), "version 2 is newer than this program reads (1)");
+  expect_error(with("\"version\": 1", "\"version\": 2"), "version 2 is newer than this program supports (1)");
   expect_error(with("\"version\": 1", "\"version\": 0"), "version: expected a whole number");
   expect_error(with("\"version\": 1", "\"version\": 1.5"), "version: expected a whole number");
   expect_error(with("\"closed\": false", "\"closed\": 0"), "closed: expected true or false, found 0");
@@ -131,7 +131,7 @@ TEST(track_parse, knots_are_checked) {
                "knots[0].joint: expected \"smooth\", \"aligned\" or \"automatic\"");
   expect_error(knot_with("\"in\":5,", ""), "knots[0].in: missing");
   expect_error(knot_with("\"in\":5,", "\"in\":5,\"in\":5,"), "knots[0]: member \"in\" appears twice");
-  expect_error(with("\"id\": \"k4\"", "\"id\": \"k2\""), "knots[3].id: \"k2\" is taken already");
+  expect_error(with("\"id\": \"k4\"", "\"id\": \"k2\""), "knots[3].id: \"k2\" is already used");
   EXPECT_EQ(error_of(knot_with("\"in\":5,\"out\":5", "\"in\":0.01,\"out\":0.01")), "");
   EXPECT_EQ(error_of(knot_with("\"in\":5,\"out\":5", "\"in\":10000,\"out\":10000")), "");
 }
@@ -145,7 +145,7 @@ TEST(track_parse, segments_must_follow_the_order_of_the_knots) {
   expect_error(with("\"turns\": -1", "\"turns\": 17"),
                "segments[2].turns: expected a whole number from -16 to 16, found 17");
   expect_error(with("\"turns\": -1", "\"turns\": 0.5"), "segments[2].turns");
-  expect_error(with("\"id\": \"s3\"", "\"id\": \"s1\""), "segments[2].id: \"s1\" is taken already");
+  expect_error(with("\"id\": \"s3\"", "\"id\": \"s1\""), "segments[2].id: \"s1\" is already used");
   std::string closed_alone = one_knot(kGood);
   closed_alone.replace(closed_alone.find("false"), 5, "true");
   expect_error(closed_alone, "closed: a closed track has at least 2 knots");
@@ -157,7 +157,7 @@ TEST(track_parse, carts_are_checked) {
   expect_error(with("\"fraction\": 0.37", "\"fraction\": 1"), "carts[0].fraction");
   expect_error(with("\"fraction\": 0.37", "\"fraction\": -0.1"),
                "carts[0].fraction: expected a number from 0 to 1, found -0.1");
-  expect_error(with("\"id\": \"c2\"", "\"id\": \"c1\""), "carts[1].id: \"c1\" is taken already");
+  expect_error(with("\"id\": \"c2\"", "\"id\": \"c1\""), "carts[1].id: \"c1\" is already used");
 }
 
 TEST(track_parse, unknown_members_are_kept_and_warned_about) {
@@ -178,7 +178,7 @@ TEST(track_parse, warnings_are_few_however_many_members_are_unknown) {
   const auto loaded = parse_track(one_knot(members), "t.json");
   ASSERT_TRUE(loaded);
   EXPECT_EQ(loaded->warnings.size(), 21u);
-  EXPECT_EQ(loaded->warnings.back(), "t.json: warning: and 980 more unknown members, kept");
+  EXPECT_EQ(loaded->warnings.back(), "t.json: warning: and 980 more unknown members are kept");
 }
 
 TEST(track_parse, automatic_joints_are_settled) {
