@@ -232,7 +232,7 @@ TEST(NoLimitsTrack, handles_without_length_and_bent_ones_are_told_of) {
   loaded = parse_nltrack(encode(vertices, true), "x.nltrack");
   ASSERT_TRUE(loaded);
   ASSERT_EQ(loaded->warnings.size(), 1u);
-  EXPECT_NE(loaded->warnings[0].find("1 knots had handles that are not on one line"), std::string::npos);
+  EXPECT_NE(loaded->warnings[0].find("1 knots had handles that were not collinear"), std::string::npos);
   std::swap(vertices[1].in, vertices[2].in);
   refused(encode(vertices, true), std::to_string(kFirst + 60) + ":", "corner");
   vertices = ring();
