@@ -1,5 +1,5 @@
-// Time a segment of every arc-length method to a relative error of 1e-3, 1e-6, 1e-9 and 1e-12, on track-like cubics and
-// on harder ones, in turn with adaptive Simpson; with the error that was reached, and whether the tolerance was kept.
+// Time per segment of every arc-length method for relative errors of 1e-3, 1e-6, 1e-9 and 1e-12, on track-like and on
+// harder cubics, interleaved with adaptive Simpson; with the error reached, and whether the tolerance was met.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "../tests/curve/random_cubics.h"  // the sets on which the tests hold the tolerance
+#include "../tests/curve/random_cubics.h"  // the sets for which the tests check the tolerance
 #include "curve/arc_length.h"
 #include "curve/arc_length_study.h"
 #include "paired.h"
@@ -21,8 +21,8 @@ namespace coaster::bench {
 namespace {
 
 constexpr std::size_t kSegments = 1000, kHardSegments = 200;
-// A timed run takes no more evaluations than this (about a millisecond), on fewer segments where each takes many:
-// longer ones would be interrupted on a busy machine.
+// A timed run has at most this many evaluations (about a millisecond), on fewer segments if each needs many: longer
+// runs would be interrupted on a busy machine.
 constexpr double kMostEvaluations = 150'000;
 
 struct Set {
@@ -86,7 +86,8 @@ void time_it(benchmark::State& state, const Set& set, const Measure& measure, do
   state.counters["checksum"] = std::accumulate(lengths.begin(), lengths.end(), 0.0);
 }
 
-// The least count, in steps of about a quarter, with which a counted method meets the tolerance on the whole set.
+// Returns the smallest count, in steps of about a quarter, with which a counted method meets the tolerance on the whole
+// set.
 std::optional<int> least_count(const Set& set, std::string_view name, double tolerance) {
   for (int count = 1; count <= 4096; count += std::max(1, count / 4))
     if (worst_error(set, by_row(name, {count, tolerance})) <= tolerance) return count;
@@ -102,9 +103,9 @@ void add(const Set& set, const std::string& name, const std::string& digits, con
       ->UseManualTime();
 }
 
-// Found when the benchmark runs, since finding it takes longer than running it.
+// Found when the benchmark runs, because the search takes longer than the benchmark.
 void counted(benchmark::State& state, const Set& set, std::string_view name, double tolerance) {
-  static std::vector<std::pair<std::string, std::optional<int>>> known;  // repetitions ask again
+  static std::vector<std::pair<std::string, std::optional<int>>> known;  // for repetitions
   const std::string key = std::string(name) + "/" + std::to_string(tolerance * 1e15);
   auto found = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == key; });
   if (found == known.end()) found = known.insert(known.end(), {key, least_count(set, name, tolerance)});

@@ -1,4 +1,4 @@
-// The curves that the benchmarks share: track-like cubics of about ten metres within 140 m of the origin.
+// The curves of the benchmarks: track-like cubics of about ten metres within 140 m of the origin.
 #pragma once
 
 #include <random>

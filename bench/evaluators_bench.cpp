@@ -1,6 +1,6 @@
-// Time and error of a point of every row of the evaluator table, and of whole tracks by the vector kernels, beside a
-// store of the same bytes. ratio_to_store: time / time of the store (1 is the limit); ratio_to_forward_differences: how
-// many times faster than the scalar loop.
+// Time and error per point of every evaluator, and of whole tracks by the vector kernels, relative to a store of the
+// same bytes. ratio_to_store: time / time of the store (1 is the limit); ratio_to_forward_differences: speed-up over
+// the scalar loop.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -21,14 +21,14 @@ namespace {
 constexpr std::size_t kSegments = 1000, kManySegments = 100'000;
 constexpr int kSteps = 64;
 
-// Aligned as a mapped vertex buffer is.
+// Aligned like a mapped vertex buffer.
 template <class T>
 class Buffer {
  public:
   explicit Buffer(std::size_t count)
       : memory_(static_cast<T*>(std::aligned_alloc(64, (count * sizeof(T) + 63) / 64 * 64)), &std::free),
         items_(memory_.get(), count) {
-    std::memset(static_cast<void*>(memory_.get()), 1, items_.size_bytes());  // so that every page is there
+    std::memset(static_cast<void*>(memory_.get()), 1, items_.size_bytes());  // touches every page
   }
   std::span<T> items() const { return items_; }
 
@@ -54,7 +54,7 @@ void non_temporal_store(void* to, std::size_t bytes) {
 #endif
 }
 
-// Every curve's polyline one after the other, n + 1 vertices each.
+// Writes the polylines of all curves, one after the other, n + 1 vertices each.
 void polylines(const curve::Evaluator& row, std::span<const curve::PreparedCubic> all, int steps,
                std::span<glm::vec3> points, std::span<glm::vec3> tangents) {
   const std::size_t n = static_cast<std::size_t>(steps) + 1;
@@ -89,7 +89,7 @@ void evaluate(benchmark::State& state, const curve::Evaluator& row, bool with_ta
   state.counters["checksum"] = checksum(to.data(), to.size());
 }
 
-// For the plot of time against error: as many vertices for every number of steps.
+// For the plot of time against error: the same number of vertices for every number of steps.
 void accuracy(benchmark::State& state, const curve::Evaluator& row) {
   const int steps = static_cast<int>(state.range(0));
   const auto all = track_cubics(std::max<std::size_t>(1, 65536 / static_cast<std::size_t>(steps)));

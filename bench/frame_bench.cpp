@@ -1,7 +1,7 @@
-// Frames of 5,000 segments at 64 steps, drawn off screen: the processor's work outside OpenGL (panels, commands,
-// derived data, what the cache prepares), for a still frame and for one that drags a knot; and of 1,000 segments at
-// 1280x720 while a train runs, with what is drawn. Beside it a memset of the bytes of all polylines and of those that a
-// drag uploads, so that the ratio holds on other machines.
+// Frames of 5,000 segments at 64 steps, drawn off screen: processor time outside OpenGL (panels, commands, derived
+// data, the cache), for a still frame and for a frame of a knot drag; and of 1,000 segments at 1280x720 while a train
+// runs. Beside them a memset of the bytes of all polylines and of those that a drag uploads, so that the ratio is
+// comparable between machines.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kSegments = 5000, kRiddenSegments = 1000;
 
-// A closed ring with hills, ten metres a segment.
+// Returns a closed ring with hills, ten metres per segment.
 world::Document ring(int segments) {
   world::Document document;
   const double radius = segments * 10 / 6.283185307179586;
@@ -48,7 +48,7 @@ std::unique_ptr<app::Program> open_ring(int segments, platform::Size size) {
   return std::move(*program);
 }
 
-// ms to set `bytes`, the mean of enough repetitions to be measured.
+// Returns the ms to set `bytes`, averaged over enough repetitions.
 double memset_ms(const platform::Surface& clock, std::vector<unsigned char>& bytes) {
   const int times = static_cast<int>(1 + (std::size_t{1} << 24) / bytes.size());
   const double before = clock.clock();
@@ -86,7 +86,7 @@ void frame(benchmark::State& state, bool drag) {
   state.counters["rebuilds"] = program->stats.rebuilds;
 }
 
-// With panels and a running train, looking along the track as by default.
+// With panels and a running train, in the default view.
 void ride_1000(benchmark::State& state) {
   auto program = open_ring(kRiddenSegments, {1280, 720});
   if (!program) return state.SkipWithError("no off-screen OpenGL");

@@ -1,5 +1,5 @@
-// Times a piece of work and what it is compared with in turn, iteration by iteration, so that a ratio is of one moment
-// on one machine.
+// Times a piece of work and its reference alternately, iteration by iteration, so that a ratio compares the same moment
+// on the same machine.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -16,15 +16,14 @@ namespace coaster::bench {
 
 using Work = std::function<void()>;
 
-// A ratio's counter: `of_work` true for time of the work / time of the reference, else the other way round (times
-// faster).
+// The counter of a ratio: `of_work` true for time of the work / time of the reference, else the inverse (speed-up).
 struct Reference {
   std::string counter;
   Work run;
   bool of_work = true;
 };
 
-// The thread's own time: what other programs take of the processor meanwhile does not count.
+// Returns the thread's own CPU time, without that of other programs.
 inline double thread_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -43,8 +42,8 @@ inline double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Runs under Google Benchmark with manual time; `units` things (named by `unit`: "point") are done by one run of the
-// work. The counters are medians over the iterations: `ns_per_UNIT`, and one for each reference.
+// Runs under Google Benchmark with manual time; one run of the work does `units` things (named by `unit`: "point"). The
+// counters are medians over the iterations: `ns_per_UNIT`, and one for each reference.
 inline void paired(benchmark::State& state, const std::string& unit, double units, const Work& work,
                    const std::vector<Reference>& references) {
   std::vector<double> times;
@@ -60,7 +59,7 @@ inline void paired(benchmark::State& state, const std::string& unit, double unit
     }
   }
   if (times.empty()) return;
-  work();  // a reference may have written over the result that is summed up next
+  work();  // a reference may have overwritten the result that is summed up next
   state.counters["ns_per_" + unit] = median(times) * 1e9 / units;
   for (std::size_t i = 0; i < references.size(); ++i) state.counters[references[i].counter] = median(ratios[i]);
 }

@@ -1,6 +1,6 @@
-// What a user would otherwise call for the same work: positions of 1000 cubics at 64 parameters each, by other
-// libraries in their own natural form. Each is measured beside track_points(); ratio_to_peer: how many times as long
-// the library takes. Built for those installed.
+// Other libraries for the same work: positions of 1000 cubics at 64 parameters each, by each library's usual calls.
+// Each is measured beside track_points(); ratio_to_peer: the library's time relative to it. Built for the installed
+// libraries.
 #include "bench_tracks.h"
 #include "curve/kernels.h"
 #include "paired.h"
@@ -27,9 +27,9 @@ namespace {
 
 constexpr std::size_t kSegments = 1000;
 constexpr int kSteps = 64;
-constexpr int kOurRuns = 32;  // one takes microseconds, and the first finds the caches full of the other library's
+constexpr int kOurRuns = 32;  // one takes microseconds, and the first runs with cold caches
 
-// `evaluate(segment, t, out)` writes the position of one curve: three floats, or two for a library of the plane.
+// `evaluate(segment, t, out)` writes the position of one curve: three floats, or two for a 2-D library.
 template <class Evaluate>
 void beside_ours(benchmark::State& state, const Evaluate& evaluate) {
   const auto all = track_cubics(kSegments);
@@ -45,7 +45,7 @@ void beside_ours(benchmark::State& state, const Evaluate& evaluate) {
              for (int i = 0; i < kOurRuns; ++i) curve::track_points(all, kSteps, curve::TrackLayout::chain, ours);
            }}});
   state.counters["ratio_to_peer"].value *= kOurRuns;
-  double worst = 0;  // both did the same work
+  double worst = 0;  // both results agree
   for (std::size_t i = 0; i < theirs.size(); ++i)
     worst = std::max(worst, static_cast<double>(glm::length(glm::vec2(theirs[i] - ours[i]))));
   state.counters["difference_m"] = worst;

@@ -1,7 +1,7 @@
-// Picking on tracks of 1,000 to 100,000 segments that cross themselves on screen everywhere: by the hierarchy, by
-// looking at every segment, and beside Embree's flat curves; and what a drag costs the hierarchy. Views are 60 to 140 m
-// off, 1280x720; half the pixels are aimed at places of the track (picked with 8 px of reach, among all that the line
-// of sight passes), half are anywhere in the picture.
+// Picking on tracks of 1,000 to 100,000 segments that cross themselves all over the screen: by the hierarchy, by
+// testing every segment, and beside Embree's flat curves; and the cost of a drag for the hierarchy. Views from 60 to
+// 140 m, 1280x720; half the pixels are aimed at the track (with a reach of 8 px, among everything along the line of
+// sight), half are anywhere in the picture.
 #include <cmath>
 #include <random>
 
@@ -19,10 +19,11 @@ namespace {
 
 constexpr view::Viewport kViewport{0, 0, 1280, 720};
 constexpr float kReach = 8;      // px
-constexpr float kThick = 0.92f;  // m, what the reach is at 100 m
+constexpr float kThick = 0.92f;  // m, the reach at 100 m
 constexpr std::size_t kPicks = 512;
 
-// A Lissajous figure of segments of about ten metres over a square, strands about ten metres apart, hills of 60 m.
+// Returns a Lissajous figure of segments of about ten metres over a square, strands about ten metres apart, hills of 60
+// m.
 sim::Derived tangle(int segments) {
   const double half = 5 * std::sqrt(static_cast<double>(segments)),
                turns = std::floor(segments * 10 / (5.6 * half * 1.4));
@@ -71,12 +72,12 @@ std::vector<Aim> aims(const sim::Derived& derived) {
   return all;
 }
 
-// The picks are timed as frames make them, after each other; looking at all segments empties the caches, so an untimed
-// round goes before.
+// Picks are timed one after the other, as in frames; testing all segments evicts the caches, so an untimed round comes
+// first.
 void pick(benchmark::State& state) {
   const sim::Derived derived = tangle(static_cast<int>(state.range(0)));
   const std::vector<Aim> all = aims(derived);
-  constexpr std::size_t kOfAll = 4;  // so few are looked for among all segments in one iteration
+  constexpr std::size_t kOfAll = 4;  // picks among all segments per iteration
   double sum = 0;
   std::size_t found = 0, next = 0;
   std::vector<double> times, ratios;
@@ -102,7 +103,7 @@ void pick(benchmark::State& state) {
 }
 BENCHMARK(pick)->Name("pick/hierarchy")->Arg(1000)->Arg(10000)->Arg(100000)->UseManualTime();
 
-// One knot dragged: its two segments' boxes and those above them; the reference builds the tree anew.
+// Drags one knot: refits its two segments' boxes and those above them; the reference rebuilds the tree.
 void refit(benchmark::State& state) {
   sim::Derived derived = tangle(static_cast<int>(state.range(0)));
   sim::SegmentTree again;
@@ -161,8 +162,8 @@ RTCRayHit ray_of(const view::Ray& ray) {
   return out;
 }
 
-// Our picks, with Embree's first hit of the same lines of sight in turn: times of ours / Embree's. Its curves have one
-// thickness near and far.
+// Alternates our picks with Embree's first hit of the same rays: our time / Embree's. Its curves have a constant
+// thickness.
 void pick_beside_embree(benchmark::State& state) {
   const sim::Derived derived = tangle(static_cast<int>(state.range(0)));
   const std::vector<Aim> all = aims(derived);

@@ -1,5 +1,5 @@
-// The ride: the ghost as it runs while a knot is dragged (2,000 m in 100 segments, 8 cars), and 10,000 carts on a
-// precomputed table of one lap beside a walk over the same bytes.
+// The ride: the ghost during a drag (2,000 m in 100 segments, 8 cars), and 10,000 carts on a precomputed table of one
+// lap beside a walk over the same bytes.
 #include <cmath>
 #include <random>
 
@@ -10,8 +10,8 @@
 namespace coaster::bench {
 namespace {
 
-// A closed ring of `segments` segments and `length` metres (within 2 %), with six hills of 8 m up and down and a train
-// that comes round.
+// Returns a closed ring of `segments` segments and `length` metres (within 2 %), with six hills of 8 m and a train that
+// completes the lap.
 world::Document hilly_ring(int segments, double length, int cars) {
   world::Document document;
   const double turn = 6.283185307179586, radius = 0.985 * length / turn;
@@ -46,8 +46,8 @@ double checksum(const sim::Ghost& ghost) {
   return sum;
 }
 
-// As a drag does it: one knot up and down, what follows of it derived, the tables of its two segments filled, the whole
-// lap simulated. Beside it the same without the tables that last from ride to ride.
+// A frame of a drag: one knot moved, derived data updated, the tables of its two segments filled, the whole lap
+// simulated. Beside it the same without tables kept from ride to ride.
 void drag(benchmark::State& state) {
   Riding riding(8);
   const world::Entity knot = riding.document.track.knots[40];
@@ -73,14 +73,14 @@ void drag(benchmark::State& state) {
   state.counters["ms_per_lap"] = state.counters["ns_per_lap"].value * 1e-6;
   state.counters["length_m"] = riding.derived.length;
   state.counters["lap_s"] = ghost.lap_time;
-  moves = 6;  // back to where the knot was, so that the sum does not depend on the iterations
+  moves = 6;  // back to the knot's position, so that the sum does not depend on the iterations
   lap();
   benchmark::DoNotOptimize(sum);
   state.counters["checksum"] = checksum(riding.ghost());
 }
 
-// How far a cart on the table is, after a minute, from one that Runge-Kutta takes along the exact curve, in mm: the
-// largest on the way.
+// Returns the largest distance in mm, within a minute, between a cart on the table and one moved by Runge-Kutta along
+// the exact curve.
 double drift_mm(Riding& riding, const sim::LapTable& table) {
   world::Motion motion;
   sim::reset(riding.document, riding.derived, motion);
@@ -107,11 +107,11 @@ void carts(benchmark::State& state) {
   sim::LapCarts all;
   for (std::size_t i = 0; i < kCarts; ++i) all.add(sim::lap_cart(table, phase(random)));
   const sim::LapCarts start = all;
-  constexpr int kTicks = 20;  // in one piece of work: the clock has its price
+  constexpr int kTicks = 20;  // per timed run, because reading the clock costs time
   const Work work = [&] {
     for (int tick = 0; tick < kTicks; ++tick) sim::advance(table, all);
   };
-  // Reads and writes all that advance() reads and writes of the carts, and adds.
+  // Reads and writes the same memory as advance(), and adds.
   sim::LapCarts walked = all;
   const Work walk = [&] {
     for (int tick = 0; tick < kTicks; ++tick)

@@ -1,6 +1,5 @@
-// 24 simulated hours of a track, frictionless, at 120 Hz, by one integrator: how far the energy is from where it began,
-// relative to the largest kinetic energy, hour by hour. Arguments: INTEGRATOR HOURS FILE... . A program of its own,
-// since it takes minutes.
+// Energy drift over 24 simulated hours of a track, frictionless, at 120 Hz, by one integrator, relative to the largest
+// kinetic energy, hour by hour. Arguments: INTEGRATOR HOURS FILE... . A separate program, because it takes minutes.
 #include <time.h>
 
 #include <algorithm>
@@ -23,7 +22,7 @@ double thread_seconds() {
 }
 
 struct Drift {
-  std::vector<double> hours;  // the largest drift seen in each
+  std::vector<double> hours;  // the largest drift in each
   std::int64_t not_finite = 0, laps = 0;
   double seconds = 0;  // of the processor
 };
@@ -37,7 +36,7 @@ Drift ride(const world::Document& document, int integrator, int hours) {
   motion.state = world::RideState::running;
   Drift drift;
   const double before = thread_seconds();
-  constexpr int kEvery = 24, kHour = 3600 * world::kTicksPerSecond;  // ticks between two looks
+  constexpr int kEvery = 24, kHour = 3600 * world::kTicksPerSecond;  // ticks between two checks
   const world::Entity cart = world::first_cart(document);
   for (int hour = 0; hour < hours && motion.state == world::RideState::running; ++hour) {
     double worst = 0;
