@@ -108,10 +108,7 @@ class Registry {
     --alive_;
   }
   // True for ids made by create() and not destroyed since.
-  bool alive(Entity e) const {
-    if (e.index >= generations_.size() || generations_[e.index] != e.generation) return false;
-    return true;
-  }
+  bool alive(Entity e) const { return e.index < generations_.size() && generations_[e.index] == e.generation; }
   std::size_t size() const { return alive_; }
 
   template <class T>
