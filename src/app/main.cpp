@@ -1,5 +1,5 @@
-// The program's entry: reads the command line, runs, returns the exit code. Everything else is in the other files of
-// this room.
+// The entry point: parses the command line, runs, returns the exit code. Everything else is in the other files of this
+// room.
 #include <cstdio>
 
 #include "app/modes.h"

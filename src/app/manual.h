@@ -1,4 +1,4 @@
-// The options' table as a manual page and as a completion for bash: what is installed beside the program.
+// The manual page and the bash completion, from the table of options.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace coaster::app {
 // roff with the macros of man(7), section 6 (games).
 std::string manual_page();
 
-// A file for bash-completion: options, names of files by their ending, names of cameras and rates.
+// Returns a file for bash-completion: options, file names by extension, names of cameras and rates.
 std::string bash_completion();
 
 }  // namespace coaster::app

@@ -1,4 +1,4 @@
-// What the program does once the command line is read: check a file, run a script, ride without a window, or open one.
+// The modes of the program: check a file, run a script, ride without a window, or open one.
 #pragma once
 
 #include "app/options.h"

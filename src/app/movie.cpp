@@ -45,7 +45,8 @@ std::vector<std::string> arguments(const std::string& program, const MovieOrder&
                                  "-nostats",      "-progress", "pipe:1", "-framerate",     std::to_string(order.fps),
                                  "-start_number", "0",         "-i",     "frame-%05d.png", "-frames:v"};
   if (file.ends_with(".gif")) {
-    // At most 25 a second, since a GIF counts hundredths, and 640 pixels wide; one palette for the whole movie.
+    // At most 25 a second, because GIF delays are in hundredths of a second, and 640 pixels wide; one palette for the
+    // whole movie.
     const int fps = std::min(order.fps, 25);
     words.push_back(std::to_string(std::max(1, frames * fps / order.fps)));
     words.insert(words.end(),
@@ -54,7 +55,7 @@ std::vector<std::string> arguments(const std::string& program, const MovieOrder&
                                          "diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4"});
   } else {
     words.push_back(std::to_string(frames));
-    // What every player shows: 4:2:0 with even sides.
+    // For compatibility with all players: 4:2:0 with even sides.
     words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-preset", "medium", "-crf",
                                "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"});
   }
@@ -94,7 +95,7 @@ void Movie::collect(std::size_t room) {
 }
 
 base::Status Movie::add(gfx::Image picture) {
-  constexpr int kMost = 100'000;  // the names' digits
+  constexpr int kMost = 100'000;  // limited by the digits of the names
   COASTER_CHECK(wait_ == 0, "no picture is due");
   if (frames_ == 0) width_ = picture.width, height_ = picture.height;
   const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
@@ -107,7 +108,7 @@ base::Status Movie::add(gfx::Image picture) {
   collect(most_writers_ - 1);
   writers_.push_back(std::async(std::launch::async, [root = order_.root, path = order_.folder / picture_name(frames_),
                                                      image = std::move(picture)] {
-    base::Files files(root);  // pictures go through file handling of their own: injected faults are meant for documents
+    base::Files files(root);  // pictures bypass the program's file handling: injected faults are meant for documents
     return files.write_atomic(path, gfx::encode_png(image));
   }));
   ++frames_;
@@ -144,8 +145,8 @@ void MovieEncoder::next() {
   files_.clear();
 }
 
-// Lines "frame=12" tell how far it is; other lines with a "=" in their first word are of the same report; the last of
-// the rest is an error.
+// Lines "frame=12" report the progress; other lines with a "=" in their first word belong to the same report; the last
+// other line is an error.
 void MovieEncoder::read_progress() {
   std::string& text = process_.output();
   const bool ended = !process_.running();

@@ -1,5 +1,5 @@
-// A movie as numbered pictures at a fixed rate of the ride's own time, and from them an MP4 and a GIF where ffmpeg is
-// installed. How pictures come about is told in app/filming.h.
+// A movie as numbered pictures at a fixed rate of ride time, and as MP4 and GIF if ffmpeg is installed. app/filming.h
+// takes the pictures.
 #pragma once
 
 #include <deque>
@@ -21,11 +21,11 @@ namespace coaster::app {
 struct MovieOrder {
   std::filesystem::path folder;
   int fps = script::kUsualMovieRate;  // one of script::kMovieRates
-  bool gif = false;                   // movie.gif, too
+  bool gif = false;                   // also movie.gif
   base::Root root;                    // that the folder lies below
 };
 
-// Takes pictures, in order, and writes them as FOLDER/frame-00000.png and on.
+// Takes pictures, in order, and writes them to FOLDER/frame-00000.png and so on.
 class Movie {
  public:
   // Makes the folder, below which all is written without following links, and removes the pictures of an earlier movie
@@ -33,15 +33,15 @@ class Movie {
   static base::Result<std::unique_ptr<Movie>> start(const MovieOrder& order);
 
   const MovieOrder& order() const { return order_; }  // its root is the folder
-  int frames() const { return frames_; }              // taken
+  int frames() const { return frames_; }              // pictures taken
   int ticks_a_frame() const { return world::kTicksPerSecond / order_.fps; }
   int wait() const { return wait_; }        // ticks until the next picture is due; 0: now
   void pass(int ticks) { wait_ -= ticks; }  // at most wait()
-  // The picture that is due. Written beside what the program does next, by as many threads as there are processors, at
-  // most kMostWriters. Code::io when one before could not be written, Code::refused for a picture of another size than
-  // the first: both for good.
+  // Adds the picture that is due. It is written in the background by as many threads as there are processors, at most
+  // kMostWriters. Code::io if an earlier one could not be written, Code::refused for a picture of another size than the
+  // first; both are final.
   base::Status add(gfx::Image picture);
-  // Waits until all are written. The first failure, again and again.
+  // Waits until all are written. Returns the first failure, in every call.
   base::Status finish();
 
   static constexpr std::size_t kMostWriters = 8;
@@ -58,14 +58,14 @@ class Movie {
   base::Status failed_;
 };
 
-// Makes FOLDER/movie.mp4 and FOLDER/movie.gif from the pictures, by ffmpeg in a process of its own.
+// Makes FOLDER/movie.mp4 and FOLDER/movie.gif from the pictures, by ffmpeg in a separate process.
 class MovieEncoder {
  public:
   // Begins, with the order of Movie::order(): ffmpeg writes new files, which get their names when they are whole.
   // Without ffmpeg, and for a movie without pictures, there is nothing to do.
   MovieEncoder(const MovieOrder& order, int frames);
 
-  // Without waiting: one line that says what has become of the movie, once all is made or failed.
+  // Returns a line about the result once everything is made or failed, without waiting.
   std::optional<std::string> poll();
   double done() const { return done_; }  // 0..1
  private:
@@ -75,7 +75,7 @@ class MovieEncoder {
   MovieOrder order_;
   int frames_;
   std::string program_, error_;
-  std::vector<std::string> files_, made_;  // names in the folder; files_ are still to be made, the first of them now
+  std::vector<std::string> files_, made_;  // names in the folder; files_: still to be made, the first is in progress
   std::size_t all_ = 0;
   double done_ = 0;
   std::optional<base::NewFile> making_;

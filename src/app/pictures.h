@@ -1,4 +1,4 @@
-// The last frame as a PNG file, and its comparison with a golden one.
+// Saves the last frame as a PNG file, and compares it with a golden picture.
 #pragma once
 
 #include <filesystem>
@@ -11,20 +11,20 @@ namespace coaster::app {
 
 base::Status write_picture(Program& program, const std::filesystem::path& path);
 
-// The last frame as NAME-1.png, or the first number that is free, after the track's name: in the user's folder of
-// pictures ($XDG_PICTURES_DIR, else
-// ~/Pictures, else the current folder), a script's in its own. A notice says where it is, or why it is not.
+// Saves the last frame as NAME-1.png, or with the first unused number, where NAME is the track's name: in the user's
+// picture folder ($XDG_PICTURES_DIR, else ~/Pictures, else the current folder), in a script's $OUT. A notice gives the
+// path or the error.
 void take_photo(Program& program);
 
-// Puts PNG files side by side into one, each at half its size if asked to. Code::bad_file for one that is no picture.
+// Combines PNG files into one, optionally each at half its size. Code::bad_file if one is no picture.
 base::Status write_sheet(const base::Root& root, const std::filesystem::path& path, int columns, bool half,
                          std::span<const std::filesystem::path> pictures);
 
-// Where movies go, each in a folder of its own: the user's of videos ($XDG_VIDEOS_DIR, else ~/Videos, else that of
-// pictures), a script's in its own.
+// Returns the folder for movies: the user's video folder ($XDG_VIDEOS_DIR, else ~/Videos, else that of pictures), a
+// script's $OUT.
 std::filesystem::path movie_folder(const Program& program);
 
-// Letters and digits of a track's name, in lower case, joined by "-".
+// Returns letters and digits of a track's name in lower case, joined by "-".
 std::string file_stem(const std::string& name);
 
 // By the rule of gfx/image.h. Writes NAME.new.png, NAME.reference.png, NAME.difference.png and NAME.html into `folder`

@@ -38,7 +38,7 @@ base::Status Process::start(std::vector<std::string> words, int folder, bool err
   int ends[2];
   if (words.empty() || ::pipe2(ends, O_CLOEXEC) != 0)
     return {base::Code::io, std::string("no process can be started: ") + std::strerror(errno)};
-  ::fcntl(ends[0], F_SETFL, O_NONBLOCK);  // our end alone
+  ::fcntl(ends[0], F_SETFL, O_NONBLOCK);  // only our end
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -74,7 +74,7 @@ std::optional<int> Process::poll() {
   int status = 0;
   const pid_t done = ::waitpid(pid_, &status, WNOHANG);
   if (done == 0 || (done < 0 && errno == EINTR)) return std::nullopt;
-  drain();  // what it wrote just before it ended
+  drain();  // output written just before the end
   ::close(std::exchange(pipe_, -1));
   pid_ = 0;
   if (done < 0) return 127;

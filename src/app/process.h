@@ -1,5 +1,5 @@
-// Other programs, each in a process of its own that no frame waits for: found in PATH, started by an argument vector,
-// so that no shell reads the names, and heard through a pipe.
+// Other programs in separate processes that no frame waits for: found in PATH, started by an argument vector, so that
+// no shell interprets names, with output read through a pipe.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace coaster::app {
 
-// The full path of a program of this name in PATH; empty when there is none that may be run.
+// Returns the full path of an executable of this name in PATH; empty if there is none.
 std::string find_program(const char* name);
 
 class Process {
@@ -25,9 +25,10 @@ class Process {
   // output is read here, its errors, too, when `errors`; there is no input. Code::io with the reason.
   base::Status start(std::vector<std::string> words, int folder = -1, bool errors = false);
   bool running() const { return pid_ > 0; }
-  // Takes what there is to read, without waiting; the exit status once it has ended, 128 + N when signal N ended it.
+  // Reads the available output without waiting; returns the exit status once it has ended, 128 + N if signal N ended
+  // it.
   std::optional<int> poll();
-  // What it has written since its start, or since this was emptied.
+  // Returns its output since its start, or since the string was cleared.
   std::string& output() { return output_; }
   // Kills it.
   void end();

@@ -1,4 +1,4 @@
-// Measuring and printing a ride.
+// Measures and prints a ride.
 #include "app/ride_summary.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a ride was like, in numbers: measured tick by tick.
+// The figures of a ride, measured tick by tick.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct RideSummary {
 };
 
 RideSummary begin_summary(const edit::Session& session);
-// Takes the state after a tick into account.
+// Adds the state after a tick.
 void measure(const edit::Session& session, RideSummary& summary);
 
 std::string to_text(const RideSummary& summary);

@@ -1,4 +1,4 @@
-// What scripts need of the running program.
+// The host of scripts: the functions that they call in the running program.
 #pragma once
 
 #include "app/program.h"
@@ -6,7 +6,7 @@
 
 namespace coaster::app {
 
-// Functions over `program`, which must outlive them.
+// Returns functions over `program`, which must outlive them.
 script::Host make_script_host(Program& program);
 
 }  // namespace coaster::app

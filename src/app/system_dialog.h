@@ -1,5 +1,4 @@
-// The desktop's own file dialog: zenity or kdialog, where one is installed, in a process of its own that no frame waits
-// for.
+// The desktop's file dialog: zenity or kdialog, if installed, in a separate process that no frame waits for.
 #pragma once
 
 #include <optional>
@@ -18,9 +17,9 @@ class SystemDialogProcess {
 
   bool available() const { return !program_.empty(); }
   bool running() const { return process_.running(); }
-  // Ends the one before. False when it cannot be started.
+  // Ends the previous dialog. Returns false if it cannot be started.
   bool start(const ui::SystemDialogRequest& request);
-  // Asks without waiting: the chosen file once the dialog has ended, "" when it was cancelled.
+  // Polls without waiting: returns the chosen file once the dialog has ended, "" if it was cancelled.
   std::optional<std::string> poll();
 
  private:

@@ -1,5 +1,4 @@
-// Small pictures of tracks for the start screen, drawn by a sibling of the scene's renderer, one a frame while any is
-// wanted.
+// Small pictures of tracks for the start screen, drawn by a sibling of the scene's renderer, one per frame on demand.
 #pragma once
 
 #include <map>
@@ -16,8 +15,8 @@ namespace coaster::app {
 
 class TrackPictures {
  public:
-  // Draws the first wanted file that has no picture yet, or none that is as new as the file. When nothing is wanted any
-  // more the renderer for them is given back; the pictures stay.
+  // Draws the first requested file without an up-to-date picture. When nothing is requested any more, frees the
+  // renderer; the pictures stay.
   void update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted, world::Style style);
 
   const std::map<std::string, ui::TrackPicture>& made() const { return made_; }

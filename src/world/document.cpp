@@ -1,4 +1,4 @@
-// Reading a document: names, control points, neighbours, length. Changes nothing (topology.cpp does).
+// Reads a document: names, control points, neighbours, length. topology.cpp changes it.
 #include "world/document.h"
 
 #include <algorithm>

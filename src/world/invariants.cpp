@@ -1,5 +1,4 @@
-// Checks every promise that document.h, components.h and registry.h make about a document. For tests and
-// after loading.
+// Checks every invariant of document.h, components.h and registry.h. For tests and after loading.
 #include <cmath>
 #include <set>
 
@@ -12,7 +11,7 @@ namespace {
 
 using Broken = std::optional<std::string>;
 
-// Twice the tolerance of orthonormalise(): rounding to float after it must not break the promise.
+// Twice the tolerance of orthonormalise(): rounding to float afterwards must not break the invariant.
 constexpr double kUnitTolerance = 2e-6;
 
 bool within(double value, double low, double high) { return value >= low && value <= high; }  // false for NaN

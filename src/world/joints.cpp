@@ -1,5 +1,4 @@
-// What joints promise: equal lengths where smooth, the shape that follows from the neighbours where
-// automatic.
+// Keeps the promises of joints: equal lengths if smooth, the shape given by the neighbours if automatic.
 #include <algorithm>
 
 #include "world/topology.h"
@@ -15,7 +14,7 @@ float third(double length) { return std::clamp(static_cast<float>(length / 3.0),
 
 void shape_between(Knot& knot, const glm::vec3* before, const glm::vec3* after) {
   if (!before && !after) return;
-  // In double: float differences of far-off positions would lose the direction of short chords.
+  // In double: float differences of distant positions would lose the direction of short chords.
   const glm::dvec3 start(before ? *before : knot.position), end(after ? *after : knot.position);
   set_tangent(knot, glm::vec3(end - start));
   knot.in_length = third(before ? chord(*before, knot.position) : chord(knot.position, *after));

@@ -1,5 +1,5 @@
-// Turning knots: tangent, up and roll. Computed in double and rounded to float once; nothing stored goes
-// through libm but sqrt, so knots have the same bits everywhere.
+// Turns knots: tangent, up and roll. Computed in double and rounded to float once; stored values use no libm function
+// except sqrt, so knots have the same bits everywhere.
 #include <cmath>
 
 #include "base/portable_math.h"
@@ -10,7 +10,7 @@ namespace coaster::world {
 namespace {
 
 constexpr double kAcceptedTolerance = 1e-6;  // of squared length and of the cosine between tangent and up
-constexpr double kShortDirection = 1e-9;     // m, below it a direction is noise
+constexpr double kShortDirection = 1e-9;     // m, shorter vectors have no reliable direction
 
 bool unit(glm::vec3 v) {
   const glm::dvec3 d(v);
@@ -38,7 +38,7 @@ void set_tangent(Knot& knot, glm::vec3 direction) {
   const glm::dvec3 from = forward_of(knot), up = curve::perpendicular(from, glm::dvec3(knot.up));
   knot.tangent = tangent;
   const glm::dvec3 forward = forward_of(knot);
-  // The axis for a reversal is up itself, which then stays.
+  // For a reversal the axis is up itself, which then stays.
   knot.up = glm::vec3(curve::perpendicular(forward, curve::least_rotation(from, forward, up, up)));
 }
 
@@ -50,7 +50,7 @@ double roll_deg(const Knot& knot) {
 void set_roll(Knot& knot, double degrees) {
   if (!std::isfinite(degrees)) return;
   const glm::dvec3 forward = forward_of(knot), level = curve::perpendicular(forward, {0, 1, 0});
-  // remainder() is exact, so any number of whole turns leaves the same bits.
+  // remainder() is exact, so any number of whole turns gives the same bits.
   const glm::dvec3 up = curve::rotate(level, forward, base::radians(std::remainder(degrees, 360.0)));
   knot.up = glm::vec3(curve::perpendicular(forward, up));
 }

@@ -12,7 +12,7 @@
 
 namespace coaster::world {
 
-// Components of one type, dense, found by entity in O(1). Pointers hold until the next insert or erase.
+// The components of one type, dense, found by entity in O(1). Pointers are valid until the next insert or erase.
 template <class T>
 class Pool {
  public:
@@ -29,7 +29,7 @@ class Pool {
     COASTER_CHECK(contains(e), "the entity has this component");
     return items_[sparse_[e.index]];
   }
-  // Adds or replaces. An older generation in the same slot is replaced too.
+  // Adds or replaces a component, also one of an older generation in the same slot.
   T& put(Entity e, T value) {
     COASTER_CHECK(e.valid(), "a component belongs to an entity");
     if (e.index >= sparse_.size()) sparse_.resize(e.index + 1, kAbsent);
@@ -44,7 +44,7 @@ class Pool {
     }
     return items_[slot];
   }
-  // O(1); moves the last item into the hole. No effect when absent.
+  // O(1); moves the last item into the gap. No effect if absent.
   void erase(Entity e) {
     if (!contains(e)) return;
     const std::uint32_t slot = sparse_[e.index], last = static_cast<std::uint32_t>(items_.size() - 1);
@@ -57,7 +57,7 @@ class Pool {
     entities_.pop_back();
     sparse_[e.index] = kAbsent;
   }
-  // Erases what belongs to entities that `others` has nothing of.
+  // Erases components whose entities are not in `others`.
   template <class Other>
   void keep_those_of(const Pool<Other>& others) {
     std::vector<Entity> gone;
@@ -66,11 +66,11 @@ class Pool {
     for (const Entity e : gone) erase(e);
   }
   std::size_t size() const { return items_.size(); }
-  const std::vector<Entity>& entities() const { return entities_; }  // dense order, as items()
+  const std::vector<Entity>& entities() const { return entities_; }  // in the order of items()
   const std::vector<T>& items() const { return items_; }
   std::vector<T>& items() { return items_; }
 
-  // Same components on the same entities, in whatever dense order.
+  // True for the same components on the same entities, in any dense order.
   friend bool operator==(const Pool& a, const Pool& b) {
     if (a.size() != b.size()) return false;
     for (std::size_t i = 0; i < a.size(); ++i) {

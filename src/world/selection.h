@@ -1,4 +1,4 @@
-// Which knots are selected: one question, one answer, for pictures, panels and commands.
+// The selected knots, for pictures, panels and commands.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,15 @@
 
 namespace coaster::world {
 
-// The selected knots, the active one last; empty when a segment, a cart or nothing is selected. All are alive.
+// Returns the selected knots, the active one last; empty if a segment, a train or nothing is selected. All are alive.
 std::vector<Entity> selected_knots(const Document& document, const Settings& settings);
 bool is_selected(const Settings& settings, Entity e);
 
-// Those among `chosen` (any order, repeats and strangers allowed), each once, in the order of the track.
+// Returns those knots of the track that are in `chosen` (any order, duplicates and other entities allowed), each once,
+// in track order.
 std::vector<Entity> in_track_order(const Document& document, const std::vector<Entity>& chosen);
 
-// Forgets what is not alive any more; where the active knot is gone another selected one takes its place.
+// Removes deleted entities from the selection; if the active knot is gone, another selected one becomes active.
 void drop_dead(const Document& document, Settings& settings);
 
 }  // namespace coaster::world

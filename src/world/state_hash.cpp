@@ -1,5 +1,5 @@
-// The hashes of document and motion. They depend on names, order and values, never on entity slots or on what
-// a file does not hold. The order of the fields here is fixed: scripts contain such hashes.
+// The hashes of document and motion. They depend on names, order and values, never on entity slots or data that a file
+// does not hold. The order of the fields is fixed: scripts contain such hashes.
 #include <algorithm>
 #include <vector>
 
@@ -9,7 +9,7 @@
 namespace coaster::world {
 namespace {
 
-// 0 for what is not alive, which no name has.
+// Returns 0 for a dead entity, a number that no name has.
 std::uint32_t number_of(const Document& document, Entity e) {
   const Name* const name = document.entities.find<Name>(e);
   return name ? name->number : 0;
@@ -33,7 +33,8 @@ void add_knot(base::Hasher& hasher, const Knot& k) {
   hasher.add(k.in_length), hasher.add(k.out_length), hasher.add(k.joint);
 }
 
-// What a plain track does not have adds nothing, so that its hash is that of the first version of the format.
+// Features of later versions that a plain track lacks add nothing, so its hash is that of the first version of the
+// format.
 void add_equipment(base::Hasher& hasher, const Equipment* equipment) {
   if (!equipment) return;
   hasher.add(equipment->kind), hasher.add(equipment->speed), hasher.add(equipment->acceleration);

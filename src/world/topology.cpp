@@ -1,5 +1,4 @@
-// Changing the track: creating, splitting and removing knots, segments and carts. No undo, no checking of
-// user input.
+// Changes the track: creates, splits and removes knots, segments and trains. No undo, no checks of user input.
 #include "world/topology.h"
 
 #include <algorithm>
@@ -52,7 +51,7 @@ double as_fraction(double part, double whole) {
 
 void set_length(float& length, double value) { length = std::clamp(static_cast<float>(value), kMinHandle, kMaxHandle); }
 
-// Makes segments[before] lead over the knot between it and segments[after], and removes the latter.
+// Extends segments[before] over the knot between it and segments[after], and removes the latter.
 void merge_segments(Document& document, std::size_t before_index, std::size_t after_index) {
   const Entity before = document.track.segments[before_index], after = document.track.segments[after_index];
   const double first = curve::arc_length(cubic_of(document, before)),
@@ -97,7 +96,7 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
       glm::length(glm::dvec3(parts.right.p1) - glm::dvec3(parts.right.p0)), (1 - t) * knot(document, to).in_length};
   for (const double length : lengths)
     if (!(length >= kMinHandle && length <= kMaxHandle)) return {kNone, first, kNone};
-  // Between knots at the border of the world a curve may reach beyond it.
+  // A curve between knots at the coordinate limit can exceed it.
   for (int axis = 0; axis < 3; ++axis)
     if (!(std::abs(parts.left.p3[axis]) <= kMaxCoordinate)) return {kNone, first, kNone};
 

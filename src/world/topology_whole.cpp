@@ -1,4 +1,4 @@
-// Changes of the track as a whole: its direction of travel, and ends that become one.
+// Changes of the whole track: its direction of travel, and closing by merging the ends.
 #include <algorithm>
 
 #include "world/topology.h"
@@ -16,7 +16,7 @@ void reverse(Document& document) {
     Segment& segment = document.entities.get<Segment>(e);
     std::swap(segment.from, segment.to);
   }
-  // A closed track goes on beginning at its first knot.
+  // A closed track still begins at its first knot.
   std::reverse(track.knots.begin() + (track.closed ? 1 : 0), track.knots.end());
   std::reverse(track.segments.begin(), track.segments.end());
 }

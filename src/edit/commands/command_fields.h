@@ -1,4 +1,4 @@
-// What commands are made of: their targets, what they change, their name, help and list of fields.
+// The parts of commands: their targets, their effect, their name, help and list of fields.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,11 @@ struct Knots;
 // An entity of any kind, written "@k3"; number 0 is "none".
 struct Target {
   world::Name name;
-  operator Knots() const;  // a command for several knots takes one, too
+  operator Knots() const;  // a command for several knots accepts one
   friend bool operator==(const Target&, const Target&) = default;
 };
 
-// Several knots: "@k1,@k2,@k7", "all", or "selected": those that are selected when the command is applied. Their order
-// does not count.
+// Several knots: "@k1,@k2,@k7", "all", or "selected": the selection at the time of the command. Order does not matter.
 struct Knots {
   enum class Which : std::uint8_t { named, all, selected } which = Which::named;
   std::vector<world::Name> names;
@@ -40,7 +39,7 @@ struct HandleTarget {
   friend bool operator==(const HandleTarget&, const HandleTarget&) = default;
 };
 
-// What a command changes: undo and recording depend on it.
+// What a command changes, for undo and recording.
 enum class Effect : std::uint8_t { document, settings, motion, history, session };
 
 struct CommandInfo {
@@ -49,8 +48,8 @@ struct CommandInfo {
   Effect effect;
 };
 
-// fields(self, visit) calls visit(keyword, member) in the order of the text; an empty keyword is positional:
-// "move @k4 to 1 2 3" has the fields ("", knot) and ("to", position).
+// fields(self, visit) calls visit(keyword, member) in the order of the text; an empty keyword is positional: "move @k4
+// to 1 2 3" has the fields ("", knot) and ("to", position).
 #define COASTER_COMMAND(name, help, effect) \
   static constexpr CommandInfo kInfo { name, help, effect }
 #define COASTER_FIELDS(...)                                                         \

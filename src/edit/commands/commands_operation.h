@@ -1,4 +1,4 @@
-// The commands that make a track a ride: equipment, trains, losses, banking. See commands.h.
+// The commands of the ride's operation: equipment, trains, losses, banking. See commands.h.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ struct RemoveEquipment {
 struct SetTrain {
   Target cart;
   int cars = 1;
-  float spacing = 0, length = 0, mass = 0;  // 0: as it is
+  float spacing = 0, length = 0, mass = 0;  // 0: unchanged
   COASTER_COMMAND("train",
                   "Set how many cars a train has, how far their middles are apart (m), how long (m) and how heavy (kg) "
                   "each is; what is 0 or left out stays.",

@@ -1,4 +1,4 @@
-// The commands that shape several knots at once, and the track as a whole. See commands.h.
+// The commands that shape several knots at once, and the whole track. See commands.h.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,8 +8,8 @@
 
 namespace coaster::edit {
 
-// Of these, those with `anew on` start from where the knots were when the open gesture began: however often a drag
-// sends them, the result is that of the last one alone.
+// With `anew on` these start from the knots' state when the open gesture began: if a drag sends several, only the last
+// one counts.
 struct Translate {
   Knots knots;
   glm::vec3 by{0};

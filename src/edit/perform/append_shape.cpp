@@ -11,7 +11,7 @@ namespace {
 
 using world::Knot;
 
-// Smooth between two positions, either may be missing: the automatic shape with the mean of its two lengths.
+// Smooth between two positions, either of which may be missing: the automatic shape with the mean of its two lengths.
 void shape_smooth(Knot& knot, const glm::vec3* before, const glm::vec3* after) {
   world::shape_between(knot, before, after);
   const double mean = (double{knot.in_length} + double{knot.out_length}) / 2;

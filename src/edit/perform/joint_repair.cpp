@@ -22,7 +22,7 @@ using world::Knot;
 
 base::Status refusal(std::string reason) { return {base::Code::refused, std::move(reason)}; }
 
-// The places in track order that a joint is about.
+// The indices in track order around a joint.
 struct Joint {
   std::size_t before, at, after;
 };
@@ -51,7 +51,7 @@ curve::Joint class_at(const Document& document, std::size_t index) {
 
 dvec3 forward(const Knot& knot) { return glm::normalize(dvec3(knot.tangent)); }
 
-// The far end of one side. `strict` keeps a G2 joint there G2; a C2 joint stays C2 either way.
+// Returns the far end of one side. `strict` keeps a G2 joint there G2; a C2 joint stays C2 in any case.
 G2Side side_of(const Document& document, std::size_t far, bool out, bool strict, bool one_neighbour) {
   const Knot& knot = knot_at(document, far);
   G2Side side;
@@ -68,7 +68,7 @@ G2Side side_of(const Document& document, std::size_t far, bool out, bool strict,
     side.keep = G2Side::Keep::handle;
   } else if (strict && joint.geometric == curve::Geometric::g2) {
     side.keep = G2Side::Keep::curvature;
-    // What the other side of that joint has: it does not move, unless both sides are this joint's.
+    // The curvature on the other side of that joint: it does not change, unless both sides belong to this joint.
     side.curvature = one_neighbour ? 0.5 * (joint.curvature_before + joint.curvature_after)
                      : out         ? joint.curvature_before
                                    : joint.curvature_after;
@@ -107,7 +107,7 @@ double farthest(const curve::G2Problem& problem, const curve::G2Solution& s) {
 
 std::string metres(double value) { return base::to_text(std::round(value * 1000.0) / 1000.0) + " m"; }
 
-// Within what a knot can be, and near enough to be called a repair?
+// Checks the limits of knots, and that the change is small enough for a repair.
 base::Status acceptable(const Document& document, const Joint& j, const curve::G2Problem& problem,
                         const curve::G2Solution& s) {
   if (s.outcome == curve::G2Outcome::degenerate) return refusal("a handle has no length");
@@ -158,7 +158,7 @@ bool lowered(const std::optional<Classes>& before, const std::optional<Classes>&
   return before && (now->geometric < before->geometric || now->parametric < before->parametric);
 }
 
-// One repair. Not strict: the neighbours' joints may lose G2 (but not C1 or C2), to get it back later.
+// Does one repair. Not strict: the neighbours' joints may lose G2 (but not C1 or C2) and regain it later.
 base::Status repair(Document& document, std::size_t index, bool strict) {
   const Joint j = joint_at(document, index);
   const curve::G2Problem problem = problem_of(document, j, strict);
@@ -195,7 +195,7 @@ double movement_between(const Document& a, const Document& b) {
   return std::sqrt(sum);
 }
 
-// Along the track once; what is G2 stays G2. Returns the last reason for each joint that was refused.
+// Goes along the track once and keeps joints that are G2. Returns the last reason for each refused joint.
 void pass_along(Document& document, std::vector<std::string>& reasons) {
   for (std::size_t i = 0; i < document.track.knots.size(); ++i) {
     reasons[i].clear();
@@ -204,8 +204,8 @@ void pass_along(Document& document, std::vector<std::string>& reasons) {
   }
 }
 
-// To and fro, each repair free to disturb its neighbours, until every jump is well below the tolerance or nothing gets
-// better.
+// Goes to and fro; each repair may disturb its neighbours, until every jump is well below the tolerance or nothing
+// improves.
 void sweeps(Document& document, std::vector<std::string>& reasons) {
   constexpr double kWellBelow = 2e-4;  // 1/m
   const std::size_t count = document.track.knots.size();
@@ -223,7 +223,7 @@ void sweeps(Document& document, std::vector<std::string>& reasons) {
   }
 }
 
-// What became of a document by one of the two ways.
+// Returns the result of one of the two ways for a document.
 RepairReport report(const Document& before, const Document& now, const std::vector<std::string>& reasons,
                     bool& spoilt) {
   RepairReport result;

@@ -1,5 +1,5 @@
-// Makes joints of a document G2 by the least movement of control points (curve/g2.h), within what knots can be, and
-// checks the result after rounding. Pure functions of the document; the commands are in perform_joints.cpp.
+// Makes joints of a document G2 with the least movement of control points (curve/g2.h), within the limits of knots, and
+// checks the rounded result. Pure functions of the document; the commands are in joints.cpp.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace coaster::edit {
 
-// What may move: the knot's place, direction and handle lengths (a joint that is C1 stays C1; an automatic one becomes
-// aligned), and the two handles of its neighbours that face it, along their lines, where the neighbour is aligned and
-// not C1. The knot stays in its place beside an automatic neighbour, whose shape would follow. What holds afterwards:
-// the joint is G2 to the tolerance of curve/continuity.h; the neighbours' joints have at least the geometric and
-// parametric class they had; handle lengths and coordinates are within their limits; no control point moves further
-// than half the shorter of the two control polygons. Else nothing is changed and the status says why. `index` is the
-// knot's place in track.knots. A joint that is G2 already stays as it is. `movement`, when not null, gets metres: the
-// root of the summed squares.
+// Makes a joint G2. May move: the knot's position, direction and handle lengths (a joint that is C1 stays C1; an
+// automatic one becomes aligned), and the two handles of its neighbours that face it, along their lines, if the
+// neighbour is aligned and not C1. The knot does not move beside an automatic neighbour, whose shape would follow.
+// Afterwards the joint is G2 to the tolerance of curve/continuity.h; the neighbours' joints keep at least their
+// geometric and parametric class; handle lengths and coordinates are within their limits; no control point moves
+// farther than half the shorter of the two control polygons. Otherwise nothing changes and the status says why. `index`
+// is the knot's index in track.knots. A joint that is already G2 does not change. `movement`, if not null, receives the
+// root of the summed squared movements, m.
 base::Status make_g2(world::Document& document, std::size_t index, double* movement = nullptr);
 
 struct RefusedJoint {
@@ -25,15 +25,14 @@ struct RefusedJoint {
   std::string reason;
 };
 struct RepairReport {
-  int changed = 0;                    // joints that were not G2 and are now
-  int already = 0;                    // joints that were G2, and are
+  int changed = 0;                    // joints that became G2
+  int already = 0;                    // joints that were G2 before
   double movement = 0;                // m, root of the summed squared movements of all control points
-  std::vector<RefusedJoint> refused;  // in track order; they are as smooth as before
+  std::vector<RefusedJoint> refused;  // in track order; their continuity is unchanged
 };
-// Every joint of the track in turn. Done in two ways, of which the one that makes more joints G2 is kept, or at equal
-// numbers the one that moves less: (1) along the track once, joints that are G2 already staying so; (2) sweeps to and
-// fro in which a repair may disturb its neighbours until all agree (at most kMostSweeps). Linear in the number of
-// joints: about 0.2 ms a joint.
+// Repairs every joint of the track in turn, in two ways, and keeps the one that makes more joints G2, or moves less if
+// equal: (1) once along the track, keeping joints that are already G2; (2) sweeps to and fro in which a repair may
+// disturb its neighbours until all agree (at most kMostSweeps). Linear in the number of joints: about 0.2 ms per joint.
 RepairReport make_all_g2(world::Document& document);
 inline constexpr int kMostSweeps = 24;
 

@@ -1,4 +1,4 @@
-// From names in a command to knots in the track.
+// Resolves names in a command to knots of the track.
 #include "edit/perform/knot_runs.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace coaster::edit {
 namespace {
 
-// Names to entities. One look through the pool serves many names.
+// Resolves names to entities, in one pass through the pool for many names.
 base::Result<std::vector<world::Entity>> named(const Session& session, const std::vector<world::Name>& names) {
   std::vector<world::Entity> found;
   std::map<std::uint32_t, world::Entity> numbers;
@@ -66,7 +66,7 @@ std::vector<KnotRun> runs_of(const world::Document& document, const std::vector<
     if (runs.empty() || runs.back().places.back() + 1 != i) runs.emplace_back();
     runs.back().places.push_back(i);
   }
-  // One that ends where another begins at the track's joint goes on there.
+  // A run that ends where another begins at the track's joint continues there.
   if (track.closed && runs.size() > 1 && runs.front().places.front() == 0 && runs.back().places.back() + 1 == count) {
     std::vector<std::size_t>& into = runs.back().places;
     into.insert(into.end(), runs.front().places.begin(), runs.front().places.end());

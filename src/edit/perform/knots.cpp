@@ -1,4 +1,4 @@
-// Commands that shape knots and segments without changing which there are.
+// Commands that shape knots and segments without adding or removing any.
 #include <algorithm>
 #include <cmath>
 
@@ -13,11 +13,11 @@ using world::JointKind;
 using world::Kind;
 using world::Knot;
 
-constexpr double kShortDirection = 1e-9;  // m, as world::set_tangent has it
+constexpr double kShortDirection = 1e-9;  // m, as in world::set_tangent
 
 Knot& knot_at(Session& session, world::Entity e) { return session.document.entities.get<Knot>(e); }
 
-// An automatic joint would undo what was just shaped by hand.
+// An automatic joint would undo the change made by hand.
 void shaped_by_hand(Knot& knot) {
   if (knot.joint == JointKind::automatic) knot.joint = JointKind::aligned;
 }
@@ -42,7 +42,7 @@ Status perform(Session& session, Change& change, const MoveHandle& command) {
   if (in) arm = -arm;
   const double length = glm::length(arm);
   shaped_by_hand(knot);
-  // On its knot a handle has no direction: the old one stays.
+  // A handle on its knot has no direction: keep the old one.
   if (length >= double{world::kMinHandle}) world::set_tangent(knot, glm::vec3(arm));
   const float clamped = change.clamp("handle length", static_cast<float>(std::max(length, 0.0)), world::kMinHandle,
                                      world::kMaxHandle, "m");
@@ -83,7 +83,8 @@ Status perform(Session& session, Change&, const SetRoll& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
   if (!std::isfinite(command.to)) return refused("expected a finite angle");
-  for (const world::Entity e : *knots) world::set_roll(knot_at(session, e), command.to);  // any angle will do: it wraps
+  for (const world::Entity e : *knots)
+    world::set_roll(knot_at(session, e), command.to);  // any angle is valid: it wraps
   return {};
 }
 

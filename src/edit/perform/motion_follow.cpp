@@ -1,10 +1,10 @@
-// Carts in motion under edits of topology.
+// Moving trains under edits of topology.
 #include "edit/perform/motion_follow.h"
 
 namespace coaster::edit {
 namespace {
 
-// A split keeps the shape, so distances carry over; they are scaled by the rounding of the lengths alone.
+// A split keeps the shape, so distances stay; they are scaled only by the rounding of the lengths.
 void follow_split(const MotionFollowUp& change, const sim::Derived& derived, world::CartMotion& cart) {
   const double left = derived.shape(change.first).arc.length(), right = derived.shape(change.second).arc.length();
   const double s = cart.segment_length > 0 ? cart.s * ((left + right) / cart.segment_length) : 0;
@@ -21,15 +21,15 @@ void follow_merge(const MotionFollowUp& change, world::CartMotion& cart) {
   cart.segment_length = change.first_length + change.second_length;
 }
 
-// The rails stay, their direction changes: what was the rear of a train is its front, and it goes on the same way
-// through space.
+// The rails stay and their direction is reversed: the rear of a train becomes its front, and it keeps moving the same
+// way in space.
 void follow_reversal(const world::Document& document, const sim::Derived& derived, world::Motion& motion) {
   for (std::size_t i = 0; i < motion.carts.size(); ++i) {
     world::CartMotion& cart = motion.carts.items()[i];
     const auto index = world::index_of(derived.order, cart.segment);
     const world::Cart* const design = document.entities.find<world::Cart>(motion.carts.entities()[i]);
     if (!index || !design) continue;
-    // `s` was measured from what is the segment's end now.
+    // `s` was measured from the present end of the segment.
     const double front = derived.starts[*index + 1] - cart.s, behind = design->behind();
     cart.track_distance = front + behind;
     if (derived.closed && derived.length > 0 && cart.track_distance >= derived.length)

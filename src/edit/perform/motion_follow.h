@@ -1,17 +1,17 @@
-// Keeps carts in motion at their place on the rails while segments come and go under them. Places alone: energies and
-// everything else are sim::reconcile's, which runs afterwards.
+// Keeps moving trains at their positions on the rails while segments are added and removed. Only positions:
+// sim::reconcile, which runs afterwards, handles energies and the rest.
 #pragma once
 
 #include "edit/perform/perform.h"
 
 namespace coaster::edit {
 
-// After a split, a merge or a reversal, once the new shapes are derived.
+// Call after a split, a merge or a reversal, once the new shapes are derived.
 void follow(const MotionFollowUp& change, const world::Document& document, const sim::Derived& derived,
             world::Motion& motion);
 
-// Before the whole document is exchanged for `next` (undo, redo, cancel): carts on segments that are not the same in
-// both are left to their distance from the start, which `derived` (of the present document) tells.
+// Call before the whole document is replaced by `next` (undo, redo, cancel): trains on segments that differ keep their
+// distance from the start, by `derived` of the present document.
 void follow_by_distance(const world::Document& present, const world::Document& next, const sim::Derived& derived,
                         world::Motion& motion);
 

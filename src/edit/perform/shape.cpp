@@ -1,4 +1,4 @@
-// Commands that give several knots a better shape: smooth, equalise, straighten, radius, drop.
+// Commands that improve the shape of several knots: smooth, equalise, straighten, radius, drop.
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +21,7 @@ float handle(double length) {
   return static_cast<float>(std::clamp(length, double{world::kMinHandle}, double{world::kMaxHandle}));
 }
 
-// Track order by place, with the neighbours over the joint of a closed track.
+// Index arithmetic in track order, with neighbours across the joint of a closed track.
 struct Places {
   world::Document& document;
   std::size_t count = document.track.knots.size();
@@ -32,7 +32,7 @@ struct Places {
   std::size_t before(std::size_t place) const { return (place + count - 1) % count; }
 };
 
-// A run with the knots beside it, which stay as they are.
+// Smooths a run; the knots beside it do not change.
 void smooth_run(const Places& at, const KnotRun& run, world::SplineSteps by) {
   std::vector<std::size_t> places = run.places;
   const bool before = !run.whole && at.has_before(places.front()), after = !run.whole && at.has_after(places.back());
@@ -65,7 +65,7 @@ void smooth_run(const Places& at, const KnotRun& run, world::SplineSteps by) {
   }
 }
 
-// Knots of a run onto its chord, each at its share of the way; handles a third of what lies between.
+// Moves knots of a run onto its chord, each at its fraction of the distance; handles are a third of the gaps.
 Status straighten_run(const Places& at, const KnotRun& run) {
   const std::vector<std::size_t>& places = run.places;
   const dvec3 start = at.position(places.front()), way = at.position(places.back()) - start;
@@ -88,9 +88,9 @@ Status straighten_run(const Places& at, const KnotRun& run) {
   return {};
 }
 
-// The handle length with which a segment leaves a knot at curvature 1 / radius: kappa = 2/3 h / a^2, with h the
-// distance of the segment's next control point from the tangent line. Nothing where that is none: the track runs
-// straight there, whatever the length.
+// Returns the handle length with which a segment leaves a knot at curvature 1 / radius: kappa = 2/3 h / a^2, with h the
+// distance of the segment's next control point from the tangent line. Nothing if h is 0: the track is straight there
+// for every length.
 std::optional<double> length_for(double radius, dvec3 position, dvec3 tangent, dvec3 control) {
   const dvec3 off = control - position;
   const double h = glm::length(off - glm::dot(off, tangent) * tangent);
@@ -141,7 +141,7 @@ Status perform(Session& session, Change&, const Straighten& command) {
 
 Status perform(Session& session, Change& change, const SetRadius& command) {
   constexpr double kLeast = 0.1, kMost = 1e5;  // m
-  constexpr int kSweeps = 30;                  // neighbours that are both set depend on each other
+  constexpr int kSweeps = 30;                  // neighbours that are both set affect each other
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
   if (!std::isfinite(command.to)) return refused("expected a finite radius");
@@ -182,7 +182,7 @@ Status perform(Session& session, Change& change, const DropToGround& command) {
   for (const Entity e : *knots) {
     Knot& knot = session.document.entities.get<Knot>(e);
     knot.position.y = to;
-    world::set_tangent(knot, {knot.tangent.x, 0, knot.tangent.z});  // one that is vertical stays
+    world::set_tangent(knot, {knot.tangent.x, 0, knot.tangent.z});  // a vertical tangent stays
   }
   return {};
 }

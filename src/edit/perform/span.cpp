@@ -1,4 +1,4 @@
-// Commands on spans and on the track as a whole: reverse, duplicate, close.
+// Commands of spans and the whole track: reverse, duplicate, close.
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +15,7 @@ using glm::dvec3;
 using world::Entity;
 using world::Knot;
 
-// Where the front of a train is once the track is turned round: at what was its rear, so that it stays on the same
-// rails.
+// Returns the front of a train after reversing the track: its former rear, so that it stays on the same rails.
 double turned(const sim::Derived& derived, double front, double behind) {
   const double place = sim::within_lap(derived.length - (front - behind), derived.length, derived.closed);
   return std::clamp(place, 0.0, derived.length);
@@ -29,7 +28,7 @@ dmat3 frame_of(const Knot& knot) {
   return {tangent, normal, glm::cross(tangent, normal)};
 }
 
-// Takes a knot from where the frame `from` is to where `to` is.
+// Moves a knot from the frame `from` to the frame `to`.
 Knot carried(Change& change, Knot knot, const Knot& from, const Knot& to) {
   const dmat3 turn = frame_of(to) * glm::transpose(frame_of(from));
   knot.position = change.clamp_position(
@@ -37,8 +36,7 @@ Knot carried(Change& change, Knot knot, const Knot& from, const Knot& to) {
   knot.tangent = glm::vec3(glm::normalize(turn * dvec3(knot.tangent)));
   knot.up = glm::vec3(glm::normalize(turn * dvec3(knot.up)));
   world::orthonormalise(knot);
-  if (knot.joint == world::JointKind::automatic)
-    knot.joint = world::JointKind::aligned;  // its neighbours are others now
+  if (knot.joint == world::JointKind::automatic) knot.joint = world::JointKind::aligned;  // its neighbours have changed
   return knot;
 }
 
@@ -118,7 +116,7 @@ Status perform(Session& session, Change& change, const CloseExactly& command) {
     return {};
   }
   if (const Status room = room_for(session, track.knots.size(), track.knots.size()); !room) return room;
-  close_by_segment(document, 0);  // handles that suit the way between them, whatever the ends had
+  close_by_segment(document, 0);  // handles that fit the gap, whatever the ends had
   return {};
 }
 

@@ -1,4 +1,4 @@
-// Commands that change which knots, segments and carts there are.
+// Commands that add and remove knots, segments and trains.
 #include <algorithm>
 #include <cmath>
 
@@ -13,8 +13,8 @@ using base::Status;
 using world::Entity;
 using world::Kind;
 
-constexpr float kStep = 10;                   // m, how far ahead a knot goes when there is nothing to split
-constexpr glm::vec3 kFirstPosition{0, 2, 0};  // m, clear of the ground
+constexpr float kStep = 10;                   // m, distance to a new knot if there is nothing to split
+constexpr glm::vec3 kFirstPosition{0, 2, 0};  // m, above the ground
 
 Status split_at(Session& session, Change& change, Entity segment, double t) {
   world::Document& document = session.document;
@@ -39,7 +39,7 @@ Status append_at(Session& session, Change& change, glm::vec3 position) {
   const world::Knot knot = appended_knot(document, position);
   reshape_end(document, true, position);
   change.select = world::append_knot(document, knot);
-  // A first segment without a cart would leave nothing to watch.
+  // A first segment gets a train, so that there is something to watch.
   if (document.track.segments.size() == 1 && document.entities.pool<world::Cart>().size() == 0)
     world::add_cart(document, document.track.segments.front(), 0.0);
   return {};

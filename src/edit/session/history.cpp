@@ -1,4 +1,4 @@
-// Undo and redo by whole documents: exact by construction, at a memory cost that kMaxHistoryBytes bounds.
+// Undo and redo by whole documents: exact by construction, with memory bounded by kMaxHistoryBytes.
 #include "edit/session/history.h"
 
 #include <utility>
@@ -19,8 +19,8 @@ void push_undo(History& history, HistoryStep step, std::size_t limit) {
 
 std::size_t estimated_bytes(const world::Document& document) {
   const auto& entities = document.entities;
-  // Each pool keeps item, entity and a sparse slot; the registry a generation; the track an id of each knot
-  // and segment.
+  // Each pool keeps item, entity and a sparse slot; the registry a generation; the track an id for each knot and
+  // segment.
   constexpr std::size_t kIds = sizeof(world::Entity) * 2 + 2 * sizeof(std::uint32_t);
   std::size_t bytes = sizeof(world::Document) + document.name.size() + document.extra.json.size();
   bytes += entities.size() * (sizeof(world::Name) + kIds);
