@@ -41,7 +41,7 @@ std::unique_ptr<app::Program> open_ring(int segments, platform::Size size) {
   if (!program.ok()) return nullptr;
   edit::Session& session = (*program)->session;
   session.document = ring(segments);
-  sim::derive(session.document, session.settings, session.clock, session.derived);
+  sim::derive(session.document, session.settings, session.measuring.clock, session.derived);
   sim::reset(session.document, session.derived, session.motion);
   session.settings.camera.target = session.document.entities.get<world::Knot>(session.document.track.knots[0]).position;
   for (int i = 0; i < 3; ++i) app::run_frame(**program, {platform::Tick{0}}, 0);

@@ -8,6 +8,7 @@
 #include "app/frame.h"
 #include "app/pictures.h"
 #include "app/program.h"
+#include "app/scene.h"
 #include "platform/signals.h"
 
 namespace coaster::app {
@@ -27,7 +28,7 @@ gfx::Image picture(Program& program) {
   if (size.width < 1 || size.height < 1) size = {1280, 720};  // begun while the window was minimised
   filming.shown.width = size.width, filming.shown.height = size.height;
   const view::Viewport whole{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
-  draw_scene_alone(program, view::view_of(program.rig.eye, whole), size);
+  draw_scene_alone(program, view::view_of(program.picture.rig.eye, whole), size);
   return program.renderer->read_pixels();
 }
 
@@ -56,9 +57,10 @@ std::filesystem::path free_folder(const Program& program) {
   return path;
 }
 
-std::int64_t ticks_of_lap(const edit::Session& session) {
+// Of the first train, which the lap is told by.
+std::int64_t ticks_of_lap(edit::Session& session) {
   const sim::Ghost* const ghost =
-      session.ghosts.ride(session.document, session.derived, world::first_cart(session.document));
+      session.findings.memory.rides.ride(session.document, session.derived, world::first_cart(session.document));
   return ghost && ghost->samples.size() > 1 ? static_cast<std::int64_t>(ghost->samples.size() - 1) : 0;
 }
 
@@ -155,10 +157,10 @@ base::Status finish_movie(Program& program) {
   return failed;
 }
 
-void keep_filming(Program& program, const ui::Output* output) {
-  if (output && output->movie == ui::MovieWish::start && !program.filming) start_by_hand(program);
+void follow_movie(Program& program, ui::MovieWish wish) {
+  if (wish == ui::MovieWish::start && !program.filming) start_by_hand(program);
   if (!program.filming || !program.filming->by_hand) return;  // a script's is its own affair
-  if (output && output->movie == ui::MovieWish::stop) {
+  if (wish == ui::MovieWish::stop) {
     if (recording(program)) (void)stop_movie(program);
     else program.filming.reset();  // the pictures are there; nobody waits for the file
   }

@@ -42,8 +42,8 @@ base::Status stop_movie(Program& program);
 // there and is none.
 base::Status finish_movie(Program& program);
 
-// In a window, once a frame: what the panels asked for, the end of the lap, the end of the movie file.
-void keep_filming(Program& program, const ui::Output* output);
+// In a window, once a frame before its ticks: what the panels asked for, the end of the lap, the end of the movie file.
+void follow_movie(Program& program, ui::MovieWish wish);
 
 // Without a window: the ride from its start, for a lap or for `pictures`, by the camera chosen; measured as it goes.
 // Waits for the movie file.

@@ -16,7 +16,7 @@ bool begin_import(Program& program, const edit::Command& command) {
   if (!format || !format->parse_watched) return false;
   program.import = std::make_unique<ImportJob>();
   ImportJob& job = *program.import;
-  job.path = load->path, job.since = program.seconds;
+  job.path = load->path, job.since = program.time.seconds;
   job.slow = slow, job.frames_left = std::exchange(program.import_delay, 0);
   job.result = std::async(std::launch::async, [path = load->path, progress = &job.progress] {
     base::Files files;
@@ -28,7 +28,7 @@ bool begin_import(Program& program, const edit::Command& command) {
 const base::Progress* shown_import(const Program& program) {
   constexpr double kBarAfter = 0.15;  // s: what is done sooner shows no bar
   const ImportJob* const job = program.import.get();
-  return job && (job->slow || program.seconds - job->since > kBarAfter) ? &job->progress : nullptr;
+  return job && (job->slow || program.time.seconds - job->since > kBarAfter) ? &job->progress : nullptr;
 }
 
 void finish_import(Program& program) {
@@ -51,7 +51,7 @@ void finish_import(Program& program) {
     edit::notify(program.session, edit::NoticeKind::error, read.status().message);
     return;
   }
-  program.session.read_ahead = edit::ReadAhead{job->path, std::move(*read)};
+  program.session.file.read_ahead = edit::ReadAhead{job->path, std::move(*read)};
   (void)apply(program, edit::Load{job->path});
 }
 

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/keeper_progress.h"
 #include "app/program.h"
 #include "base/text.h"
 
@@ -113,17 +114,18 @@ void watch_settings(Program& program, Keeper& keeper) {
   follow_session(program, keeper.state.settings);
   if (!(keeper.state.settings == keeper.seen)) {
     keeper.seen = keeper.state.settings;
-    keeper.seen_since = program.seconds;
-  } else if (program.seconds - keeper.seen_since >= (keeper.settings_failed ? kAgain : kQuiet)) {
-    keeper.seen_since = program.seconds;
+    keeper.seen_since = program.time.seconds;
+  } else if (program.time.seconds - keeper.seen_since >= (keeper.settings_failed ? kAgain : kQuiet)) {
+    keeper.seen_since = program.time.seconds;
     write_settings(program, keeper);
   }
 }
 
 // Whether there is something that neither the file nor the autosave has.
-bool needs_autosave(const Program& program, const Keeper& keeper) {
+bool needs_autosave(Program& program, const Keeper& keeper) {
   if (!edit::dirty(program.session)) return false;
-  return !keeper.autosave.exists() || keeper.autosaved != world::hash(program.session.document);
+  return !keeper.autosave.exists() ||
+         keeper.autosaved != edit::find(program.session, edit::Want::document_hash).document_hash;
 }
 
 void watch_document(Program& program, Keeper& keeper) {
@@ -133,12 +135,10 @@ void watch_document(Program& program, Keeper& keeper) {
     return;
   }
   if (keeper.unsaved_since < 0) {
-    // The hash is known already: dirty() keeps it.
-    if (!keeper.autosave.exists() || keeper.autosaved != *program.session.document_hash)
-      keeper.unsaved_since = program.seconds;
+    if (needs_autosave(program, keeper)) keeper.unsaved_since = program.time.seconds;
     return;
   }
-  if (program.seconds - keeper.unsaved_since < keeper.state.settings.autosave_seconds ||
+  if (program.time.seconds - keeper.unsaved_since < keeper.state.settings.autosave_seconds ||
       program.session.history.in_gesture)
     return;
   (void)autosave_now(program);
@@ -233,12 +233,12 @@ void stop_keeping(Program& program, bool clean) {
 base::Status autosave_now(Program& program) {
   if (!program.keeper || !needs_autosave(program, *program.keeper)) return {};
   Keeper& keeper = *program.keeper;
-  const std::filesystem::path& path = program.session.path;
+  const std::filesystem::path& path = program.session.file.path;
   const std::string original = path.empty() ? std::string() : base::canonical_path(path).string();
   const base::Status wrote = keeper.autosave.write(keeper.files, recovery_folder(keeper), program.session.document,
                                                    original, static_cast<std::int64_t>(std::time(nullptr)));
   if (wrote) {
-    keeper.autosaved = world::hash(program.session.document);
+    keeper.autosaved = edit::find(program.session, edit::Want::document_hash).document_hash;
     keeper.autosave_failed = false;
     ++program.stats.keeping.autosaves;
   } else if (!std::exchange(keeper.autosave_failed, true)) {
@@ -248,12 +248,15 @@ base::Status autosave_now(Program& program) {
   return wrote;
 }
 
-void keep(Program& program, const ui::Output* output) {
+void answer_keeping(Program& program, const ui::Output& output) {
+  if (output.new_folder) make_folder(program, *output.new_folder);
+  if (program.keeper) take_output(program, *program.keeper, output);
+}
+
+void keep(Program& program) {
   program.stats.keeping.quits = program.quit;
-  if (output != nullptr && output->new_folder) make_folder(program, *output->new_folder);
   if (!program.keeper) return;
   Keeper& keeper = *program.keeper;
-  if (output != nullptr) take_output(program, keeper, *output);
   watch_document(program, keeper);
   watch_settings(program, keeper);
   watch_progress(program, keeper);

@@ -45,19 +45,10 @@ void start_keeping(Program& program, const base::UserFolders& folders, const bas
 // Writes what has changed. `clean`: the user is done, so the autosave goes; otherwise it stays for the next start.
 void stop_keeping(Program& program, bool clean);
 
-// Before a command: refuses to save to a file that another program edits.
-base::Status before_command(Program& program, const edit::Command& command);
-// After it: the lock follows the document to its file; recent files.
-void after_command(Program& program, const edit::Command& command, const base::Status& applied);
-
-// Once a frame: answers to what the panels asked for (null without panels), settings that changed, the autosave when it
-// is time.
-void keep(Program& program, const ui::Output* output);
-
-// What challenges have earned, keeper_progress.cpp: read at the start (what is wrong with the file goes to `problems`),
-// written when it has grown.
-void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& problems);
-void watch_progress(Program& program, Keeper& keeper);
+// What the panels asked for: other settings, a new folder, the answer about an autosave, the desktop's file dialog.
+void answer_keeping(Program& program, const ui::Output& output);
+// At the end of each frame: settings and medals that changed, the autosave when it is time.
+void keep(Program& program);
 
 // Puts unsaved changes aside now. Ok, too, when there are none or nothing is kept.
 base::Status autosave_now(Program& program);

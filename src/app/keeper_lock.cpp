@@ -1,4 +1,5 @@
-// The lock on the document's file: taken when a file is opened, moved when it is saved under another name.
+#include "app/keeper_lock.h"
+
 #include <utility>
 
 #include "app/keeper.h"
@@ -18,7 +19,7 @@ bool holds_everything(const std::filesystem::path& path) {
 
 // The session has another file, or none.
 void follow_file(Program& program, Keeper& keeper) {
-  const std::filesystem::path& path = program.session.path;
+  const std::filesystem::path& path = program.session.file.path;
   const base::Root& root = program.files.root();
   const bool locked =
       !path.empty() && root.contains(path);  // a script leaves nothing beside a file outside of its folder

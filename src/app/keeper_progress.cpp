@@ -1,4 +1,5 @@
-// What challenges have earned, kept from run to run.
+#include "app/keeper_progress.h"
+
 #include <system_error>
 #include <utility>
 
@@ -16,7 +17,7 @@ std::filesystem::path progress_file(const Keeper& keeper) {
 
 void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& problems) {
   if (!keeper.folders.config.empty()) keeper.state.challenges = keeper.folders.config / "challenges";
-  program.session.earned = {};
+  program.session.game.earned = {};
   const std::filesystem::path file = progress_file(keeper);
   std::error_code error;
   if (file.empty() || !std::filesystem::exists(file, error)) return;
@@ -39,7 +40,7 @@ void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& p
 }
 
 void watch_progress(Program& program, Keeper& keeper) {
-  for (const exchange::ChallengeProgress& success : program.session.earned.challenges)
+  for (const exchange::ChallengeProgress& success : program.session.game.earned.challenges)
     (void)exchange::merge(keeper.state.progress, success);
   if (!keeper.may_write_progress || keeper.folders.state.empty() || keeper.state.progress == keeper.progress_written)
     return;

@@ -44,15 +44,16 @@ base::Result<script::Script> read_script(const std::string& path) {
 base::Status validate_challenge(const std::string& path) {
   base::Files files;
   edit::Session session = edit::make_session({});
-  session.referee = query::referee();
+  session.game.referee = query::referee();
   if (const base::Status begun = edit::apply(session, files, edit::StartChallenge{path}); !begun) return begun;
-  for (const edit::Notice& notice : session.notices) std::fprintf(stderr, "%s\n", notice.text.c_str());
-  edit::Verdict verdict = session.referee.judge(session, nullptr);
-  if (session.challenge->file.judged != exchange::Judged::build && edit::apply(session, files, edit::RideStart{})) {
+  for (const edit::Notice& notice : session.notices.list) std::fprintf(stderr, "%s\n", notice.text.c_str());
+  edit::Verdict verdict = session.game.referee.judge(session, nullptr);
+  if (session.game.challenge->file.judged != exchange::Judged::build &&
+      edit::apply(session, files, edit::RideStart{})) {
     const int most = static_cast<int>(exchange::kMaxChallengeSeconds) * world::kTicksPerSecond;
     edit::advance(session, most);
-    verdict = session.challenge->last;
-    if (session.challenge->judged == 0) verdict.reason = "its ride does not end";
+    verdict = session.game.challenge->last;
+    if (session.game.challenge->judged == 0) verdict.reason = "its ride does not end";
   }
   if (verdict.medal > 0)
     return {base::Code::bad_file, path + ": error: its start track passes it already (" +
@@ -193,10 +194,9 @@ int run_report(const Options& options) {
   if (const base::Status opened = edit::apply(session, files, edit::Load{track.string()}); !opened)
     return finish({base::Code::bad_file, opened.message});
   if (const base::Status limits = open_envelope(session, files, options); !limits) return finish(limits);
-  const sim::Ghost* const ghost =
-      session.ghosts.ride(session.document, session.derived, world::first_cart(session.document));
-  if (!ghost) return finish({base::Code::refused, "the track has no cart, so there is no ride to report"});
-  std::fputs(edit::ride_report(session, *ghost).c_str(), stdout);
+  const auto report = edit::ride_report(session);
+  if (!report) return finish({base::Code::refused, "the track has no cart, so there is no ride to report"});
+  std::fputs(report->c_str(), stdout);
   return finish({});
 }
 
@@ -260,11 +260,11 @@ int run_window(const Options& options) {
   if (const base::Status chosen = choose_camera(p, options.camera); !chosen) return finish(chosen);
   if (const base::Status started = start_recording(p); !started) return finish(started);
   if (options.file.empty() && p.keeper->state.settings.start_screen) p.ui->show_start();
-  p.frame_clock = p.surface->clock();
+  p.time.last_frame = p.surface->clock();
   for (std::int64_t frame = 0; !p.quit && !platform::pending_signal() && (!options.frames || frame < *options.frames);
        ++frame) {
     play_frame(p);
-    if (std::exchange(p.wants_tutorial, false)) run_tutorial(p);
+    if (std::exchange(p.tutorial.wanted, false)) run_tutorial(p);
   }
   if (const int signal = platform::pending_signal()) return leave_by(p, signal);
   stop_keeping(p, p.quit);

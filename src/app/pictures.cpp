@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "app/frame.h"
+#include "app/scene.h"
 #include "gfx/image.h"
 
 namespace coaster::app {

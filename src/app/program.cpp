@@ -5,6 +5,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "app/keeper_lock.h"
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/text.h"
@@ -62,9 +63,9 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   if (!panels) return panels.status();
   program->ui = std::move(*panels);
   program->session = edit::make_session([screen] { return screen->clock(); });
-  program->session.machine = machine_line();
-  program->session.referee = query::referee();
-  view::follow(program->rig, watched(*program), 0);
+  program->session.measuring.machine = machine_line();
+  program->session.game.referee = query::referee();
+  view::follow(program->picture.rig, watched(*program), 0);
   return program;
 }
 
@@ -90,7 +91,7 @@ base::Status apply_one(Program& program, const edit::Command& command) {
   if (applied && command.is<edit::SetEvaluator>())
     if (const std::string reason = program.renderer->refusal(program.session.derived.evaluated_by); !reason.empty())
       edit::notify(program.session, edit::NoticeKind::warning, "drawn by the vertex shader instead: " + reason);
-  view::follow(program.rig, watched(program), 0);
+  view::follow(program.picture.rig, watched(program), 0);
   ++program.commands;
   if (!applied || !program.recorder) return applied;
   const base::Status recorded = program.recorder->command(command, program.session);
@@ -104,16 +105,17 @@ base::Status apply_one(Program& program, const edit::Command& command) {
 }  // namespace
 
 base::Status apply(Program& program, const edit::Command& command) {
-  const std::uint64_t notices = program.session.notice_serial;
+  const std::uint64_t notices = program.session.notices.serial;
   const base::Status applied = apply_one(program, command);
-  if (program.session.notice_serial != notices)
-    program.toast = program.session.notices.back().text;  // the panels show it a frame later
+  if (program.session.notices.serial != notices)
+    program.picture.toast = program.session.notices.list.back().text;  // the panels show it a frame later
   if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) ||
       command.is<edit::LoadEnvelope>())
     return applied;
   // Another track: looked at from where all of it is seen.
   const edit::Session& session = program.session;
-  const world::Camera camera = view::frame_all(session.settings.camera, session.document, program.view.viewport);
+  const world::Camera camera =
+      view::frame_all(session.settings.camera, session.document, program.picture.view.viewport);
   (void)apply_one(program, edit::SetCamera{camera});
   return applied;
 }
@@ -122,9 +124,9 @@ void advance(Program& program, int ticks) {
   if (program.recorder && !program.recorder->ticks(ticks)) program.recorder.reset();
   const auto advance_by = [&](int some) {
     edit::advance(program.session, some);
-    view::follow(program.rig, watched(program), some);
+    view::follow(program.picture.rig, watched(program), some);
   };
-  if (!program.options.hash_log && !view::steps(program.rig)) return advance_by(ticks);
+  if (!program.options.hash_log && !view::steps(program.picture.rig)) return advance_by(ticks);
   const std::string document = program.options.hash_log ? base::hex16(world::hash(program.session.document)) : "";
   for (int i = 0; i < ticks; ++i) {
     advance_by(1);
@@ -136,12 +138,12 @@ void advance(Program& program, int ticks) {
   if (program.options.hash_log) std::fflush(stdout);  // whoever reads along sees every frame at once
 }
 
-query::Context context_of(const Program& program) {
-  return {program.session, program.stats, program.toast, program.title};
+query::Context context_of(Program& program) {
+  return {program.session, program.stats, program.picture.toast, program.picture.title};
 }
 
-std::string title_of(const edit::Session& session) {
-  return session.document.name + (edit::dirty(session) ? "*" : "") + " - coaster";
+std::string title_of(const edit::Finder& find) {
+  return find.session().document.name + (edit::dirty(find) ? "*" : "") + " - coaster";
 }
 
 std::filesystem::path default_track() {

@@ -23,45 +23,57 @@
 
 namespace coaster::app {
 
+// Time that goes by, s.
+struct FrameClock {
+  double seconds = 0;         // since the start, as the events have it
+  double tick_debt = 0;       // that passed and is not ticked yet
+  double last_frame = 0;      // of a window, by the surface's clock
+  double smoothed_frame = 0;  // how long a window's frames take
+};
+
+// The picture that was drawn last.
+struct Picture {
+  view::CameraRig rig;                   // what pictures are taken with; follows every command and tick
+  view::View view;                       // that it was drawn with
+  view::Pick hovered;                    // what was under the cursor
+  std::uint64_t tick = 0, commands = 0;  // of the session and of Program::commands, in it
+  bool unseen = false;                   // it has no pixels: they are drawn when they are asked for (scene.h)
+  std::string title;                     // of the window
+  std::string toast;                     // that the panels show
+};
+
+// The lesson that a script gives in a window.
+struct Tutorial {
+  bool wanted = false;
+  std::optional<query::LessonCard> card;
+  query::LessonAnswer answer = query::LessonAnswer::none;
+};
+
 struct Program {
   Options options;
   base::Files files;  // of a script: below its folder alone
   edit::Session session;
-  query::FrameStats stats;
+  std::uint64_t commands = 0;  // applied since the start
+  bool by_hand = false;  // commands come from panels, keys and mouse: a change of camera is eased; a script's is a cut
+  bool quit = false;
+  FrameClock time;
+
   std::unique_ptr<platform::Surface> surface;
   gfx::Gl gl;  // before what uses it, so that it goes last
   std::unique_ptr<gfx::Renderer> renderer;
   std::unique_ptr<ui::Host> ui;
+  Picture picture;
+  query::FrameStats stats;
+  int rebuilds = 0;  // segments evaluated since the last frame was drawn
+
   std::unique_ptr<script::Recorder> recorder;  // null: nothing is recorded
   std::unique_ptr<Keeper> keeper;              // null: nothing is kept for a user
   std::unique_ptr<Filming> filming;            // a movie that is being made; null: none
   Sounds sounds;                               // of a window
-
-  std::unique_ptr<ImportJob> import;  // a file that is being read; null: none
-  int import_delay = 0;               // frames that the next one takes longer, as a script wants it
-  view::CameraRig rig;                // what pictures are taken with; follows every command and tick
-  view::View view;                    // that the last frame was drawn with
-  bool by_hand = false;  // commands come from panels, keys and mouse: a change of camera is eased; a script's is a cut
-  view::Pick hovered;    // of the last frame
-  std::uint64_t commands = 0;                        // applied since the start
-  std::uint64_t drawn_tick = 0, drawn_commands = 0;  // of the session and of `commands`, in the last frame
-  sim::FrenetBreaks breaks;                          // of the track as last drawn with their layer on
-  sim::RedSpans red;                                 // of the ride, the same
-  sim::TrackValueMemo values;                        // what the track is coloured by
-  sim::Supports supports;                            // what holds the track
-  int rebuilds = 0;                                  // segments evaluated since the last frame was drawn
-  double seconds = 0;                                // since the start, as the events have it
-  double tick_debt = 0;                              // s that passed and are not ticked yet
-  bool quit = false;
-  bool unseen = false;        // the last frame has no pixels: they are drawn when they are asked for (frame.h)
-  double frame_clock = 0;     // of the window's last frame, by the surface's clock
-  double smoothed_frame = 0;  // s, of its frames
-  TrackPictures pictures;     // for the start screen
-  bool wants_tutorial = false;
-  std::optional<query::LessonCard> lesson;
-  query::LessonAnswer lesson_answer = query::LessonAnswer::none;
-  std::string title;  // of the window
-  std::string toast;
+  TrackPictures pictures;                      // for the start screen
+  std::unique_ptr<ImportJob> import;           // a file that is being read; null: none
+  int import_delay = 0;                        // frames that the next one takes longer, as a script wants it
+  Tutorial tutorial;
 };
 
 // A window, or memory when `headless`, with renderer and panels. Code::graphics when there is none.
@@ -77,10 +89,10 @@ void advance(Program& program, int ticks);
 // What the camera looks at.
 view::Watched watched(const Program& program);
 
-query::Context context_of(const Program& program);
+query::Context context_of(Program& program);
 
 // "Red Comet* - coaster": the track's name, and a star when it is not saved.
-std::string title_of(const edit::Session& session);
+std::string title_of(const edit::Finder& find);
 
 // The track to open when none is named: tracks/loop.json of base::data_folder(); empty when it is not there.
 std::filesystem::path default_track();

@@ -71,7 +71,7 @@ base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim)
   if (aim.kind == AimPoint::Kind::world) return aim.position;
   if (aim.kind == AimPoint::Kind::ground) return glm::vec3(aim.position.x, 0, aim.position.z);
   if (aim.kind == AimPoint::Kind::gizmo) {
-    const auto gizmo = view::gizmo_of(session.document, session.settings, program.view);
+    const auto gizmo = view::gizmo_of(session.document, session.settings, program.picture.view);
     if (!gizmo) return base::Status{base::Code::refused, "there is no gizmo: select a knot"};
     return view::gizmo_place(*gizmo, session.settings.ui_scale, aim.part);
   }
@@ -90,7 +90,8 @@ glm::vec2 uncovered(const Program& program, const AimPoint& aim, glm::vec2 middl
   const edit::Session& session = program.session;
   const view::Pick wanted{view::PickKind::cart, world::find(session.document, aim.name)};
   const auto is_cart = [&](glm::vec2 at) {
-    return view::pick(session.document, session.derived, session.motion, session.settings, program.view, at) == wanted;
+    return view::pick(session.document, session.derived, session.motion, session.settings, program.picture.view, at) ==
+           wanted;
   };
   constexpr int kReach = 40, kStep = 2, kDirections = 16;  // px
   if (is_cart(middle)) return middle;
@@ -107,7 +108,7 @@ glm::vec2 uncovered(const Program& program, const AimPoint& aim, glm::vec2 middl
 base::Result<glm::vec2> pixel_of(const Program& program, const AimPoint& aim) {
   const auto position = position_of(program, aim);
   if (!position) return position.status();
-  const view::View& view = program.view;
+  const view::View& view = program.picture.view;
   const auto pixel = view::project(view, *position);
   if (!pixel || !view.viewport.contains({pixel->x, pixel->y}))
     return base::Status{base::Code::expectation, "the target is not on the screen (camera all shows the whole track)"};
@@ -149,8 +150,8 @@ script::Host make_script_host(Program& program) {
   host.snap = [p](const std::string& name, const std::filesystem::path& golden, const std::filesystem::path& folder,
                   bool update) { return compare_picture(*p, name, golden, folder, update); };
   host.commands = [p] { return p->commands; };
-  host.hovered = [p] { return p->hovered; };
-  host.viewport = [p] { return p->view.viewport; };
+  host.hovered = [p] { return p->picture.hovered; };
+  host.viewport = [p] { return p->picture.view.viewport; };
   host.progress = progress;
   host.print = [](std::string_view line) { std::printf("%.*s\n", static_cast<int>(line.size()), line.data()); };
   host.set_home = [p](const std::filesystem::path& folder) {

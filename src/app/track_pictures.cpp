@@ -1,7 +1,7 @@
 // Opening, framing and drawing tracks beside the one that is open.
 #include "app/track_pictures.h"
 
-#include "app/frame.h"
+#include "app/scene.h"
 #include "base/folders.h"
 #include "edit/session/session.h"
 #include "gfx/image.h"
@@ -34,9 +34,7 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   gfx::Scene scene{session.derived, view, nothing_over_it, cars};
   scene.show_polyline = false;
   scene.style = style;
-  sim::Supports supports;
-  supports.update(session.derived);
-  scene.supports = &supports;
+  scene.supports = edit::find(session, edit::Want::supports).supports;
   (void)renderer_->draw(scene, kWidth, kHeight);
   gfx::Object texture = gfx::make_texture(gl, renderer_->read_pixels());
   picture.texture = texture.id();

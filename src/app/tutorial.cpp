@@ -22,10 +22,10 @@ script::Host teaching_host(Program& program) {
   host.set_environment = [](const script::Environment&) { return base::Status{}; };
   host.progress = {};
   host.interrupted = [p] { return ends(*p); };
-  host.teach = [p](const query::LessonCard* card) { p->lesson = card ? std::optional(*card) : std::nullopt; };
+  host.teach = [p](const query::LessonCard* card) { p->tutorial.card = card ? std::optional(*card) : std::nullopt; };
   host.watch = [p]() -> base::Result<query::LessonAnswer> {
     play_frame(*p);
-    return std::exchange(p->lesson_answer, query::LessonAnswer::none);
+    return std::exchange(p->tutorial.answer, query::LessonAnswer::none);
   };
   return host;
 }
@@ -43,7 +43,7 @@ void run_tutorial(Program& program) {
   run.out = (program.keeper ? program.keeper->folders.state : std::filesystem::temp_directory_path()) / "tutorial";
   script::Host host = teaching_host(program);
   const base::Status taught = script::run_script(parsed->script, host, run);
-  program.lesson.reset();
+  program.tutorial.card.reset();
   if (!taught && !ends(program)) edit::notify(program.session, edit::NoticeKind::error, taught.message);
 }
 

@@ -48,7 +48,7 @@ void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
   const SupportCache::Synced held = track.supports().sync(scene.supports, scene.clock);
   stats.uploads = synced.uploads;
   stats.support_uploads = held.uploads;
-  stats.cpu_ms = 1000 * (synced.cpu_seconds + held.cpu_seconds);
+  stats.prepare_ms = 1000 * (synced.cpu_seconds + held.cpu_seconds);
   stats.upload_bytes = synced.bytes;
   stats.polyline_upload_bytes = synced.polyline_bytes;
   stats.polyline_bytes = track.held_polyline_bytes();

@@ -13,6 +13,7 @@
 #include "sim/solids/supports.h"
 #include "sim/study/track_values.h"
 #include "view/camera.h"
+#include "view/draw_stats.h"
 #include "view/overlay.h"
 
 namespace coaster::gfx {
@@ -26,32 +27,14 @@ struct Scene {
   bool show_polyline = true;
   const sim::TrackValues* values = nullptr;  // values that colour the track; null or plain: painted
   world::Theme theme = world::Theme::dark;   // colours the picture around the viewport
-  sim::Clock clock = {};                     // for cpu_ms; empty: not measured
+  sim::Clock clock = {};                     // for prepare_ms; empty: not measured
   world::Style style = world::Style::day;
   const sim::Supports* supports = nullptr;  // null: not drawn
   bool shadows = true;
   bool unseen = false;  // no pixels are needed: do everything else
 };
 
-// Statistics of the last draw.
-struct DrawStats {
-  int uploads = 0;          // segments written to the track's buffers
-  int recolours = 0;        // segments whose values were written (not in uploads)
-  int support_uploads = 0;  // segments whose supports were written (not in uploads)
-  int draw_calls = 0;
-  std::int64_t triangles = 0;  // of these draw calls, in shadow maps too
-  int shadow_maps = 0;  // shadow maps drawn: 0 unless track, trains, light or the visible part of a large track changed
-  int samples = 0;
-  double cpu_ms = 0;  // time of the cache to prepare uploads, outside GL
-  double gpu_ms = 0;  // GPU time of the polyline in the newest finished frame (a few frames ago); 0: not measured
-  std::int64_t upload_bytes = 0;           // written to the track's buffers
-  std::int64_t polyline_upload_bytes = 0;  // of these, polylines: vertices, or control points for GPU evaluators
-  std::int64_t polyline_bytes = 0;         // size of all polylines
-  curve::EvaluatedBy
-      drawn_by{};             // evaluator of the polyline: derived.evaluated_by, or the vertex shader as its substitute
-  double deviation = 0;       // m, of vertices computed by the GPU, see CurveDeviation; 0 for processor evaluators
-  int deviation_pending = 0;  // segments whose deviation will be measured in the next frames
-};
+using view::DrawStats;
 
 // 8-bit RGBA, rows from the top.
 struct Image {

@@ -13,21 +13,18 @@ namespace {
 
 using exchange::RuleList;
 
-// Queries of track and ride that depend on the last picture or on the machine.
-constexpr std::array<std::string_view, 17> kOfThePicture{
-    "evaluator",      "resolution", "arc_length",        "length",          "segment_length", "vertices",
-    "vertex_budget",  "deviation",  "deviation_pending", "drawn_by",        "upload_bytes",   "polyline_upload_bytes",
-    "polyline_bytes", "gpu_ms",     "ride.cost",         "evaluation_time", "ns_per_point"};
-constexpr std::array<std::string_view, 10> kOfTheView{"uploads", "rebuilds", "recolours", "longest", "curvature",
-                                                      "torsion", "frenet",   "cart_up",   "hash",    "frenet_flips"};
+// Queries of track and ride that depend on settings, on the view or on the machine.
+constexpr std::array<std::string_view, 15> kOfTheView{
+    "evaluator", "resolution", "arc_length", "length", "segment_length", "vertices", "vertex_budget", "ride.cost",
+    "longest",   "curvature",  "torsion",    "frenet", "cart_up",        "hash",     "frenet_flips"};
 
 bool named(std::span<const Query> rows, std::string_view name) {
   return std::any_of(rows.begin(), rows.end(), [&](const Query& row) { return row.name == name; });
 }
 
-Context context_of(const edit::Session& session) {
+Context context_of(const edit::Finder& find) {
   static const FrameStats kNothingDrawn;
-  return {session, kNothingDrawn, {}, {}};
+  return {find, kNothingDrawn, {}, {}};
 }
 
 std::optional<double> place_of_knot(const edit::Session& session, std::string_view label) {
@@ -38,7 +35,7 @@ std::optional<double> place_of_knot(const edit::Session& session, std::string_vi
 }
 
 // Returns the distance along the track where the value of a query is taken.
-std::optional<double> place_of(const edit::Session& session, std::string_view query) {
+std::optional<double> place_of(const edit::Finder& find, std::string_view query) {
   struct Row {
     std::string_view query;
     sim::Extreme sim::Ratings::*extreme;
@@ -48,22 +45,22 @@ std::optional<double> place_of(const edit::Session& session, std::string_view qu
       Row{"ride.g_side_max", &sim::Ratings::side_most}, Row{"ride.g_forward_max", &sim::Ratings::forward_most},
       Row{"ride.g_back_max", &sim::Ratings::back_most}, Row{"ride.speed_max", &sim::Ratings::top_speed},
       Row{"ride.height_max", &sim::Ratings::highest}};
-  if (edit::chosen_ride(session) == nullptr) return std::nullopt;
+  if (find(edit::Want::ride).ride == nullptr) return std::nullopt;
   for (const Row& row : kRows)
-    if (row.query == query) return (edit::chosen_ratings(session).*row.extreme).distance;
+    if (row.query == query) return (find(edit::Want::ratings).ratings->*row.extreme).distance;
   if (query == "ride.envelope") {
-    const std::vector<sim::RedSpan>& spans = edit::chosen_red_spans(session);
+    const std::span<const sim::RedSpan> spans = find(edit::Want::overloads).overloads;
     return spans.empty() ? std::nullopt : std::optional(spans.front().from_distance);
   }
   return std::nullopt;
 }
 
 // The weakest joint: its position is that of its knot.
-std::optional<double> place_of_joint(const edit::Session& session, std::string_view query) {
+std::optional<double> place_of_joint(const edit::Finder& find, std::string_view query) {
   if (query != "parametric_min" && query != "geometric_min") return std::nullopt;
   const auto weakest = find_query(query == "parametric_min" ? "weakest_parametric" : "weakest_geometric")
-                           ->evaluate(context_of(session), {});
-  return weakest ? place_of_knot(session, to_text(*weakest)) : std::nullopt;
+                           ->evaluate(context_of(find), {});
+  return weakest ? place_of_knot(find.session(), to_text(*weakest)) : std::nullopt;
 }
 
 std::string shown(const Query& query, const Value& value) {
@@ -76,7 +73,7 @@ std::string shown(const Query& query, const Value& value) {
 }
 
 // Checks that an expression's operands can be compared; any value of the query shows this.
-base::Status comparable(const Rule& rule, const edit::Session& empty) {
+base::Status comparable(const Rule& rule, const edit::Finder& empty) {
   const base::Result<Value> value = rule.query->evaluate(context_of(empty), rule.condition.argument);
   if (!value) return {};  // names a knot or a segment, which an empty track lacks
   const base::Result<bool> held = holds(rule.condition, *value);
@@ -105,10 +102,12 @@ std::string full_name(const Rule& rule) {
 }
 
 // Returns the value found, where, and the wanted one; for an overload, its kind and duration.
-std::string words_of(const edit::Session& session, const Rule& rule, const Finding& finding) {
+std::string words_of(const edit::Finder& find, const Rule& rule, const Finding& finding) {
   char words[160];
-  if (rule.query->name == "ride.envelope" && !edit::chosen_red_spans(session).empty()) {
-    const sim::RedSpan& span = edit::chosen_red_spans(session).front();
+  const auto overloads =
+      rule.query->name == "ride.envelope" ? find(edit::Want::overloads).overloads : std::span<const sim::RedSpan>();
+  if (!overloads.empty()) {
+    const sim::RedSpan& span = overloads.front();
     std::snprintf(words, sizeof words, "%.2f g %s at %.1f m, limit %.2f g for that duration", span.worst,
                   std::string(sim::label(span.axis)).c_str(), span.from_distance, span.allowed);
     return words;
@@ -133,7 +132,6 @@ std::string unridden(const edit::ActiveChallenge& challenge, const edit::RideRes
 
 bool may_judge(const Query& query) {
   if (query.name == "challenge.deviation") return true;
-  if (std::find(kOfThePicture.begin(), kOfThePicture.end(), query.name) != kOfThePicture.end()) return false;
   if (std::find(kOfTheView.begin(), kOfTheView.end(), query.name) != kOfTheView.end()) return false;
   return named(document_rows(), query.name) || named(ride_rows(), query.name) || named(ghost_rows(), query.name) ||
          named(joint_rows(), query.name);
@@ -164,16 +162,16 @@ base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challe
 base::Status check_rules(const exchange::ChallengeFile& challenge, const std::string& path) {
   const base::Result<std::vector<Rule>> rules = read_rules(challenge, path);
   if (!rules) return rules.status();
-  const edit::Session empty = edit::make_session({});
+  edit::Session empty = edit::make_session({});
   for (const Rule& rule : *rules)
     if (const base::Status sense = comparable(rule, empty); !sense)
       return at_rule(path, rule.list, rule.index, rule.condition.column, sense.message);
   return {};
 }
 
-Finding look_at(const edit::Session& session, const Rule& rule) {
+Finding look_at(const edit::Finder& find, const Rule& rule) {
   Finding finding;
-  const base::Result<Value> value = rule.query->evaluate(context_of(session), rule.condition.argument);
+  const base::Result<Value> value = rule.query->evaluate(context_of(find), rule.condition.argument);
   if (!value) {
     finding.found = value.status().message;  // a knot that no longer exists
     return finding;
@@ -188,11 +186,12 @@ Finding look_at(const edit::Session& session, const Rule& rule) {
     finding.found = "no lap";
     return finding;
   }
-  finding.place = place_of(session, rule.query->name);
-  if (!finding.place) finding.place = place_of_joint(session, rule.query->name);
+  finding.place = place_of(find, rule.query->name);
+  if (!finding.place) finding.place = place_of_joint(find, rule.query->name);
   if (!finding.place && rule.query->argument == "@knot")
-    finding.place = place_of_knot(session, rule.condition.argument.starts_with('@') ? rule.condition.argument.substr(1)
-                                                                                    : rule.condition.argument);
+    finding.place =
+        place_of_knot(find.session(), rule.condition.argument.starts_with('@') ? rule.condition.argument.substr(1)
+                                                                               : rule.condition.argument);
   return finding;
 }
 
@@ -204,9 +203,9 @@ std::string wanted(const Rule& rule) {
          (unit ? " " + std::string(rule.query->unit) : "");
 }
 
-edit::Verdict judge(const edit::Session& session, const edit::RideResult* result) {
-  COASTER_CHECK(session.challenge, "judging needs an active challenge");
-  const edit::ActiveChallenge& challenge = *session.challenge;
+edit::Verdict judge(edit::Session& session, const edit::RideResult* result) {
+  COASTER_CHECK(session.game.challenge, "judging needs an active challenge");
+  const edit::ActiveChallenge& challenge = *session.game.challenge;
   edit::Verdict verdict;
   const base::Result<std::vector<Rule>> rules = read_rules(challenge.file, challenge.path);
   if (!rules) {

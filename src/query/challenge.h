@@ -37,14 +37,14 @@ struct Finding {
   std::optional<double> value;  // of numbers
   std::optional<double> place;  // m along the track, where the value is taken; nothing if it has no position
 };
-Finding look_at(const edit::Session& session, const Rule& rule);
+Finding look_at(const edit::Finder& find, const Rule& rule);
 
 // Returns "wanted <= 1.2 g" for the rule's operator and value.
 std::string wanted(const Rule& rule);
 
 // Judges the session's challenge. Bronze: the ride counts and all goals, limits and bronze's own rules hold. Silver and
 // gold need their own rules too, gold also silver's. `result`: of the ride that has just ended; null for Judged::build.
-edit::Verdict judge(const edit::Session& session, const edit::RideResult* result);
+edit::Verdict judge(edit::Session& session, const edit::RideResult* result);
 
 // Returns the functions that a session needs.
 edit::Referee referee();

@@ -15,6 +15,9 @@ std::span<const Query> joint_rows();
 std::span<const Query> lab_rows();
 std::span<const Query> element_rows();
 std::span<const Query> game_rows();
+std::span<const Query> draw_rows();
+std::span<const Query> frame_rows();
+std::span<const Query> evaluation_rows();
 
 // Returns the entity of that kind named `argument` ("@k3" or "k3"), or a Status with the error and a suggestion.
 base::Result<world::Entity> entity_of(const Context& context, std::string_view argument, world::Kind kind);

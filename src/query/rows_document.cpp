@@ -33,12 +33,12 @@ Answer longest(const Context& c, View) {
 
 // --- conflicts ----------------------------------------------------------------------------------------------------
 const sim::Conflict* worst_conflict(const Context& c) {
-  const auto& found = edit::conflicts(c.session);
+  const auto found = c.find(edit::Want::conflicts).conflicts;
   const auto worst =
       std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.missing < b.missing; });
   return worst == found.end() ? nullptr : &*worst;
 }
-Answer conflicts(const Context& c, View) { return number(edit::conflicts(c.session).size()); }
+Answer conflicts(const Context& c, View) { return number(c.find(edit::Want::conflicts).conflicts.size()); }
 Answer conflict_missing(const Context& c, View) {
   const sim::Conflict* const worst = worst_conflict(c);
   return number(worst ? worst->missing : 0.0);
@@ -56,7 +56,7 @@ Answer hash(const Context& c, View argument) {
 }
 
 // --- fit of an imported track -------------------------------------------------------------------------------------
-exchange::ImportReport import_of(const Context& c) { return c.session.import.value_or(exchange::ImportReport{}); }
+exchange::ImportReport import_of(const Context& c) { return c.session.file.import.value_or(exchange::ImportReport{}); }
 Answer import_max_error(const Context& c, View) { return number(import_of(c).max_error); }
 Answer import_frame_error(const Context& c, View) { return number(import_of(c).frame_error); }
 Answer import_knots(const Context& c, View) { return number(import_of(c).knots); }
@@ -145,38 +145,6 @@ Answer arc_length(const Context& c, View) { return text(curve::arc_length_method
 Answer resolution(const Context& c, View) { return number(c.session.settings.steps); }
 Answer vertices(const Context& c, View) { return number(c.session.derived.vertices); }
 Answer vertex_budget(const Context& c, View) { return number(c.session.settings.vertex_budget); }
-// The processor's, or the one captured from the GPU.
-Answer deviation(const Context& c, View) {
-  return number(c.session.derived.evaluated_by == curve::EvaluatedBy::processor ? c.session.derived.deviation
-                                                                                : c.stats.gpu_deviation);
-}
-Answer deviation_pending(const Context& c, View) { return number(c.stats.deviation_pending); }
-Answer drawn_by(const Context& c, View) {
-  switch (c.stats.drawn_by) {
-    case curve::EvaluatedBy::processor: return text("processor");
-    case curve::EvaluatedBy::vertex_shader: return text("vertex_shader");
-    case curve::EvaluatedBy::geometry_shader: return text("geometry_shader");
-    case curve::EvaluatedBy::tessellation_shader: return text("tessellation_shader");
-  }
-  return text("");
-}
-Answer upload_bytes(const Context& c, View) { return number(c.stats.upload_bytes); }
-Answer polyline_upload_bytes(const Context& c, View) { return number(c.stats.polyline_upload_bytes); }
-Answer polyline_bytes(const Context& c, View) { return number(c.stats.polyline_bytes); }
-Answer gpu_ms(const Context& c, View) { return number(c.stats.gpu_ms); }
-Answer uploads(const Context& c, View) { return number(c.stats.uploads); }
-Answer movie_frames(const Context& c, View) { return number(c.stats.movie_frames); }
-Answer rebuilds(const Context& c, View) { return number(c.stats.rebuilds); }
-Answer recolours(const Context& c, View) { return number(c.stats.recolours); }
-Answer supports_count(const Context& c, View) { return number(c.stats.supports); }
-Answer supports_rebuilds(const Context& c, View) { return number(c.stats.support_rebuilds); }
-Answer supports_uploads(const Context& c, View) { return number(c.stats.support_uploads); }
-Answer evaluation_time(const Context& c, View) { return number(c.stats.evaluation_ms); }
-Answer ns_per_point(const Context& c, View) {
-  return number(c.stats.evaluated_vertices > 0
-                    ? c.stats.evaluation_ms * 1e6 / static_cast<double>(c.stats.evaluated_vertices)
-                    : 0.0);
-}
 
 constexpr std::array kDocumentRows{
     Query{"knots", "", "", "Number of knots.", knots},
@@ -228,29 +196,6 @@ constexpr std::array kDocumentRows{
     Query{"arc_length", "", "", "Arc-length method of the displayed length.", arc_length},
     Query{"vertices", "", "", "Number of vertices of all polylines.", vertices},
     Query{"vertex_budget", "", "", "Limit of the vertices of all polylines.", vertex_budget},
-    Query{"deviation", "", "m", "Largest distance of a vertex from the exact point at the same parameter.", deviation},
-    Query{"deviation_pending", "", "", "Segments whose deviation on the GPU is not yet measured.", deviation_pending},
-    Query{"drawn_by", "", "",
-          "Where the polylines were evaluated: processor, vertex_shader, geometry_shader or tessellation_shader.",
-          drawn_by},
-    Query{"upload_bytes", "", "B", "Bytes written to the track's vertex buffers in the last frame.", upload_bytes},
-    Query{"polyline_upload_bytes", "", "B",
-          "The same for polylines only: vertices, or control points for GPU evaluators.", polyline_upload_bytes},
-    Query{"polyline_bytes", "", "B", "GPU memory of all polylines.", polyline_bytes},
-    Query{"gpu_ms", "", "ms", "GPU time of the polylines, a few frames ago; 0 if not measured.", gpu_ms},
-    Query{"movie.frames", "", "", "Pictures of the current movie, or of the last one.", movie_frames},
-    Query{"uploads", "", "", "Segments whose vertex buffers were uploaded in the last frame.", uploads},
-    Query{"rebuilds", "", "", "Segments evaluated for the last frame.", rebuilds},
-    Query{"recolours", "", "", "Segments whose colour values were uploaded in the last frame; not part of uploads.",
-          recolours},
-    Query{"supports.count", "", "", "Number of supports; 0 while hidden.", supports_count},
-    Query{"supports.rebuilds", "", "", "Segments whose supports were recomputed for the last frame.",
-          supports_rebuilds},
-    Query{"supports.uploads", "", "", "Segments whose supports were uploaded in the last frame; not part of uploads.",
-          supports_uploads},
-    Query{"evaluation_time", "", "ms", "Time of evaluators in the last frame that evaluated anything.",
-          evaluation_time},
-    Query{"ns_per_point", "", "ns", "The same per vertex.", ns_per_point},
 };
 
 }  // namespace

@@ -7,9 +7,7 @@
 namespace coaster::query {
 namespace {
 
-const sim::ElementPlan& plan(const Context& c) {
-  return c.session.elements.plan(c.session.settings.element, c.session.document);
-}
+const sim::ElementPlan& plan(const Context& c) { return *c.find(edit::Want::element).element; }
 
 Answer element(const Context& c, View) { return text(world::element_row(c.session.settings.element.kind).name); }
 Answer preview(const Context& c, View) { return yes_no(c.session.settings.show_element); }
@@ -38,9 +36,7 @@ Answer spans(const Context& c, View) { return number(plan(c).spans()); }
 Answer element_length(const Context& c, View) { return number(plan(c).length); }
 Answer lead(const Context& c, View) { return number(plan(c).lead); }
 Answer lowest(const Context& c, View) { return number(plan(c).lowest); }
-Answer missing(const Context& c, View) {
-  return number(sim::worst(edit::narrow_parts(c.session, c.session.settings.element)));
-}
+Answer missing(const Context& c, View) { return number(sim::worst(c.find(edit::Want::room).room)); }
 Answer refusal(const Context& c, View) { return text(plan(c).refusal.empty() ? "none" : plan(c).refusal); }
 
 constexpr std::array kElementRows{

@@ -12,45 +12,46 @@ bool must_hold(const Rule& rule) {
   return rule.list != exchange::RuleList::silver && rule.list != exchange::RuleList::gold;
 }
 
-Answer active(const Context& c, View) { return yes_no(c.session.challenge.has_value()); }
+Answer active(const Context& c, View) { return yes_no(c.session.game.challenge.has_value()); }
 Answer challenge_name(const Context& c, View) {
-  return text(c.session.challenge ? c.session.challenge->file.name : "");
+  return text(c.session.game.challenge ? c.session.game.challenge->file.name : "");
 }
 template <class Counts>
 Answer count(const Context& c, Counts counts) {
-  if (!c.session.challenge) return number(0);
-  const auto rules = read_rules(c.session.challenge->file, c.session.challenge->path);
+  if (!c.session.game.challenge) return number(0);
+  const auto rules = read_rules(c.session.game.challenge->file, c.session.game.challenge->path);
   if (!rules) return rules.status();
   return number(std::count_if(rules->begin(), rules->end(), counts));
 }
 Answer goals(const Context& c, View) { return count(c, must_hold); }
 Answer met(const Context& c, View) {
-  return count(c, [&](const Rule& rule) { return must_hold(rule) && look_at(c.session, rule).holds; });
+  return count(c, [&](const Rule& rule) { return must_hold(rule) && look_at(c.find, rule).holds; });
 }
-Answer medal(const Context& c, View) { return number(c.session.challenge ? c.session.challenge->medal : 0); }
-Answer passed(const Context& c, View) { return yes_no(c.session.challenge && c.session.challenge->medal > 0); }
-Answer judged(const Context& c, View) { return number(c.session.challenge ? c.session.challenge->judged : 0); }
-Answer failure(const Context& c, View) { return text(c.session.challenge ? c.session.challenge->last.reason : ""); }
-Answer challenge_hints(const Context& c, View) { return number(c.session.challenge ? c.session.challenge->hints : 0); }
+Answer medal(const Context& c, View) { return number(c.session.game.challenge ? c.session.game.challenge->medal : 0); }
+Answer passed(const Context& c, View) {
+  return yes_no(c.session.game.challenge && c.session.game.challenge->medal > 0);
+}
+Answer judged(const Context& c, View) {
+  return number(c.session.game.challenge ? c.session.game.challenge->judged : 0);
+}
+Answer failure(const Context& c, View) {
+  return text(c.session.game.challenge ? c.session.game.challenge->last.reason : "");
+}
+Answer challenge_hints(const Context& c, View) {
+  return number(c.session.game.challenge ? c.session.game.challenge->hints : 0);
+}
 Answer challenge_deviation(const Context& c, View) {
-  if (!c.session.challenge) return number(0.0);
-  const edit::ActiveChallenge& challenge = *c.session.challenge;
   constexpr double kNothingThere = 1e9;  // m, if there is no track
-  sim::ShapeTrace now = sim::trace_of(c.session.document);
-  if (!challenge.deviation || !(challenge.deviation->of == now)) {
-    const double metres = std::min(sim::shape_distance(now, challenge.shape), kNothingThere);
-    challenge.deviation = edit::ActiveChallenge::Deviation{std::move(now), metres};
-  }
-  return number(challenge.deviation->metres);
+  return number(std::min(c.find(edit::Want::deviation).deviation, kNothingThere));
 }
 
 Answer card(const Context& c, View) { return yes_no(c.session.settings.show_card); }
 Answer card_shows(const Context& c, View) {
-  return yes_no(c.session.settings.show_card && c.session.show_result && c.session.result);
+  return yes_no(c.session.settings.show_card && c.session.game.show_result && c.session.game.result);
 }
 Answer card_end(const Context& c, View) {
-  if (!c.session.result) return text("none");
-  switch (c.session.result->end) {
+  if (!c.session.game.result) return text("none");
+  switch (c.session.game.result->end) {
     case edit::RideEnd::lap: return text("lap");
     case edit::RideEnd::open_end: return text("open end");
     case edit::RideEnd::time: return text("time");
@@ -58,9 +59,11 @@ Answer card_end(const Context& c, View) {
   }
   return text("");
 }
-Answer card_reason(const Context& c, View) { return text(c.session.result ? c.session.result->reason : ""); }
-Answer card_rides(const Context& c, View) { return number(c.session.result ? c.session.result->serial : 0); }
-Answer card_seconds(const Context& c, View) { return number(c.session.result ? c.session.result->seconds : 0.0); }
+Answer card_reason(const Context& c, View) { return text(c.session.game.result ? c.session.game.result->reason : ""); }
+Answer card_rides(const Context& c, View) { return number(c.session.game.result ? c.session.game.result->serial : 0); }
+Answer card_seconds(const Context& c, View) {
+  return number(c.session.game.result ? c.session.game.result->seconds : 0.0);
+}
 
 constexpr std::array kGameRows{
     Query{"challenge.active", "", "", "on during a challenge.", active},

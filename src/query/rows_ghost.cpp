@@ -9,11 +9,11 @@
 namespace coaster::query {
 namespace {
 
-const sim::Ghost* ghost_of(const Context& c) { return edit::chosen_ride(c.session); }
+const sim::Ghost* ghost_of(const Context& c) { return c.find(edit::Want::ride).ride; }
 
 template <class Function>
 Answer of_ride(const Context& c, Function function) {
-  return number(function(edit::chosen_ratings(c.session)));
+  return number(function(*c.find(edit::Want::ratings).ratings));
 }
 
 Answer lap_time(const Context& c, View) {
@@ -62,8 +62,8 @@ Answer height_max(const Context& c, View) {
 Answer inversions(const Context& c, View) {
   return of_ride(c, [](const sim::Ratings& r) { return r.inversions; });
 }
-Answer envelope(const Context& c, View) { return number(edit::chosen_red_spans(c.session).size()); }
-Answer envelope_name(const Context& c, View) { return text(c.session.envelope_name); }
+Answer envelope(const Context& c, View) { return number(c.find(edit::Want::overloads).overloads.size()); }
+Answer envelope_name(const Context& c, View) { return text(c.session.limits.name); }
 Answer fail(const Context& c, View) {
   const world::FailureKind kind = c.session.motion.failure.kind;
   return text(kind == world::FailureKind::none ? "none" : sim::text(kind));

@@ -28,8 +28,6 @@ Answer shown(const Context& c, View word) {
 Answer colour(const Context& c, View) {
   return text(world::colourings()[static_cast<std::size_t>(c.session.settings.colouring)].name);
 }
-Answer colour_low(const Context& c, View) { return number(c.stats.colour_low); }
-Answer colour_high(const Context& c, View) { return number(c.stats.colour_high); }
 Answer magnification(const Context& c, View) { return number(c.session.settings.magnification); }
 Answer comb_scale(const Context& c, View) { return number(c.session.settings.comb_scale); }
 Answer laboratory(const Context& c, View) { return yes_no(c.session.settings.show_laboratory); }
@@ -65,9 +63,9 @@ Answer seam(const Context& c, View) {
   return number(sim::seam(*r));
 }
 
-Answer measuring(const Context& c, View) { return yes_no(c.session.measurement.running); }
-Answer measure_progress(const Context& c, View) { return number(sim::progress(c.session.measurement)); }
-Answer measure_rows(const Context& c, View) { return number(c.session.measurement.rows.size()); }
+Answer measuring(const Context& c, View) { return yes_no(c.session.measuring.measurement.running); }
+Answer measure_progress(const Context& c, View) { return number(sim::progress(c.session.measuring.measurement)); }
+Answer measure_rows(const Context& c, View) { return number(c.session.measuring.measurement.rows.size()); }
 
 // Parses "horner/64": an evaluator and one of the measured numbers of steps.
 base::Result<sim::MeasuredCell> cell_of(const Context& c, View word) {
@@ -75,7 +73,8 @@ base::Result<sim::MeasuredCell> cell_of(const Context& c, View word) {
   const auto row = row_named(word.substr(0, slash), "evaluator", curve::evaluators());
   if (!row) return row.status();
   const auto steps = slash == View::npos ? std::nullopt : base::parse_int(word.substr(slash + 1));
-  const sim::MeasuredRow* const measured = sim::row_of(c.session.measurement, static_cast<curve::EvaluatorId>(*row));
+  const sim::MeasuredRow* const measured =
+      sim::row_of(c.session.measuring.measurement, static_cast<curve::EvaluatorId>(*row));
   for (std::size_t i = 0; i < sim::kMeasuredSteps.size(); ++i) {
     if (!steps || *steps != sim::kMeasuredSteps[i]) continue;
     if (measured == nullptr || measured->cells[i].rounds == 0)
@@ -100,8 +99,6 @@ constexpr std::array kLabRows{
     Query{"shown", "polyline|frames|comb|circle|construction|rounding|flips|limits|supports|knots|conflicts", "",
           "on if a layer of the laboratory is drawn.", shown},
     Query{"colour", "", "", "Colouring of the track.", colour},
-    Query{"colour.low", "", "", "Lower end of the colours' legend, in their unit.", colour_low},
-    Query{"colour.high", "", "", "Upper end of the colours' legend.", colour_high},
     Query{"magnification", "", "", "Magnification of the rounding layer.", magnification},
     Query{"comb_scale", "", "m^2", "Length of the comb's teeth for a curvature of 1/m.", comb_scale},
     Query{"laboratory", "", "", "on if the laboratory is shown.", laboratory},

@@ -82,7 +82,7 @@ Answer g_forward(const Context& c, std::string_view) {
     return sim::felt(c.session.document, c.session.derived, e, cart).forward;
   });
 }
-Answer cost(const Context& c, std::string_view) { return number(c.session.ride_cost.ns_per_tick); }
+Answer cost(const Context& c, std::string_view) { return number(c.session.measuring.ride_cost.ns_per_tick); }
 Answer segment(const Context& c, std::string_view) {
   const world::CartMotion* const cart = cart_of(c.session).motion;
   return text(cart ? world::label_of(c.session.document, cart->segment) : "none");

@@ -35,7 +35,7 @@ Answer gizmo(const Context& c, View) { return yes_no(c.session.settings.show_giz
 Answer hints(const Context& c, View) { return yes_no(c.session.settings.show_hints); }
 Answer undo_depth(const Context& c, View) { return number(c.session.history.undo.size()); }
 Answer redo_depth(const Context& c, View) { return number(c.session.history.redo.size()); }
-Answer dirty(const Context& c, View) { return yes_no(edit::dirty(c.session)); }
+Answer dirty(const Context& c, View) { return yes_no(edit::dirty(c.find)); }
 Answer toast(const Context& c, View) { return text(c.toast); }
 Answer title(const Context& c, View) { return text(c.title); }
 Answer append_mode(const Context& c, View) { return yes_no(c.session.settings.append_mode); }
@@ -49,7 +49,7 @@ Answer sound(const Context& c, View) { return number(c.session.settings.sound); 
 Answer theme(const Context& c, View) {
   return text(world::kThemeNames[static_cast<std::size_t>(c.session.settings.theme)]);
 }
-Answer file(const Context& c, View) { return text(c.session.path.filename().string()); }
+Answer file(const Context& c, View) { return text(c.session.file.path.filename().string()); }
 Answer locked_by(const Context& c, View) { return text(c.stats.keeping.holder); }
 Answer recoverable(const Context& c, View) { return number(c.stats.keeping.recoverable); }
 Answer autosaves(const Context& c, View) { return number(c.stats.keeping.autosaves); }
@@ -78,18 +78,8 @@ Answer camera_distance(const Context& c, View) { return number(c.session.setting
 Answer camera_yaw(const Context& c, View) { return number(c.session.settings.camera.yaw_deg); }
 Answer camera_pitch(const Context& c, View) { return number(c.session.settings.camera.pitch_deg); }
 
-Answer frame(const Context& c, View) { return number(c.stats.frame); }
 Answer tick(const Context& c, View) { return number(c.session.tick); }
-Answer fps(const Context& c, View) { return number(c.stats.fps); }
-Answer cpu_ms(const Context& c, View) { return number(c.stats.cpu_ms); }
-Answer gl_ms(const Context& c, View) { return number(c.stats.gl_ms); }
 Answer entities(const Context& c, View) { return number(c.session.document.entities.size()); }
-Answer draw_calls(const Context& c, View) { return number(c.stats.draw_calls); }
-Answer triangles(const Context& c, View) { return number(c.stats.triangles); }
-Answer shadow_maps(const Context& c, View) { return number(c.stats.shadow_maps); }
-Answer samples(const Context& c, View) { return number(c.stats.samples); }
-Answer width(const Context& c, View) { return number(c.stats.width); }
-Answer height(const Context& c, View) { return number(c.stats.height); }
 
 constexpr std::array kSessionRows{
     Query{"frames_by", "", "", "Frame method of trains: knots, rmf, frenet or world_up.", frames_by},
@@ -135,19 +125,8 @@ constexpr std::array kSessionRows{
     Query{"camera_distance", "", "m", "Distance of the camera from its target.", camera_distance},
     Query{"camera_yaw", "", "deg", "Yaw of the camera; 0 looks along -Z.", camera_yaw},
     Query{"camera_pitch", "", "deg", "Pitch of the camera above the horizon.", camera_pitch},
-    Query{"frame", "", "", "Number of frames drawn since the start.", frame},
     Query{"tick", "", "", "Number of ticks of 1/120 s since the start.", tick},
-    Query{"fps", "", "1/s", "Frames per second; 0 if not measured.", fps},
-    Query{"cpu_ms", "", "ms", "Processor time of the last frame, outside OpenGL and waiting.", cpu_ms},
-    Query{"gl_ms", "", "ms", "Time of the last frame inside OpenGL.", gl_ms},
     Query{"entities", "", "", "Number of knots, segments and trains.", entities},
-    Query{"draw_calls", "", "", "Draw calls of the scene in the last frame.", draw_calls},
-    Query{"triangles", "", "", "Triangles of these draw calls.", triangles},
-    Query{"shadow_maps", "", "", "Shadow maps drawn in the last frame; 0 if neither track, trains nor light changed.",
-          shadow_maps},
-    Query{"samples", "", "", "Samples per pixel (multisampling).", samples},
-    Query{"width", "", "px", "Width of the picture.", width},
-    Query{"height", "", "px", "Height of the picture.", height},
 };
 
 }  // namespace

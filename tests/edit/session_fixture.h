@@ -23,7 +23,7 @@ class SessionTest : public testing::Test {
     session.settings = {};
     session.motion = {};
     session.document = document;
-    session.saved_hash = world::hash(document);
+    session.file.saved_hash = world::hash(document);
     sim::derive(session.document, session.settings, {}, session.derived);
     sim::reset(session.document, session.derived, session.motion);
   }
@@ -49,23 +49,23 @@ class SessionTest : public testing::Test {
     const world::Settings settings = session.settings;
     const world::Motion motion = session.motion;
     const std::size_t undo = session.history.undo.size(), redo = session.history.redo.size();
-    const std::uint64_t serial = session.notice_serial;
+    const std::uint64_t serial = session.notices.serial;
     const base::Status status = apply(c);
     EXPECT_EQ(status.code, base::Code::refused);
     EXPECT_NE(status.message.find(part), std::string::npos) << status.message;
     EXPECT_TRUE(session.document == document && session.settings == settings && session.motion == motion);
     EXPECT_EQ(session.history.undo.size(), undo);
     EXPECT_EQ(session.history.redo.size(), redo);
-    EXPECT_EQ(session.notice_serial, serial + 1);
-    EXPECT_EQ(session.notices.back().kind, edit::NoticeKind::error);
+    EXPECT_EQ(session.notices.serial, serial + 1);
+    EXPECT_EQ(session.notices.list.back().kind, edit::NoticeKind::error);
   }
   void refused(const std::string& line, std::string_view part) { refused(command(line), part); }
   // Applied with a warning about a limit.
   void clamped(const std::string& line, std::string_view part) {
-    const std::uint64_t serial = session.notice_serial;
+    const std::uint64_t serial = session.notices.serial;
     good(line);
-    ASSERT_GT(session.notice_serial, serial) << line;
-    const edit::Notice& notice = session.notices.back();
+    ASSERT_GT(session.notices.serial, serial) << line;
+    const edit::Notice& notice = session.notices.list.back();
     EXPECT_EQ(notice.kind, edit::NoticeKind::warning) << line;
     EXPECT_NE(notice.text.find("limit"), std::string::npos) << notice.text;
     EXPECT_NE(notice.text.find(part), std::string::npos) << notice.text;

@@ -18,7 +18,7 @@ class ChallengeTest : public test::SessionTest {
              ("coaster_challenge_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder);
     fs::create_directories(folder);
-    session.referee = referee();
+    session.game.referee = referee();
   }
   void TearDown() override { fs::remove_all(folder); }
 
@@ -40,10 +40,10 @@ class ChallengeTest : public test::SessionTest {
     EXPECT_EQ(status.code, base::Code::bad_file);
     EXPECT_NE(status.message.find(part), std::string::npos) << status.message;
     EXPECT_EQ(status.message.rfind(folder.string(), 0), 0u) << "the file comes first: " << status.message;
-    EXPECT_FALSE(session.challenge);
+    EXPECT_FALSE(session.game.challenge);
     EXPECT_TRUE(session.document == before) << "nothing is opened";
   }
-  double number(std::string_view name, std::string_view argument = {}) const {
+  double number(std::string_view name, std::string_view argument = {}) {
     return std::get<double>(*find_query(name)->evaluate({session, stats, "", ""}, argument));
   }
 
@@ -72,7 +72,7 @@ TEST_F(ChallengeTest, what_may_be_judged_depends_on_track_and_ride_alone) {
   FrameStats other;
   other.frame = 77, other.uploads = 5, other.rebuilds = 3, other.upload_bytes = 1000, other.polyline_upload_bytes = 99,
   other.polyline_bytes = 12, other.drawn_by = curve::EvaluatedBy::geometry_shader;
-  other.gpu_deviation = 3.25, other.deviation_pending = 2, other.recolours = 4, other.colour_low = -3,
+  other.deviation = 3.25, other.deviation_pending = 2, other.recolours = 4, other.colour_low = -3,
   other.colour_high = 9, other.fps = 61, other.cpu_ms = 7, other.gl_ms = 8, other.gpu_ms = 9;
   other.evaluation_ms = 4.5, other.evaluated_vertices = 1200, other.draw_calls = 31, other.samples = 4,
   other.width = 640, other.height = 480;
@@ -101,21 +101,21 @@ TEST_F(ChallengeTest, what_may_be_judged_depends_on_track_and_ride_alone) {
 TEST_F(ChallengeTest, a_lap_is_judged_when_it_is_ridden_and_not_before) {
   ASSERT_TRUE(begin(
       R"("judged": "lap", "goals": [{"expect": "closed == on", "text": "x"}], "silver": [{"expect": "ride.speed_max > 5", "text": "x"}], "gold": [{"expect": "ride.speed_max > 500", "text": "x"}])"));
-  EXPECT_EQ(session.challenge->judged, 0u);
+  EXPECT_EQ(session.game.challenge->judged, 0u);
   good("ride.start");
   edit::advance(session, 120);
-  EXPECT_EQ(session.challenge->judged, 0u);
+  EXPECT_EQ(session.game.challenge->judged, 0u);
   edit::advance(session, 120 * 200);
-  EXPECT_EQ(session.challenge->judged, 1u);
-  EXPECT_EQ(session.challenge->medal, 2) << session.challenge->last.reason;
+  EXPECT_EQ(session.game.challenge->judged, 1u);
+  EXPECT_EQ(session.game.challenge->medal, 2) << session.game.challenge->last.reason;
   // The lap ended at the tick after the train was back, whatever the number of ticks asked for: the ghost's own lap
   // says when.
-  ASSERT_TRUE(session.result);
-  const double lap = edit::chosen_ride(session)->lap_time;
-  EXPECT_NEAR(session.result->seconds, lap, 2 * world::kTick);
-  EXPECT_EQ(session.result->end, edit::RideEnd::lap);
-  ASSERT_TRUE(exchange::find(session.earned, "c"));
-  EXPECT_EQ(exchange::find(session.earned, "c")->medal, 2);
+  ASSERT_TRUE(session.game.result);
+  const double lap = edit::find(session, edit::Want::ride).ride->lap_time;
+  EXPECT_NEAR(session.game.result->seconds, lap, 2 * world::kTick);
+  EXPECT_EQ(session.game.result->end, edit::RideEnd::lap);
+  ASSERT_TRUE(exchange::find(session.game.earned, "c"));
+  EXPECT_EQ(exchange::find(session.game.earned, "c")->medal, 2);
 }
 
 TEST_F(ChallengeTest, how_many_ticks_are_asked_for_at_once_changes_no_verdict) {
@@ -126,9 +126,9 @@ TEST_F(ChallengeTest, how_many_ticks_are_asked_for_at_once_changes_no_verdict) {
     ASSERT_TRUE(begin(members));
     good("ride.start");
     for (int done = 0; done < 2000; done += step) edit::advance(session, step);
-    ASSERT_EQ(session.challenge->medal, 3) << "without rules for silver and gold a pass is gold";
-    ASSERT_EQ(session.result->end, edit::RideEnd::time);
-    at[step == 1 ? 0 : 1] = session.challenge->last.values.at(0).value;
+    ASSERT_EQ(session.game.challenge->medal, 3) << "without rules for silver and gold a pass is gold";
+    ASSERT_EQ(session.game.result->end, edit::RideEnd::time);
+    at[step == 1 ? 0 : 1] = session.game.challenge->last.values.at(0).value;
   }
   EXPECT_EQ(at[0], at[1]);
 }
@@ -140,39 +140,39 @@ TEST_F(ChallengeTest, a_ride_on_a_track_that_was_changed_meanwhile_does_not_coun
   edit::advance(session, 240);
   good("start_speed 4.5");
   edit::advance(session, 120 * 200);
-  EXPECT_EQ(session.challenge->judged, 1u);
-  EXPECT_EQ(session.challenge->medal, 0);
-  EXPECT_NE(session.challenge->last.reason.find("changed"), std::string::npos);
+  EXPECT_EQ(session.game.challenge->judged, 1u);
+  EXPECT_EQ(session.game.challenge->medal, 0);
+  EXPECT_NE(session.game.challenge->last.reason.find("changed"), std::string::npos);
   good("undo");
-  EXPECT_TRUE(session.challenge) << "undo does not end a challenge";
+  EXPECT_TRUE(session.game.challenge) << "undo does not end a challenge";
   good("ride.stop");
   good("ride.start");
   good("ride.seek 200");
   edit::advance(session, 120 * 200);
-  EXPECT_EQ(session.challenge->medal, 0) << "a train that was put elsewhere has not ridden";
+  EXPECT_EQ(session.game.challenge->medal, 0) << "a train that was put elsewhere has not ridden";
   good("ride.stop");
   good("ride.start");
   good("ride.pause");
   good("ride.start");
   edit::advance(session, 120 * 200);
-  EXPECT_EQ(session.challenge->medal, 3) << "a pause is no cheat: " << session.challenge->last.reason;
+  EXPECT_EQ(session.game.challenge->medal, 3) << "a pause is no cheat: " << session.game.challenge->last.reason;
   good("start_speed 4.25");
   good("undo");
-  EXPECT_EQ(session.challenge->medal, 3) << "what is earned stays";
+  EXPECT_EQ(session.game.challenge->medal, 3) << "what is earned stays";
 }
 
 TEST_F(ChallengeTest, what_is_built_is_judged_at_once_but_not_within_a_gesture) {
   ASSERT_TRUE(begin(R"("judged": "build", "goals": [{"expect": "knots <= 23", "text": "Fewer knots"}])"));
   good("gesture.begin");
   good("remove @k3");
-  EXPECT_EQ(session.challenge->medal, 0);
+  EXPECT_EQ(session.game.challenge->medal, 0);
   good("gesture.end");
-  EXPECT_EQ(session.challenge->medal, 3);
+  EXPECT_EQ(session.game.challenge->medal, 3);
   ASSERT_TRUE(begin(R"("judged": "build", "goals": [{"expect": "knots <= 22", "text": "Fewer knots"}])"));
   good("remove @k3");
-  EXPECT_EQ(session.challenge->last.reason, "Fewer knots: 23, wanted <= 22");
+  EXPECT_EQ(session.game.challenge->last.reason, "Fewer knots: 23, wanted <= 22");
   good("challenge.leave");
-  EXPECT_FALSE(session.challenge);
+  EXPECT_FALSE(session.game.challenge);
   EXPECT_EQ(apply("challenge.leave").code, base::Code::refused);
 }
 
@@ -181,17 +181,17 @@ TEST_F(ChallengeTest, a_failing_goal_is_told_with_its_value_place_and_unit) {
                     "tracks/helix.json"));
   good("ride.start");
   edit::advance(session, 120 * 300);
-  ASSERT_EQ(session.challenge->judged, 1u);
+  ASSERT_EQ(session.game.challenge->judged, 1u);
   // Against the ghost's raw forces, low-passed and searched here.
-  const sim::Ghost* const ghost = edit::chosen_ride(session);
-  const std::vector<float> side = sim::pressed(*ghost, 0, sim::ForceAxis::side, session.envelope.cutoff);
+  const sim::Ghost* const ghost = edit::find(session, edit::Want::ride).ride;
+  const std::vector<float> side = sim::pressed(*ghost, 0, sim::ForceAxis::side, session.limits.envelope.cutoff);
   const auto most = std::max_element(side.begin(), side.end());
   const double place = ghost->distance(static_cast<std::size_t>(most - side.begin()) * sim::kForceEvery);
-  ASSERT_TRUE(session.challenge->last.place);
-  EXPECT_NEAR(*session.challenge->last.place, place, 1e-9);
+  ASSERT_TRUE(session.game.challenge->last.place);
+  EXPECT_NEAR(*session.game.challenge->last.place, place, 1e-9);
   char wanted[128];
   std::snprintf(wanted, sizeof wanted, "Lateral: %.2f g at %.1f m, wanted <= 0.01 g", *most, place);
-  EXPECT_EQ(session.challenge->last.reason, wanted);
+  EXPECT_EQ(session.game.challenge->last.reason, wanted);
 }
 
 TEST_F(ChallengeTest, a_train_that_is_too_slow_is_told_how_much_is_missing) {
@@ -203,8 +203,8 @@ TEST_F(ChallengeTest, a_train_that_is_too_slow_is_told_how_much_is_missing) {
   good("start_speed 12");
   good("ride.start");
   edit::advance(session, 120 * 60);
-  ASSERT_TRUE(session.result);
-  EXPECT_EQ(session.result->end, edit::RideEnd::failed);
+  ASSERT_TRUE(session.game.result);
+  EXPECT_EQ(session.game.result->end, edit::RideEnd::failed);
   double highest = 0;  // over the flat parts, the spline may sag or swell by a little
   for (double s = 0; s < session.derived.length; s += 0.05) {
     const sim::TrackPlace place = sim::place_at(session.derived, s);
@@ -214,11 +214,11 @@ TEST_F(ChallengeTest, a_train_that_is_too_slow_is_told_how_much_is_missing) {
   const double reached = 4 + 144 / (2 * 9.81), missing = highest - reached;
   char part[64];
   std::snprintf(part, sizeof part, "%.1f m below the top", missing);
-  EXPECT_NE(session.result->reason.find(part), std::string::npos) << session.result->reason << " / " << part;
+  EXPECT_NE(session.game.result->reason.find(part), std::string::npos) << session.game.result->reason << " / " << part;
   std::snprintf(part, sizeof part, ": %.1f m/s more", std::sqrt(2 * 9.81 * missing));
-  EXPECT_NE(session.result->reason.find(part), std::string::npos) << session.result->reason << " / " << part;
-  ASSERT_TRUE(session.result->place);
-  const sim::TrackPlace turned = sim::place_at(session.derived, *session.result->place);
+  EXPECT_NE(session.game.result->reason.find(part), std::string::npos) << session.game.result->reason << " / " << part;
+  ASSERT_TRUE(session.game.result->place);
+  const sim::TrackPlace turned = sim::place_at(session.derived, *session.game.result->place);
   EXPECT_NEAR(sim::rail_point(session.derived.shape(session.derived.order[turned.index]), turned.s).height, reached,
               0.02);
 }
@@ -228,7 +228,7 @@ TEST_F(ChallengeTest, every_challenge_that_comes_with_the_program_can_be_judged)
     if (entry.path().extension() != ".json") continue;
     const base::Status begun = apply(edit::StartChallenge{entry.path().string()});
     ASSERT_TRUE(begun) << begun.message;
-    const auto rules = read_rules(session.challenge->file, "");
+    const auto rules = read_rules(session.game.challenge->file, "");
     ASSERT_TRUE(rules) << rules.status().message;
     EXPECT_LT(number("challenge.met"), number("challenge.goals")) << entry.path() << " must fail on its start track";
   }
@@ -241,7 +241,7 @@ TEST_F(ChallengeTest, another_track_ends_the_challenge_and_hints_come_one_by_one
   EXPECT_EQ(number("challenge.hints"), 2);
   EXPECT_EQ(apply("challenge.hint").code, base::Code::refused);
   good("new");
-  EXPECT_FALSE(session.challenge);
+  EXPECT_FALSE(session.game.challenge);
 }
 
 }  // namespace challenge_test

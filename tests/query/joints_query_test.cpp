@@ -13,17 +13,15 @@ namespace joints_query_test {
 
 class JointsQueryTest : public test::SessionTest {
  protected:
-  base::Result<Value> ask(std::string_view name, std::string_view argument = {}) const {
+  base::Result<Value> ask(std::string_view name, std::string_view argument = {}) {
     const Query* const query = find_query(name);
     EXPECT_TRUE(query) << name;
     return query->evaluate({session, stats, "", ""}, argument);
   }
-  double number(std::string_view name, std::string_view argument = {}) const {
+  double number(std::string_view name, std::string_view argument = {}) {
     return std::get<double>(*ask(name, argument));
   }
-  std::string words(std::string_view name, std::string_view argument = {}) const {
-    return to_text(*ask(name, argument));
-  }
+  std::string words(std::string_view name, std::string_view argument = {}) { return to_text(*ask(name, argument)); }
   curve::Cubic cubic(std::size_t i) const {
     return world::cubic_of(session.document, session.document.track.segments[i]);
   }

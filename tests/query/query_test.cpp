@@ -10,23 +10,23 @@ namespace query_test {
 
 class QueryTest : public test::SessionTest {
  protected:
-  base::Result<Value> ask(std::string_view name, std::string_view argument = {}) const {
+  base::Result<Value> ask(std::string_view name, std::string_view argument = {}) {
     const Query* const query = find_query(name);
     EXPECT_TRUE(query) << name;
     if (!query) return base::Status{base::Code::usage, "no query"};
     return query->evaluate({session, stats, toast, title}, argument);
   }
-  double number(std::string_view name, std::string_view argument = {}) const {
+  double number(std::string_view name, std::string_view argument = {}) {
     const auto value = ask(name, argument);
     EXPECT_TRUE(value) << name << ": " << value.status().message;
     return value ? std::get<double>(*value) : NAN;
   }
-  std::string words(std::string_view name, std::string_view argument = {}) const {
+  std::string words(std::string_view name, std::string_view argument = {}) {
     const auto value = ask(name, argument);
     EXPECT_TRUE(value) << name << ": " << value.status().message;
     return value ? to_text(*value) : "";
   }
-  int rank(std::string_view name, std::string_view argument = {}) const {
+  int rank(std::string_view name, std::string_view argument = {}) {
     return std::get<Ranked>(*ask(name, argument)).rank;
   }
 

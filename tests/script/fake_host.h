@@ -33,7 +33,7 @@ struct FakeHost {
     h.frame = [this](const platform::Events& events, int ticks) { return frame(events, ticks); };
     h.advance = [this](int ticks) { edit::advance(session, ticks); };
     h.context = [this]() -> const query::Context {
-      toast = session.notices.empty() ? "" : session.notices.back().text;
+      toast = session.notices.list.empty() ? "" : session.notices.list.back().text;
       return {session, stats, toast, "title"};
     };
     h.widgets = [this] { return widgets; };

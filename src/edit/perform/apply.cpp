@@ -21,7 +21,9 @@ namespace {
 
 using base::Status;
 
-void derive(Session& session) { sim::derive(session.document, session.settings, session.clock, session.derived); }
+void derive(Session& session) {
+  sim::derive(session.document, session.settings, session.measuring.clock, session.derived);
+}
 
 // A ride that has not started shows the carts as designed (so does one without carts: nothing is left that
 // could go on); any other keeps them where they are.
@@ -133,20 +135,20 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
   session.motion = {};
   session.settings.selected = world::kNone, session.settings.also.clear();
   session.settings.append_mode = false;
-  session.path = std::move(path);
-  session.import.reset();
-  session.challenge.reset();
-  session.run = {};
-  session.result.reset();
-  session.show_result = false;
-  session.saved_hash = world::hash(session.document);
+  session.file.path = std::move(path);
+  session.file.import.reset();
+  session.game.challenge.reset();
+  session.game.run = {};
+  session.game.result.reset();
+  session.game.show_result = false;
+  session.file.saved_hash = world::hash(session.document);
   fit_budget(session);
   derive(session);
   sim::reset(session.document, session.derived, session.motion);
 }
 
 Status files_command(Session& session, base::Files& files, const Load& command) {
-  std::optional<ReadAhead> ahead = std::exchange(session.read_ahead, std::nullopt);
+  std::optional<ReadAhead> ahead = std::exchange(session.file.read_ahead, std::nullopt);
   const bool read = ahead && ahead->path == command.path;
   base::Result<exchange::LoadedTrack> loaded =
       read ? std::move(ahead->track) : exchange::load_track(files, command.path);
@@ -154,7 +156,7 @@ Status files_command(Session& session, base::Files& files, const Load& command) 
   // A format that does not hold everything is imported: the next save is to a file of its own.
   start_over(session, std::move(loaded->document),
              exchange::format_of(command.path)->whole ? command.path : std::string());
-  session.import = loaded->import;
+  session.file.import = loaded->import;
   for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
   return {};
 }
@@ -167,25 +169,25 @@ Status files_command(Session& session, base::Files& files, const Save& command) 
     notify(session, NoticeKind::info, "exported " + command.path);
     return {};
   }
-  session.path = command.path;
-  session.saved_hash = world::hash(session.document);
+  session.file.path = command.path;
+  session.file.saved_hash = world::hash(session.document);
   notify(session, NoticeKind::info, "saved " + command.path);
   return {};
 }
 Status files_command(Session& session, base::Files& files, const SaveMeasurements& command) {
   if (command.path.empty()) return refused("expected a file to write to");
-  if (session.measurement.next == 0) return refused("nothing is measured yet");
-  const Status status = files.write_atomic(command.path, sim::to_csv(session.measurement, session.machine));
+  if (session.measuring.measurement.next == 0) return refused("nothing is measured yet");
+  const Status status =
+      files.write_atomic(command.path, sim::to_csv(session.measuring.measurement, session.measuring.machine));
   if (!status) return status;
   notify(session, NoticeKind::info, "saved " + command.path);
   return {};
 }
 Status files_command(Session& session, base::Files& files, const SaveReport& command) {
   if (command.path.empty()) return refused("expected a file to write to");
-  const sim::Ghost* const ghost = chosen_ride(session);
-  if (!ghost) return refused("a report needs a track with a cart");
-  const Status status = files.write_atomic(
-      command.path, command.path.ends_with(".csv") ? ride_csv(session, *ghost) : ride_report(session, *ghost));
+  const auto report = command.path.ends_with(".csv") ? ride_csv(session) : ride_report(session);
+  if (!report) return refused("a report needs a track with a cart");
+  const Status status = files.write_atomic(command.path, *report);
   if (!status) return status;
   notify(session, NoticeKind::info, "saved " + command.path);
   return {};
@@ -193,25 +195,25 @@ Status files_command(Session& session, base::Files& files, const SaveReport& com
 Status files_command(Session& session, base::Files& files, const LoadEnvelope& command) {
   base::Result<exchange::LoadedEnvelope> loaded = exchange::load_envelope(files, command.path);
   if (!loaded) return loaded.status();
-  session.envelope = std::move(loaded->envelope), session.envelope_name = std::move(loaded->name);
-  ++session.envelope_serial;
+  session.limits.envelope = std::move(loaded->envelope), session.limits.name = std::move(loaded->name);
+  ++session.limits.serial;
   for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
-  notify(session, NoticeKind::info, "forces are held against " + session.envelope_name + " (not a compliance check)");
+  notify(session, NoticeKind::info, "forces are held against " + session.limits.name + " (not a compliance check)");
   return {};
 }
 // Its rules must be such that the referee can read them.
 Status files_command(Session& session, base::Files& files, const StartChallenge& command) {
   base::Result<exchange::LoadedChallenge> loaded = exchange::load_challenge(files, command.path);
   if (!loaded) return loaded.status();
-  if (session.referee.check)
-    if (const Status readable = session.referee.check(loaded->challenge, command.path); !readable) return readable;
+  if (session.game.referee.check)
+    if (const Status readable = session.game.referee.check(loaded->challenge, command.path); !readable) return readable;
   start_over(session, loaded->challenge.start, {});
-  session.envelope = sim::default_envelope(), session.envelope_name = "default";
-  ++session.envelope_serial;
-  session.challenge.emplace();
-  session.challenge->shape = sim::trace_of(session.document);
-  session.challenge->file = std::move(loaded->challenge);
-  session.challenge->path = command.path;
+  session.limits.envelope = sim::default_envelope(), session.limits.name = "default";
+  ++session.limits.serial;
+  session.game.challenge.emplace();
+  session.game.challenge->shape = sim::trace_of(session.document);
+  session.game.challenge->file = std::move(loaded->challenge);
+  session.game.challenge->path = command.path;
   for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
   return {};
 }
@@ -227,7 +229,7 @@ Status files_command(Session& session, base::Files& files, const RecoverTrack& c
       saved = world::hash(old->document);
   start_over(session, std::move(loaded->document),
              format != nullptr && format->whole ? command.original : std::string());
-  session.saved_hash = saved;
+  session.file.saved_hash = saved;
   for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
   notify(session, NoticeKind::info,
          "recovered " + (command.original.empty() ? std::string("a track that had no file") : command.original));
@@ -256,8 +258,8 @@ constexpr auto kPerform = Commands::table([]<class C>() -> Perform {
 Status apply(Session& session, base::Files& files, const Command& command) {
   Change change;
   const Effect effect = info(command).effect;
-  if (effect != Effect::settings && effect != Effect::motion) session.document_hash.reset();
   Status status = kPerform[command.index()](session, files, change, command);
+  if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
   if (status && (effect == Effect::document || effect == Effect::history)) watch_built(session);
   const std::string name(info(command).name);
   if (status.code == base::Code::refused) status.message = name + ": " + status.message;

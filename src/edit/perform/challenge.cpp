@@ -6,15 +6,15 @@ namespace coaster::edit {
 using base::Status;
 
 Status perform(Session& session, Change&, const LeaveChallenge&) {
-  if (!session.challenge) return refused("there is no challenge to leave");
-  session.challenge.reset();
-  if (session.result) session.result->verdict.reset();
+  if (!session.game.challenge) return refused("there is no challenge to leave");
+  session.game.challenge.reset();
+  if (session.game.result) session.game.result->verdict.reset();
   return {};
 }
 
 Status perform(Session& session, Change&, const ShowHint&) {
-  if (!session.challenge) return refused("there is no challenge");
-  ActiveChallenge& challenge = *session.challenge;
+  if (!session.game.challenge) return refused("there is no challenge");
+  ActiveChallenge& challenge = *session.game.challenge;
   if (challenge.hints >= static_cast<int>(challenge.file.hints.size())) return refused("there is no further hint");
   ++challenge.hints;
   return {};
@@ -26,7 +26,7 @@ Status perform(Session& session, Change&, const SetCard& command) {
 }
 
 Status perform(Session& session, Change&, const CloseCard&) {
-  session.show_result = false;
+  session.game.show_result = false;
   return {};
 }
 

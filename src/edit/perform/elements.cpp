@@ -53,14 +53,14 @@ void open_out(world::Document& document, const world::Knot& start) {
 Status perform(Session& session, Change& change, const PlaceElement& command) {
   if (const Status good = well_formed(command.what); !good) return good;
   world::Document& document = session.document;
-  const sim::ElementPlan& plan = session.elements.plan(command.what, document);
+  const sim::ElementPlan& plan = *find(session, Want::element, command.what).element;
   if (!plan.refusal.empty()) return refused(plan.refusal);
   const std::size_t knots = std::max<std::size_t>(document.track.knots.size(), 1) + plan.spans();
   if (knots > world::kMaxKnots)
     return refused("the track is at the limit of " + std::to_string(world::kMaxKnots) + " knots");
   if (const Status room = within_budget(knots - 1, session.settings.steps, session.settings.vertex_budget); !room)
     return room;
-  const double missing = sim::worst(narrow_parts(session, command.what));
+  const double missing = sim::worst(find(session, Want::room, command.what).room);
   open_out(document, plan.fit.knots.front());
   for (std::size_t k = 1; k < plan.fit.knots.size(); ++k)
     change.select = world::append_knot(document, plan.fit.knots[k]);

@@ -77,8 +77,7 @@ Status perform(Session& session, Change&, const SetRollbackFails& command) {
 
 // The ride depends on the banking of its heartline alone by what riders feel, not by its speeds, so one pass is enough.
 Status perform(Session& session, Change& change, const AutoBank&) {
-  const world::Entity cart = chosen_cart(session);
-  const sim::Ghost* const ghost = cart.valid() ? session.ghosts.ride(session.document, session.derived, cart) : nullptr;
+  const sim::Ghost* const ghost = find(session, Want::ride).ride;
   if (!ghost) return refused("banking needs a track with a cart");
   const std::vector<glm::vec3> ups = sim::banked_ups(session.document, session.derived, *ghost);
   int turned = 0;

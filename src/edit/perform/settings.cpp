@@ -136,11 +136,11 @@ Status perform(Session& session, Change&, const OpenPage& command) {
 Status perform(Session& session, Change&, const Measure&) {
   sim::Measurement started = sim::start_measurement(session.derived);
   if (!started.running) return refused("there is no segment to measure on");
-  session.measurement = std::move(started);
+  session.measuring.measurement = std::move(started);
   return {};
 }
 Status perform(Session& session, Change&, const StopMeasuring&) {
-  session.measurement.running = false;
+  session.measuring.measurement.running = false;
   return {};
 }
 

@@ -32,20 +32,15 @@ struct ActiveChallenge {
   std::uint64_t judged = 0;  // how often
   Verdict last;
   sim::ShapeTrace shape;  // of the start track
-  struct Deviation {
-    sim::ShapeTrace of;
-    double metres = 0;
-  };
-  mutable std::optional<Deviation> deviation;  // of a track from `shape`, the last one that was asked for: a memo
 };
 
 // Reads expressions for the session. Both null: challenges are loaded unchecked and never judged.
 struct Referee {
   // Whether every expression can be read; else Code::bad_file with "PATH: error: goals[1].expect: ...".
   base::Status (*check)(const exchange::ChallengeFile& challenge, const std::string& path) = nullptr;
-  // Of the session's challenge, which there is, on the session as it is now; `result`: how the ride ended, null for
-  // Judged::build.
-  Verdict (*judge)(const Session& session, const struct RideResult* result) = nullptr;
+  // Of the session's challenge, which there is, on the session as it is now, of which findings alone change; `result`:
+  // how the ride ended, null for Judged::build.
+  Verdict (*judge)(Session& session, const struct RideResult* result) = nullptr;
 };
 
 enum class RideEnd : std::uint8_t { lap, open_end, time, failed };

@@ -48,13 +48,12 @@ std::optional<Shortfall> shortfall(const sim::Ghost& ghost, const sim::RailTable
   return Shortfall{top - from, along(top_at), along(furthest)};
 }
 
-std::string failure_words(const Session& session, const sim::Ghost* ghost, double& place) {
+std::string failure_words(Session& session, const sim::Ghost* ghost, double& place) {
   const world::Failure& failure = session.motion.failure;
   place = failure.distance;
   char words[256];
   const bool climbed = failure.kind == FailureKind::stall || failure.kind == FailureKind::rollback;
-  const auto missing =
-      ghost && climbed ? shortfall(*ghost, session.ghosts.tables(session.document, session.derived)) : std::nullopt;
+  const auto missing = ghost && climbed ? shortfall(*ghost, *find(session, Want::ride).tables) : std::nullopt;
   if (!missing) {
     std::snprintf(words, sizeof words, "%s at %.1f m, %.1f m/s", std::string(sim::text(failure.kind)).c_str(),
                   failure.distance, std::abs(failure.speed));
@@ -68,15 +67,15 @@ std::string failure_words(const Session& session, const sim::Ghost* ghost, doubl
 }
 
 void judge(Session& session, RideResult* result) {
-  if (!session.challenge || !session.referee.judge) return;
-  ActiveChallenge& challenge = *session.challenge;
+  if (!session.game.challenge || !session.game.referee.judge) return;
+  ActiveChallenge& challenge = *session.game.challenge;
   const int before = challenge.medal;
-  challenge.last = session.referee.judge(session, result);
+  challenge.last = session.game.referee.judge(session, result);
   challenge.medal = std::max(challenge.medal, challenge.last.medal);
   ++challenge.judged;
   if (challenge.last.medal > 0)
-    exchange::merge(session.earned, {std::filesystem::path(challenge.path).stem().string(), challenge.last.medal,
-                                     challenge.last.values});
+    exchange::merge(session.game.earned, {std::filesystem::path(challenge.path).stem().string(), challenge.last.medal,
+                                          challenge.last.values});
   if (result) result->verdict = challenge.last;
   constexpr const char* kMedals[] = {"", "bronze", "silver", "gold"};
   if (challenge.medal > before)
@@ -85,23 +84,23 @@ void judge(Session& session, RideResult* result) {
 
 // The ride is over: told once.
 void end_ride(Session& session, RideEnd end) {
-  RideRun& run = session.run;
+  RideRun& run = session.game.run;
   run.under_way = false;
   RideResult result;
   result.end = end;
-  result.serial = session.result ? session.result->serial + 1 : 1;
+  result.serial = session.game.result ? session.game.result->serial + 1 : 1;
   result.whole = run.whole && run.document == world::hash(session.document);
   result.seconds = static_cast<double>(run.ticks) * world::kTick;
-  const sim::Ghost* const ghost = chosen_ride(session);
-  if (ghost) result.ratings = chosen_ratings(session);
+  const Findings& found = find(session, Want::ratings);
+  result.ratings = *found.ratings;
   if (end == RideEnd::failed || end == RideEnd::open_end) {
     double place = 0;
-    result.reason = failure_words(session, result.whole ? ghost : nullptr, place);
+    result.reason = failure_words(session, result.whole ? found.ride : nullptr, place);
     result.place = place;
   }
   judge(session, &result);
-  session.result = std::move(result);
-  session.show_result = true;
+  session.game.result = std::move(result);
+  session.game.show_result = true;
 }
 
 bool came_round(const Session& session) {
@@ -112,35 +111,36 @@ bool came_round(const Session& session) {
 }  // namespace
 
 void watch_start(Session& session, bool from_start) {
-  session.show_result = false;
-  if (from_start) session.run = {true, true, world::hash(session.document), 0};
+  session.game.show_result = false;
+  if (from_start) session.game.run = {true, true, world::hash(session.document), 0};
 }
 
 void watch_disturbed(Session& session) {
-  session.run.whole = false;
-  session.run.under_way =
-      session.run.under_way && session.motion.state != RideState::failed && session.motion.state != RideState::ended;
+  session.game.run.whole = false;
+  session.game.run.under_way = session.game.run.under_way && session.motion.state != RideState::failed &&
+                               session.motion.state != RideState::ended;
 }
 
 void watch_reset(Session& session) {
-  session.run = {};
-  session.show_result = false;
+  session.game.run = {};
+  session.game.show_result = false;
 }
 
 void watch_ticks(Session& session, int ticks) {
-  RideRun& run = session.run;
+  RideRun& run = session.game.run;
   if (!run.under_way) return;
   run.ticks += static_cast<std::uint64_t>(ticks);
-  const bool timed = session.challenge && session.challenge->file.judged == exchange::Judged::time;
+  const bool timed = session.game.challenge && session.game.challenge->file.judged == exchange::Judged::time;
   if (session.motion.state == RideState::failed) return end_ride(session, RideEnd::failed);
-  if (timed && static_cast<double>(run.ticks) * world::kTick >= session.challenge->file.seconds)
+  if (timed && static_cast<double>(run.ticks) * world::kTick >= session.game.challenge->file.seconds)
     return end_ride(session, RideEnd::time);
   if (session.motion.state == RideState::ended) return end_ride(session, RideEnd::open_end);
   if (!timed && came_round(session)) end_ride(session, RideEnd::lap);
 }
 
 void watch_built(Session& session) {
-  if (!session.challenge || session.challenge->file.judged != exchange::Judged::build || session.history.in_gesture)
+  if (!session.game.challenge || session.game.challenge->file.judged != exchange::Judged::build ||
+      session.history.in_gesture)
     return;
   judge(session, nullptr);
 }

@@ -12,13 +12,10 @@
 #include "base/files.h"
 #include "edit/commands/commands.h"
 #include "edit/session/challenge.h"
+#include "edit/session/findings.h"
 #include "exchange/own/track_file.h"
-#include "sim/plan/elements.h"
-#include "sim/ride/ghost.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/derived.h"
-#include "sim/solids/conflicts.h"
-#include "sim/study/element_room.h"
 #include "sim/study/envelope.h"
 #include "sim/study/measure.h"
 
@@ -47,8 +44,7 @@ struct Notice {
   std::uint64_t serial = 0;  // counts up; the panel fades old ones
 };
 
-// What the ticks of the live ride take on this machine; nobody's hash depends on it. 0 without a clock and before the
-// first tick.
+// What the ticks of the live ride take; 0 without a clock and before the first tick.
 struct RideCost {
   double ns_per_tick = 0;  // all carts together, a mean that forgets: the newest call counts for a tenth
 };
@@ -59,45 +55,63 @@ struct ReadAhead {
   exchange::LoadedTrack track;
 };
 
-struct Session {
-  world::Document document;
-  world::Settings settings;
-  world::Motion motion;
-  sim::Derived derived;
-  History history;
-  std::vector<Notice> notices;  // the newest last, at most 32
-  std::uint64_t notice_serial = 0;
-  std::filesystem::path path;  // of the document; empty when it has none
+struct Notices {
+  std::vector<Notice> list;  // the newest last, at most 32
+  std::uint64_t serial = 0;  // of the newest
+};
+
+// The document's file.
+struct DocumentFile {
+  std::filesystem::path path;    // empty when it has none
+  std::uint64_t saved_hash = 0;  // of the document when last loaded, saved or made
   std::optional<ReadAhead> read_ahead;
-  std::optional<exchange::ImportReport>
-      import;                    // how well the document, as it was loaded, meets the file it was fitted to
-  std::uint64_t saved_hash = 0;  // document hash when last loaded, saved or made
-  mutable std::optional<std::uint64_t> document_hash;  // a memo for dirty(), which every frame asks; apply() forgets it
-  std::uint64_t tick = 0;                              // ticks since the program's start
-  mutable sim::GhostMemo
-      ghosts;  // whole rides of the carts, simulated when something asks: a memo of what document and derived say
-  mutable sim::RatingsMemo ratings;                  // of the ride that was asked about last
-  mutable sim::RedSpans red;                         // the same
-  mutable sim::Conflicts conflicts;                  // of the track with itself, looked for when something asks
-  mutable sim::ElementMemo elements;                 // what the palette's element would be, planned when something asks
-  mutable sim::ElementRoom element_room;             // where that would be in the way of track
-  sim::Clock clock;                                  // to measure evaluation with
-  std::string machine;                               // a line about it, for files of measurements
-  sim::Measurement measurement;                      // of the evaluators; advanced by advance_measurement()
-  sim::Envelope envelope = sim::default_envelope();  // what forces are held against; not a compliance check
-  std::string envelope_name = "default";
-  std::uint64_t envelope_serial = 0;  // grows with each envelope that is read
-  RideCost ride_cost;
+  std::optional<exchange::ImportReport> import;  // how well the document, as it was loaded, meets the file it was
+                                                 // fitted to
+};
+
+// What forces are held against; not a compliance check.
+struct ForceLimits {
+  sim::Envelope envelope = sim::default_envelope();
+  std::string name = "default";
+  std::uint64_t serial = 0;  // grows with each envelope that is read
+};
+
+// Challenges and the ends of rides.
+struct Game {
   Referee referee;
   std::optional<ActiveChallenge> challenge;
   RideRun run;                       // the ride on its way, for its end
   std::optional<RideResult> result;  // of the last ride that ended
-  exchange::Progress earned;         // in challenges, since the program's start
   bool show_result = false;          // its score card is not closed yet
+  exchange::Progress earned;         // in challenges, since the program's start
+};
+
+// What is measured on this machine; nobody's hash depends on it.
+struct Measuring {
+  sim::Clock clock;
+  std::string machine;           // a line about it, for files of measurements
+  sim::Measurement measurement;  // of the evaluators; advanced by advance_measurement()
+  RideCost ride_cost;
+};
+
+struct Session {
+  world::Document document;  // the user's, saved, undoable
+  std::uint64_t edits = 0;   // grows with each command that may have changed it
+  DocumentFile file;
+  History history;
+  world::Settings settings;
+  ForceLimits limits;
+  world::Motion motion;
+  std::uint64_t tick = 0;  // ticks since the program's start
+  sim::Derived derived;    // follows from document and settings
+  Findings findings;       // follow from all of these
+  Game game;
+  Measuring measuring;
+  Notices notices;
 };
 
 void notify(Session& session, NoticeKind kind, std::string text);
-bool dirty(const Session& session);  // the document differs from its file
+bool dirty(const Finder& find);  // the document differs from its file
 
 // Checks first, changes nothing on error. On success document, settings, motion, derived and history are consistent
 // again (derive and reconcile have run). Numbers beyond the limits are clamped with a warning notice that contains the
@@ -111,21 +125,10 @@ void advance_measurement(Session& session);
 
 // The selected cart, else the first one by name; kNone without any: whose forces, colours, advice and report are told.
 world::Entity chosen_cart(const Session& session);
-// The ghost of its ride; null without a ride.
-const sim::Ghost* chosen_ride(const Session& session);
-
-// Its ratings and its stretches beyond the envelope; none of either without a ride.
-const sim::Ratings& chosen_ratings(const Session& session);
-const std::vector<sim::RedSpan>& chosen_red_spans(const Session& session);
-
-// Where the track is in its own way, and where `element`, placed at its open end, would be in the way of it or of
-// itself.
-const std::vector<sim::Conflict>& conflicts(const Session& session);
-const std::vector<sim::Narrow>& narrow_parts(const Session& session, const world::Element& element);
-
-// The report of a ghost on the present track, to read, and as comma-separated values by time.
-std::string ride_report(const Session& session, const sim::Ghost& ghost);
-std::string ride_csv(const Session& session, const sim::Ghost& ghost);
+// The report of the chosen cart's ride on the present track, to read, and as comma-separated values by time; nothing
+// without a ride.
+std::optional<std::string> ride_report(const Finder& find);
+std::optional<std::string> ride_csv(const Finder& find);
 
 // "c1 rolled back at 123.4 m, -0.3 m/s"; empty while all is well.
 std::string failure_text(const Session& session);

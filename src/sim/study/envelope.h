@@ -56,20 +56,4 @@ struct RedSpan {
 // value stays above a level for longer than the level's limit: found for all levels at once in O(n).
 std::vector<RedSpan> red_spans(const Ghost& ghost, const Envelope& envelope);
 
-// The same, cached while the ride and the envelope are unchanged.
-class RedSpans {
- public:
-  const std::vector<RedSpan>& update(const Ghost& ghost, const Envelope& envelope) {
-    if (serial_ != ghost.serial || !(envelope_ == envelope)) spans_ = red_spans(ghost, envelope);
-    serial_ = ghost.serial;
-    envelope_ = envelope;
-    return spans_;
-  }
-
- private:
-  std::uint64_t serial_ = 0;
-  Envelope envelope_;
-  std::vector<RedSpan> spans_;
-};
-
 }  // namespace coaster::sim

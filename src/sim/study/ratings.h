@@ -1,6 +1,7 @@
 // The figures of a ride, and the ratings that park games derive from them.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "sim/study/envelope.h"
@@ -34,29 +35,12 @@ inline constexpr double kDrop = 3.0;  // m
 
 // Returns the ratings of a ghost on these tables; `cutoff` in Hz is that of the forces' low-pass. An inversion counts
 // where the riders' up, that is the rotation-minimising frame with its banking, points below the horizon by more than
-// 0.2 and then above it again.
+// 0.2 and then above it again. Takes about 1 ms for a lap of a minute with one car.
 Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff);
-
-// Caches the last ride's ratings while the ride and the cutoff are unchanged. A new one takes about 1 ms for a lap of a
-// minute with one car.
-class RatingsMemo {
- public:
-  const Ratings& update(const Ghost& ghost, const RailTables& tables, double cutoff) {
-    if (serial_ != ghost.serial || cutoff_ != cutoff) ratings_ = rate(ghost, tables, cutoff);
-    serial_ = ghost.serial;
-    cutoff_ = cutoff;
-    return ratings_;
-  }
-
- private:
-  std::uint64_t serial_ = 0;
-  double cutoff_ = 0;
-  Ratings ratings_;
-};
 
 // Return a readable report, and the ride by time as CSV (one line per kForceEvery ticks, units in the heading, named by
 // the car whose forces it has).
-std::string report_text(const Ghost& ghost, const Ratings& ratings, const std::vector<RedSpan>& red,
+std::string report_text(const Ghost& ghost, const Ratings& ratings, std::span<const RedSpan> red,
                         const std::string& track_name);
 std::string report_csv(const Ghost& ghost, const RailTables& tables);
 

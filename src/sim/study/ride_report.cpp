@@ -22,7 +22,7 @@ void add_extreme(std::string& out, const char* what, const Extreme& e, const cha
 
 }  // namespace
 
-std::string report_text(const Ghost& ghost, const Ratings& r, const std::vector<RedSpan>& red,
+std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const RedSpan> red,
                         const std::string& track_name) {
   std::string out = track_name + "\n";
   add(out, "  {:<22} {:8.2f} m\n", "length", r.length);

@@ -89,9 +89,7 @@ void toggle_append(Act& act) { act.ui.emit(edit::SetAppendMode{!appending(act)})
 
 // The palette's element, where its preview shows.
 bool placeable(const Act& act) {
-  const edit::Session& session = act.ui.session();
-  return session.settings.show_element &&
-         session.elements.plan(session.settings.element, session.document).refusal.empty();
+  return act.ui.session().settings.show_element && act.ui.find(edit::Want::element).element->refusal.empty();
 }
 void place_element(Act& act) { act.ui.emit(edit::PlaceElement{act.ui.session().settings.element}); }
 

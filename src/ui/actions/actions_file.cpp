@@ -15,7 +15,7 @@ void save_as(Act& act) { act.ui.dialogs.save_as(act.ui); }
 void settings(Act& act) { act.ui.dialogs.show_settings(); }
 void screenshot(Act& act) { act.ui.out.wants_screenshot = true; }
 void challenges(Act& act) { act.ui.dialogs.show_challenges(); }
-bool in_challenge(const Act& act) { return act.ui.session().challenge.has_value(); }
+bool in_challenge(const Act& act) { return act.ui.session().game.challenge.has_value(); }
 void leave_challenge(Act& act) { act.ui.emit(edit::LeaveChallenge{}); }
 bool filming(const Act& act) { return act.ui.state.movie != nullptr; }
 bool filmable(const Act& act) { return filming(act) || rideable(act); }

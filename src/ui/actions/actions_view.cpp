@@ -29,7 +29,7 @@ void toggle_knots(Act& act) { act.ui.emit(edit::ShowLayer{world::Layer::knots, !
 void toggle_supports(Act& act) { act.ui.emit(edit::ShowLayer{world::Layer::supports, !supports_shown(act)}); }
 
 bool conflicts_shown(const Act& act) { return act.ui.session().settings.layers.has(world::Layer::conflicts); }
-bool in_conflict(const Act& act) { return !edit::conflicts(act.ui.session()).empty(); }
+bool in_conflict(const Act& act) { return !act.ui.find(edit::Want::conflicts).conflicts.empty(); }
 void next_conflict(Act& act) { show_next_conflict(act.ui); }
 void toggle_conflicts(Act& act) { act.ui.emit(edit::ShowLayer{world::Layer::conflicts, !conflicts_shown(act)}); }
 

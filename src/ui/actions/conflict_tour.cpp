@@ -17,7 +17,7 @@ void show_next_conflict(Ui& ui) {
   constexpr float kNear = 24;     // m, or nearer where the eye is already
   constexpr double kHere = 1e-3;  // m: the one that is selected
   const edit::Session& session = ui.session();
-  const std::vector<sim::Conflict>& found = edit::conflicts(session);
+  const std::span<const sim::Conflict> found = ui.find(edit::Want::conflicts).conflicts;
   if (found.empty()) return;
   const double from = selected_distance(session);
   const auto later = std::find_if(found.begin(), found.end(),

@@ -59,8 +59,8 @@ void build_items(Act& act, std::string_view menu) {
 void build_file_mark(Ui& ui) {
   const edit::Session& session = ui.session();
   const std::string holder = ui.state.kept != nullptr ? ui.state.kept->holder : "";
-  const std::string name = session.path.empty() ? "no file" : session.path.filename().string();
-  const bool unsaved = edit::dirty(session);
+  const std::string name = session.file.path.empty() ? "no file" : session.file.path.filename().string();
+  const bool unsaved = edit::dirty(ui.state.find);
   if (!unsaved && holder.empty()) return;
   const std::string words = (unsaved ? "\u25CF " : "") + name + (holder.empty() ? "" : " (in use elsewhere)");
   const float left = ImGui::GetWindowWidth() - text_size(words).x - std::floor(10 * ui.scale);

@@ -134,8 +134,8 @@ void Host::Parts::restyle(world::Theme wanted, float scale) {
 
 void Host::Parts::follow_session(const State& state) {
   toasts.update(state.session, state.seconds, state.scripted);
-  if (state.session.path != file_of) {
-    file_of = state.session.path;
+  if (state.session.file.path != file_of) {
+    file_of = state.session.file.path;
     file = file_of.string();
   }
   if (gesture.open && !state.session.history.in_gesture) {  // undone, or ended by a script

@@ -77,7 +77,7 @@ enum class MovieWish { none, start, stop };
 
 // What panels read.
 struct State {
-  const edit::Session& session;
+  edit::Finder find;  // shows the session, and finds out what a panel wants to know
   const query::FrameStats& stats;
   double seconds;                        // since start, for fading notices and the cursor's blink
   bool scripted;                         // times and fps read "--"
@@ -87,6 +87,7 @@ struct State {
   const query::LessonCard* lesson = nullptr;
   const std::map<std::string, TrackPicture>* pictures = nullptr;  // by path
   const MovieState* movie = nullptr;                              // null: none is made
+  const edit::Session& session = find.session();
 };
 
 enum class Recovery { recover, discard, later };  // later: asked again at the next start

@@ -6,9 +6,9 @@
 #include <tuple>
 #include <vector>
 
+#include "base/kept.h"
 #include "curve/arc_length_study.h"
 #include "curve/continuity.h"
-#include "sim/shape/frame_methods.h"
 #include "sim/study/advice.h"
 #include "sim/study/live_errata.h"
 #include "sim/study/rounding.h"
@@ -70,27 +70,27 @@ struct ForceStudy {
 
 struct LabCache {
   int degree = 3;  // of the basis shown
-  Kept<int, BasisStudy> basis;
+  base::Kept<int, BasisStudy> basis;
   int compared = -1;  // row of the evaluator drawn beside the chosen one; -1: none
   // By the segment's build, evaluator and steps.
-  Kept<std::tuple<std::uint64_t, int, int>, ErrorStudy> error, other_error;
-  Kept<std::tuple<std::uint64_t, int>, LengthStudy> lengths;  // by the segment's build, and steps
-  Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, int>, TrackLengths>
+  base::Kept<std::tuple<std::uint64_t, int, int>, ErrorStudy> error, other_error;
+  base::Kept<std::tuple<std::uint64_t, int>, LengthStudy> lengths;  // by the segment's build, and steps
+  base::Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, int>, TrackLengths>
       track_lengths;  // by the last build, order and steps
   bool lengths_of_track = false;
   bool show_times = true;
   std::string csv = "measurements.csv";
 
   // By the last build, the order of the segments and whether the track is closed.
-  Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, bool>, JointList> joints;
+  base::Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, bool>, JointList> joints;
   bool joints_by_jump = true;
   // By the segment's build, the last build of all, steps and speed (m/s).
-  Kept<std::tuple<std::uint64_t, std::uint64_t, int, double>, std::array<sim::Erratum, sim::kErrata.size()>> errata;
-  Kept<std::uint64_t, BendStudy> bend;  // by the segment's build
-  sim::FrenetBreaks breaks;
+  base::Kept<std::tuple<std::uint64_t, std::uint64_t, int, double>, std::array<sim::Erratum, sim::kErrata.size()>>
+      errata;
+  base::Kept<std::uint64_t, BendStudy> bend;  // by the segment's build
 
-  Kept<std::pair<std::uint64_t, std::uint64_t>, ForceStudy> forces;  // by the ghost's serial and the envelope's
-  std::array<int, 2> force_plots{0, 3};                              // quantities
+  base::Kept<std::pair<std::uint64_t, std::uint64_t>, ForceStudy> forces;  // by the ghost's serial and the envelope's
+  std::array<int, 2> force_plots{0, 3};                                    // quantities
   bool forces_over_time = false;
   int red_chosen = -1;
   std::string advice;

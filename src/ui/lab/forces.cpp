@@ -39,11 +39,12 @@ double value_at(const sim::Ghost& ghost, const sim::RailTables& tables, std::siz
   }
 }
 
-ForceStudy study_of(const edit::Session& session, const sim::Ghost& ghost) {
-  const sim::RailTables& tables = session.ghosts.tables(session.document, session.derived);
+ForceStudy study_of(const edit::Findings& found) {
+  const sim::Ghost& ghost = *found.ride;
+  const sim::RailTables& tables = *found.tables;
   ForceStudy study;
-  study.ratings = sim::rate(ghost, tables, session.envelope.cutoff);
-  study.red = sim::red_spans(ghost, session.envelope);
+  study.ratings = *found.ratings;
+  study.red.assign(found.overloads.begin(), found.overloads.end());
   const std::size_t entries = ghost.forces.size() / static_cast<std::size_t>(ghost.start.cars);
   std::size_t hint = 0;
   for (std::size_t k = 0; k < entries; ++k) {
@@ -169,8 +170,9 @@ void red_table(Ui& ui, const ForceStudy& study, float height, bool brief) {
                "Tries moves of the knots around the chosen stretch, each with a whole ride, and says which lowers it "
                "most.",
                ui.lab.red_chosen >= 0))
-      ui.lab.advice = advice_text(session, sim::advise(session.document, edit::chosen_cart(session), session.envelope,
-                                                       study.red[static_cast<std::size_t>(ui.lab.red_chosen)]));
+      ui.lab.advice =
+          advice_text(session, sim::advise(session.document, edit::chosen_cart(session), session.limits.envelope,
+                                           study.red[static_cast<std::size_t>(ui.lab.red_chosen)]));
     if (!ui.lab.advice.empty()) small_note(ui, ui.lab.advice);
     height -= 2 * ImGui::GetFrameHeightWithSpacing();
   }
@@ -196,13 +198,14 @@ void red_table(Ui& ui, const ForceStudy& study, float height, bool brief) {
 void forces_page(Ui& ui) {
   if (!need_probe(ui)) return;
   const edit::Session& session = ui.session();
-  const sim::Ghost* const ghost = edit::chosen_ride(session);
+  const sim::Ghost* const ghost = ui.find(edit::Want::ride).ride;
   if (!ghost) {
     small_note(ui, "A ride needs a cart: add one in the Track panel.");
     return;
   }
-  const ForceStudy& study =
-      ui.lab.forces.get({ghost->serial, session.envelope_serial}, [&] { return study_of(session, *ghost); });
+  const ForceStudy& study = ui.lab.forces.get({ghost->serial, session.limits.serial}, [&] {
+    return study_of(ui.find(edit::Want::ratings | edit::Want::overloads));
+  });
   Page page(ui, 230);
   side(ui, *ghost, study);
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);

@@ -86,7 +86,7 @@ void side(Ui& ui, const Probe& probe) {
            "What a rotation-minimising frame has turned by after one round of a closed track; spread linearly in arc "
            "length.");
   std::size_t flips = 0, undefined = 0;
-  for (const sim::FrenetBreak& at : ui.lab.breaks.update(derived))
+  for (const sim::FrenetBreak& at : ui.find(edit::Want::breaks).breaks)
     ++(at.kind == sim::FrenetBreak::Kind::flip ? flips : undefined);
   read_out(ui, "Frenet flips", std::to_string(flips), "", "Places of the track where the Frenet normal turns over.");
   read_out(ui, "Undefined", std::to_string(undefined), "",

@@ -76,7 +76,8 @@ const LengthStudy& kept_lengths(Ui& ui, const Probe& probe) {
   LabCache& lab = ui.lab;
   const auto key = std::tuple(probe.shape->shape_build, steps);
   if (!lab.lengths.key || *lab.lengths.key != key) {
-    lab.lengths.value = study_of(probe.shape->key.cubic, steps, ui.state.scripted ? sim::Clock{} : session.clock);
+    lab.lengths.value =
+        study_of(probe.shape->key.cubic, steps, ui.state.scripted ? sim::Clock{} : session.measuring.clock);
     lab.lengths.key = key;
   }
   (void)lab.track_lengths.get({derived.last_build, derived.order, steps}, [] { return TrackLengths{}; });

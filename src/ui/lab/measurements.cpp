@@ -80,7 +80,7 @@ void progress_bar(Ui& ui, double part) {
 
 void side(Ui& ui) {
   const edit::Session& session = ui.session();
-  const sim::Measurement& m = session.measurement;
+  const sim::Measurement& m = session.measuring.measurement;
   const float width = std::floor((ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2);
   if (button(ui, "Measure",
              "Measure time and error of every evaluator on this machine, on curves of this track: some seconds, a part "
@@ -99,7 +99,7 @@ void side(Ui& ui) {
 }  // namespace
 
 void measurements_page(Ui& ui) {
-  const sim::Measurement& m = ui.session().measurement;
+  const sim::Measurement& m = ui.session().measuring.measurement;
   Page page(ui, 190);
   side(ui);
   const bool beside = page.pictures_width() > 620 * ui.scale;

@@ -31,21 +31,6 @@ void move_probe(Ui& ui, const Probe& probe, double t);
 // A slider over t, labelled "t".
 void probe_slider(Ui& ui, const Probe& probe);
 
-// A study and the key it was made for.
-template <class Key, class Value>
-struct Kept {
-  std::optional<Key> key;
-  Value value{};
-  template <class Make>
-  const Value& get(const Key& wanted, Make make) {
-    if (!key || !(*key == wanted)) {
-      value = make();
-      key = wanted;
-    }
-    return value;
-  }
-};
-
 // A page in two parts: controls and numbers, `side` design px wide at the left, and the pictures right of them; in a
 // narrow strip one below the other. Where the strip is low, controls are small. Made before the first part is drawn,
 // `pictures()` between them, ended by its destructor.

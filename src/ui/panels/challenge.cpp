@@ -31,7 +31,7 @@ void paragraph(Ui& ui, std::string_view label, std::string_view words, std::uint
 
 // A mark, the rule's words, and its value: on the right where there is room beside the words, else below them.
 void rule_row(Ui& ui, const query::Rule& rule, const exchange::ChallengeRule& words) {
-  const query::Finding finding = query::look_at(ui.session(), rule);
+  const query::Finding finding = query::look_at(ui.state.find, rule);
   const float line = ImGui::GetTextLineHeight(), mark = std::floor(line * 0.86f),
               indent = std::floor(mark + 8 * ui.scale);
   const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -53,7 +53,7 @@ void rule_row(Ui& ui, const query::Rule& rule, const exchange::ChallengeRule& wo
 }
 
 void rules_of(Ui& ui, const std::vector<query::Rule>& rules, std::initializer_list<RuleList> lists) {
-  const exchange::ChallengeFile& file = ui.session().challenge->file;
+  const exchange::ChallengeFile& file = ui.session().game.challenge->file;
   for (const query::Rule& rule : rules)
     if (std::find(lists.begin(), lists.end(), rule.list) != lists.end())
       rule_row(ui, rule, file.list(rule.list)[rule.index]);
@@ -81,7 +81,7 @@ void medals(Ui& ui, const edit::ActiveChallenge& challenge, int best) {
 void medal_rules(Ui& ui, const std::vector<query::Rule>& rules) {
   for (const auto& [list, title] :
        {std::pair{RuleList::silver, "For silver, too"}, std::pair{RuleList::gold, "For gold, too"}}) {
-    if (ui.session().challenge->file.list(list).empty()) continue;
+    if (ui.session().game.challenge->file.list(list).empty()) continue;
     heading(ui, title, "Besides all of the above.");
     rules_of(ui, rules, {list});
   }
@@ -112,10 +112,10 @@ void buttons(Ui& ui, const edit::ActiveChallenge& challenge) {
 
 }  // namespace
 
-bool challenge_shown(const Ui& ui) { return ui.session().challenge.has_value(); }
+bool challenge_shown(const Ui& ui) { return ui.session().game.challenge.has_value(); }
 
 void challenge_panel(Ui& ui) {
-  const edit::ActiveChallenge& challenge = *ui.session().challenge;
+  const edit::ActiveChallenge& challenge = *ui.session().game.challenge;
   const base::Result<std::vector<query::Rule>> rules = query::read_rules(challenge.file, challenge.path);
   paragraph(ui, "Name", challenge.file.name, palette().accent);
   paragraph(ui, "Teaches", challenge.file.teaches, palette().dim);

@@ -82,7 +82,7 @@ void outcome(Ui& ui, const sim::ElementPlan& plan) {
              {.decimals = 1, .unit = "mm", .factor = 1000});
   if (plan.lowest < 0)
     read_out(ui, "In the ground", fixed(-plan.lowest, 1), "m", "It goes below the ground: the red part.", true);
-  if (const double missing = sim::worst(edit::narrow_parts(ui.session(), ui.session().settings.element)); missing > 0)
+  if (const double missing = sim::worst(ui.find(edit::Want::room).room); missing > 0)
     read_out(ui, "Lacks room", fixed(missing, 1), "m",
              "A train on it or on other track would be in the way: the yellow part.", true);
   for (const std::string& line : plan.lines) {
@@ -99,7 +99,7 @@ void elements_panel(Ui& ui) {
   choices(ui);
   if (!session.settings.show_element) return;
   parameters(ui);
-  const sim::ElementPlan& plan = session.elements.plan(session.settings.element, session.document);
+  const sim::ElementPlan& plan = *ui.find(edit::Want::element).element;
   const bool possible = plan.refusal.empty();
   if (possible) {
     outcome(ui, plan);

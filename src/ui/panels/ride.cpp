@@ -49,7 +49,7 @@ void read_outs(Ui& ui) {
       "How far the energy is from where it started, relative to the peak kinetic energy: the integrator's error.",
       {.decimals = 4, .unit = "ppm", .factor = 1e6});
   // Scripts and pictures show no times.
-  const double cost = ui.session().ride_cost.ns_per_tick;
+  const double cost = ui.session().measuring.ride_cost.ns_per_tick;
   read_out(ui, "Cost per tick", !ui.state.scripted && cost > 0 ? fixed(cost, 0) : "--", "ns",
            "What the last ticks took on this machine, all carts together, by the chosen integrator.");
   read_query(ui, "g up", "ride.g_up", {}, "Felt acceleration towards the rider's head; at rest on the flat 1.",

@@ -54,7 +54,7 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
     const float top = std::floor(area.y + (area.height - ImGui::GetTextLineHeight()) * 0.5f),
                 right = area.x + area.width - pad;
     float x = area.x + pad;
-    const bool unsaved = edit::dirty(ui.session());
+    const bool unsaved = edit::dirty(ui.state.find);
     const auto draw = [&](const std::string& words, std::uint32_t tint, float at) {
       list.AddText({std::floor(at), top}, packed(tint), words.c_str());
     };
@@ -77,7 +77,7 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
       x = end + between;
     }
     // The last message stays here after its toast is gone; it is shortened to what room is left.
-    const auto& notices = ui.session().notices;
+    const auto& notices = ui.session().notices.list;
     if (!notices.empty() && right - x > 60 * ui.scale) {
       const edit::Notice& last = notices.back();
       const std::uint32_t tint = last.kind == edit::NoticeKind::error     ? palette().error

@@ -64,8 +64,7 @@ void size(Ui& ui) {
 }
 
 void conflicts(Ui& ui) {
-  const std::vector<sim::Conflict>& found = edit::conflicts(ui.session());
-  if (found.empty()) return;
+  if (ui.find(edit::Want::conflicts).conflicts.empty()) return;
   read_query(ui, "Conflicts", "conflicts", {},
              "Places where the track is in its own way: a train has too little room beside, under or over other track.",
              {.decimals = 0, .warns = true});

@@ -66,7 +66,7 @@ void ChallengeShelf::read(const std::filesystem::path& users) {
 
 int known_medal(const Ui& ui, const std::filesystem::path& challenge) {
   const std::string key = challenge.stem().string();
-  const exchange::ChallengeProgress* const now = exchange::find(ui.session().earned, key);
+  const exchange::ChallengeProgress* const now = exchange::find(ui.session().game.earned, key);
   const exchange::ChallengeProgress* const kept =
       ui.state.kept ? exchange::find(ui.state.kept->progress, key) : nullptr;
   return std::max(now ? now->medal : 0, kept ? kept->medal : 0);

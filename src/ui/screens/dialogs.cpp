@@ -43,7 +43,7 @@ void paragraph(Ui& ui, std::string_view label, const std::string& words) {
 // Where a file is looked for first: beside the document, else beside the file used last.
 std::filesystem::path first_folder(const Ui& ui) {
   const edit::Session& session = ui.session();
-  if (!session.path.empty()) return base::canonical_path(session.path).parent_path();
+  if (!session.file.path.empty()) return base::canonical_path(session.file.path).parent_path();
   if (ui.state.kept != nullptr && !ui.state.kept->settings.recent.empty())
     return std::filesystem::path(ui.state.kept->settings.recent.front()).parent_path();
   return ".";
@@ -68,7 +68,7 @@ void Dialogs::abandon() {
 void Dialogs::request(Ui& ui, Want want) {
   want_ = std::move(want);
   saving_ = false;
-  if (edit::dirty(ui.session())) stage_ = Stage::unsaved;
+  if (edit::dirty(ui.state.find)) stage_ = Stage::unsaved;
   else proceed(ui);
 }
 
@@ -91,7 +91,7 @@ void Dialogs::proceed(Ui& ui) {
 // everything stays.
 void Dialogs::follow_save(Ui& ui) {
   if (!std::exchange(saving_, false)) return;
-  if (edit::dirty(ui.session())) abandon();
+  if (edit::dirty(ui.state.find)) abandon();
   else proceed(ui);
 }
 
@@ -99,7 +99,7 @@ void Dialogs::browse(Ui& ui, FileBrowser::Mode mode) {
   const edit::Session& session = ui.session();
   const bool save = mode == FileBrowser::Mode::save;
   const std::string name =
-      session.path.empty() ? file_name_for(session.document.name) : session.path.filename().string();
+      session.file.path.empty() ? file_name_for(session.document.name) : session.file.path.filename().string();
   browser_.start(mode, first_folder(ui), save ? name : "");
   stage_ = Stage::browse;
 }
@@ -107,13 +107,13 @@ void Dialogs::browse(Ui& ui, FileBrowser::Mode mode) {
 void Dialogs::save_as(Ui& ui) { browse(ui, FileBrowser::Mode::save); }
 
 void Dialogs::save(Ui& ui) {
-  if (ui.session().path.empty()) return save_as(ui);
+  if (ui.session().file.path.empty()) return save_as(ui);
   if (held_by_other(ui)) {
     ui.toasts.show(edit::NoticeKind::warning, ui.state.kept->holder + " edits this file: save under another name.",
                    ui.state.seconds);
     return save_as(ui);
   }
-  ui.emit(edit::Save{ui.session().path.string()});
+  ui.emit(edit::Save{ui.session().file.path.string()});
   saving_ = want_.kind != Want::Kind::nothing;
   stage_ = Stage::none;
 }
@@ -125,7 +125,8 @@ void Dialogs::take_file(Ui& ui, std::filesystem::path path, bool asked) {
     want_ = {Want::Kind::load, path.string()};
     return proceed(ui);  // unsaved changes were asked about before
   }
-  const bool own = !ui.session().path.empty() && base::canonical_path(path) == base::canonical_path(ui.session().path);
+  const bool own =
+      !ui.session().file.path.empty() && base::canonical_path(path) == base::canonical_path(ui.session().file.path);
   chosen_ = std::move(path);
   if (!asked && !own && std::filesystem::exists(chosen_, error)) {
     stage_ = Stage::overwrite;

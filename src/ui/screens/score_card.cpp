@@ -89,8 +89,8 @@ void verdict(Ui& ui, const edit::Verdict& verdict) {
   draw_medal(list, low, size, std::max(1, verdict.medal), verdict.medal > 0);
   const std::string words = verdict.medal > 0 ? std::string(medal_title(verdict.medal)) + " medal" : "Not passed yet";
   const edit::Session& session = ui.session();
-  const std::string name = session.challenge && session.challenge->file.name != session.document.name
-                               ? session.challenge->file.name
+  const std::string name = session.game.challenge && session.game.challenge->file.name != session.document.name
+                               ? session.game.challenge->file.name
                                : std::string();
   const float x = low.x + size + std::floor(10 * ui.scale),
               y = std::floor(low.y + (size - (name.empty() ? 1 : 2) * line) * 0.5f);
@@ -120,7 +120,7 @@ void buttons(Ui& ui, const edit::Session& session) {
 }
 
 void build(Ui& ui, const edit::Session& session) {
-  const edit::RideResult& result = *session.result;
+  const edit::RideResult& result = *session.game.result;
   ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().accent));
   ImGui::TextUnformatted(session.document.name.empty() ? "The ride" : session.document.name.c_str());
   ImGui::PopStyleColor();
@@ -148,13 +148,13 @@ void build(Ui& ui, const edit::Session& session) {
 }  // namespace
 
 bool card_shows(const edit::Session& session) {
-  return session.settings.show_card && session.show_result && session.result;
+  return session.settings.show_card && session.game.show_result && session.game.result;
 }
 
 std::optional<double> failed_place(const edit::Session& session) {
-  if (!session.result) return std::nullopt;
-  if (session.result->verdict && session.result->verdict->place) return session.result->verdict->place;
-  return session.result->end == RideEnd::failed ? session.result->place : std::nullopt;
+  if (!session.game.result) return std::nullopt;
+  if (session.game.result->verdict && session.game.result->verdict->place) return session.game.result->verdict->place;
+  return session.game.result->end == RideEnd::failed ? session.game.result->place : std::nullopt;
 }
 
 void show_place(Ui& ui, double distance) {

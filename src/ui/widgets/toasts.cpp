@@ -24,8 +24,8 @@ std::uint32_t colour_of(edit::NoticeKind kind) {
 }  // namespace
 
 void Toasts::update(const edit::Session& session, double seconds, bool scripted) {
-  if (!session.notices.empty() && session.notices.back().serial != serial) {
-    const edit::Notice& notice = session.notices.back();
+  if (!session.notices.list.empty() && session.notices.list.back().serial != serial) {
+    const edit::Notice& notice = session.notices.list.back();
     serial = notice.serial;
     show(notice.kind, notice.text, seconds);
   }

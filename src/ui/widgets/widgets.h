@@ -76,6 +76,7 @@ struct Ui {
   std::string panel;  // first part of the paths
 
   const edit::Session& session() const { return state.session; }
+  const edit::Findings& find(edit::Want wanted) const { return state.find(wanted); }
   template <class C>
   void emit(C command) {
     out.commands.push_back(edit::Command(std::move(command)));

@@ -38,9 +38,9 @@ TEST_F(Applying, save_and_load_bring_the_same_document) {
   const std::uint64_t before = hash();
   ASSERT_TRUE(apply(Save{file("a.json")}));
   EXPECT_FALSE(dirty(session));
-  EXPECT_EQ(session.path, file("a.json"));
+  EXPECT_EQ(session.file.path, file("a.json"));
   good("new");
-  EXPECT_TRUE(session.path.empty());
+  EXPECT_TRUE(session.file.path.empty());
   EXPECT_TRUE(session.document == world::Document{});
   EXPECT_TRUE(session.history.undo.empty());
   EXPECT_EQ(session.motion.carts.size(), 0u);
@@ -55,16 +55,17 @@ TEST_F(Applying, exporting_leaves_the_path_and_what_is_unsaved) {
   good("datum 3.25");
   for (const char* name : {"a.obj", "a.gltf", "a.svg"}) {
     ASSERT_TRUE(apply(Save{file(name)}));
-    EXPECT_EQ(session.notices.back().text, "exported " + file(name));
+    EXPECT_EQ(session.notices.list.back().text, "exported " + file(name));
     EXPECT_GT(std::filesystem::file_size(file(name)), 0u);
     EXPECT_TRUE(dirty(session));
-    EXPECT_EQ(session.path, file("a.json"));
+    EXPECT_EQ(session.file.path, file("a.json"));
     EXPECT_EQ(apply(Load{file(name)}).code, base::Code::bad_file);
-    EXPECT_NE(session.notices.back().text.find("can only be written; expected a file ending in .json"),
+    EXPECT_NE(session.notices.list.back().text.find("can only be written; expected a file ending in .json"),
               std::string::npos);
   }
   EXPECT_EQ(apply(Save{file("a.nltrack")}).code, base::Code::refused);
-  EXPECT_NE(session.notices.back().text.find("can only be read; expected a file ending in .json"), std::string::npos);
+  EXPECT_NE(session.notices.list.back().text.find("can only be read; expected a file ending in .json"),
+            std::string::npos);
   ASSERT_TRUE(apply(Save{file("a.json")}));
   EXPECT_FALSE(dirty(session));
 }
@@ -76,7 +77,7 @@ TEST_F(Applying, an_imported_track_has_no_path) {
   bytes += std::string(20, '\0') + std::string("SEGM\0\0\0\5", 8) + std::string(5, '\0');
   ASSERT_TRUE(files.write_atomic(file("b.nltrack"), bytes));
   ASSERT_TRUE(apply(Load{file("b.nltrack")}));
-  EXPECT_TRUE(session.path.empty());
+  EXPECT_TRUE(session.file.path.empty());
   EXPECT_EQ(session.document.name, "b");
   EXPECT_FALSE(dirty(session));
 }
@@ -84,10 +85,10 @@ TEST_F(Applying, an_imported_track_has_no_path) {
 TEST_F(Applying, files_that_fail_leave_everything_as_it_was) {
   const world::Document before = session.document;
   EXPECT_EQ(apply(Load{file("none.json")}).code, base::Code::bad_file);
-  EXPECT_EQ(session.notices.back().kind, NoticeKind::error);
+  EXPECT_EQ(session.notices.list.back().kind, NoticeKind::error);
   files.inject(base::IoOperation::fsync, 1);
   EXPECT_EQ(apply(Save{file("a.json")}).code, base::Code::io);
-  EXPECT_TRUE(session.path.empty());
+  EXPECT_TRUE(session.file.path.empty());
   refused(Save{""}, "expected a file");
   refused(Save{file("a.txt")}, "ending in .json");
   EXPECT_TRUE(session.document == before);
@@ -100,7 +101,7 @@ TEST_F(Applying, loading_a_track_over_the_budget_lowers_the_resolution) {
   good("vertex_budget 1000");
   ASSERT_TRUE(apply(Load{file("a.json")}));
   EXPECT_EQ(session.settings.steps, 249);
-  EXPECT_NE(session.notices.back().text.find("limit"), std::string::npos);
+  EXPECT_NE(session.notices.list.back().text.find("limit"), std::string::npos);
   EXPECT_EQ(session.derived.vertices, 1000);
 }
 

@@ -219,7 +219,7 @@ TEST_F(RepairCommands, one_joint_is_one_step_and_undo_restores_the_hash) {
   good("make_g2 @k4");
   EXPECT_NE(world::hash(session.document), before);
   EXPECT_EQ(session.history.undo.size(), 1u);
-  EXPECT_NE(session.notices.back().text.find("made the joint G2 by moving"), std::string::npos);
+  EXPECT_NE(session.notices.list.back().text.find("made the joint G2 by moving"), std::string::npos);
   good("make_g2 @k4");
   EXPECT_EQ(session.history.undo.size(), 1u) << "it was G2";
   good("undo");
@@ -230,7 +230,8 @@ TEST_F(RepairCommands, the_whole_track_is_one_step_and_says_what_it_did) {
   const std::uint64_t before = world::hash(session.document);
   good("make_all_g2");
   EXPECT_EQ(session.history.undo.size(), 1u);
-  EXPECT_NE(session.notices.back().text.find(" G2 by moving "), std::string::npos) << session.notices.back().text;
+  EXPECT_NE(session.notices.list.back().text.find(" G2 by moving "), std::string::npos)
+      << session.notices.list.back().text;
   good("undo");
   EXPECT_EQ(world::hash(session.document), before);
 }

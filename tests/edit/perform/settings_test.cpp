@@ -107,13 +107,13 @@ TEST_F(ChangingSettings, the_scale_is_clamped) {
 
 TEST_F(ChangingSettings, saying_the_same_at_a_limit_renews_the_notice) {
   clamped("resolution 5000", "limit");
-  const std::size_t count = session.notices.size();
-  const std::uint64_t serial = session.notices.back().serial;
+  const std::size_t count = session.notices.list.size();
+  const std::uint64_t serial = session.notices.list.back().serial;
   clamped("resolution 5000", "limit");
-  EXPECT_EQ(session.notices.size(), count);
-  EXPECT_GT(session.notices.back().serial, serial);
+  EXPECT_EQ(session.notices.list.size(), count);
+  EXPECT_GT(session.notices.list.back().serial, serial);
   for (int i = 0; i < 100; ++i) clamped("resolution " + std::to_string(5000 + i), "limit");
-  EXPECT_EQ(session.notices.size(), 32u);
+  EXPECT_EQ(session.notices.list.size(), 32u);
 }
 
 }  // namespace perform_settings_test

@@ -131,7 +131,7 @@ TEST_F(ChangingTrack, commands_over_the_vertex_budget_are_refused_and_name_it) {
   good("resolution 500");
   EXPECT_TRUE(apply("undo"));  // brings a segment back: the resolution gives way
   EXPECT_EQ(session.settings.steps, 399);
-  EXPECT_NE(session.notices.back().text.find("limit"), std::string::npos);
+  EXPECT_NE(session.notices.list.back().text.find("limit"), std::string::npos);
   EXPECT_LE(session.derived.vertices, 1600);
 }
 

@@ -122,7 +122,7 @@ TEST_F(LaboratoryTest, the_construction_shows_the_point_of_the_curve) {
 
 TEST_F(LaboratoryTest, a_still_frame_measures_nothing_again) {
   int asked = 0;
-  session_.clock = [&] { return ++asked * 1e-3; };
+  session_.measuring.clock = [&] { return ++asked * 1e-3; };
   select(world::Kind::segment, 1);
   open("Lengths");
   frames(3);

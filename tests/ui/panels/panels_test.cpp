@@ -11,7 +11,7 @@ namespace panels_test {
 struct PanelsTest : Stage {};
 
 TEST_F(PanelsTest, every_panel_draws_and_paths_are_unique_for_every_selection) {
-  edit::ActiveChallenge& challenge = session_.challenge.emplace();  // whose panel is there for it alone
+  edit::ActiveChallenge& challenge = session_.game.challenge.emplace();  // whose panel is there for it alone
   challenge.file.name = "Three", challenge.file.teaches = "How to count.";
   challenge.file.rules[0] = {{"knots <= 3", "Three knots"}};
   for (const auto& [kind, number] :

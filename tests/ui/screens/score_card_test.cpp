@@ -12,7 +12,7 @@ class ScoreCardTest : public Stage {
     ASSERT_TRUE(edit::apply(session_, files_, edit::SetCard{true}));
     ASSERT_TRUE(edit::apply(session_, files_, edit::RideStart{}));
     edit::advance(session_, 120 * 120);
-    ASSERT_TRUE(session_.result);
+    ASSERT_TRUE(session_.game.result);
     frames(3);
   }
 };
@@ -22,12 +22,13 @@ TEST_F(ScoreCardTest, the_card_shows_the_ghosts_numbers_and_closes_by_key) {
   EXPECT_EQ(find("Score/Top speed"), nullptr);
   end_a_ride();
   ASSERT_NE(find("Score/Top speed"), nullptr);
-  EXPECT_EQ(find("Score/Top speed")->value, fixed(edit::chosen_ratings(session_).top_speed.value, 1) + " m/s");
+  EXPECT_EQ(find("Score/Top speed")->value,
+            fixed(edit::find(session_, edit::Want::ratings).ratings->top_speed.value, 1) + " m/s");
   EXPECT_EQ(find("Score/Length")->value, fixed(session_.derived.length, 1) + " m");
   key(platform::Key::escape);
   frame();
   EXPECT_EQ(find("Score/Top speed"), nullptr);
-  EXPECT_FALSE(session_.show_result);
+  EXPECT_FALSE(session_.game.show_result);
 }
 
 TEST_F(ScoreCardTest, the_card_stays_within_the_viewport_and_gives_way_where_there_is_none) {
@@ -51,7 +52,7 @@ TEST_F(ScoreCardTest, where_it_failed_is_selected_and_looked_at) {
   resize(1280, 720);
   ASSERT_TRUE(edit::apply(session_, files_, edit::SetLosses{0.5f, 0}));
   end_a_ride();
-  ASSERT_EQ(session_.result->end, edit::RideEnd::failed) << "that much friction holds it on the slope";
+  ASSERT_EQ(session_.game.result->end, edit::RideEnd::failed) << "that much friction holds it on the slope";
   const auto place = failed_place(session_);
   ASSERT_TRUE(place);
   key(platform::Key::j);

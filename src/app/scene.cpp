@@ -1,0 +1,83 @@
+#include "app/scene.h"
+
+#include <utility>
+
+#include "sim/ride/ride.h"
+
+namespace coaster::app {
+namespace {
+
+bool is_riding(const Program& program, const Look& look) {
+  const world::CameraMode mode = program.picture.rig.mode;
+  const bool with_train = mode == world::CameraMode::ride || mode == world::CameraMode::chase;
+  return look.alone || (with_train && program.session.motion.state == world::RideState::running);
+}
+
+}  // namespace
+
+std::vector<sim::Pose> cart_poses(const edit::Session& session) {
+  std::vector<sim::Pose> poses;
+  if (session.derived.order.empty()) return poses;
+  const auto& carts = session.motion.carts;
+  for (std::size_t i = 0; i < carts.size(); ++i)
+    for (const sim::Pose& car : sim::car_poses(session.document, session.derived, carts.entities()[i], carts.items()[i],
+                                               session.settings.frames))
+      poses.push_back(car);
+  return poses;
+}
+
+edit::Want wanted_by(const Look& look, const Program& program) {
+  using edit::Want;
+  const world::Layers& layers = look.settings.layers;
+  Want wanted = Want::values;
+  if (layers.has(world::Layer::flips)) wanted = wanted | Want::breaks;
+  if (layers.has(world::Layer::conflicts) && !is_riding(program, look)) wanted = wanted | Want::conflicts;
+  if (layers.has(world::Layer::limits)) wanted = wanted | Want::overloads;
+  if (layers.has(world::Layer::supports)) wanted = wanted | Want::supports;
+  if (look.settings.show_element) wanted = wanted | Want::element | Want::room;
+  return wanted;
+}
+
+gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findings& found, platform::Size size) {
+  const edit::Session& session = program.session;
+  const world::Layers& layers = look.settings.layers;
+  view::Findings marked{.failure = session.motion.failure, .riding = is_riding(program, look)};
+  if (layers.has(world::Layer::flips)) marked.breaks = found.breaks;
+  if (layers.has(world::Layer::conflicts) && !marked.riding) marked.conflicts = found.conflicts;
+  if (layers.has(world::Layer::limits)) marked.spans = found.overloads;
+  if (look.settings.show_element) marked.element = found.element, marked.narrow = found.room;
+  const view::Overlay overlay =
+      view::build_overlay(session.document, session.derived, look.settings, look.view, look.hovered, marked);
+  const std::vector<sim::Pose> carts = cart_poses(session);
+  gfx::Scene scene{session.derived,       look.view, overlay, carts, layers.has(world::Layer::polyline), found.values,
+                   session.settings.theme};
+  scene.style = session.settings.style;
+  scene.shadows = session.settings.shadows;
+  scene.unseen = look.unseen;
+  scene.clock = [&] { return program.surface->clock(); };
+  if (layers.has(world::Layer::supports)) scene.supports = found.supports;
+  program.stats.colour_low = found.values->low, program.stats.colour_high = found.values->high;
+  program.stats.supports = scene.supports ? scene.supports->count() : 0;
+  program.stats.support_rebuilds = scene.supports ? scene.supports->rebuilds() : 0;
+  return program.renderer->draw(scene, size.width, size.height);
+}
+
+void draw_pixels(Program& program) {
+  const platform::Size size{program.stats.width, program.stats.height};
+  if (!std::exchange(program.picture.unseen, false) || size.width < 1 || size.height < 1) return;
+  const Look look{program.session.settings, program.picture.view, program.picture.hovered};
+  (void)draw_scene(program, look, edit::find(program.session, wanted_by(look, program)), size);
+  program.ui->draw(size.width, size.height);
+}
+
+void draw_scene_alone(Program& program, const view::View& view, platform::Size size) {
+  world::Settings settings = program.session.settings;
+  settings.selected = world::kNone;
+  settings.also.clear();
+  settings.show_gizmo = settings.show_element = false;
+  settings.layers.set(world::Layer::polyline, false);
+  const Look look{settings, view, {}, true};
+  (void)draw_scene(program, look, edit::find(program.session, wanted_by(look, program)), size);
+}
+
+}  // namespace coaster::app

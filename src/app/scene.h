@@ -1,0 +1,36 @@
+// The scene of a frame: what of the findings it shows, and its picture.
+#pragma once
+
+#include <vector>
+
+#include "app/program.h"
+
+namespace coaster::app {
+
+// How the session is looked at.
+struct Look {
+  const world::Settings& settings;  // those of the session, or a copy without what is selected
+  const view::View& view;
+  view::Pick hovered;
+  bool alone = false;   // without marks of knots
+  bool unseen = false;  // everything of a picture but its pixels, which nobody is going to look at
+};
+
+// What has to be found before the scene can be drawn.
+edit::Want wanted_by(const Look& look, const Program& program);
+
+// Draws it with what was found; its numbers about supports and colours go to program.stats.
+gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findings& found, platform::Size size);
+
+// The pixels of the last frame. Without a window nobody looks at most frames, so they are drawn only now; everything
+// else of a frame has happened in it.
+void draw_pixels(Program& program);
+
+// The scene as it is, without panels, marks of knots and what is selected, into the renderer's picture; no frame, and
+// no numbers of one.
+void draw_scene_alone(Program& program, const view::View& view, platform::Size size);
+
+// Where each car of each train is.
+std::vector<sim::Pose> cart_poses(const edit::Session& session);
+
+}  // namespace coaster::app

@@ -1,0 +1,96 @@
+// What is found out about a session when somebody wants to know: whole rides, ratings, conflicts, plans, supports. All
+// of it follows from the document, the derived data, the settings and the envelope.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/kept.h"
+#include "sim/plan/elements.h"
+#include "sim/ride/ghost.h"
+#include "sim/shape/frame_methods.h"
+#include "sim/shape/shape_distance.h"
+#include "sim/solids/conflicts.h"
+#include "sim/solids/supports.h"
+#include "sim/study/element_room.h"
+#include "sim/study/ratings.h"
+#include "sim/study/track_values.h"
+
+namespace coaster::edit {
+
+struct Session;
+
+// What find() is asked for: one of these, or several joined by |.
+enum class Want : std::uint16_t {
+  nothing = 0,
+  document_hash = 1,
+  ride = 2,        // of the chosen cart (chosen_cart), and the tables of the rails
+  ratings = 4,     // of that ride
+  overloads = 8,   // its stretches beyond the envelope
+  conflicts = 16,  // where the track is in its own way
+  element = 32,    // the plan of the palette's element at the track's open end
+  room = 64,       // where that element would be in the way
+  breaks = 128,    // of the Frenet frame
+  values = 256,    // that the track is coloured by
+  supports = 512,
+  deviation = 1024  // from the start track of the challenge under way
+};
+constexpr Want operator|(Want a, Want b) {
+  return static_cast<Want>(static_cast<std::uint16_t>(a) | static_cast<std::uint16_t>(b));
+}
+constexpr bool has(Want all, Want one) {
+  return (static_cast<std::uint16_t>(all) & static_cast<std::uint16_t>(one)) != 0;
+}
+
+// A member is true of the session when find() has just been asked for it; pointers and spans are good until the next
+// find().
+struct Findings {
+  std::uint64_t document_hash = 0;
+  const sim::Ghost* ride = nullptr;          // null without a ride
+  const sim::RailTables* tables = nullptr;   // never null after Want::ride
+  const sim::Ratings* ratings = nullptr;     // never null after Want::ratings; all 0 without a ride
+  std::span<const sim::RedSpan> overloads;   // none without a ride
+  std::span<const sim::Conflict> conflicts;  // in the track's order
+  const sim::ElementPlan* element = nullptr;
+  std::span<const sim::Narrow> room;  // parts of the element that lack it
+  std::span<const sim::FrenetBreak> breaks;
+  const sim::TrackValues* values = nullptr;
+  const sim::Supports* supports = nullptr;
+  double deviation = 0;  // m; 0 without a challenge
+
+  // What the members above are kept in, each with the key that it was found for.
+  struct Memory {
+    base::Kept<std::uint64_t, std::uint64_t> document_hash;  // by Session::edits
+    sim::GhostMemo rides;
+    base::Kept<std::pair<std::uint64_t, double>, sim::Ratings> ratings;  // by the ride's serial and the cutoff
+    base::Kept<std::pair<std::uint64_t, sim::Envelope>, std::vector<sim::RedSpan>> overloads;  // by the ride's serial
+    sim::Conflicts conflicts;
+    sim::ElementMemo elements;
+    sim::ElementRoom room;
+    sim::FrenetBreaks breaks;
+    sim::TrackValueMemo values;
+    sim::Supports supports;
+    base::Kept<std::pair<sim::ShapeTrace, sim::ShapeTrace>, double> deviation;  // by the two tracks' traces
+  } memory;
+};
+
+// Brings up to date what is wanted, and nothing else: the one function that does. What has not changed costs a
+// comparison of keys, which is some nanoseconds a segment.
+const Findings& find(Session& session, Want wanted);
+// The same, where Want::element and Want::room are about another element than the chosen one.
+const Findings& find(Session& session, Want wanted, const world::Element& element);
+
+// A session to read and to ask for findings, and to do nothing else to: what panels and queries are given.
+class Finder {
+ public:
+  Finder(Session& session) : session_(&session) {}
+  const Session& session() const { return *session_; }
+  const Findings& operator()(Want wanted) const { return find(*session_, wanted); }
+
+ private:
+  Session* session_;
+};
+
+}  // namespace coaster::edit

@@ -1,0 +1,57 @@
+// Queries about the last frame and its picture: a row for each number of the two tables, and what follows from several.
+#include <array>
+#include <utility>
+
+#include "query/rows.h"
+
+namespace coaster::query {
+namespace {
+
+template <const auto& table, std::size_t row>
+Answer number_of_frame(const Context& c, View) {
+  return std::visit([&](auto member) { return number(c.stats.*member); }, table[row].member);
+}
+
+template <const auto& table, std::size_t... row>
+constexpr auto rows_of(std::index_sequence<row...>) {
+  return std::array{Query{table[row].query, "", table[row].unit, table[row].text, number_of_frame<table, row>}...};
+}
+
+// The processor's, or what was captured from the GPU.
+Answer deviation(const Context& c, View) {
+  const sim::Derived& derived = c.session.derived;
+  return number(derived.evaluated_by == curve::EvaluatedBy::processor ? derived.deviation : c.stats.deviation);
+}
+Answer drawn_by(const Context& c, View) {
+  switch (c.stats.drawn_by) {
+    case curve::EvaluatedBy::processor: return text("processor");
+    case curve::EvaluatedBy::vertex_shader: return text("vertex_shader");
+    case curve::EvaluatedBy::geometry_shader: return text("geometry_shader");
+    case curve::EvaluatedBy::tessellation_shader: return text("tessellation_shader");
+  }
+  return text("");
+}
+Answer ns_per_point(const Context& c, View) {
+  return number(c.stats.evaluated_vertices > 0
+                    ? c.stats.evaluation_ms * 1e6 / static_cast<double>(c.stats.evaluated_vertices)
+                    : 0.0);
+}
+
+constexpr auto kDrawRows = rows_of<view::kDrawNumbers>(std::make_index_sequence<view::kDrawNumbers.size()>());
+constexpr auto kFrameRows = rows_of<kFrameNumbers>(std::make_index_sequence<kFrameNumbers.size()>());
+constexpr std::array kMoreRows{
+    Query{"deviation", "", "m", "Largest distance of a vertex from the exact point at the same parameter.", deviation},
+    Query{"drawn_by", "", "",
+          "Where the polylines were evaluated: processor, vertex_shader, geometry_shader or tessellation_shader.",
+          drawn_by},
+    Query{"ns_per_point", "", "ns", "Time of evaluators per vertex in the last frame that evaluated anything.",
+          ns_per_point},
+};
+
+}  // namespace
+
+std::span<const Query> draw_rows() { return kDrawRows; }
+std::span<const Query> frame_rows() { return kFrameRows; }
+std::span<const Query> evaluation_rows() { return kMoreRows; }
+
+}  // namespace coaster::query

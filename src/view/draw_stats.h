@@ -1,0 +1,58 @@
+// Numbers of the last picture. gfx::Renderer::draw fills them, panels read them, and the table makes queries of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <variant>
+
+#include "curve/evaluators.h"
+
+namespace coaster::view {
+
+struct DrawStats {
+  int uploads = 0;          // segments written to the track's buffers
+  int recolours = 0;        // segments whose values were written (not in uploads)
+  int support_uploads = 0;  // segments whose supports were written (not in uploads)
+  int draw_calls = 0;
+  std::int64_t triangles = 0;  // of these draw calls, in shadow maps too
+  int shadow_maps = 0;  // shadow maps drawn: 0 unless track, trains, light or the visible part of a large track changed
+  int samples = 0;      // multisampling in use
+  double prepare_ms = 0;  // time of the cache to prepare uploads, outside GL
+  double gpu_ms = 0;      // GPU time of the polyline in the newest finished frame (a few frames ago); 0: not measured
+  std::int64_t upload_bytes = 0;           // written to the track's buffers
+  std::int64_t polyline_upload_bytes = 0;  // of these, polylines: vertices, or control points for GPU evaluators
+  std::int64_t polyline_bytes = 0;         // size of all polylines
+  curve::EvaluatedBy
+      drawn_by{};             // evaluator of the polyline: derived.evaluated_by, or the vertex shader as its substitute
+  double deviation = 0;       // m, of vertices computed by the GPU, see CurveDeviation; 0 for processor evaluators
+  int deviation_pending = 0;  // segments whose deviation will be measured in the next frames
+};
+
+struct DrawNumber {
+  std::string_view query, unit, text;
+  std::variant<int DrawStats::*, std::int64_t DrawStats::*, double DrawStats::*> member;
+};
+inline constexpr std::array kDrawNumbers{
+    DrawNumber{"deviation_pending", "", "Segments whose deviation on the GPU is not yet measured.",
+               &DrawStats::deviation_pending},
+    DrawNumber{"upload_bytes", "B", "Bytes written to the track's vertex buffers in the last frame.",
+               &DrawStats::upload_bytes},
+    DrawNumber{"polyline_upload_bytes", "B",
+               "The same for polylines only: vertices, or control points for GPU evaluators.",
+               &DrawStats::polyline_upload_bytes},
+    DrawNumber{"polyline_bytes", "B", "GPU memory of all polylines.", &DrawStats::polyline_bytes},
+    DrawNumber{"gpu_ms", "ms", "GPU time of the polylines, a few frames ago; 0 if not measured.", &DrawStats::gpu_ms},
+    DrawNumber{"uploads", "", "Segments whose vertex buffers were uploaded in the last frame.", &DrawStats::uploads},
+    DrawNumber{"recolours", "", "Segments whose colour values were uploaded in the last frame; not part of uploads.",
+               &DrawStats::recolours},
+    DrawNumber{"supports.uploads", "", "Segments whose supports were uploaded in the last frame; not part of uploads.",
+               &DrawStats::support_uploads},
+    DrawNumber{"draw_calls", "", "Draw calls of the scene in the last frame.", &DrawStats::draw_calls},
+    DrawNumber{"triangles", "", "Triangles of these draw calls.", &DrawStats::triangles},
+    DrawNumber{"shadow_maps", "", "Shadow maps drawn in the last frame; 0 if neither track, trains nor light changed.",
+               &DrawStats::shadow_maps},
+    DrawNumber{"samples", "", "Samples per pixel (multisampling).", &DrawStats::samples},
+};
+
+}  // namespace coaster::view
