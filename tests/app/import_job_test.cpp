@@ -1,0 +1,101 @@
+#include "app/import_job.h"
+
+#include "app/program_fixture.h"
+#include "exchange/own/track_file.h"
+
+namespace coaster::app {
+namespace import_job_test {
+
+class Importing : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    build_track(*program_);
+    ASSERT_TRUE(apply(*program_, edit::Save{file("rows.csv")}).ok());
+    ASSERT_TRUE(apply(*program_, edit::NewTrack{}).ok());
+    program_->by_hand = true;
+  }
+  edit::Command load(const std::string& name) { return edit::Load{file(name)}; }
+  // The thread has come to its end.
+  void wait() { program_->import->result.wait(); }
+};
+
+TEST_F(Importing, begins_for_a_slow_format_by_hand_in_a_window_alone) {
+  EXPECT_FALSE(begin_import(*program_, load("rows.csv"))) << "no window";
+  surface(*program_).window = true;
+  EXPECT_FALSE(begin_import(*program_, load("rows.json"))) << "read at once";
+  EXPECT_FALSE(begin_import(*program_, edit::NewTrack{}));
+  program_->by_hand = false;
+  EXPECT_FALSE(begin_import(*program_, load("rows.csv"))) << "a script waits";
+  program_->by_hand = true;
+  EXPECT_TRUE(begin_import(*program_, load("rows.csv")));
+  EXPECT_FALSE(begin_import(*program_, load("rows.csv"))) << "one at a time";
+  EXPECT_TRUE(program_->session.document.track.knots.empty()) << "nothing is opened yet";
+}
+
+TEST_F(Importing, opens_the_same_track_as_a_load_that_waits) {
+  surface(*program_).window = true;
+  ASSERT_TRUE(begin_import(*program_, load("rows.csv")));
+  wait();
+  finish_import(*program_);
+  EXPECT_FALSE(program_->import);
+  EXPECT_FALSE(program_->session.file.read_ahead) << "it has been taken";
+  const auto direct = exchange::load_track(program_->files, file("rows.csv"));
+  ASSERT_TRUE(direct.ok()) << direct.status().message;
+  ASSERT_FALSE(direct->document.track.knots.empty());
+  EXPECT_EQ(world::hash(program_->session.document), world::hash(direct->document));
+}
+
+TEST_F(Importing, shows_how_far_it_is_when_it_has_taken_a_moment) {
+  surface(*program_).window = true;
+  EXPECT_EQ(shown_import(*program_), nullptr);
+  program_->time.seconds = 100;
+  ASSERT_TRUE(begin_import(*program_, load("rows.csv")));
+  EXPECT_EQ(shown_import(*program_), nullptr);
+  program_->time.seconds = 100.14;
+  EXPECT_EQ(shown_import(*program_), nullptr);
+  program_->time.seconds = 100.16;
+  EXPECT_EQ(shown_import(*program_), &program_->import->progress);
+}
+
+TEST_F(Importing, a_slow_one_takes_the_frames_it_was_given) {
+  program_->import_delay = 3;
+  ASSERT_TRUE(begin_import(*program_, load("rows.csv")));
+  EXPECT_EQ(program_->import_delay, 0) << "the next one is as quick as it is";
+  EXPECT_NE(shown_import(*program_), nullptr) << "at once";
+  wait();
+  for (int frame = 0; frame < 3; ++frame) {
+    finish_import(*program_);
+    EXPECT_TRUE(program_->import) << frame;
+  }
+  finish_import(*program_);
+  EXPECT_FALSE(program_->import);
+  EXPECT_FALSE(program_->session.document.track.knots.empty());
+}
+
+TEST_F(Importing, a_cancelled_one_changes_nothing_however_quick_the_reader_was) {
+  const std::uint64_t before = world::hash(program_->session.document);
+  program_->import_delay = 5;
+  ASSERT_TRUE(begin_import(*program_, load("rows.csv")));
+  wait();
+  program_->import->progress.cancelled = true;
+  finish_import(*program_);
+  EXPECT_FALSE(program_->import) << "it does not wait for its frames any more";
+  EXPECT_EQ(world::hash(program_->session.document), before);
+  EXPECT_EQ(last_notice(*program_), file("rows.csv") + ": the import was cancelled");
+}
+
+TEST_F(Importing, says_why_a_file_cannot_be_read) {
+  surface(*program_).window = true;
+  ASSERT_TRUE(program_->files.write_atomic(file("broken.csv"), "no rows at all\n").ok());
+  ASSERT_TRUE(begin_import(*program_, load("broken.csv")));
+  wait();
+  finish_import(*program_);
+  EXPECT_FALSE(program_->import);
+  EXPECT_TRUE(program_->session.document.track.knots.empty());
+  EXPECT_EQ(program_->session.notices.list.back().kind, edit::NoticeKind::error);
+  EXPECT_NE(last_notice(*program_).find("broken.csv"), std::string::npos) << last_notice(*program_);
+}
+
+}  // namespace import_job_test
+}  // namespace coaster::app

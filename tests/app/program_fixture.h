@@ -1,0 +1,98 @@
+// Programs on a surface whose clock stands until a test moves it, and which says to be a window when a test wants one.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "app/program.h"
+
+namespace coaster::app {
+
+class FakeSurface final : public platform::Surface {
+ public:
+  explicit FakeSurface(std::unique_ptr<platform::Surface> memory) : memory_(std::move(memory)) {}
+  double now = 0;
+  bool window = false;
+  std::optional<platform::Placement> at;
+
+  void poll(platform::Events&) override {}
+  platform::Size size() const override { return memory_->size(); }
+  float content_scale() const override { return 1; }
+  void* gl_proc(const char* name) override { return memory_->gl_proc(name); }
+  void present(unsigned framebuffer) override { memory_->present(framebuffer); }
+  double clock() const override { return now; }
+  void set_title(const std::string&) override {}
+  void resize(platform::Size size) override { memory_->resize(size); }
+  std::string clipboard() override { return {}; }
+  void set_clipboard(const std::string&) override {}
+  bool is_window() const override { return window; }
+  std::optional<platform::Placement> placement() const override { return at; }
+  void place(const platform::Placement& placement) override { at = placement; }
+
+ private:
+  std::unique_ptr<platform::Surface> memory_;
+};
+
+class ProgramTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const testing::TestInfo& info = *testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              ("coaster_" + std::string(info.name()) + "_" + std::to_string(::getpid()));
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    program_ = make();
+  }
+  void TearDown() override {
+    program_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+
+  // A program without a renderer: it can do all but draw the scene.
+  static std::unique_ptr<Program> make() {
+    auto program = std::make_unique<Program>();
+    auto memory = platform::make_offscreen({.size = {64, 48}});
+    EXPECT_TRUE(memory.ok()) << memory.status().message;
+    auto surface = std::make_unique<FakeSurface>(std::move(*memory));
+    auto gl = gfx::load_gl([&](const char* name) { return surface->gl_proc(name); });
+    EXPECT_TRUE(gl.ok()) << gl.status().message;
+    program->gl = std::move(*gl);
+    program->surface = std::move(surface);
+    auto panels = ui::Host::make(program->gl, 1);
+    EXPECT_TRUE(panels.ok()) << panels.status().message;
+    program->ui = std::move(*panels);
+    program->session = edit::make_session({});
+    return program;
+  }
+  // And with one.
+  static std::unique_ptr<Program> make_drawing() {
+    std::unique_ptr<Program> program = make();
+    auto renderer = gfx::Renderer::make(program->gl, 0);
+    EXPECT_TRUE(renderer.ok()) << renderer.status().message;
+    program->renderer = std::move(*renderer);
+    return program;
+  }
+  static FakeSurface& surface(Program& program) { return static_cast<FakeSurface&>(*program.surface); }
+
+  // Three knots, off-origin and skew, with a cart.
+  static void build_track(Program& program) {
+    for (const glm::vec3 place : {glm::vec3{-17.3f, 4.1f, 6.7f}, {3.9f, 9.6f, -2.3f}, {21.1f, 5.3f, 8.9f}})
+      ASSERT_TRUE(apply(program, edit::AppendKnot{place}).ok());
+    ASSERT_TRUE(apply(program, edit::AddCart{{{world::Kind::segment, 1}}, 0.25}).ok());
+  }
+  static std::string last_notice(const Program& program) {
+    const auto& notices = program.session.notices.list;
+    return notices.empty() ? std::string() : notices.back().text;
+  }
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::filesystem::path folder_;
+  std::unique_ptr<Program> program_;
+};
+
+}  // namespace coaster::app
