@@ -25,7 +25,7 @@ gfx::Image picture(Program& program) {
   }
   platform::Size size{filming.shown.width, filming.shown.height};
   if (filming.movie->frames() == 0) size = program.surface->size();
-  if (size.width < 1 || size.height < 1) size = {1280, 720};  // begun while the window was minimised
+  if (size.width < 1 || size.height < 1) size = {1280, 720};  // started while the window was minimised
   filming.shown.width = size.width, filming.shown.height = size.height;
   const view::Viewport whole{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
   draw_scene_alone(program, view::view_of(program.picture.rig.eye, whole), size);
@@ -44,7 +44,7 @@ void take_picture(Program& program) {
   (void)stop_movie(program);
 }
 
-// The track's name and the first number that is free: "red-comet-movie-1".
+// Returns a folder with the track's name and the first unused number: "red-comet-movie-1".
 std::filesystem::path free_folder(const Program& program) {
   constexpr int kMostNumbers = 10'000;
   const std::filesystem::path folder = movie_folder(program);
@@ -64,7 +64,7 @@ std::int64_t ticks_of_lap(edit::Session& session) {
   return ghost && ghost->samples.size() > 1 ? static_cast<std::int64_t>(ghost->samples.size() - 1) : 0;
 }
 
-// From the ride's start, so that the lap is whole.
+// Starts at the ride's start, so that the lap is complete.
 base::Status begin_lap(Program& program) {
   if (const base::Status stopped = apply(program, edit::RideStop{}); !stopped) return stopped;
   return apply(program, edit::RideStart{});
@@ -159,10 +159,10 @@ base::Status finish_movie(Program& program) {
 
 void follow_movie(Program& program, ui::MovieWish wish) {
   if (wish == ui::MovieWish::start && !program.filming) start_by_hand(program);
-  if (!program.filming || !program.filming->by_hand) return;  // a script's is its own affair
+  if (!program.filming || !program.filming->by_hand) return;  // a script's movie is under its own control
   if (wish == ui::MovieWish::stop) {
     if (recording(program)) (void)stop_movie(program);
-    else program.filming.reset();  // the pictures are there; nobody waits for the file
+    else program.filming.reset();  // the pictures are complete; nobody waits for the file
   }
   if (recording(program) && lap_is_done(program.session)) (void)stop_movie(program);
   if (!program.filming || !program.filming->encoder) return;

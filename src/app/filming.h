@@ -1,4 +1,4 @@
-// Recording a movie while the program goes on: takes each picture when its tick has come, whoever advances the ticks.
+// Records a movie while the program runs: takes each picture when its tick is due, whoever advances the ticks.
 #pragma once
 
 #include <filesystem>
@@ -18,39 +18,39 @@ struct Filming {
   std::unique_ptr<Movie> movie;           // null once all pictures are taken
   std::unique_ptr<MovieEncoder> encoder;  // from then on
   bool scene_alone =
-      false;  // without panels and what is selected, as large as the first picture whatever becomes of the window
-  bool by_hand = false;        // panels show it, and it ends by itself with the lap
-  std::int64_t lap_ticks = 0;  // that a lap is expected to take; 0: nobody knows
+      false;             // without panels and selection, in the size of the first picture even if the window changes
+  bool by_hand = false;  // started in a window: panels show it, and it ends with the lap
+  std::int64_t lap_ticks = 0;  // expected ticks of a lap; 0: unknown
   base::Status failed;         // why it ended early
-  ui::MovieState shown;        // what panels see of it
+  ui::MovieState shown;        // shown by panels
 };
 
-// Begins; pictures come with the ticks that film() advances. Code::refused while another one is recorded or its file is
-// made, Code::io for a folder that cannot be written to.
+// Starts a movie; film() takes its pictures. Code::refused while another one is recorded or encoded, Code::io if the
+// folder cannot be written.
 base::Status start_movie(Program& program, const MovieOrder& order, bool scene_alone = false);
 
-// Ticks that go by: calls step(n) for n ticks at a time, once for none, and takes the pictures that are due in between,
-// each before the ticks that follow it. Without a movie, step(ticks). A picture that cannot be taken ends the movie,
-// with a notice.
+// Advances ticks: calls step(n) for n ticks at a time, once for none, and takes the pictures that are due in between,
+// each before the ticks that follow it. Without a movie, calls step(ticks). If a picture fails, the movie ends with a
+// notice.
 void film(Program& program, int ticks, const std::function<void(int)>& step);
 
-// No more pictures: those under way are written, and the movie file is begun. Ok when nothing is recorded; else the
-// first failure of the pictures.
+// Stops taking pictures: finishes those in progress and starts encoding. Ok if nothing is recorded; else the first
+// failure of the pictures.
 base::Status stop_movie(Program& program);
 
-// Stops, waits for the movie file, and says in a line on stderr what there is now. A failure to make the file is told
-// there and is none.
+// Stops, waits for the movie file, and prints the result in a line to stderr. A failure of the encoder is reported
+// there and is no error.
 base::Status finish_movie(Program& program);
 
 // In a window, once a frame before its ticks: what the panels asked for, the end of the lap, the end of the movie file.
 void follow_movie(Program& program, ui::MovieWish wish);
 
-// Without a window: the ride from its start, for a lap or for `pictures`, by the camera chosen; measured as it goes.
-// Waits for the movie file.
+// Without a window: rides from the start for a lap or for `pictures`, with the chosen camera; measures the ride. Waits
+// for the movie file.
 base::Status film_ride(Program& program, const MovieOrder& order, std::optional<std::int64_t> pictures,
                        RideSummary& summary);
 
-// Whether the first train has come round, or the ride is over.
+// True if the first train has completed the lap, or the ride has ended.
 bool lap_is_done(const edit::Session& session);
 
 }  // namespace coaster::app

@@ -26,7 +26,7 @@ bool begin_import(Program& program, const edit::Command& command) {
 }
 
 const base::Progress* shown_import(const Program& program) {
-  constexpr double kBarAfter = 0.15;  // s: what is done sooner shows no bar
+  constexpr double kBarAfter = 0.15;  // s: shorter imports show no bar
   const ImportJob* const job = program.import.get();
   return job && (job->slow || program.time.seconds - job->since > kBarAfter) ? &job->progress : nullptr;
 }
@@ -35,14 +35,14 @@ void finish_import(Program& program) {
   if (!program.import) return;
   ImportJob& running = *program.import;
   if (running.slow) {
-    // By the count of frames alone, however quick the reader is.
+    // Counts frames only, however fast the reader is.
     if (!running.progress.cancelled && running.frames_left-- > 0) return;
     running.result.wait();
   }
   if (running.result.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   const std::unique_ptr<ImportJob> job = std::move(program.import);
   base::Result<exchange::LoadedTrack> read = job->result.get();
-  // Cancelled is cancelled, even where the reader was quicker.
+  // A cancelled import is dropped, even if the reader was faster.
   if (job->progress.cancelled) {
     edit::notify(program.session, edit::NoticeKind::info, job->path + ": the import was cancelled");
     return;

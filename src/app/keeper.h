@@ -1,5 +1,5 @@
-// What a program keeps for its user besides the document: settings, autosaves, the lock on the document's file. Null in
-// a Program that keeps nothing: pictures without a window, scripts that do not ask for it.
+// The user's data besides the document: settings, autosaves, the lock on the document's file. Null in a Program that
+// keeps nothing: pictures without a window, and scripts unless they request it.
 #pragma once
 
 #include <cstdint>
@@ -19,20 +19,20 @@ struct Program;
 struct Keeper {
   base::Files files;               // of what it keeps, not of the document
   base::UserFolders folders;       // settings.json is in config, autosaves in state/recovery
-  ui::UserState state;             // what panels see; its settings are the present ones
-  exchange::UserSettings written;  // as the file has them
-  exchange::UserSettings seen;     // in the frame before
+  ui::UserState state;             // shown by panels; its settings are the present ones
+  exchange::UserSettings written;  // as in the file
+  exchange::UserSettings seen;     // in the previous frame
   double seen_since = 0;           // s
-  bool may_write = true;           // false: there is a file that could be neither read nor set aside
+  bool may_write = true;           // false: there is a file that could be neither read nor renamed
   base::FileLock lock;             // on the document's file
-  base::FileLock next_lock;        // on the file that a save under way goes to
-  bool unasked = false;            // the document that is being opened is not one that the user named
+  base::FileLock next_lock;        // on the target file of a save in progress
+  bool unasked = false;            // the document being opened was not named by the user
   exchange::Autosave autosave;
-  std::uint64_t autosaved = 0;                            // hash of the document that it holds
-  double unsaved_since = -1;                              // s; -1: nothing has changed since the file or the autosave
-  bool autosave_failed = false, settings_failed = false;  // told already
+  std::uint64_t autosaved = 0;                            // hash of the document in it
+  double unsaved_since = -1;                              // s; -1: no changes since the file or the autosave
+  bool autosave_failed = false, settings_failed = false;  // already reported
   std::vector<exchange::FoundAutosave> found;             // of state.recoveries, in its order
-  exchange::Progress progress_written;                    // as the file has it
+  exchange::Progress progress_written;                    // as in the file
   bool may_write_progress = true, progress_failed = false;
   SystemDialogProcess dialog;
 };
@@ -42,7 +42,7 @@ struct Keeper {
 // below `root`, with the program's faults. `default_layout`: forgets panels, scale and the window's place.
 void start_keeping(Program& program, const base::UserFolders& folders, const base::Root& root, bool default_layout);
 
-// Writes what has changed. `clean`: the user is done, so the autosave goes; otherwise it stays for the next start.
+// Writes what has changed. `clean`: the user quit, so the autosave is removed; otherwise it stays for the next start.
 void stop_keeping(Program& program, bool clean);
 
 // What the panels asked for: other settings, a new folder, the answer about an autosave, the desktop's file dialog.
@@ -50,7 +50,7 @@ void answer_keeping(Program& program, const ui::Output& output);
 // At the end of each frame: settings and medals that changed, the autosave when it is time.
 void keep(Program& program);
 
-// Puts unsaved changes aside now. Ok, too, when there are none or nothing is kept.
+// Autosaves unsaved changes now. Ok if there are none, or nothing is kept.
 base::Status autosave_now(Program& program);
 
 }  // namespace coaster::app

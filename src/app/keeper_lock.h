@@ -8,9 +8,9 @@ namespace coaster::app {
 
 struct Program;
 
-// Before a command: refuses to save to a file that another program edits.
+// Before a command: refuses to save to a file that another program has open.
 base::Status before_command(Program& program, const edit::Command& command);
-// After it: the lock follows the document to its file; recent files.
+// After a command: moves the lock to the document's file, and updates recent files.
 void after_command(Program& program, const edit::Command& command, const base::Status& applied);
 
 }  // namespace coaster::app

@@ -47,7 +47,7 @@ void watch_progress(Program& program, Keeper& keeper) {
   base::Status status = keeper.files.root().make_folders(keeper.folders.state, 0700);
   if (status)
     status = keeper.files.write_atomic(progress_file(keeper), exchange::print_progress(keeper.state.progress));
-  // What cannot be written is told once and tried again with the next success.
+  // A write error is reported once; the next success tries again.
   keeper.progress_written = keeper.state.progress;
   if (!status && !std::exchange(keeper.progress_failed, true))
     edit::notify(program.session, edit::NoticeKind::warning, "medals are not kept: " + status.message);

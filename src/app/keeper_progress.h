@@ -1,4 +1,4 @@
-// What challenges have earned, kept from run to run.
+// Loads and saves the progress in challenges.
 #pragma once
 
 #include <string>

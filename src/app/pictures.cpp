@@ -1,4 +1,4 @@
-// Writing and comparing pictures.
+// Writes and compares pictures.
 #include "app/pictures.h"
 
 #include <cstdlib>
@@ -10,7 +10,7 @@
 namespace coaster::app {
 namespace {
 
-// Pictures go through file handling of their own: injected faults are meant for documents.
+// Pictures bypass the program's file handling: injected faults are meant for documents.
 base::Status write(const base::Root& root, const std::filesystem::path& path, const gfx::Image& image) {
   const std::filesystem::path folder = path.parent_path();
   if (const base::Status made = folder.empty() ? base::Status{} : root.make_folders(folder); !made) return made;
@@ -44,7 +44,7 @@ base::Status write_picture(Program& program, const std::filesystem::path& path) 
 
 namespace {
 
-// A folder of the user's by its variable, or below the home folder where it is there; empty when neither.
+// Returns a folder of the user by its variable, or below the home folder if it exists there; empty if neither.
 std::filesystem::path user_folder(const char* variable, const char* name) {
   std::error_code failed;
   if (const char* const named = std::getenv(variable); named && std::filesystem::path(named).is_absolute())

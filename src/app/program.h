@@ -1,4 +1,4 @@
-// What a running program owns, and the one way in which its state changes.
+// The state of a running program, and the only functions that change it.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ namespace coaster::app {
 
 // Time that goes by, s.
 struct FrameClock {
-  double seconds = 0;         // since the start, as the events have it
+  double seconds = 0;         // since the start, by the events
   double tick_debt = 0;       // that passed and is not ticked yet
   double last_frame = 0;      // of a window, by the surface's clock
   double smoothed_frame = 0;  // how long a window's frames take
@@ -33,7 +33,7 @@ struct FrameClock {
 
 // The picture that was drawn last.
 struct Picture {
-  view::CameraRig rig;                   // what pictures are taken with; follows every command and tick
+  view::CameraRig rig;                   // camera of the picture; updated after every command and tick
   view::View view;                       // that it was drawn with
   view::Pick hovered;                    // what was under the cursor
   std::uint64_t tick = 0, commands = 0;  // of the session and of Program::commands, in it
@@ -54,47 +54,47 @@ struct Program {
   base::Files files;  // of a script: below its folder alone
   edit::Session session;
   std::uint64_t commands = 0;  // applied since the start
-  bool by_hand = false;  // commands come from panels, keys and mouse: a change of camera is eased; a script's is a cut
+  bool by_hand = false;        // commands come from panels, keys and mouse: a camera change is eased; a script's cuts
   bool quit = false;
   FrameClock time;
 
   std::unique_ptr<platform::Surface> surface;
-  gfx::Gl gl;  // before what uses it, so that it goes last
+  gfx::Gl gl;  // declared before its users, so that it is destroyed last
   std::unique_ptr<gfx::Renderer> renderer;
   std::unique_ptr<ui::Host> ui;
   Picture picture;
   query::FrameStats stats;
-  int rebuilds = 0;  // segments evaluated since the last frame was drawn
+  int rebuilds = 0;  // segments evaluated since the last drawn frame
 
-  std::unique_ptr<script::Recorder> recorder;  // null: nothing is recorded
-  std::unique_ptr<Keeper> keeper;              // null: nothing is kept for a user
-  std::unique_ptr<Filming> filming;            // a movie that is being made; null: none
+  std::unique_ptr<script::Recorder> recorder;  // null: not recording
+  std::unique_ptr<Keeper> keeper;              // null: keeps no user data
+  std::unique_ptr<Filming> filming;            // a movie in progress; null: none
   Sounds sounds;                               // of a window
   TrackPictures pictures;                      // for the start screen
-  std::unique_ptr<ImportJob> import;           // a file that is being read; null: none
-  int import_delay = 0;                        // frames that the next one takes longer, as a script wants it
+  std::unique_ptr<ImportJob> import;           // an import in progress; null: none
+  int import_delay = 0;                        // frames by which a script delays the next import
   Tutorial tutorial;
 };
 
-// A window, or memory when `headless`, with renderer and panels. Code::graphics when there is none.
+// Creates a window, or memory if `headless`, with renderer and panels. Code::graphics if that is impossible.
 base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples);
 
-// Applies a command and records it. Errors show as a notice, too. After another track was opened or begun, the camera
-// shows all of it: the viewport is that of the last frame, so one must have been drawn.
+// Applies a command and records it. Errors also show as a notice. After opening or creating a track, the camera frames
+// all of it, with the viewport of the last frame, so one must have been drawn.
 base::Status apply(Program& program, const edit::Command& command);
 
-// Advances the ride by whole ticks; prints the hashes of each when asked to.
+// Advances the ride by whole ticks; prints the hashes of each if requested.
 void advance(Program& program, int ticks);
 
-// What the camera looks at.
+// Returns the state that the camera looks at.
 view::Watched watched(const Program& program);
 
 query::Context context_of(Program& program);
 
-// "Red Comet* - coaster": the track's name, and a star when it is not saved.
+// Returns "Red Comet* - coaster": the track's name, with a star if it is unsaved.
 std::string title_of(const edit::Finder& find);
 
-// The track to open when none is named: tracks/loop.json of base::data_folder(); empty when it is not there.
+// Returns the default track: tracks/loop.json of base::data_folder(); empty if it does not exist.
 std::filesystem::path default_track();
 
 }  // namespace coaster::app

@@ -22,15 +22,15 @@ edit::Want wanted_by(const Look& look, const Program& program);
 // Draws it with what was found; its numbers about supports and colours go to program.stats.
 gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findings& found, platform::Size size);
 
-// The pixels of the last frame. Without a window nobody looks at most frames, so they are drawn only now; everything
-// else of a frame has happened in it.
+// Draws the pixels of the last frame. Without a window most frames are never looked at, so pixels are drawn on demand;
+// everything else of a frame is done.
 void draw_pixels(Program& program);
 
-// The scene as it is, without panels, marks of knots and what is selected, into the renderer's picture; no frame, and
-// no numbers of one.
+// Draws the present scene without panels, marks of knots and selection into the renderer's picture, outside any frame
+// and its statistics.
 void draw_scene_alone(Program& program, const view::View& view, platform::Size size);
 
-// Where each car of each train is.
+// Returns the pose of each car of each train.
 std::vector<sim::Pose> cart_poses(const edit::Session& session);
 
 }  // namespace coaster::app

@@ -1,4 +1,4 @@
-// A script's host whose frames are the player's.
+// A script host whose frames are the player's.
 #include "app/tutorial.h"
 
 #include <utility>

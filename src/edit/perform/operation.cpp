@@ -1,4 +1,4 @@
-// Commands on equipment, trains, losses and banking.
+// Commands of equipment, trains, losses and banking.
 #include <cmath>
 
 #include "edit/perform/perform.h"
@@ -75,7 +75,7 @@ Status perform(Session& session, Change&, const SetRollbackFails& command) {
   return {};
 }
 
-// The ride depends on the banking of its heartline alone by what riders feel, not by its speeds, so one pass is enough.
+// Banking changes what riders feel, not the speeds of the ride, so one pass is enough.
 Status perform(Session& session, Change& change, const AutoBank&) {
   const sim::Ghost* const ghost = find(session, Want::ride).ride;
   if (!ghost) return refused("banking needs a track with a cart");

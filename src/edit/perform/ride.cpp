@@ -1,4 +1,4 @@
-// Commands on the ride.
+// Commands of the ride.
 #include <algorithm>
 #include <cmath>
 
@@ -71,7 +71,7 @@ Status perform(Session& session, Change& change, const RideSeek& command) {
   const double distance =
       session.derived.closed ? command.to : change.clamp("distance", command.to, 0.0, session.derived.length, "m");
   sim::seek(session.document, session.derived, chosen_cart(session), distance, session.motion);
-  // Stopped means at the start, ended and failed at some end: a cart put elsewhere is none of these.
+  // Stopped means at the start, ended and failed at an end: a moved train is none of these.
   session.motion.failure = {};
   watch_disturbed(session);
   if (session.motion.state != RideState::running) session.motion.state = RideState::paused;
