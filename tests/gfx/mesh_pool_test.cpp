@@ -36,6 +36,20 @@ TEST_F(Pool, what_is_far_off_takes_fewer_triangles_and_no_upload) {
   EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
+// A straight of 200 m in one segment that begins 10 m ahead of the eye: its middle is 110 m off.
+TEST_F(Pool, a_long_solid_is_as_near_as_its_nearest_part) {
+  const Track track(test::straight_document({10, 9, 0}, {210, 9, 0}));
+  TrackCache cache(gl_);
+  cache.sync(track.derived, {});
+  const auto triangles = [&](float near) {
+    cache.mesh().look_from({0, 9, 0}, near);
+    return cache.mesh().triangles();
+  };
+  const std::int64_t all = triangles(1e6f);
+  for (const float near : {12.0f, 50.0f, 105.0f, 150.0f}) EXPECT_EQ(triangles(near), all) << near;
+  EXPECT_LT(triangles(5), all);
+}
+
 TEST_F(Pool, places_are_used_again_and_gaps_draw_nothing) {
   MeshPool pool(gl_);
   const Track track(test::ring_document(9, 17.3f));

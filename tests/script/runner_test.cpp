@@ -141,5 +141,19 @@ TEST(runner, snap_looks_for_its_golden_beside_the_script) {
   EXPECT_EQ(fake.snapped["apex"], (test_folder() / "golden" / "apex.png").string());
 }
 
+TEST(runner, a_pad_line_moves_the_axes_that_it_names_and_lets_the_others_go) {
+  FakeHost fake;
+  ASSERT_TRUE(
+      run_lines(fake, "pad left 0.25 -0.5 right 0.75 -1 triggers 0.1 0.2\npad right -0.3 0.4\npad rest\n").ok());
+  std::vector<platform::GamepadAxes> seen;
+  for (const auto& [events, ticks] : fake.frames)
+    for (const platform::Event& event : events)
+      if (const auto* const axes = std::get_if<platform::GamepadAxes>(&event)) seen.push_back(*axes);
+  ASSERT_EQ(seen.size(), 3u);
+  EXPECT_EQ(seen[0], (platform::GamepadAxes{0.25f, -0.5f, 0.75f, -1, 0.1f, 0.2f}));
+  EXPECT_EQ(seen[1], (platform::GamepadAxes{0, 0, -0.3f, 0.4f, 0, 0}));
+  EXPECT_EQ(seen[2], platform::GamepadAxes{});
+}
+
 }  // namespace runner_test
 }  // namespace coaster::script

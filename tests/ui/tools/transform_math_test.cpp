@@ -79,6 +79,21 @@ TEST(transform_math, snapping_to_knots_takes_the_one_under_the_cursor_but_no_sel
             glm::dvec3(9, 9, 9));
 }
 
+TEST(transform_math, snapping_to_knots_reaches_twelve_pixels_at_scale_1) {
+  world::Document document;
+  world::append_knot(document, test::skew_knot({6, 3, 1}, {1, 0, 0}, 2, 2));
+  world::Settings settings;
+  const glm::dvec3 start(0, 2, 0), wanted(9, 9, 9);
+  for (const float scale : {1.0f, 1.5f}) {
+    settings.ui_scale = scale;
+    for (const glm::vec2 way : {glm::vec2(1, 0), glm::vec2(-0.6f, 0.8f), glm::vec2(0, -1)})
+      for (const auto& [reach, place] : {std::pair(11.8f, glm::dvec3(6, 3, 1)), {12.2f, wanted}}) {
+        const SnapScene scene{document, settings, kView, pixel_of({6, 3, 1}) + scale * reach * way};
+        EXPECT_EQ(snapped(scene, world::SnapTo::knots, wanted, start, {}), place) << scale << " " << reach;
+      }
+  }
+}
+
 TEST(selecting, up_to_takes_the_shorter_way_round_a_closed_track) {
   edit::Session session = edit::make_session({});
   session.document = test::sample_document();

@@ -1,0 +1,27 @@
+#include "platform/signals.h"
+
+#include <unistd.h>
+#include <csignal>
+
+#include <gtest/gtest.h>
+
+namespace coaster::platform {
+namespace signals_test {
+
+TEST(signals_test, the_first_is_noted_and_the_second_ends_the_program) {
+  for (const int number : {SIGTERM, SIGINT, SIGHUP})
+    EXPECT_EXIT(
+        {
+          if (pending_signal() != 0) _exit(1);
+          watch_signals();
+          if (pending_signal() != 0) _exit(2);
+          std::raise(number);
+          if (pending_signal() != number) _exit(3);
+          std::raise(number);
+        },
+        testing::KilledBySignal(number), "")
+        << number;
+}
+
+}  // namespace signals_test
+}  // namespace coaster::platform
