@@ -49,7 +49,7 @@ using Lengths = std::vector<double>;
 using Measure = std::function<void(const Set&, Lengths&)>;
 
 Measure by_row(std::string_view name, curve::LengthDemand demand) {
-  const curve::ArcLengthMethod& row = curve::arc_length_method(*curve::find_arc_length_method(name));
+  const curve::ArcLengthMethod& row = base::row_of(*base::value_named<curve::ArcLengthId>(name));
   return [&row, demand](const Set& set, Lengths& to) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = row.measure(set.cubics[i], demand).length;
   };
@@ -65,7 +65,7 @@ double worst_error(const Set& set, const Measure& measure) {
 }
 
 double mean_evaluations(const Set& set, std::string_view name, curve::LengthDemand demand) {
-  const curve::ArcLengthMethod& row = curve::arc_length_method(*curve::find_arc_length_method(name));
+  const curve::ArcLengthMethod& row = base::row_of(*base::value_named<curve::ArcLengthId>(name));
   double sum = 0;
   for (const curve::Cubic& c : set.cubics) sum += static_cast<double>(row.measure(c, demand).evaluations);
   return sum / static_cast<double>(set.cubics.size());

@@ -63,7 +63,7 @@ void polylines(const curve::Evaluator& row, std::span<const curve::PreparedCubic
 }
 
 const curve::Evaluator& forward_differences() {
-  return curve::evaluator(*curve::find_evaluator("forward_differences"));
+  return base::row_of(*base::value_named<curve::EvaluatorId>("forward_differences"));
 }
 
 double worst_error(const curve::Evaluator& row, std::span<const curve::PreparedCubic> all, int steps) {

@@ -89,7 +89,7 @@ double drift_mm(Riding& riding, const sim::LapTable& table) {
   double worst = 0;
   for (int tick = 0; tick < 60 * world::kTicksPerSecond; ++tick) {
     sim::advance(table, cart);
-    sim::step(riding.document, riding.derived, sim::kDefaultIntegrator, 1, riding.memo, motion);
+    sim::step(riding.document, riding.derived, {}, 1, riding.memo, motion);
     worst = std::max(worst, std::abs(cart.laps * table.length() + cart.along - motion.carts.items()[0].travelled));
   }
   return worst * 1e3;

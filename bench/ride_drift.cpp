@@ -27,7 +27,7 @@ struct Drift {
   double seconds = 0;  // of the processor
 };
 
-Drift ride(const world::Document& document, int integrator, int hours) {
+Drift ride(const world::Document& document, world::IntegratorId integrator, int hours) {
   sim::Derived derived;
   sim::derive(document, {}, {}, derived);
   sim::GhostMemo memo;
@@ -54,7 +54,7 @@ Drift ride(const world::Document& document, int integrator, int hours) {
 }
 
 int run(const std::string& name, int hours, const std::vector<std::string>& files) {
-  const auto integrator = sim::find_integrator(name);
+  const auto integrator = base::value_named<world::IntegratorId>(name);
   if (!integrator || hours < 1) return std::fprintf(stderr, "usage: coaster_drift INTEGRATOR HOURS FILE...\n"), 2;
   base::Files disk;
   for (const std::string& file : files) {

@@ -80,10 +80,10 @@ std::string manual_page() {
 }
 
 std::string bash_completion() {
-  std::vector<std::string> names{"--help", "--version"}, cameras, rates;
+  const std::vector<std::string> cameras = base::names_of<world::CameraMode>();
+  std::vector<std::string> names{"--help", "--version"}, rates;
   for (const OptionRow& row : option_rows())
     if (row.name.starts_with('-')) names.emplace_back(row.name);
-  for (const std::string_view name : world::kCameraModeNames) cameras.emplace_back(name);
   for (const int rate : script::kMovieRates) rates.push_back(std::to_string(rate));
   std::string endings;
   for (const std::string& ending : readable_endings())

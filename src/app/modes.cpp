@@ -110,10 +110,8 @@ base::Status start_recording(Program& program) {
 MovieOrder movie_order(const Options& options) { return {options.movie, options.fps, options.gif}; }
 
 base::Status choose_camera(Program& program, const std::string& name) {
-  const auto& names = world::kCameraModeNames;
-  const auto at = std::find(names.begin(), names.end(), name);
-  return at == names.end() ? base::Status{}
-                           : apply(program, edit::SetCameraMode{static_cast<world::CameraMode>(at - names.begin())});
+  const auto mode = base::value_named<world::CameraMode>(name);
+  return mode ? apply(program, edit::SetCameraMode{*mode}) : base::Status{};
 }
 
 // What a signal asks for: unsaved changes are put aside, and the exit code tells of the signal, as shells have it.

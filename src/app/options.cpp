@@ -93,9 +93,8 @@ std::string trouble(Options& o) {
   if (o.validate && o.file.empty() && o.script.empty()) return "--validate needs a FILE or a --script";
   if (!script::is_movie_rate(o.fps))
     return "--fps: expected " + std::string(script::kMovieRateWords) + ", found " + std::to_string(o.fps);
-  const auto& cameras = world::kCameraModeNames;
-  if (!o.camera.empty() && std::find(cameras.begin(), cameras.end(), o.camera) == cameras.end())
-    return "--camera: expected orbit, ride, chase or fly, found " + o.camera;
+  if (!o.camera.empty() && !base::value_named<world::CameraMode>(o.camera))
+    return "--camera: expected " + base::alternatives_of<world::CameraMode>() + ", found " + o.camera;
   if (!o.movie.empty() && !o.headless) return "--movie needs --headless; in a window use File/Record movie";
   return {};
 }

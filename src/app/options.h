@@ -20,7 +20,7 @@ struct Options {
   std::string size;           // as written
   int width = 0, height = 0;  // 0: the default of the mode
   std::uint64_t seed = 0;
-  std::string camera;  // a name of world::kCameraModeNames; empty: the default of the mode
+  std::string camera;  // a name of world::CameraMode; empty: the default of the mode
   std::string movie;   // folder; empty: none
   int fps = script::kUsualMovieRate;
   bool gif = false;

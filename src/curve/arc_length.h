@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/names.h"
 #include "curve/cubic.h"
 
 namespace coaster::curve {
@@ -49,8 +50,7 @@ struct ArcLengthMethod {
 // most 2^17 evaluations in Gravesen's subdivision (1e-9 at best; error_bound says what was reached), a few thousand in
 // the others.
 std::span<const ArcLengthMethod> arc_length_methods();
-const ArcLengthMethod& arc_length_method(ArcLengthId id);
-std::optional<ArcLengthId> find_arc_length_method(std::string_view name);
+inline std::span<const ArcLengthMethod> rows_of(ArcLengthId) { return arc_length_methods(); }
 
 constexpr double kFinestTolerance = 1e-12;
 

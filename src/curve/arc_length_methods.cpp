@@ -113,16 +113,4 @@ constexpr std::array<ArcLengthMethod, 10> kMethods{{
 
 std::span<const ArcLengthMethod> arc_length_methods() { return kMethods; }
 
-const ArcLengthMethod& arc_length_method(ArcLengthId id) {
-  const auto row = static_cast<std::size_t>(id);
-  COASTER_CHECK(row < kMethods.size(), "the id is a row of the arc-length table");
-  return kMethods[row];
-}
-
-std::optional<ArcLengthId> find_arc_length_method(std::string_view name) {
-  for (std::size_t i = 0; i < kMethods.size(); ++i)
-    if (kMethods[i].name == name) return static_cast<ArcLengthId>(i);
-  return std::nullopt;
-}
-
 }  // namespace coaster::curve

@@ -158,16 +158,4 @@ constexpr std::array<Evaluator, 10> kEvaluators{{
 
 std::span<const Evaluator> evaluators() { return kEvaluators; }
 
-const Evaluator& evaluator(EvaluatorId id) {
-  const auto row = static_cast<std::size_t>(id);
-  COASTER_CHECK(row < kEvaluators.size(), "the id is a row of the evaluator table");
-  return kEvaluators[row];
-}
-
-std::optional<EvaluatorId> find_evaluator(std::string_view name) {
-  for (std::size_t i = 0; i < kEvaluators.size(); ++i)
-    if (kEvaluators[i].name == name) return static_cast<EvaluatorId>(i);
-  return std::nullopt;
-}
-
 }  // namespace coaster::curve

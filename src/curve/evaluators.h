@@ -3,10 +3,10 @@
 // evaluators.cpp.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string_view>
 
+#include "base/names.h"
 #include "curve/cubic.h"
 
 namespace coaster::curve {
@@ -41,8 +41,7 @@ struct Evaluator {
 };
 
 std::span<const Evaluator> evaluators();
-const Evaluator& evaluator(EvaluatorId id);
-std::optional<EvaluatorId> find_evaluator(std::string_view name);
+inline std::span<const Evaluator> rows_of(EvaluatorId) { return evaluators(); }
 inline constexpr EvaluatorId kDefaultEvaluator{2};  // Horner
 
 }  // namespace coaster::curve

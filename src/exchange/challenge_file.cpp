@@ -32,15 +32,15 @@ bool read_challenge_head(ChallengeParse& parse, Fields& fields) {
   if (!read_text(fields, "name", to.name) || !read_text(fields, "teaches", to.teaches) ||
       !fields.text("judged", judged))
     return false;
-  const auto found = std::find(kJudgedNames.begin(), kJudgedNames.end(), judged);
-  if (found == kJudgedNames.end()) return fields.reject("judged", "\"lap\", \"time\" or \"build\"");
-  to.judged = static_cast<Judged>(found - kJudgedNames.begin());
+  const auto found = base::value_named<Judged>(judged);
+  if (!found) return fields.reject("judged", base::alternatives_of<Judged>("\""));
+  to.judged = *found;
   constexpr double kShortest = 1;  // s
   return to.judged != Judged::time || fields.number("seconds", to.seconds, kShortest, kMaxChallengeSeconds);
 }
 
 bool read_rules(ChallengeParse& parse, Fields& fields, RuleList which) {
-  const std::string_view name = kRuleListNames[static_cast<std::size_t>(which)];
+  const std::string_view name = base::name_of(which);
   if (which != RuleList::goals && !fields.has(name)) return true;
   const Json* const list = fields.list(name);
   if (!list) return false;

@@ -24,7 +24,8 @@ inline constexpr double kMaxChallengeSeconds = 900;     // the time limit of the
 // lap: when the train completes the lap or reaches the end of an open track. time: after some seconds of riding. build:
 // as soon as the track meets the goals; values of the ride are the ghost's.
 enum class Judged : std::uint8_t { lap, time, build };
-inline constexpr std::array<std::string_view, 3> kJudgedNames{"lap", "time", "build"};  // by Judged
+inline constexpr base::NameRow kJudged[] = {{"lap"}, {"time"}, {"build"}};
+constexpr std::span<const base::NameRow> rows_of(Judged) { return kJudged; }
 
 // One rule.
 struct ChallengeRule {
@@ -34,8 +35,8 @@ struct ChallengeRule {
 };
 
 enum class RuleList : std::uint8_t { goals, limits, bronze, silver, gold };
-inline constexpr std::array<std::string_view, 5> kRuleListNames{"goals", "limits", "bronze", "silver",
-                                                                "gold"};  // by RuleList
+inline constexpr base::NameRow kRuleLists[] = {{"goals"}, {"limits"}, {"bronze"}, {"silver"}, {"gold"}};
+constexpr std::span<const base::NameRow> rows_of(RuleList) { return kRuleLists; }
 
 struct ChallengeFile {
   std::string name, teaches;

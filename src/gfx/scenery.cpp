@@ -74,7 +74,7 @@ constexpr Scenery kBlueprint{.drawing = true,
                              .shade = 0.55f,
                              .ink = rgb(0x9fc6ea)};
 
-constexpr std::array<const Scenery*, world::kStyleNames.size()> kStyles{&kDay, &kDusk, &kBlueprint};
+constexpr std::array<const Scenery*, base::count_of<world::Style>()> kStyles{&kDay, &kDusk, &kBlueprint};
 
 float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 glm::vec3 linear(glm::vec3 c) { return {linear(c.x), linear(c.y), linear(c.z)}; }

@@ -81,9 +81,8 @@ base::Status comparable(const Rule& rule, const edit::Finder& empty) {
 }
 
 base::Status at_rule(std::string_view path, RuleList list, std::size_t index, int column, const std::string& message) {
-  return {base::Code::bad_file,
-          std::string(path) + ": error: " + std::string(exchange::kRuleListNames[static_cast<std::size_t>(list)]) +
-              "[" + std::to_string(index) + "].expect:" + std::to_string(column) + ": " + message};
+  return {base::Code::bad_file, std::string(path) + ": error: " + std::string(base::name_of(list)) + "[" +
+                                    std::to_string(index) + "].expect:" + std::to_string(column) + ": " + message};
 }
 
 bool in(RuleList list, std::initializer_list<RuleList> lists) {

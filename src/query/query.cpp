@@ -63,13 +63,12 @@ base::Result<world::Entity> entity_of(const Context& context, std::string_view a
   const auto name = world::parse_name(word);
   if (name && name->kind == kind)
     if (const world::Entity found = world::find(document, *name); found.valid()) return found;
-  constexpr std::string_view kKinds[] = {"knot", "segment", "cart"};
   std::vector<std::string> names;
   for (const world::Name& other : document.entities.pool<world::Name>().items())
     if (other.kind == kind) names.push_back("@" + world::to_text(other));
   const std::string wanted = "@" + std::string(word);
-  return base::Status{base::Code::usage, "no " + std::string(kKinds[static_cast<std::size_t>(kind)]) + " " + wanted +
-                                             base::suggestion(wanted, names)};
+  return base::Status{base::Code::usage,
+                      "no " + std::string(base::name_of(kind)) + " " + wanted + base::suggestion(wanted, names)};
 }
 
 }  // namespace coaster::query

@@ -88,14 +88,7 @@ Answer out_length(const Context& c, View argument) {
   return of_knot(c, argument, [](const world::Knot& k) { return number(k.out_length); });
 }
 Answer joint(const Context& c, View argument) {
-  return of_knot(c, argument, [](const world::Knot& k) {
-    switch (k.joint) {
-      case world::JointKind::smooth: return text("smooth");
-      case world::JointKind::aligned: return text("aligned");
-      case world::JointKind::automatic: return text("automatic");
-    }
-    return text("");
-  });
+  return of_knot(c, argument, [](const world::Knot& k) { return text(base::name_of(k.joint)); });
 }
 
 template <class Continuity>
@@ -140,8 +133,8 @@ Answer twist(const Context& c, View argument) {
 
 // --- evaluation
 // -------------------------------------------------------------------------------------------------------
-Answer evaluator(const Context& c, View) { return text(curve::evaluator(c.session.settings.evaluator).name); }
-Answer arc_length(const Context& c, View) { return text(curve::arc_length_method(c.session.settings.arc_length).name); }
+Answer evaluator(const Context& c, View) { return text(base::name_of(c.session.settings.evaluator)); }
+Answer arc_length(const Context& c, View) { return text(base::name_of(c.session.settings.arc_length)); }
 Answer resolution(const Context& c, View) { return number(c.session.settings.steps); }
 Answer vertices(const Context& c, View) { return number(c.session.derived.vertices); }
 Answer vertex_budget(const Context& c, View) { return number(c.session.settings.vertex_budget); }

@@ -9,15 +9,15 @@ namespace {
 
 const sim::ElementPlan& plan(const Context& c) { return *c.find(edit::Want::element).element; }
 
-Answer element(const Context& c, View) { return text(world::element_row(c.session.settings.element.kind).name); }
+Answer element(const Context& c, View) { return text(base::row_of(c.session.settings.element.kind).name); }
 Answer preview(const Context& c, View) { return yes_no(c.session.settings.show_element); }
 Answer side(const Context& c, View) {
   const world::Element& e = c.session.settings.element;
-  return text(!world::element_row(e.kind).sided ? "none" : e.right ? "right" : "left");
+  return text(!base::row_of(e.kind).sided ? "none" : e.right ? "right" : "left");
 }
 Answer value(const Context& c, View argument) {
   const world::Element& e = plan(c).element;
-  const world::ElementRow& row = world::element_row(e.kind);
+  const world::ElementRow& row = base::row_of(e.kind);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
     if (row.parameters[i].name == argument) return number(e.values[i]);

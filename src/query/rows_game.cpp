@@ -50,14 +50,7 @@ Answer card_shows(const Context& c, View) {
   return yes_no(c.session.settings.show_card && c.session.game.show_result && c.session.game.result);
 }
 Answer card_end(const Context& c, View) {
-  if (!c.session.game.result) return text("none");
-  switch (c.session.game.result->end) {
-    case edit::RideEnd::lap: return text("lap");
-    case edit::RideEnd::open_end: return text("open end");
-    case edit::RideEnd::time: return text("time");
-    case edit::RideEnd::failed: return text("failed");
-  }
-  return text("");
+  return text(c.session.game.result ? base::name_of(c.session.game.result->end) : "none");
 }
 Answer card_reason(const Context& c, View) { return text(c.session.game.result ? c.session.game.result->reason : ""); }
 Answer card_rides(const Context& c, View) { return number(c.session.game.result ? c.session.game.result->serial : 0); }

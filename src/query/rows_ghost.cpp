@@ -64,14 +64,11 @@ Answer inversions(const Context& c, View) {
 }
 Answer envelope(const Context& c, View) { return number(c.find(edit::Want::overloads).overloads.size()); }
 Answer envelope_name(const Context& c, View) { return text(c.session.limits.name); }
-Answer fail(const Context& c, View) {
-  const world::FailureKind kind = c.session.motion.failure.kind;
-  return text(kind == world::FailureKind::none ? "none" : sim::text(kind));
-}
+Answer fail(const Context& c, View) { return text(base::name_of(c.session.motion.failure.kind)); }
 Answer fail_distance(const Context& c, View) { return number(c.session.motion.failure.distance); }
 Answer ghost_end(const Context& c, View) {
   const sim::Ghost* const ghost = ghost_of(c);
-  return text(!ghost || ghost->end == world::FailureKind::none ? "none" : sim::text(ghost->end));
+  return text(base::name_of(ghost ? ghost->end : world::FailureKind::none));
 }
 Answer rolling(const Context& c, View) { return number(c.session.document.resistance.rolling); }
 Answer drag(const Context& c, View) { return number(c.session.document.resistance.drag); }
@@ -86,19 +83,17 @@ Answer equipment(const Context& c, View argument) {
   const auto segment = entity_of(c, argument, world::Kind::segment);
   if (!segment) return segment.status();
   const auto* const found = c.session.document.entities.find<world::Equipment>(*segment);
-  return text(found ? world::kEquipmentNames[static_cast<std::size_t>(found->kind)] : "none");
+  return text(found ? base::name_of(found->kind) : "none");
 }
 
 // Returns the number of segments with that equipment.
 Answer equipped(const Context& c, View argument) {
-  const auto kind = std::find(world::kEquipmentNames.begin(), world::kEquipmentNames.end(), argument);
-  if (kind == world::kEquipmentNames.end())
-    return base::Status{base::Code::usage,
-                        "expected station, lift, launch, brake or block, found " + base::quoted(argument)};
+  const auto kind = base::value_named<world::EquipmentKind>(argument);
+  if (!kind)
+    return base::Status{base::Code::usage, "expected " + base::alternatives_of<world::EquipmentKind>() + ", found " +
+                                               base::quoted(argument)};
   const auto& all = c.session.document.entities.pool<world::Equipment>().items();
-  return number(std::count_if(all.begin(), all.end(), [&](const world::Equipment& e) {
-    return e.kind == static_cast<world::EquipmentKind>(kind - world::kEquipmentNames.begin());
-  }));
+  return number(std::count_if(all.begin(), all.end(), [&](const world::Equipment& e) { return e.kind == *kind; }));
 }
 
 constexpr std::array kGhostRows{

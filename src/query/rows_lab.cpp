@@ -8,32 +8,24 @@
 namespace coaster::query {
 namespace {
 
-// Returns the row of a table named `word`, or an error.
-template <class Rows>
-base::Result<std::size_t> row_named(View word, std::string_view what, const Rows& rows) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].name == word) return i;
-    names.emplace_back(rows[i].name);
-  }
-  return base::Status{base::Code::usage,
-                      "no " + std::string(what) + " " + base::quoted(word) + base::suggestion(word, names)};
+// Returns the value named `word`, or an error.
+template <base::Named E>
+base::Result<E> named(View word, std::string_view what) {
+  if (const auto value = base::value_named<E>(word)) return *value;
+  return base::Status{base::Code::usage, "no " + std::string(what) + " " + base::quoted(word) +
+                                             base::suggestion(word, base::names_of<E>())};
 }
 
 Answer shown(const Context& c, View word) {
-  const auto row = row_named(word, "layer", world::layers());
-  if (!row) return row.status();
-  return yes_no(c.session.settings.layers.has(static_cast<world::Layer>(*row)));
+  const auto layer = named<world::Layer>(word, "layer");
+  if (!layer) return layer.status();
+  return yes_no(c.session.settings.layers.has(*layer));
 }
-Answer colour(const Context& c, View) {
-  return text(world::colourings()[static_cast<std::size_t>(c.session.settings.colouring)].name);
-}
+Answer colour(const Context& c, View) { return text(base::name_of(c.session.settings.colouring)); }
 Answer magnification(const Context& c, View) { return number(c.session.settings.magnification); }
 Answer comb_scale(const Context& c, View) { return number(c.session.settings.comb_scale); }
 Answer laboratory(const Context& c, View) { return yes_no(c.session.settings.show_laboratory); }
-Answer page(const Context& c, View) {
-  return text(world::lab_pages()[static_cast<std::size_t>(c.session.settings.lab_page)].name);
-}
+Answer page(const Context& c, View) { return text(base::name_of(c.session.settings.lab_page)); }
 
 base::Result<const sim::SegmentShape*> selected_shape(const Context& c) {
   const sim::SegmentShape* const shape = c.session.derived.segments.find(c.session.settings.selected);
@@ -50,7 +42,7 @@ Answer construction_point(const Context& c, View) {
 base::Result<sim::Rounding> rounding_of_selected(const Context& c) {
   const auto shape = selected_shape(c);
   if (!shape) return shape.status();
-  return sim::rounding((*shape)->curve, curve::evaluator(c.session.settings.evaluator), c.session.settings.steps);
+  return sim::rounding((*shape)->curve, base::row_of(c.session.settings.evaluator), c.session.settings.steps);
 }
 Answer rounding(const Context& c, View) {
   const auto r = rounding_of_selected(c);
@@ -70,11 +62,10 @@ Answer measure_rows(const Context& c, View) { return number(c.session.measuring.
 // Parses "horner/64": an evaluator and one of the measured numbers of steps.
 base::Result<sim::MeasuredCell> cell_of(const Context& c, View word) {
   const std::size_t slash = word.find('/');
-  const auto row = row_named(word.substr(0, slash), "evaluator", curve::evaluators());
+  const auto row = named<curve::EvaluatorId>(word.substr(0, slash), "evaluator");
   if (!row) return row.status();
   const auto steps = slash == View::npos ? std::nullopt : base::parse_int(word.substr(slash + 1));
-  const sim::MeasuredRow* const measured =
-      sim::row_of(c.session.measuring.measurement, static_cast<curve::EvaluatorId>(*row));
+  const sim::MeasuredRow* const measured = sim::row_of(c.session.measuring.measurement, *row);
   for (std::size_t i = 0; i < sim::kMeasuredSteps.size(); ++i) {
     if (!steps || *steps != sim::kMeasuredSteps[i]) continue;
     if (measured == nullptr || measured->cells[i].rounds == 0)

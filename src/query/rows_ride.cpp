@@ -26,19 +26,8 @@ Answer of_cart(const Context& context, Function function) {
   return number(there ? function(riding.entity, *riding.motion) : 0.0);
 }
 
-std::string_view state_text(world::RideState state) {
-  switch (state) {
-    case world::RideState::stopped: return "stopped";
-    case world::RideState::running: return "running";
-    case world::RideState::paused: return "paused";
-    case world::RideState::ended: return "ended";
-    case world::RideState::failed: return "failed";
-  }
-  return "";
-}
-
 Answer state(const Context& c, std::string_view) {
-  return text(cart_of(c.session).motion ? state_text(c.session.motion.state) : "none");
+  return text(cart_of(c.session).motion ? base::name_of(c.session.motion.state) : "none");
 }
 Answer speed(const Context& c, std::string_view) {
   return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return cart.speed; });

@@ -9,12 +9,8 @@
 namespace coaster::query {
 namespace {
 
-Answer frames_by(const Context& c, View) {
-  return text(sim::frame_methods()[static_cast<std::size_t>(c.session.settings.frames)].name);
-}
-Answer integrator(const Context& c, View) {
-  return text(sim::integrators()[static_cast<std::size_t>(c.session.settings.integrator)].name);
-}
+Answer frames_by(const Context& c, View) { return text(base::name_of(c.session.settings.frames)); }
+Answer integrator(const Context& c, View) { return text(base::name_of(c.session.settings.integrator)); }
 
 Answer selected(const Context& c, View) {
   const world::Entity e = c.session.settings.selected;
@@ -28,9 +24,7 @@ Answer selected_count(const Context& c, View) {
 Answer undo_label(const Context& c, View) {
   return text(c.session.history.undo.empty() ? "" : c.session.history.undo.back().label);
 }
-Answer snapping(const Context& c, View) {
-  return text(std::string(world::kSnapNames[static_cast<std::size_t>(c.session.settings.snapping.to)]));
-}
+Answer snapping(const Context& c, View) { return text(base::name_of(c.session.settings.snapping.to)); }
 Answer gizmo(const Context& c, View) { return yes_no(c.session.settings.show_gizmo); }
 Answer hints(const Context& c, View) { return yes_no(c.session.settings.show_hints); }
 Answer undo_depth(const Context& c, View) { return number(c.session.history.undo.size()); }
@@ -41,14 +35,10 @@ Answer title(const Context& c, View) { return text(c.title); }
 Answer append_mode(const Context& c, View) { return yes_no(c.session.settings.append_mode); }
 Answer panels(const Context& c, View) { return yes_no(c.session.settings.show_panels); }
 Answer polyline(const Context& c, View) { return yes_no(c.session.settings.layers.has(world::Layer::polyline)); }
-Answer style(const Context& c, View) {
-  return text(world::kStyleNames[static_cast<std::size_t>(c.session.settings.style)]);
-}
+Answer style(const Context& c, View) { return text(base::name_of(c.session.settings.style)); }
 Answer shadows(const Context& c, View) { return yes_no(c.session.settings.shadows); }
 Answer sound(const Context& c, View) { return number(c.session.settings.sound); }
-Answer theme(const Context& c, View) {
-  return text(world::kThemeNames[static_cast<std::size_t>(c.session.settings.theme)]);
-}
+Answer theme(const Context& c, View) { return text(base::name_of(c.session.settings.theme)); }
 Answer file(const Context& c, View) { return text(c.session.file.path.filename().string()); }
 Answer locked_by(const Context& c, View) { return text(c.stats.keeping.holder); }
 Answer recoverable(const Context& c, View) { return number(c.stats.keeping.recoverable); }
@@ -56,9 +46,8 @@ Answer autosaves(const Context& c, View) { return number(c.stats.keeping.autosav
 Answer quits(const Context& c, View) { return yes_no(c.stats.keeping.quits); }
 Answer scale(const Context& c, View) { return number(c.session.settings.ui_scale); }
 
-Answer mode_name(world::CameraMode mode) { return text(world::kCameraModeNames[static_cast<std::size_t>(mode)]); }
-Answer camera_mode(const Context& c, View) { return mode_name(c.session.settings.camera_mode); }
-Answer camera_shown(const Context& c, View) { return mode_name(c.stats.camera_shown); }
+Answer camera_mode(const Context& c, View) { return text(base::name_of(c.session.settings.camera_mode)); }
+Answer camera_shown(const Context& c, View) { return text(base::name_of(c.stats.camera_shown)); }
 Answer camera_eye(const Context& c, View) { return Value(c.stats.eye); }
 Answer camera_height(const Context& c, View) { return number(c.stats.eye.y); }
 Answer camera_forward(const Context& c, View) { return Value(c.stats.eye_forward); }

@@ -25,7 +25,7 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
                                       edit::SetVertexBudget{s.vertex_budget},
                                       edit::SetArcLength{s.arc_length},
                                       edit::SetFrames{s.frames},
-                                      edit::SetIntegrator{{s.integrator}},
+                                      edit::SetIntegrator{s.integrator},
                                       edit::SetCamera{s.camera},
                                       edit::SetCameraMode{s.camera_mode},
                                       edit::SetFly{s.fly},

@@ -40,7 +40,7 @@ std::vector<world::Entity> rounded_segments(const world::Document& document, con
 void add_rounding(const sim::SegmentShape& shape, const world::Settings& settings, Overlay& overlay) {
   constexpr std::size_t kWhiskers = 64;
   const float scale = settings.ui_scale;
-  const sim::Rounding r = sim::rounding(shape.curve, curve::evaluator(settings.evaluator), settings.steps);
+  const sim::Rounding r = sim::rounding(shape.curve, base::row_of(settings.evaluator), settings.steps);
   const std::size_t last = r.exact.size() - 1;
   std::vector<glm::dvec3> moved(r.exact.size());
   for (std::size_t i = 0; i <= last; ++i) {

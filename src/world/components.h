@@ -1,7 +1,6 @@
 // What a document is made of: plain components. To add one, add the struct and name it in Document's registry.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -31,6 +30,11 @@ inline constexpr float kMaxDwell = 600.0f;                       // s, of statio
 // smooth: equal handle lengths (C1). aligned: a common tangent line (G1). automatic: direction and lengths follow from
 // the neighbours (as Catmull-Rom: along the chord between them, a third of each side's chord).
 enum class JointKind : std::uint8_t { smooth, aligned, automatic };
+inline constexpr base::NameRow kJointKinds[] = {
+    {"smooth", "Smooth (C1)", "Equal handle lengths: equal first derivatives."},
+    {"aligned", "Aligned (G1)", "One tangent line, lengths of their own."},
+    {"automatic", "Automatic", "Direction and lengths follow from the neighbours (as Catmull-Rom)."}};
+constexpr std::span<const base::NameRow> rows_of(JointKind) { return kJointKinds; }
 
 // A place the track goes through. Knots own the geometry; a common tangent line at every joint (G1) cannot be broken.
 struct Knot {
@@ -78,6 +82,13 @@ struct Cart {
 // brake:   slows with `acceleration`, from above speed + hysteresis until below speed - hysteresis.
 // block:   a brake that lets a train out once the section after it is free, and stops it at its end until then.
 enum class EquipmentKind : std::uint8_t { station, lift, launch, brake, block };
+inline constexpr base::NameRow kEquipmentKinds[] = {
+    {"station", "Station", "Stops a train at its end, waits, and sends it off."},
+    {"lift", "Lift", "A chain: pulls up to its speed; nothing rolls back on it."},
+    {"launch", "Launch", "Pushes until its speed is reached."},
+    {"brake", "Brake", "Slows down to its speed."},
+    {"block", "Block", "A brake that holds a train until the section ahead is free."}};
+constexpr std::span<const base::NameRow> rows_of(EquipmentKind) { return kEquipmentKinds; }
 struct Equipment {
   EquipmentKind kind = EquipmentKind::lift;
   float speed = 4;          // m/s, 0..kMaxSpeed
@@ -86,9 +97,6 @@ struct Equipment {
   float seconds = 5;        // s, stations alone
   friend bool operator==(const Equipment&, const Equipment&) = default;
 };
-
-inline constexpr std::array<std::string_view, 5> kEquipmentNames{"station", "lift", "launch", "brake",
-                                                                 "block"};  // by EquipmentKind, in files and scripts
 
 // Resistance to motion: s'' = ... - sign(v) (rolling g + drag v^2).
 struct Resistance {

@@ -77,21 +77,15 @@ constexpr ElementRow kRows[] = {
 
 std::span<const ElementRow> elements() { return kRows; }
 
-const ElementRow& element_row(ElementKind kind) {
-  const auto row = static_cast<std::size_t>(kind);
-  COASTER_CHECK(row < std::size(kRows), "an element is a row of its table");
-  return kRows[row];
-}
-
 Element usual_element(ElementKind kind) {
   Element element{kind, false, {}};
-  const std::span<const ElementParameter> parameters = element_row(kind).parameters;
+  const std::span<const ElementParameter> parameters = base::row_of(kind).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) element.values[i] = parameters[i].usual;
   return element;
 }
 
 double value_of(const Element& element, std::string_view parameter) {
-  const std::span<const ElementParameter> parameters = element_row(element.kind).parameters;
+  const std::span<const ElementParameter> parameters = base::row_of(element.kind).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i)
     if (parameters[i].name == parameter) return element.values[i];
   COASTER_CHECK(false, "the element has this parameter");

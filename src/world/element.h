@@ -8,6 +8,8 @@
 #include <span>
 #include <string_view>
 
+#include "base/names.h"
+
 namespace coaster::world {
 
 // Rows of elements(), in its order.
@@ -32,7 +34,7 @@ struct ElementRow {
   std::span<const ElementParameter> parameters;
 };
 std::span<const ElementRow> elements();
-const ElementRow& element_row(ElementKind kind);
+inline std::span<const ElementRow> rows_of(ElementKind) { return elements(); }
 
 // One element with its parameters: the first of `values` are those of its row, in the row's order; the others are 0.
 struct Element {

@@ -4,8 +4,11 @@
 #include <compare>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+
+#include "base/names.h"
 
 namespace coaster::world {
 
@@ -19,6 +22,8 @@ struct Entity {
 inline constexpr Entity kNone{};
 
 enum class Kind : std::uint8_t { knot, segment, cart };
+inline constexpr base::NameRow kKinds[] = {{"knot"}, {"segment"}, {"cart"}};
+constexpr std::span<const base::NameRow> rows_of(Kind) { return kKinds; }
 
 // What people call an entity: k3, s2, c1. Numbers start at 1, are unique within a kind and never used again within a
 // document, so an undo brings the same name back.

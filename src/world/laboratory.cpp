@@ -4,7 +4,7 @@
 namespace coaster::world {
 namespace {
 
-constexpr LayerRow kLayers[] = {
+constexpr base::NameRow kLayers[] = {
     {"polyline", "Polyline", "The evaluated polyline over the track, as the chosen method and resolution give it."},
     {"frames", "Frames", "The chosen frame along the track: tangent (red), normal (green), binormal (blue)."},
     {"comb", "Curvature comb",
@@ -50,7 +50,7 @@ constexpr LabPageRow kPages[] = {
 
 }  // namespace
 
-std::span<const LayerRow> layers() { return kLayers; }
+std::span<const base::NameRow> layers() { return kLayers; }
 std::span<const ColouringRow> colourings() { return kColourings; }
 std::span<const LabPageRow> lab_pages() { return kPages; }
 

@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "base/names.h"
+
 namespace coaster::world {
 
 // Rows of layers(), in its order.
@@ -23,12 +25,9 @@ enum class Layer : std::uint8_t {
   conflicts
 };
 
-struct LayerRow {
-  std::string_view name;   // in scripts and recordings: "show comb on"
-  std::string_view label;  // in the panel
-  std::string_view help;   // a line for the tooltip
-};
-std::span<const LayerRow> layers();
+// By name in scripts and recordings: "show comb on".
+std::span<const base::NameRow> layers();
+inline std::span<const base::NameRow> rows_of(Layer) { return layers(); }
 
 // A set of layers. The polyline, the supports, the knots and the conflicts show at first.
 class Layers {
@@ -55,6 +54,7 @@ struct ColouringRow {
   bool of_ride = false;  // the whole ride is simulated for it
 };
 std::span<const ColouringRow> colourings();
+inline std::span<const ColouringRow> rows_of(Colouring) { return colourings(); }
 
 // Pages of the laboratory's strip: rows of lab_pages(), in its order.
 enum class LabPage : std::uint8_t {
@@ -75,5 +75,6 @@ struct LabPageRow {
   std::string_view help;
 };
 std::span<const LabPageRow> lab_pages();
+inline std::span<const LabPageRow> rows_of(LabPage) { return lab_pages(); }
 
 }  // namespace coaster::world

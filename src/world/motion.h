@@ -48,9 +48,14 @@ struct CartMotion {
 
 // ended: every cart has come to an open end. failed: the ride stopped for the reason in Motion::failure.
 enum class RideState : std::uint8_t { stopped, running, paused, ended, failed };
+inline constexpr base::NameRow kRideStates[] = {{"stopped"}, {"running"}, {"paused"}, {"ended"}, {"failed"}};
+constexpr std::span<const base::NameRow> rows_of(RideState) { return kRideStates; }
 
 // Why a ride stopped by itself.
 enum class FailureKind : std::uint8_t { none, stall, rollback, off_end, collision };
+inline constexpr base::NameRow kFailureKinds[] = {
+    {"none"}, {"stalled"}, {"rolled back"}, {"ran off the open end"}, {"collided"}};
+constexpr std::span<const base::NameRow> rows_of(FailureKind) { return kFailureKinds; }
 struct Failure {
   FailureKind kind = FailureKind::none;
   Entity cart;          // the one that failed

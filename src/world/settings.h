@@ -2,7 +2,6 @@
 // nor hashed.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -29,11 +28,14 @@ struct Camera {
 
 // How carts and the ride camera are turned: a row of sim::frame_methods(), in its order.
 enum class FrameMethod : std::uint8_t { knots, rmf, frenet, world_up };
+// How carts move: a row of sim::integrators().
+enum class IntegratorId : int {};
+
 enum class CameraMode : std::uint8_t { orbit, ride, chase, fly };
-inline constexpr std::array<std::string_view, 4> kCameraModeNames{"orbit", "ride", "chase",
-                                                                  "fly"};  // by CameraMode, in scripts
-inline constexpr float kMaxPitch = 89;                                     // degrees
-inline constexpr float kMinFieldOfView = 30, kMaxFieldOfView = 110;        // degrees, vertical
+inline constexpr base::NameRow kCameraModes[] = {{"orbit"}, {"ride"}, {"chase"}, {"fly"}};
+constexpr std::span<const base::NameRow> rows_of(CameraMode) { return kCameraModes; }
+inline constexpr float kMaxPitch = 89;                               // degrees
+inline constexpr float kMinFieldOfView = 30, kMaxFieldOfView = 110;  // degrees, vertical
 
 // The free camera: level, from `eye` (m), yaw as the orbit camera's, pitch of the view above the horizon (up to
 // kMaxPitch).
@@ -59,14 +61,21 @@ struct CameraFeel {
 };
 
 enum class Axis : std::uint8_t { x, y, z };
-inline constexpr std::array<std::string_view, 3> kAxisNames{"x", "y", "z"};  // by Axis, in scripts
+inline constexpr base::NameRow kAxes[] = {{"x"}, {"y"}, {"z"}};
+constexpr std::span<const base::NameRow> rows_of(Axis) { return kAxes; }
+
 // The parameter of a spline through knots: the lengths of the chords between them, or 1 from each to the next.
 enum class SplineSteps : std::uint8_t { chord, uniform };
-inline constexpr std::array<std::string_view, 2> kSplineStepNames{"chord", "uniform"};
+inline constexpr base::NameRow kSplineSteps[] = {{"chord"}, {"uniform"}};
+constexpr std::span<const base::NameRow> rows_of(SplineSteps) { return kSplineSteps; }
 
 // What moves by hand snap to.
 enum class SnapTo : std::uint8_t { off, grid, knots, ground };
-inline constexpr std::array<std::string_view, 4> kSnapNames{"off", "grid", "knots", "ground"};
+inline constexpr base::NameRow kSnapTos[] = {{"off", "Nothing", "What is moved goes where the mouse is."},
+                                             {"grid", "Grid", "Positions are whole steps."},
+                                             {"knots", "Knots", "A knot under the cursor draws what is moved onto it."},
+                                             {"ground", "Ground", "What is moved stays on the ground."}};
+constexpr std::span<const base::NameRow> rows_of(SnapTo) { return kSnapTos; }
 struct Snapping {
   SnapTo to = SnapTo::off;
   double step = 1;    // m, 0.001..1000
@@ -76,11 +85,18 @@ struct Snapping {
 
 // Colours of the panels; by name in scripts and in the settings file.
 enum class Theme : std::uint8_t { dark, light, high_contrast };
-inline constexpr std::array<std::string_view, 3> kThemeNames{"dark", "light", "high_contrast"};
+inline constexpr base::NameRow kThemes[] = {{"dark", "Dark", "Colours of the panels."},
+                                            {"light", "Light", "Colours of the panels."},
+                                            {"high_contrast", "High contrast", "Colours of the panels."}};
+constexpr std::span<const base::NameRow> rows_of(Theme) { return kThemes; }
 
 // Light, sky and ground of the scene; by name in scripts and in the settings file.
 enum class Style : std::uint8_t { day, dusk, blueprint };
-inline constexpr std::array<std::string_view, 3> kStyleNames{"day", "dusk", "blueprint"};
+inline constexpr base::NameRow kStyles[] = {
+    {"day", "Day", "The sun high, a clear sky."},
+    {"dusk", "Dusk", "The sun low, long shadows."},
+    {"blueprint", "Blueprint", "Lines on blue, for the laboratory and for print."}};
+constexpr std::span<const base::NameRow> rows_of(Style) { return kStyles; }
 
 struct Settings {
   curve::EvaluatorId evaluator = curve::kDefaultEvaluator;
@@ -88,7 +104,7 @@ struct Settings {
   std::int64_t vertex_budget = 16'000'000;  // vertices of all polylines together
   curve::ArcLengthId arc_length{};
   FrameMethod frames = FrameMethod::knots;
-  int integrator = 0;  // row of sim::integrators()
+  IntegratorId integrator{};
   Camera camera;
   CameraMode camera_mode = CameraMode::orbit;
   FlyCamera fly;

@@ -24,7 +24,7 @@ TEST(arc_length_study, every_row_converges_within_the_evaluations_allowed) {
       const std::vector<Convergence> all = convergence(c, 512);
       ASSERT_EQ(all.size(), arc_length_methods().size());
       for (const Convergence& one : all) {
-        const ArcLengthMethod& row = arc_length_method(one.method);
+        const ArcLengthMethod& row = base::row_of(one.method);
         ASSERT_FALSE(one.points.empty() && row.control != LengthControl::tolerance) << row.name;
         for (std::size_t i = 0; i < one.points.size(); ++i) {
           ASSERT_LE(one.points[i].evaluations, 512) << row.name;
@@ -54,7 +54,7 @@ TEST(arc_length_study, gauss_legendre_needs_fewer_evaluations_than_any_other_row
     }
   }
   const auto of = [&](std::string_view name) {
-    return needed[static_cast<std::size_t>(*find_arc_length_method(name))] / 40;
+    return needed[static_cast<std::size_t>(*base::value_named<curve::ArcLengthId>(name))] / 40;
   };
   EXPECT_LE(of("gauss_legendre_fixed"), 20);
   EXPECT_LE(of("gauss_legendre"), 30);

@@ -61,7 +61,7 @@ TEST(arc_length, every_row_approaches_the_length_within_its_means) {
   for (std::size_t i = 0; i < arc_length_methods().size(); ++i) {
     const ArcLengthMethod& row = arc_length_methods()[i];
     EXPECT_TRUE(names.insert(row.name).second);
-    EXPECT_EQ(find_arc_length_method(row.name), static_cast<ArcLengthId>(i));
+    EXPECT_EQ(base::value_named<curve::ArcLengthId>(row.name), static_cast<ArcLengthId>(i));
     for (const Cubic& c : random_cubics(100, 32)) {
       const double exact = arc_length(c);
       // Gravesen's mean: half of polygon - chord; the left sum errs by half a step of |B'(0)| - |B'(1)|; the others by
@@ -74,7 +74,7 @@ TEST(arc_length, every_row_approaches_the_length_within_its_means) {
       EXPECT_NEAR(row.length(c, 64), exact, allowed) << row.name;
     }
   }
-  EXPECT_EQ(find_arc_length_method("product"), std::nullopt);
+  EXPECT_EQ(base::value_named<curve::ArcLengthId>("product"), std::nullopt);
 }
 
 TEST(arc_length, adaptive_gauss_legendre_agrees_with_the_map_on_wild_handles) {
@@ -156,7 +156,7 @@ TEST(arc_length, rows_that_heed_a_tolerance_report_what_they_reach) {
 }
 
 TEST(arc_length, gravesens_subdivision_keeps_its_tolerance_until_its_depth_ends) {
-  const ArcLengthMethod& row = arc_length_method(*find_arc_length_method("gravesen_adaptive"));
+  const ArcLengthMethod& row = base::row_of(*base::value_named<curve::ArcLengthId>("gravesen_adaptive"));
   for (const CubicSet& set : cubic_sets(15, 74))
     for (const Cubic& c : set.cubics) {
       const auto exact = static_cast<double>(LengthOracle(c).length());
@@ -173,7 +173,7 @@ TEST(arc_length, counted_rows_converge_at_their_order) {
   const auto error = [](std::string_view name, int count) {
     double sum = 0;
     for (const Cubic& c : random_cubics(60, 75))
-      sum += std::abs(arc_length_method(*find_arc_length_method(name)).length(c, count) - arc_length(c));
+      sum += std::abs(base::row_of(*base::value_named<curve::ArcLengthId>(name)).length(c, count) - arc_length(c));
     return sum;
   };
   EXPECT_NEAR(error("riemann", 64) / error("riemann", 128), 2, 0.1);
@@ -189,7 +189,7 @@ TEST(arc_length, counted_rows_converge_at_their_order) {
 TEST(arc_length, evaluations_are_those_of_the_formula) {
   const Cubic c = random_cubics(1, 76)[0];
   const auto evaluations = [&](std::string_view name, int count) {
-    return arc_length_method(*find_arc_length_method(name)).measure(c, {count, 1e-9}).evaluations;
+    return base::row_of(*base::value_named<curve::ArcLengthId>(name)).measure(c, {count, 1e-9}).evaluations;
   };
   EXPECT_EQ(evaluations("riemann", 9), 9);
   EXPECT_EQ(evaluations("trapezium", 9), 10);
@@ -214,12 +214,12 @@ TEST(arc_length, gravesen_is_a_mean_of_lengths_and_not_a_product) {
   const Cubic c = random_cubics(1, 33)[0];
   Cubic twice = c;
   for (glm::vec3* p : {&twice.p0, &twice.p1, &twice.p2, &twice.p3}) *p *= 2.0f;
-  const ArcLengthMethod& gravesen = arc_length_method(*find_arc_length_method("gravesen"));
+  const ArcLengthMethod& gravesen = base::row_of(*base::value_named<curve::ArcLengthId>("gravesen"));
   EXPECT_NEAR(gravesen.length(twice, 1), 2 * gravesen.length(c, 1), 1e-3);  // a product would grow fourfold
 }
 
 TEST(arc_length, chords_only_fall_short_and_improve_with_steps) {
-  const ArcLengthMethod& chords = arc_length_method(*find_arc_length_method("chord_sum"));
+  const ArcLengthMethod& chords = base::row_of(*base::value_named<curve::ArcLengthId>("chord_sum"));
   for (const Cubic& c : random_cubics(50, 34)) {
     double last = 0;
     for (int steps : {1, 2, 4, 8, 64, 1024}) {

@@ -47,11 +47,11 @@ TEST(evaluators, names_and_labels_are_unique_and_found) {
     const Evaluator& row = evaluators()[i];
     EXPECT_TRUE(names.insert(row.name).second);
     EXPECT_TRUE(labels.insert(row.label).second);
-    EXPECT_EQ(find_evaluator(row.name), static_cast<EvaluatorId>(i));
+    EXPECT_EQ(base::value_named<curve::EvaluatorId>(row.name), static_cast<EvaluatorId>(i));
     EXPECT_FALSE(row.formula.empty());
     EXPECT_FALSE(row.cost.empty());
   }
-  EXPECT_EQ(find_evaluator("no such row"), std::nullopt);
+  EXPECT_EQ(base::value_named<curve::EvaluatorId>("no such row"), std::nullopt);
   for (const char* label : {"Cubic (Bernstein)", "de Casteljau", "Horner", "Forward differences"})
     EXPECT_TRUE(labels.count(label)) << label;
 }
@@ -125,7 +125,7 @@ TEST(evaluators, degenerate_curves_give_finite_vertices) {
 TEST(evaluators, horner_uses_the_stored_coefficients_alone) {
   PreparedCubic curve = prepare(random_cubics(1, 24)[0]);
   std::vector<glm::vec3> before(17), after(17);
-  const Evaluator& row = evaluator(*find_evaluator("horner"));
+  const Evaluator& row = base::row_of(*base::value_named<curve::EvaluatorId>("horner"));
   row.polyline(curve, before, {});
   curve.cubic.p1 += glm::vec3(5, 5, 5);  // without preparing anew
   row.polyline(curve, after, {});
@@ -136,7 +136,7 @@ double worst_of(const char* name, int steps, const std::vector<Cubic>& cubics) {
   std::vector<glm::vec3> points;
   double worst = 0;
   for (const Cubic& c : cubics)
-    worst = std::max(worst, worst_error(evaluator(*find_evaluator(name)), c, steps, points));
+    worst = std::max(worst, worst_error(base::row_of(*base::value_named<curve::EvaluatorId>(name)), c, steps, points));
   return worst;
 }
 

@@ -40,9 +40,6 @@ class RandomCommands {
     else
       for (std::uint32_t i = below(4); i > 0; --i) v.names.push_back({world::Kind::knot, 1 + below(9)});
   }
-  void fill(world::Axis& v) { v = static_cast<world::Axis>(below(3)); }
-  void fill(world::SplineSteps& v) { v = static_cast<world::SplineSteps>(below(2)); }
-  void fill(world::SnapTo& v) { v = static_cast<world::SnapTo>(below(4)); }
   void fill(glm::vec3& v) { v = {number(), number(), number()}; }
   void fill(float& v) { v = static_cast<float>(number()); }
   void fill(double& v) { v = number(); }
@@ -53,24 +50,18 @@ class RandomCommands {
     constexpr std::string_view kLetters = "ab \"\\#@'\n.";
     for (std::uint32_t i = below(8); i > 0; --i) v += kLetters[below(kLetters.size())];
   }
-  void fill(world::EquipmentKind& v) { v = static_cast<world::EquipmentKind>(below(5)); }
+  template <base::Named E>
+  void fill(E& v) {
+    v = static_cast<E>(below(base::count_of<E>()));
+  }
   void fill(world::Element& v) {
-    v = world::usual_element(static_cast<world::ElementKind>(below(world::elements().size())));
-    const world::ElementRow& row = world::element_row(v.kind);
+    world::ElementKind kind{};
+    fill(kind);
+    v = world::usual_element(kind);
+    const world::ElementRow& row = base::row_of(v.kind);
     v.right = row.sided && below(2) == 1;
     for (std::size_t i = 0; i < row.parameters.size(); ++i) v.values[i] = number();
   }
-  void fill(world::JointKind& v) { v = static_cast<world::JointKind>(below(3)); }
-  void fill(world::FrameMethod& v) { v = static_cast<world::FrameMethod>(below(4)); }
-  void fill(world::Colouring& v) { v = static_cast<world::Colouring>(below(world::colourings().size())); }
-  void fill(world::CameraMode& v) { v = static_cast<world::CameraMode>(below(4)); }
-  void fill(world::Layer& v) { v = static_cast<world::Layer>(below(world::layers().size())); }
-  void fill(world::LabPage& v) { v = static_cast<world::LabPage>(below(world::lab_pages().size())); }
-  void fill(world::Theme& v) { v = static_cast<world::Theme>(below(world::kThemeNames.size())); }
-  void fill(world::Style& v) { v = static_cast<world::Style>(below(world::kStyleNames.size())); }
-  void fill(curve::EvaluatorId& v) { v = static_cast<curve::EvaluatorId>(below(curve::evaluators().size())); }
-  void fill(curve::ArcLengthId& v) { v = static_cast<curve::ArcLengthId>(below(curve::arc_length_methods().size())); }
-  void fill(edit::IntegratorId& v) { v.row = static_cast<int>(below(sim::integrators().size())); }
 
   std::mt19937 bits_;
 };

@@ -26,7 +26,8 @@ class Stages : public test::Studio, public testing::WithParamInterface<Evaluated
     if (!renderer_->supports(GetParam())) GTEST_SKIP() << renderer_->refusal(GetParam());
   }
   void on(Track& track, EvaluatedBy stage) const {
-    track.settings.evaluator = stage == EvaluatedBy::processor ? *curve::find_evaluator("horner") : row_of(stage);
+    track.settings.evaluator =
+        stage == EvaluatedBy::processor ? *base::value_named<curve::EvaluatorId>("horner") : row_of(stage);
     track.derive();
   }
   Image seen(Track& track, EvaluatedBy stage, const world::Camera& camera) {
@@ -150,7 +151,7 @@ TEST_P(Stages, measure_the_deviation_of_what_the_gpu_computes) {
     on(track, GetParam());
     const DrawStats stats = draw(track);
     EXPECT_EQ(stats.deviation_pending, 0);
-    const curve::Evaluator& row = curve::evaluator(track.settings.evaluator);
+    const curve::Evaluator& row = base::row_of(track.settings.evaluator);
     // Contracted or not, each operation rounds by at most half a unit in the last place of the twin's operands;
     // division and the reciprocal of the resolution are allowed 2.5.
     EXPECT_LE(stats.deviation, 3 * row.error_bound(2000, 4000, steps));

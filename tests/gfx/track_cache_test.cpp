@@ -38,7 +38,7 @@ TEST_F(Cache, another_evaluator_uploads_everything_once_and_another_stage_of_the
   for (std::size_t row = curve::evaluators().size(); row-- > 0;) {
     const auto id = static_cast<curve::EvaluatorId>(row);
     const bool was_on_gpu = track.derived.evaluated_by != curve::EvaluatedBy::processor,
-               is_on_gpu = curve::evaluator(id).evaluated_by != curve::EvaluatedBy::processor;
+               is_on_gpu = base::row_of(id).evaluated_by != curve::EvaluatedBy::processor;
     const int expected = id == track.settings.evaluator || (was_on_gpu && is_on_gpu) ? 0 : 9;
     track.settings.evaluator = id;
     track.derive();

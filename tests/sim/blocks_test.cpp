@@ -56,7 +56,7 @@ Watched watch(const world::Document& d, const std::set<std::size_t>& blocks, int
   Watched seen;
   std::vector<int> standing(motion.carts.size(), 0);
   for (int tick = 0; tick < ticks; ++tick) {
-    step(d, derived, kDefaultIntegrator, 1, memo, motion);
+    step(d, derived, {}, 1, memo, motion);
     std::set<std::size_t> taken;
     for (std::size_t train = 0; train < motion.carts.size(); ++train) {
       const world::CartMotion& cart = motion.carts.items()[train];

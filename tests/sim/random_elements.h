@@ -17,7 +17,7 @@ class RandomElements {
   // Each parameter is the usual one, a limit, or anything between the limits (more often small than large).
   world::Element of_kind(world::ElementKind kind) {
     world::Element element = world::usual_element(kind);
-    const world::ElementRow& row = world::element_row(kind);
+    const world::ElementRow& row = base::row_of(kind);
     element.right = row.sided && below(2) == 1;
     for (std::size_t i = 0; i < row.parameters.size(); ++i) {
       const world::ElementParameter& p = row.parameters[i];

@@ -158,13 +158,13 @@ TEST(overlay_lab, arrows_of_a_frame_are_one_length_and_perpendicular) {
 
 TEST(overlay_lab, rounding_moves_vertices_by_their_error_times_the_magnification) {
   Scene scene;
-  scene.settings.evaluator = *curve::find_evaluator("forward_differences");
+  scene.settings.evaluator = *base::value_named<curve::EvaluatorId>("forward_differences");
   scene.settings.steps = 512;
   scene.settings.magnification = 1234.5;
   scene.settings.selected = scene.derived.order[4];
   Overlay overlay;
   add_rounding(scene.document, scene.derived, scene.settings, overlay);
-  const sim::Rounding r = sim::rounding(scene.shape(4).curve, curve::evaluator(scene.settings.evaluator), 512);
+  const sim::Rounding r = sim::rounding(scene.shape(4).curve, base::row_of(scene.settings.evaluator), 512);
   std::vector<Line> chain;
   for (const Line& line : overlay.lines)
     if (line.rgba == kRoundingColour || line.rgba == kSeamColour) chain.push_back(line);

@@ -10,7 +10,7 @@ constexpr std::string_view kLeft = "left", kRight = "right";
 
 // The words that may follow an element's name.
 Names words_of(const world::ElementRow& row) {
-  Names names = names_of(row.parameters);
+  Names names = base::names_in(row.parameters);
   if (row.sided) names.emplace_back(kLeft), names.emplace_back(kRight);
   return names;
 }
@@ -18,7 +18,7 @@ Names words_of(const world::ElementRow& row) {
 }  // namespace
 
 std::string print_value(const world::Element& value) {
-  const world::ElementRow& row = world::element_row(value.kind);
+  const world::ElementRow& row = base::row_of(value.kind);
   std::string text(row.name);
   if (row.sided) text += " " + std::string(value.right ? kRight : kLeft);
   for (std::size_t i = 0; i < row.parameters.size(); ++i)
@@ -27,11 +27,11 @@ std::string print_value(const world::Element& value) {
 }
 
 bool read_value(WordReader& words, world::Element& value) {
-  int kind = 0;
-  if (!read_name(words, names_of(world::elements()), kind)) return false;
-  value = world::usual_element(static_cast<world::ElementKind>(kind));
-  const Names names = words_of(world::element_row(value.kind));
-  const std::size_t parameters = world::element_row(value.kind).parameters.size();
+  world::ElementKind kind{};
+  if (!read_value(words, kind)) return false;
+  value = world::usual_element(kind);
+  const Names names = words_of(base::row_of(value.kind));
+  const std::size_t parameters = base::row_of(value.kind).parameters.size();
   while (words.peek()) {
     int word = 0;
     if (!read_name(words, names, word)) return false;

@@ -1,23 +1,11 @@
-// Printing and reading the values of command fields. Names of methods come from the tables of curve and sim.
+// Printing and reading the values of command fields.
 #include "edit/commands/codec_values.h"
 
 #include <limits>
 #include <vector>
 
-#include "sim/ride/ride.h"
-#include "sim/shape/frame_methods.h"
-
 namespace coaster::edit {
 namespace {
-
-// In the order of the enumerators.
-Names joint_names() { return {"smooth", "aligned", "automatic"}; }
-Names mode_names() { return Names(world::kCameraModeNames.begin(), world::kCameraModeNames.end()); }
-
-Names evaluator_names() { return names_of(curve::evaluators()); }
-Names arc_length_names() { return names_of(curve::arc_length_methods()); }
-Names frame_names() { return names_of(sim::frame_methods()); }
-Names integrator_names() { return names_of(sim::integrators()); }
 
 template <class T, class Parse>
 bool read_number(WordReader& words, std::string_view what, Parse parse, T& value) {
@@ -35,11 +23,6 @@ std::string joined(const Names& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : "|") + name;
   return text;
-}
-
-std::string row_name(const Names& names, int row) {
-  COASTER_CHECK(row >= 0 && static_cast<std::size_t>(row) < names.size(), "a command names a row of its table");
-  return names[static_cast<std::size_t>(row)];
 }
 
 // The row that the next word names.
@@ -89,15 +72,34 @@ std::string print_value(int value) { return std::to_string(value); }
 std::string print_value(std::int64_t value) { return std::to_string(value); }
 std::string print_value(bool value) { return value ? "on" : "off"; }
 std::string print_value(const std::string& value) { return base::quoted(value); }
-std::string print_value(world::JointKind value) { return row_name(joint_names(), static_cast<int>(value)); }
-std::string print_value(world::FrameMethod value) { return row_name(frame_names(), static_cast<int>(value)); }
-std::string print_value(world::EquipmentKind value) {
-  return std::string(world::kEquipmentNames[static_cast<std::size_t>(value)]);
+
+std::string print_value(const Knots& value) {
+  if (value.which == Knots::Which::all) return "all";
+  if (value.which == Knots::Which::selected) return "selected";
+  std::string text;
+  for (const world::Name& name : value.names) text += (text.empty() ? "@" : ",@") + world::to_text(name);
+  return text.empty() ? "none" : text;
 }
-std::string print_value(world::CameraMode value) { return row_name(mode_names(), static_cast<int>(value)); }
-std::string print_value(curve::EvaluatorId value) { return row_name(evaluator_names(), static_cast<int>(value)); }
-std::string print_value(curve::ArcLengthId value) { return row_name(arc_length_names(), static_cast<int>(value)); }
-std::string print_value(IntegratorId value) { return row_name(integrator_names(), value.row); }
+
+bool read_value(WordReader& words, Knots& value) {
+  constexpr std::string_view kExpected = "knots such as @k3 or @k1,@k2, or all, or selected";
+  const base::Token* const word = words.take(kExpected);
+  if (!word) return false;
+  value = {};
+  if (word->text == "none") return true;
+  if (word->text == "all") return value.which = Knots::Which::all, true;
+  if (word->text == "selected") return value.which = Knots::Which::selected, true;
+  std::string_view rest = word->text;
+  for (;;) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    const std::string_view one = rest.substr(0, comma);
+    const auto name = one.starts_with('@') ? world::parse_name(one.substr(1)) : std::nullopt;
+    if (!name) return words.reject(kExpected);
+    value.names.push_back(*name);
+    if (comma == rest.size()) return true;
+    rest.remove_prefix(comma + 1);
+  }
+}
 
 bool read_value(WordReader& words, Target& value) {
   constexpr std::string_view kExpected = "an entity such as @k3, @s2 or @c1";
@@ -156,17 +158,9 @@ bool read_value(WordReader& words, std::string& value) {
   if (word) value = word->text;
   return word != nullptr;
 }
-bool read_value(WordReader& words, world::JointKind& value) { return read_enum(words, joint_names(), value); }
-bool read_value(WordReader& words, world::FrameMethod& value) { return read_enum(words, frame_names(), value); }
-bool read_value(WordReader& words, world::EquipmentKind& value) {
-  return read_enum(words, Names(world::kEquipmentNames.begin(), world::kEquipmentNames.end()), value);
-}
-bool read_value(WordReader& words, world::CameraMode& value) { return read_enum(words, mode_names(), value); }
-bool read_value(WordReader& words, curve::EvaluatorId& value) { return read_enum(words, evaluator_names(), value); }
-bool read_value(WordReader& words, curve::ArcLengthId& value) { return read_enum(words, arc_length_names(), value); }
-bool read_value(WordReader& words, IntegratorId& value) { return read_name(words, integrator_names(), value.row); }
 
 std::string usage_of(const HandleTarget&) { return "@knot.in|@knot.out"; }
+std::string usage_of(const Knots&) { return "@knot,...|all|selected"; }
 std::string usage_of(glm::vec3) { return "X Y Z"; }
 std::string usage_of(float) { return "NUMBER"; }
 std::string usage_of(double) { return "NUMBER"; }
@@ -174,14 +168,5 @@ std::string usage_of(int) { return "N"; }
 std::string usage_of(std::int64_t) { return "N"; }
 std::string usage_of(bool) { return "on|off"; }
 std::string usage_of(const std::string&) { return "\"TEXT\""; }
-std::string usage_of(world::JointKind) { return joined(joint_names()); }
-std::string usage_of(world::FrameMethod) { return joined(frame_names()); }
-std::string usage_of(world::EquipmentKind) {
-  return joined(Names(world::kEquipmentNames.begin(), world::kEquipmentNames.end()));
-}
-std::string usage_of(world::CameraMode) { return joined(mode_names()); }
-std::string usage_of(curve::EvaluatorId) { return joined(evaluator_names()); }
-std::string usage_of(curve::ArcLengthId) { return joined(arc_length_names()); }
-std::string usage_of(IntegratorId) { return joined(integrator_names()); }
 
 }  // namespace coaster::edit

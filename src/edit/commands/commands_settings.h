@@ -37,13 +37,8 @@ struct SetFrames {
                   Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };
-// A row of sim::integrators(), by name in text.
-struct IntegratorId {
-  int row = 0;
-  friend bool operator==(const IntegratorId&, const IntegratorId&) = default;
-};
 struct SetIntegrator {
-  IntegratorId to{};
+  world::IntegratorId to{};
   COASTER_COMMAND("integrator", "Choose how carts move.", Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };

@@ -21,7 +21,7 @@ Status set(Change& change, std::string_view what, float to, float low, float hig
 }  // namespace
 
 Status perform(Session& session, Change&, const SetCameraMode& command) {
-  if (static_cast<std::size_t>(command.to) >= world::kCameraModeNames.size()) return refused("there is no such camera");
+  if (!base::has_row(command.to)) return refused("there is no such camera");
   session.settings.camera_mode = command.to;
   return {};
 }

@@ -12,7 +12,7 @@ namespace {
 using base::Status;
 
 Status well_formed(const world::Element& element) {
-  if (static_cast<std::size_t>(element.kind) >= world::elements().size()) return refused("there is no such element");
+  if (!base::has_row(element.kind)) return refused("there is no such element");
   if (!std::all_of(element.values.begin(), element.values.end(), [](double value) { return std::isfinite(value); }))
     return refused("expected finite numbers");
   return {};
@@ -32,7 +32,7 @@ void report(const sim::ElementPlan& plan, double missing, Change& change) {
     change.clamped.push_back("so far from the origin it keeps within " +
                              base::to_text(static_cast<float>(plan.fit.error)) + " m" + shape);
   if (!change.clamped.empty()) return;  // the warning is to be the newest notice
-  change.note = std::string(world::element_row(plan.element.kind).name) + " of " + std::to_string(plan.spans()) +
+  change.note = std::string(base::row_of(plan.element.kind).name) + " of " + std::to_string(plan.spans()) +
                 (plan.spans() == 1 ? " span, " : " spans, ") + metres(plan.length, 0.125) + " m, within " +
                 std::to_string(static_cast<int>(std::ceil(plan.fit.error * 1000))) + " mm" + shape;
 }

@@ -52,8 +52,7 @@ base::Status refused(std::string message) { return {base::Code::refused, std::mo
 bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 base::Result<world::Entity> require(const Session& session, Target target, world::Kind kind) {
-  constexpr std::string_view kKinds[] = {"knot", "segment", "cart"};
-  const std::string wanted(kKinds[static_cast<std::size_t>(kind)]);
+  const std::string wanted(base::name_of(kind));
   if (target.name.number == 0) return refused("expected a " + wanted + ", found none");
   const std::string label = "@" + world::to_text(target.name);
   if (target.name.kind != kind) return refused("expected a " + wanted + ", found " + label);

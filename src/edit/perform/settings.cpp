@@ -17,17 +17,17 @@ constexpr double kMinMagnification = 1, kMaxMagnification = 1e7, kMinCombScale =
 constexpr float kMinScale = 0.75f, kMaxScale = 3;
 
 // Commands read from text name rows; others may come from anywhere.
-template <class Id, class Rows>
-Status known_row(Id id, const Rows& rows) {
-  const int row = static_cast<int>(id);
-  if (row >= 0 && static_cast<std::size_t>(row) < rows.size()) return {};
-  return refused("there is no row " + std::to_string(row) + " in the table of " + std::to_string(rows.size()));
+template <base::Named E>
+Status known_row(E value) {
+  if (base::has_row(value)) return {};
+  return refused("there is no row " + std::to_string(static_cast<int>(value)) + " in the table of " +
+                 std::to_string(base::count_of<E>()));
 }
 
 }  // namespace
 
 Status perform(Session& session, Change& change, const SetEvaluator& command) {
-  const Status known = known_row(command.to, curve::evaluators());
+  const Status known = known_row(command.to);
   if (!known) return known;
   session.settings.evaluator = command.to;
   change.remeasure = true;
@@ -52,7 +52,7 @@ Status perform(Session& session, Change& change, const SetVertexBudget& command)
 }
 
 Status perform(Session& session, Change& change, const SetArcLength& command) {
-  const Status known = known_row(command.to, curve::arc_length_methods());
+  const Status known = known_row(command.to);
   if (!known) return known;
   session.settings.arc_length = command.to;
   change.remeasure = true;
@@ -60,16 +60,16 @@ Status perform(Session& session, Change& change, const SetArcLength& command) {
 }
 
 Status perform(Session& session, Change&, const SetFrames& command) {
-  const Status known = known_row(command.to, sim::frame_methods());
+  const Status known = known_row(command.to);
   if (!known) return known;
   session.settings.frames = command.to;
   return {};
 }
 
 Status perform(Session& session, Change&, const SetIntegrator& command) {
-  const Status known = known_row(command.to.row, sim::integrators());
+  const Status known = known_row(command.to);
   if (!known) return known;
-  session.settings.integrator = command.to.row;
+  session.settings.integrator = command.to;
   return {};
 }
 
@@ -101,13 +101,13 @@ Status perform(Session& session, Change&, const SetAppendMode& command) {
 }
 
 Status perform(Session& session, Change&, const ShowLayer& command) {
-  const Status known = known_row(command.what, world::layers());
+  const Status known = known_row(command.what);
   if (!known) return known;
   session.settings.layers.set(command.what, command.to);
   return {};
 }
 Status perform(Session& session, Change&, const SetColouring& command) {
-  const Status known = known_row(command.to, world::colourings());
+  const Status known = known_row(command.to);
   if (!known) return known;
   session.settings.colouring = command.to;
   return {};
@@ -127,7 +127,7 @@ Status perform(Session& session, Change&, const ShowLaboratory& command) {
   return {};
 }
 Status perform(Session& session, Change&, const OpenPage& command) {
-  const Status known = known_row(command.to, world::lab_pages());
+  const Status known = known_row(command.to);
   if (!known) return known;
   session.settings.lab_page = command.to;
   return {};
@@ -145,14 +145,14 @@ Status perform(Session& session, Change&, const StopMeasuring&) {
 }
 
 Status perform(Session& session, Change&, const SetTheme& command) {
-  const Status known = known_row(command.to, world::kThemeNames);
+  const Status known = known_row(command.to);
   if (!known) return known;
   session.settings.theme = command.to;
   return {};
 }
 
 Status perform(Session& session, Change&, const SetStyle& command) {
-  const Status known = known_row(command.to, world::kStyleNames);
+  const Status known = known_row(command.to);
   if (!known) return known;
   session.settings.style = command.to;
   return {};

@@ -44,6 +44,11 @@ struct Referee {
 };
 
 enum class RideEnd : std::uint8_t { lap, open_end, time, failed };
+inline constexpr base::NameRow kRideEnds[] = {{"lap", "A whole lap"},
+                                              {"open end", "To the end of the track"},
+                                              {"time", "The time is up"},
+                                              {"failed", "The ride failed"}};
+constexpr std::span<const base::NameRow> rows_of(RideEnd) { return kRideEnds; }
 
 // How a ride ended, for the score card.
 struct RideResult {

@@ -55,13 +55,13 @@ std::string failure_words(Session& session, const sim::Ghost* ghost, double& pla
   const bool climbed = failure.kind == FailureKind::stall || failure.kind == FailureKind::rollback;
   const auto missing = ghost && climbed ? shortfall(*ghost, *find(session, Want::ride).tables) : std::nullopt;
   if (!missing) {
-    std::snprintf(words, sizeof words, "%s at %.1f m, %.1f m/s", std::string(sim::text(failure.kind)).c_str(),
+    std::snprintf(words, sizeof words, "%s at %.1f m, %.1f m/s", std::string(base::name_of(failure.kind)).c_str(),
                   failure.distance, std::abs(failure.speed));
     return words;
   }
   place = missing->furthest;
   std::snprintf(words, sizeof words, "%s at %.1f m, %.1f m below the top at %.1f m: %.1f m/s more would take it over",
-                std::string(sim::text(failure.kind)).c_str(), missing->furthest, missing->height, missing->distance,
+                std::string(base::name_of(failure.kind)).c_str(), missing->furthest, missing->height, missing->distance,
                 std::sqrt(2 * world::kGravity * missing->height));
   return words;
 }

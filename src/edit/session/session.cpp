@@ -48,7 +48,7 @@ std::string failure_text(const Session& session) {
   if (failure.kind == world::FailureKind::none) return {};
   char place[64];
   std::snprintf(place, sizeof place, " at %.1f m, %.1f m/s", failure.distance, failure.speed);
-  return world::label_of(session.document, failure.cart) + " " + std::string(sim::text(failure.kind)) + place;
+  return world::label_of(session.document, failure.cart) + " " + std::string(base::name_of(failure.kind)) + place;
 }
 
 void advance(Session& session, int ticks) {

@@ -61,21 +61,20 @@ bool read_scale(const Json& value, UserSettings& to) {
 Json print_scale(const UserSettings& s) { return numbers(std::round(double{s.ui_scale} * 1e4) / 1e4); }
 
 // By the names of an enumeration.
-template <auto member, const auto& names>
+template <auto member>
 bool read_name(const Json& value, UserSettings& to) {
   if (!value.is_string()) return false;
-  const auto found = std::find(names.begin(), names.end(), value.get<std::string>());
-  if (found == names.end()) return false;
-  to.*member = static_cast<std::remove_reference_t<decltype(to.*member)>>(found - names.begin());
-  return true;
+  const auto found = base::value_named<std::remove_reference_t<decltype(to.*member)>>(value.get<std::string>());
+  if (found) to.*member = *found;
+  return found.has_value();
 }
-template <auto member, const auto& names>
+template <auto member>
 Json print_name(const UserSettings& s) {
-  return std::string(names[static_cast<std::size_t>(s.*member)]);
+  return std::string(base::name_of(s.*member));
 }
-template <auto member, const auto& names>
+template <auto member>
 constexpr Member name_row(std::string_view name, std::string_view expected) {
-  return {name, expected, read_name<member, names>, print_name<member, names>};
+  return {name, expected, read_name<member>, print_name<member>};
 }
 
 bool read_sound(const Json& value, UserSettings& to) {
@@ -143,8 +142,8 @@ Json print_keys(const UserSettings& s) {
 
 constexpr std::array kMembers{
     Member{"ui_scale", "a number from 0.75 to 3", read_scale, print_scale},
-    name_row<&UserSettings::theme, world::kThemeNames>("theme", "dark, light or high_contrast"),
-    name_row<&UserSettings::style, world::kStyleNames>("style", "day, dusk or blueprint"),
+    name_row<&UserSettings::theme>("theme", "dark, light or high_contrast"),
+    name_row<&UserSettings::style>("style", "day, dusk or blueprint"),
     flag_row<&UserSettings::shadows>("shadows"),
     Member{"sound", "a number from 0 to 1", read_sound, print_sound},
     flag_row<&UserSettings::panels>("panels"),

@@ -90,10 +90,9 @@ bool read_orientation(Fields& fields, world::Knot& knot) {
 bool read_joint(Fields& fields, world::Knot& knot) {
   std::string joint;
   if (!fields.text("joint", joint)) return false;
-  if (joint == "smooth") knot.joint = world::JointKind::smooth;
-  else if (joint == "aligned") knot.joint = world::JointKind::aligned;
-  else if (joint == "automatic") knot.joint = world::JointKind::automatic;
-  else return fields.reject("joint", R"("smooth", "aligned" or "automatic")");
+  const auto found = base::value_named<world::JointKind>(joint);
+  if (!found) return fields.reject("joint", base::alternatives_of<world::JointKind>("\""));
+  knot.joint = *found;
   if (knot.joint == world::JointKind::smooth && knot.in_length != knot.out_length)
     return fields.fail("joint", fmt::format("a smooth joint has equal handle lengths, found in {} and out {}",
                                             base::to_text(knot.in_length), base::to_text(knot.out_length)));
@@ -125,11 +124,10 @@ bool read_equipment(Fields& fields, Document& document, Entity segment) {
   if (!fields.has("equipment")) return true;
   std::string kind;
   if (!fields.text("equipment", kind)) return false;
-  const auto found = std::find(world::kEquipmentNames.begin(), world::kEquipmentNames.end(), kind);
-  if (found == world::kEquipmentNames.end())
-    return fields.reject("equipment", R"("station", "lift", "launch", "brake" or "block")");
+  const auto found = base::value_named<world::EquipmentKind>(kind);
+  if (!found) return fields.reject("equipment", base::alternatives_of<world::EquipmentKind>("\""));
   world::Equipment equipment;
-  equipment.kind = static_cast<world::EquipmentKind>(found - world::kEquipmentNames.begin());
+  equipment.kind = *found;
   if (!optional_length(fields, "speed", equipment.speed, 0, static_cast<float>(world::kMaxSpeed)) ||
       !optional_length(fields, "acceleration", equipment.acceleration, world::kMinAcceleration,
                        world::kMaxAcceleration) ||

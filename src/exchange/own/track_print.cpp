@@ -28,15 +28,6 @@ std::string vector(glm::vec3 v) { return fmt::format("[{}, {}, {}]", number(v.x)
 
 std::string id(const Document& document, Entity e) { return json_string(world::label_of(document, e)); }
 
-std::string_view name_of_joint(world::JointKind joint) {
-  switch (joint) {
-    case world::JointKind::smooth: return "smooth";
-    case world::JointKind::aligned: return "aligned";
-    case world::JointKind::automatic: return "automatic";
-  }
-  return {};
-}
-
 // Calls write(key, value text) for each unknown member that was kept.
 template <class Write>
 void for_each_extra(const world::Extra& extra, Write write) {
@@ -58,7 +49,7 @@ std::string knot_line(const Document& document, Entity e) {
   const world::Knot& k = world::knot(document, e);
   return "{\"id\": " + id(document, e) + ", \"position\": " + vector(k.position) +
          ", \"tangent\": " + vector(k.tangent) + ", \"up\": " + vector(k.up) + ", \"in\": " + number(k.in_length) +
-         ", \"out\": " + number(k.out_length) + ", \"joint\": \"" + std::string(name_of_joint(k.joint)) + "\"" +
+         ", \"out\": " + number(k.out_length) + ", \"joint\": \"" + std::string(base::name_of(k.joint)) + "\"" +
          extra_members(document, e);
 }
 
@@ -67,8 +58,7 @@ std::string equipment_members(const Document& document, Entity e) {
   const auto* const found = document.entities.find<world::Equipment>(e);
   if (!found) return {};
   std::string text = fmt::format(", \"equipment\": \"{}\", \"speed\": {}, \"acceleration\": {}",
-                                 world::kEquipmentNames[static_cast<std::size_t>(found->kind)], number(found->speed),
-                                 number(found->acceleration));
+                                 base::name_of(found->kind), number(found->speed), number(found->acceleration));
   const world::Equipment plain;
   if (found->hysteresis != plain.hysteresis) text += ", \"hysteresis\": " + number(found->hysteresis);
   if (found->seconds != plain.seconds) text += ", \"seconds\": " + number(found->seconds);

@@ -114,7 +114,7 @@ double levelling_radius(const world::Element& element) {
 
 void give_way(world::Element& element, std::string_view parameter, double limit, std::string_view reason,
               std::vector<std::string>& lines) {
-  const std::span<const world::ElementParameter> parameters = world::element_row(element.kind).parameters;
+  const std::span<const world::ElementParameter> parameters = base::row_of(element.kind).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (parameters[i].name != parameter) continue;
     const std::string unit = parameters[i].unit.empty() ? "" : " " + std::string(parameters[i].unit);

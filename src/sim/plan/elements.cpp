@@ -18,7 +18,7 @@ constexpr double kLongestElement = 20'000;  // m
 
 // Clamps values to the limits of the table, with a line for each.
 void clamp_values(world::Element& element, std::vector<std::string>& lines) {
-  const world::ElementRow& row = world::element_row(element.kind);
+  const world::ElementRow& row = base::row_of(element.kind);
   element.right = element.right && row.sided;
   for (std::size_t i = 0; i < element.values.size(); ++i) {
     double& value = element.values[i];

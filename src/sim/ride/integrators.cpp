@@ -74,10 +74,4 @@ constexpr std::array<Integrator, 6> kIntegrators{{
 
 std::span<const Integrator> integrators() { return kIntegrators; }
 
-std::optional<int> find_integrator(std::string_view name) {
-  for (std::size_t i = 0; i < kIntegrators.size(); ++i)
-    if (kIntegrators[i].name == name) return static_cast<int>(i);
-  return std::nullopt;
-}
-
 }  // namespace coaster::sim

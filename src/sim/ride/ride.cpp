@@ -105,13 +105,10 @@ void reconcile(const world::Document& document, const Derived& derived, world::M
   if (motion.carts.size() == 0) motion.state = world::RideState::stopped, motion.failure = {};
 }
 
-void step(const world::Document& document, const Derived& derived, int integrator, int ticks, GhostMemo& memo,
-          world::Motion& motion) {
+void step(const world::Document& document, const Derived& derived, world::IntegratorId integrator, int ticks,
+          GhostMemo& memo, world::Motion& motion) {
   if (motion.state != world::RideState::running || derived.order.empty()) return;
-  const auto rows = integrators();
-  COASTER_CHECK(integrator >= 0 && static_cast<std::size_t>(integrator) < rows.size(),
-                "the integrator is a row of the table");
-  const Integrator& row = rows[static_cast<std::size_t>(integrator)];
+  const Integrator& row = base::row_of(integrator);
   const std::vector<EquipmentSpan> equipment = equipment_spans(document, derived);
   const RideInput input{document, derived, equipment};
   if (row.kind != IntegratorKind::timetable) {

@@ -34,8 +34,6 @@ struct Integrator {
 // timetable of the whole ride, looked up each tick), vertices (the paper's conclusion: from vertex to vertex of the
 // chosen polyline; the only row whose motion depends on evaluator and resolution).
 std::span<const Integrator> integrators();
-std::optional<int> find_integrator(std::string_view name);
-inline constexpr int kDefaultIntegrator = 0;
 
 // Puts every train of the document at its start with the start speed, stopped.
 void reset(const world::Document& document, const Derived& derived, world::Motion& motion);
@@ -49,8 +47,8 @@ void reconcile(const world::Document& document, const Derived& derived, world::M
 // its ends (speed 0); when all have, the state is ended. Stalls, rollbacks and collisions end the ride at once: the
 // state is failed and motion.failure holds the reason (off_end for a train that ran off an open end). `memo` caches the
 // timetables of the integrator `precomputed`.
-void step(const world::Document& document, const Derived& derived, int integrator, int ticks, GhostMemo& memo,
-          world::Motion& motion);
+void step(const world::Document& document, const Derived& derived, world::IntegratorId integrator, int ticks,
+          GhostMemo& memo, world::Motion& motion);
 
 // Moves one train to `distance` from the start, with the speed that keeps its energy (0 if it does not reach that
 // height).
@@ -89,3 +87,7 @@ Felt felt(const world::Document& document, const Derived& derived, world::Entity
           int car = 0);
 
 }  // namespace coaster::sim
+
+namespace coaster::world {
+inline std::span<const sim::Integrator> rows_of(IntegratorId) { return sim::integrators(); }
+}  // namespace coaster::world

@@ -122,8 +122,8 @@ void derive(const world::Document& document, const world::Settings& settings, co
   derived.starts[0] = 0;
   derived.twists.resize(derived.starts.size());
   derived.twists[0] = 0;
-  const curve::Evaluator& row = curve::evaluator(settings.evaluator);
-  const curve::ArcLengthMethod& method = curve::arc_length_method(settings.arc_length);
+  const curve::Evaluator& row = base::row_of(settings.evaluator);
+  const curve::ArcLengthMethod& method = base::row_of(settings.arc_length);
   const PolylineKey polyline{settings.evaluator, settings.steps};
   derived.evaluated_by = row.evaluated_by;
   derived.steps = settings.steps;

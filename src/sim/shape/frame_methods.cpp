@@ -105,7 +105,7 @@ std::span<const FrameMethodRow> frame_methods() { return kFrameMethods; }
 
 TrackFrame track_frame(const Derived& derived, world::FrameMethod method, std::size_t index, double s) {
   COASTER_CHECK(index < derived.order.size(), "frames exist only on segments of the track");
-  return kFrameMethods[static_cast<std::size_t>(method)].frame(derived, index, s);
+  return base::row_of(method).frame(derived, index, s);
 }
 
 std::size_t index_of_segment(const Derived& derived, world::Entity segment, double near) {

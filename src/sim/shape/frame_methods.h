@@ -82,3 +82,7 @@ class FrenetBreaks {
 };
 
 }  // namespace coaster::sim
+
+namespace coaster::world {
+inline std::span<const sim::FrameMethodRow> rows_of(FrameMethod) { return sim::frame_methods(); }
+}  // namespace coaster::world

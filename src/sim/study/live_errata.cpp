@@ -38,13 +38,15 @@ double way_from_rest(const Derived& derived, std::size_t index, double from, con
 }
 
 Erratum frozen(const Derived& derived, std::size_t index) {
-  const auto rows = integrators();
+  const auto named = [](std::string_view name) -> const Integrator& {
+    return base::row_of(*base::value_named<world::IntegratorId>(name));
+  };
   const double from = steepest_place(derived.shape(derived.order[index]));
   return {"frozen",
           "The speed follows from the energy, then distance = speed x time.",
-          way_from_rest(derived, index, from, rows[static_cast<std::size_t>(*find_integrator("energy"))]),
+          way_from_rest(derived, index, from, named("energy")),
           "m",
-          way_from_rest(derived, index, from, rows[static_cast<std::size_t>(*find_integrator("rk4"))]),
+          way_from_rest(derived, index, from, named("rk4")),
           "m",
           "A cart at rest on a slope never starts: with v = 0 it does not move. With s'' = -g T_y it rolls "
           "off. Values: metres after half a second."};

@@ -37,7 +37,7 @@ double median(std::span<const double> values) {
 }
 
 void time_row(Measurement& m, MeasuredRow& row, Share share, std::span<glm::vec3> points, const Clock& clock) {
-  const curve::Evaluator& evaluator = curve::evaluator(row.evaluator);
+  const curve::Evaluator& evaluator = base::row_of(row.evaluator);
   const int segments = std::max(1, kMeasuredPoints / static_cast<int>(points.size()));
   const double began = clock ? clock() : 0;
   for (int i = 0; i < segments; ++i) {
@@ -63,7 +63,7 @@ void find_errors(Measurement& m, std::size_t column, std::span<glm::vec3> points
     for (int i = 0; i <= steps; ++i)
       exact[static_cast<std::size_t>(i)] = curve::point_long_double(c.cubic, static_cast<double>(i) / steps);
     for (MeasuredRow& row : m.rows) {
-      curve::evaluator(row.evaluator).polyline(c, points, {});
+      base::row_of(row.evaluator).polyline(c, points, {});
       double& worst = row.cells[column].worst_error;
       for (std::size_t i = 0; i < points.size(); ++i)
         worst = std::max(worst, glm::length(glm::dvec3(points[i]) - exact[i]));
@@ -113,7 +113,7 @@ std::string to_csv(const Measurement& m, std::string_view machine) {
     for (std::size_t column = 0; column < kMeasuredSteps.size(); ++column) {
       const MeasuredCell& cell = row.cells[column];
       if (cell.rounds == 0) continue;
-      csv += fmt::format("{},{},{:.4g},{:.4g},{}\r\n", curve::evaluator(row.evaluator).name, kMeasuredSteps[column],
+      csv += fmt::format("{},{},{:.4g},{:.4g},{}\r\n", base::name_of(row.evaluator), kMeasuredSteps[column],
                          cell.ns_per_point, cell.worst_error, cell.rounds);
     }
   return csv;

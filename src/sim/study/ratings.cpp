@@ -94,15 +94,4 @@ Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff) {
   return r;
 }
 
-std::string_view text(world::FailureKind kind) {
-  switch (kind) {
-    case world::FailureKind::none: return "";
-    case world::FailureKind::stall: return "stalled";
-    case world::FailureKind::rollback: return "rolled back";
-    case world::FailureKind::off_end: return "ran off the open end";
-    case world::FailureKind::collision: return "collided";
-  }
-  return "";
-}
-
 }  // namespace coaster::sim

@@ -44,7 +44,4 @@ std::string report_text(const Ghost& ghost, const Ratings& ratings, std::span<co
                         const std::string& track_name);
 std::string report_csv(const Ghost& ghost, const RailTables& tables);
 
-// Returns the reason for the end of a ride as text: "", "stalled", "rolled back", "ran off the open end", "collided".
-std::string_view text(world::FailureKind kind);
-
 }  // namespace coaster::sim

@@ -24,8 +24,7 @@ float curvature_at(const SegmentShape& shape, int j) {
 
 // Millimetres: each position takes the largest of its nearest vertices; with few vertices, interpolates between two.
 void fill_error(const SegmentShape& shape, const world::Settings& settings, std::span<float> out) {
-  const auto& profile =
-      error_profile(shape.curve, curve::evaluators()[static_cast<std::size_t>(settings.evaluator)], settings.steps);
+  const auto& profile = error_profile(shape.curve, base::row_of(settings.evaluator), settings.steps);
   const double length = shape.arc.length(), step = length / (kValuesPerSegment - 1);
   std::fill(out.begin(), out.end(), 0.0f);
   double last = 0, before = 0;
@@ -138,8 +137,7 @@ void TrackValueMemo::fill_segments(const Derived& derived, const world::Settings
 
 const TrackValues& TrackValueMemo::update(const Derived& derived, const world::Settings& settings, const Ghost* ghost) {
   const Colouring colouring = settings.colouring;
-  const bool of_ride = world::colourings()[static_cast<std::size_t>(colouring)].of_ride,
-             of_evaluator = colouring == Colouring::error;
+  const bool of_ride = base::row_of(colouring).of_ride, of_evaluator = colouring == Colouring::error;
   const Key key{colouring, of_ride && ghost ? ghost->serial : 0, derived.last_build,
                 of_evaluator ? settings.evaluator : curve::EvaluatorId{}, of_evaluator ? settings.steps : 0};
   if (key == key_ && order_ == derived.order) return result_;

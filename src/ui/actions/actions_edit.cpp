@@ -56,8 +56,7 @@ void transform(Act& act) {
 bool snapping(const Act& act) { return act.ui.session().settings.snapping.to != world::SnapTo::off; }
 void next_snapping(Act& act) {
   const world::Snapping& s = act.ui.session().settings.snapping;
-  const auto next = static_cast<world::SnapTo>((static_cast<std::size_t>(s.to) + 1) % world::kSnapNames.size());
-  act.ui.emit(edit::SetSnapping{next, s.step, s.angle});
+  act.ui.emit(edit::SetSnapping{base::next_of(s.to), s.step, s.angle});
 }
 
 void select_none(Act& act) { act.ui.emit(edit::Select{}); }

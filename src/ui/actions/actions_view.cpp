@@ -79,20 +79,13 @@ void probe_back(Act& act) { step_probe(act, -kProbeStep); }
 void probe_on(Act& act) { step_probe(act, kProbeStep); }
 
 bool coloured(const Act& act) { return act.ui.session().settings.colouring != world::Colouring::plain; }
-void next_colouring(Act& act) {
-  const auto next = (static_cast<std::size_t>(act.ui.session().settings.colouring) + 1) % world::colourings().size();
-  act.ui.emit(edit::SetColouring{static_cast<world::Colouring>(next)});
-}
+void next_colouring(Act& act) { act.ui.emit(edit::SetColouring{base::next_of(act.ui.session().settings.colouring)}); }
 
 template <CameraMode mode>
 void look(Act& act) {
   choose_camera(act.ui, mode);
 }
-void next_camera(Act& act) {
-  const auto next =
-      (static_cast<std::size_t>(act.ui.session().settings.camera_mode) + 1) % world::kCameraModeNames.size();
-  choose_camera(act.ui, static_cast<CameraMode>(next));
-}
+void next_camera(Act& act) { choose_camera(act.ui, base::next_of(act.ui.session().settings.camera_mode)); }
 bool motion_reduced(const Act& act) { return act.ui.session().settings.feel.reduced_motion; }
 void toggle_reduced_motion(Act& act) { act.ui.emit(edit::SetReducedMotion{!motion_reduced(act)}); }
 bool head_bobs(const Act& act) { return act.ui.session().settings.feel.head_bob; }

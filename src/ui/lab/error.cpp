@@ -24,7 +24,7 @@ double bound_of(const curve::Cubic& c, const curve::Evaluator& evaluator, int st
 }
 
 ErrorStudy error_study(const sim::SegmentShape& shape, EvaluatorId id, int steps) {
-  const curve::Evaluator& evaluator = curve::evaluator(id);
+  const curve::Evaluator& evaluator = base::row_of(id);
   ErrorStudy study;
   for (const sim::ErrorSample& sample : sim::error_profile(shape.curve, evaluator, steps)) {
     study.t.push_back(sample.t);
@@ -40,10 +40,10 @@ void error_plot(Ui& ui, const Probe& probe, const ErrorStudy& one, const ErrorSt
   const world::Settings& settings = ui.session().settings;
   std::vector<Series> series;
   if (other != nullptr)
-    series.push_back({std::string(curve::evaluator(EvaluatorId{ui.lab.compared}).label), other->t, other->mm,
-                      row_colour(1), SeriesKind::line, 1.4f});
+    series.push_back({std::string(base::row_of(EvaluatorId{ui.lab.compared}).label), other->t, other->mm, row_colour(1),
+                      SeriesKind::line, 1.4f});
   series.push_back(
-      {std::string(curve::evaluator(settings.evaluator).label), one.t, one.mm, row_colour(0), SeriesKind::line, 1.6f});
+      {std::string(base::row_of(settings.evaluator).label), one.t, one.mm, row_colour(0), SeriesKind::line, 1.6f});
   const Level bound{"bound", one.bound, row_colour(3)};
   const auto drag = plot(ui, "Error plot",
                          {.x = {"t", "", AxisScale::linear, 0, 1},
@@ -59,8 +59,8 @@ void error_plot(Ui& ui, const Probe& probe, const ErrorStudy& one, const ErrorSt
 }
 
 void comparison(Ui& ui) {
-  std::vector<Choice> choices{{"nothing", "Only the chosen evaluator."}};
-  for (const auto& row : curve::evaluators()) choices.push_back({std::string(row.label), std::string(row.formula)});
+  std::vector<Choice> choices = choices_of<EvaluatorId>();
+  choices.insert(choices.begin(), {"nothing", "Only the chosen evaluator."});
   if (const auto to =
           combo(ui, "Beside", choices, ui.lab.compared + 1, "A second evaluator, drawn for comparison.", true))
     ui.lab.compared = *to - 1;

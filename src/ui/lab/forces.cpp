@@ -125,7 +125,7 @@ void side(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study) {
   if (button(ui, "Auto-bank",
              "Roll every knot so that riders feel no lateral g there at the ghost's speed. One step of undo."))
     ui.emit(edit::AutoBank{});
-  (void)beside_last(ui, world::layers()[static_cast<std::size_t>(world::Layer::limits)].label);
+  (void)beside_last(ui, base::row_of(world::Layer::limits).label);
   layer_box(ui, world::Layer::limits);
   if (study.red.empty()) small_note(ui, "Nothing lasts longer than it may.");
   const sim::Ratings& r = study.ratings;

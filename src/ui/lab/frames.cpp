@@ -57,14 +57,11 @@ void bend_plot(Ui& ui, const Probe& probe, const BendStudy& study, bool torsion,
 }
 
 void frame_choice(Ui& ui) {
-  std::vector<Choice> choices;
-  for (const sim::FrameMethodRow& row : sim::frame_methods())
-    choices.push_back({std::string(row.label), std::string(row.formula)});
-  const int current = static_cast<int>(ui.session().settings.frames);
-  const std::string tooltip = std::string(sim::frame_methods()[static_cast<std::size_t>(current)].formula);
-  if (const auto to = combo(ui, "Turned by", choices, current,
-                            "How carts and the ride camera are turned along the track. " + tooltip))
-    ui.emit(edit::SetFrames{static_cast<world::FrameMethod>(*to)});
+  const world::FrameMethod current = ui.session().settings.frames;
+  if (const auto to = combo_of(
+          ui, "Turned by", current,
+          "How carts and the ride camera are turned along the track. " + std::string(base::row_of(current).formula)))
+    ui.emit(edit::SetFrames{*to});
 }
 
 void side(Ui& ui, const Probe& probe) {
@@ -73,7 +70,7 @@ void side(Ui& ui, const Probe& probe) {
   bool alone = false;
   for (const world::Layer layer :
        {world::Layer::frames, world::Layer::flips, world::Layer::comb, world::Layer::circle}) {
-    alone = !(alone && beside_last(ui, world::layers()[static_cast<std::size_t>(layer)].label));
+    alone = !(alone && beside_last(ui, base::row_of(layer).label));
     layer_box(ui, layer);
   }
   read_out(ui, "Curvature", fixed(curve::curvature(probe.shape->key.cubic, probe.t), 5), "1/m",

@@ -39,7 +39,7 @@ LengthStudy study_of(const Cubic& cubic, int steps, const sim::Clock& clock) {
   const LengthDemand demand{steps, 1e-12};
   LengthStudy study;
   for (const curve::LengthComparison& one : curve::compare_lengths(cubic, demand)) {
-    const ArcLengthMethod& method = curve::arc_length_method(one.method);
+    const ArcLengthMethod& method = base::row_of(one.method);
     study.rows.push_back(
         {one.length, one.error, one.evaluations, seconds_of(method, cubic, demand_of(method, steps), clock) * 1e6});
   }

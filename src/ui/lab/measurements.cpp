@@ -45,7 +45,7 @@ void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, f
   ImGui::BeginChild(time ? "##times" : "##errors", {width, height}, false, ImGuiWindowFlags_NoNav);
   if (begin_table(ui, time ? "Times" : "Errors", columns, height)) {
     for (const sim::MeasuredRow& row : m.rows) {
-      const std::string name(curve::evaluator(row.evaluator).label);
+      const std::string name(base::row_of(row.evaluator).label);
       std::vector<Cell> cells{{name, kPlainColour, true}};
       std::string values;
       for (const sim::MeasuredCell& cell : row.cells) {
@@ -58,8 +58,7 @@ void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, f
         values += (values.empty() ? "" : " ") + words;
       }
       (void)table_row(ui, (time ? "Time of " : "Error of ") + name, cells,
-                      ui.session().settings.evaluator == row.evaluator, values,
-                      curve::evaluator(row.evaluator).formula);
+                      ui.session().settings.evaluator == row.evaluator, values, base::row_of(row.evaluator).formula);
     }
     end_table();
   }

@@ -119,18 +119,14 @@ void colour_value(Ui& ui, std::uint32_t rgb, std::string_view path, std::string_
 }
 
 void colouring_box(Ui& ui) {
-  std::vector<Choice> choices;
-  for (const world::ColouringRow& row : world::colourings())
-    choices.push_back({std::string(row.label), std::string(row.help)});
-  const int current = static_cast<int>(ui.session().settings.colouring);
-  if (const auto to =
-          combo(ui, "Colour by", choices, current,
-                with_keys(ui.keys, "What the track's colours mean; a legend shows in the view.", "Next track colours")))
-    ui.emit(edit::SetColouring{static_cast<world::Colouring>(*to)});
+  if (const auto to = combo_of(
+          ui, "Colour by", ui.session().settings.colouring,
+          with_keys(ui.keys, "What the track's colours mean; a legend shows in the view.", "Next track colours")))
+    ui.emit(edit::SetColouring{*to});
 }
 
 void layer_box(Ui& ui, world::Layer layer) {
-  const world::LayerRow& row = world::layers()[static_cast<std::size_t>(layer)];
+  const base::NameRow& row = base::row_of(layer);
   const std::string panel = std::exchange(ui.panel, ui.panel + "/View");  // pages and layers share names
   if (const auto on = checkbox(ui, row.label, ui.session().settings.layers.has(layer), row.help))
     ui.emit(edit::ShowLayer{layer, *on});

@@ -50,7 +50,7 @@ double step_of(const world::ElementParameter& p) {
 
 void parameters(Ui& ui) {
   Element element = ui.session().settings.element;
-  const world::ElementRow& row = world::element_row(element.kind);
+  const world::ElementRow& row = base::row_of(element.kind);
   bool changed = false;
   if (row.sided) {
     if (radio(ui, "Left", !element.right, "To the left of the direction of travel."))

@@ -66,13 +66,10 @@ void resolution(Ui& ui) {
 }
 
 void lengths(Ui& ui) {
-  std::vector<Choice> choices;
-  for (const auto& row : curve::arc_length_methods())
-    choices.push_back({std::string(row.label), std::string(row.formula)});
   const auto chosen =
-      combo(ui, "Arc length", choices, static_cast<int>(ui.session().settings.arc_length),
-            "How the displayed length is measured. The ride always uses the adaptive Gauss-Legendre rule.");
-  if (chosen) ui.emit(edit::SetArcLength{static_cast<curve::ArcLengthId>(*chosen)});
+      combo_of(ui, "Arc length", ui.session().settings.arc_length,
+               "How the displayed length is measured. The ride always uses the adaptive Gauss-Legendre rule.");
+  if (chosen) ui.emit(edit::SetArcLength{*chosen});
 }
 
 }  // namespace

@@ -102,13 +102,8 @@ void continuity(Ui& ui, Entity entity, Name name) {
 void knot_inspector(Ui& ui, Entity entity, Name name) {
   const world::Knot& knot = world::knot(ui.session().document, entity);
   shape(ui, name, knot);
-  static const std::array<Choice, 3> kJoints{
-      Choice{"Smooth (C1)", "Equal handle lengths: equal first derivatives."},
-      Choice{"Aligned (G1)", "One tangent line, lengths of their own."},
-      Choice{"Automatic", "Direction and lengths follow from the neighbours (as Catmull-Rom)."}};
-  if (const auto kind = combo(ui, "Joint", kJoints, static_cast<int>(knot.joint),
-                              "How the two segments at this knot are tied together."))
-    ui.emit(edit::SetJoint{{name}, static_cast<world::JointKind>(*kind)});
+  if (const auto kind = combo_of(ui, "Joint", knot.joint, "How the two segments at this knot are tied together."))
+    ui.emit(edit::SetJoint{{name}, *kind});
   continuity(ui, entity, name);
 }
 
@@ -143,11 +138,8 @@ void knots_inspector(Ui& ui, Entity active, const std::vector<Entity>& knots) {
                     .largest = 1e6};
   if (const auto to = number(ui, "Roll", roll, "Bank of all selected knots, degrees from the horizon."))
     ui.emit(edit::SetRoll{all, *to});
-  static const std::array<Choice, 3> kJoints{Choice{"Smooth (C1)", "Equal handle lengths."},
-                                             Choice{"Aligned (G1)", "One tangent line."},
-                                             Choice{"Automatic", "As Catmull-Rom."}};
-  if (const auto kind = combo(ui, "Joint", kJoints, static_cast<int>(knot.joint), "The joints of all selected knots."))
-    ui.emit(edit::SetJoint{all, static_cast<world::JointKind>(*kind)});
+  if (const auto kind = combo_of(ui, "Joint", knot.joint, "The joints of all selected knots."))
+    ui.emit(edit::SetJoint{all, *kind});
 }
 
 bool is_longest(const sim::Derived& derived, Entity entity) {

@@ -39,21 +39,16 @@ void equipment_values(Ui& ui, world::Name name, const world::Equipment& now) {
 void equipment(Ui& ui) {
   const edit::Session& session = ui.session();
   const world::Entity segment = chosen_segment(session);
-  static const std::array<Choice, 6> kKinds{
-      Choice{"Plain track", "Nothing but rails."},
-      Choice{"Station", "Stops a train at its end, waits, and sends it off."},
-      Choice{"Lift", "A chain: pulls up to its speed; nothing rolls back on it."},
-      Choice{"Launch", "Pushes until its speed is reached."},
-      Choice{"Brake", "Slows down to its speed."},
-      Choice{"Block", "A brake that holds a train until the section ahead is free."}};
+  std::vector<Choice> kinds = choices_of<world::EquipmentKind>();
+  kinds.insert(kinds.begin(), {"Plain track", "Nothing but rails."});
   if (!segment.valid()) {
-    combo(ui, "Equipment", std::span(kKinds).first(1), 0,
+    combo(ui, "Equipment", std::span(kinds).first(1), 0,
           "Select a segment to put a station, lift, launch, brake or block on it.");
     return;
   }
   const world::Name name = world::name_of(session.document, segment);
   const world::Equipment* const now = session.document.entities.find<world::Equipment>(segment);
-  if (const auto to = combo(ui, "Equipment", kKinds, now ? static_cast<int>(now->kind) + 1 : 0,
+  if (const auto to = combo(ui, "Equipment", kinds, now ? static_cast<int>(now->kind) + 1 : 0,
                             "What stands on the selected segment.")) {
     if (*to == 0 && now) ui.emit(edit::RemoveEquipment{{name}});
     if (*to > 0) {

@@ -67,11 +67,9 @@ void ride_methods(Ui& ui) {
     if (radio(ui, std::string(rows[i].label), settings.frames == method, std::string(rows[i].formula)))
       ui.emit(edit::SetFrames{method});
   }
-  std::vector<Choice> choices;
-  for (const auto& row : sim::integrators()) choices.push_back({std::string(row.label), std::string(row.formula)});
   const auto chosen =
-      combo(ui, "Integrator", choices, settings.integrator, "How speed and place advance from tick to tick (1/120 s).");
-  if (chosen) ui.emit(edit::SetIntegrator{{*chosen}});
+      combo_of(ui, "Integrator", settings.integrator, "How speed and place advance from tick to tick (1/120 s).");
+  if (chosen) ui.emit(edit::SetIntegrator{*chosen});
 }
 
 }  // namespace

@@ -55,14 +55,10 @@ struct Buttons {
 
 void snapping(Ui& ui) {
   const world::Snapping& now = ui.session().settings.snapping;
-  static const std::array<Choice, 4> kSnaps{Choice{"Nothing", "What is moved goes where the mouse is."},
-                                            Choice{"Grid", "Positions are whole steps."},
-                                            Choice{"Knots", "A knot under the cursor draws what is moved onto it."},
-                                            Choice{"Ground", "What is moved stays on the ground."}};
-  if (const auto to = combo(ui, "Snap to", kSnaps, static_cast<int>(now.to),
-                            "What moves by hand snaps to this; " + ui.keys.shown("Next snapping") +
-                                " takes the next. Hold Ctrl while moving for the other way round."))
-    ui.emit(edit::SetSnapping{static_cast<world::SnapTo>(*to), now.step, now.angle});
+  if (const auto to = combo_of(ui, "Snap to", now.to,
+                               "What moves by hand snaps to this; " + ui.keys.shown("Next snapping") +
+                                   " takes the next. Hold Ctrl while moving for the other way round."))
+    ui.emit(edit::SetSnapping{*to, now.step, now.angle});
   if (const auto to =
           number(ui, "Step", {.value = now.step, .unit = "m", .decimals = 3, .step = 0.01, .low = 0.001, .high = 1000},
                  "Of the grid."))

@@ -16,16 +16,6 @@ namespace {
 
 using edit::RideEnd;
 
-std::string title_of(const edit::RideResult& result) {
-  switch (result.end) {
-    case RideEnd::lap: return "A whole lap";
-    case RideEnd::open_end: return "To the end of the track";
-    case RideEnd::time: return "The time is up";
-    case RideEnd::failed: return "The ride failed";
-  }
-  return {};
-}
-
 void wrapped(Ui& ui, std::string_view label, const std::string& words, std::uint32_t rgb) {
   ImGui::PushStyleColor(ImGuiCol_Text, colour(rgb));
   ImGui::PushTextWrapPos(0);
@@ -126,7 +116,7 @@ void build(Ui& ui, const edit::Session& session) {
   ImGui::PopStyleColor();
   note_item(ui, "Track", "label", "", true, session.document.name);
   const bool failed = result.end == RideEnd::failed;
-  wrapped(ui, "Title", title_of(result), failed ? palette().error : palette().text);
+  wrapped(ui, "Title", std::string(base::row_of(result.end).label), failed ? palette().error : palette().text);
   if (!result.reason.empty())
     wrapped(ui, "Reason", sentence(result.reason), failed ? palette().warning : palette().dim);
   if (result.verdict) {

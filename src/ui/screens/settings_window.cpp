@@ -16,8 +16,6 @@
 namespace coaster::ui {
 namespace {
 
-constexpr std::string_view kThemeLabels[] = {"Dark", "Light", "High contrast"};
-
 // Steps and no slider: that would move away under the mouse.
 void scale(Ui& ui) {
   constexpr int kPercent[] = {75, 90, 100, 110, 125, 150, 175, 200, 250, 300};
@@ -35,15 +33,8 @@ void scale(Ui& ui) {
 void look(Ui& ui) {
   const world::Settings& settings = ui.session().settings;
   scale(ui);
-  std::vector<Choice> themes;
-  for (const std::string_view label : kThemeLabels) themes.push_back({std::string(label), "Colours of the panels."});
-  if (const auto to = combo(ui, "Theme", themes, static_cast<int>(settings.theme), "Colours of the panels."))
-    ui.emit(edit::SetTheme{static_cast<world::Theme>(*to)});
-  const std::vector<Choice> styles{{"Day", "The sun high, a clear sky."},
-                                   {"Dusk", "The sun low, long shadows."},
-                                   {"Blueprint", "Lines on blue, for the laboratory and for print."}};
-  if (const auto to = combo(ui, "Scene", styles, static_cast<int>(settings.style), "Light, sky and ground."))
-    ui.emit(edit::SetStyle{static_cast<world::Style>(*to)});
+  if (const auto to = combo_of(ui, "Theme", settings.theme, "Colours of the panels.")) ui.emit(edit::SetTheme{*to});
+  if (const auto to = combo_of(ui, "Scene", settings.style, "Light, sky and ground.")) ui.emit(edit::SetStyle{*to});
   const bool built = platform::sound_library() != "none";
   if (const auto to = slider(ui, "Sound (%)", static_cast<int>(std::lround(100 * settings.sound)), 0, 100, false,
                              built ? "Loudness of the ride in a window; 0: silent. So it is without a sound device."

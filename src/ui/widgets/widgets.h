@@ -106,6 +106,23 @@ std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice>
                          std::string_view tooltip,
                          bool may_cut = false);  // may_cut: beside its label even where the widest choice is cut
 
+// The labels and help of an enumeration's rows.
+template <base::Named E>
+std::vector<Choice> choices_of() {
+  std::vector<Choice> choices;
+  for (const auto& row : rows_of(E{})) {
+    if constexpr (requires { row.formula; }) choices.push_back({std::string(row.label), std::string(row.formula)});
+    else choices.push_back({std::string(row.label), std::string(row.help)});
+  }
+  return choices;
+}
+template <base::Named E>
+std::optional<E> combo_of(Ui& ui, std::string_view label, E current, std::string_view tooltip) {
+  const auto chosen = combo(ui, label, choices_of<E>(), static_cast<int>(current), tooltip);
+  if (!chosen) return std::nullopt;
+  return static_cast<E>(*chosen);
+}
+
 struct Number {
   double value = 0;
   const char* unit = "";

@@ -142,8 +142,7 @@ bool too_costly(Command& command, test::RandomCommands& random) {
   if (RideStep* const step = command.as<RideStep>())
     step->ticks = std::min(step->ticks, 1 + static_cast<int>(random.below(120)));
   const auto* const row = command.as<SetIntegrator>();
-  const bool timetable =
-      row && sim::integrators()[static_cast<std::size_t>(row->to.row)].kind == sim::IntegratorKind::timetable;
+  const bool timetable = row && base::row_of(row->to).kind == sim::IntegratorKind::timetable;
   return (command.is<AutoBank>() || timetable) && random.below(8) != 0;
 }
 

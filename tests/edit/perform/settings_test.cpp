@@ -96,7 +96,7 @@ TEST_F(ChangingSettings, a_segment_is_selected_with_its_place) {
 TEST_F(ChangingSettings, rows_that_no_table_has_are_refused) {
   refused(SetEvaluator{curve::EvaluatorId{99}}, "no row 99");
   refused(SetArcLength{curve::ArcLengthId{-1}}, "no row -1");
-  refused(SetIntegrator{{99}}, "no row 99");
+  refused(SetIntegrator{world::IntegratorId{99}}, "no row 99");
 }
 
 TEST_F(ChangingSettings, the_scale_is_clamped) {

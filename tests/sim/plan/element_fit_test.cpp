@@ -32,7 +32,7 @@ TEST(element_fit, every_element_at_any_end_keeps_its_tolerances_and_every_joint_
     const ElementPlan plan = plan_element(element, end);
     if (!plan.refusal.empty()) continue;
     ++fitted;
-    const std::string what = std::string(world::element_row(element.kind).name) + " " + std::to_string(i);
+    const std::string what = std::string(base::row_of(element.kind).name) + " " + std::to_string(i);
     const std::vector<world::Knot>& knots = plan.fit.knots;
     ASSERT_TRUE(plan.fit.within) << what;
     double farthest = 0;

@@ -65,7 +65,7 @@ TEST(element_path, tangent_and_curvature_are_the_derivatives_of_the_places_in_ev
     const ElementShape shape = element_shape(element, random.end(), lines);
     if (!shape.refusal.empty()) continue;
     const std::vector<ElementPoint>& p = shape.curve.points;
-    const std::string what(world::element_row(element.kind).name);
+    const std::string what(base::row_of(element.kind).name);
     for (std::size_t k = 1; k < p.size(); ++k) {
       const double h = p[k].s - p[k - 1].s;
       ASSERT_GT(h, 0) << what;

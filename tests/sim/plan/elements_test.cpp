@@ -15,7 +15,7 @@ using world::ElementKind;
 TEST(elements, values_beyond_the_limits_are_cut_with_a_line_that_says_limit) {
   for (std::size_t kind = 0; kind < world::elements().size(); ++kind) {
     const world::Element usual = world::usual_element(static_cast<ElementKind>(kind));
-    const auto& parameters = world::element_row(usual.kind).parameters;
+    const auto& parameters = base::row_of(usual.kind).parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i)
       for (const double far : {-1e9, 1e9}) {
         world::Element element = usual;
@@ -34,7 +34,7 @@ TEST(elements, what_is_no_number_becomes_the_usual_one_and_nothing_is_ever_nan) 
     const world::Element usual = world::usual_element(static_cast<ElementKind>(kind));
     world::Element broken = usual;
     for (double& value : broken.values) value = std::numeric_limits<double>::quiet_NaN();
-    broken.right = !world::element_row(usual.kind).sided;
+    broken.right = !base::row_of(usual.kind).sided;
     EXPECT_EQ(plan_element(broken, TrackEnd{}).element, usual) << world::elements()[kind].name;
   }
   test::RandomElements random(31);

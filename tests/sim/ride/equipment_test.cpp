@@ -22,7 +22,7 @@ struct Ride {
     motion.state = world::RideState::running;
   }
   void step(int ticks, const char* row = "rk4") {
-    sim::step(document, derived, find_integrator(row).value(), ticks, memo, motion);
+    sim::step(document, derived, base::value_named<world::IntegratorId>(row).value(), ticks, memo, motion);
   }
   world::CartMotion& train(std::size_t i = 0) { return motion.carts.items().at(i); }
   double drift(std::size_t i = 0) { return energy_drift(document, derived, motion.carts.entities().at(i), train(i)); }

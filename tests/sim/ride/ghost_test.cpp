@@ -191,7 +191,7 @@ TEST(ghost, the_timetable_is_the_ghost_tick_by_tick_and_goes_on_after_a_lap) {
   world::Motion motion;
   reset(setup.document, setup.derived, motion);
   motion.state = world::RideState::running;
-  const int row = find_integrator("precomputed").value();
+  const world::IntegratorId row = base::value_named<world::IntegratorId>("precomputed").value();
   const Ghost ghost = setup.ghost();
   for (std::size_t tick = 1; tick + 1 < ghost.samples.size(); ++tick) {  // in the last tick the next lap begins
     step(setup.document, setup.derived, row, 1, setup.memo, motion);

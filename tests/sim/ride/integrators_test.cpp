@@ -11,8 +11,8 @@ namespace integrators_test {
 
 TEST(integrators, names_are_unique_and_found) {
   for (std::size_t i = 0; i < integrators().size(); ++i)
-    EXPECT_EQ(find_integrator(integrators()[i].name), static_cast<int>(i));
-  EXPECT_EQ(find_integrator("explicit_euler"), std::nullopt);
+    EXPECT_EQ(base::value_named<world::IntegratorId>(integrators()[i].name), world::IntegratorId{static_cast<int>(i)});
+  EXPECT_EQ(base::value_named<world::IntegratorId>("explicit_euler"), std::nullopt);
   EXPECT_EQ(integrators()[0].name, "rk4");
 }
 
@@ -51,19 +51,18 @@ struct Alone {
 TEST(integrators, have_their_orders) {
   const Derived derived = test::derived_of(test::sample_document());
   const Alone alone(derived, 1, 0.21 * derived.shape(derived.order[1]).arc.length());
-  const auto run = [&](int row, int steps) {
+  const auto run = [&](world::IntegratorId row, int steps) {
     TrainState state{0, 9.7, 0};
-    for (int i = 0; i < steps; ++i)
-      state = integrators()[static_cast<std::size_t>(row)].advance(alone.context, state, 1.1 / steps);
+    for (int i = 0; i < steps; ++i) state = base::row_of(row).advance(alone.context, state, 1.1 / steps);
     return state.x;
   };
-  const double exact = run(0, 4096);
-  const auto order = [&](int row, int steps) {
+  const double exact = run({}, 4096);
+  const auto order = [&](world::IntegratorId row, int steps) {
     return std::log2(std::abs(run(row, steps) - exact) / std::abs(run(row, 2 * steps) - exact));
   };
-  EXPECT_NEAR(order(*find_integrator("rk4"), 32), 4, 0.4);
-  EXPECT_NEAR(order(*find_integrator("verlet"), 64), 2, 0.2);
-  EXPECT_NEAR(order(*find_integrator("euler"), 64), 1, 0.2);
+  EXPECT_NEAR(order(*base::value_named<world::IntegratorId>("rk4"), 32), 4, 0.4);
+  EXPECT_NEAR(order(*base::value_named<world::IntegratorId>("verlet"), 64), 2, 0.2);
+  EXPECT_NEAR(order(*base::value_named<world::IntegratorId>("euler"), 64), 1, 0.2);
 }
 
 TEST(integrators, the_papers_method_takes_the_speed_from_the_energy) {
@@ -71,7 +70,7 @@ TEST(integrators, the_papers_method_takes_the_speed_from_the_energy) {
   const SegmentShape& shape = derived.shape(derived.order[0]);
   const double s = 0.3 * shape.arc.length(), height = rail_point(shape, s).height, datum = 2.7;
   const Alone alone(derived, 0, s, datum, 9.81 * (height - datum) + 0.5 * 8.1 * 8.1);
-  const Integrator& row = integrators()[static_cast<std::size_t>(*find_integrator("energy"))];
+  const Integrator& row = base::row_of(*base::value_named<world::IntegratorId>("energy"));
   const TrainState forward = row.advance(alone.context, {0, 1, 0}, 0.01),
                    backward = row.advance(alone.context, {0, -1, 0}, 0.01);
   EXPECT_NEAR(forward.speed, 8.1, 1e-12);

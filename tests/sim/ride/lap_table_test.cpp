@@ -88,7 +88,7 @@ struct Rides {
     motion.state = world::RideState::running;
   }
   void step(int ticks, const char* row) {
-    sim::step(lap.document, lap.derived, find_integrator(row).value(), ticks, lap.memo, motion);
+    sim::step(lap.document, lap.derived, base::value_named<world::IntegratorId>(row).value(), ticks, lap.memo, motion);
   }
   const world::CartMotion& cart() const { return motion.carts.items()[0]; }
   // The first time at which it has gone round `laps` times, s, by the ticks around it and the speed.

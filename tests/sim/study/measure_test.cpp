@@ -56,7 +56,7 @@ TEST(measure, every_processor_row_is_measured_at_every_number_of_steps) {
   EXPECT_EQ(progress(m), 1);
   ASSERT_EQ(m.rows.size(), processor_rows());
   for (const MeasuredRow& row : m.rows) {
-    EXPECT_EQ(curve::evaluator(row.evaluator).evaluated_by, curve::EvaluatedBy::processor);
+    EXPECT_EQ(base::row_of(row.evaluator).evaluated_by, curve::EvaluatedBy::processor);
     for (std::size_t i = 0; i < kMeasuredSteps.size(); ++i) {
       const MeasuredCell& cell = row.cells[i];
       EXPECT_EQ(cell.rounds, kMeasureRounds);
@@ -84,7 +84,7 @@ TEST(measure, the_cell_is_the_median_of_its_rounds) {
 TEST(measure, the_worst_error_is_that_of_the_worst_vertex) {
   const Derived derived = test::derived_of(test::ring_document(5, 23.7));
   const Measurement m = finished(derived, {});
-  const auto id = *curve::find_evaluator("forward_differences");
+  const auto id = *base::value_named<curve::EvaluatorId>("forward_differences");
   const MeasuredRow* const row = row_of(m, id);
   ASSERT_NE(row, nullptr);
   for (std::size_t i = 0; i < kMeasuredSteps.size(); ++i) {
@@ -124,7 +124,7 @@ TEST(measure, few_curves_stand_for_a_long_track) {
 TEST(measure, csv_is_a_header_and_a_line_a_cell) {
   Measurement m;
   MeasuredRow row;
-  row.evaluator = *curve::find_evaluator("horner");
+  row.evaluator = *base::value_named<curve::EvaluatorId>("horner");
   row.cells[1] = {3.25, 1.5e-6, 9};
   m.rows.push_back(row);
   EXPECT_EQ(

@@ -7,7 +7,7 @@
 namespace coaster::sim {
 namespace rounding_test {
 
-const curve::Evaluator& row(const char* name) { return curve::evaluator(*curve::find_evaluator(name)); }
+const curve::Evaluator& row(const char* name) { return base::row_of(*base::value_named<curve::EvaluatorId>(name)); }
 
 const curve::PreparedCubic kCurve = curve::prepare(
     {{103.37f, 17.91f, -251.3f}, {109.13f, 23.7f, -247.9f}, {118.71f, 19.3f, -239.1f}, {121.9f, 11.7f, -233.3f}});

@@ -35,9 +35,7 @@ TEST_P(themes, texts_can_be_read_on_every_ground) {
 
 INSTANTIATE_TEST_SUITE_P(all, themes,
                          testing::Values(world::Theme::dark, world::Theme::light, world::Theme::high_contrast),
-                         [](const auto& of) {
-                           return std::string(world::kThemeNames[static_cast<std::size_t>(of.param)]);
-                         });
+                         [](const auto& of) { return std::string(base::name_of(of.param)); });
 
 TEST(ink, colours_of_data_can_be_told_from_the_ground_of_light_plots_and_stay_as_they_are_on_dark_ones) {
   ImGuiContext* const context = ImGui::CreateContext();

@@ -11,7 +11,7 @@ TEST_F(WidgetsTest, a_click_on_a_radio_chooses_that_evaluator_and_no_other) {
   click("Evaluation/Forward differences");
   ASSERT_EQ(all<edit::SetEvaluator>().size(), 1u);
   const curve::EvaluatorId chosen = session_.settings.evaluator;
-  EXPECT_EQ(curve::evaluator(chosen).label, "Forward differences");
+  EXPECT_EQ(base::row_of(chosen).label, "Forward differences");
   EXPECT_EQ(find("Evaluation/Forward differences")->value, "on");
   EXPECT_EQ(find("Evaluation/Horner")->value, "off");
   click("Evaluation/Forward differences");
