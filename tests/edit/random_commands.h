@@ -8,6 +8,7 @@
 
 #include "edit/commands/commands.h"
 #include "sim/ride/ride.h"
+#include "sim/shape/frame_methods.h"
 
 namespace coaster::test {
 

@@ -42,7 +42,7 @@ struct Ride {
     sim::reset(document, derived, motion);
     motion.state = world::RideState::running;
   }
-  void step(int ticks, int row) { sim::step(document, derived, row, ticks, memo, motion); }
+  void step(int ticks, world::IntegratorId row) { sim::step(document, derived, row, ticks, memo, motion); }
   std::uint64_t hash() const { return world::hash(document, motion); }
 };
 
@@ -75,8 +75,8 @@ void expect_resumable(const world::Document& document, const std::string& name,
     parts.begin();
     const double from = parts.motion.carts.items()[0].travelled;
     for (int tick = 0; tick < kTicks; tick += kEvery) {
-      whole.step(kEvery, static_cast<int>(row));
-      parts.step(kEvery, static_cast<int>(row));
+      whole.step(kEvery, world::IntegratorId{static_cast<int>(row)});
+      parts.step(kEvery, world::IntegratorId{static_cast<int>(row)});
       ASSERT_EQ(parts.hash(), whole.hash()) << name << " " << sim::integrators()[row].name << " tick " << tick + kEvery;
       Ride next(loaded(parts.document));
       next.motion = renamed(parts.motion, parts.document, next.document);

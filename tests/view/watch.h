@@ -42,7 +42,7 @@ struct Watch {
   Watched watched() const { return {document, derived, motion, settings}; }
   void look(int ticks) { follow(rig, watched(), ticks); }
   void tick() {
-    sim::step(document, derived, 0, 1, memo, motion);
+    sim::step(document, derived, {}, 1, memo, motion);
     look(1);
   }
   const world::CartMotion& cart() const { return motion.carts.items()[0]; }

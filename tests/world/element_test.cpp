@@ -11,7 +11,7 @@ TEST(element, rows_stand_in_the_order_of_their_kinds_and_usual_values_are_within
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < elements().size(); ++i) {
     const auto kind = static_cast<ElementKind>(i);
-    const ElementRow& row = element_row(kind);
+    const ElementRow& row = base::row_of(kind);
     EXPECT_EQ(&row, &elements()[i]);
     EXPECT_TRUE(names.insert(row.name).second) << row.name;
     ASSERT_LE(row.parameters.size(), kMaxElementParameters);
@@ -32,13 +32,13 @@ TEST(element, rows_stand_in_the_order_of_their_kinds_and_usual_values_are_within
       EXPECT_EQ(value_of(usual, parameter.name), parameter.usual) << row.name << " " << parameter.name;
     }
   }
-  EXPECT_EQ(element_row(ElementKind::corkscrew).name, "corkscrew");
+  EXPECT_EQ(base::row_of(ElementKind::corkscrew).name, "corkscrew");
 }
 
 TEST(element, a_value_is_the_one_of_its_name) {
   Element e = usual_element(ElementKind::helix);
   for (std::size_t i = 0; i < kMaxElementParameters; ++i) e.values[i] = 100.5 + static_cast<double>(i);
-  const auto parameters = element_row(e.kind).parameters;
+  const auto parameters = base::row_of(e.kind).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i)
     EXPECT_EQ(value_of(e, parameters[i].name), 100.5 + static_cast<double>(i));
 }

@@ -132,7 +132,7 @@ Status perform(Session& session, Change& change, const Align& command) {
   if (!knots) return knots.status();
   if (!std::isfinite(command.to)) return refused("expected a finite coordinate");
   const int axis = static_cast<int>(command.axis);
-  const std::string what = "position." + std::string(base::name_of(axis));
+  const std::string what = "position." + std::string(base::name_of(command.axis));
   const double to = change.clamp(what, command.to, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}, "m");
   for (const Entity e : *knots) session.document.entities.get<Knot>(e).position[axis] = static_cast<float>(to);
   return {};

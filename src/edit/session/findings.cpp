@@ -45,7 +45,7 @@ const Findings& find(Session& session, Want wanted) { return find(session, wante
 const Findings& find(Session& session, Want wanted, const world::Element& element) {
   Findings& found = session.findings;
   Findings::Memory& memory = found.memory;
-  const bool by_ride = world::colourings()[static_cast<std::size_t>(session.settings.colouring)].of_ride;
+  const bool by_ride = base::row_of(session.settings.colouring).of_ride;
   if (has(wanted, Want::document_hash))
     found.document_hash = memory.document_hash.get(session.edits, [&] { return world::hash(session.document); });
   if (has(wanted, Want::ride | Want::ratings | Want::overloads) || (has(wanted, Want::values) && by_ride))

@@ -28,7 +28,7 @@ std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Re
   add(out, "  {:<22} {:8.2f} m\n", "length", r.length);
   add(out, "  {:<22} {:8.2f} s{}\n", ghost.lap ? "lap" : "time", r.seconds, ghost.lap ? "" : " (no complete lap)");
   if (ghost.end != world::FailureKind::none)
-    add(out, "  {:<22} {} at {:.1f} m\n", "end", text(ghost.end), ghost.distance(ghost.samples.size() - 1));
+    add(out, "  {:<22} {} at {:.1f} m\n", "end", base::name_of(ghost.end), ghost.distance(ghost.samples.size() - 1));
   add(out, "  {:<22} {:8}, {} m apart\n", "cars", ghost.start.cars, static_cast<int>(std::lround(ghost.start.spacing)));
   add_extreme(out, "top speed", r.top_speed, "m/s");
   add(out, "  {:<22} {:8.2f} m/s\n", "mean speed", r.mean_speed);

@@ -102,7 +102,7 @@ TEST(ghost, keeps_the_energy_and_agrees_with_runge_kutta_on_the_exact_curve) {
     for (std::size_t tick = 0; tick < ghost.samples.size(); ++tick) {
       const world::CartMotion& cart = motion.carts.items()[0];
       worst = std::max(worst, std::abs(cart.travelled - ghost.samples[tick].travelled));
-      step(setup.document, setup.derived, 0, 1, setup.memo, motion);
+      step(setup.document, setup.derived, {}, 1, setup.memo, motion);
     }
     EXPECT_LT(worst, 2e-3) << cars;  // m
     // The lap's time, by the speed at the end of it.

@@ -62,7 +62,7 @@ TEST(rail_tables, what_riders_feel_is_what_the_ride_says_on_the_exact_curve) {
   motion.state = world::RideState::running;
   std::size_t hint = 0;
   for (int n = 0; n < 400; ++n) {
-    step(d, derived, 0, 3, memo, motion);
+    step(d, derived, {}, 3, memo, motion);
     const world::CartMotion& at = motion.carts.get(cart);
     // Within 1 m of a joint the heartline's bend jumps: the table's difference quotient spreads it.
     if (at.s < 1 || at.segment_length - at.s < 1) continue;

@@ -71,7 +71,7 @@ TEST(ride_report, says_why_a_ride_ended_early) {
   ASSERT_NE(ride.ghost->end, world::FailureKind::none);
   const std::string report = report_text(*ride.ghost, ride.ratings, ride.red, "");
   EXPECT_NE(report.find("no complete lap"), std::string::npos);
-  EXPECT_NE(report.find(std::string(text(ride.ghost->end)) + " at "), std::string::npos);
+  EXPECT_NE(report.find(std::string(base::name_of(ride.ghost->end)) + " at "), std::string::npos);
 }
 
 TEST(ride_report, the_values_by_time_are_a_table_of_the_ghost) {
