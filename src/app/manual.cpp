@@ -12,7 +12,7 @@
 namespace coaster::app {
 namespace {
 
-// Text for roff: a "-" that can be typed, no escapes, no line that a control character begins.
+// Escapes text for roff: "-" as a plain minus, no line that starts with a control character.
 std::string roff(std::string_view text) {
   std::string out;
   for (const char c : text) {

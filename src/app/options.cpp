@@ -1,4 +1,4 @@
-// The table of options, and the command line read by CLI11, whose exceptions end here.
+// The table of options, and the command line parsed by CLI11, whose exceptions are caught here.
 #include "app/options.h"
 
 #include <CLI/CLI.hpp>

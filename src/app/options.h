@@ -1,4 +1,4 @@
-// The command line: one table from which it is parsed, --help, the manual page and the shell's completion are made.
+// The command line: one table for the parser, --help, the manual page and the shell completion.
 #pragma once
 
 #include <cstdint>
@@ -25,24 +25,24 @@ struct Options {
   int fps = script::kUsualMovieRate;
   bool gif = false;
   bool update_goldens = false, validate = false, json = false, hash_log = false, report = false;
-  std::string config;  // folder of settings and autosaves; empty: the user's, for windows alone
+  std::string config;  // folder of settings and autosaves; empty: the user's, only for windows
   bool reset_layout = false;
   bool help_script = false, help_man = false, help_completion = false;
 };
 
-// What a word of the command line is, so that a shell can complete it.
+// The kind of a word of the command line, for completion.
 enum class Word : std::uint8_t { nothing, track, script, json, folder, camera, rate, other };
 
 struct OptionRow {
-  std::string_view name;   // "--script"; "FILE": the word without an option
-  std::string_view value;  // what follows it, as help shows it; "" for a switch
-  Word word;               // what that is; nothing for a switch
+  std::string_view name;   // "--script"; "FILE": the positional argument
+  std::string_view value;  // its value as shown in help; "" for a switch
+  Word word;               // kind of the value; nothing for a switch
   std::string_view help;   // one sentence, without a full stop
   std::variant<bool Options::*, std::string Options::*, int Options::*, std::uint64_t Options::*,
                std::optional<std::int64_t> Options::*>
       member;
 };
-// In the order of help; --help and --version, which every program has, are not among them.
+// Returns the options in the order of help, without --help and --version.
 std::span<const OptionRow> option_rows();
 
 struct ExitCodeRow {
@@ -51,16 +51,16 @@ struct ExitCodeRow {
 std::span<const ExitCodeRow> exit_code_rows();
 
 inline constexpr std::string_view kSummary = "Builds and rides roller coasters made of cubic Bezier curves.";
-// "coaster 0.1.0", and what the program was built with.
+// Returns "coaster 0.1.0" and the libraries that the program was built with.
 std::string version_text();
 
 struct ParsedOptions {
   Options options;
-  std::optional<int> exit_code;  // set when the program is to end at once
-  std::string text;              // what to print then: to stdout for exit code 0, else to stderr
+  std::optional<int> exit_code;  // set if the program should exit at once
+  std::string text;              // text to print then: to stdout for exit code 0, else to stderr
 };
 
-// Unknown arguments are errors: exit code 2.
+// Parses the command line. Unknown arguments are errors: exit code 2.
 ParsedOptions parse_options(int argc, const char* const* argv);
 
 }  // namespace coaster::app

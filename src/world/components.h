@@ -1,4 +1,4 @@
-// What a document is made of: plain components. To add one, add the struct and name it in Document's registry.
+// The components of a document: plain structs. To add one, add the struct and list it in Document's registry.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace coaster::world {
 
-// Limits of what a document may hold; files beyond them are refused, edits are clamped with a notice.
+// Limits of a document. Files beyond them are rejected; edits are clamped with a notice.
 inline constexpr float kMaxCoordinate = 100'000.0f;  // m, of positions
 inline constexpr float kMinHandle = 0.01f;           // m
 inline constexpr float kMaxHandle = 10'000.0f;       // m
@@ -20,10 +20,10 @@ inline constexpr int kMaxTurns = 16;                 // whole turns of roll with
 inline constexpr double kMaxSpeed = 150.0;           // m/s, of the start speed
 inline constexpr std::size_t kMaxKnots = 1'000'000;
 inline constexpr int kMaxCars = 32;                              // of a train
-inline constexpr float kMinSpacing = 1.0f, kMaxSpacing = 20.0f;  // m between the middles of neighbouring cars
+inline constexpr float kMinSpacing = 1.0f, kMaxSpacing = 20.0f;  // m between the centres of neighbouring cars
 inline constexpr float kMaxAcceleration = 60.0f;                 // m/s^2, of lifts, launches and brakes
 inline constexpr float kMaxRolling = 1.0f, kMaxDrag = 0.1f;      // of resistance; 1, 1/m
-inline constexpr double kMaxHeartline = 5.0;                     // m over the rails
+inline constexpr double kMaxHeartline = 5.0;                     // m above the rails
 inline constexpr float kMinAcceleration = 0.1f;                  // m/s^2
 inline constexpr float kMaxDwell = 600.0f;                       // s, of stations
 
@@ -36,11 +36,11 @@ inline constexpr base::NameRow kJointKinds[] = {
     {"automatic", "Automatic", "Direction and lengths follow from the neighbours (as Catmull-Rom)."}};
 constexpr std::span<const base::NameRow> rows_of(JointKind) { return kJointKinds; }
 
-// A place the track goes through. Knots own the geometry; a common tangent line at every joint (G1) cannot be broken.
+// A point on the track. Knots own the geometry, so every joint has a common tangent line (G1).
 struct Knot {
   glm::vec3 position{0};       // m, |coordinate| <= kMaxCoordinate
   glm::vec3 tangent{1, 0, 0};  // unit, direction of travel
-  glm::vec3 up{0, 1, 0};       // unit, perpendicular to tangent: what the riders' heads point to
+  glm::vec3 up{0, 1, 0};       // unit, perpendicular to tangent: direction of the riders' heads
   float in_length = 5;         // m, from the knot back to the handle before it; kMinHandle..kMaxHandle
   float out_length = 5;        // m, to the handle after it
   JointKind joint = JointKind::smooth;
@@ -50,37 +50,37 @@ struct Knot {
 // A cubic from one knot to the next; its control points follow from the knots (world/document.h: cubic_of).
 struct Segment {
   Entity from, to;
-  std::int32_t turns = 0;  // whole turns about the tangent added to the least twist between the knots' `up`
+  std::int32_t turns = 0;  // whole turns about the tangent added to the smallest twist between the knots' `up`
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
 inline constexpr float kCarLength = 2.2f;  // m
-inline constexpr float kCarMass = 500.0f;  // kg: the car that drag is told for
+inline constexpr float kCarMass = 500.0f;  // kg: the car mass for which drag is given
 inline constexpr float kMinCarLength = 0.5f, kMaxCarLength = 20.0f, kMinCarMass = 1.0f, kMaxCarMass = 100'000.0f;
 
-// A cart as designed: where its first car starts, and how many cars follow it. All cars of a train weigh the same, so
-// that without losses the motion depends on their places alone; drag slows heavy cars less.
+// A train as designed: the start position of its first car, and its number of cars. All cars have the same mass, so
+// without losses the motion depends on positions alone; drag slows heavy cars less.
 struct Cart {
   Entity segment;
   double fraction = 0;        // of the segment's arc length, [0,1)
   std::int32_t cars = 1;      // 1..kMaxCars
-  float spacing = 3.0f;       // m of rail between the middles of neighbouring cars
+  float spacing = 3.0f;       // m of rail between the centres of neighbouring cars
   float length = kCarLength;  // m of a car's body
   float mass = kCarMass;      // kg of a car with its riders
-  // What is drawn, and what collides: cars of one train do not overlap.
+  // Length for drawing and collisions: cars of one train do not overlap.
   float body() const { return length < spacing ? length : spacing; }
   double behind() const {
     return (cars - 1) * double{spacing};
-  }  // m of rail from the first car's middle to the last one's
+  }  // m of rail from the first car's centre to the last one's
   friend bool operator==(const Cart&, const Cart&) = default;
 };
 
-// What the rails of a segment do to the trains on it. A segment without this component is plain track.
-// station: stops a train at its end, waits `seconds`, and sends it off at up to `speed`.
-// lift:    a chain that pulls up to `speed`, lets nothing roll back, and does not hold back what is faster.
-// launch:  pushes with `acceleration` until `speed` is reached.
-// brake:   slows with `acceleration`, from above speed + hysteresis until below speed - hysteresis.
-// block:   a brake that lets a train out once the section after it is free, and stops it at its end until then.
+// The effect of a segment's rails on trains. A segment without this component is plain track.
+// station: stops a train at its end, waits `seconds`, and dispatches it at up to `speed`.
+// lift:    a chain that pulls up to `speed`, prevents rollback, and does not slow faster trains.
+// launch:  accelerates with `acceleration` until `speed` is reached.
+// brake:   decelerates with `acceleration`, from above speed + hysteresis until below speed - hysteresis.
+// block:   a brake that stops a train at its end until the section after it is free.
 enum class EquipmentKind : std::uint8_t { station, lift, launch, brake, block };
 inline constexpr base::NameRow kEquipmentKinds[] = {
     {"station", "Station", "Stops a train at its end, waits, and sends it off."},
@@ -93,8 +93,8 @@ struct Equipment {
   EquipmentKind kind = EquipmentKind::lift;
   float speed = 4;          // m/s, 0..kMaxSpeed
   float acceleration = 3;   // m/s^2, above 0, at most kMaxAcceleration
-  float hysteresis = 0.5f;  // m/s, brakes alone
-  float seconds = 5;        // s, stations alone
+  float hysteresis = 0.5f;  // m/s, brakes and blocks
+  float seconds = 5;        // s, stations
   friend bool operator==(const Equipment&, const Equipment&) = default;
 };
 

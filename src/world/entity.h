@@ -1,4 +1,4 @@
-// Generational entity ids and the names people use for them.
+// Generational entity ids and their names.
 #pragma once
 
 #include <compare>
@@ -12,7 +12,7 @@
 
 namespace coaster::world {
 
-// A slot and how often it has been used; an id of a destroyed entity never comes alive again. The default is "none".
+// A slot and its use count; the id of a destroyed entity never becomes valid again. The default is "none".
 struct Entity {
   std::uint32_t index = 0xffffffffu;
   std::uint32_t generation = 0;
@@ -25,8 +25,8 @@ enum class Kind : std::uint8_t { knot, segment, cart };
 inline constexpr base::NameRow kKinds[] = {{"knot"}, {"segment"}, {"cart"}};
 constexpr std::span<const base::NameRow> rows_of(Kind) { return kKinds; }
 
-// What people call an entity: k3, s2, c1. Numbers start at 1, are unique within a kind and never used again within a
-// document, so an undo brings the same name back.
+// The name of an entity: k3, s2, c1. Numbers start at 1, are unique within a kind and are never reused within a
+// document, so undo restores the same name.
 struct Name {
   Kind kind = Kind::knot;
   std::uint32_t number = 0;

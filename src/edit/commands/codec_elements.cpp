@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kLeft = "left", kRight = "right";
 
-// The words that may follow an element's name.
+// Returns the words that may follow an element's name.
 Names words_of(const world::ElementRow& row) {
   Names names = base::names_in(row.parameters);
   if (row.sided) names.emplace_back(kLeft), names.emplace_back(kRight);

@@ -1,4 +1,4 @@
-// Values of command fields as text: how each type is printed, read and described. Private to the codec.
+// Values of command fields as text: printing, reading and description of each type. Private to the codec.
 #pragma once
 
 #include <cstddef>
@@ -15,19 +15,19 @@
 
 namespace coaster::edit {
 
-// Walks the words of a line; the first failure is kept with its column.
+// Reads the words of a line; keeps the first failure with its column.
 class WordReader {
  public:
   WordReader(std::span<const base::Token> words, base::TextError& error) : words_(words), error_(error) {}
 
-  // The next word, or null after the last.
+  // Returns the next word, or null after the last.
   const base::Token* peek() const { return next_ < words_.size() ? &words_[next_] : nullptr; }
-  // The next word; at the end fails with "expected WHAT".
+  // Takes the next word; at the end fails with "expected WHAT".
   const base::Token* take(std::string_view what);
-  // Fails at the word taken last: "expected WHAT, found ...".
+  // Fails at the last word taken: "expected WHAT, found ...".
   bool reject(std::string_view what, std::string_view hint = {});
   bool fail(int column, std::string message);
-  // One past the last word.
+  // Returns the column after the last word.
   int end_column() const;
 
  private:
@@ -38,11 +38,11 @@ class WordReader {
 
 using Names = std::vector<std::string>;
 std::string joined(const Names& names);  // "a|b|c"
-// The row that the next word names.
+// Reads a word and sets the row that it names.
 bool read_name(WordReader& words, const Names& names, int& row);
 
-// Each type of field: text that read_value() gives back exactly, reading, and the words for help. reading fails through
-// `words`.
+// For each type of field: printing (exactly what read_value() reads), reading, and the words for help. Reading fails
+// through `words`.
 std::string print_value(const Target& value);  // "@k3", "none"
 std::string print_value(const HandleTarget& value);
 std::string print_value(const Knots& value);  // "@k1,@k2", "all", "selected"
@@ -66,7 +66,7 @@ bool read_value(WordReader& words, std::int64_t& value);
 bool read_value(WordReader& words, bool& value);
 bool read_value(WordReader& words, std::string& value);
 bool read_value(WordReader& words,
-                world::Element& value);  // to the end of the line; what is not named has its usual value
+                world::Element& value);  // to the end of the line; values that are not named get their defaults
 
 std::string usage_of(const HandleTarget& value);
 std::string usage_of(const Knots& value);

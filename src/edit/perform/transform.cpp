@@ -1,4 +1,4 @@
-// Commands that move, turn, scale and mirror several knots.
+// Commands that move, rotate, scale and mirror several knots.
 #include <algorithm>
 #include <cmath>
 
@@ -16,17 +16,17 @@ using glm::dvec3;
 using world::Entity;
 using world::Knot;
 
-constexpr double kLeastFactor = 1e-4;  // of scaling: below it what was there is lost
+constexpr double kLeastFactor = 1e-4;  // of scaling: smaller factors would lose the shape
 constexpr double kShortAxis = 1e-9;
 
 // p -> about + linear (p - about) + by.
 struct Map {
   dmat3 linear{1.0};
   dvec3 about{0}, by{0};
-  bool rigid_shift = false;  // linear is 1: positions alone change, in one addition
+  bool rigid_shift = false;  // linear is 1: only positions change, by one addition
 };
 
-// Knots as they were when the gesture began, or as they are.
+// Returns the knot as it was when the gesture began, or as it is.
 const Knot& source(const Session& session, Entity e, bool anew) {
   if (anew && session.history.in_gesture)
     if (const Knot* const then = session.history.gesture_start.entities.find<Knot>(e)) return *then;
@@ -50,7 +50,7 @@ void turn(Knot& knot, const dmat3& linear, bool& cut) {
   knot.out_length = cut_length(knot.out_length * stretch, cut);
 }
 
-// Mirrors turn twists round: whole turns between two mirrored knots change their sign.
+// Mirrors reverse twists: whole turns between two mirrored knots change sign.
 void turn_back_twists(world::Document& document, const std::vector<Entity>& knots, const world::Document* then) {
   for (const Entity e : document.track.segments) {
     world::Segment& segment = document.entities.get<world::Segment>(e);

@@ -1,4 +1,4 @@
-// How rides end, in numbers and in words.
+// The ends of rides, in numbers and in words.
 #include "edit/session/ride_watch.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 using world::FailureKind;
 using world::RideState;
 
-// Mean height of a train's cars (m) whose first car has come `travelled` metres from its start.
+// Returns the mean height of a train's cars (m) whose first car has moved `travelled` metres from its start.
 double mean_height(const sim::Ghost& ghost, const sim::RailTables& tables, double travelled, std::size_t& hint) {
   double sum = 0;
   for (int car = 0; car < ghost.start.cars; ++car) {
@@ -22,8 +22,8 @@ double mean_height(const sim::Ghost& ghost, const sim::RailTables& tables, doubl
   return sum / ghost.start.cars;
 }
 
-// The train's next top after its furthest place: how much higher, and where its first car would be; nothing where the
-// rails do not go up from there.
+// The train's next top after its furthest point: how much higher it is, and where its first car would be; nothing if
+// the rails do not rise from there.
 struct Shortfall {
   double height = 0, distance = 0, furthest = 0;  // m; m along the track, both of them
 };
@@ -82,7 +82,7 @@ void judge(Session& session, RideResult* result) {
     notify(session, NoticeKind::info, challenge.file.name + ": passed, " + kMedals[challenge.medal]);
 }
 
-// The ride is over: told once.
+// Ends the ride and reports it once.
 void end_ride(Session& session, RideEnd end) {
   RideRun& run = session.game.run;
   run.under_way = false;

@@ -1,4 +1,4 @@
-// The session's own small functions: notices, ticks, a fresh session. Changing it is apply.cpp's.
+// The session's small functions: notices, ticks, a new session. apply.cpp changes it.
 #include "edit/session/session.h"
 
 #include <cstdio>
@@ -12,7 +12,7 @@ void notify(Session& session, NoticeKind kind, std::string text) {
   constexpr std::size_t kMost = 32;
   std::vector<Notice>& notices = session.notices.list;
   const std::uint64_t serial = ++session.notices.serial;
-  // A drag along a limit says the same at every move: renewed instead of repeated.
+  // A drag along a limit gives the same notice at every move: renew it instead of repeating it.
   if (!notices.empty() && notices.back().kind == kind && notices.back().text == text) {
     notices.back().serial = serial;
     return;
@@ -56,7 +56,7 @@ void advance(Session& session, int ticks) {
   const world::FailureKind before = session.motion.failure.kind;
   const bool timed = session.measuring.clock && session.motion.state == world::RideState::running;
   const double start = timed ? session.measuring.clock() : 0.0;
-  // A challenge's ride is looked at tick by tick, so that its verdict does not depend on how many are asked for at
+  // A challenge's ride is checked tick by tick, so that its verdict does not depend on how many ticks are requested at
   // once.
   const bool watched =
       session.game.challenge && session.game.run.under_way && session.motion.state == world::RideState::running;
