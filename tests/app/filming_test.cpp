@@ -30,7 +30,8 @@ class FilmingTest : public ProgramTest {
     app::film(*program_, ticks, [&](int some) { steps.push_back(some); });
     return steps;
   }
-  int frames() const { return program_->filming->movie->frames(); }
+  // -1 once the movie has ended.
+  int frames() const { return program_->filming && program_->filming->movie ? program_->filming->movie->frames() : -1; }
   std::size_t pictures_in(const char* name) const {
     std::size_t count = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder_ / name))

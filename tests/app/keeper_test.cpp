@@ -186,6 +186,7 @@ TEST_F(Keeping, a_file_is_saved_by_the_program_that_opened_it_first) {
   start(*other);
   ASSERT_TRUE(apply(*other, edit::Load{file("shared.json")}).ok()) << "to look at it is free";
   EXPECT_EQ(other->keeper->state.holder, "another coaster (process " + std::to_string(::getpid()) + ")");
+  ASSERT_FALSE(other->session.notices.list.empty());
   EXPECT_EQ(other->session.notices.list.back().kind, NoticeKind::warning);
   ASSERT_TRUE(apply(*other, edit::SetName{"Theirs"}).ok());
   const base::Status refused = apply(*other, edit::Save{file("shared.json")});
