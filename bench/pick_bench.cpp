@@ -8,6 +8,7 @@
 #include "paired.h"
 #include "sim/shape/derived.h"
 #include "view/pick.h"
+#include "world/evaluation.h"
 #include "world/topology.h"
 
 #ifdef COASTER_PEER_EMBREE
@@ -43,7 +44,7 @@ sim::Derived tangle(int segments) {
   }
   world::set_closed(document, true);
   world::Settings settings;
-  settings.steps = 1;
+  settings.evaluation->steps = 1;
   sim::Derived derived;
   sim::derive(document, settings, {}, derived);
   return derived;

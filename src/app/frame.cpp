@@ -7,6 +7,7 @@
 
 #include "app/pictures.h"
 #include "app/scene.h"
+#include "world/look.h"
 
 namespace coaster::app {
 namespace {
@@ -58,7 +59,7 @@ void apply_output(Program& program, const ui::Output& output) {
   if (output.cancel_import && program.import) program.import->progress.cancelled = true;
   if (output.lesson_answer != query::LessonAnswer::none) program.tutorial.answer = output.lesson_answer;
   if (output.wants_tutorial) ask_for_tutorial(program);
-  program.pictures.update(program.gl, *program.renderer, output.wanted_pictures, program.session.settings.style);
+  program.pictures.update(program.gl, *program.renderer, output.wanted_pictures, program.session.settings.look->style);
   program.picture.toast = program.ui->toast();
   apply_commands(program, output.commands);
   program.picture.hovered = output.hovered;

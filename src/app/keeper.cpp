@@ -8,6 +8,7 @@
 #include "app/keeper_progress.h"
 #include "app/program.h"
 #include "base/text.h"
+#include "world/settings_groups.h"
 
 namespace coaster::app {
 namespace {
@@ -57,38 +58,26 @@ exchange::UserSettings load_settings(Keeper& keeper, std::vector<std::string>& p
   return {};
 }
 
+// visit.template operator()<&Group::member>() for each setting that is kept.
+template <class Visit>
+void for_each_kept(Visit visit) {
+  world::for_each_setting([&]<auto Setting>() {
+    if constexpr (!world::setting_row<Setting>().kept_as.empty()) visit.template operator()<Setting>();
+  });
+}
+
 void show(Program& program, const exchange::UserSettings& settings) {
-  const world::Settings& now = program.session.settings;
-  if (now.ui_scale != settings.ui_scale) (void)apply(program, edit::SetScale{settings.ui_scale});
-  if (now.theme != settings.theme) (void)apply(program, edit::SetTheme{settings.theme});
-  if (now.style != settings.style) (void)apply(program, edit::SetStyle{settings.style});
-  if (now.shadows != settings.shadows) (void)apply(program, edit::SetShadows{settings.shadows});
-  if (now.sound != settings.sound) (void)apply(program, edit::SetSound{settings.sound});
-  if (now.show_panels != settings.panels) (void)apply(program, edit::SetPanels{settings.panels});
-  if (now.show_laboratory != settings.laboratory) (void)apply(program, edit::ShowLaboratory{settings.laboratory});
-  if (now.feel.reduced_motion != settings.reduced_motion)
-    (void)apply(program, edit::SetReducedMotion{settings.reduced_motion});
-  if (now.feel.head_bob != settings.head_bob) (void)apply(program, edit::SetHeadBob{settings.head_bob});
-  if (now.show_hints != settings.hints) (void)apply(program, edit::SetHints{settings.hints});
-  if (now.show_card != settings.card) (void)apply(program, edit::SetCard{settings.card});
-  if (now.show_gizmo != settings.gizmo) (void)apply(program, edit::SetGizmo{settings.gizmo});
+  for_each_kept([&]<auto Setting>() {
+    const auto kept = world::value_in<Setting>(settings.session);
+    if (world::value_in<Setting>(program.session.settings) != kept) (void)apply(program, edit::Set<Setting>{kept});
+  });
 }
 
 // What the session and the window have become is part of the settings.
 void follow_session(const Program& program, exchange::UserSettings& settings) {
-  const world::Settings& now = program.session.settings;
-  settings.ui_scale = now.ui_scale;
-  settings.theme = now.theme;
-  settings.style = now.style;
-  settings.shadows = now.shadows;
-  settings.sound = now.sound;
-  settings.panels = now.show_panels;
-  settings.laboratory = now.show_laboratory;
-  settings.reduced_motion = now.feel.reduced_motion;
-  settings.head_bob = now.feel.head_bob;
-  settings.hints = now.show_hints;
-  settings.card = now.show_card;
-  settings.gizmo = now.show_gizmo;
+  for_each_kept([&]<auto Setting>() {
+    world::value_in<Setting>(settings.session) = world::value_in<Setting>(program.session.settings);
+  });
   const auto at = program.surface->placement();
   if (!at) return;
   if (at->maximised && settings.window) settings.window->maximised = true;  // its place before is where it goes back to
@@ -200,9 +189,10 @@ void start_keeping(Program& program, const base::UserFolders& folders, const bas
   exchange::UserSettings settings = load_settings(keeper, problems);
   keeper.written = settings;
   if (default_layout) {
-    settings.ui_scale = 1;
-    settings.panels = true;
-    settings.laboratory = false;
+    const world::Look at_first;
+    settings.session.look->ui_scale = at_first.ui_scale;
+    settings.session.look->show_panels = at_first.show_panels;
+    settings.session.look->show_laboratory = at_first.show_laboratory;
     settings.window.reset();
     program.ui->reset_layout();
   }

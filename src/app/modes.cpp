@@ -18,6 +18,7 @@
 #include "query/challenge.h"
 #include "script/grammar.h"
 #include "script/runner.h"
+#include "world/look.h"
 
 namespace coaster::app {
 namespace {
@@ -111,7 +112,7 @@ MovieOrder movie_order(const Options& options) { return {options.movie, options.
 
 base::Status choose_camera(Program& program, const std::string& name) {
   const auto mode = base::value_named<world::CameraMode>(name);
-  return mode ? apply(program, edit::SetCameraMode{*mode}) : base::Status{};
+  return mode ? apply(program, edit::Set<&world::Settings::camera_mode>{*mode}) : base::Status{};
 }
 
 // What a signal asks for: unsaved changes are put aside, and the exit code tells of the signal, as shells have it.
@@ -142,7 +143,7 @@ int run_script(const Options& options) {
   if (!options.config.empty()) {
     start_keeping(**program, {options.config, options.config}, {}, options.reset_layout);  // the user named it
     platform::watch_signals();
-    run.environment.scale = (*program)->session.settings.ui_scale;  // until the script says otherwise
+    run.environment.scale = (*program)->session.settings.look->ui_scale;  // until the script says otherwise
   }
   if (!options.file.empty())
     if (const base::Status opened = open_track(**program, options.file); !opened) return finish(opened);

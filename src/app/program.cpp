@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "query/challenge.h"
 #include "view/camera.h"
+#include "world/evaluation.h"
 
 namespace coaster::app {
 
@@ -88,7 +89,7 @@ base::Status apply_one(Program& program, const edit::Command& command) {
   const base::Status applied = edit::apply(program.session, program.files, command);
   after_command(program, command, applied);
   if (program.session.derived.last_build != builds) program.rebuilds += program.session.derived.rebuilds;
-  if (applied && command.is<edit::SetEvaluator>())
+  if (applied && command.is<edit::Set<&world::Evaluation::evaluator>>())
     if (const std::string reason = program.renderer->refusal(program.session.derived.evaluated_by); !reason.empty())
       edit::notify(program.session, edit::NoticeKind::warning, "drawn by the vertex shader instead: " + reason);
   view::follow(program.picture.rig, watched(program), 0);

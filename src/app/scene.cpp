@@ -3,6 +3,9 @@
 #include <utility>
 
 #include "sim/ride/ride.h"
+#include "world/aids.h"
+#include "world/lab_view.h"
+#include "world/look.h"
 
 namespace coaster::app {
 namespace {
@@ -28,31 +31,36 @@ std::vector<sim::Pose> cart_poses(const edit::Session& session) {
 
 edit::Want wanted_by(const Look& look, const Program& program) {
   using edit::Want;
-  const world::Layers& layers = look.settings.layers;
+  const world::Layers& layers = look.settings.lab->layers;
   Want wanted = Want::values;
   if (layers.has(world::Layer::flips)) wanted = wanted | Want::breaks;
   if (layers.has(world::Layer::conflicts) && !is_riding(program, look)) wanted = wanted | Want::conflicts;
   if (layers.has(world::Layer::limits)) wanted = wanted | Want::overloads;
   if (layers.has(world::Layer::supports)) wanted = wanted | Want::supports;
-  if (look.settings.show_element) wanted = wanted | Want::element | Want::room;
+  if (look.settings.aids->show_element) wanted = wanted | Want::element | Want::room;
   return wanted;
 }
 
 gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findings& found, platform::Size size) {
   const edit::Session& session = program.session;
-  const world::Layers& layers = look.settings.layers;
+  const world::Layers& layers = look.settings.lab->layers;
   view::Findings marked{.failure = session.motion.failure, .riding = is_riding(program, look)};
   if (layers.has(world::Layer::flips)) marked.breaks = found.breaks;
   if (layers.has(world::Layer::conflicts) && !marked.riding) marked.conflicts = found.conflicts;
   if (layers.has(world::Layer::limits)) marked.spans = found.overloads;
-  if (look.settings.show_element) marked.element = found.element, marked.narrow = found.room;
+  if (look.settings.aids->show_element) marked.element = found.element, marked.narrow = found.room;
   const view::Overlay overlay =
       view::build_overlay(session.document, session.derived, look.settings, look.view, look.hovered, marked);
   const std::vector<sim::Pose> carts = cart_poses(session);
-  gfx::Scene scene{session.derived,       look.view, overlay, carts, layers.has(world::Layer::polyline), found.values,
-                   session.settings.theme};
-  scene.style = session.settings.style;
-  scene.shadows = session.settings.shadows;
+  gfx::Scene scene{session.derived,
+                   look.view,
+                   overlay,
+                   carts,
+                   layers.has(world::Layer::polyline),
+                   found.values,
+                   session.settings.look->theme};
+  scene.style = session.settings.look->style;
+  scene.shadows = session.settings.look->shadows;
   scene.unseen = look.unseen;
   scene.clock = [&] { return program.surface->clock(); };
   if (layers.has(world::Layer::supports)) scene.supports = found.supports;
@@ -74,8 +82,8 @@ void draw_scene_alone(Program& program, const view::View& view, platform::Size s
   world::Settings settings = program.session.settings;
   settings.selected = world::kNone;
   settings.also.clear();
-  settings.show_gizmo = settings.show_element = false;
-  settings.layers.set(world::Layer::polyline, false);
+  settings.aids->show_gizmo = settings.aids->show_element = false;
+  settings.lab->layers.set(world::Layer::polyline, false);
   const Look look{settings, view, {}, true};
   (void)draw_scene(program, look, edit::find(program.session, wanted_by(look, program)), size);
 }

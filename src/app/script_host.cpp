@@ -12,6 +12,7 @@
 #include "view/camera.h"
 #include "view/gizmo.h"
 #include "view/pick.h"
+#include "world/look.h"
 
 namespace coaster::app {
 namespace {
@@ -22,8 +23,9 @@ using script::AimPoint;
 base::Status set_environment(Program& program, const script::Environment& environment) {
   program.surface->resize({environment.width, environment.height});
   program.renderer->set_samples(environment.samples);
-  if (program.session.settings.ui_scale != environment.scale)
-    if (const base::Status scaled = apply(program, edit::SetScale{environment.scale}); !scaled) return scaled;
+  if (program.session.settings.look->ui_scale != environment.scale)
+    if (const base::Status scaled = apply(program, edit::Set<&world::Look::ui_scale>{environment.scale}); !scaled)
+      return scaled;
   run_frame(program, {platform::Resize{environment.width, environment.height}, platform::Tick{0}}, 0);
   return {};
 }
@@ -73,7 +75,7 @@ base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim)
   if (aim.kind == AimPoint::Kind::gizmo) {
     const auto gizmo = view::gizmo_of(session.document, session.settings, program.picture.view);
     if (!gizmo) return base::Status{base::Code::refused, "there is no gizmo: select a knot"};
-    return view::gizmo_place(*gizmo, session.settings.ui_scale, aim.part);
+    return view::gizmo_place(*gizmo, session.settings.look->ui_scale, aim.part);
   }
   const world::Entity entity = world::find(session.document, aim.name);
   const std::string label = "@" + world::to_text(aim.name);

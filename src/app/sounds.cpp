@@ -1,13 +1,14 @@
 #include "app/sounds.h"
 
 #include "app/program.h"
+#include "world/look.h"
 
 namespace coaster::app {
 
 void keep_sounding(Program& program) {
   Sounds& sounds = program.sounds;
   const edit::Session& session = program.session;
-  const double volume = session.settings.sound;
+  const double volume = session.settings.look->sound;
   const bool wanted = volume > 0;
   if (!wanted) {
     sounds.refused = false;

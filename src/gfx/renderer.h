@@ -26,9 +26,9 @@ struct Scene {
   std::span<const sim::Pose> carts;
   bool show_polyline = true;
   const sim::TrackValues* values = nullptr;  // values that colour the track; null or plain: painted
-  world::Theme theme = world::Theme::dark;   // colours the picture around the viewport
+  world::Theme theme{};                      // colours the picture around the viewport
   sim::Clock clock = {};                     // for prepare_ms; empty: not measured
-  world::Style style = world::Style::day;
+  world::Style style{};
   const sim::Supports* supports = nullptr;  // null: not drawn
   bool shadows = true;
   bool unseen = false;  // no pixels are needed: do everything else

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "world/look.h"
 
 namespace coaster::gfx {
 namespace {

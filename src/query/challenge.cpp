@@ -14,9 +14,9 @@ namespace {
 using exchange::RuleList;
 
 // Queries of track and ride that depend on settings, on the view or on the machine.
-constexpr std::array<std::string_view, 15> kOfTheView{
-    "evaluator", "resolution", "arc_length", "length", "segment_length", "vertices", "vertex_budget", "ride.cost",
-    "longest",   "curvature",  "torsion",    "frenet", "cart_up",        "hash",     "frenet_flips"};
+constexpr std::array<std::string_view, 11> kOfTheView{"length",  "segment_length", "vertices",    "ride.cost",
+                                                      "longest", "curvature",      "torsion",     "frenet",
+                                                      "cart_up", "hash",           "frenet_flips"};
 
 bool named(std::span<const Query> rows, std::string_view name) {
   return std::any_of(rows.begin(), rows.end(), [&](const Query& row) { return row.name == name; });

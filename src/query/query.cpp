@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/words.h"
 #include "query/rows.h"
 
 namespace coaster::query {
@@ -24,8 +25,8 @@ std::span<const Query> queries() {
   static const std::vector<Query> table = [] {
     std::vector<Query> rows;
     for (const std::span<const Query> part :
-         {document_rows(), ride_rows(), ghost_rows(), session_rows(), joint_rows(), lab_rows(), element_rows(),
-          game_rows(), draw_rows(), frame_rows(), evaluation_rows()})
+         {document_rows(), ride_rows(), ghost_rows(), session_rows(), setting_rows(), joint_rows(), lab_rows(),
+          element_rows(), game_rows(), draw_rows(), frame_rows(), evaluation_rows()})
       rows.insert(rows.end(), part.begin(), part.end());
     return rows;
   }();

@@ -11,6 +11,7 @@ std::span<const Query> document_rows();
 std::span<const Query> ride_rows();
 std::span<const Query> ghost_rows();
 std::span<const Query> session_rows();
+std::span<const Query> setting_rows();
 std::span<const Query> joint_rows();
 std::span<const Query> lab_rows();
 std::span<const Query> element_rows();

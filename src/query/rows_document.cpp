@@ -133,11 +133,7 @@ Answer twist(const Context& c, View argument) {
 
 // --- evaluation
 // -------------------------------------------------------------------------------------------------------
-Answer evaluator(const Context& c, View) { return text(base::name_of(c.session.settings.evaluator)); }
-Answer arc_length(const Context& c, View) { return text(base::name_of(c.session.settings.arc_length)); }
-Answer resolution(const Context& c, View) { return number(c.session.settings.steps); }
 Answer vertices(const Context& c, View) { return number(c.session.derived.vertices); }
-Answer vertex_budget(const Context& c, View) { return number(c.session.settings.vertex_budget); }
 
 constexpr std::array kDocumentRows{
     Query{"knots", "", "", "Number of knots.", knots},
@@ -184,11 +180,7 @@ constexpr std::array kDocumentRows{
           "an import.",
           import_frame_error},
     Query{"import.knots", "", "", "Number of knots of the fitted track; 0 without an import.", import_knots},
-    Query{"evaluator", "", "", "Evaluator of the polylines.", evaluator},
-    Query{"resolution", "", "", "Steps per segment of a polyline.", resolution},
-    Query{"arc_length", "", "", "Arc-length method of the displayed length.", arc_length},
     Query{"vertices", "", "", "Number of vertices of all polylines.", vertices},
-    Query{"vertex_budget", "", "", "Limit of the vertices of all polylines.", vertex_budget},
 };
 
 }  // namespace

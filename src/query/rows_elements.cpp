@@ -10,7 +10,6 @@ namespace {
 const sim::ElementPlan& plan(const Context& c) { return *c.find(edit::Want::element).element; }
 
 Answer element(const Context& c, View) { return text(base::row_of(c.session.settings.element.kind).name); }
-Answer preview(const Context& c, View) { return yes_no(c.session.settings.show_element); }
 Answer side(const Context& c, View) {
   const world::Element& e = c.session.settings.element;
   return text(!base::row_of(e.kind).sided ? "none" : e.right ? "right" : "left");
@@ -42,7 +41,6 @@ Answer refusal(const Context& c, View) { return text(plan(c).refusal.empty() ? "
 constexpr std::array kElementRows{
     Query{"element", "", "",
           "The palette's element: straight, curve, helix, climb, dive, camelback, loop or corkscrew.", element},
-    Query{"element.preview", "", "", "on if the palette's element is previewed.", preview},
     Query{"element.side", "", "", "left or right; none for an element without a side.", side},
     Query{"element.value", "length|roll|radius|angle|bank|speed|turns|height|top|shift", "",
           "A parameter of the palette's element, such as radius, within its limits; none if it has no such parameter.",

@@ -4,6 +4,7 @@
 
 #include "query/challenge.h"
 #include "query/rows.h"
+#include "world/aids.h"
 
 namespace coaster::query {
 namespace {
@@ -45,9 +46,8 @@ Answer challenge_deviation(const Context& c, View) {
   return number(std::min(c.find(edit::Want::deviation).deviation, kNothingThere));
 }
 
-Answer card(const Context& c, View) { return yes_no(c.session.settings.show_card); }
 Answer card_shows(const Context& c, View) {
-  return yes_no(c.session.settings.show_card && c.session.game.show_result && c.session.game.result);
+  return yes_no(c.session.settings.aids->show_card && c.session.game.show_result && c.session.game.result);
 }
 Answer card_end(const Context& c, View) {
   return text(c.session.game.result ? base::name_of(c.session.game.result->end) : "none");
@@ -72,7 +72,6 @@ constexpr std::array kGameRows{
           "How far the track and the challenge's start track are apart at most, whatever their knots; 0 without a "
           "challenge.",
           challenge_deviation},
-    Query{"card", "", "", "on if a score card is shown at the end of a ride.", card},
     Query{"card.shows", "", "", "on while a score card is shown.", card_shows},
     Query{"card.end", "", "", "How the last ride ended: lap, open end, time, failed; none before the first.", card_end},
     Query{"card.reason", "", "", "Why it ended, if not with a lap.", card_reason},

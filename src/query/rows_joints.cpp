@@ -7,6 +7,7 @@
 #include "query/rows.h"
 #include "sim/shape/frame_methods.h"
 #include "sim/study/live_errata.h"
+#include "world/evaluation.h"
 #include "world/topology.h"
 
 namespace coaster::query {
@@ -164,7 +165,8 @@ Answer of_erratum(const Context& c, View name, double sim::Erratum::*number_of) 
   if (derived.order.empty()) return number(0);
   const world::Entity selected = c.session.settings.selected,
                       segment = derived.segments.find(selected) ? selected : derived.order.front();
-  const auto found = sim::erratum(derived, segment, present_speed(c.session), c.session.settings.steps, name);
+  const auto found =
+      sim::erratum(derived, segment, present_speed(c.session), c.session.settings.evaluation->steps, name);
   return number((*found).*number_of);
 }
 Answer erratum(const Context& c, View name) { return of_erratum(c, name, &sim::Erratum::right); }

@@ -3,6 +3,8 @@
 
 #include "query/rows.h"
 #include "sim/study/rounding.h"
+#include "world/evaluation.h"
+#include "world/lab_view.h"
 #include "world/laboratory.h"
 
 namespace coaster::query {
@@ -19,13 +21,8 @@ base::Result<E> named(View word, std::string_view what) {
 Answer shown(const Context& c, View word) {
   const auto layer = named<world::Layer>(word, "layer");
   if (!layer) return layer.status();
-  return yes_no(c.session.settings.layers.has(*layer));
+  return yes_no(c.session.settings.lab->layers.has(*layer));
 }
-Answer colour(const Context& c, View) { return text(base::name_of(c.session.settings.colouring)); }
-Answer magnification(const Context& c, View) { return number(c.session.settings.magnification); }
-Answer comb_scale(const Context& c, View) { return number(c.session.settings.comb_scale); }
-Answer laboratory(const Context& c, View) { return yes_no(c.session.settings.show_laboratory); }
-Answer page(const Context& c, View) { return text(base::name_of(c.session.settings.lab_page)); }
 
 base::Result<const sim::SegmentShape*> selected_shape(const Context& c) {
   const sim::SegmentShape* const shape = c.session.derived.segments.find(c.session.settings.selected);
@@ -42,7 +39,8 @@ Answer construction_point(const Context& c, View) {
 base::Result<sim::Rounding> rounding_of_selected(const Context& c) {
   const auto shape = selected_shape(c);
   if (!shape) return shape.status();
-  return sim::rounding((*shape)->curve, base::row_of(c.session.settings.evaluator), c.session.settings.steps);
+  return sim::rounding((*shape)->curve, base::row_of(c.session.settings.evaluation->evaluator),
+                       c.session.settings.evaluation->steps);
 }
 Answer rounding(const Context& c, View) {
   const auto r = rounding_of_selected(c);
@@ -89,11 +87,6 @@ Answer measure_time(const Context& c, View word) {
 constexpr std::array kLabRows{
     Query{"shown", "polyline|frames|comb|circle|construction|rounding|flips|limits|supports|knots|conflicts", "",
           "on if a layer of the laboratory is drawn.", shown},
-    Query{"colour", "", "", "Colouring of the track.", colour},
-    Query{"magnification", "", "", "Magnification of the rounding layer.", magnification},
-    Query{"comb_scale", "", "m^2", "Length of the comb's teeth for a curvature of 1/m.", comb_scale},
-    Query{"laboratory", "", "", "on if the laboratory is shown.", laboratory},
-    Query{"page", "", "", "Page of the laboratory.", page},
     Query{"construction_point", "", "m",
           "Point at the picked position of the selected segment; 0 0 0 if none is selected.", construction_point},
     Query{"rounding", "", "m", "Largest rounding error of the evaluator's vertices on the selected segment.", rounding},

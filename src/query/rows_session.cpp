@@ -4,13 +4,11 @@
 
 #include "query/rows.h"
 #include "sim/shape/frame_methods.h"
+#include "world/lab_view.h"
 #include "world/selection.h"
 
 namespace coaster::query {
 namespace {
-
-Answer frames_by(const Context& c, View) { return text(base::name_of(c.session.settings.frames)); }
-Answer integrator(const Context& c, View) { return text(base::name_of(c.session.settings.integrator)); }
 
 Answer selected(const Context& c, View) {
   const world::Entity e = c.session.settings.selected;
@@ -25,28 +23,18 @@ Answer undo_label(const Context& c, View) {
   return text(c.session.history.undo.empty() ? "" : c.session.history.undo.back().label);
 }
 Answer snapping(const Context& c, View) { return text(base::name_of(c.session.settings.snapping.to)); }
-Answer gizmo(const Context& c, View) { return yes_no(c.session.settings.show_gizmo); }
-Answer hints(const Context& c, View) { return yes_no(c.session.settings.show_hints); }
 Answer undo_depth(const Context& c, View) { return number(c.session.history.undo.size()); }
 Answer redo_depth(const Context& c, View) { return number(c.session.history.redo.size()); }
 Answer dirty(const Context& c, View) { return yes_no(edit::dirty(c.find)); }
 Answer toast(const Context& c, View) { return text(c.toast); }
 Answer title(const Context& c, View) { return text(c.title); }
-Answer append_mode(const Context& c, View) { return yes_no(c.session.settings.append_mode); }
-Answer panels(const Context& c, View) { return yes_no(c.session.settings.show_panels); }
-Answer polyline(const Context& c, View) { return yes_no(c.session.settings.layers.has(world::Layer::polyline)); }
-Answer style(const Context& c, View) { return text(base::name_of(c.session.settings.style)); }
-Answer shadows(const Context& c, View) { return yes_no(c.session.settings.shadows); }
-Answer sound(const Context& c, View) { return number(c.session.settings.sound); }
-Answer theme(const Context& c, View) { return text(base::name_of(c.session.settings.theme)); }
+Answer polyline(const Context& c, View) { return yes_no(c.session.settings.lab->layers.has(world::Layer::polyline)); }
 Answer file(const Context& c, View) { return text(c.session.file.path.filename().string()); }
 Answer locked_by(const Context& c, View) { return text(c.stats.keeping.holder); }
 Answer recoverable(const Context& c, View) { return number(c.stats.keeping.recoverable); }
 Answer autosaves(const Context& c, View) { return number(c.stats.keeping.autosaves); }
 Answer quits(const Context& c, View) { return yes_no(c.stats.keeping.quits); }
-Answer scale(const Context& c, View) { return number(c.session.settings.ui_scale); }
 
-Answer camera_mode(const Context& c, View) { return text(base::name_of(c.session.settings.camera_mode)); }
 Answer camera_shown(const Context& c, View) { return text(base::name_of(c.stats.camera_shown)); }
 Answer camera_eye(const Context& c, View) { return Value(c.stats.eye); }
 Answer camera_height(const Context& c, View) { return number(c.stats.eye.y); }
@@ -58,10 +46,6 @@ Answer camera_tilt(const Context& c, View) {
   return number(glm::degrees(std::atan2(-right, c.stats.eye_up.y)));
 }
 Answer camera_field_of_view(const Context& c, View) { return number(c.stats.field_of_view_deg); }
-Answer roll_damping(const Context& c, View) { return number(c.session.settings.feel.roll_damping); }
-Answer chase_distance(const Context& c, View) { return number(c.session.settings.feel.chase_distance); }
-Answer head_bob(const Context& c, View) { return yes_no(c.session.settings.feel.head_bob); }
-Answer reduced_motion(const Context& c, View) { return yes_no(c.session.settings.feel.reduced_motion); }
 Answer camera_target(const Context& c, View) { return Value(glm::dvec3(c.session.settings.camera.target)); }
 Answer camera_distance(const Context& c, View) { return number(c.session.settings.camera.distance); }
 Answer camera_yaw(const Context& c, View) { return number(c.session.settings.camera.yaw_deg); }
@@ -71,34 +55,22 @@ Answer tick(const Context& c, View) { return number(c.session.tick); }
 Answer entities(const Context& c, View) { return number(c.session.document.entities.size()); }
 
 constexpr std::array kSessionRows{
-    Query{"frames_by", "", "", "Frame method of trains: knots, rmf, frenet or world_up.", frames_by},
-    Query{"integrator", "", "", "Integrator of the ride.", integrator},
     Query{"selected", "", "", "The selection, such as k4; none if nothing is selected.", selected},
     Query{"selected_t", "", "", "Picked position on the selected segment, a parameter from 0 to 1.", selected_t},
     Query{"selected_count", "", "", "Number of selected knots; 1 for a segment or a train.", selected_count},
     Query{"snapping", "", "", "Dragged knots snap to: off, grid, knots or ground.", snapping},
-    Query{"gizmo", "", "", "on if the gizmo is shown at the selected knots.", gizmo},
-    Query{"hints", "", "", "on if the first steps are shown.", hints},
     Query{"undo_label", "", "", "Name of the next undo step; empty if there is none.", undo_label},
     Query{"undo_depth", "", "", "Number of undo steps.", undo_depth},
     Query{"redo_depth", "", "", "Number of redo steps.", redo_depth},
     Query{"dirty", "", "", "on if the track has unsaved changes.", dirty},
     Query{"toast", "", "", "Text of the newest notice, empty if none is shown.", toast},
     Query{"title", "", "", "The window's title.", title},
-    Query{"append_mode", "", "", "on if clicks on the ground append knots.", append_mode},
-    Query{"panels", "", "", "on if the panels are shown.", panels},
     Query{"polyline", "", "", "on if the evaluated polyline is shown.", polyline},
-    Query{"theme", "", "", "Colours of the panels: dark, light or high_contrast.", theme},
-    Query{"style", "", "", "Light of the scene: day, dusk or blueprint.", style},
-    Query{"shadows", "", "", "on if track and trains cast shadows.", shadows},
-    Query{"sound", "", "", "Ride volume in the window, 0 to 1.", sound},
     Query{"track_file", "", "", "Name of the track's file without its folder, empty if it has none.", file},
     Query{"locked_by", "", "", "Other process that has the track's file open, empty if none.", locked_by},
     Query{"recoverable", "", "", "Number of autosaves of other runs that can be recovered.", recoverable},
     Query{"autosaves", "", "", "Number of autosaves written since the start.", autosaves},
     Query{"quits", "", "", "on if the program was asked to quit: a window closes then, a script continues.", quits},
-    Query{"scale", "", "", "Scale of the panels.", scale},
-    Query{"camera_mode", "", "", "The chosen camera: orbit, ride, chase or fly.", camera_mode},
     Query{"camera_shown", "", "", "The camera of the last frame: orbit if there is no train to follow.", camera_shown},
     Query{"camera_eye", "", "m", "Position of the last frame's camera.", camera_eye},
     Query{"camera_height", "", "m", "Height of the last frame's camera above the ground.", camera_height},
@@ -106,10 +78,6 @@ constexpr std::array kSessionRows{
     Query{"camera_up", "", "", "Up vector of the last frame's camera.", camera_up},
     Query{"camera_tilt", "", "deg", "Roll of the last frame's view, positive to the right.", camera_tilt},
     Query{"camera_field_of_view", "", "deg", "Vertical field of view of the last frame.", camera_field_of_view},
-    Query{"roll_damping", "", "s", "Lag of the rider's roll.", roll_damping},
-    Query{"chase_distance", "", "m", "Distance of the chase camera from a single car.", chase_distance},
-    Query{"head_bob", "", "", "on if the rider's head moves with g.", head_bob},
-    Query{"reduced_motion", "", "", "on if cameras cut, stay level and do not bob.", reduced_motion},
     Query{"camera_target", "", "m", "Target of the camera.", camera_target},
     Query{"camera_distance", "", "m", "Distance of the camera from its target.", camera_distance},
     Query{"camera_yaw", "", "deg", "Yaw of the camera; 0 looks along -Z.", camera_yaw},

@@ -123,7 +123,7 @@ bool parse_camera(Words& words, Action& action) {
     const auto name = words.one_of("target, yaw, pitch, distance, all, selection, orbit, ride, chase or fly", kNames);
     if (!name) return false;
     if (*name >= 7) {
-      action = RunCommand{edit::SetCameraMode{static_cast<world::CameraMode>(*name - 7)}};
+      action = RunCommand{edit::Set<&world::Settings::camera_mode>{static_cast<world::CameraMode>(*name - 7)}};
       return words.end();
     }
     if (*name >= 4) {

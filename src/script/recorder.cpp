@@ -13,6 +13,7 @@
 #include "edit/commands/codec.h"
 #include "exchange/own/track_file.h"
 #include "world/selection.h"
+#include "world/settings_groups.h"
 
 namespace coaster::script {
 namespace {
@@ -20,42 +21,13 @@ namespace {
 // Returns the commands that restore settings and selection at the start.
 std::vector<edit::Command> settings_commands(const edit::Session& session) {
   const world::Settings& s = session.settings;
-  std::vector<edit::Command> commands{edit::SetEvaluator{s.evaluator},
-                                      edit::SetResolution{s.steps},
-                                      edit::SetVertexBudget{s.vertex_budget},
-                                      edit::SetArcLength{s.arc_length},
-                                      edit::SetFrames{s.frames},
-                                      edit::SetIntegrator{s.integrator},
-                                      edit::SetCamera{s.camera},
-                                      edit::SetCameraMode{s.camera_mode},
-                                      edit::SetFly{s.fly},
-                                      edit::SetFieldOfView{s.camera.field_of_view_deg},
-                                      edit::SetRideView{s.feel.ride_view_deg},
-                                      edit::SetWidening{s.feel.widening_deg},
-                                      edit::SetRollDamping{s.feel.roll_damping},
-                                      edit::SetChaseDistance{s.feel.chase_distance},
-                                      edit::SetHeadBob{s.feel.head_bob},
-                                      edit::SetReducedMotion{s.feel.reduced_motion},
-                                      edit::SetPanels{s.show_panels},
-                                      edit::SetAppendMode{s.append_mode},
-                                      edit::SetScale{s.ui_scale},
-                                      edit::SetTheme{s.theme},
-                                      edit::SetStyle{s.style},
-                                      edit::SetShadows{s.shadows},
-                                      edit::SetSound{s.sound},
+  std::vector<edit::Command> commands{edit::SetCamera{s.camera}, edit::SetFly{s.fly},
                                       edit::SetSnapping{s.snapping.to, s.snapping.step, s.snapping.angle},
-                                      edit::SetGizmo{s.show_gizmo},
-                                      edit::SetHints{s.show_hints},
-                                      edit::SetCard{s.show_card},
-                                      edit::SetColouring{s.colouring},
-                                      edit::SetMagnification{s.magnification},
-                                      edit::SetCombScale{s.comb_scale},
-                                      edit::ShowLaboratory{s.show_laboratory},
-                                      edit::OpenPage{s.lab_page}};
+                                      edit::ChooseElement{s.element}};
+  world::for_each_setting([&]<auto Setting>() { commands.push_back(edit::Set<Setting>{world::value_in<Setting>(s)}); });
   for (std::size_t i = 0; i < world::layers().size(); ++i) {
     const auto layer = static_cast<world::Layer>(i);
-    if (layer == world::Layer::polyline) commands.push_back(edit::SetPolyline{s.layers.has(layer)});
-    else commands.push_back(edit::ShowLayer{layer, s.layers.has(layer)});
+    commands.push_back(edit::ShowLayer{layer, s.lab->layers.has(layer)});
   }
   if (s.selected.valid() && session.document.entities.alive(s.selected))
     commands.push_back(edit::Select{{world::name_of(session.document, s.selected)}, s.selected_t});

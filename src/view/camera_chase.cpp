@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "view/camera_rig.h"
+#include "world/camera_feel.h"
 
 namespace coaster::view {
 namespace {
@@ -37,7 +38,7 @@ dvec3 looked_at(const Ridden& ridden) { return ridden.middle.position + dvec3(0,
 
 dvec3 place(const CameraRig& rig, const Watched& w, const Ridden& ridden) {
   const dvec3 ahead = rig.heading.direction(), left = glm::cross(dvec3(0, 1, 0), ahead);
-  const double distance = w.settings.feel.chase_distance + kPerTrain * ridden.length, e = rig.elevation.value,
+  const double distance = w.settings.feel->chase_distance + kPerTrain * ridden.length, e = rig.elevation.value,
                b = rig.beside.value;
   dvec3 eye = looked_at(ridden) +
               distance * (std::cos(e) * (std::sin(b) * left - std::cos(b) * ahead) + dvec3(0, std::sin(e), 0));

@@ -5,6 +5,7 @@
 #include "base/portable_math.h"
 #include "curve/frames.h"
 #include "view/camera_rig.h"
+#include "world/camera_feel.h"
 
 namespace coaster::view {
 namespace {
@@ -80,12 +81,12 @@ void Heading::follow(const curve::Frame& frame, double lag, double dt) {
 void settle_ride(CameraRig& rig, const Watched& w, const Ridden& ridden) {
   rig.forward = ridden.front.frame.forward, rig.up = ridden.front.frame.up;
   rig.roll_lag = rig.roll_rate = 0;
-  rig.widening.settle(w.settings.feel.widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed));
-  rig.bob.settle(w.settings.feel.head_bob ? bob_of(w, ridden) : dvec3(0));
+  rig.widening.settle(w.settings.feel->widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed));
+  rig.bob.settle(w.settings.feel->head_bob ? bob_of(w, ridden) : dvec3(0));
 }
 
 Eye ride(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
-  const world::CameraFeel& feel = w.settings.feel;
+  const world::CameraFeel& feel = *w.settings.feel;
   const curve::Frame& frame = ridden.front.frame;
   roll_after(rig, frame, feel.roll_damping, dt);
   rig.heading.follow(frame, kRiderHeadingLag, dt);

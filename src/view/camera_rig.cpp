@@ -6,6 +6,7 @@
 
 #include "sim/ride/train.h"
 #include "sim/shape/frame_methods.h"
+#include "world/camera_feel.h"
 
 namespace coaster::view {
 namespace {
@@ -109,7 +110,7 @@ bool steps(const CameraRig& rig) { return rig.mode == CameraMode::ride || rig.mo
 
 void follow(CameraRig& rig, const Watched& w, int ticks) {
   const CameraMode mode = shown_mode(w);
-  const bool reduced = w.settings.feel.reduced_motion,
+  const bool reduced = w.settings.feel->reduced_motion,
              changed = !rig.begun || mode != rig.mode || reduced != rig.reduced;
   const Eye before = rig.eye;
   const bool switched = mode != rig.mode;

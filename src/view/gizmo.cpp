@@ -5,6 +5,8 @@
 
 #include "view/marks.h"
 #include "view/overlay_lab_parts.h"
+#include "world/aids.h"
+#include "world/look.h"
 #include "world/selection.h"
 
 namespace coaster::view {
@@ -59,7 +61,7 @@ PickKind plane_kind(int i) { return static_cast<PickKind>(static_cast<int>(PickK
 }  // namespace
 
 std::optional<Gizmo> gizmo_of(const world::Document& document, const world::Settings& settings, const View& view) {
-  if (!settings.show_gizmo || !settings.show_panels || settings.append_mode)
+  if (!settings.aids->show_gizmo || !settings.look->show_panels || settings.aids->append_mode)
     return std::nullopt;  // clicks append knots there
   const std::vector<world::Entity> knots = world::selected_knots(document, settings);
   if (knots.empty()) return std::nullopt;

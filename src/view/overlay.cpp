@@ -9,6 +9,8 @@
 #include "view/overlay_element.h"
 #include "view/overlay_lab.h"
 #include "view/overlay_lab_parts.h"
+#include "world/lab_view.h"
+#include "world/look.h"
 #include "world/selection.h"
 
 namespace coaster::view {
@@ -40,7 +42,7 @@ void add_line(glm::vec3 from, glm::vec3 to, float scale, Overlay& overlay) {
 
 // Adds control polygons and the handles of the shown knots; no line twice.
 void add_polygons(const world::Document& document, const world::Settings& settings, Overlay& overlay) {
-  const float scale = settings.ui_scale;
+  const float scale = settings.look->ui_scale;
   const std::vector<world::Entity> knots = knots_with_handles(document, settings);
   const auto has_handles = [&](world::Entity e) { return std::find(knots.begin(), knots.end(), e) != knots.end(); };
   for (const world::Entity e : shown_segments(document, settings.selected)) {
@@ -59,7 +61,7 @@ void add_polygons(const world::Document& document, const world::Settings& settin
 
 Mark mark_of(const PlacedMark& placed, const world::Settings& settings, const Pick& hovered) {
   const bool under_cursor = hovered == Pick{placed.kind, placed.knot};
-  const float growth = (under_cursor ? kHoveredGrowth : 1.0f) * settings.ui_scale;
+  const float growth = (under_cursor ? kHoveredGrowth : 1.0f) * settings.look->ui_scale;
   if (placed.kind != PickKind::knot)
     return {placed.position, kHandleHalf * growth, under_cursor ? kHandleHovered : kHandleColour, MarkShape::square};
   return {placed.position, kKnotRadius * growth,
@@ -90,7 +92,7 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
                       const View& view, const Pick& hovered, const Findings& findings) {
   Overlay overlay;
   add_laboratory(document, derived, settings, view, findings, overlay);
-  const float scale = settings.ui_scale;
+  const float scale = settings.look->ui_scale;
   if (findings.element) add_element(*findings.element, findings.narrow, view, scale, overlay);
   add_polygons(document, settings, overlay);
   // The picked position is no pickable mark, so it lies under all that are.
@@ -104,8 +106,8 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
   std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
   for (const PlacedMark& placed : marks)
-    if ((!findings.riding && settings.layers.has(world::Layer::knots)) || world::is_selected(settings, placed.knot) ||
-        hovered == Pick{placed.kind, placed.knot})
+    if ((!findings.riding && settings.lab->layers.has(world::Layer::knots)) ||
+        world::is_selected(settings, placed.knot) || hovered == Pick{placed.kind, placed.knot})
       overlay.marks.push_back(mark_of(placed, settings, hovered));
   add_failure(derived, findings.failure, view, scale, overlay);
   return overlay;

@@ -9,6 +9,9 @@
 #include "curve/bernstein.h"
 #include "sim/study/rounding.h"
 #include "view/overlay_lab_parts.h"
+#include "world/evaluation.h"
+#include "world/lab_view.h"
+#include "world/look.h"
 
 namespace coaster::view {
 namespace {
@@ -31,7 +34,7 @@ std::vector<world::Entity> rounded_segments(const world::Document& document, con
     if (at.after.valid() && at.after != at.before) out.push_back(at.after);
     return out;
   }
-  const auto most = static_cast<std::size_t>(kMaxRoundingVertices / (settings.steps + 1));
+  const auto most = static_cast<std::size_t>(kMaxRoundingVertices / (settings.evaluation->steps + 1));
   out.assign(derived.order.begin(),
              derived.order.begin() + static_cast<std::ptrdiff_t>(std::min(most, derived.order.size())));
   return out;
@@ -39,12 +42,13 @@ std::vector<world::Entity> rounded_segments(const world::Document& document, con
 
 void add_rounding(const sim::SegmentShape& shape, const world::Settings& settings, Overlay& overlay) {
   constexpr std::size_t kWhiskers = 64;
-  const float scale = settings.ui_scale;
-  const sim::Rounding r = sim::rounding(shape.curve, base::row_of(settings.evaluator), settings.steps);
+  const float scale = settings.look->ui_scale;
+  const sim::Rounding r =
+      sim::rounding(shape.curve, base::row_of(settings.evaluation->evaluator), settings.evaluation->steps);
   const std::size_t last = r.exact.size() - 1;
   std::vector<glm::dvec3> moved(r.exact.size());
   for (std::size_t i = 0; i <= last; ++i) {
-    glm::dvec3 offset = settings.magnification * r.error[i];
+    glm::dvec3 offset = settings.lab->magnification * r.error[i];
     const double size = glm::length(offset);
     if (size > kMaxOffset) offset *= kMaxOffset / size;
     moved[i] = r.exact[i] + offset;
@@ -113,11 +117,11 @@ void add_rounding(const world::Document& document, const sim::Derived& derived, 
 void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
                     const View& view, const Findings& findings, Overlay& overlay) {
   using world::Layer;
-  const float scale = settings.ui_scale;
+  const float scale = settings.look->ui_scale;
   const sim::SegmentShape* const probed = derived.segments.find(settings.selected);
   const double t = settings.selected_t;
   const auto layer = [&](Layer which, bool possible, auto add) {
-    if (!possible || !settings.layers.has(which)) return;
+    if (!possible || !settings.lab->layers.has(which)) return;
     Overlay drawn;
     add(drawn);
     append_rimmed(drawn, scale, overlay);

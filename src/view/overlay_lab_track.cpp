@@ -6,6 +6,8 @@
 
 #include "view/overlay_lab.h"
 #include "view/overlay_lab_parts.h"
+#include "world/lab_view.h"
+#include "world/look.h"
 
 namespace coaster::view {
 namespace {
@@ -53,7 +55,7 @@ glm::dvec3 tooth_at(const curve::Cubic& cubic, double t, double scale) {
 }  // namespace
 
 void add_comb(const sim::Derived& derived, const world::Settings& settings, const View& view, Overlay& overlay) {
-  const float scale = settings.ui_scale;
+  const float scale = settings.look->ui_scale;
   const std::vector<SeenSegment> seen = seen_segments(derived, view);
   const auto count = [&](const SeenSegment& one, double px) { return teeth_of(derived, one, px); };
   const double px = fitting_distance(seen, 9.0 * static_cast<double>(scale), kMaxTeeth, count);
@@ -67,7 +69,7 @@ void add_comb(const sim::Derived& derived, const world::Settings& settings, cons
     next = one.index + 1;
     for (int i = 0; i < teeth; ++i) {
       const double t = teeth > 1 ? static_cast<double>(i) / (teeth - 1) : 0;
-      const glm::dvec3 root = curve::point(cubic, t), tip = root + tooth_at(cubic, t, settings.comb_scale);
+      const glm::dvec3 root = curve::point(cubic, t), tip = root + tooth_at(cubic, t, settings.lab->comb_scale);
       add_line(root, tip, 1.0f * scale, faded(kCombColour, 0xb0), overlay);
       if (goes_on) add_line(before, tip, 2.25f * scale, kCombColour, overlay);
       before = tip;
@@ -79,7 +81,7 @@ void add_comb(const sim::Derived& derived, const world::Settings& settings, cons
 
 void add_frames(const sim::Derived& derived, const world::Settings& settings, const View& view, Overlay& overlay) {
   constexpr double kApartPx = 72, kArrowPx = 34;
-  const float scale = settings.ui_scale;
+  const float scale = settings.look->ui_scale;
   const double ui = static_cast<double>(scale);
   const PixelScale pixels(view);
   const std::vector<SeenSegment> seen = seen_segments(derived, view);

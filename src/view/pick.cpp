@@ -10,6 +10,7 @@
 #include "view/beam.h"
 #include "view/gizmo.h"
 #include "view/marks.h"
+#include "world/look.h"
 
 namespace coaster::view {
 namespace {
@@ -51,7 +52,7 @@ class MarksAt {
     const auto seen = projector_(position);
     if (!seen) return;
     PlacedMark mark{kind, knot, position, *seen, 0, 0};
-    if (!inside(mark, pixel_, settings_.ui_scale)) return;
+    if (!inside(mark, pixel_, settings_.look->ui_scale)) return;
     const dvec3 away = dvec3(position) - eye_;
     mark.distance = glm::dot(away, away);
     mark.order = order();
@@ -76,7 +77,7 @@ std::optional<Pick> pick_mark(const world::Document& document, const sim::Derive
     for (std::size_t i = 0; i < count; ++i) marks.try_knot(i);
   } else {
     // Segment i goes from knot i to the next one.
-    const double reach = 1.001 * static_cast<double>(kKnotRadius * settings.ui_scale);
+    const double reach = 1.001 * static_cast<double>(kKnotRadius * settings.look->ui_scale);
     (void)visit_near(
         derived.tree, Beam(view, pixel), [reach] { return reach; },
         [&](std::size_t i) {
@@ -165,7 +166,7 @@ std::optional<Pick> pick_distant_cart(const world::Document& document, const sim
                                       const world::Motion& motion, const world::Settings& settings, const View& view,
                                       glm::vec2 pixel) {
   constexpr double kNotTheRiders = 2.5;  // m from the eye
-  const float reach = kCartReach * settings.ui_scale;
+  const float reach = kCartReach * settings.look->ui_scale;
   double nearest = kNowhere;
   std::optional<Pick> best;
   for_each_car(document, derived, motion, settings, [&](world::Entity cart, const sim::Pose& car) {
@@ -190,7 +191,7 @@ std::optional<Pick> pick_place(const sim::Derived& derived, const world::Setting
   const sim::SegmentShape* const shape = derived.segments.find(settings.selected);
   if (shape == nullptr) return std::nullopt;
   const auto place = Projector(view)(curve::point(shape->key.cubic, settings.selected_t));
-  if (!place || glm::length(*place - dvec2(pixel)) > static_cast<double>(kCurveReach * settings.ui_scale))
+  if (!place || glm::length(*place - dvec2(pixel)) > static_cast<double>(kCurveReach * settings.look->ui_scale))
     return std::nullopt;
   return pick_segment(derived, view, pixel, settings.selected);
 }
@@ -202,12 +203,12 @@ Pick pick(const world::Document& document, const sim::Derived& derived, const wo
   if (!view.viewport.contains(pixel)) return {};
   if (const auto mark = pick_mark(document, derived, settings, view, pixel)) return *mark;
   if (const auto gizmo = gizmo_of(document, settings, view))
-    if (const PickKind part = pick_gizmo(*gizmo, view, settings.ui_scale, pixel); part != PickKind::none)
+    if (const PickKind part = pick_gizmo(*gizmo, view, settings.look->ui_scale, pixel); part != PickKind::none)
       return {part, world::kNone, 0, gizmo->at};
   if (const auto cart = pick_cart(document, derived, motion, settings, view, pixel)) return *cart;
   if (const auto cart = pick_distant_cart(document, derived, motion, settings, view, pixel)) return *cart;
   if (const auto place = pick_place(derived, settings, view, pixel)) return *place;
-  return pick_curve(derived, view, pixel, kCurveReach * settings.ui_scale).value_or(Pick{});
+  return pick_curve(derived, view, pixel, kCurveReach * settings.look->ui_scale).value_or(Pick{});
 }
 
 std::optional<glm::vec3> position_of(const world::Document& document, const sim::Derived& derived,

@@ -2,6 +2,7 @@
 
 #include "app/program_fixture.h"
 #include "base/text.h"
+#include "world/look.h"
 
 namespace coaster::app {
 namespace keeper_test {
@@ -42,7 +43,7 @@ class Keeping : public ProgramTest {
 
 TEST_F(Keeping, settings_are_written_a_second_after_the_last_change) {
   start();
-  ASSERT_TRUE(apply(*program_, edit::SetScale{1.25f}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Set<&world::Look::ui_scale>{1.25f}).ok());
   keep_at(10);
   keep_at(10.9);
   EXPECT_FALSE(std::filesystem::exists(settings()));
@@ -50,25 +51,25 @@ TEST_F(Keeping, settings_are_written_a_second_after_the_last_change) {
   EXPECT_EQ(written().ui_scale, 1.25f);
   // A slider that is dragged is written once.
   for (double at = 20; at < 23; at += 0.5) {
-    ASSERT_TRUE(apply(*program_, edit::SetScale{static_cast<float>(1 + (at - 19.5) / 10)}).ok());
+    ASSERT_TRUE(apply(*program_, edit::Set<&world::Look::ui_scale>{static_cast<float>(1 + (at - 19.5) / 10)}).ok());
     keep_at(at);
     EXPECT_EQ(written().ui_scale, 1.25f) << at;
   }
   keep_at(23.6);
-  EXPECT_EQ(written().ui_scale, program_->session.settings.ui_scale);
+  EXPECT_EQ(written().ui_scale, program_->session.settings.look->ui_scale);
 }
 
 TEST_F(Keeping, the_next_start_has_the_settings_of_the_last) {
   start();
-  ASSERT_TRUE(apply(*program_, edit::SetTheme{world::Theme::light}).ok());
-  ASSERT_TRUE(apply(*program_, edit::SetShadows{false}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Set<&world::Look::theme>{world::Theme::light}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Set<&world::Look::shadows>{false}).ok());
   surface(*program_).at = platform::Placement{31, 47, 1111, 777, false};
   stop_keeping(*program_, true);
   EXPECT_FALSE(program_->keeper);
   std::unique_ptr<Program> next = make();
   start(*next);
-  EXPECT_EQ(next->session.settings.theme, world::Theme::light);
-  EXPECT_FALSE(next->session.settings.shadows);
+  EXPECT_EQ(next->session.settings.look->theme, world::Theme::light);
+  EXPECT_FALSE(next->session.settings.look->shadows);
   ASSERT_TRUE(surface(*next).at);
   EXPECT_EQ(surface(*next).at->x, 31);
   EXPECT_EQ(surface(*next).at->height, 777);

@@ -8,6 +8,9 @@
 #include "exchange/challenge_file.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/frame_methods.h"
+#include "world/laboratory.h"
+#include "world/layers.h"
+#include "world/look.h"
 #include "world/settings.h"
 
 namespace coaster::base {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "gfx/studio.h"
+#include "world/evaluation.h"
 
 namespace coaster::gfx {
 namespace gpu_curves_test {
@@ -26,7 +27,7 @@ class Stages : public test::Studio, public testing::WithParamInterface<Evaluated
     if (!renderer_->supports(GetParam())) GTEST_SKIP() << renderer_->refusal(GetParam());
   }
   void on(Track& track, EvaluatedBy stage) const {
-    track.settings.evaluator =
+    track.settings.evaluation->evaluator =
         stage == EvaluatedBy::processor ? *base::value_named<curve::EvaluatorId>("horner") : row_of(stage);
     track.derive();
   }
@@ -56,7 +57,7 @@ class Stages : public test::Studio, public testing::WithParamInterface<Evaluated
         differing += most > 16;
       }
       EXPECT_LE(differing, long(width_) * height_ / 2000)
-          << what << ", " << track.settings.steps << " steps, " << camera.distance << " m";
+          << what << ", " << track.settings.evaluation->steps << " steps, " << camera.distance << " m";
     }
   }
 };
@@ -101,7 +102,7 @@ TEST_P(Stages, upload_48_bytes_a_segment_once_and_nothing_for_another_resolution
   EXPECT_EQ(first.upload_bytes, 9 * 48);
   EXPECT_EQ(first.polyline_bytes, 9 * 48);
   for (const int steps : {1, 4096, 63}) {
-    track.settings.steps = steps;
+    track.settings.evaluation->steps = steps;
     track.derive();
     EXPECT_EQ(track.derived.rebuilds, 0);
     EXPECT_EQ(track.derived.vertices, 9 * (steps + 1));
@@ -116,8 +117,8 @@ TEST_P(Stages, upload_48_bytes_a_segment_once_and_nothing_for_another_resolution
   EXPECT_EQ(moved.polyline_upload_bytes, 2 * 48);
   EXPECT_GT(moved.upload_bytes, moved.polyline_upload_bytes) << "the rails are swept anew";
   EXPECT_EQ(draw(track).uploads, 0);
-  on(track, row_of(EvaluatedBy::vertex_shader) == track.settings.evaluator ? EvaluatedBy::geometry_shader
-                                                                           : EvaluatedBy::vertex_shader);
+  on(track, row_of(EvaluatedBy::vertex_shader) == track.settings.evaluation->evaluator ? EvaluatedBy::geometry_shader
+                                                                                       : EvaluatedBy::vertex_shader);
   EXPECT_EQ(draw(track).uploads, 0) << "another stage needs the same control points";
   on(track, EvaluatedBy::processor);
   EXPECT_EQ(draw(track).uploads, 9);
@@ -151,7 +152,7 @@ TEST_P(Stages, measure_the_deviation_of_what_the_gpu_computes) {
     on(track, GetParam());
     const DrawStats stats = draw(track);
     EXPECT_EQ(stats.deviation_pending, 0);
-    const curve::Evaluator& row = base::row_of(track.settings.evaluator);
+    const curve::Evaluator& row = base::row_of(track.settings.evaluation->evaluator);
     // Contracted or not, each operation rounds by at most half a unit in the last place of the twin's operands;
     // division and the reciprocal of the resolution are allowed 2.5.
     EXPECT_LE(stats.deviation, 3 * row.error_bound(2000, 4000, steps));
@@ -212,10 +213,10 @@ TEST_F(Driver, without_tessellation_the_vertex_shader_draws_and_the_reason_is_to
   EXPECT_TRUE(renderer_->supports(EvaluatedBy::geometry_shader));
   EXPECT_NE(renderer_->refusal(EvaluatedBy::tessellation_shader).find("need OpenGL 4.0"), std::string::npos);
   Track track(test::ring_document(9, 17.3f));
-  track.settings.evaluator = row_of(EvaluatedBy::vertex_shader);
+  track.settings.evaluation->evaluator = row_of(EvaluatedBy::vertex_shader);
   track.derive();
   const Image by_vertices = picture(track);
-  track.settings.evaluator = row_of(EvaluatedBy::tessellation_shader);
+  track.settings.evaluation->evaluator = row_of(EvaluatedBy::tessellation_shader);
   track.derive();
   EXPECT_EQ(draw(track).drawn_by, EvaluatedBy::vertex_shader);
   EXPECT_TRUE(picture(track).rgba == by_vertices.rgba);
@@ -226,7 +227,7 @@ TEST_F(Driver, without_feedback_or_timers_nothing_is_measured) {
   gl_.GenQueries = nullptr;
   renderer_ = fresh();
   Track track(test::ring_document(9, 17.3f));
-  track.settings.evaluator = row_of(EvaluatedBy::vertex_shader);
+  track.settings.evaluation->evaluator = row_of(EvaluatedBy::vertex_shader);
   track.derive();
   const DrawStats stats = draw(track);
   EXPECT_EQ(stats.deviation_pending, 9);

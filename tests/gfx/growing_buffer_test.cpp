@@ -6,6 +6,7 @@
 
 #include "gfx/studio.h"
 #include "gfx/track_cache.h"
+#include "world/evaluation.h"
 
 namespace coaster::gfx {
 namespace growing_buffer_test {
@@ -38,7 +39,7 @@ TEST_F(GrowingBuffers, what_they_hold_survives_growth) {
 TEST_F(GrowingBuffers, segments_that_are_copied_to_a_larger_one_are_no_uploads) {
   test::Track track(test::ring_document(8, 17.3));
   world::set_closed(track.document, false);
-  track.settings.steps = 64;
+  track.settings.evaluation->steps = 64;
   track.derive();
   TrackCache cache(gl_);
   EXPECT_EQ(cache.sync(track.derived, {}).uploads, 7);
@@ -55,7 +56,7 @@ TEST_F(GrowingBuffers, segments_that_are_copied_to_a_larger_one_are_no_uploads) 
 TEST_F(GrowingBuffers, a_track_that_outgrew_them_looks_as_to_a_fresh_renderer) {
   test::Track track(test::ring_document(8, 17.3));
   world::set_closed(track.document, false);
-  track.settings.steps = 64;
+  track.settings.evaluation->steps = 64;
   track.derive();
   draw(track);
   for (int i = 0; i < 150; ++i)

@@ -13,6 +13,8 @@
 #include "gfx/objects.h"
 #include "sim/tracks.h"
 #include "view/pick.h"
+#include "world/aids.h"
+#include "world/look.h"
 
 namespace coaster::test {
 
@@ -46,7 +48,7 @@ struct Sight {
 
 inline Sight make_sight() {
   Sight sight;
-  sight.settings.show_gizmo = false;  // its parts are no entities
+  sight.settings.aids->show_gizmo = false;  // its parts are no entities
   sight.document = ring_document(9, 17.3);
   for (const double fraction : {0.21, 0.43, 0.67})
     world::add_cart(sight.document, sight.document.track.segments[2], fraction);
@@ -65,7 +67,7 @@ inline void look_around(std::mt19937& bits, Sight& sight) {
   const std::array<world::Entity, 3> choices{world::kNone, knots[bits() % knots.size()],
                                              segments[bits() % segments.size()]};
   sight.settings.selected = choices[bits() % choices.size()];
-  sight.settings.ui_scale = bits() % 2 ? 1.0f : 1.5f;
+  sight.settings.look->ui_scale = bits() % 2 ? 1.0f : 1.5f;
   sight.settings.frames = bits() % 2 ? world::FrameMethod::knots : world::FrameMethod::frenet;
   world::Camera camera;
   camera.target = bits() % 2 ? world::knot(sight.document, knots[bits() % knots.size()]).position
@@ -190,7 +192,7 @@ class IdPicture {
     const glm::dvec4 clip = glm::dmat4(sight.view.projection) * glm::dmat4(sight.view.view) * glm::dvec4(position, 1);
     if (clip.w <= 0 || std::abs(clip.z) > clip.w) return;
     const glm::dvec2 half(0.5 * kIdWidth, 0.5 * kIdHeight), middle = (glm::dvec2(clip) / clip.w + 1.0) * half;
-    const float radius = size * sight.settings.ui_scale;
+    const float radius = size * sight.settings.look->ui_scale;
     // Depth by the distance from the eye, which is not the depth along the line of sight: 0.25 mm fine up to 2 km.
     const double depth = glm::distance(glm::dvec3(position), glm::dvec3(sight.view.eye)) / 1000 - 1;
     for (const int i : {0, 1, 2, 2, 1, 3}) {

@@ -5,6 +5,8 @@
 #include <random>
 
 #include "gfx/studio.h"
+#include "world/evaluation.h"
+#include "world/laboratory.h"
 
 namespace coaster::gfx {
 namespace renderer_test {
@@ -196,7 +198,7 @@ void edit(std::mt19937& bits, Track& track) {
       world::split_segment(track.document, segment, 0.37, glm::vec3(sim::frame_of(track.document, segment, 0.37).up));
       break;
     }
-    case 2: track.settings.steps = 3 + static_cast<int>(bits() % 60); break;
+    case 2: track.settings.evaluation->steps = 3 + static_cast<int>(bits() % 60); break;
     default: track.document.entities.get<world::Knot>(knots[at]).position += glm::vec3(shift(), shift(), shift());
   }
   if (track.document.track.knots.size() < 4) track.document = test::ring_document(9, 17.3f);

@@ -10,6 +10,7 @@
 #include "gfx/image.h"
 #include "platform/surface.h"
 #include "sim/tracks.h"
+#include "world/evaluation.h"
 
 namespace coaster::test {
 
@@ -20,7 +21,7 @@ struct Track {
   sim::Derived derived;
 
   explicit Track(world::Document from, int steps = 24) : document(std::move(from)) {
-    settings.steps = steps;
+    settings.evaluation->steps = steps;
     derive();
   }
   void derive() {

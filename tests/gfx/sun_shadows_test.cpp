@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gfx/studio.h"
+#include "world/look.h"
 
 namespace coaster::gfx {
 namespace sun_shadows_test {

@@ -2,6 +2,7 @@
 #include "gfx/track_cache.h"
 
 #include "gfx/studio.h"
+#include "world/evaluation.h"
 
 namespace coaster::gfx {
 namespace track_cache_test {
@@ -39,8 +40,8 @@ TEST_F(Cache, another_evaluator_uploads_everything_once_and_another_stage_of_the
     const auto id = static_cast<curve::EvaluatorId>(row);
     const bool was_on_gpu = track.derived.evaluated_by != curve::EvaluatedBy::processor,
                is_on_gpu = base::row_of(id).evaluated_by != curve::EvaluatedBy::processor;
-    const int expected = id == track.settings.evaluator || (was_on_gpu && is_on_gpu) ? 0 : 9;
-    track.settings.evaluator = id;
+    const int expected = id == track.settings.evaluation->evaluator || (was_on_gpu && is_on_gpu) ? 0 : 9;
+    track.settings.evaluation->evaluator = id;
     track.derive();
     EXPECT_EQ(draw(track).uploads, expected) << row;
     EXPECT_EQ(draw(track).uploads, 0) << row;
@@ -53,7 +54,7 @@ TEST_F(Cache, the_resolution_sets_how_many_lines_there_are) {
   cache.sync(track.derived, {});
   EXPECT_EQ(cache.line_count(), 9 * 26 - 1);  // 25 vertices and a break each
   for (const int steps : {96, 3, 24}) {
-    track.settings.steps = steps;
+    track.settings.evaluation->steps = steps;
     track.derive();
     EXPECT_EQ(cache.sync(track.derived, {}).uploads, 9);
   }

@@ -2,6 +2,7 @@
 
 #include "edit/session_fixture.h"
 #include "exchange/own/track_file.h"
+#include "world/evaluation.h"
 
 #include <filesystem>
 #include <fstream>
@@ -89,10 +90,10 @@ TEST_F(ChallengeTest, what_may_be_judged_depends_on_track_and_ride_alone) {
                b = query.evaluate({session, other, "a notice", "a title"}, argument);
     ASSERT_TRUE(a && b) << query.name;
     EXPECT_EQ(to_text(*a), to_text(*b)) << query.name;
-    session.settings.steps = 7;  // nor on how the curve is shown
+    session.settings.evaluation->steps = 7;  // nor on how the curve is shown
     sim::derive(session.document, session.settings, {}, session.derived);
     EXPECT_EQ(to_text(*a), to_text(*query.evaluate({session, stats, "", ""}, argument))) << query.name;
-    session.settings.steps = 64;
+    session.settings.evaluation->steps = 64;
     sim::derive(session.document, session.settings, {}, session.derived);
   }
   EXPECT_GT(judged, 50);

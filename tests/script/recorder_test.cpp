@@ -6,6 +6,9 @@
 #include "base/hash.h"
 #include "edit/commands/codec.h"
 #include "script/fake_host.h"
+#include "world/lab_view.h"
+#include "world/layers.h"
+#include "world/other_settings.h"
 
 namespace coaster::script {
 namespace recorder_test {
@@ -61,6 +64,67 @@ TEST(recorder, a_replay_has_the_same_hashes) {
   EXPECT_EQ(hashes(replayed.session), hashes(original.session));
   EXPECT_EQ(replayed.session.history.undo.size(), original.session.history.undo.size());
   EXPECT_NE(hashes(replayed.session), hashes(edit::make_session({})));
+}
+
+// What a session starts a recording with, changed in every member.
+world::Settings other_settings(const edit::Session& session) {
+  world::Settings s = session.settings;
+  world::for_each_setting([&]<auto Setting>() { world::value_in<Setting>(s) = test::other_value<Setting>(); });
+  for (std::size_t i = 0; i < world::layers().size(); ++i) {
+    const auto layer = static_cast<world::Layer>(i);
+    s.lab->layers.set(layer, !s.lab->layers.has(layer));
+  }
+  s.camera = {{1.5f, 2.25f, -3.75f}, 12.5f, -7.25f, 33.5f, s.camera.field_of_view_deg};
+  s.fly = {{-4.5f, 6.25f, 8.75f}, -21.5f, 3.25f};
+  s.snapping = {world::SnapTo::knots, 0.375, 22.5};
+  s.element = world::usual_element(world::ElementKind::loop);
+  s.element.right = true, s.element.values[0] += 1.5;
+  s.selected = session.document.track.segments.at(2);
+  s.selected_t = 0.375;
+  return s;
+}
+
+TEST(recorder, a_replay_has_the_same_settings) {
+  std::filesystem::create_directories(test_folder());
+  base::Files files;
+  FakeHost original;
+  ASSERT_TRUE(original.apply(edit::Load{std::string(COASTER_SOURCE_DIR) + "/tracks/loop.json"}).ok());
+  const world::Settings at_first = original.session.settings;
+  const auto replay = [&](const std::string& name) {
+    const std::filesystem::path path = test_folder() / (name + ".coaster");
+    EXPECT_TRUE(Recorder::start(files, path, original.session).ok());
+    const auto parsed = parse_script_file(path, files);
+    EXPECT_TRUE(parsed.ok() && parsed->errors.empty());
+    FakeHost replayed;
+    Host host = replayed.host();
+    EXPECT_TRUE(run_script(parsed->script, host, {test_folder() / "out", false, {}}).ok());
+    return replayed.session.settings;
+  };
+  EXPECT_TRUE(replay("first") == at_first) << "what a command changes besides is set, too";
+
+  original.session.settings = other_settings(original.session);
+  {
+    // A member that this test does not know would not compile here.
+    const auto& [look, feel, aids, evaluation, lab, frames, integrator, mode, camera, fly, selected, also, place,
+                 snapping, element] = original.session.settings;
+    EXPECT_FALSE(look == at_first.look || feel == at_first.feel || aids == at_first.aids || lab == at_first.lab);
+    EXPECT_FALSE(evaluation == at_first.evaluation || frames == at_first.frames || integrator == at_first.integrator);
+    EXPECT_FALSE(mode == at_first.camera_mode || camera == at_first.camera || fly == at_first.fly);
+    EXPECT_FALSE(selected == at_first.selected || place == at_first.selected_t);
+    EXPECT_FALSE(snapping == at_first.snapping || element == at_first.element);
+    EXPECT_TRUE(also.empty()) << "further knots are selected beside a knot alone";
+  }
+  const world::Settings replayed = replay("settings");
+  world::for_each_setting([&]<auto Setting>() {
+    EXPECT_EQ(world::value_in<Setting>(replayed), world::value_in<Setting>(original.session.settings))
+        << world::setting_row<Setting>().word;
+  });
+  EXPECT_TRUE(replayed == original.session.settings);
+
+  const auto& knots = original.session.document.track.knots;
+  original.session.settings.selected = knots.at(3), original.session.settings.also = {knots.at(1), knots.at(4)};
+  original.session.settings.selected_t = world::Settings{}.selected_t;  // a place on a segment alone
+  EXPECT_TRUE(replay("selection") == original.session.settings);
 }
 
 TEST(recorder, a_folder_that_cannot_be_written_is_an_error) {

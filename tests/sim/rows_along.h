@@ -8,6 +8,7 @@
 
 #include "sim/plan/fit_track.h"
 #include "sim/shape/derived.h"
+#include "world/evaluation.h"
 
 namespace coaster::test {
 
@@ -59,7 +60,7 @@ struct Misses {
 inline Misses misses_of(const world::Document& document, const std::vector<sim::FitRow>& rows) {
   sim::Derived derived;
   world::Settings settings;
-  settings.steps = 1;
+  settings.evaluation->steps = 1;
   sim::derive(document, settings, {}, derived);
   const std::vector<bool> counted = counted_rows(rows, document.track.closed);
   Misses worst;

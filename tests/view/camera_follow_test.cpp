@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "view/watch.h"
+#include "world/camera_feel.h"
 
 namespace coaster::view {
 namespace camera_follow_test {
@@ -27,7 +28,7 @@ TEST(chase_camera, it_keeps_its_distance_off_the_ground_and_off_the_track_for_a_
       d.entities.get<world::Cart>(world::first_cart(d)).cars = cars;
       if (cars > 1) d.start_speed = 9;  // a long train needs it to leave the first crest
       Watch w(std::move(d), CameraMode::chase);
-      const double wanted = w.settings.feel.chase_distance + 0.6 * 3.0 * (cars - 1);
+      const double wanted = w.settings.feel->chase_distance + 0.6 * 3.0 * (cars - 1);
       double nearest = 1e9, furthest = 0, from_track = 1e9, off_middle = 0;
       int ticks = 0;
       for (; ticks < kLap && (w.cart().laps == 0 || w.cart().track_distance < 20); ++ticks) {
@@ -77,7 +78,7 @@ TEST(ride_camera, a_steady_roll_is_followed_as_late_as_the_setting_says) {
   for (const world::Entity e : d.track.segments) d.entities.get<world::Segment>(e).turns = 1;
   for (const double lag : {0.0, 0.1, 0.25, 0.6}) {
     Watch w(with_cart(d, 20), CameraMode::ride);
-    w.settings.feel.roll_damping = static_cast<float>(lag);
+    w.settings.feel->roll_damping = static_cast<float>(lag);
     for (int i = 0; i < 6 * 120; ++i) w.tick();
     EXPECT_NEAR(std::abs(w.rig.roll_lag), std::numbers::pi * lag, 0.02 * std::numbers::pi * lag + 0.02) << lag;
     EXPECT_NEAR(glm::dot(w.rig.eye.up, w.pose().frame.up), std::cos(std::numbers::pi * lag), 0.05) << lag;
@@ -110,7 +111,7 @@ TEST(ride_camera, the_damped_roll_comes_to_the_tracks_without_jump_or_overshoot)
 
 TEST(ride_camera, without_damping_the_roll_is_the_tracks_at_once) {
   Watch w(sample_track("loop"), CameraMode::ride);
-  w.settings.feel.roll_damping = 0;
+  w.settings.feel->roll_damping = 0;
   for (int i = 0; i < 3000; ++i) {
     w.tick();
     ASSERT_LT(glm::length(w.rig.eye.up - w.pose().frame.up), 1e-9);
@@ -122,7 +123,7 @@ TEST(reduced_motion, the_horizon_stays_level_and_the_view_is_calm_through_a_loop
   for (const char* name : {"loop", "helix"}) {
     world::Document d = sample_track(name);
     Watch w(std::move(d), CameraMode::ride);
-    w.settings.feel.reduced_motion = true, w.settings.feel.head_bob = true;
+    w.settings.feel->reduced_motion = true, w.settings.feel->head_bob = true;
     w.look(0);
     double most = 0;
     for (int i = 0; i < kLap && w.cart().laps == 0; ++i) {
@@ -130,7 +131,7 @@ TEST(reduced_motion, the_horizon_stays_level_and_the_view_is_calm_through_a_loop
       w.tick();
       ASSERT_NEAR(right_height(w.rig.eye), 0, 1e-9);
       ASSERT_GT(w.rig.eye.up.y, 0);
-      ASSERT_EQ(w.rig.eye.field_of_view_deg, w.settings.feel.ride_view_deg);
+      ASSERT_EQ(w.rig.eye.field_of_view_deg, w.settings.feel->ride_view_deg);
       const dvec3 seat = w.pose().position + 1.1 * w.pose().frame.up;
       ASSERT_LT(glm::distance(w.rig.eye.position, seat), 0.071);  // head-bob is off: only what is left of it settles
       most = std::max(most, glm::length(w.rig.eye.forward - before));
@@ -142,7 +143,7 @@ TEST(reduced_motion, the_horizon_stays_level_and_the_view_is_calm_through_a_loop
 TEST(head_bob, it_is_small_a_function_of_the_ride_and_off_by_default) {
   const auto run = [](bool bob) {
     Watch w(sample_track("helix"), CameraMode::ride);
-    w.settings.feel.head_bob = bob;
+    w.settings.feel->head_bob = bob;
     std::vector<double> off;
     for (int i = 0; i < 2400; ++i) {
       w.tick();

@@ -3,6 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "view/watch.h"
+#include "world/camera_feel.h"
 
 namespace coaster::view {
 namespace camera_rig_test {
@@ -26,7 +27,7 @@ TEST(transitions, they_take_48_ticks_are_continuous_and_are_cut_by_reduced_motio
     EXPECT_EQ(w.rig.ticks_left, 0);
     expect_sound(w.rig.eye);
   }
-  w.settings.feel.reduced_motion = true;
+  w.settings.feel->reduced_motion = true;
   w.look(0);
   w.settings.camera_mode = CameraMode::ride;
   w.look(0);
@@ -83,7 +84,7 @@ TEST(cameras, vertical_inverted_still_and_degenerate_tracks_give_sound_eyes) {
       for (const CameraMode mode : {CameraMode::ride, CameraMode::chase})
         for (const bool reduced : {false, true}) {
           Watch w(with_cart(d, speed, 3), mode);
-          w.settings.feel.reduced_motion = reduced, w.settings.feel.head_bob = true;
+          w.settings.feel->reduced_motion = reduced, w.settings.feel->head_bob = true;
           for (int i = 0; i < 240; ++i) {
             w.tick();
             expect_sound(w.rig.eye);

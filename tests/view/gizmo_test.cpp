@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "world/aids.h"
 #include "world/sample_documents.h"
 
 namespace coaster::view {
@@ -35,7 +36,7 @@ TEST(gizmo, stands_at_the_middle_of_the_selected_knots_and_nowhere_else) {
   EXPECT_LT(glm::length(gizmo_of(s.document, s.settings, s.view())->at - 0.5f * (a + b)), 1e-4f);
   s.settings.selected = s.document.track.segments[0], s.settings.also.clear();
   EXPECT_FALSE(gizmo_of(s.document, s.settings, orbit_view({a, 30, 25, 60}, kViewport)));
-  s.settings.selected = s.document.track.knots[1], s.settings.show_gizmo = false;
+  s.settings.selected = s.document.track.knots[1], s.settings.aids->show_gizmo = false;
   EXPECT_FALSE(gizmo_of(s.document, s.settings, s.view()));
 }
 

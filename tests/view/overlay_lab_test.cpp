@@ -5,6 +5,8 @@
 #include "curve/bernstein.h"
 #include "sim/study/rounding.h"
 #include "sim/tracks.h"
+#include "world/evaluation.h"
+#include "world/lab_view.h"
 
 namespace coaster::view {
 namespace overlay_lab_test {
@@ -96,7 +98,7 @@ TEST(overlay_lab, a_straight_has_neither_circle_nor_teeth_that_show) {
 
 TEST(overlay_lab, teeth_are_curvature_times_scale_long_and_point_away_from_the_centre) {
   Scene scene;
-  scene.settings.comb_scale = 83.7;
+  scene.settings.lab->comb_scale = 83.7;
   Overlay overlay;
   add_comb(scene.derived, scene.settings, scene.view, overlay);
   int teeth = 0;
@@ -110,7 +112,7 @@ TEST(overlay_lab, teeth_are_curvature_times_scale_long_and_point_away_from_the_c
       const curve::NearestPoint at = curve::nearest_point(c, glm::dvec3(line.from));
       if (at.distance > nearest) continue;
       // At a joint two teeth of different length have one root: the better fit counts.
-      const double want = curve::curvature(c, at.t) * scene.settings.comb_scale;
+      const double want = curve::curvature(c, at.t) * scene.settings.lab->comb_scale;
       if (at.distance > nearest - 1e-4 && std::abs(want - length(line)) > std::abs(expected - length(line))) continue;
       nearest = at.distance, expected = want;
       normal = curve::frenet(c, at.t)->normal;
@@ -158,13 +160,13 @@ TEST(overlay_lab, arrows_of_a_frame_are_one_length_and_perpendicular) {
 
 TEST(overlay_lab, rounding_moves_vertices_by_their_error_times_the_magnification) {
   Scene scene;
-  scene.settings.evaluator = *base::value_named<curve::EvaluatorId>("forward_differences");
-  scene.settings.steps = 512;
-  scene.settings.magnification = 1234.5;
+  scene.settings.evaluation->evaluator = *base::value_named<curve::EvaluatorId>("forward_differences");
+  scene.settings.evaluation->steps = 512;
+  scene.settings.lab->magnification = 1234.5;
   scene.settings.selected = scene.derived.order[4];
   Overlay overlay;
   add_rounding(scene.document, scene.derived, scene.settings, overlay);
-  const sim::Rounding r = sim::rounding(scene.shape(4).curve, base::row_of(scene.settings.evaluator), 512);
+  const sim::Rounding r = sim::rounding(scene.shape(4).curve, base::row_of(scene.settings.evaluation->evaluator), 512);
   std::vector<Line> chain;
   for (const Line& line : overlay.lines)
     if (line.rgba == kRoundingColour || line.rgba == kSeamColour) chain.push_back(line);
@@ -235,7 +237,7 @@ TEST(overlay_lab, no_layer_outgrows_its_limit_on_a_long_track) {
 TEST(overlay_lab, an_empty_track_shows_nothing) {
   Scene scene{world::Document{}};
   for (std::size_t i = 0; i < world::layers().size(); ++i)
-    scene.settings.layers.set(static_cast<world::Layer>(i), true);
+    scene.settings.lab->layers.set(static_cast<world::Layer>(i), true);
   Overlay overlay;
   add_laboratory(scene.document, scene.derived, scene.settings, scene.view, {}, overlay);
   EXPECT_TRUE(overlay == Overlay{});
@@ -274,7 +276,7 @@ TEST(overlay_lab, a_conflict_has_a_band_over_both_stretches_and_a_sign_above_whi
 
   for (const bool riding : {true, false}) {
     findings.riding = riding;
-    scene.settings.layers.set(world::Layer::conflicts, riding);
+    scene.settings.lab->layers.set(world::Layer::conflicts, riding);
     Overlay none;
     add_laboratory(scene.document, scene.derived, scene.settings, scene.view, findings, none);
     EXPECT_TRUE(none == Overlay{}) << riding;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/tracks.h"
+#include "world/aids.h"
+#include "world/look.h"
 
 namespace coaster::view {
 namespace overlay_test {
@@ -61,7 +63,7 @@ TEST(overlay, what_is_painted_last_is_what_is_picked) {
     world::Document d = test::random_document(static_cast<std::uint32_t>(trial));
     if (d.track.knots.empty()) continue;
     world::Settings settings;
-    settings.show_gizmo = false;  // its parts are no marks: view/gizmo_test.cpp
+    settings.aids->show_gizmo = false;  // its parts are no marks: view/gizmo_test.cpp
     settings.camera = {{uniform(-90, 90), uniform(0, 60), uniform(-90, 90)},
                        static_cast<float>(uniform(-180, 180)),
                        static_cast<float>(uniform(5, 85)),
@@ -147,7 +149,7 @@ TEST(overlay, nothing_selected_shows_knots_alone) {
 TEST(overlay, a_selected_knot_is_orange_with_handles_and_polygons) {
   Scene scene;
   scene.settings.selected = scene.document.track.knots[2];
-  scene.settings.show_gizmo = false;
+  scene.settings.aids->show_gizmo = false;
   const Overlay overlay = scene.overlay();
   ASSERT_EQ(overlay.marks.size(), 7u);
   EXPECT_EQ(
@@ -187,7 +189,7 @@ TEST(overlay, what_is_under_the_cursor_is_larger) {
 
 TEST(overlay, sizes_follow_the_scale) {
   Scene scene;
-  scene.settings.ui_scale = 2;
+  scene.settings.look->ui_scale = 2;
   for (const Mark& m : scene.overlay().marks) EXPECT_EQ(m.radius_px, 2 * kKnotRadius);
 }
 

@@ -4,6 +4,7 @@
 
 #include "sim/tracks.h"
 #include "view/beam.h"
+#include "world/look.h"
 
 namespace coaster::view {
 namespace pick_test {
@@ -112,7 +113,7 @@ TEST(pick, knots_reach_as_far_as_their_discs_in_every_direction) {
   const world::Entity knot = scene.document.track.knots[1];
   const glm::vec2 middle(*project(scene.view, world::knot(scene.document, knot).position));
   for (const float scale : {1.0f, 1.5f}) {
-    scene.settings.ui_scale = scale;
+    scene.settings.look->ui_scale = scale;
     for (int k = 0; k < 16; ++k) {
       const float a = 0.3f + static_cast<float>(M_PI) / 8 * static_cast<float>(k);
       for (const auto& [reach, kind] : {std::pair(4.9f, PickKind::knot), {5.1f, PickKind::curve}}) {

@@ -1,4 +1,5 @@
 #include "world/laboratory.h"
+#include "world/layers.h"
 
 #include <set>
 

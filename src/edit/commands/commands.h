@@ -1,7 +1,7 @@
 // The one vocabulary: everything that a person, a script or a recording can make the program do to document, motion and
 // settings. Plain structs with a name, a line of help and a list of fields; from these come printing, parsing, help and
 // completion. Those that shape several knots are in commands_shape.h, those on how things are shown in
-// commands_settings.h, of the cameras in commands_camera.h, of the game in commands_challenge.h, of the palette in
+// commands_settings.h, of the game in commands_challenge.h, of the palette in
 // commands_elements.h, of the laboratory in commands_lab.h, of the ride's operation in commands_operation.h. Commands
 // carry names and numbers, never screen coordinates.
 #pragma once
@@ -16,7 +16,6 @@
 #include <glm/glm.hpp>
 
 #include "edit/commands/command_fields.h"
-#include "edit/commands/commands_camera.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_lab.h"
@@ -24,6 +23,7 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "world/document.h"
+#include "world/settings_groups.h"
 
 namespace coaster::edit {
 
@@ -227,19 +227,27 @@ struct CommandList {
     return std::array{make.template operator()<C>()...};
   }
 };
+template <class... A, class... B>
+CommandList<A..., B...> operator+(CommandList<A...>, CommandList<B...>);
+
+// Set<> of every row of a group of settings.
+template <class Group, std::size_t... I>
+CommandList<Set<std::get<I>(Group::kRows).member>...> set_commands(std::index_sequence<I...>);
+template <class... Groups>
+auto set_commands(world::GroupList<Groups...>)
+    -> decltype((set_commands<Groups>(std::make_index_sequence<std::tuple_size_v<decltype(Groups::kRows)>>()) + ...));
+
 using Commands =
-    CommandList<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve,
-                AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2,
-                Translate, Rotate, Scale, Mirror, Smooth, Equalise, Straighten, SetRadius, DropToGround, Align, Reverse,
-                Duplicate, CloseExactly, SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetHeartline,
-                SetRollbackFails, AutoBank, PlaceElement, SetEvaluator, SetResolution, SetVertexBudget, SetArcLength,
-                SetFrames, SetIntegrator, SetCamera, SetCameraMode, SetFly, SetFieldOfView, SetRideView, SetWidening,
-                SetRollDamping, SetChaseDistance, SetHeadBob, SetReducedMotion, Select, SelectKnots, SetSnapping,
-                SetGizmo, SetHints, SetPanels, SetPolyline, SetAppendMode, SetScale, SetTheme, SetStyle, SetShadows,
-                SetSound, ShowLayer, SetColouring, SetMagnification, SetCombScale, ShowLaboratory, OpenPage, Measure,
-                StopMeasuring, ChooseElement, PreviewElement, RideStart, RidePause, RideStop, RideStep, RideSeek, Undo,
-                Redo, BeginGesture, EndGesture, CancelGesture, Load, Save, SaveMeasurements, SaveReport, LoadEnvelope,
-                RecoverTrack, NewTrack, StartChallenge, LeaveChallenge, ShowHint, SetCard, CloseCard>;
+    decltype(CommandList<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment,
+                         AddCurve, AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2,
+                         MakeAllG2, Translate, Rotate, Scale, Mirror, Smooth, Equalise, Straighten, SetRadius,
+                         DropToGround, Align, Reverse, Duplicate, CloseExactly, SetEquipment, RemoveEquipment, SetTrain,
+                         SetLosses, SetHeartline, SetRollbackFails, AutoBank, PlaceElement, SetCamera, SetFly, Select,
+                         SelectKnots, SetSnapping, SetPolyline, ShowLayer, Measure, StopMeasuring, ChooseElement,
+                         RideStart, RidePause, RideStop, RideStep, RideSeek, Undo, Redo, BeginGesture, EndGesture,
+                         CancelGesture, Load, Save, SaveMeasurements, SaveReport, LoadEnvelope, RecoverTrack, NewTrack,
+                         StartChallenge, LeaveChallenge, ShowHint, CloseCard>() +
+             set_commands(world::SettingGroups()));
 
 // One command of any kind. A std::variant of so many kinds would take half a minute to compile.
 class Command {

@@ -23,11 +23,6 @@ struct ShowHint {
   COASTER_COMMAND("challenge.hint", "Show the challenge's next hint.", Effect::settings);
   COASTER_FIELDS()
 };
-struct SetCard {
-  bool to = true;
-  COASTER_COMMAND("card", "Show the score card when a ride ends (on, off).", Effect::settings);
-  COASTER_FIELDS(visit("", self.to))
-};
 struct CloseCard {
   COASTER_COMMAND("card.close", "Close the score card of the last ride.", Effect::settings);
   COASTER_FIELDS()

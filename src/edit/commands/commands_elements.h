@@ -20,10 +20,5 @@ struct ChooseElement {
                   Effect::settings);
   COASTER_FIELDS(visit("", self.what))
 };
-struct PreviewElement {
-  bool to = true;
-  COASTER_COMMAND("element.preview", "Show or hide where the palette's element would go (on, off).", Effect::settings);
-  COASTER_FIELDS(visit("", self.to))
-};
 
 }  // namespace coaster::edit

@@ -8,11 +8,13 @@
 #include "edit/commands/codec.h"
 #include "edit/perform/motion_follow.h"
 #include "edit/perform/perform.h"
+#include "edit/perform/set.h"
 #include "edit/session/history.h"
 #include "edit/session/ride_watch.h"
 #include "exchange/formats.h"
 #include "exchange/own/envelope_file.h"
 #include "exchange/own/track_file.h"
+#include "world/aids.h"
 #include "world/selection.h"
 #include "world/topology.h"
 
@@ -134,7 +136,7 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
   session.history = {};
   session.motion = {};
   session.settings.selected = world::kNone, session.settings.also.clear();
-  session.settings.append_mode = false;
+  session.settings.aids->append_mode = false;
   session.file.path = std::move(path);
   session.file.import.reset();
   session.game.challenge.reset();

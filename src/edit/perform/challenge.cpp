@@ -20,11 +20,6 @@ Status perform(Session& session, Change&, const ShowHint&) {
   return {};
 }
 
-Status perform(Session& session, Change&, const SetCard& command) {
-  session.settings.show_card = command.to;
-  return {};
-}
-
 Status perform(Session& session, Change&, const CloseCard&) {
   session.game.show_result = false;
   return {};

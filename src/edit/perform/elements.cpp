@@ -4,6 +4,8 @@
 
 #include "edit/perform/perform.h"
 #include "sim/plan/elements.h"
+#include "world/aids.h"
+#include "world/evaluation.h"
 #include "world/topology.h"
 
 namespace coaster::edit {
@@ -58,7 +60,9 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
   const std::size_t knots = std::max<std::size_t>(document.track.knots.size(), 1) + plan.spans();
   if (knots > world::kMaxKnots)
     return refused("the track is at the limit of " + std::to_string(world::kMaxKnots) + " knots");
-  if (const Status room = within_budget(knots - 1, session.settings.steps, session.settings.vertex_budget); !room)
+  if (const Status room =
+          within_budget(knots - 1, session.settings.evaluation->steps, session.settings.evaluation->vertex_budget);
+      !room)
     return room;
   const double missing = sim::worst(find(session, Want::room, command.what).room);
   open_out(document, plan.fit.knots.front());
@@ -74,12 +78,7 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
 Status perform(Session& session, Change&, const ChooseElement& command) {
   if (const Status good = well_formed(command.what); !good) return good;
   session.settings.element = command.what;
-  session.settings.show_element = true;
-  return {};
-}
-
-Status perform(Session& session, Change&, const PreviewElement& command) {
-  session.settings.show_element = command.to;
+  session.settings.aids->show_element = true;
   return {};
 }
 

@@ -1,5 +1,6 @@
 // Checks and limits that commands share.
 #include "edit/perform/perform.h"
+#include "world/evaluation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +36,9 @@ float Change::clamp(std::string_view what, float value, float low, float high, s
 int Change::clamp(std::string_view what, int value, int low, int high, std::string_view unit) {
   return cut(clamped, what, value, low, high, unit, kPrintWhole);
 }
-std::int64_t Change::clamp(std::string_view what, std::int64_t value, std::int64_t low, std::int64_t high) {
-  return cut(clamped, what, value, low, high, {}, kPrintWhole);
+std::int64_t Change::clamp(std::string_view what, std::int64_t value, std::int64_t low, std::int64_t high,
+                           std::string_view unit) {
+  return cut(clamped, what, value, low, high, unit, kPrintWhole);
 }
 
 glm::vec3 Change::clamp_position(std::string_view what, glm::vec3 position) {
@@ -71,18 +73,18 @@ base::Status within_budget(std::size_t segments, int steps, std::int64_t budget)
 base::Status room_for(const Session& session, std::size_t knots, std::size_t segments) {
   if (knots > world::kMaxKnots)
     return refused("the track is at the limit of " + std::to_string(world::kMaxKnots) + " knots");
-  return within_budget(segments, session.settings.steps, session.settings.vertex_budget);
+  return within_budget(segments, session.settings.evaluation->steps, session.settings.evaluation->vertex_budget);
 }
 
 void fit_budget(Session& session) {
   const std::size_t segments = session.document.track.segments.size();
-  int& steps = session.settings.steps;
-  if (within_budget(segments, steps, session.settings.vertex_budget)) return;
-  const std::int64_t fitting = session.settings.vertex_budget / static_cast<std::int64_t>(segments) - 1;
+  int& steps = session.settings.evaluation->steps;
+  if (within_budget(segments, steps, session.settings.evaluation->vertex_budget)) return;
+  const std::int64_t fitting = session.settings.evaluation->vertex_budget / static_cast<std::int64_t>(segments) - 1;
   const int lowered = static_cast<int>(std::clamp<std::int64_t>(fitting, curve::kMinSteps, steps));
   notify(session, NoticeKind::warning,
          "resolution lowered from " + std::to_string(steps) + " to " + std::to_string(lowered) +
-             " steps: the limit is the vertex budget of " + std::to_string(session.settings.vertex_budget));
+             " steps: the limit is the vertex budget of " + std::to_string(session.settings.evaluation->vertex_budget));
   steps = lowered;
 }
 

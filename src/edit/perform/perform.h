@@ -30,7 +30,8 @@ struct Change {
   double clamp(std::string_view what, double value, double low, double high, std::string_view unit = {});
   float clamp(std::string_view what, float value, float low, float high, std::string_view unit = {});
   int clamp(std::string_view what, int value, int low, int high, std::string_view unit = {});
-  std::int64_t clamp(std::string_view what, std::int64_t value, std::int64_t low, std::int64_t high);
+  std::int64_t clamp(std::string_view what, std::int64_t value, std::int64_t low, std::int64_t high,
+                     std::string_view unit = {});
   glm::vec3 clamp_position(std::string_view what, glm::vec3 position);
 };
 
@@ -89,48 +90,18 @@ base::Status perform(Session& session, Change& change, const Duplicate& command)
 base::Status perform(Session& session, Change& change, const CloseExactly& command);
 
 // Settings.
-base::Status perform(Session& session, Change& change, const SetEvaluator& command);
-base::Status perform(Session& session, Change& change, const SetResolution& command);
-base::Status perform(Session& session, Change& change, const SetVertexBudget& command);
-base::Status perform(Session& session, Change& change, const SetArcLength& command);
-base::Status perform(Session& session, Change& change, const SetFrames& command);
-base::Status perform(Session& session, Change& change, const SetIntegrator& command);
 base::Status perform(Session& session, Change& change, const SetCamera& command);
-base::Status perform(Session& session, Change& change, const SetCameraMode& command);
 base::Status perform(Session& session, Change& change, const SetFly& command);
-base::Status perform(Session& session, Change& change, const SetFieldOfView& command);
-base::Status perform(Session& session, Change& change, const SetRideView& command);
-base::Status perform(Session& session, Change& change, const SetWidening& command);
-base::Status perform(Session& session, Change& change, const SetRollDamping& command);
-base::Status perform(Session& session, Change& change, const SetChaseDistance& command);
-base::Status perform(Session& session, Change& change, const SetHeadBob& command);
-base::Status perform(Session& session, Change& change, const SetReducedMotion& command);
 base::Status perform(Session& session, Change& change, const Select& command);
 base::Status perform(Session& session, Change& change, const SelectKnots& command);
 base::Status perform(Session& session, Change& change, const SetSnapping& command);
-base::Status perform(Session& session, Change& change, const SetGizmo& command);
-base::Status perform(Session& session, Change& change, const SetHints& command);
-base::Status perform(Session& session, Change& change, const SetPanels& command);
 base::Status perform(Session& session, Change& change, const SetPolyline& command);
-base::Status perform(Session& session, Change& change, const SetAppendMode& command);
-base::Status perform(Session& session, Change& change, const SetScale& command);
-base::Status perform(Session& session, Change& change, const SetTheme& command);
-base::Status perform(Session& session, Change& change, const SetStyle& command);
-base::Status perform(Session& session, Change& change, const SetShadows& command);
-base::Status perform(Session& session, Change& change, const SetSound& command);
 base::Status perform(Session& session, Change& change, const ShowLayer& command);
-base::Status perform(Session& session, Change& change, const SetColouring& command);
-base::Status perform(Session& session, Change& change, const SetMagnification& command);
-base::Status perform(Session& session, Change& change, const SetCombScale& command);
-base::Status perform(Session& session, Change& change, const ShowLaboratory& command);
-base::Status perform(Session& session, Change& change, const OpenPage& command);
 base::Status perform(Session& session, Change& change, const Measure& command);
 base::Status perform(Session& session, Change& change, const StopMeasuring& command);
 base::Status perform(Session& session, Change& change, const ChooseElement& command);
-base::Status perform(Session& session, Change& change, const PreviewElement& command);
 base::Status perform(Session& session, Change& change, const LeaveChallenge& command);
 base::Status perform(Session& session, Change& change, const ShowHint& command);
-base::Status perform(Session& session, Change& change, const SetCard& command);
 base::Status perform(Session& session, Change& change, const CloseCard& command);
 
 // Motion.

@@ -45,14 +45,4 @@ Status perform(Session& session, Change& change, const SetSnapping& command) {
   return {};
 }
 
-Status perform(Session& session, Change&, const SetGizmo& command) {
-  session.settings.show_gizmo = command.to;
-  return {};
-}
-
-Status perform(Session& session, Change&, const SetHints& command) {
-  session.settings.show_hints = command.to;
-  return {};
-}
-
 }  // namespace coaster::edit

@@ -1,6 +1,7 @@
 #include "edit/session/findings.h"
 
 #include "edit/session/session.h"
+#include "world/lab_view.h"
 
 namespace coaster::edit {
 namespace {
@@ -45,7 +46,7 @@ const Findings& find(Session& session, Want wanted) { return find(session, wante
 const Findings& find(Session& session, Want wanted, const world::Element& element) {
   Findings& found = session.findings;
   Findings::Memory& memory = found.memory;
-  const bool by_ride = base::row_of(session.settings.colouring).of_ride;
+  const bool by_ride = base::row_of(session.settings.lab->colouring).of_ride;
   if (has(wanted, Want::document_hash))
     found.document_hash = memory.document_hash.get(session.edits, [&] { return world::hash(session.document); });
   if (has(wanted, Want::ride | Want::ratings | Want::overloads) || (has(wanted, Want::values) && by_ride))

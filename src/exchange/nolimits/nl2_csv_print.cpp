@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "exchange/nolimits/nl2_csv.h"
 #include "sim/shape/derived.h"
+#include "world/evaluation.h"
 
 namespace coaster::exchange {
 namespace {
@@ -24,7 +25,7 @@ void print_row(std::string& out, std::size_t number, dvec3 position, const curve
 
 sim::Derived shapes_of(const world::Document& document) {
   world::Settings settings;
-  settings.steps = 1;  // polylines are not needed
+  settings.evaluation->steps = 1;  // polylines are not needed
   sim::Derived derived;
   sim::derive(document, settings, {}, derived);
   return derived;

@@ -9,6 +9,7 @@
 #include "exchange/nolimits/nl2_spline.h"
 #include "exchange/nolimits/nl2elem.h"
 #include "sim/shape/derived.h"
+#include "world/evaluation.h"
 
 namespace coaster::exchange {
 namespace {
@@ -94,7 +95,7 @@ base::Status check_nl2elem(const world::Document& document) {
 std::string print_nl2elem(const world::Document& document) {
   COASTER_CHECK(check_nl2elem(document).ok(), "callers check the track first");
   world::Settings settings;
-  settings.steps = 1;
+  settings.evaluation->steps = 1;
   sim::Derived derived;
   sim::derive(document, settings, {}, derived);
   double spacing = 1;

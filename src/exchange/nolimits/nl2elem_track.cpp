@@ -5,6 +5,7 @@
 
 #include "base/portable_math.h"
 #include "sim/shape/derived.h"
+#include "world/evaluation.h"
 #include "world/topology.h"
 
 namespace coaster::exchange {
@@ -154,7 +155,7 @@ ImportReport report_of(const world::Document& document, const std::vector<Piece>
   ImportReport report;
   report.knots = static_cast<int>(document.track.knots.size());
   world::Settings settings;
-  settings.steps = 1;
+  settings.evaluation->steps = 1;
   sim::Derived derived;
   sim::derive(document, settings, {}, derived);
   for (std::size_t i = 0; i < pieces.size(); ++i)

@@ -1,5 +1,5 @@
 // A user's settings from and to JSON: one row for each member, each with its own default where the file has something
-// else.
+// else. The rows of what a session keeps are made from the tables of its settings.
 #include "exchange/own/settings_file.h"
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "exchange/own/json_reader.h"
+#include "world/settings_groups.h"
 
 namespace coaster::exchange {
 namespace {
@@ -42,53 +43,57 @@ Json numbers(double value) {
 // Members in the order of the file. Each reads its value and leaves the settings alone where it is no such thing, and
 // says what it expects.
 struct Member {
-  std::string_view name, expected;
+  std::string_view name;
+  std::string expected;
   bool (*read)(const Json& value, UserSettings& to);
   Json (*print)(const UserSettings& settings);
 };
-template <bool UserSettings::*flag>
-constexpr Member flag_row(std::string_view name) {
-  return {name, "true or false", [](const Json& v, UserSettings& to) { return read(v, to.*flag); },
-          [](const UserSettings& s) { return Json(s.*flag); }};
-}
+constexpr std::string_view kSwitch = "true or false";
 
-bool read_scale(const Json& value, UserSettings& to) {
-  double scale = 0;
-  if (!read(value, kMinUiScale, kMaxUiScale, scale)) return false;
-  to.ui_scale = static_cast<float>(scale);
-  return true;
+template <auto Setting>
+Member kept_member() {
+  using T = world::ValueOf<Setting>;
+  static constexpr world::SettingRow kRow = world::setting_row<Setting>();
+  Member member{kRow.kept_as, {}, {}, {}};
+  if constexpr (std::is_enum_v<T>) {
+    member.expected = base::alternatives_of<T>();
+    member.read = [](const Json& value, UserSettings& to) {
+      const auto named = value.is_string() ? base::value_named<T>(value.get<std::string>()) : std::nullopt;
+      if (named) world::value_in<Setting>(to.session) = *named;
+      return named.has_value();
+    };
+    member.print = [](const UserSettings& s) {
+      return Json(std::string(base::name_of(world::value_in<Setting>(s.session))));
+    };
+  } else if constexpr (std::is_same_v<T, bool>) {
+    member.expected = kSwitch;
+    member.read = [](const Json& value, UserSettings& to) { return read(value, world::value_in<Setting>(to.session)); };
+    member.print = [](const UserSettings& s) { return Json(world::value_in<Setting>(s.session)); };
+  } else {
+    member.expected = "a number from " + base::to_text(kRow.low) + " to " + base::to_text(kRow.high);
+    member.read = [](const Json& value, UserSettings& to) {
+      double number = 0;
+      if (!read(value, kRow.low, kRow.high, number)) return false;
+      world::value_in<Setting>(to.session) = static_cast<T>(number);
+      return true;
+    };
+    member.print = [](const UserSettings& s) {
+      return numbers(std::round(double{world::value_in<Setting>(s.session)} * 1e4) / 1e4);
+    };
+  }
+  return member;
 }
-Json print_scale(const UserSettings& s) { return numbers(std::round(double{s.ui_scale} * 1e4) / 1e4); }
-
-// By the names of an enumeration.
-template <auto member>
-bool read_name(const Json& value, UserSettings& to) {
-  if (!value.is_string()) return false;
-  const auto found = base::value_named<std::remove_reference_t<decltype(to.*member)>>(value.get<std::string>());
-  if (found) to.*member = *found;
-  return found.has_value();
-}
-template <auto member>
-Json print_name(const UserSettings& s) {
-  return std::string(base::name_of(s.*member));
-}
-template <auto member>
-constexpr Member name_row(std::string_view name, std::string_view expected) {
-  return {name, expected, read_name<member>, print_name<member>};
-}
-
-bool read_sound(const Json& value, UserSettings& to) {
-  double loudness = 0;
-  if (!read(value, 0, 1, loudness)) return false;
-  to.sound = static_cast<float>(loudness);
-  return true;
-}
-Json print_sound(const UserSettings& s) { return numbers(std::round(double{s.sound} * 1e4) / 1e4); }
 
 bool read_autosave(const Json& value, UserSettings& to) {
   return read(value, kMinAutosave, kMaxAutosave, to.autosave_seconds);
 }
 Json print_autosave(const UserSettings& s) { return numbers(s.autosave_seconds); }
+
+bool read_recent(const Json& value, UserSettings& to) { return read(value, to.recent, kMaxRecent); }
+Json print_recent(const UserSettings& s) { return Json(s.recent); }
+
+bool read_start_screen(const Json& value, UserSettings& to) { return read(value, to.start_screen); }
+Json print_start_screen(const UserSettings& s) { return Json(s.start_screen); }
 
 bool read_window(const Json& value, UserSettings& to) {
   constexpr double kFarthest = 1e6, kLargest = 65536;
@@ -140,34 +145,42 @@ Json print_keys(const UserSettings& s) {
   return keys;
 }
 
-constexpr std::array kMembers{
-    Member{"ui_scale", "a number from 0.75 to 3", read_scale, print_scale},
-    name_row<&UserSettings::theme>("theme", "dark, light or high_contrast"),
-    name_row<&UserSettings::style>("style", "day, dusk or blueprint"),
-    flag_row<&UserSettings::shadows>("shadows"),
-    Member{"sound", "a number from 0 to 1", read_sound, print_sound},
-    flag_row<&UserSettings::panels>("panels"),
-    flag_row<&UserSettings::laboratory>("laboratory"),
-    flag_row<&UserSettings::reduced_motion>("reduced_motion"),
-    flag_row<&UserSettings::head_bob>("head_bob"),
-    Member{"autosave_seconds", "a number from 5 to 3600", read_autosave, print_autosave},
-    Member{"window", "x, y, width and height", read_window, print_window},
-    Member{"recent", "a list of at most 10 files",
-           [](const Json& v, UserSettings& to) { return read(v, to.recent, kMaxRecent); },
-           [](const UserSettings& s) { return Json(s.recent); }},
-    flag_row<&UserSettings::hints>("hints"),
-    flag_row<&UserSettings::card>("card"),
-    flag_row<&UserSettings::gizmo>("gizmo"),
-    flag_row<&UserSettings::start_screen>("start_screen"),
-    Member{"keys", "names of actions with a key, or a list of two", read_keys, print_keys},
-};
+// Members that no session knows stand where they always stood.
+const std::vector<Member>& members() {
+  static const std::vector<Member> all = [] {
+    std::vector<Member> made;
+    const auto add_group = [&]<class Group>(std::type_identity<Group>) {
+      if constexpr (std::is_same_v<Group, world::Aids>) {
+        made.push_back({"autosave_seconds", "a number from 5 to 3600", read_autosave, print_autosave});
+        made.push_back({"window", "x, y, width and height", read_window, print_window});
+        made.push_back({"recent", "a list of at most 10 files", read_recent, print_recent});
+      }
+      world::for_each_setting_of<Group>([&]<auto Setting>() {
+        if constexpr (!world::setting_row<Setting>().kept_as.empty()) made.push_back(kept_member<Setting>());
+      });
+    };
+    [&]<class... Groups>(world::GroupList<Groups...>) {
+      (add_group(std::type_identity<Groups>()), ...);
+    }(world::SettingGroups());
+    made.push_back({"start_screen", std::string(kSwitch), read_start_screen, print_start_screen});
+    made.push_back({"keys", "names of actions with a key, or a list of two", read_keys, print_keys});
+    return made;
+  }();
+  return all;
+}
 
 bool is_known(std::string_view name) {
   return name == "format" || name == "version" ||
-         std::any_of(kMembers.begin(), kMembers.end(), [&](const Member& m) { return m.name == name; });
+         std::any_of(members().begin(), members().end(), [&](const Member& m) { return m.name == name; });
 }
 
 }  // namespace
+
+UserSettings::UserSettings() {
+  world::for_each_setting([&]<auto Setting>() {
+    if constexpr (world::setting_row<Setting>().on_for_user) world::value_in<Setting>(session) = true;
+  });
+}
 
 base::Result<LoadedSettings> parse_settings(std::string_view text, std::string_view name) {
   const base::Result<Json> tree = read_json(text, name);
@@ -180,7 +193,7 @@ base::Result<LoadedSettings> parse_settings(std::string_view text, std::string_v
     return bad(fmt::format("format: expected \"{}\", found {}", kSettingsFormat,
                            format == tree->end() ? "none" : describe(*format)));
   LoadedSettings loaded;
-  for (const Member& member : kMembers) {
+  for (const Member& member : members()) {
     const auto found = tree->find(std::string(member.name));
     if (found == tree->end() || member.read(*found, loaded.settings)) continue;
     loaded.warnings.push_back(fmt::format("{}: expected {}, found {}", member.name, member.expected, describe(*found)));
@@ -196,7 +209,7 @@ std::string print_settings(const UserSettings& settings) {
   Json tree = Json::object();
   tree["format"] = kSettingsFormat;
   tree["version"] = kSettingsVersion;
-  for (const Member& member : kMembers) tree[std::string(member.name)] = member.print(settings);
+  for (const Member& member : members()) tree[std::string(member.name)] = member.print(settings);
   if (!settings.others.empty()) {
     if (const base::Result<Json> others = read_json(settings.others, "others"); others && others->is_object())
       for (const auto& [key, value] : others->items())

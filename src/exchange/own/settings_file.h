@@ -16,7 +16,6 @@ inline constexpr std::string_view kSettingsFormat = "coaster-settings";
 inline constexpr int kSettingsVersion = 1;
 inline constexpr std::size_t kMaxRecent = 10;
 inline constexpr double kMinAutosave = 5, kMaxAutosave = 3600;  // s
-inline constexpr float kMinUiScale = 0.75f, kMaxUiScale = 3;
 
 // In the screen coordinates of the window system.
 struct WindowPlace {
@@ -33,19 +32,12 @@ struct KeyChoice {
 };
 
 struct UserSettings {
-  float ui_scale = 1;
-  world::Theme theme = world::Theme::dark;
-  world::Style style = world::Style::day;
-  bool shadows = true;
-  float sound = world::Settings{}.sound;  // 0 (silent) to 1
-  bool panels = true, laboratory = false;
-  bool reduced_motion = false, head_bob = false;
+  UserSettings();                     // of a user who never changed any
+  world::Settings session;            // what rows keep (kept_as); the others have the values that a session starts with
   double autosave_seconds = 30;       // kMinAutosave..kMaxAutosave
   std::optional<WindowPlace> window;  // none: where the window system puts it
   std::vector<std::string> recent;    // files, the newest first, at most kMaxRecent
-  bool hints = true, gizmo = true;    // the first steps, and the arrows on what is selected
   bool start_screen = true;           // whether a window without a track opens with it
-  bool card = true;                   // the score card at the end of a ride
   std::vector<KeyChoice> keys;        // as written, names that no action has included
   std::string others;                 // members of later versions, the text of a JSON object; "" without any
   friend bool operator==(const UserSettings&, const UserSettings&) = default;

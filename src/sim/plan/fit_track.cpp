@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "base/portable_math.h"
 #include "sim/plan/fit_check.h"
+#include "world/evaluation.h"
 #include "world/topology.h"
 
 namespace coaster::sim {
@@ -197,7 +198,7 @@ world::Document document_of(const Work& w, Derived& derived) {
     world::append_knot(document,
                        knot_of(w.rows[last.last], w.rolls[last.last], last.fit.in_length, last.fit.in_length));
   world::Settings settings;
-  settings.steps = 1;  // polylines are not needed
+  settings.evaluation->steps = 1;  // polylines are not needed
   derived = {};
   derive(document, settings, {}, derived);
   // Whole turns: the rotation of the rows, less the rotation between the knots' frames.

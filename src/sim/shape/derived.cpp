@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "base/portable_math.h"
+#include "world/evaluation.h"
 
 namespace coaster::sim {
 namespace {
@@ -122,11 +123,11 @@ void derive(const world::Document& document, const world::Settings& settings, co
   derived.starts[0] = 0;
   derived.twists.resize(derived.starts.size());
   derived.twists[0] = 0;
-  const curve::Evaluator& row = base::row_of(settings.evaluator);
-  const curve::ArcLengthMethod& method = base::row_of(settings.arc_length);
-  const PolylineKey polyline{settings.evaluator, settings.steps};
+  const curve::Evaluator& row = base::row_of(settings.evaluation->evaluator);
+  const curve::ArcLengthMethod& method = base::row_of(settings.evaluation->arc_length);
+  const PolylineKey polyline{settings.evaluation->evaluator, settings.evaluation->steps};
   derived.evaluated_by = row.evaluated_by;
-  derived.steps = settings.steps;
+  derived.steps = settings.evaluation->steps;
 
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const world::Entity entity = derived.order[i];
@@ -141,10 +142,11 @@ void derive(const world::Document& document, const world::Settings& settings, co
     }
     const world::Equipment* const equipment = document.entities.find<world::Equipment>(entity);
     shape->fitted = equipment ? std::optional(equipment->kind) : std::nullopt;
-    if (new_shape || shape->measured_by != settings.arc_length || shape->measured_steps != settings.steps) {
-      shape->measured_length = method.length(key.cubic, settings.steps);
-      shape->measured_by = settings.arc_length;
-      shape->measured_steps = settings.steps;
+    if (new_shape || shape->measured_by != settings.evaluation->arc_length ||
+        shape->measured_steps != settings.evaluation->steps) {
+      shape->measured_length = method.length(key.cubic, settings.evaluation->steps);
+      shape->measured_by = settings.evaluation->arc_length;
+      shape->measured_steps = settings.evaluation->steps;
     }
     const bool on_processor = row.evaluated_by == curve::EvaluatedBy::processor;
     const bool stale = new_shape || (on_processor && !(shape->polyline_key == polyline));
@@ -154,7 +156,7 @@ void derive(const world::Document& document, const world::Settings& settings, co
     derived.starts[i + 1] = derived.starts[i] + shape->arc.length();
     derived.twists[i + 1] = derived.twists[i] + shape->twist;
     derived.measured_length += shape->measured_length;
-    derived.vertices += settings.steps + 1;
+    derived.vertices += settings.evaluation->steps + 1;
     derived.deviation = std::max(derived.deviation, shape->deviation);
   }
   derived.length = derived.starts.back();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "curve/arc_length.h"
+#include "curve/evaluators.h"
 #include "curve/frames.h"
 #include "sim/shape/segment_tree.h"
 #include "world/document.h"

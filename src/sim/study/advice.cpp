@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/evaluation.h"
 #include "world/topology.h"
 
 namespace coaster::sim {
@@ -49,7 +50,7 @@ class Trials {
   }
   static world::Settings coarse() {
     world::Settings settings;
-    settings.steps = 1;  // polylines are not needed
+    settings.evaluation->steps = 1;  // polylines are not needed
     return settings;
   }
   const world::Document& original_;

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "sim/study/rounding.h"
+#include "world/evaluation.h"
+#include "world/lab_view.h"
 
 namespace coaster::sim {
 namespace {
@@ -24,7 +26,8 @@ float curvature_at(const SegmentShape& shape, int j) {
 
 // Millimetres: each position takes the largest of its nearest vertices; with few vertices, interpolates between two.
 void fill_error(const SegmentShape& shape, const world::Settings& settings, std::span<float> out) {
-  const auto& profile = error_profile(shape.curve, base::row_of(settings.evaluator), settings.steps);
+  const auto& profile =
+      error_profile(shape.curve, base::row_of(settings.evaluation->evaluator), settings.evaluation->steps);
   const double length = shape.arc.length(), step = length / (kValuesPerSegment - 1);
   std::fill(out.begin(), out.end(), 0.0f);
   double last = 0, before = 0;
@@ -124,11 +127,11 @@ void TrackValueMemo::fill_segments(const Derived& derived, const world::Settings
     if (!entry) entry = &entries_.put(derived.order[i], {});
     if (entry->build != shape.shape_build) {
       entry->build = shape.shape_build;
-      if (settings.colouring == Colouring::error) fill_error(shape, settings, entry->samples);
+      if (settings.lab->colouring == Colouring::error) fill_error(shape, settings, entry->samples);
       else
         for (int j = 0; j < kValuesPerSegment; ++j)
           entry->samples[static_cast<std::size_t>(j)] =
-              settings.colouring == Colouring::height ? height_at(shape, j) : curvature_at(shape, j);
+              settings.lab->colouring == Colouring::height ? height_at(shape, j) : curvature_at(shape, j);
     }
     std::copy(entry->samples.begin(), entry->samples.end(),
               result_.values.begin() + static_cast<std::ptrdiff_t>(i * kValuesPerSegment));
@@ -136,10 +139,11 @@ void TrackValueMemo::fill_segments(const Derived& derived, const world::Settings
 }
 
 const TrackValues& TrackValueMemo::update(const Derived& derived, const world::Settings& settings, const Ghost* ghost) {
-  const Colouring colouring = settings.colouring;
+  const Colouring colouring = settings.lab->colouring;
   const bool of_ride = base::row_of(colouring).of_ride, of_evaluator = colouring == Colouring::error;
   const Key key{colouring, of_ride && ghost ? ghost->serial : 0, derived.last_build,
-                of_evaluator ? settings.evaluator : curve::EvaluatorId{}, of_evaluator ? settings.steps : 0};
+                of_evaluator ? settings.evaluation->evaluator : curve::EvaluatorId{},
+                of_evaluator ? settings.evaluation->steps : 0};
   if (key == key_ && order_ == derived.order) return result_;
   if (key.colouring != key_.colouring || key.evaluator != key_.evaluator || key.steps != key_.steps ||
       derived.order.size() < order_.size())

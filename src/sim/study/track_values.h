@@ -27,8 +27,8 @@ class TrackValueMemo {
  public:
   // Updates the values. `ghost` is read only for colourings of the ride; without one their values are unknown. Ride
   // values: riders of the middle car; if it passes several times, the value that differs most from rest. Height and
-  // curvature: only changed segments are recomputed, 10 us each. Error: sim::error_profile() of settings.evaluator, the
-  // largest near each position. Plain: nothing.
+  // curvature: only changed segments are recomputed, 10 us each. Error: sim::error_profile() of
+  // settings.evaluation->evaluator, the largest near each position. Plain: nothing.
   const TrackValues& update(const Derived& derived, const world::Settings& settings, const Ghost* ghost);
 
  private:

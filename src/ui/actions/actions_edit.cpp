@@ -4,6 +4,7 @@
 
 #include "ui/actions/actions_parts.h"
 #include "ui/screens/score_card.h"
+#include "world/aids.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -21,7 +22,7 @@ bool can_redo(const Act& act) { return !act.ui.session().history.redo.empty(); }
 bool insertable(const Act& act) {
   return act.hovered.kind == view::PickKind::curve || (any_selected(act) && selected(act)->kind == Kind::segment);
 }
-bool appending(const Act& act) { return act.ui.session().settings.append_mode; }
+bool appending(const Act& act) { return act.ui.session().settings.aids->append_mode; }
 
 // Takes back what the mouse is dragging, in the viewport or in a number. False when it drags nothing that changes the
 // document.
@@ -68,9 +69,9 @@ void escape(Act& act) {
   } else if (card_shows(act.ui.session())) {
     act.ui.emit(edit::CloseCard{});
   } else if (appending(act)) {
-    act.ui.emit(edit::SetAppendMode{false});
-  } else if (act.ui.session().settings.show_element) {
-    act.ui.emit(edit::PreviewElement{false});
+    act.ui.emit(edit::Set<&world::Aids::append_mode>{false});
+  } else if (act.ui.session().settings.aids->show_element) {
+    act.ui.emit(edit::Set<&world::Aids::show_element>{false});
   } else if (any_selected(act)) {
     select_none(act);
   }
@@ -84,11 +85,11 @@ void insert_point(Act& act) {
     act.ui.emit(edit::SplitSegment{{*selected(act)}, session.settings.selected_t});
 }
 void add_curve(Act& act) { act.ui.emit(edit::AddCurve{}); }
-void toggle_append(Act& act) { act.ui.emit(edit::SetAppendMode{!appending(act)}); }
+void toggle_append(Act& act) { act.ui.emit(edit::Set<&world::Aids::append_mode>{!appending(act)}); }
 
 // The palette's element, where its preview shows.
 bool placeable(const Act& act) {
-  return act.ui.session().settings.show_element && act.ui.find(edit::Want::element).element->refusal.empty();
+  return act.ui.session().settings.aids->show_element && act.ui.find(edit::Want::element).element->refusal.empty();
 }
 void place_element(Act& act) { act.ui.emit(edit::PlaceElement{act.ui.session().settings.element}); }
 

@@ -1,6 +1,7 @@
 // The menu Ride.
 #include "ui/actions/actions_parts.h"
 #include "ui/screens/score_card.h"
+#include "world/aids.h"
 
 namespace coaster::ui {
 namespace {
@@ -16,8 +17,8 @@ void single_step(Act& act) {
   act.ui.emit(edit::RideStep{1});
 }
 void reset(Act& act) { act.ui.emit(edit::RideStop{}); }
-bool card_wanted(const Act& act) { return act.ui.session().settings.show_card; }
-void toggle_card(Act& act) { act.ui.emit(edit::SetCard{!card_wanted(act)}); }
+bool card_wanted(const Act& act) { return act.ui.session().settings.aids->show_card; }
+void toggle_card(Act& act) { act.ui.emit(edit::Set<&world::Aids::show_card>{!card_wanted(act)}); }
 bool has_failed_place(const Act& act) { return failed_place(act.ui.session()).has_value(); }
 void show_failed_place(Act& act) { show_place(act.ui, *failed_place(act.ui.session())); }
 

@@ -6,6 +6,10 @@
 #include "ui/actions/conflict_tour.h"
 #include "ui/actions/key_map.h"
 #include "ui/tools/fly_keys.h"
+#include "world/aids.h"
+#include "world/camera_feel.h"
+#include "world/lab_view.h"
+#include "world/look.h"
 
 namespace coaster::ui {
 namespace {
@@ -14,32 +18,33 @@ using platform::Key;
 using world::CameraMode;
 using world::Kind;
 
-bool panels_shown(const Act& act) { return act.ui.session().settings.show_panels; }
+bool panels_shown(const Act& act) { return act.ui.session().settings.look->show_panels; }
 template <CameraMode mode>
 bool looks(const Act& act) {
   return act.ui.session().settings.camera_mode == mode;
 }
 
-bool gizmo_shown(const Act& act) { return act.ui.session().settings.show_gizmo; }
-void toggle_gizmo(Act& act) { act.ui.emit(edit::SetGizmo{!gizmo_shown(act)}); }
+bool gizmo_shown(const Act& act) { return act.ui.session().settings.aids->show_gizmo; }
+void toggle_gizmo(Act& act) { act.ui.emit(edit::Set<&world::Aids::show_gizmo>{!gizmo_shown(act)}); }
 
-bool supports_shown(const Act& act) { return act.ui.session().settings.layers.has(world::Layer::supports); }
-bool knots_shown(const Act& act) { return act.ui.session().settings.layers.has(world::Layer::knots); }
+bool supports_shown(const Act& act) { return act.ui.session().settings.lab->layers.has(world::Layer::supports); }
+bool knots_shown(const Act& act) { return act.ui.session().settings.lab->layers.has(world::Layer::knots); }
 void toggle_knots(Act& act) { act.ui.emit(edit::ShowLayer{world::Layer::knots, !knots_shown(act)}); }
 void toggle_supports(Act& act) { act.ui.emit(edit::ShowLayer{world::Layer::supports, !supports_shown(act)}); }
 
-bool conflicts_shown(const Act& act) { return act.ui.session().settings.layers.has(world::Layer::conflicts); }
+bool conflicts_shown(const Act& act) { return act.ui.session().settings.lab->layers.has(world::Layer::conflicts); }
 bool in_conflict(const Act& act) { return !act.ui.find(edit::Want::conflicts).conflicts.empty(); }
 void next_conflict(Act& act) { show_next_conflict(act.ui); }
 void toggle_conflicts(Act& act) { act.ui.emit(edit::ShowLayer{world::Layer::conflicts, !conflicts_shown(act)}); }
 
 void open_palette(Act& act) { toggle_palette(act.palette); }
-bool hints_shown(const Act& act) { return act.ui.session().settings.show_hints; }
-void toggle_hints(Act& act) { act.ui.emit(edit::SetHints{!hints_shown(act)}); }
+bool hints_shown(const Act& act) { return act.ui.session().settings.aids->show_hints; }
+void toggle_hints(Act& act) { act.ui.emit(edit::Set<&world::Aids::show_hints>{!hints_shown(act)}); }
 
 // What is framed is framed for the orbit camera.
 void orbit_again(Act& act) {
-  if (act.ui.session().settings.camera_mode != CameraMode::orbit) act.ui.emit(edit::SetCameraMode{CameraMode::orbit});
+  if (act.ui.session().settings.camera_mode != CameraMode::orbit)
+    act.ui.emit(edit::Set<&world::Settings::camera_mode>{CameraMode::orbit});
 }
 void frame_all(Act& act) {
   const edit::Session& session = act.ui.session();
@@ -52,9 +57,9 @@ void frame_selection(Act& act) {
       view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene)});
   orbit_again(act);
 }
-void toggle_panels(Act& act) { act.ui.emit(edit::SetPanels{!panels_shown(act)}); }
-bool laboratory_shown(const Act& act) { return act.ui.session().settings.show_laboratory; }
-void toggle_laboratory(Act& act) { act.ui.emit(edit::ShowLaboratory{!laboratory_shown(act)}); }
+void toggle_panels(Act& act) { act.ui.emit(edit::Set<&world::Look::show_panels>{!panels_shown(act)}); }
+bool laboratory_shown(const Act& act) { return act.ui.session().settings.look->show_laboratory; }
+void toggle_laboratory(Act& act) { act.ui.emit(edit::Set<&world::Look::show_laboratory>{!laboratory_shown(act)}); }
 
 bool probing(const Act& act) { return any_selected(act) && selected(act)->kind == Kind::segment; }
 // Along the selected segment; from its end on to the neighbour, where there is one.
@@ -78,34 +83,38 @@ constexpr double kProbeStep = 1.0 / 64;
 void probe_back(Act& act) { step_probe(act, -kProbeStep); }
 void probe_on(Act& act) { step_probe(act, kProbeStep); }
 
-bool coloured(const Act& act) { return act.ui.session().settings.colouring != world::Colouring::plain; }
-void next_colouring(Act& act) { act.ui.emit(edit::SetColouring{base::next_of(act.ui.session().settings.colouring)}); }
+bool coloured(const Act& act) { return act.ui.session().settings.lab->colouring != world::Colouring::plain; }
+void next_colouring(Act& act) {
+  act.ui.emit(edit::Set<&world::LabView::colouring>{base::next_of(act.ui.session().settings.lab->colouring)});
+}
 
 template <CameraMode mode>
 void look(Act& act) {
   choose_camera(act.ui, mode);
 }
 void next_camera(Act& act) { choose_camera(act.ui, base::next_of(act.ui.session().settings.camera_mode)); }
-bool motion_reduced(const Act& act) { return act.ui.session().settings.feel.reduced_motion; }
-void toggle_reduced_motion(Act& act) { act.ui.emit(edit::SetReducedMotion{!motion_reduced(act)}); }
-bool head_bobs(const Act& act) { return act.ui.session().settings.feel.head_bob; }
-void toggle_head_bob(Act& act) { act.ui.emit(edit::SetHeadBob{!head_bobs(act)}); }
+bool motion_reduced(const Act& act) { return act.ui.session().settings.feel->reduced_motion; }
+void toggle_reduced_motion(Act& act) {
+  act.ui.emit(edit::Set<&world::CameraFeel::reduced_motion>{!motion_reduced(act)});
+}
+bool head_bobs(const Act& act) { return act.ui.session().settings.feel->head_bob; }
+void toggle_head_bob(Act& act) { act.ui.emit(edit::Set<&world::CameraFeel::head_bob>{!head_bobs(act)}); }
 
 template <world::Theme theme>
 bool themed(const Act& act) {
-  return act.ui.session().settings.theme == theme;
+  return act.ui.session().settings.look->theme == theme;
 }
 template <world::Theme theme>
 void paint(Act& act) {
-  act.ui.emit(edit::SetTheme{theme});
+  act.ui.emit(edit::Set<&world::Look::theme>{theme});
 }
 template <world::Style style>
 bool lit(const Act& act) {
-  return act.ui.session().settings.style == style;
+  return act.ui.session().settings.look->style == style;
 }
 template <world::Style style>
 void light(Act& act) {
-  act.ui.emit(edit::SetStyle{style});
+  act.ui.emit(edit::Set<&world::Look::style>{style});
 }
 
 constexpr Action kViewActions[] = {

@@ -31,7 +31,8 @@ void show_next_conflict(Ui& ui) {
   camera.target = 0.5f * (next.at_place + next.other_place);
   camera.distance = std::min(camera.distance, kNear);
   ui.emit(edit::SetCamera{camera});
-  if (session.settings.camera_mode != world::CameraMode::orbit) ui.emit(edit::SetCameraMode{world::CameraMode::orbit});
+  if (session.settings.camera_mode != world::CameraMode::orbit)
+    ui.emit(edit::Set<&world::Settings::camera_mode>{world::CameraMode::orbit});
 }
 
 }  // namespace coaster::ui

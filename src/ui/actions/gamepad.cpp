@@ -5,6 +5,8 @@
 #include <variant>
 
 #include "ui/tools/fly_keys.h"
+#include "world/aids.h"
+#include "world/camera_feel.h"
 
 namespace coaster::ui {
 namespace {
@@ -44,8 +46,8 @@ std::string_view action_of(platform::PadButton button, const Act& act) {
     case platform::PadButton::y: return "Next camera";
     case platform::PadButton::b: {
       const world::Settings& settings = act.ui.session().settings;
-      const bool busy = act.tool.dragging() || act.tool.box_waits() || act.ui.gesture.open || settings.append_mode ||
-                        settings.show_element || settings.selected.valid();
+      const bool busy = act.tool.dragging() || act.tool.box_waits() || act.ui.gesture.open ||
+                        settings.aids->append_mode || settings.aids->show_element || settings.selected.valid();
       return busy ? "Cancel" : "Reset";
     }
     case platform::PadButton::x: break;
@@ -78,8 +80,8 @@ void Gamepad::move(Ui& ui, const view::Viewport& scene, double seconds) const {
     }
     case world::CameraMode::chase:
       if (pull != 0)
-        ui.emit(edit::SetChaseDistance{std::clamp(settings.feel.chase_distance * std::pow(1.12f, -kNotches * pull),
-                                                  world::kMinChase, world::kMaxChase)});
+        ui.emit(edit::Set<&world::CameraFeel::chase_distance>{std::clamp(
+            settings.feel->chase_distance * std::pow(1.12f, -kNotches * pull), world::kMinChase, world::kMaxChase)});
       return;
     case world::CameraMode::ride: return;  // the head is the train's
   }

@@ -28,6 +28,8 @@
 #include "ui/tools/fly_keys.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toasts.h"
+#include "world/aids.h"
+#include "world/look.h"
 
 namespace coaster::ui {
 namespace {
@@ -52,7 +54,7 @@ std::string foot_text(const ViewportTool& tool, const edit::Session& session, co
   if (tool.box_waits())
     return "Drag a box around knots; Shift adds, Ctrl takes away; " + keys.shown("Cancel") + " ends it";
   if (session.document.track.knots.empty()) return "Click on the ground to place the first knot";
-  if (session.settings.append_mode && !session.document.track.closed)
+  if (session.settings.aids->append_mode && !session.document.track.closed)
     return "Click on the ground to append knots; " + keys.shown("Append points") + " or " + keys.shown("Cancel") +
            " ends it";
   return {};
@@ -168,8 +170,8 @@ void Host::Parts::count_rest() {
 
 void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int height) {
   const edit::Session& session = ui.session();
-  const Layout layout = make_layout(width, height, ui.scale, ImGui::GetFrameHeight(), session.settings.show_panels,
-                                    session.settings.show_laboratory);
+  const Layout layout = make_layout(width, height, ui.scale, ImGui::GetFrameHeight(),
+                                    session.settings.look->show_panels, session.settings.look->show_laboratory);
   view = ui.out.view = make_view(ui.state, layout.scene);
   if (std::exchange(frame_next, false))
     ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
@@ -180,7 +182,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   if (!typing && !asking) tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, events);
   fly_keys.fly(ui, events, typing || asking || dialogs.open());
   gamepad.work(act, events, asking || dialogs.open());
-  if (session.settings.show_panels) {
+  if (session.settings.look->show_panels) {
     build_menu(act);
     build_column(ui, Column::left, layout.left);
     build_column(ui, Column::right, layout.right);
@@ -237,8 +239,8 @@ Output Host::build(const platform::Events& events, const State& state, int width
   COASTER_CHECK(width >= 1 && height >= 1, "the UI needs a pixel to stand on");
   Parts& p = *parts_;
   ImGui::SetCurrentContext(p.context);
-  const float scale = fitted_scale(width, height, state.session.settings.ui_scale, p.content_scale);
-  p.restyle(state.session.settings.theme, scale);
+  const float scale = fitted_scale(width, height, state.session.settings.look->ui_scale, p.content_scale);
+  p.restyle(state.session.settings.look->theme, scale);
   p.follow_session(state);
   p.input.feed(events, width, height, text_has_keyboard());
   ImGui::NewFrame();

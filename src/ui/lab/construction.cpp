@@ -11,6 +11,7 @@
 #include "ui/lab/page_parts.h"
 #include "ui/lab/shapes.h"
 #include "ui/panels/panels.h"
+#include "world/layers.h"
 
 namespace coaster::ui {
 namespace {

@@ -9,6 +9,7 @@
 #include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
+#include "world/evaluation.h"
 
 namespace coaster::ui {
 namespace {
@@ -57,9 +58,9 @@ void errata_page(Ui& ui) {
   if (!probe) return;
   const world::Settings& settings = ui.session().settings;
   const double speed = number_of(ui, "ride.speed");
-  const auto& rows =
-      ui.lab.errata.get({probe->shape->shape_build, ui.session().derived.last_build, settings.steps, speed},
-                        [&] { return sim::errata(ui.session().derived, probe->segment, speed, settings.steps); });
+  const auto& rows = ui.lab.errata.get(
+      {probe->shape->shape_build, ui.session().derived.last_build, settings.evaluation->steps, speed},
+      [&] { return sim::errata(ui.session().derived, probe->segment, speed, settings.evaluation->steps); });
   ImGui::PushFont(small_font());
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(std::floor(6 * ui.scale), std::floor(2 * ui.scale)));
   ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, colour(palette().raised));

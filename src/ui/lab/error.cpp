@@ -7,6 +7,8 @@
 
 #include "ui/lab/cache.h"
 #include "ui/panels/panels.h"
+#include "world/evaluation.h"
+#include "world/lab_view.h"
 
 namespace coaster::ui {
 namespace {
@@ -42,8 +44,8 @@ void error_plot(Ui& ui, const Probe& probe, const ErrorStudy& one, const ErrorSt
   if (other != nullptr)
     series.push_back({std::string(base::row_of(EvaluatorId{ui.lab.compared}).label), other->t, other->mm, row_colour(1),
                       SeriesKind::line, 1.4f});
-  series.push_back(
-      {std::string(base::row_of(settings.evaluator).label), one.t, one.mm, row_colour(0), SeriesKind::line, 1.6f});
+  series.push_back({std::string(base::row_of(settings.evaluation->evaluator).label), one.t, one.mm, row_colour(0),
+                    SeriesKind::line, 1.6f});
   const Level bound{"bound", one.bound, row_colour(3)};
   const auto drag = plot(ui, "Error plot",
                          {.x = {"t", "", AxisScale::linear, 0, 1},
@@ -69,12 +71,12 @@ void comparison(Ui& ui) {
 void side(Ui& ui, const ErrorStudy& one) {
   const world::Settings& settings = ui.session().settings;
   const auto steps =
-      slider(ui, "Steps", settings.steps, curve::kMinSteps, curve::kMaxSteps, true,
+      slider(ui, "Steps", settings.evaluation->steps, curve::kMinSteps, curve::kMaxSteps, true,
              "Steps of each segment's polyline, 1 to 4096: more steps, more rounding in forward differences.");
-  if (steps) ui.emit(edit::SetResolution{*steps});
+  if (steps) ui.emit(edit::Set<&world::Evaluation::steps>{*steps});
   comparison(ui);
   layer_box(ui, world::Layer::rounding);
-  const Number magnification{.value = settings.magnification,
+  const Number magnification{.value = settings.lab->magnification,
                              .unit = "\u00D7",
                              .decimals = 0,
                              .step = 200,
@@ -83,7 +85,7 @@ void side(Ui& ui, const ErrorStudy& one) {
                              .largest = 1e15};
   if (const auto to = number(ui, "Magnified", magnification,
                              "How many times the rounding layer in the view magnifies the error, 1 to 10,000,000."))
-    ui.emit(edit::SetMagnification{*to});
+    ui.emit(edit::Set<&world::LabView::magnification>{*to});
   read_out(ui, "Largest error", significant(one.largest, 3), "mm", "Over the segment, of the chosen evaluator.");
   read_out(ui, "Seam", significant(one.seam, 3), "mm",
            "What the last step jumps by: the last vertex is pinned to p\u2083, so what was gathered on the way opens "
@@ -98,11 +100,11 @@ void error_page(Ui& ui) {
   if (!probe) return;
   const world::Settings& settings = ui.session().settings;
   const auto study = [&](auto& kept, EvaluatorId id) -> const ErrorStudy& {
-    return kept.get({probe->shape->shape_build, static_cast<int>(id), settings.steps},
-                    [&] { return error_study(*probe->shape, id, settings.steps); });
+    return kept.get({probe->shape->shape_build, static_cast<int>(id), settings.evaluation->steps},
+                    [&] { return error_study(*probe->shape, id, settings.evaluation->steps); });
   };
-  const ErrorStudy& one = study(ui.lab.error, settings.evaluator);
-  const bool beside = ui.lab.compared >= 0 && EvaluatorId{ui.lab.compared} != settings.evaluator;
+  const ErrorStudy& one = study(ui.lab.error, settings.evaluation->evaluator);
+  const bool beside = ui.lab.compared >= 0 && EvaluatorId{ui.lab.compared} != settings.evaluation->evaluator;
   const ErrorStudy* other = beside ? &study(ui.lab.other_error, EvaluatorId{ui.lab.compared}) : nullptr;
   Page page(ui, 230);
   side(ui, one);

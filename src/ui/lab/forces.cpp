@@ -11,6 +11,7 @@
 #include "ui/lab/cache.h"
 #include "ui/lab/table.h"
 #include "ui/panels/panels.h"
+#include "world/layers.h"
 
 namespace coaster::ui {
 namespace {

@@ -9,6 +9,7 @@
 #include "sim/shape/frame_methods.h"
 #include "ui/lab/cache.h"
 #include "ui/panels/panels.h"
+#include "world/layers.h"
 
 namespace coaster::ui {
 namespace {
@@ -61,7 +62,7 @@ void frame_choice(Ui& ui) {
   if (const auto to = combo_of(
           ui, "Turned by", current,
           "How carts and the ride camera are turned along the track. " + std::string(base::row_of(current).formula)))
-    ui.emit(edit::SetFrames{*to});
+    ui.emit(edit::Set<&world::Settings::frames>{*to});
 }
 
 void side(Ui& ui, const Probe& probe) {

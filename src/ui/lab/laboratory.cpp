@@ -11,6 +11,8 @@
 #include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
+#include "world/lab_view.h"
+#include "world/look.h"
 
 namespace coaster::ui {
 namespace {
@@ -19,10 +21,10 @@ constexpr const char* kTooltip =
     "The laboratory: how the curve is constructed, evaluated, measured, framed and joined, live on the selected "
     "segment.";
 
-bool is_open(const Ui& ui) { return ui.session().settings.show_laboratory; }
-int chosen_page(const Ui& ui) { return static_cast<int>(ui.session().settings.lab_page); }
-void show(Ui& ui, bool on) { ui.emit(edit::ShowLaboratory{on}); }
-void choose(Ui& ui, int page) { ui.emit(edit::OpenPage{static_cast<world::LabPage>(page)}); }
+bool is_open(const Ui& ui) { return ui.session().settings.look->show_laboratory; }
+int chosen_page(const Ui& ui) { return static_cast<int>(ui.session().settings.lab->page); }
+void show(Ui& ui, bool on) { ui.emit(edit::Set<&world::Look::show_laboratory>{on}); }
+void choose(Ui& ui, int page) { ui.emit(edit::Set<&world::LabView::page>{static_cast<world::LabPage>(page)}); }
 
 std::vector<const Panel*> pages() {
   std::vector<const Panel*> result;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ui/lab/cache.h"
+#include "world/evaluation.h"
 
 namespace coaster::ui {
 namespace {
@@ -72,7 +73,7 @@ void advance(TrackLengths& track, const sim::Derived& derived, int steps) {
 const LengthStudy& kept_lengths(Ui& ui, const Probe& probe) {
   const edit::Session& session = ui.session();
   const sim::Derived& derived = session.derived;
-  const int steps = session.settings.steps;
+  const int steps = session.settings.evaluation->steps;
   LabCache& lab = ui.lab;
   const auto key = std::tuple(probe.shape->shape_build, steps);
   if (!lab.lengths.key || *lab.lengths.key != key) {

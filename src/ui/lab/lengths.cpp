@@ -11,6 +11,7 @@
 #include "ui/lab/table.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
+#include "world/evaluation.h"
 
 namespace coaster::ui {
 namespace {
@@ -50,10 +51,10 @@ void row_of(Ui& ui, std::size_t i, const LengthRow& row, bool segment, bool trac
     cells.push_back({row.track_known ? fixed(row.track_length, 4) : "--"});
     cells.push_back({row.track_known ? signed_error(row.track_error) : "--"});
   }
-  const bool chosen = static_cast<std::size_t>(settings.arc_length) == i;
+  const bool chosen = static_cast<std::size_t>(settings.evaluation->arc_length) == i;
   const std::string value = fixed(row.length, 6) + " m";
   if (table_row(ui, "Length by " + std::string(method.label), cells, chosen, value, method.formula) && !chosen)
-    ui.emit(edit::SetArcLength{static_cast<curve::ArcLengthId>(i)});
+    ui.emit(edit::Set<&world::Evaluation::arc_length>{static_cast<curve::ArcLengthId>(i)});
 }
 
 void lengths_table(Ui& ui, const LengthStudy& study, bool segment, bool track, float width, float height) {

@@ -11,6 +11,7 @@
 #include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
+#include "world/evaluation.h"
 
 namespace coaster::ui {
 namespace {
@@ -58,7 +59,8 @@ void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, f
         values += (values.empty() ? "" : " ") + words;
       }
       (void)table_row(ui, (time ? "Time of " : "Error of ") + name, cells,
-                      ui.session().settings.evaluator == row.evaluator, values, base::row_of(row.evaluator).formula);
+                      ui.session().settings.evaluation->evaluator == row.evaluator, values,
+                      base::row_of(row.evaluator).formula);
     }
     end_table();
   }

@@ -11,6 +11,7 @@
 #include "ui/actions/key_map.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
+#include "world/lab_view.h"
 #include "world/topology.h"
 
 namespace coaster::ui {
@@ -120,15 +121,15 @@ void colour_value(Ui& ui, std::uint32_t rgb, std::string_view path, std::string_
 
 void colouring_box(Ui& ui) {
   if (const auto to = combo_of(
-          ui, "Colour by", ui.session().settings.colouring,
+          ui, "Colour by", ui.session().settings.lab->colouring,
           with_keys(ui.keys, "What the track's colours mean; a legend shows in the view.", "Next track colours")))
-    ui.emit(edit::SetColouring{*to});
+    ui.emit(edit::Set<&world::LabView::colouring>{*to});
 }
 
 void layer_box(Ui& ui, world::Layer layer) {
   const base::NameRow& row = base::row_of(layer);
   const std::string panel = std::exchange(ui.panel, ui.panel + "/View");  // pages and layers share names
-  if (const auto on = checkbox(ui, row.label, ui.session().settings.layers.has(layer), row.help))
+  if (const auto on = checkbox(ui, row.label, ui.session().settings.lab->layers.has(layer), row.help))
     ui.emit(edit::ShowLayer{layer, *on});
   ui.panel = panel;
 }

@@ -9,6 +9,7 @@
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
+#include "world/aids.h"
 
 namespace coaster::ui {
 namespace {
@@ -31,13 +32,13 @@ void choices(Ui& ui) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
     const auto kind = static_cast<ElementKind>(i);
-    const bool chosen = settings.show_element && settings.element.kind == kind;
+    const bool chosen = settings.aids->show_element && settings.element.kind == kind;
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
     const bool pressed = icon_button(ui, icon_of(kind), rows[i].label, rows[i].help, true, width, true);
     if (chosen) ImGui::PopStyleColor();
     if (!pressed) continue;
-    if (chosen) ui.emit(edit::PreviewElement{false});
-    else if (settings.element.kind == kind) ui.emit(edit::PreviewElement{true});
+    if (chosen) ui.emit(edit::Set<&world::Aids::show_element>{false});
+    else if (settings.element.kind == kind) ui.emit(edit::Set<&world::Aids::show_element>{true});
     else ui.emit(edit::ChooseElement{world::usual_element(kind)});
   }
 }
@@ -97,7 +98,7 @@ void outcome(Ui& ui, const sim::ElementPlan& plan) {
 void elements_panel(Ui& ui) {
   const edit::Session& session = ui.session();
   choices(ui);
-  if (!session.settings.show_element) return;
+  if (!session.settings.aids->show_element) return;
   parameters(ui);
   const sim::ElementPlan& plan = *ui.find(edit::Want::element).element;
   const bool possible = plan.refusal.empty();

@@ -3,6 +3,8 @@
 
 #include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
+#include "world/evaluation.h"
+#include "world/lab_view.h"
 
 namespace coaster::ui {
 namespace {
@@ -23,8 +25,8 @@ void method(Ui& ui, std::size_t row) {
   const std::string& refusal = ui.state.stats.stage_refusals[static_cast<std::size_t>(one.evaluated_by)];
   const std::string tooltip = std::string(one.formula) + "\nCost a point: " + std::string(one.cost) +
                               (refusal.empty() ? "" : "\nNot here: " + refusal);
-  if (radio(ui, one.label, ui.session().settings.evaluator == id, tooltip, refusal.empty()))
-    ui.emit(edit::SetEvaluator{id});
+  if (radio(ui, one.label, ui.session().settings.evaluation->evaluator == id, tooltip, refusal.empty()))
+    ui.emit(edit::Set<&world::Evaluation::evaluator>{id});
 }
 
 // The rows of a group in small letters, two in a line where they fit.
@@ -50,10 +52,10 @@ void methods(Ui& ui) {
 void resolution(Ui& ui) {
   const world::Settings& settings = ui.session().settings;
   const auto steps =
-      slider(ui, "Steps per segment", settings.steps, curve::kMinSteps, curve::kMaxSteps, true,
+      slider(ui, "Steps per segment", settings.evaluation->steps, curve::kMinSteps, curve::kMaxSteps, true,
              "Straight pieces that each segment is drawn with, 1 to 4096. Ctrl+click or double-click to type.");
-  if (steps) ui.emit(edit::SetResolution{*steps});
-  const Number budget{.value = static_cast<double>(settings.vertex_budget),
+  if (steps) ui.emit(edit::Set<&world::Evaluation::steps>{*steps});
+  const Number budget{.value = static_cast<double>(settings.evaluation->vertex_budget),
                       .decimals = 0,
                       .step = 10'000,
                       .low = 1'000,
@@ -61,15 +63,15 @@ void resolution(Ui& ui) {
                       .largest = 1e15};
   if (const auto to =
           number(ui, "Vertex budget", budget, "How many vertices all polylines together may have; more is refused.")) {
-    ui.emit(edit::SetVertexBudget{static_cast<std::int64_t>(*to)});
+    ui.emit(edit::Set<&world::Evaluation::vertex_budget>{static_cast<std::int64_t>(*to)});
   }
 }
 
 void lengths(Ui& ui) {
   const auto chosen =
-      combo_of(ui, "Arc length", ui.session().settings.arc_length,
+      combo_of(ui, "Arc length", ui.session().settings.evaluation->arc_length,
                "How the displayed length is measured. The ride always uses the adaptive Gauss-Legendre rule.");
-  if (chosen) ui.emit(edit::SetArcLength{*chosen});
+  if (chosen) ui.emit(edit::Set<&world::Evaluation::arc_length>{*chosen});
 }
 
 }  // namespace
@@ -78,7 +80,7 @@ void evaluation_panel(Ui& ui) {
   methods(ui);
   resolution(ui);
   lengths(ui);
-  if (const auto on = checkbox(ui, "Show polyline", ui.session().settings.layers.has(world::Layer::polyline),
+  if (const auto on = checkbox(ui, "Show polyline", ui.session().settings.lab->layers.has(world::Layer::polyline),
                                "Draw the evaluated polyline over the track."))
     ui.emit(edit::SetPolyline{*on});
 

@@ -65,11 +65,11 @@ void ride_methods(Ui& ui) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto method = static_cast<world::FrameMethod>(i);
     if (radio(ui, std::string(rows[i].label), settings.frames == method, std::string(rows[i].formula)))
-      ui.emit(edit::SetFrames{method});
+      ui.emit(edit::Set<&world::Settings::frames>{method});
   }
   const auto chosen =
       combo_of(ui, "Integrator", settings.integrator, "How speed and place advance from tick to tick (1/120 s).");
-  if (chosen) ui.emit(edit::SetIntegrator{*chosen});
+  if (chosen) ui.emit(edit::Set<&world::Settings::integrator>{*chosen});
 }
 
 }  // namespace

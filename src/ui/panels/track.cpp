@@ -10,6 +10,7 @@
 #include "ui/panels/panels.h"
 #include "ui/screens/dialogs.h"
 #include "ui/widgets/widget_parts.h"
+#include "world/aids.h"
 
 namespace coaster::ui {
 namespace {
@@ -96,11 +97,11 @@ void building(Ui& ui) {
           closed || knots >= 2))
     ui.emit(*to ? closing(session) : edit::SetClosed{false});
   if (const auto on = checkbox(
-          ui, "Append points", session.settings.append_mode,
+          ui, "Append points", session.settings.aids->append_mode,
           with_keys(ui.keys,
                     "A click on the ground appends a knot to an open track; " + ui.keys.shown("Cancel") + " leaves it.",
                     "Append points")))
-    ui.emit(edit::SetAppendMode{*on});
+    ui.emit(edit::Set<&world::Aids::append_mode>{*on});
 
   const float width = pair_width();
   if (button(ui, "Add curve",

@@ -7,6 +7,7 @@
 #include "ui/plots/plot_ticks.h"
 #include "ui/widgets/theme.h"
 #include "view/colour_map.h"
+#include "world/lab_view.h"
 
 namespace coaster::ui {
 namespace {
@@ -28,8 +29,8 @@ void draw_bar(ImDrawList& list, ImVec2 at, float width, float height) {
 
 void draw_legend(Ui& ui, const view::Viewport& scene) {
   const world::Settings& settings = ui.session().settings;
-  if (settings.colouring == world::Colouring::plain) return;
-  const world::ColouringRow& row = base::row_of(settings.colouring);
+  if (settings.lab->colouring == world::Colouring::plain) return;
+  const world::ColouringRow& row = base::row_of(settings.lab->colouring);
   const float scale = ui.scale, margin = std::floor(14 * scale), pad = std::floor(10 * scale),
               bar = std::floor(11 * scale);
   const float text = std::max(13.0f, std::round(kSmallFontPixels * scale));

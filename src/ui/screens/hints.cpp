@@ -10,6 +10,7 @@
 #include "ui/actions/key_map.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
+#include "world/aids.h"
 
 namespace coaster::ui {
 namespace {
@@ -35,7 +36,7 @@ std::array<Hint, 8> first_steps(const KeyMap& keys) {
 }  // namespace
 
 void draw_hints(Ui& ui, const view::Viewport& scene) {
-  if (!ui.session().settings.show_hints) return;
+  if (!ui.session().settings.aids->show_hints) return;
   const float width = std::floor(384 * ui.scale), margin = std::floor(14 * ui.scale);
   if (scene.width < width + 2 * margin || scene.height < 300 * ui.scale) return;
   // Below the track, clear of the notices at the foot.
@@ -60,7 +61,7 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
       ImGui::PopStyleColor();
     }
     if (button(ui, "Got it", "Dismiss the first steps; View/First steps brings them back."))
-      ui.emit(edit::SetHints{false});
+      ui.emit(edit::Set<&world::Aids::show_hints>{false});
     ui.panel.clear();
   }
   ImGui::End();

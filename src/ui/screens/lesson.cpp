@@ -8,6 +8,7 @@
 #include <string>
 
 #include "ui/widgets/theme.h"
+#include "world/camera_feel.h"
 
 namespace coaster::ui {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 // Breathes with the clock; at rest where a script has no clock.
 float breath(const State& state) {
   constexpr double kPerSecond = 0.7;
-  return state.scripted || state.session.settings.feel.reduced_motion
+  return state.scripted || state.session.settings.feel->reduced_motion
              ? 1.0f
              : static_cast<float>(0.5 + 0.5 * std::cos(2 * 3.141592653589793 * kPerSecond * state.seconds));
 }

@@ -10,6 +10,7 @@
 #include "ui/screens/medals.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
+#include "world/aids.h"
 
 namespace coaster::ui {
 namespace {
@@ -138,7 +139,7 @@ void build(Ui& ui, const edit::Session& session) {
 }  // namespace
 
 bool card_shows(const edit::Session& session) {
-  return session.settings.show_card && session.game.show_result && session.game.result;
+  return session.settings.aids->show_card && session.game.show_result && session.game.result;
 }
 
 std::optional<double> failed_place(const edit::Session& session) {
@@ -161,7 +162,8 @@ void show_place(Ui& ui, double distance) {
   ui.emit(edit::Select{{world::name_of(session.document, derived.order[place.index])}, t});
   ui.emit(edit::SetCamera{camera});
   if (card_shows(session)) ui.emit(edit::CloseCard{});
-  if (session.settings.camera_mode != world::CameraMode::orbit) ui.emit(edit::SetCameraMode{world::CameraMode::orbit});
+  if (session.settings.camera_mode != world::CameraMode::orbit)
+    ui.emit(edit::Set<&world::Settings::camera_mode>{world::CameraMode::orbit});
 }
 
 void draw_score_card(Ui& ui, const view::Viewport& scene) {

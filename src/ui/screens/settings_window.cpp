@@ -12,6 +12,9 @@
 #include "ui/screens/dialogs.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
+#include "world/aids.h"
+#include "world/camera_feel.h"
+#include "world/look.h"
 
 namespace coaster::ui {
 namespace {
@@ -19,7 +22,7 @@ namespace {
 // Steps and no slider: that would move away under the mouse.
 void scale(Ui& ui) {
   constexpr int kPercent[] = {75, 90, 100, 110, 125, 150, 175, 200, 250, 300};
-  const int now = static_cast<int>(std::lround(100 * ui.session().settings.ui_scale));
+  const int now = static_cast<int>(std::lround(100 * ui.session().settings.look->ui_scale));
   std::vector<int> percents(std::begin(kPercent), std::end(kPercent));
   const auto place = std::lower_bound(percents.begin(), percents.end(), now);
   const auto current = static_cast<int>(place - percents.begin());
@@ -27,26 +30,28 @@ void scale(Ui& ui) {
   std::vector<Choice> choices;
   for (const int percent : percents) choices.push_back({std::to_string(percent) + " %", "Size of texts and panels."});
   if (const auto to = combo(ui, "Scale", choices, current, "Size of texts and panels."))
-    ui.emit(edit::SetScale{static_cast<float>(percents[static_cast<std::size_t>(*to)]) / 100});
+    ui.emit(edit::Set<&world::Look::ui_scale>{static_cast<float>(percents[static_cast<std::size_t>(*to)]) / 100});
 }
 
 void look(Ui& ui) {
   const world::Settings& settings = ui.session().settings;
   scale(ui);
-  if (const auto to = combo_of(ui, "Theme", settings.theme, "Colours of the panels.")) ui.emit(edit::SetTheme{*to});
-  if (const auto to = combo_of(ui, "Scene", settings.style, "Light, sky and ground.")) ui.emit(edit::SetStyle{*to});
+  if (const auto to = combo_of(ui, "Theme", settings.look->theme, "Colours of the panels."))
+    ui.emit(edit::Set<&world::Look::theme>{*to});
+  if (const auto to = combo_of(ui, "Scene", settings.look->style, "Light, sky and ground."))
+    ui.emit(edit::Set<&world::Look::style>{*to});
   const bool built = platform::sound_library() != "none";
-  if (const auto to = slider(ui, "Sound (%)", static_cast<int>(std::lround(100 * settings.sound)), 0, 100, false,
+  if (const auto to = slider(ui, "Sound (%)", static_cast<int>(std::lround(100 * settings.look->sound)), 0, 100, false,
                              built ? "Loudness of the ride in a window; 0: silent. So it is without a sound device."
                                    : "This program was built without sound (OpenAL)."))
-    ui.emit(edit::SetSound{static_cast<float>(*to) / 100});
-  if (const auto on = checkbox(ui, "Shadows", settings.shadows,
+    ui.emit(edit::Set<&world::Look::sound>{static_cast<float>(*to) / 100});
+  if (const auto on = checkbox(ui, "Shadows", settings.look->shadows,
                                "What track and trains take of the sun. Without them frames cost less."))
-    ui.emit(edit::SetShadows{*on});
+    ui.emit(edit::Set<&world::Look::shadows>{*on});
   ImGui::SameLine();
-  if (const auto on = checkbox(ui, "Reduced motion", settings.feel.reduced_motion,
+  if (const auto on = checkbox(ui, "Reduced motion", settings.feel->reduced_motion,
                                "Keep the rider's horizon level, cut between cameras, no bobbing, no widening."))
-    ui.emit(edit::SetReducedMotion{*on});
+    ui.emit(edit::Set<&world::CameraFeel::reduced_motion>{*on});
 }
 
 void keeping(Ui& ui) {
@@ -64,12 +69,13 @@ void keeping(Ui& ui) {
     ui.out.settings->recent.clear();
   }
   ImGui::SameLine();
-  if (const auto on = checkbox(ui, "Hints", ui.session().settings.show_hints, "Tell the first steps in the viewport."))
-    ui.emit(edit::SetHints{*on});
+  if (const auto on =
+          checkbox(ui, "Hints", ui.session().settings.aids->show_hints, "Tell the first steps in the viewport."))
+    ui.emit(edit::Set<&world::Aids::show_hints>{*on});
   ImGui::SameLine();
-  if (const auto on = checkbox(ui, "Score cards", ui.session().settings.show_card,
+  if (const auto on = checkbox(ui, "Score cards", ui.session().settings.aids->show_card,
                                "Show a card with the ride's numbers when it ends."))
-    ui.emit(edit::SetCard{*on});
+    ui.emit(edit::Set<&world::Aids::show_card>{*on});
 }
 
 std::string keys_text(std::span<const platform::Chord> chords) {

@@ -84,7 +84,7 @@ world::FlyCamera looked(world::FlyCamera fly, glm::vec2 pixels, float scale) {
 void choose_camera(Ui& ui, world::CameraMode mode) {
   if (mode == world::CameraMode::fly && ui.session().settings.camera_mode != mode)
     ui.emit(edit::SetFly{view::fly_from(ui.out.view)});
-  ui.emit(edit::SetCameraMode{mode});
+  ui.emit(edit::Set<&world::Settings::camera_mode>{mode});
 }
 
 }  // namespace coaster::ui

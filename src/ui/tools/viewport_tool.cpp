@@ -10,6 +10,8 @@
 #include "ui/tools/fly_keys.h"
 #include "ui/widgets/theme.h"
 #include "view/gizmo.h"
+#include "world/aids.h"
+#include "world/camera_feel.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -68,8 +70,8 @@ void ViewportTool::turn_wheel(Ui& ui, float notches) {
     case world::CameraMode::orbit: ui.emit(edit::SetCamera{zoomed(settings.camera, notches)}); break;
     case world::CameraMode::fly: ui.emit(edit::SetFly{flown(fly_now(ui), {0, 0, kMetres * notches})}); break;
     case world::CameraMode::chase:
-      ui.emit(edit::SetChaseDistance{std::clamp(settings.feel.chase_distance * std::pow(kPerNotch, -notches),
-                                                world::kMinChase, world::kMaxChase)});
+      ui.emit(edit::Set<&world::CameraFeel::chase_distance>{std::clamp(
+          settings.feel->chase_distance * std::pow(kPerNotch, -notches), world::kMinChase, world::kMaxChase)});
       break;
     case world::CameraMode::ride: break;
   }
@@ -257,12 +259,12 @@ void ViewportTool::release(Ui& ui, const view::View& view) {
 void ViewportTool::click_ground(Ui& ui, const view::View& view) {
   const edit::Session& session = ui.session();
   const world::Track& track = session.document.track;
-  if ((session.settings.append_mode && !track.closed) || track.knots.empty()) {
+  if ((session.settings.aids->append_mode && !track.closed) || track.knots.empty()) {
     const auto at = view::meet_plane(view::ray_through(view, drag_.start), glm::vec3(0), {0, 1, 0});
     if (!at) return;
     ui.emit(edit::AppendKnot{*at});
     // Who starts a track goes on with it.
-    if (!session.settings.append_mode) ui.emit(edit::SetAppendMode{true});
+    if (!session.settings.aids->append_mode) ui.emit(edit::Set<&world::Aids::append_mode>{true});
   } else if (session.settings.selected.valid()) {
     ui.emit(edit::Select{});
   }

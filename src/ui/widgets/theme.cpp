@@ -1,5 +1,6 @@
 // Colours and spacing.
 #include "ui/widgets/theme.h"
+#include "world/look.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,6 +9,7 @@
 
 #include "edit/random_commands.h"
 #include "edit/session_fixture.h"
+#include "world/evaluation.h"
 
 namespace coaster::edit {
 namespace apply_test {
@@ -100,7 +101,7 @@ TEST_F(Applying, loading_a_track_over_the_budget_lowers_the_resolution) {
   good("resolution 1000");
   good("vertex_budget 1000");
   ASSERT_TRUE(apply(Load{file("a.json")}));
-  EXPECT_EQ(session.settings.steps, 249);
+  EXPECT_EQ(session.settings.evaluation->steps, 249);
   EXPECT_NE(session.notices.list.back().text.find("limit"), std::string::npos);
   EXPECT_EQ(session.derived.vertices, 1000);
 }
@@ -141,7 +142,7 @@ TEST_F(Applying, undoing_everything_returns_to_the_first_document_and_redoing_to
 bool too_costly(Command& command, test::RandomCommands& random) {
   if (RideStep* const step = command.as<RideStep>())
     step->ticks = std::min(step->ticks, 1 + static_cast<int>(random.below(120)));
-  const auto* const row = command.as<SetIntegrator>();
+  const auto* const row = command.as<Set<&world::Settings::integrator>>();
   const bool timetable = row && base::row_of(row->to).kind == sim::IntegratorKind::timetable;
   return (command.is<AutoBank>() || timetable) && random.below(8) != 0;
 }

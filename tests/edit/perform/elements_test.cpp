@@ -4,6 +4,7 @@
 #include "curve/continuity.h"
 #include "edit/session_fixture.h"
 #include "sim/random_elements.h"
+#include "world/aids.h"
 
 namespace coaster::edit {
 namespace perform_elements_test {
@@ -125,16 +126,16 @@ TEST_F(PerformElementsTest, what_cannot_be_placed_is_refused_and_limits_are_told
 
 TEST_F(PerformElementsTest, choosing_shows_the_preview_and_changes_no_document) {
   const std::uint64_t before = hash();
-  EXPECT_FALSE(session.settings.show_element);
+  EXPECT_FALSE(session.settings.aids->show_element);
   good("element.choose loop right height 22");
-  EXPECT_TRUE(session.settings.show_element);
+  EXPECT_TRUE(session.settings.aids->show_element);
   EXPECT_EQ(session.settings.element.kind, world::ElementKind::loop);
   EXPECT_TRUE(session.settings.element.right);
   EXPECT_EQ(session.settings.element.values[0], 22);
   EXPECT_EQ(session.settings.element.values[1], world::usual_element(world::ElementKind::loop).values[1])
       << "what is not named is usual";
   good("element.preview off");
-  EXPECT_FALSE(session.settings.show_element);
+  EXPECT_FALSE(session.settings.aids->show_element);
   EXPECT_EQ(hash(), before);
   EXPECT_TRUE(session.history.undo.empty());
 }

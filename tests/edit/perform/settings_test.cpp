@@ -1,6 +1,9 @@
 #include <limits>
 
 #include "edit/session_fixture.h"
+#include "world/camera_feel.h"
+#include "world/evaluation.h"
+#include "world/look.h"
 
 namespace coaster::edit {
 namespace perform_settings_test {
@@ -44,9 +47,9 @@ TEST_F(ChangingSettings, settings_touch_neither_document_nor_motion_nor_history)
 
 TEST_F(ChangingSettings, the_resolution_is_clamped) {
   clamped("resolution 5000", "resolution 5000 is beyond the limit of 4096");
-  EXPECT_EQ(session.settings.steps, 4096);
+  EXPECT_EQ(session.settings.evaluation->steps, 4096);
   clamped("resolution 0", "limit of 1");
-  EXPECT_EQ(session.settings.steps, 1);
+  EXPECT_EQ(session.settings.evaluation->steps, 1);
   clamped("vertex_budget 5", "limit of 1000");
   clamped("vertex_budget 99999999999", "limit of 1000000000");
 }
@@ -65,8 +68,8 @@ TEST_F(ChangingSettings, how_the_cameras_feel_is_clamped) {
   clamped("camera.fly eye 1 0.5 3 yaw 370 pitch 95", "limit of 89 degrees");
   EXPECT_EQ(session.settings.fly, (world::FlyCamera{{1, 0.5f, 3}, 10, 89}));
   refused(SetFly{{{0, kNan, 0}, 0, 0}}, "finite");
-  refused(SetRollDamping{kNan}, "finite");
-  refused(SetCameraMode{static_cast<world::CameraMode>(9)}, "no such camera");
+  refused(Set<&world::CameraFeel::roll_damping>{kNan}, "finite");
+  refused(Set<&world::Settings::camera_mode>{static_cast<world::CameraMode>(9)}, "no row 9");
 }
 
 TEST_F(ChangingSettings, the_camera_is_clamped_and_yaw_wraps) {
@@ -94,15 +97,15 @@ TEST_F(ChangingSettings, a_segment_is_selected_with_its_place) {
 }
 
 TEST_F(ChangingSettings, rows_that_no_table_has_are_refused) {
-  refused(SetEvaluator{curve::EvaluatorId{99}}, "no row 99");
-  refused(SetArcLength{curve::ArcLengthId{-1}}, "no row -1");
-  refused(SetIntegrator{world::IntegratorId{99}}, "no row 99");
+  refused(Set<&world::Evaluation::evaluator>{curve::EvaluatorId{99}}, "no row 99");
+  refused(Set<&world::Evaluation::arc_length>{curve::ArcLengthId{-1}}, "no row -1");
+  refused(Set<&world::Settings::integrator>{world::IntegratorId{99}}, "no row 99");
 }
 
 TEST_F(ChangingSettings, the_scale_is_clamped) {
   clamped("scale 0.1", "limit of 0.75");
   clamped("scale 10", "limit of 3");
-  refused(SetScale{kNan}, "finite");
+  refused(Set<&world::Look::ui_scale>{kNan}, "finite");
 }
 
 TEST_F(ChangingSettings, saying_the_same_at_a_limit_renews_the_notice) {

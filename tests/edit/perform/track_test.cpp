@@ -2,6 +2,7 @@
 
 #include "curve/arc_length.h"
 #include "edit/session_fixture.h"
+#include "world/evaluation.h"
 
 namespace coaster::edit {
 namespace perform_track_test {
@@ -130,7 +131,7 @@ TEST_F(ChangingTrack, commands_over_the_vertex_budget_are_refused_and_name_it) {
   good("remove @k5");
   good("resolution 500");
   EXPECT_TRUE(apply("undo"));  // brings a segment back: the resolution gives way
-  EXPECT_EQ(session.settings.steps, 399);
+  EXPECT_EQ(session.settings.evaluation->steps, 399);
   EXPECT_NE(session.notices.list.back().text.find("limit"), std::string::npos);
   EXPECT_LE(session.derived.vertices, 1600);
 }

@@ -1,6 +1,7 @@
 #include "edit/session/history.h"
 
 #include "edit/session_fixture.h"
+#include "world/evaluation.h"
 
 namespace coaster::edit {
 namespace history_test {
@@ -87,7 +88,7 @@ TEST_F(HistoryOfEdits, undo_does_not_touch_settings) {
   good("datum 5");
   good("resolution 17");
   good("undo");
-  EXPECT_EQ(session.settings.steps, 17);
+  EXPECT_EQ(session.settings.evaluation->steps, 17);
 }
 
 TEST(history, the_oldest_steps_are_dropped_beyond_the_limit_but_never_the_newest) {

@@ -2,21 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include "world/other_settings.h"
+
 namespace coaster::exchange {
 namespace settings_file_test {
 
 UserSettings unusual() {
   UserSettings s;
-  s.ui_scale = 1.75f;
-  s.theme = world::Theme::high_contrast;
-  s.style = world::Style::blueprint;
-  s.sound = 0.125f;
-  s.panels = s.shadows = false;
-  s.laboratory = s.reduced_motion = s.head_bob = true;
+  world::for_each_setting([&]<auto Setting>() {
+    if constexpr (!world::setting_row<Setting>().kept_as.empty())
+      world::value_in<Setting>(s.session) = test::other_value<Setting>();
+  });
   s.autosave_seconds = 12.5;
   s.window = WindowPlace{-40, 7, 900, 601, true};
   s.recent = {"/a/b \"c\".json", "/\xc3\xa4.json"};
-  s.hints = s.gizmo = s.start_screen = s.card = false;
+  s.start_screen = false;
   s.keys = {{"Undo", {"Ctrl+U"}}, {"Redo", {"Ctrl+R", "F4"}}, {"Reset", {}}, {"No such action", {"F9"}}};
   s.others = R"({"later":[1,2]})";
   return s;
@@ -29,6 +29,51 @@ TEST(settings_file, printing_and_parsing_gives_the_same_settings_back) {
     EXPECT_TRUE(loaded->settings == settings) << print_settings(loaded->settings);
     EXPECT_TRUE(loaded->warnings.empty());
   }
+}
+
+TEST(settings_file, each_kept_setting_is_read_from_its_member) {
+  world::for_each_setting([]<auto Setting>() {
+    constexpr world::SettingRow row = world::setting_row<Setting>();
+    if constexpr (!row.kept_as.empty()) {
+      UserSettings changed;
+      const world::Settings in_a_session;
+      const auto at_first = world::value_in<Setting>(changed.session);
+      const auto other = at_first == test::other_value<Setting>() ? world::value_in<Setting>(in_a_session)
+                                                                  : test::other_value<Setting>();
+      world::value_in<Setting>(changed.session) = other;
+      const std::string text = print_settings(changed), member = "\"" + std::string(row.kept_as) + "\": ";
+      ASSERT_NE(text.find(member), std::string::npos) << text;
+      const auto loaded = parse_settings(text, "s");
+      ASSERT_TRUE(loaded) << row.kept_as;
+      EXPECT_EQ(world::value_in<Setting>(loaded->settings.session), other) << row.kept_as;
+      EXPECT_TRUE(loaded->settings == changed) << row.kept_as;
+    }
+  });
+}
+
+TEST(settings_file, the_file_of_a_new_user_is_this) {
+  EXPECT_EQ(print_settings(UserSettings{}), R"({
+  "format": "coaster-settings",
+  "version": 1,
+  "ui_scale": 1,
+  "theme": "dark",
+  "style": "day",
+  "shadows": true,
+  "sound": 0.5,
+  "panels": true,
+  "laboratory": false,
+  "reduced_motion": false,
+  "head_bob": false,
+  "autosave_seconds": 30,
+  "window": null,
+  "recent": [],
+  "hints": true,
+  "card": true,
+  "gizmo": true,
+  "start_screen": true,
+  "keys": {}
+}
+)");
 }
 
 TEST(settings_file, a_wrong_member_becomes_its_default_and_is_told_while_the_others_hold) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/tracks.h"
+#include "world/evaluation.h"
 
 namespace coaster::sim {
 namespace derived_test {
@@ -11,7 +12,7 @@ TEST(derived, only_what_changed_is_rebuilt) {
   for (const int count : {8, 5000}) {
     world::Document d = test::ring_document(count, 1.6 * count);
     world::Settings settings;
-    settings.steps = 5;
+    settings.evaluation->steps = 5;
     Derived derived;
     derive(d, settings, {}, derived);
     EXPECT_EQ(derived.rebuilds, count);
@@ -24,14 +25,14 @@ TEST(derived, only_what_changed_is_rebuilt) {
     EXPECT_EQ(derived.rebuilds, 2);
     for (std::size_t i = 0; i < derived.order.size(); ++i)
       EXPECT_EQ(derived.shape(derived.order[i]).shape_build > last, i == 2 || i == 3) << i;
-    settings.steps = 7;
+    settings.evaluation->steps = 7;
     derive(d, settings, {}, derived);
     EXPECT_EQ(derived.rebuilds, count);
     EXPECT_EQ(derived.vertices, 8 * count);
-    settings.evaluator = curve::EvaluatorId{0};
+    settings.evaluation->evaluator = curve::EvaluatorId{0};
     derive(d, settings, {}, derived);
     EXPECT_EQ(derived.rebuilds, count);
-    settings.arc_length = curve::ArcLengthId{1};
+    settings.evaluation->arc_length = curve::ArcLengthId{1};
     derive(d, settings, {}, derived);
     EXPECT_EQ(derived.rebuilds, 0);
   }
@@ -148,16 +149,16 @@ TEST(derived, the_clock_measures_evaluation_alone) {
 TEST(derived, evaluators_on_the_gpu_leave_no_polylines_and_cost_no_rebuild) {
   world::Document d = test::ring_document(8, 17.3);
   world::Settings settings;
-  settings.steps = 7;
+  settings.evaluation->steps = 7;
   Derived derived;
   derive(d, settings, {}, derived);
   const double length = derived.length, measured = derived.measured_length;
   std::uint64_t last = derived.last_build;
   for (std::size_t row = 0; row < curve::evaluators().size(); ++row) {
     if (curve::evaluators()[row].evaluated_by == curve::EvaluatedBy::processor) continue;
-    settings.evaluator = static_cast<curve::EvaluatorId>(row);
+    settings.evaluation->evaluator = static_cast<curve::EvaluatorId>(row);
     for (const int steps : {7, 4096, 1}) {
-      settings.steps = steps;
+      settings.evaluation->steps = steps;
       derive(d, settings, {}, derived);
       EXPECT_EQ(derived.evaluated_by, curve::evaluators()[row].evaluated_by);
       EXPECT_EQ(derived.steps, steps);
@@ -176,8 +177,8 @@ TEST(derived, evaluators_on_the_gpu_leave_no_polylines_and_cost_no_rebuild) {
   derive(d, settings, {}, derived);
   EXPECT_EQ(derived.rebuilds, 2);
   EXPECT_EQ(derived.evaluated_vertices, 0);
-  settings.evaluator = curve::EvaluatorId{0};
-  settings.steps = 7;
+  settings.evaluation->evaluator = curve::EvaluatorId{0};
+  settings.evaluation->steps = 7;
   last = derived.last_build;
   derive(d, settings, {}, derived);
   EXPECT_EQ(derived.rebuilds, 8);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/tracks.h"
+#include "world/evaluation.h"
 
 namespace coaster::sim {
 namespace measure_test {
@@ -90,7 +91,7 @@ TEST(measure, the_worst_error_is_that_of_the_worst_vertex) {
   for (std::size_t i = 0; i < kMeasuredSteps.size(); ++i) {
     // What derive() finds for the same evaluator and steps.
     world::Settings settings;
-    settings.evaluator = id, settings.steps = kMeasuredSteps[i];
+    settings.evaluation->evaluator = id, settings.evaluation->steps = kMeasuredSteps[i];
     EXPECT_DOUBLE_EQ(row->cells[i].worst_error, test::derived_of(test::ring_document(5, 23.7), settings).deviation);
     EXPECT_EQ(row->cells[i].ns_per_point, 0);  // no clock, no time
   }

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "sim/tracks.h"
+#include "world/evaluation.h"
+#include "world/lab_view.h"
 
 namespace coaster::sim {
 namespace track_values_test {
@@ -26,7 +28,7 @@ struct Coloured {
     derive(document, settings, {}, derived);
   }
   const TrackValues& by(Colouring colouring) {
-    settings.colouring = colouring;
+    settings.lab->colouring = colouring;
     return memo.update(derived, settings, ghosts.ride(document, derived, cart));
   }
   glm::dvec3 place(std::size_t i, int j) const {
@@ -80,8 +82,8 @@ TEST(track_values, height_and_curvature_are_the_curves) {
 TEST(track_values, error_is_the_evaluators_deviation) {
   Coloured track(test::ring_document(9, 41.3));
   for (const int steps : {1, 5, 64, 500}) {
-    track.settings.steps = steps;
-    track.settings.evaluator = static_cast<curve::EvaluatorId>(3);
+    track.settings.evaluation->steps = steps;
+    track.settings.evaluation->evaluator = static_cast<curve::EvaluatorId>(3);
     derive(track.document, track.settings, {}, track.derived);
     const TrackValues& values = track.by(Colouring::error);
     const float largest = *std::max_element(values.values.begin(), values.values.end());
@@ -126,7 +128,7 @@ TEST(track_values, plain_needs_nothing_and_an_empty_track_has_nothing) {
   EXPECT_TRUE(track.by(Colouring::plain).values.empty());
   const Derived none;
   for (std::size_t row = 0; row < world::colourings().size(); ++row) {
-    track.settings.colouring = static_cast<Colouring>(row);
+    track.settings.lab->colouring = static_cast<Colouring>(row);
     const TrackValues& values = track.memo.update(none, track.settings, nullptr);
     EXPECT_TRUE(values.values.empty());
     EXPECT_LT(values.low, values.high);

@@ -1,6 +1,8 @@
 #include "ui/actions/actions.h"
 
 #include "ui/stage.h"
+#include "world/aids.h"
+#include "world/look.h"
 
 namespace coaster::ui {
 namespace actions_test {
@@ -32,7 +34,7 @@ TEST_F(ActionsTest, tab_gives_the_viewport_the_whole_window_and_back) {
   ASSERT_LT(host_->view().viewport.width, 700);
   key(platform::Key::tab);
   frame();
-  EXPECT_FALSE(session_.settings.show_panels);
+  EXPECT_FALSE(session_.settings.look->show_panels);
   EXPECT_TRUE(host_->widgets().empty());
   EXPECT_EQ(host_->view().viewport.width, 1280);
   EXPECT_EQ(host_->view().viewport.height, 720);
@@ -64,9 +66,9 @@ TEST_F(ActionsTest, escape_closes_a_list_then_leaves_append_mode_then_deselects)
   key(platform::Key::escape);
   frame();
   EXPECT_FALSE(host_->wants_keyboard());
-  EXPECT_TRUE(session_.settings.append_mode);
+  EXPECT_TRUE(session_.settings.aids->append_mode);
   key(platform::Key::escape);
-  EXPECT_FALSE(session_.settings.append_mode);
+  EXPECT_FALSE(session_.settings.aids->append_mode);
   EXPECT_TRUE(session_.settings.selected.valid());
   key(platform::Key::escape);
   EXPECT_FALSE(session_.settings.selected.valid());
@@ -95,12 +97,12 @@ TEST_F(ActionsTest, a_key_of_the_settings_takes_the_place_of_the_table_s) {
   EXPECT_TRUE(host_->set_keys(choices).empty());
   frames(2);
   key(platform::Key::tab);
-  EXPECT_TRUE(session_.settings.show_panels);
+  EXPECT_TRUE(session_.settings.look->show_panels);
   key(platform::Key::f7);
-  EXPECT_FALSE(session_.settings.show_panels);
+  EXPECT_FALSE(session_.settings.look->show_panels);
   EXPECT_TRUE(host_->set_keys({}).empty());
   key(platform::Key::tab);
-  EXPECT_TRUE(session_.settings.show_panels);
+  EXPECT_TRUE(session_.settings.look->show_panels);
 }
 
 TEST_F(ActionsTest, f12_asks_for_a_picture) {

@@ -69,7 +69,7 @@ TEST_F(gamepad, triggers_zoom_and_the_left_stick_pans) {
 
 TEST_F(gamepad, sticks_fly_the_free_camera_by_time_and_not_by_frames) {
   const auto flown_in = [&](int count, double dt) {
-    (void)edit::apply(session_, files_, edit::SetCameraMode{world::CameraMode::fly});
+    (void)edit::apply(session_, files_, edit::Set<&world::Settings::camera_mode>{world::CameraMode::fly});
     (void)edit::apply(session_, files_, edit::SetFly{world::FlyCamera{{3, 20, 7}, 30, -5}});
     host_->build({GamepadAxes{.left_y = -0.7f}, platform::Tick{0}}, {session_, stats_, seconds_, false}, width_,
                  height_);

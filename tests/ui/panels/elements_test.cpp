@@ -3,6 +3,7 @@
 
 #include "ui/panels/panels.h"
 #include "ui/stage.h"
+#include "world/aids.h"
 
 namespace coaster::ui {
 namespace panel_elements_test {
@@ -16,7 +17,7 @@ TEST_F(PanelElementsTest, every_element_has_its_button_its_fields_and_its_help) 
     const world::ElementRow& row = world::elements()[i];
     click("Elements/" + std::string(row.label));
     frames(2);
-    EXPECT_TRUE(session_.settings.show_element);
+    EXPECT_TRUE(session_.settings.aids->show_element);
     EXPECT_EQ(static_cast<std::size_t>(session_.settings.element.kind), i);
     for (const world::ElementParameter& p : row.parameters)
       EXPECT_NE(find("Elements/" + std::string(p.label)), nullptr) << row.name << " " << p.label;
@@ -48,11 +49,11 @@ TEST_F(PanelElementsTest, enter_places_and_escape_and_a_second_click_hide_the_pr
   key(platform::Key::enter);
   EXPECT_GT(knots(), before);
   key(platform::Key::escape);
-  EXPECT_FALSE(session_.settings.show_element);
+  EXPECT_FALSE(session_.settings.aids->show_element);
   click("Elements/Straight");
-  EXPECT_TRUE(session_.settings.show_element);
+  EXPECT_TRUE(session_.settings.aids->show_element);
   click("Elements/Straight");
-  EXPECT_FALSE(session_.settings.show_element);
+  EXPECT_FALSE(session_.settings.aids->show_element);
 }
 
 TEST_F(PanelElementsTest, a_closed_track_has_no_end_to_place_at) {

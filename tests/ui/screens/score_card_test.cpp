@@ -2,6 +2,7 @@
 
 #include "ui/screens/medals.h"
 #include "ui/stage.h"
+#include "world/aids.h"
 
 namespace coaster::ui {
 namespace score_card_test {
@@ -9,7 +10,7 @@ namespace score_card_test {
 class ScoreCardTest : public Stage {
  protected:
   void end_a_ride() {
-    ASSERT_TRUE(edit::apply(session_, files_, edit::SetCard{true}));
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::show_card>{true}));
     ASSERT_TRUE(edit::apply(session_, files_, edit::RideStart{}));
     edit::advance(session_, 120 * 120);
     ASSERT_TRUE(session_.game.result);

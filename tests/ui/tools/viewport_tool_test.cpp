@@ -1,6 +1,7 @@
 #include "ui/tools/viewport_tool.h"
 
 #include "ui/stage.h"
+#include "world/aids.h"
 
 namespace coaster::ui {
 namespace viewport_tool_test {
@@ -110,7 +111,7 @@ TEST_F(ViewportToolTest, a_click_on_the_ground_deselects_or_appends_there) {
   EXPECT_FALSE(session_.settings.selected.valid());
   EXPECT_EQ(session_.document.track.knots.size(), 3u);
   key(platform::Key::a);
-  ASSERT_TRUE(session_.settings.append_mode);
+  ASSERT_TRUE(session_.settings.aids->append_mode);
   frames(30);
   const glm::vec2 pixel = empty_ground() + glm::vec2(-31, -7);
   click_at(pixel);

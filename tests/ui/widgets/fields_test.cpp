@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "ui/stage.h"
+#include "world/evaluation.h"
 
 namespace coaster::ui {
 namespace fields_test {
@@ -124,17 +125,17 @@ TEST_F(FieldsTest, smooth_joints_keep_both_lengths_equal) {
 
 TEST_F(FieldsTest, steps_are_typed_and_dragged_within_their_limits) {
   type("Evaluation/Steps per segment", "300");
-  EXPECT_EQ(session_.settings.steps, 300);
-  EXPECT_EQ(all<edit::SetResolution>().size(), 1u);
+  EXPECT_EQ(session_.settings.evaluation->steps, 300);
+  EXPECT_EQ(all<edit::Set<&world::Evaluation::steps>>().size(), 1u);
   type("Evaluation/Steps per segment", "99999");
-  EXPECT_EQ(session_.settings.steps, curve::kMaxSteps);
+  EXPECT_EQ(session_.settings.evaluation->steps, curve::kMaxSteps);
   ASSERT_TRUE(reach("Evaluation/Steps per segment"));
   const Widget& bar = *find("Evaluation/Steps per segment");
   hover({bar.x + bar.width - 3, bar.y + bar.height / 2});
   press();
   hover({bar.x - 50, bar.y + bar.height / 2});
   release();
-  EXPECT_EQ(session_.settings.steps, curve::kMinSteps);
+  EXPECT_EQ(session_.settings.evaluation->steps, curve::kMinSteps);
 }
 
 TEST_F(FieldsTest, the_name_is_text_and_keys_belong_to_it_while_it_is_typed) {

@@ -1,4 +1,5 @@
 #include "ui/widgets/theme.h"
+#include "world/look.h"
 
 #include <gtest/gtest.h>
 

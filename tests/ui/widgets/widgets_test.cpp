@@ -1,6 +1,7 @@
 #include "ui/widgets/widgets.h"
 
 #include "ui/stage.h"
+#include "world/evaluation.h"
 
 namespace coaster::ui {
 namespace widgets_test {
@@ -9,13 +10,13 @@ struct WidgetsTest : Stage {};
 
 TEST_F(WidgetsTest, a_click_on_a_radio_chooses_that_evaluator_and_no_other) {
   click("Evaluation/Forward differences");
-  ASSERT_EQ(all<edit::SetEvaluator>().size(), 1u);
-  const curve::EvaluatorId chosen = session_.settings.evaluator;
+  ASSERT_EQ(all<edit::Set<&world::Evaluation::evaluator>>().size(), 1u);
+  const curve::EvaluatorId chosen = session_.settings.evaluation->evaluator;
   EXPECT_EQ(base::row_of(chosen).label, "Forward differences");
   EXPECT_EQ(find("Evaluation/Forward differences")->value, "on");
   EXPECT_EQ(find("Evaluation/Horner")->value, "off");
   click("Evaluation/Forward differences");
-  EXPECT_EQ(all<edit::SetEvaluator>().size(), 1u) << "already on: nothing to ask for";
+  EXPECT_EQ(all<edit::Set<&world::Evaluation::evaluator>>().size(), 1u) << "already on: nothing to ask for";
 }
 
 TEST_F(WidgetsTest, a_press_and_release_in_one_frame_is_a_click) {
@@ -45,7 +46,7 @@ TEST_F(WidgetsTest, a_list_opens_covers_what_is_under_it_and_chooses) {
   EXPECT_TRUE(find("Evaluation/Show polyline")->covered) << "the list takes the mouse from the panel";
   EXPECT_TRUE(host_->wants_keyboard());
   click_at(middle(*find(second)));
-  EXPECT_EQ(session_.settings.arc_length, static_cast<curve::ArcLengthId>(1));
+  EXPECT_EQ(session_.settings.evaluation->arc_length, static_cast<curve::ArcLengthId>(1));
   EXPECT_EQ(find(second), nullptr);
   EXPECT_FALSE(find("Evaluation/Show polyline")->covered);
 }

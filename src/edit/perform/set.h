@@ -1,0 +1,55 @@
+// How the command of a setting is applied, whatever its group and type. The names of some types are in sim.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <type_traits>
+
+#include "base/names.h"
+#include "edit/commands/commands_settings.h"
+#include "edit/perform/perform.h"
+#include "sim/ride/ride.h"
+#include "sim/shape/frame_methods.h"
+#include "world/settings_groups.h"
+
+namespace coaster::edit {
+
+// "camera.roll_damping" as a notice says it: "roll damping".
+std::string noun_of(std::string_view word);
+
+// Commands read from text name rows; others may come from anywhere.
+template <base::Named E>
+base::Status known_row(E value) {
+  if (base::has_row(value)) return {};
+  return refused("there is no row " + std::to_string(static_cast<int>(value)) + " in the table of " +
+                 std::to_string(base::count_of<E>()));
+}
+
+// Cuts a number to the limits of its row; refuses what is no value at all.
+template <class T>
+base::Status limit(Change& change, const world::SettingRow& row, T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    return known_row(value);
+  } else if constexpr (!std::is_same_v<T, bool>) {
+    if (!std::isfinite(static_cast<double>(value))) return refused("expected a finite number");
+    value = change.clamp(noun_of(row.word), value, static_cast<T>(row.low), static_cast<T>(row.high), row.unit);
+  }
+  return {};
+}
+
+template <auto Member>
+base::Status perform(Session& session, Change& change, const Set<Member>& command) {
+  auto value = command.to;
+  if (const base::Status good = limit(change, Set<Member>::kRow, value); !good) return good;
+  if constexpr (std::is_same_v<world::GroupOf<Member>, world::Evaluation>) {
+    world::Evaluation next = *session.settings.evaluation;
+    next.*Member = value;
+    const base::Status room = within_budget(session.document.track.segments.size(), next.steps, next.vertex_budget);
+    if (!room) return room;
+    change.remeasure = true;
+  }
+  world::value_in<Member>(session.settings) = value;
+  return {};
+}
+
+}  // namespace coaster::edit

@@ -1,0 +1,37 @@
+// Queries about the settings that have a row: one each, made from it.
+#include <type_traits>
+#include <vector>
+
+#include "base/names.h"
+#include "query/rows.h"
+#include "sim/ride/ride.h"
+#include "sim/shape/frame_methods.h"
+#include "world/settings_groups.h"
+
+namespace coaster::query {
+namespace {
+
+template <auto Member>
+Answer setting(const Context& c, View) {
+  const auto value = world::value_in<Member>(c.session.settings);
+  using T = world::ValueOf<Member>;
+  if constexpr (std::is_enum_v<T>) return text(base::name_of(value));
+  else if constexpr (std::is_same_v<T, bool>) return yes_no(value);
+  else return number(value);
+}
+
+}  // namespace
+
+std::span<const Query> setting_rows() {
+  static const std::vector<Query> rows = [] {
+    std::vector<Query> made;
+    world::for_each_setting([&]<auto Member>() {
+      static constexpr world::SettingRow kRow = world::setting_row<Member>();
+      made.push_back({kRow.query_name(), "", kRow.unit, kRow.help, setting<Member>});
+    });
+    return made;
+  }();
+  return rows;
+}
+
+}  // namespace coaster::query

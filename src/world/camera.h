@@ -1,0 +1,47 @@
+// The orbit camera and the free camera: what a view is made from.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <glm/glm.hpp>
+
+#include "base/names.h"
+#include "world/setting_row.h"
+
+namespace coaster::world {
+
+enum class CameraMode : std::uint8_t { orbit, ride, chase, fly };
+inline constexpr base::NameRow kCameraModes[] = {{"orbit"}, {"ride"}, {"chase"}, {"fly"}};
+constexpr std::span<const base::NameRow> rows_of(CameraMode) { return kCameraModes; }
+inline constexpr float kMaxPitch = 89;                               // degrees
+inline constexpr float kMinFieldOfView = 30, kMaxFieldOfView = 110;  // degrees, vertical
+
+// Orbit camera: looks at `target` from `distance` metres; yaw about +Y (0 looks along -Z), pitch above the horizon (up
+// to kMaxPitch either way; the view keeps it out of the ground). Its vertical field of view is that of the chase and
+// the free camera, too.
+struct Camera {
+  glm::vec3 target{0, 5, 0};
+  float yaw_deg = 35, pitch_deg = 18, distance = 80;
+  float field_of_view_deg = 45;
+  friend bool operator==(const Camera&, const Camera&) = default;
+
+  static constexpr auto kRows =
+      std::tuple{setting(&Camera::field_of_view_deg, {.word = "camera.field_of_view",
+                                                      .help = "Vertical field of view of all cameras but the rider's.",
+                                                      .low = kMinFieldOfView,
+                                                      .high = kMaxFieldOfView,
+                                                      .unit = "degrees",
+                                                      .query = "field_of_view"})};
+};
+
+// The free camera: level, from `eye` (m), yaw as the orbit camera's, pitch of the view above the horizon (up to
+// kMaxPitch).
+struct FlyCamera {
+  glm::vec3 eye{0, 12, 60};  // at least kLowestFlight over the ground
+  float yaw_deg = 0, pitch_deg = -6;
+  friend bool operator==(const FlyCamera&, const FlyCamera&) = default;
+};
+inline constexpr float kLowestFlight = 0.5f;  // m
+
+}  // namespace coaster::world

@@ -1,0 +1,56 @@
+// Settings of the cameras that go with a train: how they feel.
+#pragma once
+
+#include "world/camera.h"
+#include "world/setting_row.h"
+
+namespace coaster::world {
+
+inline constexpr float kMinChase = 5, kMaxChase = 60;  // m
+
+struct CameraFeel {
+  float ride_view_deg = 70;
+  float widening_deg = 6;
+  float roll_damping = 0.25f;  // s by which the rider's roll is late in a steady roll; 0: the track's roll at once
+  float chase_distance = 9;    // m
+  bool reduced_motion = false;
+  bool head_bob = false;
+  friend bool operator==(const CameraFeel&, const CameraFeel&) = default;
+
+  static constexpr auto kRows =
+      std::tuple{setting(&CameraFeel::ride_view_deg, {.word = "camera.ride_view",
+                                                      .help = "Vertical field of view of the rider.",
+                                                      .low = kMinFieldOfView,
+                                                      .high = kMaxFieldOfView,
+                                                      .unit = "degrees",
+                                                      .query = "ride_view"}),
+                 setting(&CameraFeel::widening_deg, {.word = "camera.widening",
+                                                     .help = "How much the rider's view widens at 30 m/s.",
+                                                     .low = 0,
+                                                     .high = 20,
+                                                     .unit = "degrees",
+                                                     .query = "widening"}),
+                 setting(&CameraFeel::roll_damping, {.word = "camera.roll_damping",
+                                                     .help = "Lag of the rider's roll behind the track's. 0: none.",
+                                                     .low = 0,
+                                                     .high = 2,
+                                                     .unit = "s",
+                                                     .query = "roll_damping"}),
+                 setting(&CameraFeel::chase_distance, {.word = "camera.chase_distance",
+                                                       .help = "Distance from the chase camera to a lone car.",
+                                                       .low = kMinChase,
+                                                       .high = kMaxChase,
+                                                       .unit = "m",
+                                                       .query = "chase_distance"}),
+                 setting(&CameraFeel::reduced_motion,
+                         {.word = "camera.reduced_motion",
+                          .help = "Whether the rider's horizon stays level, cameras cut, and nothing bobs or widens.",
+                          .query = "reduced_motion",
+                          .kept_as = "reduced_motion"}),
+                 setting(&CameraFeel::head_bob, {.word = "camera.head_bob",
+                                                 .help = "Whether the rider's head gives way to g.",
+                                                 .query = "head_bob",
+                                                 .kept_as = "head_bob"})};
+};
+
+}  // namespace coaster::world

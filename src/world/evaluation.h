@@ -1,0 +1,33 @@
+// Settings of what is evaluated: polylines and the displayed length. Changing one derives the track again.
+#pragma once
+
+#include <cstdint>
+
+#include "curve/arc_length.h"
+#include "curve/evaluators.h"
+#include "world/setting_row.h"
+
+namespace coaster::world {
+
+// The polylines of the document fit into the vertex budget.
+struct Evaluation {
+  curve::EvaluatorId evaluator = curve::kDefaultEvaluator;
+  int steps = 64;                           // per segment
+  std::int64_t vertex_budget = 16'000'000;  // of all polylines together
+  curve::ArcLengthId arc_length{};
+  friend bool operator==(const Evaluation&, const Evaluation&) = default;
+
+  static constexpr auto kRows = std::tuple{
+      setting(&Evaluation::evaluator, {.word = "evaluator", .help = "Method that evaluates the polylines."}),
+      setting(&Evaluation::steps, {.word = "resolution",
+                                   .help = "Steps per segment of the polylines.",
+                                   .low = curve::kMinSteps,
+                                   .high = curve::kMaxSteps}),
+      setting(&Evaluation::vertex_budget, {.word = "vertex_budget",
+                                           .help = "Limit of the vertices of all polylines together.",
+                                           .low = 1e3,
+                                           .high = 1e9}),
+      setting(&Evaluation::arc_length, {.word = "arc_length", .help = "Method that measures the displayed length."})};
+};
+
+}  // namespace coaster::world

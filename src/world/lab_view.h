@@ -1,0 +1,32 @@
+// Settings of the laboratory: what it draws over the scene, what the track is coloured by, which page is open.
+#pragma once
+
+#include "world/laboratory.h"
+#include "world/layers.h"
+#include "world/setting_row.h"
+
+namespace coaster::world {
+
+struct LabView {
+  Layers layers;  // set by the command `show`, so without a row
+  Colouring colouring{};
+  double magnification = 100'000;
+  double comb_scale = 100;  // m^2: metres of a tooth for a curvature of 1/m
+  LabPage page = LabPage::construction;
+  friend bool operator==(const LabView&, const LabView&) = default;
+
+  static constexpr auto kRows = std::tuple{
+      setting(&LabView::colouring, {.word = "colour", .help = "Value that colours the track."}),
+      setting(&LabView::magnification, {.word = "magnification",
+                                        .help = "How many times the rounding layer magnifies an evaluator's errors.",
+                                        .low = 1,
+                                        .high = 1e7}),
+      setting(&LabView::comb_scale, {.word = "comb_scale",
+                                     .help = "Length of the comb's teeth: metres for a curvature of 1/m.",
+                                     .low = 0.001,
+                                     .high = 1e6,
+                                     .unit = "m^2"}),
+      setting(&LabView::page, {.word = "page", .help = "Page of the laboratory that is open."})};
+};
+
+}  // namespace coaster::world

@@ -1,0 +1,53 @@
+// Settings of the window: how it looks and sounds, and which parts of it show.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/names.h"
+#include "world/setting_row.h"
+
+namespace coaster::world {
+
+// Colours of the panels; by name in scripts and in the settings file.
+enum class Theme : std::uint8_t { dark, light, high_contrast };
+inline constexpr base::NameRow kThemes[] = {{"dark", "Dark", "Colours of the panels."},
+                                            {"light", "Light", "Colours of the panels."},
+                                            {"high_contrast", "High contrast", "Colours of the panels."}};
+constexpr std::span<const base::NameRow> rows_of(Theme) { return kThemes; }
+
+// Light, sky and ground of the scene; by name in scripts and in the settings file.
+enum class Style : std::uint8_t { day, dusk, blueprint };
+inline constexpr base::NameRow kStyles[] = {
+    {"day", "Day", "The sun high, a clear sky."},
+    {"dusk", "Dusk", "The sun low, long shadows."},
+    {"blueprint", "Blueprint", "Lines on blue, for the laboratory and for print."}};
+constexpr std::span<const base::NameRow> rows_of(Style) { return kStyles; }
+
+struct Look {
+  float ui_scale = 1;
+  Theme theme = Theme::dark;
+  Style style = Style::day;
+  bool shadows = true;
+  float sound = 0.5f;
+  bool show_panels = true;
+  bool show_laboratory = false;
+  friend bool operator==(const Look&, const Look&) = default;
+
+  static constexpr auto kRows = std::tuple{
+      setting(&Look::ui_scale,
+              {.word = "scale", .help = "Scale of the panels.", .low = 0.75, .high = 3, .kept_as = "ui_scale"}),
+      setting(&Look::theme, {.word = "theme", .help = "Colours of the panels.", .kept_as = "theme"}),
+      setting(&Look::style, {.word = "style", .help = "Light of the scene.", .kept_as = "style"}),
+      setting(&Look::shadows, {.word = "shadows",
+                               .help = "Whether track and trains cast shadows. Frames cost less without them.",
+                               .kept_as = "shadows"}),
+      setting(&Look::sound,
+              {.word = "sound", .help = "Ride volume. 0 mutes it.", .low = 0, .high = 1, .kept_as = "sound"}),
+      setting(&Look::show_panels, {.word = "panels", .help = "Whether the panels show.", .kept_as = "panels"}),
+      setting(&Look::show_laboratory, {.word = "laboratory",
+                                       .help = "Whether the pages of the laboratory show, below the viewport.",
+                                       .kept_as = "laboratory"})};
+};
+
+}  // namespace coaster::world

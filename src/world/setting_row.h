@@ -1,0 +1,59 @@
+// What one scalar setting says of itself. A group of settings (world/look.h and its like) is a plain struct with a
+// tuple `kRows`, one row per member. Its row gives a setting its command, its query, its member of the user's settings
+// file and its line in a recording; to add a setting, add the member and its row. All groups: world/settings_groups.h.
+#pragma once
+
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+namespace coaster::world {
+
+struct SettingRow {
+  std::string_view word;          // of the command that sets it
+  std::string_view help;          // one line, of the command and of the query
+  double low = 0, high = 0;       // limits of a number; values beyond them are clamped with a notice
+  std::string_view unit = {};     // of the number, "m"
+  std::string_view query = {};    // its name where it differs from `word`
+  std::string_view kept_as = {};  // member of the user's settings file; empty: not kept
+  bool on_for_user = false;       // a switch that is on for a user who never changed it, whatever a session starts with
+
+  constexpr std::string_view query_name() const { return query.empty() ? word : query; }
+};
+
+template <class Group, class T>
+struct SettingOf {
+  T Group::*member;
+  SettingRow row;
+};
+template <class Group, class T>
+constexpr SettingOf<Group, T> setting(T Group::*member, const SettingRow& row) {
+  return {member, row};
+}
+
+template <class M>
+struct MemberTraits;
+template <class G, class T>
+struct MemberTraits<T G::*> {
+  using Group = G;
+  using Value = T;
+};
+template <auto Member>
+using GroupOf = typename MemberTraits<decltype(Member)>::Group;
+template <auto Member>
+using ValueOf = typename MemberTraits<decltype(Member)>::Value;
+
+// The row of a member of a group; does not compile for a member that has none.
+template <auto Member>
+consteval SettingRow setting_row() {
+  SettingRow found;
+  const auto look = [&]<class Row>(const Row& each) {
+    if constexpr (std::is_same_v<decltype(Row::member), decltype(Member)>)
+      if (each.member == Member) found = each.row;
+  };
+  std::apply([&](const auto&... rows) { (look(rows), ...); }, GroupOf<Member>::kRows);
+  if (found.word.empty()) throw "the member has a row in kRows of its group";
+  return found;
+}
+
+}  // namespace coaster::world
