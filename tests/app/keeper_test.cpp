@@ -48,15 +48,15 @@ TEST_F(Keeping, settings_are_written_a_second_after_the_last_change) {
   keep_at(10.9);
   EXPECT_FALSE(std::filesystem::exists(settings()));
   keep_at(11);
-  EXPECT_EQ(written().ui_scale, 1.25f);
+  EXPECT_EQ(written().session.look->ui_scale, 1.25f);
   // A slider that is dragged is written once.
   for (double at = 20; at < 23; at += 0.5) {
     ASSERT_TRUE(apply(*program_, edit::Set<&world::Look::ui_scale>{static_cast<float>(1 + (at - 19.5) / 10)}).ok());
     keep_at(at);
-    EXPECT_EQ(written().ui_scale, 1.25f) << at;
+    EXPECT_EQ(written().session.look->ui_scale, 1.25f) << at;
   }
   keep_at(23.6);
-  EXPECT_EQ(written().ui_scale, program_->session.settings.look->ui_scale);
+  EXPECT_EQ(written().session.look->ui_scale, program_->session.settings.look->ui_scale);
 }
 
 TEST_F(Keeping, the_next_start_has_the_settings_of_the_last) {

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "edit/commands/commands.h"
+#include "edit/commands/command_list.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/frame_methods.h"
 

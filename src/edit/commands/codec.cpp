@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "edit/commands/codec_values.h"
+#include "edit/commands/command_list.h"
 
 namespace coaster::edit {
 namespace {
@@ -79,7 +80,7 @@ constexpr auto kKinds = Commands::table([]<class C>() { return kind<C>(); });
 
 Fields fields_of(Command& command) {
   Fields fields;
-  kKinds[command.index()].fields(command, fields);
+  kKinds[index_of(command)].fields(command, fields);
   return fields;
 }
 
@@ -117,8 +118,6 @@ bool read_field(WordReader& words, const Field& field) {
 
 }  // namespace
 
-const CommandInfo& info(const Command& command) { return *kKinds[command.index()].info; }
-
 const std::string* output_path(const Command& command) {
   if (const Save* const save = command.as<Save>()) return &save->path;
   if (const SaveMeasurements* const save = command.as<SaveMeasurements>()) return &save->path;
@@ -136,7 +135,7 @@ std::string print(const Command& command) {
   Command copy = command;  // fields are read and written through the same list
   std::string text(info(copy).name);
   const Fields fields = fields_of(copy);
-  const bool of_anything = kKinds[copy.index()].target == kAnyTarget &&
+  const bool of_anything = kKinds[index_of(copy)].target == kAnyTarget &&
                            std::any_of(fields.begin(), fields.end(), [](const Field& f) { return f.is_target(); });
   bool on_segment = false;
   for (const Field& field : fields) {

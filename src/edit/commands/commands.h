@@ -1,16 +1,14 @@
 // The one vocabulary: everything that a person, a script or a recording can make the program do to document, motion and
 // settings. Plain structs with a name, a line of help and a list of fields; from these come printing, parsing, help and
 // completion. Those that shape several knots are in commands_shape.h, those on how things are shown in
-// commands_settings.h, of the game in commands_challenge.h, of the palette in
-// commands_elements.h, of the laboratory in commands_lab.h, of the ride's operation in commands_operation.h. Commands
-// carry names and numbers, never screen coordinates.
+// commands_settings.h, of the game in commands_challenge.h, of the palette in commands_elements.h, of the laboratory in
+// commands_lab.h, of the ride's operation in commands_operation.h. Commands carry names and numbers, never screen
+// coordinates.
 #pragma once
 
 #include <any>
-#include <array>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 #include <glm/glm.hpp>
@@ -23,7 +21,6 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "world/document.h"
-#include "world/settings_groups.h"
 
 namespace coaster::edit {
 
@@ -211,55 +208,15 @@ struct NewTrack {
   COASTER_FIELDS()
 };
 
-template <class... C>
-struct CommandList {
-  static constexpr std::size_t size = sizeof...(C);
-  // Where a kind is in the list; size for what is none.
-  template <class Wanted>
-  static consteval std::size_t index_of() {
-    std::size_t at = 0;
-    (void)((std::is_same_v<Wanted, C> || (++at, false)) || ...);
-    return at;
-  }
-  // make.template operator()<C>() of each kind, in order.
-  template <class Make>
-  static constexpr auto table(Make make) {
-    return std::array{make.template operator()<C>()...};
-  }
-};
-template <class... A, class... B>
-CommandList<A..., B...> operator+(CommandList<A...>, CommandList<B...>);
-
-// Set<> of every row of a group of settings.
-template <class Group, std::size_t... I>
-CommandList<Set<std::get<I>(Group::kRows).member>...> set_commands(std::index_sequence<I...>);
-template <class... Groups>
-auto set_commands(world::GroupList<Groups...>)
-    -> decltype((set_commands<Groups>(std::make_index_sequence<std::tuple_size_v<decltype(Groups::kRows)>>()) + ...));
-
-using Commands =
-    decltype(CommandList<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment,
-                         AddCurve, AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2,
-                         MakeAllG2, Translate, Rotate, Scale, Mirror, Smooth, Equalise, Straighten, SetRadius,
-                         DropToGround, Align, Reverse, Duplicate, CloseExactly, SetEquipment, RemoveEquipment, SetTrain,
-                         SetLosses, SetHeartline, SetRollbackFails, AutoBank, PlaceElement, SetCamera, SetFly, Select,
-                         SelectKnots, SetSnapping, SetPolyline, ShowLayer, Measure, StopMeasuring, ChooseElement,
-                         RideStart, RidePause, RideStop, RideStep, RideSeek, Undo, Redo, BeginGesture, EndGesture,
-                         CancelGesture, Load, Save, SaveMeasurements, SaveReport, LoadEnvelope, RecoverTrack, NewTrack,
-                         StartChallenge, LeaveChallenge, ShowHint, CloseCard>() +
-             set_commands(world::SettingGroups()));
-
 // One command of any kind. A std::variant of so many kinds would take half a minute to compile.
 class Command {
  public:
   Command() : Command(MoveKnot{}) {}
   template <class C>
   requires requires { C::kInfo; }
-  Command(C command) : value_(std::move(command)), index_(Commands::index_of<C>()) {
-    static_assert(Commands::index_of<C>() < Commands::size, "the kind stands in the list of commands");
-  }
+  Command(C command) : value_(std::move(command)), info_(&C::kInfo) {}
 
-  std::size_t index() const { return index_; }  // in Commands
+  const CommandInfo& info() const { return *info_; }  // one object for each kind
   template <class C>
   bool is() const {
     return as<C>() != nullptr;
@@ -276,10 +233,10 @@ class Command {
 
  private:
   std::any value_;
-  std::size_t index_;
+  const CommandInfo* info_;
 };
 
-const CommandInfo& info(const Command& command);
+inline const CommandInfo& info(const Command& command) { return command.info(); }
 
 // The file that a command writes, or null: such commands change nothing, and scripts may write below $OUT alone.
 const std::string* output_path(const Command& command);

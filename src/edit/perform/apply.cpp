@@ -6,6 +6,7 @@
 
 #include "base/portable_math.h"
 #include "edit/commands/codec.h"
+#include "edit/commands/command_list.h"
 #include "edit/perform/motion_follow.h"
 #include "edit/perform/perform.h"
 #include "edit/perform/set.h"
@@ -260,7 +261,7 @@ constexpr auto kPerform = Commands::table([]<class C>() -> Perform {
 Status apply(Session& session, base::Files& files, const Command& command) {
   Change change;
   const Effect effect = info(command).effect;
-  Status status = kPerform[command.index()](session, files, change, command);
+  Status status = kPerform[index_of(command)](session, files, change, command);
   if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
   if (status && (effect == Effect::document || effect == Effect::history)) watch_built(session);
   const std::string name(info(command).name);

@@ -18,7 +18,7 @@ base::Result<Command> parsed(const std::string& line, base::TextError& error) {
 
 // Member by member, with ==. A place on what is no segment has no text and no meaning.
 bool equal(const Command& a, const Command& b) {
-  if (a.index() != b.index()) return false;
+  if (index_of(a) != index_of(b)) return false;
   static constexpr auto kEqual = Commands::table([]<class C>() -> bool (*)(const Command&, const Command&) {
     return [](const Command& one, const Command& other) {
       bool same = true;
@@ -32,7 +32,7 @@ bool equal(const Command& a, const Command& b) {
       return same;
     };
   });
-  return kEqual[a.index()](a, b);
+  return kEqual[index_of(a)](a, b);
 }
 
 TEST(codec, what_print_writes_parse_reads_back) {
