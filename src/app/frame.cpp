@@ -34,7 +34,7 @@ ui::Output build_panels(Program& program, const platform::Events& events, platfo
   return program.ui->build(events, state, size.width, size.height);
 }
 
-// One script at a time: a window's player is taught by one.
+// One script at a time: a window's player is taught by a script.
 void ask_for_tutorial(Program& program) {
   if (program.options.script.empty() && program.surface->is_window() && !program.tutorial.card)
     program.tutorial.wanted = true;
@@ -47,9 +47,9 @@ void ask_for_tutorial(Program& program) {
 void apply_commands(Program& program, const std::vector<edit::Command>& commands) {
   program.by_hand = true;
   for (const edit::Command& command : commands) {
-    // While a file is read its track is as good as open: nothing else begins that would be lost.
+    // While a file is read, actions that would lose its track are not started.
     if (program.import && edit::info(command).effect != edit::Effect::settings) continue;
-    if (!begin_import(program, command)) (void)apply(program, command);  // what is refused shows as a notice
+    if (!begin_import(program, command)) (void)apply(program, command);  // a rejected command shows a notice
   }
   program.by_hand = false;
 }
@@ -72,7 +72,7 @@ struct FrameTimes {
   double began = 0, found = 0, drew = 0;
 };
 
-// Numbers of the frame that was just drawn, for the panels of the next one and for scripts.
+// Statistics of this frame, for the panels of the next one and for scripts.
 void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size size, const FrameTimes& times) {
   query::FrameStats& stats = program.stats;
   const sim::Derived& derived = program.session.derived;
@@ -144,8 +144,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   advance(program, ticks);
   if (output) {
     edit::advance_measurement(program.session);
-    // From where the carts are now: an eye of the frame's start would lag behind them by as many ticks as this frame
-    // happens to have.
+    // From the trains' present positions: an eye from the frame's start would lag by this frame's ticks.
     program.picture.view = view::view_of(program.picture.rig.eye, output->view.viewport);
     const bool unseen = !program.surface->is_window() && !output->wants_screenshot;
     const Look look{program.session.settings, program.picture.view, output->hovered, false, unseen};
@@ -157,11 +156,11 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
 }
 
 void play_frame(Program& program) {
-  constexpr double kWeight = 0.05;  // of the newest frame in the shown rate
+  constexpr double kWeight = 0.05;  // of the newest frame in the displayed rate
   FrameClock& time = program.time;
   platform::Events events;
   program.surface->poll(events);
-  // While a movie is recorded, time goes by its pictures, however long each of them takes.
+  // While a movie is recorded, time advances with its pictures, however long each takes.
   const bool filmed = program.filming && program.filming->movie;
   film(program, filmed ? program.filming->movie->ticks_a_frame() : take_ticks(time, events), [&](int some) {
     run_frame(program, events, some);

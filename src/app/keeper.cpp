@@ -28,14 +28,14 @@ std::string joined(const std::vector<std::string>& lines) {
   return all;
 }
 
-// The text of a file that is not there is "".
+// A missing file reads as "".
 base::Result<std::string> read_settings(Keeper& keeper, const std::filesystem::path& file) {
   std::error_code ignored;
   if (file.empty() || !std::filesystem::exists(file, ignored)) return std::string();
   return keeper.files.read(file);
 }
 
-// Settings, or what is wrong in `problems`.
+// Returns the settings; adds errors to `problems`.
 exchange::UserSettings load_settings(Keeper& keeper, std::vector<std::string>& problems) {
   const std::filesystem::path file = settings_file(keeper);
   (void)keeper.files.remove_leftovers(file);
@@ -73,14 +73,14 @@ void show(Program& program, const exchange::UserSettings& settings) {
   });
 }
 
-// What the session and the window have become is part of the settings.
+// Copies the state of session and window that belongs to the settings.
 void follow_session(const Program& program, exchange::UserSettings& settings) {
   for_each_kept([&]<auto Setting>() {
     world::value_in<Setting>(settings.session) = world::value_in<Setting>(program.session.settings);
   });
   const auto at = program.surface->placement();
   if (!at) return;
-  if (at->maximised && settings.window) settings.window->maximised = true;  // its place before is where it goes back to
+  if (at->maximised && settings.window) settings.window->maximised = true;  // keeps the position it restores to
   else settings.window = exchange::WindowPlace{at->x, at->y, at->width, at->height, at->maximised};
 }
 
@@ -97,7 +97,7 @@ void write_settings(Program& program, Keeper& keeper) {
   }
 }
 
-// A second after the last change: a slider that is dragged is written once.
+// Writes a second after the last change: a dragged slider is written once.
 void watch_settings(Program& program, Keeper& keeper) {
   constexpr double kQuiet = 1, kAgain = 30;  // s
   follow_session(program, keeper.state.settings);
@@ -110,7 +110,7 @@ void watch_settings(Program& program, Keeper& keeper) {
   }
 }
 
-// Whether there is something that neither the file nor the autosave has.
+// True if there are changes that neither the file nor the autosave has.
 bool needs_autosave(Program& program, const Keeper& keeper) {
   if (!edit::dirty(program.session)) return false;
   return !keeper.autosave.exists() ||
@@ -150,8 +150,8 @@ void answer(Program& program, Keeper& keeper, ui::Recovery what) {
   } else {
     exchange::FoundAutosave found = std::move(keeper.found.front());
     keeper.found.erase(keeper.found.begin());
-    // Put aside again before the old one goes: at no time is there none. What cannot be read or written leaves it for
-    // the next start.
+    // Autosaves again before the old autosave is removed, so there is always one. If it cannot be read or written, it
+    // stays for the next start.
     const bool recovered = apply(program, edit::RecoverTrack{found.info.track.string(), found.info.original}).ok();
     if (recovered && autosave_now(program)) exchange::discard(keeper.files, found);
   }

@@ -9,7 +9,7 @@ namespace coaster::app {
 
 // How the session is looked at.
 struct Look {
-  const world::Settings& settings;  // those of the session, or a copy without what is selected
+  const world::Settings& settings;  // those of the session, or a copy without the selection
   const view::View& view;
   view::Pick hovered;
   bool alone = false;   // without marks of knots

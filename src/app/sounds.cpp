@@ -12,7 +12,7 @@ void keep_sounding(Program& program) {
   const bool wanted = volume > 0;
   if (!wanted) {
     sounds.refused = false;
-    if (sounds.voice.heard.volume < 1e-3) sounds.device.reset();  // else it fades first
+    if (sounds.voice.heard.volume < 1e-3) sounds.device.reset();  // otherwise it fades out first
   }
   if (wanted && !sounds.device && !sounds.refused) {
     auto device = platform::SoundDevice::open();

@@ -1,5 +1,4 @@
-// Printing, parsing and describing commands, all from their lists of fields. The values' text is in
-// codec_values.cpp.
+// Prints, parses and describes commands from their lists of fields. The values' text is in codec_values.cpp.
 #include "edit/commands/codec.h"
 
 #include <algorithm>
@@ -13,8 +12,8 @@
 namespace coaster::edit {
 namespace {
 
-// "at?" is the keyword "at" of a field that may be left out. Where a command takes entities of any kind it makes sense
-// for segments alone and is printed for them alone.
+// "at?" is the keyword "at" of an optional field. A command that takes entities of any kind works only on segments, and
+// help shows a segment.
 struct Keyword {
   std::string word;
   bool optional = false;
@@ -23,7 +22,7 @@ struct Keyword {
   }
 };
 
-// What a type of field can do, so that all that follows is written once and not for each command.
+// The operations of a field type, so that the rest is written once for all commands.
 struct FieldType {
   std::string (*print)(const void* value);
   bool (*read)(WordReader& words, void* value);
@@ -101,7 +100,7 @@ std::string usage(const CommandKind& row) {
   return text;
 }
 
-// Reads one field; true unless it failed through `words`.
+// Reads one field; returns false if it failed through `words`.
 bool read_field(WordReader& words, const Field& field) {
   const Keyword& keyword = field.keyword;
   if (!keyword.word.empty()) {

@@ -17,7 +17,7 @@ namespace coaster::edit {
 template <class... C>
 struct CommandList {
   static constexpr std::size_t size = sizeof...(C);
-  // make.template operator()<C>() of each kind, in order.
+  // Calls make.template operator()<C>() for each kind, in order.
   template <class Make>
   static constexpr auto table(Make make) {
     return std::array{make.template operator()<C>()...};

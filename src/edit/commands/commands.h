@@ -123,7 +123,7 @@ struct SetDatum {
   COASTER_FIELDS(visit("", self.to))
 };
 
-// The joints of a track made G2 by the least movement (edit/perform/joint_repair.h).
+// Makes all joints of a track G2 with the least movement (edit/perform/joint_repair.h).
 struct MakeG2 {
   Target knot;
   COASTER_COMMAND("make_g2",
@@ -174,7 +174,7 @@ struct Redo {
   COASTER_COMMAND("redo", "Redo the step undone last.", Effect::history);
   COASTER_FIELDS()
 };
-// Commands between begin and end are one step of undo; cancel restores the document at begin exactly.
+// Commands between begin and end are one undo step; cancel restores the document from begin exactly.
 struct BeginGesture {
   COASTER_COMMAND("gesture.begin", "Commands up to gesture.end are one step of undo.", Effect::history);
   COASTER_FIELDS()
@@ -221,7 +221,7 @@ class Command {
   bool is() const {
     return as<C>() != nullptr;
   }
-  // Null when it is of another kind.
+  // Returns null if it is of another kind.
   template <class C>
   const C* as() const {
     return std::any_cast<C>(&value_);
@@ -238,9 +238,9 @@ class Command {
 
 inline const CommandInfo& info(const Command& command) { return command.info(); }
 
-// The file that a command writes, or null: such commands change nothing, and scripts may write below $OUT alone.
+// Returns the file that a command writes, or null. Such commands change nothing, and scripts may write only below $OUT.
 const std::string* output_path(const Command& command);
-// Another file for a command that writes one; nothing for others.
+// Sets the file of a command that writes one; does nothing for others.
 void set_output_path(Command& command, std::string path);
 
 }  // namespace coaster::edit

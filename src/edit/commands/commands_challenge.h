@@ -1,4 +1,4 @@
-// The commands of the game: challenges and the score card. See commands.h.
+// The commands of challenges and the score card. See commands.h.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ struct ShowLayer {
   COASTER_COMMAND("show", "Show or hide one of the laboratory's pictures over the scene.", Effect::settings);
   COASTER_FIELDS(visit("", self.what), visit("", self.to))
 };
-// The table of sim/study/measure.h, a part in each frame.
+// Measures the table of sim/study/measure.h, a part per frame.
 struct Measure {
   COASTER_COMMAND(
       "measure",

@@ -1,4 +1,4 @@
-// Commands of the game; beginning a challenge is apply.cpp's, which opens tracks.
+// Commands of challenges and the score card. apply.cpp starts a challenge, because that opens a track.
 #include "edit/perform/perform.h"
 
 namespace coaster::edit {

@@ -1,4 +1,4 @@
-// One command on its way through apply(): what every perform() may report besides its status. Private to this room.
+// The state of one command in apply(): what each perform() reports besides its status. Private to this room.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace coaster::edit {
 
-// How carts in motion follow a change of the track's segments: they stay where they are on the rails.
+// How moving trains follow a change of the track's segments: they keep their positions on the rails.
 struct MotionFollowUp {
   enum class Kind : std::uint8_t { none, split, merged, reversed } kind = Kind::none;
   world::Entity first, second;                 // the new halves, or survivor and removed
@@ -19,14 +19,15 @@ struct MotionFollowUp {
 };
 
 struct Change {
-  std::vector<std::string> clamped;  // one line for each number that was cut to its limit
-  std::string note;                  // what was done, where that is not plain to see; shown when all went well
+  std::vector<std::string> clamped;  // one line for each clamped value
+  std::string note;                  // result to show on success, if it is not obvious
   MotionFollowUp motion;
-  std::optional<world::Entity> select;  // what becomes selected when all went well
-  std::vector<world::Entity> also;      // and further knots with it
-  bool remeasure = false;               // a setting that derived data depend on has changed
+  std::optional<world::Entity> select;  // the selection on success
+  std::vector<world::Entity> also;      // further selected knots
+  bool remeasure = false;               // a setting with derived data has changed
 
-  // `value` cut to [low,high]; a line about "WHAT" and the limit is kept when that changed it. Finite values only.
+  // Returns `value` clamped to [low,high]; adds a line about "WHAT" and the limit if that changed it. Finite values
+  // only.
   double clamp(std::string_view what, double value, double low, double high, std::string_view unit = {});
   float clamp(std::string_view what, float value, float low, float high, std::string_view unit = {});
   int clamp(std::string_view what, int value, int low, int high, std::string_view unit = {});
@@ -37,18 +38,17 @@ struct Change {
 
 base::Status refused(std::string message);
 bool finite(glm::vec3 v);
-// The living entity that a target names, of the kind wanted; else says what is missing.
+// Returns the living entity of a target, of the wanted kind; else an error that says what is missing.
 base::Result<world::Entity> require(const Session& session, Target target, world::Kind kind);
 
-// Refuses when `segments` polylines of `steps` steps have more than `budget` vertices.
+// Refused if `segments` polylines of `steps` steps have more than `budget` vertices.
 base::Status within_budget(std::size_t segments, int steps, std::int64_t budget);
-// Room for that many knots and segments?
+// Refused if there is no room for that many knots and segments.
 base::Status room_for(const Session& session, std::size_t knots, std::size_t segments);
 // Lowers the resolution until the document fits the budget, with a warning notice.
 void fit_budget(Session& session);
 
-// perform() checks first and changes nothing when it fails. Document commands change the document, nothing else of the
-// session.
+// perform() checks first and changes nothing on failure. Document commands change only the document.
 base::Status perform(Session& session, Change& change, const MoveKnot& command);
 base::Status perform(Session& session, Change& change, const MoveHandle& command);
 base::Status perform(Session& session, Change& change, const SetDirection& command);

@@ -1,4 +1,4 @@
-// Commands on what is selected, and on how it is moved by hand.
+// Commands of the selection, and of snapping and the gizmo.
 #include <algorithm>
 #include <cmath>
 
@@ -28,7 +28,7 @@ Status perform(Session& session, Change&, const SelectKnots& command) {
   auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
   world::Settings& settings = session.settings;
-  // The one named last is active; of all or of those selected the one that was, where there is one.
+  // The knot named last becomes active; for all or selected, the active one stays if it is among them.
   world::Entity active = command.knots.which == Knots::Which::named
                              ? world::find(session.document, command.knots.names.back())
                              : settings.selected;
