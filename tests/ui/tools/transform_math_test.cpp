@@ -6,6 +6,7 @@
 
 #include "ui/actions/command_palette.h"
 #include "ui/tools/selecting.h"
+#include "world/look.h"
 #include "world/sample_documents.h"
 #include "world/selection.h"
 
@@ -85,7 +86,7 @@ TEST(transform_math, snapping_to_knots_reaches_twelve_pixels_at_scale_1) {
   world::Settings settings;
   const glm::dvec3 start(0, 2, 0), wanted(9, 9, 9);
   for (const float scale : {1.0f, 1.5f}) {
-    settings.ui_scale = scale;
+    settings.look->ui_scale = scale;
     for (const glm::vec2 way : {glm::vec2(1, 0), glm::vec2(-0.6f, 0.8f), glm::vec2(0, -1)})
       for (const auto& [reach, place] : {std::pair(11.8f, glm::dvec3(6, 3, 1)), {12.2f, wanted}}) {
         const SnapScene scene{document, settings, kView, pixel_of({6, 3, 1}) + scale * reach * way};
