@@ -1,4 +1,5 @@
-// The components of a document: plain structs. To add one, add the struct and list it in Document's registry.
+// The components of a document: plain structs. To add one, add the struct and its fields (world/fields.h), and list it
+// at the end of this file.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,8 @@
 #include <glm/glm.hpp>
 
 #include "world/entity.h"
+#include "world/fields.h"
+#include "world/registry.h"
 
 namespace coaster::world {
 
@@ -44,6 +47,15 @@ struct Knot {
   float in_length = 5;         // m, from the knot back to the handle before it; kMinHandle..kMaxHandle
   float out_length = 5;        // m, to the handle after it
   JointKind joint = JointKind::smooth;
+  template <class Visit>
+  static constexpr void fields(Visit visit) {
+    visit(Field{"position", 0, kMaxCoordinate}, &Knot::position);
+    visit(Field{"tangent"}, &Knot::tangent);
+    visit(Field{"up"}, &Knot::up);
+    visit(Field{"in", kMinHandle, kMaxHandle}, &Knot::in_length);
+    visit(Field{"out", kMinHandle, kMaxHandle}, &Knot::out_length);
+    visit(Field{"joint"}, &Knot::joint);
+  }
   friend bool operator==(const Knot&, const Knot&) = default;
 };
 
@@ -51,6 +63,11 @@ struct Knot {
 struct Segment {
   Entity from, to;
   std::int32_t turns = 0;  // whole turns about the tangent added to the smallest twist between the knots' `up`
+  // Not the knots: they follow from the order of travel.
+  template <class Visit>
+  static constexpr void fields(Visit visit) {
+    visit(Field{"turns", -kMaxTurns, kMaxTurns}, &Segment::turns);
+  }
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
@@ -72,6 +89,15 @@ struct Cart {
   double behind() const {
     return (cars - 1) * double{spacing};
   }  // m of rail from the first car's centre to the last one's
+  template <class Visit>
+  static constexpr void fields(Visit visit) {
+    visit(Field{"segment"}, &Cart::segment);
+    visit(Field{"fraction", 0, 1}, &Cart::fraction);
+    visit(Field{"cars", 1, kMaxCars, InFile::unusual, 1}, &Cart::cars);
+    visit(Field{"spacing", kMinSpacing, kMaxSpacing, InFile::unusual, 1}, &Cart::spacing);
+    visit(Field{"length", kMinCarLength, kMaxCarLength, InFile::unusual, 2}, &Cart::length);
+    visit(Field{"mass", kMinCarMass, kMaxCarMass, InFile::unusual, 2}, &Cart::mass);
+  }
   friend bool operator==(const Cart&, const Cart&) = default;
 };
 
@@ -95,6 +121,14 @@ struct Equipment {
   float acceleration = 3;   // m/s^2, above 0, at most kMaxAcceleration
   float hysteresis = 0.5f;  // m/s, brakes and blocks
   float seconds = 5;        // s, stations
+  template <class Visit>
+  static constexpr void fields(Visit visit) {
+    visit(Field{"equipment"}, &Equipment::kind);
+    visit(Field{"speed", 0, kMaxSpeed, InFile::written}, &Equipment::speed);
+    visit(Field{"acceleration", kMinAcceleration, kMaxAcceleration, InFile::written}, &Equipment::acceleration);
+    visit(Field{"hysteresis", 0, kMaxSpeed, InFile::unusual}, &Equipment::hysteresis);
+    visit(Field{"seconds", 0, kMaxDwell, InFile::unusual}, &Equipment::seconds);
+  }
   friend bool operator==(const Equipment&, const Equipment&) = default;
 };
 
@@ -102,13 +136,26 @@ struct Equipment {
 struct Resistance {
   float rolling = 0;  // coefficient of rolling friction; steel coasters 0.02..0.03
   float drag = 0;     // 1/m; about 2e-5
+  template <class Visit>
+  static constexpr void fields(Visit visit) {
+    visit(Field{"rolling", 0, kMaxRolling, InFile::unusual, 1}, &Resistance::rolling);
+    visit(Field{"drag", 0, kMaxDrag, InFile::unusual, 1}, &Resistance::drag);
+  }
   friend bool operator==(const Resistance&, const Resistance&) = default;
 };
 
 // Members of a file's object that this version does not know, kept for saving: the text of a JSON object.
 struct Extra {
   std::string json;
+  template <class Visit>
+  static constexpr void fields(Visit visit) {
+    visit(Field{}, &Extra::json);
+  }
   friend bool operator==(const Extra&, const Extra&) = default;
 };
+
+// Components that may stand on a segment: files have their fields among the segment's, copies of the segment have them.
+using Fittings = ComponentList<Equipment>;
+using Entities = RegistryOf<ComponentList<Name, Knot, Segment, Cart, Extra>, Fittings>;
 
 }  // namespace coaster::world

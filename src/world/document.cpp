@@ -63,4 +63,10 @@ double exact_length(const Document& document) {
   return sum;
 }
 
+void copy_fittings(Document& document, Entity from, Entity to) {
+  Fittings::for_each([&]<class T>() {
+    if (const T* const fitting = document.entities.find<T>(from)) document.entities.put(to, T(*fitting));
+  });
+}
+
 }  // namespace coaster::world

@@ -9,7 +9,6 @@
 
 #include "curve/cubic.h"
 #include "world/components.h"
-#include "world/registry.h"
 
 namespace coaster::world {
 
@@ -22,7 +21,7 @@ struct Track {
 };
 
 struct Document {
-  Registry<Name, Knot, Segment, Cart, Equipment, Extra> entities;  // Equipment is on segments
+  Entities entities;
   Track track;
   std::string name = "Untitled";  // UTF-8
   double start_speed = 1.0;       // m/s along the track, may be negative; |start_speed| <= kMaxSpeed
@@ -32,6 +31,15 @@ struct Document {
   bool rollback_fails = true;     // true: a rollback ends the ride
   Extra extra;                    // unknown top-level members of the file
   std::array<std::uint32_t, 3> last_number{};  // by Kind: the last number assigned
+  // How the track is ridden.
+  template <class Visit>
+  static constexpr void fields(Visit visit) {
+    visit(Field{"start_speed", -kMaxSpeed, kMaxSpeed}, &Document::start_speed);
+    visit(Field{"datum", -kMaxCoordinate, kMaxCoordinate}, &Document::datum);
+    visit(Field{}, &Document::resistance);
+    visit(Field{"heartline", -kMaxHeartline, kMaxHeartline, InFile::unusual, 2}, &Document::heartline);
+    visit(Field{"rollback_fails", 0, 0, InFile::unusual, 3}, &Document::rollback_fails);
+  }
   friend bool operator==(const Document&, const Document&) = default;
 };
 
@@ -46,6 +54,9 @@ Entity first_cart(const Document& document);
 
 const Knot& knot(const Document& document, Entity e);
 const Segment& segment(const Document& document, Entity e);
+
+// Puts on one segment what stands on another.
+void copy_fittings(Document& document, Entity from, Entity to);
 
 // Returns the control points of a segment: p0 and p3 are exactly the knots' positions, p1 and p2 are on their tangents
 // at the handle lengths.

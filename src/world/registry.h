@@ -88,6 +88,15 @@ class Pool {
 };
 
 template <class... Components>
+struct ComponentList {
+  // visit.template operator()<C>() of each component, in order.
+  template <class Visit>
+  static void for_each(Visit visit) {
+    (visit.template operator()<Components>(), ...);
+  }
+};
+
+template <class... Components>
 class Registry {
  public:
   Entity create() {
@@ -131,6 +140,11 @@ class Registry {
   const T* find(Entity e) const {
     return pool<T>().find(e);
   }
+  // visit(pool) of each component.
+  template <class Visit>
+  void for_each_pool(Visit visit) const {
+    (visit(pool<Components>()), ...);
+  }
   template <class T>
   T& put(Entity e, T value) {
     COASTER_CHECK(alive(e), "components go on living entities");
@@ -147,5 +161,11 @@ class Registry {
   std::size_t alive_ = 0;
   std::tuple<Pool<Components>...> pools_;
 };
+
+// The registry of all components of two lists.
+template <class... A, class... B>
+Registry<A..., B...> registry_of(ComponentList<A...>, ComponentList<B...>);
+template <class A, class B>
+using RegistryOf = decltype(registry_of(A{}, B{}));
 
 }  // namespace coaster::world

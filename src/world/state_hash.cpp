@@ -1,6 +1,7 @@
 // The hashes of document and motion. They depend on names, order and values, never on entity slots or data that a file
 // does not hold. The order of the fields is fixed: scripts contain such hashes.
 #include <algorithm>
+#include <type_traits>
 #include <vector>
 
 #include "base/hash.h"
@@ -28,25 +29,21 @@ std::vector<Entity> by_number(const Document& document, std::vector<Entity> enti
   return entities;
 }
 
-void add_knot(base::Hasher& hasher, const Knot& k) {
-  hasher.add(k.position), hasher.add(k.tangent), hasher.add(k.up);
-  hasher.add(k.in_length), hasher.add(k.out_length), hasher.add(k.joint);
+template <class T>
+void add_component(base::Hasher& hasher, const Document& document, const T& component) {
+  add_fields(component, [&](const auto& value) {
+    using Value = std::remove_cvref_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, Entity>) hasher.add(number_of(document, value));
+    else if constexpr (HasFields<Value>) add_component(hasher, document, value);
+    else hasher.add(value);
+  });
 }
 
-// Features of later versions that a plain track lacks add nothing, so its hash is that of the first version of the
-// format.
-void add_equipment(base::Hasher& hasher, const Equipment* equipment) {
-  if (!equipment) return;
-  hasher.add(equipment->kind), hasher.add(equipment->speed), hasher.add(equipment->acceleration);
-  hasher.add(equipment->hysteresis), hasher.add(equipment->seconds);
-}
-
-void add_operation(base::Hasher& hasher, const Document& document) {
-  const Document plain;
-  if (!(document.resistance == plain.resistance))
-    hasher.add(document.resistance.rolling), hasher.add(document.resistance.drag);
-  if (document.heartline != plain.heartline) hasher.add(document.heartline);
-  if (document.rollback_fails != plain.rollback_fails) hasher.add(document.rollback_fails);
+// What a plain segment does not have adds nothing, so that its hash is that of the first version of the format.
+void add_fittings(base::Hasher& hasher, const Document& document, Entity segment) {
+  Fittings::for_each([&]<class T>() {
+    if (const T* const fitting = document.entities.find<T>(segment)) add_component(hasher, document, *fitting);
+  });
 }
 
 }  // namespace
@@ -54,30 +51,27 @@ void add_operation(base::Hasher& hasher, const Document& document) {
 std::uint64_t hash(const Document& document) {
   base::Hasher hasher;
   hasher.add(std::string_view(document.name));
-  hasher.add(document.start_speed), hasher.add(document.datum);
-  add_operation(hasher, document);
+  add_component(hasher, document, document);
   hasher.add(document.track.closed);
   hasher.add(std::string_view(document.extra.json));
   hasher.add(document.track.knots.size());
   for (const Entity e : document.track.knots) {
     hasher.add(number_of(document, e));
-    add_knot(hasher, knot(document, e));
+    add_component(hasher, document, knot(document, e));
     add_extra(hasher, document, e);
   }
   hasher.add(document.track.segments.size());  // from and to follow from the order
   for (const Entity e : document.track.segments) {
     hasher.add(number_of(document, e));
-    hasher.add(segment(document, e).turns);
-    add_equipment(hasher, document.entities.find<Equipment>(e));
+    add_component(hasher, document, segment(document, e));
+    add_fittings(hasher, document, e);
     add_extra(hasher, document, e);
   }
   const auto& carts = document.entities.pool<Cart>();
   hasher.add(carts.size());
   for (const Entity e : by_number(document, carts.entities())) {
-    const Cart& cart = carts.get(e);
-    hasher.add(number_of(document, e)), hasher.add(number_of(document, cart.segment)), hasher.add(cart.fraction);
-    if (cart.cars != 1 || cart.spacing != Cart{}.spacing) hasher.add(cart.cars), hasher.add(cart.spacing);
-    if (cart.length != Cart{}.length || cart.mass != Cart{}.mass) hasher.add(cart.length), hasher.add(cart.mass);
+    hasher.add(number_of(document, e));
+    add_component(hasher, document, carts.get(e));
     add_extra(hasher, document, e);
   }
   return hasher.digest();

@@ -112,8 +112,7 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
   document.entities.put(e, middle);
   const Entity second = create_segment(document, e, to);
   document.entities.get<Segment>(first).to = e;
-  if (const Equipment* const equipment = document.entities.find<Equipment>(first))
-    document.entities.put(second, Equipment(*equipment));
+  copy_fittings(document, first, second);
   const auto place = static_cast<std::ptrdiff_t>(*index) + 1;
   document.track.knots.insert(document.track.knots.begin() + place, e);
   document.track.segments.insert(document.track.segments.begin() + place, second);

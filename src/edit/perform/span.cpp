@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edit/commands/commands_shape.h"
 #include "edit/perform/append_shape.h"
 #include "edit/perform/knot_runs.h"
 #include "world/topology.h"
@@ -93,8 +94,7 @@ Status perform(Session& session, Change& change, const Duplicate& command) {
     const Entity copy = world::append_knot(document, carried(change, world::knot(document, (*knots)[i]), from, to));
     const Entity segment = document.track.segments.back();
     document.entities.get<world::Segment>(segment).turns = world::segment(document, original).turns;
-    if (const auto* const equipment = document.entities.find<world::Equipment>(original))
-      document.entities.put(segment, world::Equipment(*equipment));
+    world::copy_fittings(document, original, segment);
     if (i < more) change.also.push_back(copy);
     change.select = copy;
   }

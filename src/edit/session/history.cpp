@@ -23,13 +23,10 @@ std::size_t estimated_bytes(const world::Document& document) {
   // segment.
   constexpr std::size_t kIds = sizeof(world::Entity) * 2 + 2 * sizeof(std::uint32_t);
   std::size_t bytes = sizeof(world::Document) + document.name.size() + document.extra.json.size();
-  bytes += entities.size() * (sizeof(world::Name) + kIds);
-  bytes += entities.pool<world::Knot>().size() * (sizeof(world::Knot) + kIds);
-  bytes += entities.pool<world::Segment>().size() * (sizeof(world::Segment) + kIds);
-  bytes += entities.pool<world::Cart>().size() * (sizeof(world::Cart) + kIds);
-  bytes += entities.pool<world::Equipment>().size() * (sizeof(world::Equipment) + kIds);
-  for (const world::Extra& extra : entities.pool<world::Extra>().items())
-    bytes += sizeof(world::Extra) + kIds + extra.json.size();
+  entities.for_each_pool([&]<class T>(const world::Pool<T>& pool) {
+    bytes += pool.size() * (sizeof(T) + kIds);
+    for (const T& component : pool.items()) bytes += world::text_bytes(component);
+  });
   return bytes;
 }
 

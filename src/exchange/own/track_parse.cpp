@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -71,70 +72,100 @@ glm::vec3 direction(glm::dvec3 v) {
   return glm::vec3(std::abs(square - 1.0) <= 1e-6 ? v : v / std::sqrt(square));
 }
 
-bool read_orientation(Fields& fields, world::Knot& knot) {
+// A unit vector: any with a direction is turned into one before it is rounded.
+bool read_direction(Fields& fields, std::string_view member, glm::vec3& value) {
   constexpr double kAny = 1e30;  // squares stay finite
-  glm::dvec3 tangent, up;
-  if (!fields.vector("tangent", tangent, kAny)) return false;
-  if (!(glm::length(tangent) >= kShortVector)) return fields.reject("tangent", "a vector with a direction");
-  if (!fields.vector("up", up, kAny)) return false;
-  const double length = glm::length(up);
-  if (!(length >= kShortVector)) return fields.reject("up", "a vector with a direction");
-  if (glm::length(glm::cross(glm::normalize(tangent), up / length)) < kParallel)
-    return fields.fail("up", "expected a vector that is not parallel to the tangent");
-  knot.tangent = direction(tangent);
-  knot.up = direction(up);
-  world::orthonormalise(knot);
+  glm::dvec3 v;
+  if (!fields.vector(member, v, kAny)) return false;
+  if (!(glm::length(v) >= kShortVector)) return fields.reject(member, "a vector with a direction");
+  value = direction(v);
   return true;
 }
 
-bool read_joint(Fields& fields, world::Knot& knot) {
-  std::string joint;
-  if (!fields.text("joint", joint)) return false;
-  const auto found = base::value_named<world::JointKind>(joint);
-  if (!found) return fields.reject("joint", base::alternatives_of<world::JointKind>("\""));
-  knot.joint = *found;
-  if (knot.joint == world::JointKind::smooth && knot.in_length != knot.out_length)
-    return fields.fail("joint", fmt::format("a smooth joint has equal handle lengths, found in {} and out {}",
-                                            base::to_text(knot.in_length), base::to_text(knot.out_length)));
-  return true;
+// The value of one field, within its limits.
+template <class T>
+bool read_value(TrackParse& parse, Fields& fields, const world::Field& field, T& value) {
+  if constexpr (std::is_same_v<T, bool>) {
+    return fields.flag(field.name, value);
+  } else if constexpr (std::is_same_v<T, double>) {
+    return fields.number(field.name, value, field.low, field.high);
+  } else if constexpr (std::is_same_v<T, float>) {
+    return fields.length(field.name, value, static_cast<float>(field.low), static_cast<float>(field.high));
+  } else if constexpr (std::is_same_v<T, std::int32_t>) {
+    std::int64_t whole = 0;
+    if (!fields.whole(field.name, whole, static_cast<std::int64_t>(field.low), static_cast<std::int64_t>(field.high)))
+      return false;
+    value = static_cast<std::int32_t>(whole);
+    return true;
+  } else if constexpr (std::is_same_v<T, glm::vec3>) {
+    if (field.high == 0) return read_direction(fields, field.name, value);
+    glm::dvec3 v;
+    if (!fields.vector(field.name, v, field.high)) return false;
+    value = glm::vec3(v);
+    return true;
+  } else if constexpr (base::Named<T>) {
+    std::string word;
+    if (!fields.text(field.name, word)) return false;
+    const auto named = base::value_named<T>(word);
+    if (!named) return fields.reject(field.name, base::alternatives_of<T>("\""));
+    value = *named;
+    return true;
+  } else {
+    static_assert(std::is_same_v<T, Entity>);
+    std::uint32_t number = 0;
+    if (!read_id(fields, field.name, Kind::segment, number)) return false;
+    const auto& segments = parse.by_number[static_cast<std::size_t>(Kind::segment)];
+    const auto found = segments.find(number);
+    if (found == segments.end())
+      return fields.fail(field.name, "there is no segment " + quoted_id(Kind::segment, number));
+    value = found->second;
+    return true;
+  }
+}
+
+// The fields of a component, in order. Those that may be missing keep their usual values.
+template <class T>
+bool read_component(TrackParse& parse, Fields& fields, T& component) {
+  bool good = true;
+  T::fields([&](const world::Field& field, auto member) {
+    auto& value = component.*member;
+    if constexpr (world::HasFields<std::remove_cvref_t<decltype(value)>>) {
+      good = good && read_component(parse, fields, value);
+    } else if (good && (field.in_file == world::InFile::required || fields.has(field.name))) {
+      good = read_value(parse, fields, field, value);
+    }
+  });
+  return good;
 }
 
 bool read_knot(TrackParse& parse, const Json& value, std::size_t index) {
   Fields fields(value, {"knots", index}, parse.error);
   Entity e;
   world::Knot knot;
-  glm::dvec3 position;
-  if (!create(parse, fields, Kind::knot, e) || !fields.vector("position", position, world::kMaxCoordinate) ||
-      !read_orientation(fields, knot) || !fields.length("in", knot.in_length, world::kMinHandle, world::kMaxHandle) ||
-      !fields.length("out", knot.out_length, world::kMinHandle, world::kMaxHandle) || !read_joint(fields, knot))
-    return false;
-  knot.position = glm::vec3(position);
+  if (!create(parse, fields, Kind::knot, e) || !read_component(parse, fields, knot)) return false;
+  if (glm::length(glm::cross(glm::dvec3(knot.tangent), glm::dvec3(knot.up))) < kParallel)
+    return fields.fail("up", "expected a vector that is not parallel to the tangent");
+  world::orthonormalise(knot);
+  if (knot.joint == world::JointKind::smooth && knot.in_length != knot.out_length)
+    return fields.fail("joint", fmt::format("a smooth joint has equal handle lengths, found in {} and out {}",
+                                            base::to_text(knot.in_length), base::to_text(knot.out_length)));
   parse.document.entities.put(e, knot);
   parse.document.track.knots.push_back(e);
   keep_unknown(parse, fields, e);
   return true;
 }
 
-// Optional members keep their defaults.
-bool optional_length(Fields& fields, std::string_view member, float& value, float low, float high) {
-  return !fields.has(member) || fields.length(member, value, low, high);
-}
-
-bool read_equipment(Fields& fields, Document& document, Entity segment) {
-  if (!fields.has("equipment")) return true;
-  std::string kind;
-  if (!fields.text("equipment", kind)) return false;
-  const auto found = base::value_named<world::EquipmentKind>(kind);
-  if (!found) return fields.reject("equipment", base::alternatives_of<world::EquipmentKind>("\""));
-  world::Equipment equipment;
-  equipment.kind = *found;
-  if (!optional_length(fields, "speed", equipment.speed, 0, static_cast<float>(world::kMaxSpeed)) ||
-      !optional_length(fields, "acceleration", equipment.acceleration, world::kMinAcceleration,
-                       world::kMaxAcceleration) ||
-      !optional_length(fields, "hysteresis", equipment.hysteresis, 0, static_cast<float>(world::kMaxSpeed)) ||
-      !optional_length(fields, "seconds", equipment.seconds, 0, world::kMaxDwell))
-    return false;
-  document.entities.put(segment, equipment);
+// A fitting is there when its first member is.
+template <class T>
+bool read_fitting(TrackParse& parse, Fields& fields, Entity segment) {
+  std::string_view first;
+  T::fields([&](const world::Field& field, auto) {
+    if (first.empty()) first = field.name;
+  });
+  if (!fields.has(first)) return true;
+  T fitting;
+  if (!read_component(parse, fields, fitting)) return false;
+  parse.document.entities.put(segment, fitting);
   return true;
 }
 
@@ -151,10 +182,10 @@ bool read_segment(TrackParse& parse, const Json& value, std::size_t index) {
     if (number != expected)
       return fields.reject(member, quoted_id(Kind::knot, expected) + " (segments follow the order of the knots)");
   }
-  std::int64_t turns = 0;
-  if (!fields.whole("turns", turns, -world::kMaxTurns, world::kMaxTurns)) return false;
-  segment.turns = static_cast<std::int32_t>(turns);
-  if (!read_equipment(fields, parse.document, e)) return false;
+  if (!read_component(parse, fields, segment)) return false;
+  bool good = true;
+  world::Fittings::for_each([&]<class T>() { good = good && read_fitting<T>(parse, fields, e); });
+  if (!good) return false;
   parse.document.entities.put(e, segment);
   parse.document.track.segments.push_back(e);
   keep_unknown(parse, fields, e);
@@ -164,42 +195,19 @@ bool read_segment(TrackParse& parse, const Json& value, std::size_t index) {
 bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
   Fields fields(value, {"carts", index}, parse.error);
   Entity e;
-  std::uint32_t number = 0;
   world::Cart cart;
-  if (!create(parse, fields, Kind::cart, e) || !read_id(fields, "segment", Kind::segment, number)) return false;
-  const auto& segments = parse.by_number[static_cast<std::size_t>(Kind::segment)];
-  const auto found = segments.find(number);
-  if (found == segments.end()) return fields.fail("segment", "there is no segment " + quoted_id(Kind::segment, number));
-  cart.segment = found->second;
-  if (!fields.number("fraction", cart.fraction, 0.0, 1.0)) return false;
+  if (!create(parse, fields, Kind::cart, e) || !read_component(parse, fields, cart)) return false;
   if (cart.fraction == 1.0) return fields.fail("fraction", "expected a number below 1 (1 is the next segment's 0)");
-  std::int64_t cars = cart.cars;
-  if (fields.has("cars") && !fields.whole("cars", cars, 1, world::kMaxCars)) return false;
-  cart.cars = static_cast<std::int32_t>(cars);
-  if (!optional_length(fields, "spacing", cart.spacing, world::kMinSpacing, world::kMaxSpacing)) return false;
-  if (!optional_length(fields, "length", cart.length, world::kMinCarLength, world::kMaxCarLength)) return false;
-  if (!optional_length(fields, "mass", cart.mass, world::kMinCarMass, world::kMaxCarMass)) return false;
   parse.document.entities.put(e, cart);
   keep_unknown(parse, fields, e);
   return true;
-}
-
-// Reads how the track is operated: plain tracks have none of these members.
-bool read_operation(Fields& fields, Document& document) {
-  return optional_length(fields, "rolling", document.resistance.rolling, 0, world::kMaxRolling) &&
-         optional_length(fields, "drag", document.resistance.drag, 0, world::kMaxDrag) &&
-         (!fields.has("heartline") ||
-          fields.number("heartline", document.heartline, -world::kMaxHeartline, world::kMaxHeartline)) &&
-         (!fields.has("rollback_fails") || fields.flag("rollback_fails", document.rollback_fails));
 }
 
 bool read_track_head(TrackParse& parse, Fields& fields) {
   if (!fields.head(kTrackFormat, kTrackVersion)) return false;
   Document& document = parse.document;
   return fields.text("name", document.name) && fields.flag("closed", document.track.closed) &&
-         fields.number("start_speed", document.start_speed, -world::kMaxSpeed, world::kMaxSpeed) &&
-         fields.number("datum", document.datum, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}) &&
-         read_operation(fields, document);
+         read_component(parse, fields, document);
 }
 
 bool read_lists(TrackParse& parse, Fields& fields) {

@@ -1,5 +1,6 @@
 // Prints a document as a track file. The same document always gives the same bytes.
 #include <algorithm>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -45,57 +46,47 @@ std::string extra_members(const Document& document, Entity e) {
   return text + "}";
 }
 
+std::string value_text(const Document&, glm::vec3 v) { return vector(v); }
+std::string value_text(const Document& document, Entity e) { return id(document, e); }
+std::string value_text(const Document&, bool value) { return value ? "true" : "false"; }
+template <class T>
+std::string value_text(const Document&, T value) {
+  if constexpr (base::Named<T>) return "\"" + std::string(base::name_of(value)) + "\"";
+  else if constexpr (std::is_integral_v<T>) return std::to_string(value);
+  else return number(value);
+}
+
+// The members of a component, each after `separator`. What is as usual is left out where files may leave it out.
+template <class T>
+std::string members(const Document& document, const T& component, std::string_view separator = ", ") {
+  const T usual;
+  std::string text;
+  T::fields([&](const world::Field& field, auto member) {
+    const auto& value = component.*member;
+    if constexpr (world::HasFields<std::remove_cvref_t<decltype(value)>>) text += members(document, value, separator);
+    else if (field.in_file != world::InFile::unusual || !(value == usual.*member))
+      text += std::string(separator) + "\"" + std::string(field.name) + "\": " + value_text(document, value);
+  });
+  return text;
+}
+
 std::string knot_line(const Document& document, Entity e) {
-  const world::Knot& k = world::knot(document, e);
-  return "{\"id\": " + id(document, e) + ", \"position\": " + vector(k.position) +
-         ", \"tangent\": " + vector(k.tangent) + ", \"up\": " + vector(k.up) + ", \"in\": " + number(k.in_length) +
-         ", \"out\": " + number(k.out_length) + ", \"joint\": \"" + std::string(base::name_of(k.joint)) + "\"" +
-         extra_members(document, e);
-}
-
-// Leaves out members that have the defaults of a plain segment, cart or track.
-std::string equipment_members(const Document& document, Entity e) {
-  const auto* const found = document.entities.find<world::Equipment>(e);
-  if (!found) return {};
-  std::string text = fmt::format(", \"equipment\": \"{}\", \"speed\": {}, \"acceleration\": {}",
-                                 base::name_of(found->kind), number(found->speed), number(found->acceleration));
-  const world::Equipment plain;
-  if (found->hysteresis != plain.hysteresis) text += ", \"hysteresis\": " + number(found->hysteresis);
-  if (found->seconds != plain.seconds) text += ", \"seconds\": " + number(found->seconds);
-  return text;
-}
-
-std::string train_members(const world::Cart& cart) {
-  const world::Cart plain;
-  std::string text;
-  if (cart.cars != plain.cars) text += fmt::format(", \"cars\": {}", cart.cars);
-  if (cart.spacing != plain.spacing) text += ", \"spacing\": " + number(cart.spacing);
-  if (cart.length != plain.length) text += ", \"length\": " + number(cart.length);
-  if (cart.mass != plain.mass) text += ", \"mass\": " + number(cart.mass);
-  return text;
-}
-
-std::string operation_members(const Document& document) {
-  const Document plain;
-  std::string text;
-  if (document.resistance.rolling != plain.resistance.rolling)
-    text += ",\n  \"rolling\": " + number(document.resistance.rolling);
-  if (document.resistance.drag != plain.resistance.drag) text += ",\n  \"drag\": " + number(document.resistance.drag);
-  if (document.heartline != plain.heartline) text += ",\n  \"heartline\": " + number(document.heartline);
-  if (document.rollback_fails != plain.rollback_fails) text += ",\n  \"rollback_fails\": false";
-  return text;
+  return "{\"id\": " + id(document, e) + members(document, world::knot(document, e)) + extra_members(document, e);
 }
 
 std::string segment_line(const Document& document, Entity e) {
   const world::Segment& s = world::segment(document, e);
-  return "{\"id\": " + id(document, e) + ", \"from\": " + id(document, s.from) + ", \"to\": " + id(document, s.to) +
-         ", \"turns\": " + std::to_string(s.turns) + equipment_members(document, e) + extra_members(document, e);
+  std::string text = "{\"id\": " + id(document, e) + ", \"from\": " + id(document, s.from) +
+                     ", \"to\": " + id(document, s.to) + members(document, s);
+  world::Fittings::for_each([&]<class T>() {
+    if (const T* const fitting = document.entities.find<T>(e)) text += members(document, *fitting);
+  });
+  return text + extra_members(document, e);
 }
 
 std::string cart_line(const Document& document, Entity e) {
-  const world::Cart& c = document.entities.get<world::Cart>(e);
-  return "{\"id\": " + id(document, e) + ", \"segment\": " + id(document, c.segment) +
-         ", \"fraction\": " + number(c.fraction) + train_members(c) + extra_members(document, e);
+  return "{\"id\": " + id(document, e) + members(document, document.entities.get<world::Cart>(e)) +
+         extra_members(document, e);
 }
 
 // ,\n  "key": [ one line each ]
@@ -115,9 +106,7 @@ std::string print_track(const Document& document) {
       "{\n  \"format\": \"" + std::string(kTrackFormat) + "\",\n  \"version\": " + std::to_string(kTrackVersion);
   out += ",\n  \"name\": " + json_string(document.name);
   out += std::string(",\n  \"closed\": ") + (document.track.closed ? "true" : "false");
-  out += ",\n  \"start_speed\": " + number(document.start_speed);
-  out += ",\n  \"datum\": " + number(document.datum);
-  out += operation_members(document);
+  out += members(document, document, ",\n  ");
   print_list(out, "knots", document, document.track.knots, knot_line);
   print_list(out, "segments", document, document.track.segments, segment_line);
   std::vector<Entity> carts = document.entities.pool<world::Cart>().entities();

@@ -31,6 +31,12 @@ struct TrainPlace {
 struct ControlState {
   std::int32_t dwell = 0;  // ticks left to wait; -1: dispatched
   bool braking = false;
+  template <class Visit>
+  static constexpr void fields(Visit visit) {
+    visit(world::Field{}, &ControlState::dwell);
+    visit(world::Field{}, &ControlState::braking);
+  }
+  friend bool operator==(const ControlState&, const ControlState&) = default;
 };
 
 struct Drive {

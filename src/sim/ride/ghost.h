@@ -22,11 +22,17 @@ struct GhostStart {
   ControlState control;
   double length = world::kCarLength;  // m, of a car
   double mass = world::kCarMass;      // kg, of a car
-  friend bool operator==(const GhostStart& a, const GhostStart& b) {
-    return a.front == b.front && a.speed == b.speed && a.cars == b.cars && a.spacing == b.spacing &&
-           a.length == b.length && a.mass == b.mass && a.control.dwell == b.control.dwell &&
-           a.control.braking == b.control.braking;
+  template <class Visit>
+  static constexpr void fields(Visit visit) {
+    visit(world::Field{}, &GhostStart::front);
+    visit(world::Field{}, &GhostStart::speed);
+    visit(world::Field{}, &GhostStart::cars);
+    visit(world::Field{}, &GhostStart::spacing);
+    visit(world::Field{}, &GhostStart::control);
+    visit(world::Field{}, &GhostStart::length);
+    visit(world::Field{}, &GhostStart::mass);
   }
+  friend bool operator==(const GhostStart&, const GhostStart&) = default;
 };
 
 struct GhostSample {

@@ -17,13 +17,11 @@ GhostMemo::Entry& GhostMemo::find(const world::Document& document, const Derived
   equipment_ = equipment_spans(document, derived);
   base::Hasher hasher;
   hasher.add(tables_.serial()), hasher.add(limits.seconds), hasher.add(limits.stop_after_lap);
-  hasher.add(start.front), hasher.add(start.speed), hasher.add(start.cars), hasher.add(start.spacing),
-      hasher.add(start.mass);
-  hasher.add(start.control.dwell), hasher.add(start.control.braking);
-  hasher.add(document.resistance.rolling), hasher.add(document.resistance.drag), hasher.add(document.rollback_fails);
+  world::add_all(hasher, start);
+  world::add_all(hasher, document.resistance), hasher.add(document.rollback_fails);
   for (const EquipmentSpan& span : equipment_) {
-    hasher.add(span.from), hasher.add(span.to), hasher.add(span.equipment.kind), hasher.add(span.equipment.speed);
-    hasher.add(span.equipment.acceleration), hasher.add(span.equipment.hysteresis), hasher.add(span.equipment.seconds);
+    hasher.add(span.from), hasher.add(span.to);
+    world::add_all(hasher, span.equipment);
   }
   const std::uint64_t key = hasher.digest();
   ++clock_;

@@ -1,0 +1,76 @@
+// What a component says of its fields. Each component lists them once, by a function that calls visit(Field, member)
+// for each in the order of files and hashes:
+//
+//   template <class Visit>
+//   static constexpr void fields(Visit visit) {
+//     visit(Field{"speed", 0, kMaxSpeed, InFile::written}, &Equipment::speed);
+//   }
+//
+// Parsing, printing and hashing of documents, keys of derived data and the history's estimate of bytes read this list.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "base/hash.h"
+
+namespace coaster::world {
+
+enum class InFile {
+  required,  // always written, and refused where it is missing
+  written,   // always written; where it is missing it has its usual value
+  unusual,   // written where it does not have its usual value
+};
+
+struct Field {
+  std::string_view name = {};  // of the member in files
+  double low = 0, high = 0;    // limits of a number; high: of each component of a vector, 0: it is a direction
+  InFile in_file = InFile::required;
+  int since = 0;  // later fields of one number count in hashes where one of them is unusual, so that older documents
+                  // keep their hashes; 0 always counts
+};
+inline constexpr std::size_t kMostSince = 3;
+
+template <class T>
+concept HasFields = requires {
+  T::fields([](const Field&, auto) {});
+};
+
+// Calls add(value) for the fields that count in hashes, in order.
+template <HasFields T, class Add>
+void add_fields(const T& component, Add add) {
+  const T usual;
+  std::array<bool, kMostSince + 1> counts{true};
+  T::fields([&](const Field& field, auto member) {
+    if (!(component.*member == usual.*member)) counts[static_cast<std::size_t>(field.since)] = true;
+  });
+  T::fields([&](const Field& field, auto member) {
+    if (counts[static_cast<std::size_t>(field.since)]) add(component.*member);
+  });
+}
+
+// Adds every field, for keys of what is derived from a component.
+template <HasFields T>
+void add_all(base::Hasher& hasher, const T& component) {
+  T::fields([&](const Field&, auto member) {
+    const auto& value = component.*member;
+    if constexpr (HasFields<std::remove_cvref_t<decltype(value)>>) add_all(hasher, value);
+    else hasher.add(value);
+  });
+}
+
+// Bytes that a component's texts take.
+template <class T>
+std::size_t text_bytes(const T& component) {
+  std::size_t bytes = 0;
+  if constexpr (HasFields<T>)
+    T::fields([&](const Field&, auto member) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(component.*member)>, std::string>)
+        bytes += (component.*member).size();
+    });
+  return bytes;
+}
+
+}  // namespace coaster::world
