@@ -12,7 +12,7 @@ constexpr double kRadius = 20.3, kSpeed = 11.7;
 
 class RideRows : public test::SessionTest {
  protected:
-  double number(std::string_view name) const {
+  double number(std::string_view name) {
     return std::get<double>(*find_query(name)->evaluate({session, stats, "", ""}, {}));
   }
   FrameStats stats;
