@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "exchange/own/track_file.h"
+#include "exchange/formats.h"
 #include "sim/ride/ride.h"
 
 namespace coaster::bench {

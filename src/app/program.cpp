@@ -9,6 +9,7 @@
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/text.h"
+#include "edit/perform/apply.h"
 #include "query/challenge.h"
 #include "view/camera.h"
 #include "world/evaluation.h"

@@ -1,9 +1,11 @@
-// The table of formats, and looking things up in it.
+// The table of formats, and the files read and written by it.
 #include "exchange/formats.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "base/words.h"
 #include "exchange/export/track_shapes.h"
@@ -28,6 +30,15 @@ constexpr std::array kFormats{
     Format{".svg", "drawing", nullptr, print_svg, false, false},
 };
 
+// Returns "a.txt: error: expected a file ending in .json"; names a format that works only in the other direction.
+std::string unfit_ending(const std::filesystem::path& path, const Format* format, Direction direction) {
+  std::string text = path.string() + ": error: ";
+  if (format)
+    text += fmt::format("{} ({}) can only be {}; ", format->ending, format->label,
+                        direction == Direction::read ? "written" : "read");
+  return fmt::format("{}expected a file ending in {}", text, known_endings(direction));
+}
+
 }  // namespace
 
 std::span<const Format> formats() { return kFormats; }
@@ -47,6 +58,29 @@ std::string known_endings(Direction direction) {
   for (std::size_t i = 0; i < endings.size(); ++i)
     text += (i == 0 ? "" : i + 1 < endings.size() ? ", " : " or ") + std::string(endings[i]);
   return text;
+}
+
+base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, base::Progress* progress) {
+  const Format* const format = format_of(path);
+  if (!format || !format->parse) return base::Status{base::Code::bad_file, unfit_ending(path, format, Direction::read)};
+  const base::Result<std::string> bytes = files.read(path);
+  if (!bytes) return bytes.status();
+  return progress && format->parse_watched ? format->parse_watched(*bytes, path.string(), progress)
+                                           : format->parse(*bytes, path.string());
+}
+
+base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document) {
+  const Format* const format = format_of(path);
+  if (!format || !format->print) return {base::Code::refused, unfit_ending(path, format, Direction::write)};
+  if (format->check)
+    if (const base::Status fit = format->check(document); !fit)
+      return {fit.code, fmt::format("{}: {}", path.string(), fit.message)};
+  const std::string bytes = format->print(document);
+  // Does not write a file too large to be read again.
+  if (format->parse && bytes.size() > base::kMaxFileBytes)
+    return {base::Code::refused, fmt::format("{}: error: {} bytes are over the limit of {}", path.string(),
+                                             bytes.size(), base::kMaxFileBytes)};
+  return files.write_atomic(path, bytes);
 }
 
 }  // namespace coaster::exchange

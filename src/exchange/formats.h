@@ -31,6 +31,12 @@ std::span<const Format> formats();
 // The row for the path's ending, or null.
 const Format* format_of(const std::filesystem::path& path);
 
+// Reads or writes the file in the format of its extension. An unknown extension is refused with the list of those known
+// for that direction.
+base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path,
+                                     base::Progress* progress = nullptr);
+base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document);
+
 // Endings that can be read or written, for messages: ".json, .obj or .svg".
 enum class Direction { read, write };
 std::string known_endings(Direction direction);

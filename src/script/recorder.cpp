@@ -11,7 +11,7 @@
 #include "base/file_lock.h"
 #include "base/text.h"
 #include "edit/commands/codec.h"
-#include "exchange/own/track_file.h"
+#include "exchange/formats.h"
 #include "world/selection.h"
 #include "world/settings_groups.h"
 

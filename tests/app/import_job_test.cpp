@@ -1,7 +1,7 @@
 #include "app/import_job.h"
 
 #include "app/program_fixture.h"
-#include "exchange/own/track_file.h"
+#include "exchange/formats.h"
 
 namespace coaster::app {
 namespace import_job_test {

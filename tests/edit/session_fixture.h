@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "edit/commands/codec.h"
+#include "edit/perform/apply.h"
 #include "edit/session/session.h"
 #include "exchange/own/track_file.h"
 #include "world/sample_documents.h"

@@ -10,8 +10,8 @@
 #include <random>
 #include <set>
 
+#include "exchange/formats.h"
 #include "exchange/own/autosave.h"
-#include "exchange/own/track_file.h"
 
 namespace coaster::exchange {
 namespace killed_test {

@@ -4,6 +4,7 @@
 
 #include "base/hash.h"
 #include "edit/commands/codec.h"
+#include "edit/perform/apply.h"
 #include "edit/session/session.h"
 #include "exchange/nolimits/nl2_csv.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "edit/session/session.h"
-#include "exchange/own/track_file.h"
+#include "exchange/formats.h"
 #include "sim/ride/ride.h"
 #include "world/topology.h"
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "edit/perform/apply.h"
 #include "edit/session/session.h"
 #include "script/grammar.h"
 #include "script/runner.h"

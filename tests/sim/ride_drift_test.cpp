@@ -2,7 +2,7 @@
 // takes minutes: tools/bench --drift.
 #include <gtest/gtest.h>
 
-#include "exchange/own/track_file.h"
+#include "exchange/formats.h"
 #include "sim/ride/ride.h"
 #include "sim/tracks.h"
 

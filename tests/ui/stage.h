@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "edit/perform/apply.h"
 #include "edit/session/session.h"
 #include "platform/surface.h"
 #include "ui/host/host.h"
@@ -70,7 +71,7 @@ class Stage : public testing::Test {
 
   const Widget* find(const std::string& path) const {
     for (const Widget& widget : host_->widgets())
-      if (widget.path == path) return &widget;
+      if (widget.is(path)) return &widget;
     return nullptr;
   }
   static glm::vec2 middle(const Widget& w) { return {w.x + w.width / 2, w.y + w.height / 2}; }

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "exchange/own/track_file.h"
+#include "exchange/formats.h"
 #include "sim/tracks.h"
 #include "view/camera_rig.h"
 

@@ -1,5 +1,6 @@
-// apply(): every command's way into the session, and what follows from it: joints, derived data, carts,
-// history, notices.
+// Every command's way into the session, and what follows from it: joints, derived data, carts, history, notices.
+#include "edit/perform/apply.h"
+
 #include <cmath>
 #include <type_traits>
 #include <utility>

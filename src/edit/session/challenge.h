@@ -44,10 +44,10 @@ struct Referee {
 };
 
 enum class RideEnd : std::uint8_t { lap, open_end, time, failed };
-inline constexpr base::NameRow kRideEnds[] = {{"lap", "A whole lap"},
-                                              {"open end", "To the end of the track"},
-                                              {"time", "The time is up"},
-                                              {"failed", "The ride failed"}};
+inline constexpr base::NameRow kRideEnds[] = {{"lap", "Lap completed"},
+                                              {"open end", "End of the track reached"},
+                                              {"time", "Time limit reached"},
+                                              {"failed", "Ride failed"}};
 constexpr std::span<const base::NameRow> rows_of(RideEnd) { return kRideEnds; }
 
 // The end of a ride, for the score card.

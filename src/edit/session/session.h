@@ -1,5 +1,5 @@
-// What one running program holds: document, settings, motion, derived, history and notices; and apply(), the only way
-// to change it.
+// What one running program holds: document, settings, motion, derived, history and notices. Changed by apply()
+// (edit/perform/apply.h) alone.
 #pragma once
 
 #include <cstdint>
@@ -112,13 +112,6 @@ struct Session {
 
 void notify(Session& session, NoticeKind kind, std::string text);
 bool dirty(const Finder& find);  // the document differs from its file
-
-// Checks first, changes nothing on error. On success document, settings, motion, derived and history are consistent
-// again (derive and reconcile have run). Numbers beyond the limits are clamped with a warning notice that contains the
-// word "limit"; what cannot be done (unknown names, over the vertex budget, too short handles) is refused with
-// Code::refused, file errors pass through, and either way an error notice is shown. A document command outside a
-// gesture is one step of undo; a command that leaves the document equal adds none. undo inside a gesture cancels it.
-base::Status apply(Session& session, base::Files& files, const Command& command);
 
 // Does a part of a measurement that is under way, some ms; nothing else does: a frame without one costs nothing.
 void advance_measurement(Session& session);

@@ -46,10 +46,4 @@ std::string print_track(const world::Document& document);
 // Returns the name of a track from a file without one: the file's name without folder and extension, made valid.
 std::string name_of_file(std::string_view path);
 
-// Loads a track by the path's extension (exchange/formats.h). Unknown extensions are rejected with the list of known
-// ones.
-base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path,
-                                     base::Progress* progress = nullptr);
-base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document);
-
 }  // namespace coaster::exchange

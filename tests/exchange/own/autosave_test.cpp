@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "exchange/own/track_file.h"
+#include "exchange/formats.h"
 
 namespace coaster::exchange {
 namespace autosave_test {

@@ -1,4 +1,4 @@
-#include "exchange/own/track_file.h"
+#include "exchange/formats.h"
 
 #include <filesystem>
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "base/files.h"
-#include "exchange/own/track_file.h"
+#include "exchange/formats.h"
 #include "sim/solids/clearance.h"
 #include "sim/tracks.h"
 #include "world/topology.h"

@@ -1,4 +1,5 @@
 #include "sim/study/advice.h"
+#include "edit/perform/apply.h"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/perform/apply.h"
 #include "ui/actions/command_palette.h"
 #include "ui/tools/selecting.h"
 #include "world/look.h"
