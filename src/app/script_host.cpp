@@ -50,7 +50,7 @@ base::Status frame(Program& program, platform::Events events, int ticks) {
 std::vector<script::WidgetState> widgets(const Program& program) {
   std::vector<script::WidgetState> states;
   for (const ui::Widget& w : program.ui->widgets())
-    states.push_back({w.path, w.kind, w.value, w.x, w.y, w.width, w.height, w.visible, w.enabled, w.covered});
+    states.push_back({w.path, w.kind, w.value, w.x, w.y, w.width, w.height, w.visible, w.enabled, w.covered, w.alias});
   return states;
 }
 

@@ -23,6 +23,7 @@ struct WidgetState {
   std::string path, kind, value;
   float x = 0, y = 0, width = 0, height = 0;
   bool visible = true, enabled = true, covered = false;
+  std::string alias = {};  // the path before a label changed; empty: none did
 };
 
 // A target in the viewport, which the app projects to a pixel.

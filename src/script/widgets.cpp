@@ -38,7 +38,8 @@ template <class Fits>
 std::vector<std::size_t> all(std::span<const WidgetState> widgets, Fits fits) {
   std::vector<std::size_t> found, labels;
   for (std::size_t i = 0; i < widgets.size(); ++i)
-    if (fits(widgets[i].path)) (widgets[i].kind == "label" ? labels : found).push_back(i);
+    if (fits(widgets[i].path) || (!widgets[i].alias.empty() && fits(widgets[i].alias)))
+      (widgets[i].kind == "label" ? labels : found).push_back(i);
   return found.empty() ? labels : found;
 }
 

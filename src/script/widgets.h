@@ -13,6 +13,7 @@ namespace coaster::script {
 // Returns the widgets that match a path, by the first of these rules that finds any: the whole path; its end after a
 // slash ("Insert point" for "Track/Insert point"); both ignoring case; its parts in order with others in between
 // ("Inspector/x" for "Inspector/Position/x"). Widgets that can be operated take precedence over plain labels.
+// A widget's alias counts as its path.
 std::vector<std::size_t> find_widgets(std::span<const WidgetState> widgets, std::string_view path);
 
 // Returns the one widget of that path. Code::usage if there is none (with a suggestion) or several (with a list).

@@ -34,9 +34,9 @@ inline constexpr float kMaxDwell = 600.0f;                       // s, of statio
 // the neighbours (as Catmull-Rom: along the chord between them, a third of each side's chord).
 enum class JointKind : std::uint8_t { smooth, aligned, automatic };
 inline constexpr base::NameRow kJointKinds[] = {
-    {"smooth", "Smooth (C1)", "Equal handle lengths: equal first derivatives."},
-    {"aligned", "Aligned (G1)", "One tangent line, lengths of their own."},
-    {"automatic", "Automatic", "Direction and lengths follow from the neighbours (as Catmull-Rom)."}};
+    {"smooth", "Smooth (C1)", "Equal handle lengths, so equal first derivatives."},
+    {"aligned", "Aligned (G1)", "One tangent line, independent handle lengths."},
+    {"automatic", "Automatic", "Direction and lengths from the neighbouring knots (Catmull-Rom)."}};
 constexpr std::span<const base::NameRow> rows_of(JointKind) { return kJointKinds; }
 
 // A point on the track. Knots own the geometry, so every joint has a common tangent line (G1).
@@ -109,11 +109,11 @@ struct Cart {
 // block:   a brake that stops a train at its end until the section after it is free.
 enum class EquipmentKind : std::uint8_t { station, lift, launch, brake, block };
 inline constexpr base::NameRow kEquipmentKinds[] = {
-    {"station", "Station", "Stops a train at its end, waits, and sends it off."},
-    {"lift", "Lift", "A chain: pulls up to its speed; nothing rolls back on it."},
-    {"launch", "Launch", "Pushes until its speed is reached."},
-    {"brake", "Brake", "Slows down to its speed."},
-    {"block", "Block", "A brake that holds a train until the section ahead is free."}};
+    {"station", "Station", "Stops a train at its end, waits, then dispatches it."},
+    {"lift", "Lift", "A chain lift with anti-rollback: pulls the train at its speed."},
+    {"launch", "Launch", "Accelerates the train to its speed."},
+    {"brake", "Brake", "Slows the train to its speed."},
+    {"block", "Block", "A brake that holds a train until the block ahead is free."}};
 constexpr std::span<const base::NameRow> rows_of(EquipmentKind) { return kEquipmentKinds; }
 struct Equipment {
   EquipmentKind kind = EquipmentKind::lift;

@@ -19,8 +19,8 @@ constexpr std::span<const base::NameRow> rows_of(Theme) { return kThemes; }
 // Light, sky and ground of the scene; by name in scripts and in the settings file.
 enum class Style : std::uint8_t { day, dusk, blueprint };
 inline constexpr base::NameRow kStyles[] = {
-    {"day", "Day", "The sun high, a clear sky."},
-    {"dusk", "Dusk", "The sun low, long shadows."},
+    {"day", "Day", "High sun, clear sky."},
+    {"dusk", "Dusk", "Low sun, long shadows."},
     {"blueprint", "Blueprint", "Lines on blue, for the laboratory and for print."}};
 constexpr std::span<const base::NameRow> rows_of(Style) { return kStyles; }
 

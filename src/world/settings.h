@@ -32,10 +32,10 @@ constexpr std::span<const base::NameRow> rows_of(SplineSteps) { return kSplineSt
 
 // What moves by hand snap to.
 enum class SnapTo : std::uint8_t { off, grid, knots, ground };
-inline constexpr base::NameRow kSnapTos[] = {{"off", "Nothing", "What is moved goes where the mouse is."},
-                                             {"grid", "Grid", "Positions are whole steps."},
-                                             {"knots", "Knots", "A knot under the cursor draws what is moved onto it."},
-                                             {"ground", "Ground", "What is moved stays on the ground."}};
+inline constexpr base::NameRow kSnapTos[] = {{"off", "Nothing", "Dragged knots follow the mouse."},
+                                             {"grid", "Grid", "Positions snap to multiples of the step."},
+                                             {"knots", "Knots", "Dragged knots snap to the knot under the cursor."},
+                                             {"ground", "Ground", "Dragged knots stay on the ground."}};
 constexpr std::span<const base::NameRow> rows_of(SnapTo) { return kSnapTos; }
 struct Snapping {
   SnapTo to = SnapTo::off;

@@ -33,6 +33,14 @@ TEST(widgets, a_path_is_found_whole_by_its_end_in_any_case_or_by_its_parts) {
   EXPECT_FALSE(find_widget(all, "oint").ok());
 }
 
+TEST(widgets, a_path_of_former_labels_finds_the_same_widget) {
+  std::vector<WidgetState> all{widget("Forces/Suggest a fix"), widget("Forces/What is it")};
+  all[0].alias = "Forces/What helps?";
+  for (const char* path : {"Forces/Suggest a fix", "Suggest a fix", "Forces/What helps?", "What helps?", "what HELPS?"})
+    EXPECT_EQ(*find_widget(all, path), 0u) << path;
+  EXPECT_EQ(*find_widget(all, "What is it"), 1u);
+}
+
 TEST(ui_driver, a_click_moves_presses_and_releases_in_three_frames_and_its_command_is_in_the_last) {
   FakeHost fake;
   fake.widgets = {widget("Track/Add point")};

@@ -1,4 +1,5 @@
-"""check_layers reports a back edge, a stray GL header and a short include, and nothing in a clean tree."""
+"""check_layers reports a back edge between rooms and sub-rooms, a stray GL header, a short include and a folder that no
+table names, and nothing in a clean tree."""
 import pathlib
 import subprocess
 import sys
@@ -16,11 +17,22 @@ def run(tool, files):
 
 
 tool = sys.argv[1]
-assert run(tool, {"world/a.h": '#include "curve/cubic.h"\n#include "base/check.h"\n'})[0] == 0
+for clean in [
+    {"world/a.h": '#include "curve/cubic.h"\n#include "base/check.h"\n'},
+    {"sim/study/a.h": '#include "sim/shape/derived.h"\n#include "world/document.h"\n'},
+    {"exchange/formats.cpp": '#include "exchange/formats.h"\n#include "exchange/own/track_file.h"\n'},
+]:
+    assert run(tool, clean) == (0, "layers: clean\n"), clean
 for files, expected in [
     ({"curve/a.h": '#include "world/document.h"\n'}, "curve/a.h:1: curve may not include world/document.h"),
-    ({"sim/a.cpp": "#include <GL/glcorearb.h>\n"}, "GL/glcorearb.h belongs in"),
+    ({"world/a.cpp": "#include <GL/glcorearb.h>\n"}, "GL/glcorearb.h belongs in"),
     ({"query/a.cpp": '#include "query.h"\n'}, 'write "room/file.h"'),
+    ({"sim/shape/a.h": '#include "sim/ride/ride.h"\n'}, "sim/shape/a.h:1: sim/shape may not include sim/ride/ride.h"),
+    ({"ui/widgets/a.cpp": '#include "ui/host/host.h"\n'}, "ui/widgets may not include ui/host/host.h"),
+    ({"exchange/own/a.cpp": '#include "exchange/formats.h"\n'}, "exchange/own may not include exchange/formats.h"),
+    ({"sim/attic/a.h": "\n"}, "'attic' is not a sub-room of sim"),
+    ({"sim/a.h": "\n"}, "'' is not a sub-room of sim"),
+    ({"curve/attic/a.h": "\n"}, "'attic' is not a sub-room of curve"),
     ({"cellar/a.cpp": "\n"}, "'cellar' is not a room"),
 ]:
     code, out = run(tool, files)

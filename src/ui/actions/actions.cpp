@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "ui/actions/actions_parts.h"
-#include "ui/actions/key_map.h"
 #include "ui/tools/fly_keys.h"
 
 namespace coaster::ui {
@@ -33,6 +32,12 @@ std::span<const Action> actions() {
     return all;
   }();
   return kAll;
+}
+
+std::vector<KeyRow> key_rows() {
+  std::vector<KeyRow> rows;
+  for (const Action& action : actions()) rows.push_back({action.name, action.chord, action.other});
+  return rows;
 }
 
 void run_transform_keys(Act& act, const platform::Events& events) {

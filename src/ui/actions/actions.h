@@ -1,8 +1,9 @@
-// What keys and menus do: one table with the key, the menu, the help text and the commands it emits.
+// The actions of keys and menus, in one table: keys, menu, help and function.
 #pragma once
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "ui/tools/viewport_tool.h"
 
@@ -10,7 +11,7 @@ namespace coaster::ui {
 
 struct CommandPalette;
 
-// What an action works with.
+// The context of an action.
 struct Act {
   Ui& ui;
   ViewportTool& tool;
@@ -33,10 +34,12 @@ struct Action {
   void (*run)(Act& act);
 };
 std::span<const Action> actions();
+// Their names and default keys, in the order of actions().
+std::vector<KeyRow> key_rows();
 
-// Runs what the pressed keys ask for. Not to be called while a text field has the keyboard.
+// Runs the actions of the pressed keys. Do not call it while a text field has the keyboard.
 void run_keys(Act& act, const platform::Events& events);
-// While a transform is under way: its own keys, and those of actions that may interrupt it (undo, Escape).
+// The same during a transform: handles its keys, and those of actions that may interrupt it (undo, Escape).
 void run_transform_keys(Act& act, const platform::Events& events);
 void build_menu(Act& act);
 

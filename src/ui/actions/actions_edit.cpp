@@ -3,7 +3,7 @@
 #include <imgui_internal.h>
 
 #include "ui/actions/actions_parts.h"
-#include "ui/screens/score_card.h"
+#include "ui/tools/places.h"
 #include "world/aids.h"
 #include "world/selection.h"
 
@@ -24,8 +24,7 @@ bool insertable(const Act& act) {
 }
 bool appending(const Act& act) { return act.ui.session().settings.aids->append_mode; }
 
-// Takes back what the mouse is dragging, in the viewport or in a number. False when it drags nothing that changes the
-// document.
+// Cancels a drag in the viewport or in a number field. Returns false if no drag changes the document.
 bool cancel_drags(Act& act) {
   if (act.tool.cancel(act.ui)) return true;
   if (!act.ui.gesture.open) return false;
@@ -94,8 +93,8 @@ bool placeable(const Act& act) {
 void place_element(Act& act) { act.ui.emit(edit::PlaceElement{act.ui.session().settings.element}); }
 
 constexpr Action kEditActions[] = {
-    {"Undo", "Edit", "Ctrl+Z", ctrl(Key::z), kNoKey, true, true,
-     "Undo the last step; during a drag, take the drag back.", can_undo, nullptr, undo},
+    {"Undo", "Edit", "Ctrl+Z", ctrl(Key::z), kNoKey, true, true, "Undo the last step. Cancels a drag in progress.",
+     can_undo, nullptr, undo},
     {"Redo",
      "Edit",
      "Ctrl+Y",
@@ -103,43 +102,42 @@ constexpr Action kEditActions[] = {
      {Key::z, {.shift = true, .ctrl = true}},
      true,
      false,
-     "Redo the step undone last.",
+     "Redo the last undone step.",
      can_redo,
      nullptr,
      redo},
-    {"Delete", "Edit", "Delete", key(Key::del), key(Key::x), false, false, "Remove the selected knot or cart.",
+    {"Delete", "Edit", "Delete", key(Key::del), key(Key::x), false, false, "Delete the selected knot or cart.",
      removable, nullptr, remove},
     {"Select all", "Edit", "Ctrl+A", ctrl(Key::a), kNoKey, false, false, "Select every knot.", any_knots, nullptr,
      select_all},
     {"Box select", "Edit", "B", key(Key::b), kNoKey, false, false,
-     "Drag a box around knots. Shift+drag on the empty view adds, Ctrl+drag takes away.", any_knots, nullptr,
-     box_select},
+     "Drag a box around knots. Shift+drag adds, Ctrl+drag removes.", any_knots, nullptr, box_select},
     {"Move", "Edit", "G", key(Key::g), kNoKey, false, false,
-     "Move the selected knots with the mouse; X, Y, Z: along an axis, Shift+axis: in a plane; digits: by metres.",
-     knot_selected, nullptr, transform<TransformKind::move>},
+     "Move the selected knots. X, Y, Z: along an axis. Shift+axis: in a plane. Type metres.", knot_selected, nullptr,
+     transform<TransformKind::move>},
     {"Rotate", "Edit", "R", key(Key::r), kNoKey, false, false,
-     "Turn the selected knots about their middle; X, Y, Z: about an axis; digits: by degrees.", knot_selected, nullptr,
+     "Rotate the selected knots about their centre. X, Y, Z: about an axis. Type degrees.", knot_selected, nullptr,
      transform<TransformKind::rotate>},
     {"Scale", "Edit", "S", key(Key::s), kNoKey, false, false,
-     "Scale the selected knots and their handles; X, Y, Z: along an axis; digits: by a factor.", knot_selected, nullptr,
+     "Scale the selected knots and their handles. X, Y, Z: along an axis. Type a factor.", knot_selected, nullptr,
      transform<TransformKind::scale>},
     {"Next snapping", "Edit", "Shift+Tab", shift(Key::tab), kNoKey, false, false,
-     "Snap to nothing, a grid, other knots or the ground. Ctrl while moving: the other way round.", always, snapping,
+     "Snap to nothing, the grid, knots or the ground. Ctrl while dragging inverts snapping.", always, snapping,
      next_snapping},
-    {"Select none", "Edit", "", kNoKey, kNoKey, false, false, "Clear the selection. Escape does so too.", any_selected,
-     nullptr, select_none},
+    {"Select none", "Edit", "", kNoKey, kNoKey, false, false, "Clear the selection. Key Escape.", any_selected, nullptr,
+     select_none},
     {"Add curve", "Edit", "C", key(Key::c), kNoKey, false, false,
-     "Split the longest segment at half its length, keeping the shape.", always, nullptr, add_curve},
+     "Split the longest segment at half its length. The shape is unchanged.", always, nullptr, add_curve},
     {"Insert point", "Edit", "I", key(Key::i), kNoKey, false, false,
-     "Insert a knot under the cursor, or at the picked place, keeping the shape.", insertable, nullptr, insert_point},
+     "Insert a knot under the cursor or at the selected position. The shape is unchanged.", insertable, nullptr,
+     insert_point},
     {"Append points", "Edit", "A", key(Key::a), kNoKey, false, false,
-     "Clicks on the ground append knots to an open track.", always, appending, toggle_append},
+     "Click on the ground to append knots to an open track.", always, appending, toggle_append},
     {"Place element", "Edit", "Enter", key(Key::enter), kNoKey, false, false,
-     "Add the element that the palette shows at the open end of the track.", placeable, nullptr, place_element},
+     "Place the previewed element at the open end of the track.", placeable, nullptr, place_element},
 
     {"Cancel", "", "Escape", key(Key::escape), kNoKey, false, true,
-     "Take back a drag, close a list or the score card, leave append mode, hide the element's preview, or clear the "
-     "selection.",
+     "Cancel a drag, close a list or the score card, end append mode, hide the preview, or clear the selection.",
      always, nullptr, escape},
 };
 

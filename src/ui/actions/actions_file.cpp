@@ -1,28 +1,26 @@
 // The menu File.
 #include "ui/actions/actions_parts.h"
-#include "ui/screens/dialogs.h"
-#include "ui/screens/start_screen.h"
 
 namespace coaster::ui {
 namespace {
 
 using platform::Key;
 
-void new_track(Act& act) { act.ui.dialogs.request(act.ui, {Want::Kind::fresh, {}}); }
-void open(Act& act) { act.ui.dialogs.request(act.ui, {Want::Kind::browse, {}}); }
-void save(Act& act) { act.ui.dialogs.save(act.ui); }
-void save_as(Act& act) { act.ui.dialogs.save_as(act.ui); }
-void settings(Act& act) { act.ui.dialogs.show_settings(); }
+void new_track(Act& act) { act.ui.want = {Want::Kind::fresh}; }
+void open(Act& act) { act.ui.want = {Want::Kind::browse}; }
+void save(Act& act) { act.ui.want = {Want::Kind::save}; }
+void save_as(Act& act) { act.ui.want = {Want::Kind::save_as}; }
+void settings(Act& act) { act.ui.want = {Want::Kind::settings}; }
 void screenshot(Act& act) { act.ui.out.wants_screenshot = true; }
-void challenges(Act& act) { act.ui.dialogs.show_challenges(); }
+void challenges(Act& act) { act.ui.want = {Want::Kind::challenges}; }
 bool in_challenge(const Act& act) { return act.ui.session().game.challenge.has_value(); }
 void leave_challenge(Act& act) { act.ui.emit(edit::LeaveChallenge{}); }
 bool filming(const Act& act) { return act.ui.state.movie != nullptr; }
 bool filmable(const Act& act) { return filming(act) || rideable(act); }
 void record_movie(Act& act) { act.ui.out.movie = filming(act) ? MovieWish::stop : MovieWish::start; }
-void show_start(Act& act) { act.ui.start.show(); }
-void tutorial(Act& act) { act.ui.dialogs.request(act.ui, {Want::Kind::tutorial, {}}); }
-void quit(Act& act) { act.ui.dialogs.request(act.ui, {Want::Kind::quit, {}}); }
+void show_start(Act& act) { act.ui.want = {Want::Kind::start_screen}; }
+void tutorial(Act& act) { act.ui.want = {Want::Kind::tutorial}; }
+void quit(Act& act) { act.ui.want = {Want::Kind::quit}; }
 
 constexpr Action kFileActions[] = {
     {"New", "File", "Ctrl+N", ctrl(Key::n), kNoKey, false, false, "Start an empty track.", always, nullptr, new_track},
@@ -37,26 +35,26 @@ constexpr Action kFileActions[] = {
      kNoKey,
      false,
      false,
-     "Save the track to another file, or export it: the ending tells the format.",
+     "Save to another file or export. The file extension selects the format.",
      always,
      nullptr,
      save_as},
-    {"Start screen", "File", "", kNoKey, kNoKey, false, false, "The page with recent tracks, samples and the tutorial.",
+    {"Start screen", "File", "", kNoKey, kNoKey, false, false, "Recent tracks, samples, challenges and the tutorial.",
      always, nullptr, show_start},
-    {"Tutorial", "File", "", kNoKey, kNoKey, false, false,
-     "Build and ride a first coaster, step by step, with your own hands.", always, nullptr, tutorial},
+    {"Tutorial", "File", "", kNoKey, kNoKey, false, false, "Build and ride your first coaster, step by step.", always,
+     nullptr, tutorial},
     {"Challenges", "File", "Ctrl+H", ctrl(Key::h), kNoKey, false, false,
-     "Choose a challenge: a start track, a goal and three medals.", always, nullptr, challenges},
-    {"Leave challenge", "File", "", kNoKey, kNoKey, false, false, "End the challenge; the track stays as it is.",
+     "Choose a challenge with a goal and three medals.", always, nullptr, challenges},
+    {"Leave challenge", "File", "", kNoKey, kNoKey, false, false, "Leave the challenge. The track stays as it is.",
      in_challenge, nullptr, leave_challenge},
-    {"Settings", "File", "Ctrl+,", ctrl(Key::comma), kNoKey, false, false, "Scale, colours, autosave, keys.", always,
-     nullptr, settings},
-    {"Screenshot", "File", "F12", key(Key::f12), kNoKey, false, true, "Write a picture of the window.", always, nullptr,
-     screenshot},
+    {"Settings", "File", "Ctrl+,", ctrl(Key::comma), kNoKey, false, false, "Scale, theme, sound, autosave and keys.",
+     always, nullptr, settings},
+    {"Screenshot", "File", "F12", key(Key::f12), kNoKey, false, true, "Save a screenshot of the window.", always,
+     nullptr, screenshot},
     {"Record movie", "File", "Shift+F12", shift(Key::f12), kNoKey, false, true,
-     "Record one lap of the ride as pictures and, where ffmpeg is installed, a movie; once more: stop.", filmable,
-     filming, record_movie},
-    {"Quit", "File", "Ctrl+Q", ctrl(Key::q), kNoKey, false, false, "Leave the program.", always, nullptr, quit},
+     "Record one lap as pictures and, where ffmpeg is installed, as a movie. Again to stop.", filmable, filming,
+     record_movie},
+    {"Quit", "File", "Ctrl+Q", ctrl(Key::q), kNoKey, false, false, "Quit coaster.", always, nullptr, quit},
 };
 
 }  // namespace

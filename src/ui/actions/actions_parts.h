@@ -1,4 +1,4 @@
-// What the tables of actions, one file to a menu, have in common.
+// Shared parts of the action tables. Each menu has its own file.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // The menu Ride.
 #include "ui/actions/actions_parts.h"
-#include "ui/screens/score_card.h"
+#include "ui/tools/places.h"
 #include "world/aids.h"
 
 namespace coaster::ui {
@@ -23,17 +23,17 @@ bool has_failed_place(const Act& act) { return failed_place(act.ui.session()).ha
 void show_failed_place(Act& act) { show_place(act.ui, *failed_place(act.ui.session())); }
 
 constexpr Action kRideActions[] = {
-    {"Play or pause", "Ride", "Space", key(Key::space), kNoKey, false, true, "Let the carts run, or hold them.",
-     rideable, nullptr, play_pause},
+    {"Play or pause", "Ride", "Space", key(Key::space), kNoKey, false, true, "Start or pause the ride.", rideable,
+     nullptr, play_pause},
     {"Single step", "Ride", ".", key(Key::period), kNoKey, true, true,
-     "Hold the carts and advance one tick of 1/120 s.", rideable, nullptr, single_step},
-    {"Reset", "Ride", "Shift+R", shift(Key::r), kNoKey, false, true, "Put the carts back to their start.", rideable,
+     "Pause the ride and advance one tick of 1/120 s.", rideable, nullptr, single_step},
+    {"Reset", "Ride", "Shift+R", shift(Key::r), kNoKey, false, true, "Return the carts to their start.", rideable,
      nullptr, reset},
     {"Show where it failed", "Ride", "J", key(Key::j), kNoKey, false, true,
-     "Look at the place where the last ride failed, or its challenge did, and select the segment.", has_failed_place,
-     nullptr, show_failed_place},
-    {"Score cards", "Ride", "", kNoKey, kNoKey, false, true, "Show a card with the ride's numbers when it ends.",
-     always, card_wanted, toggle_card},
+     "Go to where the last ride or its challenge failed and select the segment.", has_failed_place, nullptr,
+     show_failed_place},
+    {"Score cards", "Ride", "", kNoKey, kNoKey, false, true, "Show a card with results at the end of a ride.", always,
+     card_wanted, toggle_card},
 };
 
 }  // namespace

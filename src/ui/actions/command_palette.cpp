@@ -12,8 +12,6 @@
 
 #include "base/words.h"
 #include "edit/commands/codec.h"
-#include "ui/actions/key_map.h"
-#include "ui/screens/dialogs.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 
@@ -52,16 +50,16 @@ std::vector<PaletteLine> entries(Act& act, const char* words) {
       list.push_back({command.usage, "", command.info.help, nullptr, command.info.name, false, score});
   std::stable_sort(list.begin(), list.end(),
                    [](const PaletteLine& a, const PaletteLine& b) { return a.score > b.score; });
-  if (parsed(words)) list.insert(list.begin(), PaletteLine{words, "Enter", "Run what is typed.", nullptr, {}, true, 0});
+  if (parsed(words)) list.insert(list.begin(), PaletteLine{words, "Enter", "Run this command.", nullptr, {}, true, 0});
   return list;
 }
 
-// What replaces the track asks about unsaved changes first, as by any other way.
+// Commands that replace the track ask about unsaved changes first.
 void run_command(Ui& ui, const edit::Command& command) {
-  if (const auto* const load = command.as<edit::Load>()) ui.dialogs.request(ui, {Want::Kind::load, load->path});
-  else if (command.is<edit::NewTrack>()) ui.dialogs.request(ui, {Want::Kind::fresh, {}});
+  if (const auto* const load = command.as<edit::Load>()) ui.want = {Want::Kind::load, load->path};
+  else if (command.is<edit::NewTrack>()) ui.want = {Want::Kind::fresh};
   else if (const auto* const challenge = command.as<edit::StartChallenge>())
-    ui.dialogs.request(ui, {Want::Kind::challenge, challenge->path});
+    ui.want = {Want::Kind::challenge, challenge->path};
   else ui.out.commands.push_back(command);
 }
 
@@ -159,8 +157,7 @@ void build_palette(Act& act, CommandPalette& palette) {
     const bool entered = ImGui::InputTextWithHint(
         "##text", "Type an action or a command", palette.text.data(), palette.text.size(),
         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, to_end, &palette);
-    note_item(ui, "Text", "text", "What to do: part of a name, or a whole command line as scripts have it.", true,
-              palette.text.data());
+    note_item(ui, "Text", "text", "Part of a name, or a whole command as in scripts.", true, palette.text.data());
     if (before != palette.text.data()) palette.row = 0;
     const std::vector<PaletteLine> list = entries(act, palette.text.data());
     const int count = static_cast<int>(list.size());
@@ -173,7 +170,7 @@ void build_palette(Act& act, CommandPalette& palette) {
       draw_row(act, list[static_cast<std::size_t>(i)], i == palette.row, pressed);
       if (pressed) choose(act, palette, list[static_cast<std::size_t>(i)]);
     }
-    if (count == 0) heading(ui, "Nothing is called that.", "");
+    if (count == 0) heading(ui, "No matches.###Nothing is called that.", "");
     if (entered && count > 0) choose(act, palette, list[static_cast<std::size_t>(palette.row)]);
     // Escape, or a click elsewhere.
     const bool elsewhere = !palette.appearing && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&

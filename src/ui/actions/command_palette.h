@@ -1,4 +1,4 @@
-// Ctrl+P: every action and every command in one list, found by typing; a whole command line is run as it stands.
+// The command palette (Ctrl+P): a searchable list of all actions and commands, which also runs whole command lines.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ struct CommandPalette {
 void toggle_palette(CommandPalette& palette);
 void build_palette(Act& act, CommandPalette& palette);
 
-// How well `words` (typed, separated by spaces) fit an entry; 0: not at all. All of them must occur in name or help,
-// case aside.
+// Returns how well `words` (separated by spaces) match an entry. 0 unless all of them occur in name or help, ignoring
+// case.
 int match(std::string_view words, std::string_view name, std::string_view help);
 
 }  // namespace coaster::ui

@@ -5,16 +5,16 @@
 
 namespace coaster::ui {
 
-// A stick's place without its dead zone (the inner 18 %, where springs let it rest) and bent, so that small moves are
-// fine: 0..1 in the same direction, the square of how far it is beyond the dead zone.
+// Returns a stick's deflection without its dead zone (the inner 18 %), squared for fine control near the centre: 0..1,
+// same direction.
 glm::vec2 shaped_stick(glm::vec2 stick);
 float shaped_trigger(float trigger);
 
-// What is held, over frames.
+// Sticks, triggers and buttons held over frames.
 class Gamepad {
  public:
-  // One frame: emits where sticks and triggers take the chosen camera in the time that the events' ticks tell, and runs
-  // what buttons stand for. `asking`: a question or browser is open, which has no use for it.
+  // One frame: moves the current camera by sticks and triggers over the time of the events' ticks, and runs the actions
+  // of pressed buttons. `asking`: a dialog is open; input is ignored.
   void work(Act& act, const platform::Events& events, bool asking);
 
  private:
@@ -23,8 +23,8 @@ class Gamepad {
   bool focused_ = true;
 };
 
-// "Play or pause" for A, "Next camera" for Y; for B "Cancel" while there is something to cancel, else "Reset"; nothing
-// for X.
+// Returns the action of a button: "Play or pause" for A, "Next camera" for Y, for B "Cancel" if there is something to
+// cancel and "Reset" otherwise, "" for X.
 std::string_view action_of(platform::PadButton button, const Act& act);
 
 }  // namespace coaster::ui

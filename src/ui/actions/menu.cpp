@@ -6,15 +6,13 @@
 #include <string>
 
 #include "ui/actions/actions.h"
-#include "ui/actions/key_map.h"
-#include "ui/screens/dialogs.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
 
-// The files used last, in the menu File. A name that two of them have comes with its folder.
+// Recently used files in the menu File. Files of the same name are shown with their folder.
 void build_recent(Act& act) {
   const UserState* const kept = act.ui.state.kept;
   const bool any = kept != nullptr && !kept->settings.recent.empty();
@@ -33,11 +31,11 @@ void build_recent(Act& act) {
       const bool pressed = ImGui::MenuItem(label.c_str());
       note_item(act.ui, "File/Recent/" + label, "menu", file, true, "off");
       ImGui::PopID();
-      if (pressed) act.ui.dialogs.request(act.ui, {Want::Kind::load, file});
+      if (pressed) act.ui.want = {Want::Kind::load, file};
     }
     ImGui::EndMenu();
   }
-  note(act.ui, "File/Recent", "menu", open ? "" : "The files used last.", any, open ? "open" : "closed", low, high);
+  note(act.ui, "File/Recent", "menu", open ? "" : "Recently used files.", any, open ? "open" : "closed", low, high);
 }
 
 void build_items(Act& act, std::string_view menu) {

@@ -5,29 +5,32 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <variant>
 
 #include "ui/actions/actions.h"
 #include "ui/actions/command_palette.h"
 #include "ui/actions/gamepad.h"
-#include "ui/actions/key_map.h"
 #include "ui/host/imgui_input.h"
 #include "ui/host/imgui_renderer.h"
 #include "ui/host/layout.h"
 #include "ui/lab/cache.h"
+#include "ui/lab/laboratory.h"
 #include "ui/panels/panels.h"
-#include "ui/plots/legend.h"
 #include "ui/screens/dialogs.h"
+#include "ui/screens/foot_line.h"
 #include "ui/screens/hints.h"
 #include "ui/screens/import_bar.h"
+#include "ui/screens/legend.h"
 #include "ui/screens/lesson.h"
 #include "ui/screens/movie_bar.h"
 #include "ui/screens/score_card.h"
 #include "ui/screens/start_screen.h"
+#include "ui/screens/toasts.h"
 #include "ui/tools/fly_keys.h"
+#include "ui/tools/places.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/toasts.h"
 #include "world/aids.h"
 #include "world/look.h"
 
@@ -44,36 +47,6 @@ view::View make_view(const State& state, const view::Viewport& scene) {
   view::CameraRig rig;
   view::follow(rig, {state.session.document, state.session.derived, state.session.motion, state.session.settings}, 0);
   return view::view_of(rig.eye, scene);
-}
-
-// What can be done next, at the viewport's foot: what a transform does, or what a newcomer may click on.
-std::string foot_text(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys) {
-  if (tool.transform().active())
-    return tool.transform().status() + "     X Y Z axis \u00B7 Shift plane \u00B7 digits \u00B7 Enter \u00B7 " +
-           keys.shown("Cancel");
-  if (tool.box_waits())
-    return "Drag a box around knots; Shift adds, Ctrl takes away; " + keys.shown("Cancel") + " ends it";
-  if (session.document.track.knots.empty()) return "Click on the ground to place the first knot";
-  if (session.settings.aids->append_mode && !session.document.track.closed)
-    return "Click on the ground to append knots; " + keys.shown("Append points") + " or " + keys.shown("Cancel") +
-           " ends it";
-  return {};
-}
-
-void draw_foot(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys,
-               const view::Viewport& scene) {
-  const std::string hint = foot_text(tool, session, keys);
-  if (hint.empty()) return;
-  const bool empty = session.document.track.knots.empty();
-  const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
-  // Over the place of the notices.
-  const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f),
-                  std::floor(empty ? scene.y + scene.height * 0.62f : scene.y + scene.height - 5.6f * size.y));
-  const ImVec2 pad(size.y * 0.9f, size.y * 0.5f);
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y},
-                     packed(palette().background, 0.78f), size.y);
-  list.AddText(at, packed(palette().text), hint.c_str());
 }
 
 }  // namespace
@@ -109,7 +82,7 @@ struct Host::Parts {
 
   explicit Parts(const gfx::Gl& table) : gl(table) {
     std::vector<std::string> none;
-    keys = KeyMap::make({}, none);
+    keys = KeyMap::make(key_rows(), {}, none);
   }
   ~Parts() {
     renderer.reset();
@@ -120,6 +93,7 @@ struct Host::Parts {
   void follow_session(const State& state);
   void settle_gesture(Ui& ui);
   void take_files(Ui& ui, const platform::Events& events);
+  void take_want(Ui& ui);
   void count_rest();
   void lay_out(Ui& ui, const platform::Events& events, int width, int height);
 };
@@ -146,7 +120,7 @@ void Host::Parts::follow_session(const State& state) {
   }
 }
 
-// Ends the gesture of a number once the mouse has let go of it, or its field is gone.
+// Ends the gesture of a number when its field is released or gone.
 void Host::Parts::settle_gesture(Ui& ui) {
   const ImGuiID active = ImGui::GetCurrentContext()->ActiveId;
   if (gesture.open && active != gesture.id) {
@@ -158,9 +132,15 @@ void Host::Parts::settle_gesture(Ui& ui) {
 
 void Host::Parts::take_files(Ui& ui, const platform::Events& events) {
   for (const platform::Event& event : events) {
-    if (const auto* drop = std::get_if<platform::Drop>(&event)) dialogs.request(ui, {Want::Kind::load, drop->path});
-    if (std::holds_alternative<platform::CloseRequest>(event)) dialogs.request(ui, {Want::Kind::quit, {}});
+    if (const auto* drop = std::get_if<platform::Drop>(&event)) dialogs.take(ui, {Want::Kind::load, drop->path});
+    if (std::holds_alternative<platform::CloseRequest>(event)) dialogs.take(ui, {Want::Kind::quit});
   }
+}
+
+void Host::Parts::take_want(Ui& ui) {
+  const Want want = std::exchange(ui.want, {});
+  if (want.kind == Want::Kind::start_screen) start.show();
+  else dialogs.take(ui, want);
 }
 
 void Host::Parts::count_rest() {
@@ -180,6 +160,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   take_files(ui, events);
   Act act{ui, tool, layout.scene, hovered, palette};
   if (!typing && !asking) tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, events);
+  take_want(ui);
   fly_keys.fly(ui, events, typing || asking || dialogs.open());
   gamepad.work(act, events, asking || dialogs.open());
   if (session.settings.look->show_panels) {
@@ -195,12 +176,14 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   build_import_bar(ui, layout.scene);
   build_movie_bar(ui, layout.scene);
   build_palette(act, palette);
-  start.build(ui, events, static_cast<float>(width), static_cast<float>(height));
+  take_want(ui);
+  if (!dialogs.open()) start.build(ui, events, static_cast<float>(width), static_cast<float>(height));
+  take_want(ui);
   dialogs.build(ui, events, typing, static_cast<float>(width), static_cast<float>(height));
   settle_gesture(ui);
   hovered = tool.update(ui, view);
   if (ui.state.lesson == nullptr || tool.transform().active())
-    draw_foot(tool, session, ui.keys, layout.scene);  // a lesson says itself what to do
+    draw_foot_line(ui, tool, layout.scene);  // a lesson says itself what to do
   draw_legend(ui, layout.scene);
   toasts.draw(layout.scene, ui.scale, ui.state.seconds, ui.state.scripted);
   for (const edit::Command& command : ui.out.commands)
@@ -246,8 +229,18 @@ Output Host::build(const platform::Events& events, const State& state, int width
   ImGui::NewFrame();
   Output out;
   p.list.clear();
-  Ui ui{state,  out,      p.list,    p.entry, p.gesture, p.rest,        p.toasts, p.lab,
-        p.file, p.radius, p.dialogs, p.start, p.keys,    p.gl.renderer, scale,    {}};
+  const std::function<void()> begin_gesture = [&] { out.commands.push_back(edit::Command(edit::BeginGesture{})); };
+  const std::function<void(const std::string&)> warn = [&](const std::string& text) {
+    p.toasts.show(edit::NoticeKind::warning, text, state.seconds);
+  };
+  Ui ui{{p.list, p.entry, p.gesture, p.rest, begin_gesture, warn, scale, {}},
+        state,
+        out,
+        p.lab,
+        p.file,
+        p.radius,
+        p.keys,
+        p.gl.renderer};
   p.lay_out(ui, events, width, height);
   p.count_rest();
   ImGui::Render();
@@ -255,7 +248,7 @@ Output Host::build(const platform::Events& events, const State& state, int width
   p.lessons_widget.reset();
   if (state.lesson != nullptr)
     for (const Widget& widget : p.list.widgets())
-      if (widget.path == state.lesson->widget && widget.visible) p.lessons_widget = widget;
+      if (widget.is(state.lesson->widget) && widget.visible) p.lessons_widget = widget;
   out.view = p.view;
   out.hovered = p.hovered;
   return out;
@@ -269,7 +262,7 @@ void Host::draw(int width, int height) {
 
 std::vector<std::string> Host::set_keys(std::span<const exchange::KeyChoice> choices) {
   std::vector<std::string> problems;
-  parts_->keys = KeyMap::make(choices, problems);
+  parts_->keys = KeyMap::make(key_rows(), choices, problems);
   return problems;
 }
 

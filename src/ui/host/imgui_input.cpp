@@ -62,6 +62,23 @@ void set_modifiers(const platform::Modifiers& m) {
 #endif
 }
 
+void move_mouse(ImGuiIO& io, const platform::MouseMove& e) {
+#if IMGUI_VERSION_NUM >= 18700
+  io.AddMousePosEvent(e.x, e.y);
+#else
+  io.MousePos = {e.x, e.y};
+#endif
+}
+
+void turn_wheel(ImGuiIO& io, const platform::Wheel& e) {
+#if IMGUI_VERSION_NUM >= 18700
+  io.AddMouseWheelEvent(e.dx, e.dy);
+#else
+  io.MouseWheelH += e.dx;
+  io.MouseWheel += e.dy;
+#endif
+}
+
 }  // namespace
 
 void ImGuiInput::feed_key(const platform::KeyPress& event, bool text_has_keyboard) {
@@ -100,13 +117,7 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
 #endif
   for (const platform::Event& event : events) {
     std::visit(Overloaded{
-                   [&](const platform::MouseMove& e) {
-#if IMGUI_VERSION_NUM >= 18700
-                     io.AddMousePosEvent(e.x, e.y);
-#else
-                     io.MousePos = {e.x, e.y};
-#endif
-                   },
+                   [&](const platform::MouseMove& e) { move_mouse(io, e); },
                    [&](const platform::MouseButton& e) {
                      const auto button = static_cast<std::size_t>(e.button);
                      modifiers_ = e.modifiers;
@@ -118,14 +129,7 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
                      pressed[button] = pressed[button] || e.down;
 #endif
                    },
-                   [&](const platform::Wheel& e) {
-#if IMGUI_VERSION_NUM >= 18700
-                     io.AddMouseWheelEvent(e.dx, e.dy);
-#else
-                     io.MouseWheelH += e.dx;
-                     io.MouseWheel += e.dy;
-#endif
-                   },
+                   [&](const platform::Wheel& e) { turn_wheel(io, e); },
                    [&](const platform::KeyPress& e) {
                      modifiers_ = e.modifiers;
                      ctrl = ctrl || e.modifiers.ctrl;

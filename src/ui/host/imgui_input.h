@@ -1,5 +1,5 @@
-// Feeds a frame's events to Dear ImGui. Presses and releases within one frame are kept apart: ImGui sees the release a
-// frame later.
+// Feeds a frame's events to Dear ImGui. If a press and its release are in one frame, ImGui sees the release a frame
+// later.
 #pragma once
 
 #include <array>

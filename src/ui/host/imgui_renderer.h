@@ -1,5 +1,4 @@
-// Draws Dear ImGui's lists over our own GL table, the same on every surface. Colours go to the framebuffer as they are:
-// no gamma.
+// Draws Dear ImGui's draw lists with the program's GL table, the same on every surface. No gamma.
 #pragma once
 
 #include <memory>

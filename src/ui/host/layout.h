@@ -1,5 +1,5 @@
-// Where menu, columns, status bar and viewport lie in a window of a given size. Nothing overlaps; the viewport keeps
-// the rest.
+// Layout of menu, columns, laboratory, status bar and viewport in a window. Nothing overlaps; the viewport gets the
+// rest.
 #pragma once
 
 #include "view/camera.h"

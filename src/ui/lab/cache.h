@@ -1,5 +1,4 @@
-// What the laboratory's pages keep between frames: studies that are worth keeping while nothing they depend on changes,
-// and choices that are a page's own. Lives in the Host.
+// State of the laboratory's pages between frames: cached studies and the choices of each page. The Host owns it.
 #pragma once
 
 #include <array>
@@ -96,8 +95,8 @@ struct LabCache {
   std::string advice;
 };
 
-// The Lengths page's study of the probe's segment, and of the track as far as it has come: a part is added in each
-// frame.
+// Returns the study of the Lengths page: of the probe's segment, and of the track as far as it is done. Each frame adds
+// a slice.
 const LengthStudy& kept_lengths(Ui& ui, const Probe& probe);
 
 }  // namespace coaster::ui

@@ -10,7 +10,6 @@
 #include "curve/bernstein.h"
 #include "ui/lab/page_parts.h"
 #include "ui/lab/shapes.h"
-#include "ui/panels/panels.h"
 #include "world/layers.h"
 
 namespace coaster::ui {
@@ -70,10 +69,10 @@ void numbers_of(Ui& ui, const Probe& probe, const Triangle& triangle) {
     for (std::size_t i = 0; i + r < 4; ++i)
       triple(ui, kPaths[r][i], kNames[r][i], kLevelColours[r], triangle[r][i], 3, "m",
              r == 0 ? "A control point."
-                    : "(1 - t) times the point before it of the level above, plus t times the one after it.");
+                    : "(1 - t) times the previous point of the level above plus t times the next one.");
     if (r == 3)
       triple(ui, "Tangent", "T(t)", kTangentColour, curve::unit_tangent(probe.shape->key.cubic, probe.t), 3, "",
-             "The unit tangent: along the last line of the construction.");
+             "The unit tangent, along the last line of the construction.");
   }
 }
 
@@ -97,17 +96,17 @@ void picture(Ui& ui, const Probe& probe, const Triangle& triangle, float height)
       {"curve", curve.x, curve.y, kCurveColour, SeriesKind::line, 2.2f},
       {"tangent", arrow.x, arrow.y, kTangentColour, SeriesKind::line, 2.2f}};
   const Spot spots[] = {{at.x, at.y, kPointColour, "B(t)"}};
-  const auto drag = plot(ui, "Construction plot",
-                         {.x = {"along", "m"},
-                          .y = {"", "m"},
-                          .series = series,
-                          .spots = spots,
-                          .square = true,
-                          .drags_point = true,
-                          .value = significant(probe.t, 6, false),
-                          .height = height},
-                         "The four control points seen square on to the plane in which they spread most. Drag to move "
-                         "the probe along the curve.");
+  const auto drag =
+      plot(ui, "Construction plot",
+           {.x = {"along", "m"},
+            .y = {"", "m"},
+            .series = series,
+            .spots = spots,
+            .square = true,
+            .drags_point = true,
+            .value = significant(probe.t, 6, false),
+            .height = height},
+           "The four control points, projected onto their best-fit plane. Drag to move the probe along the curve.");
   if (drag) move_probe(ui, probe, nearest_t(curve, *drag));
 }
 

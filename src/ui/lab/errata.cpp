@@ -1,12 +1,12 @@
-// Errata: what the paper of 2012 claims and what holds, in numbers of the segment at hand.
+// Errata: claims of the 2012 paper and what holds, in numbers of the current segment.
 #include <imgui.h>
 
 #include <cmath>
 #include <string>
 
 #include "sim/study/live_errata.h"
+#include "ui/context/rows.h"
 #include "ui/lab/cache.h"
-#include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 #include "world/evaluation.h"

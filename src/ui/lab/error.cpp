@@ -1,4 +1,4 @@
-// Error: what rounding does to the chosen evaluator along the segment, beside its bound and beside another evaluator.
+// Error: rounding error of the selected evaluator along the segment, with its bound and a second evaluator.
 #include <imgui.h>
 
 #include <algorithm>
@@ -6,7 +6,6 @@
 #include <string>
 
 #include "ui/lab/cache.h"
-#include "ui/panels/panels.h"
 #include "world/evaluation.h"
 #include "world/lab_view.h"
 
@@ -55,16 +54,16 @@ void error_plot(Ui& ui, const Probe& probe, const ErrorStudy& one, const ErrorSt
                           .cursor = probe.t,
                           .height = height},
                          "Distance of each vertex from the exact point at the same t (de Casteljau in long double): "
-                         "float rounding alone. An error of 0 lies on the lower edge. "
-                         "The dashed line is what the method guarantees. Drag the cursor to move the probe.");
+                         "float rounding only. An error of 0 lies on the lower edge. The dashed line is the method's "
+                         "error bound. Drag the cursor to move the probe.");
   if (drag) move_probe(ui, probe, drag->x);
 }
 
 void comparison(Ui& ui) {
   std::vector<Choice> choices = choices_of<EvaluatorId>();
-  choices.insert(choices.begin(), {"nothing", "Only the chosen evaluator."});
+  choices.insert(choices.begin(), {"nothing", "No comparison."});
   if (const auto to =
-          combo(ui, "Beside", choices, ui.lab.compared + 1, "A second evaluator, drawn for comparison.", true))
+          combo(ui, "Compare with###Beside", choices, ui.lab.compared + 1, "A second evaluator for comparison.", true))
     ui.lab.compared = *to - 1;
 }
 
@@ -72,7 +71,7 @@ void side(Ui& ui, const ErrorStudy& one) {
   const world::Settings& settings = ui.session().settings;
   const auto steps =
       slider(ui, "Steps", settings.evaluation->steps, curve::kMinSteps, curve::kMaxSteps, true,
-             "Steps of each segment's polyline, 1 to 4096: more steps, more rounding in forward differences.");
+             "Steps per segment, 1 to 4096. With forward differences, more steps mean more rounding error.");
   if (steps) ui.emit(edit::Set<&world::Evaluation::steps>{*steps});
   comparison(ui);
   layer_box(ui, world::Layer::rounding);
@@ -83,14 +82,15 @@ void side(Ui& ui, const ErrorStudy& one) {
                              .low = 1,
                              .high = 1e7,
                              .largest = 1e15};
-  if (const auto to = number(ui, "Magnified", magnification,
-                             "How many times the rounding layer in the view magnifies the error, 1 to 10,000,000."))
+  if (const auto to = number(ui, "Magnification###Magnified", magnification,
+                             "Magnification of the error in the rounding layer, 1 to 10,000,000."))
     ui.emit(edit::Set<&world::LabView::magnification>{*to});
-  read_out(ui, "Largest error", significant(one.largest, 3), "mm", "Over the segment, of the chosen evaluator.");
+  read_out(ui, "Largest error", significant(one.largest, 3), "mm",
+           "Largest error of the selected evaluator on the segment.");
   read_out(ui, "Seam", significant(one.seam, 3), "mm",
-           "What the last step jumps by: the last vertex is pinned to p\u2083, so what was gathered on the way opens "
-           "there.");
-  read_out(ui, "Bound", significant(one.bound, 3), "mm", "What the method guarantees for this segment.");
+           "Length of the jump at the last step. The last vertex is pinned to p\u2083, so the accumulated error "
+           "appears there.");
+  read_out(ui, "Bound", significant(one.bound, 3), "mm", "Error bound of the method for this segment.");
 }
 
 }  // namespace

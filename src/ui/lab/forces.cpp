@@ -1,5 +1,5 @@
-// Forces: the whole ride of the selected cart, else the first, simulated over the present track: speed, height and g
-// over distance or time, what riders may not feel for that long, and which knot to move against it.
+// Forces: the simulated ride of the selected cart, else of the first: speed, height and g by distance or time,
+// overloads, and which knot to move to reduce them.
 #include <imgui.h>
 
 #include <algorithm>
@@ -10,7 +10,6 @@
 #include "sim/study/ratings.h"
 #include "ui/lab/cache.h"
 #include "ui/lab/table.h"
-#include "ui/panels/panels.h"
 #include "world/layers.h"
 
 namespace coaster::ui {
@@ -96,9 +95,9 @@ void force_plot(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study, int qu
   const std::vector<double>& x = over_time ? study.time : study.way;
   const Series series[] = {
       {"", x, study.values[which], row_colour(which), SeriesKind::line, 1.8f},
-      {quantity <= 2 ? "beyond the limit" : "", x, study.beyond[which], kBadColour, SeriesKind::line, 3.0f}};
+      {quantity <= 2 ? "over the limit" : "", x, study.beyond[which], kBadColour, SeriesKind::line, 3.0f}};
   const auto cursor = cursor_of(ui.session(), ghost, study);
-  Plot picture{.x = {over_time ? "time" : "way", over_time ? "s" : "m"},
+  Plot picture{.x = {over_time ? "time" : "distance", over_time ? "s" : "m"},
                .y = {kQuantities[quantity], kUnits[quantity]},
                .series = series,
                .empty = "no ride",
@@ -106,52 +105,49 @@ void force_plot(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study, int qu
                .height = height};
   if (cursor) picture.cursor = over_time ? cursor->time : cursor->way;
   if (const auto drag = plot(ui, label, picture,
-                             "The whole ride over the present track, riders of the middle car. Drag to put the train "
-                             "there; red: beyond what may last that long."))
+                             "The whole ride over the current track, for riders of the middle car. Drag to move the "
+                             "train. Red: overload."))
     seek_to(ui, ghost, study, drag->x);
 }
 
 void side(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study) {
   std::vector<Choice> choices;
   for (const char* name : kQuantities) choices.push_back({name, {}});
-  if (const auto to = combo(ui, "Left", choices, ui.lab.force_plots[0], "What the left plot shows."))
+  if (const auto to = combo(ui, "Left", choices, ui.lab.force_plots[0], "Quantity of the left plot."))
     ui.lab.force_plots[0] = *to;
-  if (const auto to = combo(ui, "Right", choices, ui.lab.force_plots[1], "What the right plot shows."))
+  if (const auto to = combo(ui, "Right", choices, ui.lab.force_plots[1], "Quantity of the right plot."))
     ui.lab.force_plots[1] = *to;
-  if (radio(ui, "Over way", !ui.lab.forces_over_time, "Plot over the way along the track."))
+  if (radio(ui, "By distance###Over way", !ui.lab.forces_over_time, "Plot by distance along the track."))
     ui.lab.forces_over_time = false;
   ImGui::SameLine();
-  if (radio(ui, "Over time", ui.lab.forces_over_time, "Plot over the time of the ride."))
+  if (radio(ui, "By time###Over time", ui.lab.forces_over_time, "Plot by time since the start."))
     ui.lab.forces_over_time = true;
-  if (button(ui, "Auto-bank",
-             "Roll every knot so that riders feel no lateral g there at the ghost's speed. One step of undo."))
+  if (button(ui, "Auto-bank", "Bank every knot so that riders feel no lateral g there. One undo step."))
     ui.emit(edit::AutoBank{});
   (void)beside_last(ui, base::row_of(world::Layer::limits).label);
   layer_box(ui, world::Layer::limits);
-  if (study.red.empty()) small_note(ui, "Nothing lasts longer than it may.");
+  if (study.red.empty()) small_note("All forces are within limits.");
   const sim::Ratings& r = study.ratings;
-  read_out(ui, ghost.lap ? "Lap time" : "Ride time", fixed(r.seconds, 2), "s", "Of the whole ride, by the ghost.");
-  read_out(ui, "Top speed", fixed(r.top_speed.value, 2), "m/s", "Anywhere in the ride.");
+  read_out(ui, ghost.lap ? "Lap time" : "Ride time", fixed(r.seconds, 2), "s", "Time of the whole simulated ride.");
+  read_out(ui, "Top speed", fixed(r.top_speed.value, 2), "m/s", "Highest speed of the ride.");
   read_out(ui, "Vertical", fixed(r.up_least.value, 2) + " .. " + fixed(r.up_most.value, 2), "g",
-           "Low-passed at 5 Hz, all cars.");
-  read_out(ui, "Lateral", fixed(r.side_most.value, 2), "g", "Largest to either side, low-passed.");
-  read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "With vertical g below 0.");
-  read_out(ui, "Inversions", std::to_string(r.inversions), "", "Times that riders are turned upside down.");
-  read_out(ui, "Excitement", fixed(r.excitement, 2), "",
-           "After OpenRCT2's published terms of g and drops, with real g.");
-  read_out(ui, "Intensity", fixed(r.intensity, 2), "", "The same.");
-  read_out(ui, "Nausea", fixed(r.nausea, 2), "", "The same.");
+           "Smallest and largest, low-pass filtered at 5 Hz, all cars.");
+  read_out(ui, "Lateral", fixed(r.side_most.value, 2), "g", "Largest to either side, low-pass filtered.");
+  read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "Time with vertical g below 0.");
+  read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
+  read_out(ui, "Excitement", fixed(r.excitement, 2), "", "After OpenRCT2's published rating terms, with real g.");
+  read_out(ui, "Intensity", fixed(r.intensity, 2), "", "After OpenRCT2's published rating terms, with real g.");
+  read_out(ui, "Nausea", fixed(r.nausea, 2), "", "After OpenRCT2's published rating terms, with real g.");
 }
 
 constexpr TableColumn kRedColumns[] = {
-    {"Where", "m", 1.2f, "Along the track. Click to put the train there."},
-    {"Force", "", 1.6f, "Which way riders are pressed."},
-    {"Is", "g", 0.8f, "Low-passed, where it is furthest beyond."},
-    {"May", "g", 0.8f,
-     "What may last that long by the envelope (its file: the command envelope). Not a compliance check."}};
+    {"Where", "m", 1.2f, "Distance along the track. Click to move the train there."},
+    {"Force", "", 1.6f, "Direction of the force."},
+    {"Actual###Is", "g", 0.8f, "Low-pass filtered, where the limit is exceeded most."},
+    {"Limit###May", "g", 0.8f, "Limit for this duration by the envelope (command envelope). Not a compliance check."}};
 
 std::string advice_text(const edit::Session& session, const std::optional<sim::Advice>& advice) {
-  if (!advice) return "No single move of a knot nearby helps.";
+  if (!advice) return "Moving one nearby knot does not help.";
   constexpr const char* kNames[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
     const float part = advice->direction[axis];
@@ -167,14 +163,13 @@ std::string advice_text(const edit::Session& session, const std::optional<sim::A
 void red_table(Ui& ui, const ForceStudy& study, float height, bool brief) {
   const edit::Session& session = ui.session();
   if (ui.lab.red_chosen < static_cast<int>(study.red.size())) {
-    if (button(ui, "What helps?",
-               "Tries moves of the knots around the chosen stretch, each with a whole ride, and says which lowers it "
-               "most.",
+    if (button(ui, "Suggest a fix###What helps?",
+               "Try moves of the knots near the selected overload and report the one that reduces it most.",
                ui.lab.red_chosen >= 0))
       ui.lab.advice =
           advice_text(session, sim::advise(session.document, edit::chosen_cart(session), session.limits.envelope,
                                            study.red[static_cast<std::size_t>(ui.lab.red_chosen)]));
-    if (!ui.lab.advice.empty()) small_note(ui, ui.lab.advice);
+    if (!ui.lab.advice.empty()) small_note(ui.lab.advice);
     height -= 2 * ImGui::GetFrameHeightWithSpacing();
   }
   if (!begin_table(ui, "Red spans", kRedColumns, height)) return;
@@ -185,7 +180,7 @@ void red_table(Ui& ui, const ForceStudy& study, float height, bool brief) {
                           {fixed(span.worst, 2), kBadColour},
                           {fixed(span.allowed, 2)}};
     if (!table_row(ui, "Span " + std::to_string(i + 1), cells, ui.lab.red_chosen == static_cast<int>(i),
-                   fixed(span.worst, 2), "Click to put the train there."))
+                   fixed(span.worst, 2), "Click to move the train there."))
       continue;
     ui.lab.red_chosen = static_cast<int>(i);
     ui.lab.advice.clear();
@@ -201,7 +196,7 @@ void forces_page(Ui& ui) {
   const edit::Session& session = ui.session();
   const sim::Ghost* const ghost = ui.find(edit::Want::ride).ride;
   if (!ghost) {
-    small_note(ui, "A ride needs a cart: add one in the Track panel.");
+    small_note("No cart: add one in the Track panel.");
     return;
   }
   const ForceStudy& study = ui.lab.forces.get({ghost->serial, session.limits.serial}, [&] {

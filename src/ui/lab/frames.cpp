@@ -1,5 +1,4 @@
-// Frames: how carts are turned along the track, curvature and torsion of the segment, and where Frenet-Serret gives no
-// frame.
+// Frames: orientation of carts along the track, curvature and torsion of the segment, and where Frenet-Serret fails.
 #include <imgui.h>
 
 #include <cmath>
@@ -8,7 +7,6 @@
 
 #include "sim/shape/frame_methods.h"
 #include "ui/lab/cache.h"
-#include "ui/panels/panels.h"
 #include "world/layers.h"
 
 namespace coaster::ui {
@@ -50,18 +48,18 @@ void bend_plot(Ui& ui, const Probe& probe, const BendStudy& study, bool torsion,
                           .empty = "straight: no torsion",
                           .width = width,
                           .height = height},
-                         torsion ? "Torsion, det(B', B'', B''') / |B' \u00D7 B''|\u00B2, over arc length: how the "
-                                   "Frenet frame turns about the tangent. A gap where the frame is undefined."
-                                 : "Curvature, |B' \u00D7 B''| / |B'|\u00B3, over arc length. Where it is 0 the Frenet "
+                         torsion ? "Torsion, det(B', B'', B''') / |B' \u00D7 B''|\u00B2, by arc length: rotation of "
+                                   "the Frenet frame about the tangent. Gaps where the frame is undefined."
+                                 : "Curvature, |B' \u00D7 B''| / |B'|\u00B3, by arc length. Where it is 0 the Frenet "
                                    "normal is undefined and may flip.");
   if (drag) move_probe(ui, probe, probe.shape->arc.parameter(drag->x));
 }
 
 void frame_choice(Ui& ui) {
   const world::FrameMethod current = ui.session().settings.frames;
-  if (const auto to = combo_of(
-          ui, "Turned by", current,
-          "How carts and the ride camera are turned along the track. " + std::string(base::row_of(current).formula)))
+  if (const auto to =
+          combo_of(ui, "Frame method###Turned by", current,
+                   "Orients carts and the ride camera along the track. " + std::string(base::row_of(current).formula)))
     ui.emit(edit::Set<&world::Settings::frames>{*to});
 }
 
@@ -75,20 +73,20 @@ void side(Ui& ui, const Probe& probe) {
     layer_box(ui, layer);
   }
   read_out(ui, "Curvature", fixed(curve::curvature(probe.shape->key.cubic, probe.t), 5), "1/m",
-           "At the probe: one over the radius of the osculating circle.");
+           "Curvature at the probe: 1 / radius of the osculating circle.");
   const auto frame = curve::frenet(probe.shape->key.cubic, probe.t);
   read_out(ui, "Torsion", frame ? fixed(frame->torsion, 5) : "--", "1/m",
-           "At the probe; undefined where there is no curvature.");
+           "Torsion at the probe. Undefined where curvature is 0.");
   const double left_over = sim::loop_twist(derived) * kDegrees;
-  read_out(ui, "Twist left over", derived.closed ? fixed(left_over, 2) : "--", "\u00B0",
-           "What a rotation-minimising frame has turned by after one round of a closed track; spread linearly in arc "
+  read_out(ui, "Closing twist###Twist left over", derived.closed ? fixed(left_over, 2) : "--", "\u00B0",
+           "Rotation of a rotation-minimising frame after one lap of a closed track. It is distributed linearly in arc "
            "length.");
   std::size_t flips = 0, undefined = 0;
   for (const sim::FrenetBreak& at : ui.find(edit::Want::breaks).breaks)
     ++(at.kind == sim::FrenetBreak::Kind::flip ? flips : undefined);
-  read_out(ui, "Frenet flips", std::to_string(flips), "", "Places of the track where the Frenet normal turns over.");
+  read_out(ui, "Frenet flips", std::to_string(flips), "", "Number of places where the Frenet normal flips.");
   read_out(ui, "Undefined", std::to_string(undefined), "",
-           "Stretches of the track without curvature, where there is no Frenet normal.");
+           "Number of stretches without curvature, where the Frenet normal is undefined.");
 }
 
 }  // namespace

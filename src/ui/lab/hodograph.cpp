@@ -1,4 +1,4 @@
-// Hodograph: the derivative B'(t) as a curve of its own about the origin, and its length over t.
+// Hodograph: the derivative B'(t) as a curve, and its length by t.
 #include <imgui.h>
 
 #include <array>
@@ -6,7 +6,6 @@
 
 #include "ui/lab/page_parts.h"
 #include "ui/lab/shapes.h"
-#include "ui/panels/panels.h"
 
 namespace coaster::ui {
 namespace {
@@ -47,7 +46,7 @@ void shape_plot(Ui& ui, const Probe& probe, const Derivative& d, float width, fl
   const Spot spots[] = {{0, 0, 0x9AA3B2, "0"}, {d.probe.x[1], d.probe.y[1], kPointColour, ""}};
   (void)plot(ui, "Hodograph plot",
              {.x = {"B'", "m"},
-              .y = {"B' seen in its plane", "m"},
+              .y = {"B' in its plane", "m"},
               .series = series,
               .spots = spots,
               .square = true,
@@ -55,25 +54,24 @@ void shape_plot(Ui& ui, const Probe& probe, const Derivative& d, float width, fl
               .width = width,
               .height = height},
              "The hodograph: B'(t) = 3 [(1-t)\u00B2 (p1-p0) + 2t(1-t) (p2-p1) + t\u00B2 (p3-p2)], drawn from the "
-             "origin in the plane in which it spreads most. "
-             "Where it passes through the origin the curve has a cusp.");
+             "origin in its best-fit plane. Where it passes through the origin the curve has a cusp.");
 }
 
 void size_plot(Ui& ui, const Probe& probe, const Derivative& d, float width, float height) {
   const Series series[] = {{"", d.t, d.size, kCurveColour, SeriesKind::line, 2.0f}};
   const Spot spots[] = {{probe.t, glm::length(curve::derivative(probe.shape->key.cubic, probe.t)), kPointColour, ""}};
   const Level mean{"mean", probe.shape->arc.length(), kConstructionColour};
-  const auto drag = plot(
-      ui, "Speed plot",
-      {.x = {"t", "", AxisScale::linear, 0, 1},
-       .y = {"|B'(t)|", "m", AxisScale::linear, 0, {}},
-       .series = series,
-       .levels = {&mean, 1},
-       .spots = spots,
-       .cursor = probe.t,
-       .width = width,
-       .height = height},
-      "The speed of the parameter, |B'(t)|: its mean over t is the arc length. Drag the cursor to move the probe.");
+  const auto drag =
+      plot(ui, "Speed plot",
+           {.x = {"t", "", AxisScale::linear, 0, 1},
+            .y = {"|B'(t)|", "m", AxisScale::linear, 0, {}},
+            .series = series,
+            .levels = {&mean, 1},
+            .spots = spots,
+            .cursor = probe.t,
+            .width = width,
+            .height = height},
+           "Parametric speed |B'(t)|. Its mean over t is the arc length. Drag the cursor to move the probe.");
   if (drag) move_probe(ui, probe, drag->x);
 }
 
@@ -90,7 +88,7 @@ void hodograph_page(Ui& ui) {
   triple(ui, "B'(t)", "B'(t)", kTangentColour, b, 3, "m", "The derivative with respect to t at the probe.");
   triple(ui, "B''(t)", "B''(t)", kConstructionColour, curve::second_derivative(probe->shape->key.cubic, probe->t), 3,
          "m", "The second derivative at the probe.");
-  read_out(ui, "|B'(t)|", fixed(glm::length(b), 3), "m", "Metres of track for one unit of t, here.");
+  read_out(ui, "|B'(t)|", fixed(glm::length(b), 3), "m", "Metres of track per unit of t at the probe.");
   read_out(ui, "Curvature", fixed(curve::curvature(probe->shape->key.cubic, probe->t), 5), "1/m",
            "|B' \u00D7 B''| / |B'|\u00B3.");
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);

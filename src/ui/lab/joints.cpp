@@ -1,4 +1,4 @@
-// Joints: how smoothly each pair of segments meets, what it does to the riders, and the buttons that mend it.
+// Joints: continuity of each joint, what riders feel there, and the buttons that repair it.
 #include <imgui.h>
 
 #include <algorithm>
@@ -6,9 +6,9 @@
 #include <string>
 
 #include "sim/study/live_errata.h"
+#include "ui/context/rows.h"
 #include "ui/lab/cache.h"
 #include "ui/lab/table.h"
-#include "ui/panels/panels.h"
 
 namespace coaster::ui {
 namespace {
@@ -53,15 +53,15 @@ double present_speed(Ui& ui) {
 }
 
 constexpr TableColumn kJointColumns[] = {
-    {"Knot", "", 1.0f, "The knot of the joint. Click a row to select it."},
+    {"Knot", "", 1.0f, "Knot of the joint. Click a row to select it."},
     {"Shape", "", 0.9f, "Geometric continuity: G0 meets, G1 one tangent line, G2 one curvature too."},
     {"Param.", "", 0.9f,
      "Parametric continuity: C1 has equal first derivatives, C2 equal second ones. More than G1, G2."},
     {"Angle", "\u00B0", 1.1f, "Angle between the two tangents."},
     {"Ratio", "", 1.0f, "|C'(0)| / |B'(1)|: 1 for C1."},
-    {"Jump", "1/m", 1.3f, "Size of the difference of the curvature vectors."},
+    {"Jump", "1/m", 1.3f, "Length of the difference between the curvature vectors."},
     {"g-step", "g", 1.2f,
-     "v\u00B2 |\u0394\u03BA| / g: the jump of the force on a rider at the first cart's present speed."},
+     "v\u00B2 |\u0394\u03BA| / g: jump of the force on a rider at the first cart's current speed."},
 };
 
 void row_of(Ui& ui, const JointRow& row, double speed) {
@@ -91,26 +91,25 @@ void side(Ui& ui, const JointList& list, double speed) {
   const bool mendable = name != nullptr && joint != list.rows.end() && joint->joint.geometric < curve::Geometric::g2;
   const float width = std::floor((ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2);
   if (button(ui, "Make G2",
-             "Give the selected joint one curvature by moving the least (least squared movement of the control "
-             "points). The other joints keep their class, or it refuses and says why. Undo takes it back.",
+             "Make curvature continuous at the selected joint with the smallest movement of control points (least "
+             "squares). Other joints keep their continuity. If that is impossible, the reason is reported.",
              mendable, width))
     ui.emit(edit::MakeG2{{*name}});
   ImGui::SameLine();
-  if (button(ui, "Make all G2", "The same for every joint of the track, in one step of undo.", !list.rows.empty(),
-             width))
+  if (button(ui, "Make all G2", "Make every joint G2, in one undo step.", !list.rows.empty(), width))
     ui.emit(edit::MakeAllG2{});
   const auto smooth = std::count_if(list.rows.begin(), list.rows.end(),
                                     [](const JointRow& row) { return row.joint.geometric >= curve::Geometric::g2; });
   const double largest = list.rows.empty() ? 0 : list.rows[list.by_jump.front()].joint.curvature_jump;
-  read_out(ui, "All joints", std::to_string(list.rows.size()), "", "Places where two segments meet.");
-  read_out(ui, "Of them G2", std::to_string(smooth), "", "Joints with one curvature on both sides.");
-  read_out(ui, "Speed", fixed(speed, 2), "m/s", "Of the first cart, now: what the g-steps are computed with.");
+  read_out(ui, "All joints", std::to_string(list.rows.size()), "", "Number of joints between segments.");
+  read_out(ui, "G2 joints###Of them G2", std::to_string(smooth), "", "Joints with continuous curvature.");
+  read_out(ui, "Speed", fixed(speed, 2), "m/s", "Current speed of the first cart. The g-steps use it.");
   read_out(ui, "Largest g-step", fixed(sim::g_step(largest, speed), 2), "g",
-           "The hardest knock of the track at this speed.");
-  if (radio(ui, "Track order", !ui.lab.joints_by_jump, "List the joints as they come along the track."))
+           "Largest g-step of the track at this speed.");
+  if (radio(ui, "Track order", !ui.lab.joints_by_jump, "List the joints in track order."))
     ui.lab.joints_by_jump = false;
   ImGui::SameLine();
-  if (radio(ui, "Hardest first", ui.lab.joints_by_jump, "List the joints with the largest step first."))
+  if (radio(ui, "Largest first###Hardest first", ui.lab.joints_by_jump, "List the joints by g-step, largest first."))
     ui.lab.joints_by_jump = true;
 }
 
@@ -123,7 +122,7 @@ void joints_page(Ui& ui) {
   side(ui, list, speed);
   const float height = page.pictures();
   if (list.rows.empty()) {
-    small_note(ui, "A joint is where two segments meet: this track has none yet.");
+    small_note("No joints yet. A joint connects two segments.");
     return;
   }
   if (!begin_table(ui, "Joints table", kJointColumns, height)) return;

@@ -1,39 +1,38 @@
-// The laboratory's strip: its bar of page names, and the chosen page below it.
+#include "ui/lab/laboratory.h"
+
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "base/check.h"
-#include "ui/actions/key_map.h"
-#include "ui/lab/cache.h"
-#include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 #include "world/lab_view.h"
 #include "world/look.h"
 
 namespace coaster::ui {
+
+#define COASTER_PAGE(name, label, help) void name##_page(Ui& ui);
+COASTER_LAB_PAGES(COASTER_PAGE)
+#undef COASTER_PAGE
+
 namespace {
 
+// Rows of world::lab_pages(), in its order.
+constexpr void (*kBuild[])(Ui& ui) = {
+#define COASTER_PAGE(name, label, help) name##_page,
+    COASTER_LAB_PAGES(COASTER_PAGE)
+#undef COASTER_PAGE
+};
+
 constexpr const char* kTooltip =
-    "The laboratory: how the curve is constructed, evaluated, measured, framed and joined, live on the selected "
-    "segment.";
+    "The laboratory: construction, evaluation, measurement, frames and joints of the selected segment, live.";
 
 bool is_open(const Ui& ui) { return ui.session().settings.look->show_laboratory; }
 int chosen_page(const Ui& ui) { return static_cast<int>(ui.session().settings.lab->page); }
 void show(Ui& ui, bool on) { ui.emit(edit::Set<&world::Look::show_laboratory>{on}); }
 void choose(Ui& ui, int page) { ui.emit(edit::Set<&world::LabView::page>{static_cast<world::LabPage>(page)}); }
-
-std::vector<const Panel*> pages() {
-  std::vector<const Panel*> result;
-  for (const Panel& panel : panels())
-    if (panel.column == Column::bottom) result.push_back(&panel);
-  COASTER_CHECK(result.size() == world::lab_pages().size(),
-                "every page of the laboratory has its row in the table of panels");
-  return result;
-}
 
 void draw_triangle(const Ui& ui, ImVec2 low, float size, bool open) {
   const ImVec2 c(std::floor(low.x + size * 0.5f), std::floor(low.y + size * 0.5f));
@@ -66,9 +65,9 @@ void fold_button(Ui& ui, float bar, bool named, ImFont* font) {
   if (pressed) show(ui, !is_open(ui));
 }
 
-void tab(Ui& ui, const Panel& page, int index, float bar, float pad, ImFont* font) {
+void tab(Ui& ui, const base::NameRow& page, int index, float bar, float pad, ImFont* font) {
   ImGui::PushFont(font);
-  const ImVec2 low = ImGui::GetCursorScreenPos(), size = text_size(page.name);
+  const ImVec2 low = ImGui::GetCursorScreenPos(), size = text_size(page.label);
   const ImVec2 high(std::floor(low.x + size.x + 2 * pad), low.y + bar);
   const bool on = is_open(ui) && chosen_page(ui) == index;
   const bool pressed = ImGui::InvisibleButton(page.name.data(), {high.x - low.x, bar});
@@ -76,34 +75,34 @@ void tab(Ui& ui, const Panel& page, int index, float bar, float pad, ImFont* fon
   if (ImGui::IsItemHovered() || on) list.AddRectFilled(low, high, packed(palette().field, on ? 1.0f : 0.7f));
   if (on) list.AddRectFilled(low, {high.x, low.y + std::max(2.0f, std::floor(2 * ui.scale))}, packed(palette().accent));
   list.AddText({std::floor(low.x + pad), std::floor(low.y + (bar - size.y) * 0.5f)},
-               packed(on ? palette().text : palette().dim), page.name.data(), page.name.data() + page.name.size());
+               packed(on ? palette().text : palette().dim), page.label.data(), page.label.data() + page.label.size());
   ImGui::PopFont();
-  note(ui, page.name, "radio", page.help, true, on ? "on" : "off", low, high);
+  note(ui, page.label, "radio", page.help, true, on ? "on" : "off", low, high);
   if (!pressed || on) return;
   choose(ui, index);
   if (!is_open(ui)) show(ui, true);
 }
 
-float width_of(std::span<const Panel* const> all, float pad, ImFont* font) {
+float width_of(std::span<const base::NameRow> all, float pad, ImFont* font) {
   float width = 0;
-  for (const Panel* page : all)
+  for (const base::NameRow& page : all)
     width += std::floor(
-        font->CalcTextSizeA(font->FontSize, 1e9f, 0, page->name.data(), page->name.data() + page->name.size()).x +
+        font->CalcTextSizeA(font->FontSize, 1e9f, 0, page.label.data(), page.label.data() + page.label.size()).x +
         2 * pad);
   return width;
 }
 
 // A list of the pages, where their names do not fit side by side.
-void page_list(Ui& ui, std::span<const Panel* const> all) {
+void page_list(Ui& ui, std::span<const base::NameRow> all) {
   std::vector<Choice> choices;
-  for (const Panel* page : all) choices.push_back({std::string(page->name), std::string(page->help)});
-  const auto chosen = combo(ui, "Page", choices, chosen_page(ui), "Which page of the laboratory shows.", true);
+  for (const base::NameRow& page : all) choices.push_back({std::string(page.label), std::string(page.help)});
+  const auto chosen = combo(ui, "Page", choices, chosen_page(ui), "Page of the laboratory.", true);
   if (!chosen) return;
   choose(ui, *chosen);
   if (!is_open(ui)) show(ui, true);
 }
 
-void build_bar(Ui& ui, std::span<const Panel* const> all, float width, float bar) {
+void build_bar(Ui& ui, std::span<const base::NameRow> all, float width, float bar) {
   ImFont* const large = ImGui::GetFont();
   ImFont* const small = small_font();
   const float name = large->CalcTextSizeA(large->FontSize, 1e9f, 0, "Laboratory").x + std::floor(20 * ui.scale);
@@ -119,7 +118,7 @@ void build_bar(Ui& ui, std::span<const Panel* const> all, float width, float bar
     fold_button(ui, bar, fit.named, large);
     for (std::size_t i = 0; i < all.size(); ++i) {
       ImGui::SameLine(0, 0);
-      tab(ui, *all[i], static_cast<int>(i), bar, pad, fit.font);
+      tab(ui, all[i], static_cast<int>(i), bar, pad, fit.font);
     }
     return;
   }
@@ -137,7 +136,7 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
 void build_laboratory(Ui& ui, const view::Viewport& area) {
   if (area.width < 1 || area.height < 1) return;
   const float bar = std::min(ImGui::GetFrameHeight(), area.height);
-  const std::vector<const Panel*> all = pages();
+  const std::span<const base::NameRow> all = world::lab_pages();
   ui.panel = "Laboratory";
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
@@ -153,7 +152,7 @@ void build_laboratory(Ui& ui, const view::Viewport& area) {
     ImGui::SetNextWindowSize({area.width, area.height - bar});
     if (ImGui::Begin("##page", nullptr, kFixed)) {
       ImGui::PushID(index);
-      all[static_cast<std::size_t>(index)]->build(ui);
+      kBuild[index](ui);
       ImGui::PopID();
     }
     ImGui::End();

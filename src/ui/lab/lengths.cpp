@@ -1,5 +1,4 @@
-// Lengths: every arc-length method on the selected segment and on the whole track, and how its error falls with the
-// work it does.
+// Lengths: every arc-length method on the selected segment and on the whole track, and its error by work.
 #include <imgui.h>
 
 #include <algorithm>
@@ -9,7 +8,6 @@
 
 #include "ui/lab/cache.h"
 #include "ui/lab/table.h"
-#include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
 #include "world/evaluation.h"
 
@@ -19,19 +17,19 @@ namespace {
 using curve::ArcLengthMethod;
 using curve::LengthControl;
 
-constexpr TableColumn kMethod{"Method", "", 3.3f,
-                              "Rows of the table of arc-length methods; the colour is that of the plot. Click a row to "
-                              "choose the displayed length's method."};
+constexpr TableColumn kMethod{
+    "Method", "", 3.3f,
+    "Arc-length methods, in the colours of the plot. Click a row to select the method of the displayed length."};
 constexpr TableColumn kOfSegment[] = {
-    {"Length", "m", 1.3f, "Of the selected segment."},
-    {"Error", "m", 1.2f, "Distance from the reference, 40-node Gauss-Legendre in long double."},
-    {"Work", "", 0.8f, "Evaluations of |B'(t)|, or chords: square roots taken."},
+    {"Length", "m", 1.3f, "Length of the selected segment."},
+    {"Error", "m", 1.2f, "Difference from the reference, 40-node Gauss-Legendre in long double."},
+    {"Work", "", 0.8f, "Evaluations of |B'(t)| or chords: number of square roots."},
     {"Time", "\u00B5s", 0.9f,
-     "Of one measurement of the segment, the median of several, taken when the segment or the steps last changed."},
+     "Time of one measurement, the median of several, taken when the segment or the steps last changed."},
 };
 constexpr TableColumn kOfTrack[] = {
-    {"Track", "m", 1.4f, "Sum over all segments, with the same demand for each."},
-    {"Track error", "m", 1.3f, "Of the whole track's length."},
+    {"Track", "m", 1.4f, "Sum over all segments, with the same tolerance for each."},
+    {"Track error", "m", 1.3f, "Error of the track's length."},
 };
 
 std::string signed_error(double error) { return (error < 0 ? "\u2212" : "") + significant(std::abs(error), 2); }
@@ -72,10 +70,10 @@ void lengths_table(Ui& ui, const LengthStudy& study, bool segment, bool track, f
 // What the table speaks of, where it has not room for both.
 void choose_columns(Ui& ui) {
   ImGui::PushFont(small_font());
-  if (radio(ui, "Segment", !ui.lab.lengths_of_track, "List the selected segment's length by every method."))
+  if (radio(ui, "Segment", !ui.lab.lengths_of_track, "List the segment's length by every method."))
     ui.lab.lengths_of_track = false;
   ImGui::SameLine();
-  if (radio(ui, "Track", ui.lab.lengths_of_track, "List the whole track's length by every method."))
+  if (radio(ui, "Track", ui.lab.lengths_of_track, "List the track's length by every method."))
     ui.lab.lengths_of_track = true;
   ImGui::PopFont();
 }
@@ -93,8 +91,8 @@ void convergence_plot(Ui& ui, const LengthStudy& study, float width, float heigh
               .series = series,
               .width = width,
               .height = height},
-             "How the relative error on the selected segment falls as a method does more work: steep is good, and the "
-             "lower left corner is better. Below 1e-16 is rounding.");
+             "Relative error on the selected segment by work. Steeper and further to the lower left is better. Below "
+             "1e-16 is rounding.");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Measurements: every evaluator's time and worst error at several resolutions, measured on this machine when asked for.
+// Measurements: time and largest error of every evaluator at several resolutions, measured on this machine on request.
 #include <imgui.h>
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 
 #include "ui/lab/cache.h"
 #include "ui/lab/table.h"
-#include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 #include "world/evaluation.h"
@@ -32,12 +31,12 @@ std::uint32_t heat(double value, const Extent& all) {
 
 void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, float height) {
   std::vector<TableColumn> columns{
-      {time ? "Time (ns a point) at steps" : "Worst error (mm) at steps", "", 2.9f,
-       time ? "Nanoseconds a point: the median of the rounds so far."
-            : "Largest distance of a vertex from the exact point, over the curves of the track."}};
+      {time ? "Time (ns per point) at steps" : "Worst error (mm) at steps", "", 2.9f,
+       time ? "Nanoseconds per point: the median of the rounds so far."
+            : "Largest distance of a vertex from the exact point, over all curves of the track."}};
   std::vector<std::string> titles;
   for (const int steps : sim::kMeasuredSteps) titles.push_back(std::to_string(steps));
-  for (const std::string& title : titles) columns.push_back({title, "", 1.0f, "Steps a segment."});
+  for (const std::string& title : titles) columns.push_back({title, "", 1.0f, "Steps per segment."});
   Extent all;
   for (const sim::MeasuredRow& row : m.rows)
     for (const sim::MeasuredCell& cell : row.cells)
@@ -76,22 +75,22 @@ void progress_bar(Ui& ui, double part) {
   if (part > 0)
     list.AddRectFilled(low, {low.x + (high.x - low.x) * static_cast<float>(part), high.y}, packed(palette().accent), 3);
   ImGui::Dummy({high.x - low.x, high.y - low.y});
-  note_item(ui, "Progress", "label", "How much of the table is measured.", true, fixed(part * 100, 0) + " %");
+  note_item(ui, "Progress", "label", "Part of the table that is measured.", true, fixed(part * 100, 0) + " %");
 }
 
 void side(Ui& ui) {
   const edit::Session& session = ui.session();
   const sim::Measurement& m = session.measuring.measurement;
   const float width = std::floor((ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2);
-  if (button(ui, "Measure",
-             "Measure time and error of every evaluator on this machine, on curves of this track: some seconds, a part "
-             "in each frame.",
-             !m.running && !session.derived.order.empty(), width))
+  if (button(
+          ui, "Measure",
+          "Measure time and error of every evaluator on this machine, on the curves of this track. Takes some seconds.",
+          !m.running && !session.derived.order.empty(), width))
     ui.emit(edit::Measure{});
   ImGui::SameLine();
-  if (button(ui, "Stop", "Stop measuring; what is measured stays.", m.running, width)) ui.emit(edit::StopMeasuring{});
+  if (button(ui, "Stop", "Stop measuring. Results so far are kept.", m.running, width)) ui.emit(edit::StopMeasuring{});
   progress_bar(ui, sim::progress(m));
-  if (const auto to = text(ui, "CSV file", ui.lab.csv, "Where the table is written to, as comma-separated values."))
+  if (const auto to = text(ui, "CSV file", ui.lab.csv, "File for the table, as comma-separated values."))
     ui.lab.csv = *to;
   if (button(ui, "Export CSV", "Write the table to the file.", !m.rows.empty() && !ui.lab.csv.empty()))
     ui.emit(edit::SaveMeasurements{ui.lab.csv});
@@ -105,16 +104,15 @@ void measurements_page(Ui& ui) {
   side(ui);
   const bool beside = page.pictures_width() > 620 * ui.scale;
   if (!beside && !m.rows.empty()) {
-    if (radio(ui, "Time", ui.lab.show_times, "Show nanoseconds a point.")) ui.lab.show_times = true;
+    if (radio(ui, "Time", ui.lab.show_times, "Show nanoseconds per point.")) ui.lab.show_times = true;
     ImGui::SameLine();
-    if (radio(ui, "Error", !ui.lab.show_times, "Show the worst error.")) ui.lab.show_times = false;
+    if (radio(ui, "Error", !ui.lab.show_times, "Show the largest error.")) ui.lab.show_times = false;
   }
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(14 * ui.scale);
   if (m.rows.empty()) {
-    small_note(ui,
-               "Nothing is measured yet: press Measure. Every evaluator then computes the curves of this track at 16 "
-               "to 4096 steps a segment, and the table shows the "
-               "nanoseconds a point and the largest error of each, on this machine.");
+    small_note(
+        "No measurements yet. Press Measure: every evaluator computes the curves of this track at 16 to 4096 steps per "
+        "segment. The table shows nanoseconds per point and the largest error of each, on this machine.");
     return;
   }
   if (beside) {

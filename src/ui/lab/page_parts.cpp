@@ -8,7 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/actions/key_map.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 #include "world/lab_view.h"
@@ -44,13 +43,7 @@ std::optional<Probe> probe_of(const edit::Session& session) {
 
 std::optional<Probe> need_probe(Ui& ui) {
   const auto probe = probe_of(ui.session());
-  if (!probe) {
-    const std::string_view words = "Place two knots to have a segment: click on the ground.";
-    ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
-    ImGui::TextWrapped("%s", std::string(words).c_str());
-    ImGui::PopStyleColor();
-    note_item(ui, "No segment", "label", "", true, std::string(words));
-  }
+  if (!probe) paragraph(ui, "No segment", "No segment yet. Click on the ground to place two knots.", palette().dim);
   return probe;
 }
 
@@ -59,7 +52,7 @@ void move_probe(Ui& ui, const Probe& probe, double t) { ui.emit(edit::Select{{pr
 void probe_slider(Ui& ui, const Probe& probe) {
   const auto to = real_slider(
       ui, "t", probe.t, 0, 1, 3,
-      "The parameter of the probe, 0 at the segment's start, 1 at its end. Also dragged along the curve in the view.");
+      "Parameter of the probe: 0 at the segment's start, 1 at its end. Or drag the probe along the curve in the view.");
   if (to) move_probe(ui, probe, *to);
 }
 
@@ -119,13 +112,6 @@ void colour_value(Ui& ui, std::uint32_t rgb, std::string_view path, std::string_
   ImGui::PopFont();
 }
 
-void colouring_box(Ui& ui) {
-  if (const auto to = combo_of(
-          ui, "Colour by", ui.session().settings.lab->colouring,
-          with_keys(ui.keys, "What the track's colours mean; a legend shows in the view.", "Next track colours")))
-    ui.emit(edit::Set<&world::LabView::colouring>{*to});
-}
-
 void layer_box(Ui& ui, world::Layer layer) {
   const base::NameRow& row = base::row_of(layer);
   const std::string panel = std::exchange(ui.panel, ui.panel + "/View");  // pages and layers share names
@@ -178,15 +164,10 @@ void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t
   ImGui::PopFont();
 }
 
-void small_note(Ui& ui, std::string_view words) {
+void small_note(std::string_view words) {
   ImGui::PushFont(small_font());
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(words.data(), words.data() + words.size());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+  tinted(words, palette().dim);
   ImGui::PopFont();
-  (void)ui;
 }
 
 void colour_key(Ui& ui, std::uint32_t rgb, std::string_view label, std::string_view tooltip) {
@@ -197,8 +178,9 @@ void colour_key(Ui& ui, std::uint32_t rgb, std::string_view label, std::string_v
                                             packed(ink(rgb)), 2);
   ImGui::Dummy({mark * 1.6f, line});
   ImGui::SameLine(0, std::floor(6 * ui.scale));
-  ImGui::TextUnformatted(label.data(), label.data() + label.size());
-  note(ui, label, "label", tooltip, true, std::string(label), at, ImGui::GetItemRectMax());
+  const std::string_view words = shown(label);
+  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  note(ui, label, "label", tooltip, true, std::string(words), at, ImGui::GetItemRectMax());
 }
 
 std::uint32_t row_colour(std::size_t row) {

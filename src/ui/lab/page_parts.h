@@ -1,5 +1,4 @@
-// What the laboratory's pages share: the probe they are about, the strip's layout, and the studies they keep while
-// nothing they depend on changes.
+// Shared parts of the laboratory's pages: the probe, the layout, cached studies and small widgets.
 #pragma once
 
 #include <memory>
@@ -8,14 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "ui/context/ui.h"
 #include "ui/plots/plot.h"
-#include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
 
-// The segment that the pages speak of and the place on it: the selected segment; else the one that a selected knot
-// starts (or, at an end, ends) or that a selected cart is on; else the track's first. Nothing on a track without
-// segments.
+// The segment and position that the pages show: the selected segment; else the segment that the selected knot starts
+// (at an end: ends) or the selected cart is on; else the first one. Nothing on a track without segments.
 struct Probe {
   world::Entity segment;
   world::Name name;
@@ -24,23 +22,23 @@ struct Probe {
   std::size_t index = 0;  // into the track's order
 };
 std::optional<Probe> probe_of(const edit::Session& session);
-// The same; where there is none, a line that says how to get one.
+// The same. Without one, draws a line that says how to create a segment.
 std::optional<Probe> need_probe(Ui& ui);
 // Puts the probe at t, clamped to [0,1], by selecting the segment.
 void move_probe(Ui& ui, const Probe& probe, double t);
 // A slider over t, labelled "t".
 void probe_slider(Ui& ui, const Probe& probe);
 
-// A page in two parts: controls and numbers, `side` design px wide at the left, and the pictures right of them; in a
-// narrow strip one below the other. Where the strip is low, controls are small. Made before the first part is drawn,
-// `pictures()` between them, ended by its destructor.
+// A page in two parts: controls and numbers on the left, `side` design px wide, and pictures on the right; in a narrow
+// strip one below the other, in a low strip with small controls. Construct it before the first part and call pictures()
+// before the second.
 class Page {
  public:
   Page(const Ui& ui, float side);
   ~Page();
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
-  // Begins the second part; the height that pictures have there, px.
+  // Begins the second part and returns the height of its pictures, px.
   float pictures();
   // The width of the second part, px.
   float pictures_width() const { return pictures_width_; }
@@ -52,11 +50,9 @@ class Page {
   bool stacked_, compact_, in_side_ = true;
 };
 
-// A value with the colour of its curve, in small figures.
+// A value with the colour of its curve, in the small font.
 void colour_value(Ui& ui, std::uint32_t colour, std::string_view path, std::string_view shown, std::string_view value,
                   std::string_view tooltip);
-// A list of what the track can be coloured by.
-void colouring_box(Ui& ui);
 // A checkbox for one of the layers over the scene, "Laboratory/View/label".
 void layer_box(Ui& ui, world::Layer layer);
 
@@ -67,7 +63,7 @@ void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t
             std::string_view unit, std::string_view tooltip);
 
 // A line of small, dimmed text, wrapped.
-void small_note(Ui& ui, std::string_view words);
+void small_note(std::string_view words);
 // A square of colour before the next text: the legend of what the view draws.
 void colour_key(Ui& ui, std::uint32_t colour, std::string_view label, std::string_view tooltip);
 

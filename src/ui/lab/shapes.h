@@ -1,4 +1,4 @@
-// Curves of space drawn in a plane: the axes to draw them by.
+// Projection of space curves onto a plane.
 #pragma once
 
 #include <span>
@@ -14,10 +14,10 @@ struct Sheet {
   glm::dvec2 at(glm::dvec3 p) const { return {glm::dot(p - origin, right), glm::dot(p - origin, up)}; }
 };
 
-// The plane through `points` (at least one; the first is the origin) in which they spread most: right is the line of
-// the two farthest, up points to the one farthest from that line. Turned so that the last point is right of the first
-// and up does not point downwards in the world. Coplanar points keep their true distances. Points on one line or in one
-// place give some plane that holds them.
+// Returns the plane through `points` (at least one; the first is the origin) in which they spread most: `right` along
+// the two farthest points, `up` towards the point farthest from that line. The last point is right of the first, and
+// `up` does not point down in the world. Coplanar points keep their distances. Collinear or coincident points give any
+// plane that contains them.
 Sheet sheet_of(std::span<const glm::dvec3> points);
 
 // Points as the coordinates of a plot's series.

@@ -52,7 +52,7 @@ bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> co
     ImGui::TableSetColumnIndex(static_cast<int>(i));
     const TableColumn& column = columns[i];
     const std::string words =
-        std::string(column.title) + (column.unit.empty() ? "" : " (" + std::string(column.unit) + ")");
+        std::string(shown(column.title)) + (column.unit.empty() ? "" : " (" + std::string(column.unit) + ")");
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;
     draw_cell(ui, {words, palette().dim, i == 0});

@@ -1,4 +1,4 @@
-// Tables of numbers in small figures, with headings that stay, units in them and rows that scripts can read and click.
+// Tables in the small font with fixed headings, units, and rows that scripts can read and click.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "ui/widgets/widgets.h"
+#include "ui/context/ui.h"
 
 namespace coaster::ui {
 
@@ -26,10 +26,9 @@ struct Cell {
   std::uint32_t swatch = 0;  // a square of colour before it: the colour of its curve; 0: none
 };
 
-// Begins a table that scrolls within `height` px, with its row of headings. False when it is out of sight: then no
-// end_table().
+// Begins a table of `height` px with scrolling rows. Returns false if it is out of sight: do not call end_table() then.
 bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> columns, float height);
-// A row, registered as "Laboratory/label" (kind "item") with `value`; true when it is clicked.
+// Adds a row, registered as "Laboratory/label" (kind "item") with `value`. Returns true if it is clicked.
 bool table_row(Ui& ui, std::string_view label, std::span<const Cell> cells, bool selected, std::string value,
                std::string_view tooltip);
 void end_table();

@@ -1,4 +1,4 @@
-// Weights: Bernstein's basis functions, and what each control point weighs at the probe.
+// Weights: the Bernstein basis, and the weight of each control point at the probe.
 #include <imgui.h>
 
 #include <cmath>
@@ -6,7 +6,6 @@
 
 #include "curve/bernstein.h"
 #include "ui/lab/cache.h"
-#include "ui/panels/panels.h"
 
 namespace coaster::ui {
 namespace {
@@ -42,15 +41,15 @@ void weights_plot(Ui& ui, const Probe& probe, int degree, const std::vector<doub
         {"B" + subscript(static_cast<int>(i)), study.t, study.y[i], row_colour(i), SeriesKind::line, 2.0f});
     spots.push_back({probe.t, weights[i], row_colour(i), ""});
   }
-  const auto drag = plot(ui, "Weights plot",
-                         {.x = {"t", "", AxisScale::linear, 0, 1},
-                          .y = {"weight", "", AxisScale::linear, 0, 1},
-                          .series = series,
-                          .spots = spots,
-                          .cursor = probe.t,
-                          .height = height},
-                         "B_i,n(t) = C(n,i) t^i (1-t)^(n-i): never negative, and together 1 for every t. Drag the "
-                         "cursor to move the probe.");
+  const auto drag = plot(
+      ui, "Weights plot",
+      {.x = {"t", "", AxisScale::linear, 0, 1},
+       .y = {"weight", "", AxisScale::linear, 0, 1},
+       .series = series,
+       .spots = spots,
+       .cursor = probe.t,
+       .height = height},
+      "B_i,n(t) = C(n,i) t^i (1-t)^(n-i): never negative, with sum 1 for every t. Drag the cursor to move the probe.");
   if (drag) move_probe(ui, probe, drag->x);
 }
 
@@ -65,13 +64,13 @@ void weights_page(Ui& ui) {
   Page page(ui, 200);
   probe_slider(ui, *probe);
   if (const auto to = slider(ui, "Degree n", degree, 1, kLargestDegree, false,
-                             "The degree of the basis, 1 to 8. The track's curves are cubic: n = 3."))
+                             "Degree of the basis, 1 to 8. The track's curves are cubic: n = 3."))
     ui.lab.degree = std::clamp(*to, 1, kLargestDegree);
   for (std::size_t i = 0; i < weights.size(); ++i)
     colour_value(
         ui, row_colour(i), "B" + std::to_string(i),
         "B" + subscript(static_cast<int>(i)) + (degree == 3 ? " weighs p" + subscript(static_cast<int>(i)) : ""),
-        fixed(weights[i], 4), "C(n,i) t^i (1-t)^(n-i) at the probe: the part that this control point has in B(t).");
+        fixed(weights[i], 4), "C(n,i) t^i (1-t)^(n-i) at the probe: the weight of this control point in B(t).");
   weights_plot(ui, *probe, degree, weights, page.pictures());
 }
 

@@ -1,8 +1,7 @@
-// Camera: which one looks, and how it feels.
+// Camera: camera mode and camera feel.
 #include <array>
 
-#include "ui/actions/key_map.h"
-#include "ui/panels/panels.h"
+#include "ui/context/ui.h"
 #include "ui/tools/fly_keys.h"
 #include "world/camera_feel.h"
 
@@ -13,10 +12,10 @@ struct CameraRow {
   const char *label, *tooltip, *action;
 };
 constexpr std::array<CameraRow, 4> kModes{{
-    {"Orbit", "Turn about a place: drag empty space, middle button to pan, wheel to zoom.", "Orbit camera"},
-    {"Ride", "From the first cart's seat, 1.1 m over the rails.", "Ride camera"},
-    {"Chase", "Behind and above the first cart's train; the wheel sets how far.", "Chase camera"},
-    {"Fly", "W A S D along the view and sideways, Q down, E up, Shift faster; drag to look around.", "Fly camera"},
+    {"Orbit", "Orbits a point. Drag empty space to orbit, middle button to pan, wheel to zoom.", "Orbit camera"},
+    {"Ride", "The view from the first cart's seat, 1.1 m above the rails.", "Ride camera"},
+    {"Chase", "Follows the first train from behind and above. The wheel sets the distance.", "Chase camera"},
+    {"Fly", "W A S D to fly, Q down, E up, Shift faster. Drag to look around.", "Fly camera"},
 }};
 
 }  // namespace
@@ -40,20 +39,20 @@ void camera_panel(Ui& ui) {
     if (rides) ui.emit(edit::Set<&world::CameraFeel::ride_view_deg>{degrees});
     else ui.emit(edit::Set<&world::Camera::field_of_view_deg>{degrees});
   }
-  if (const auto to = real_slider(ui, "Roll damping", feel.roll_damping, 0, 2, 2,
-                                  "Seconds by which the rider's roll is late behind the track's; 0: at once."))
+  if (const auto to =
+          real_slider(ui, "Roll damping", feel.roll_damping, 0, 2, 2, "Lag of the rider's roll, 0 to 2 s. 0: no lag."))
     ui.emit(edit::Set<&world::CameraFeel::roll_damping>{static_cast<float>(*to)});
   if (const auto to = real_slider(ui, "Widening", feel.widening_deg, 0, 20, 0,
-                                  "Degrees by which the rider's view has widened at 30 m/s."))
+                                  "Widening of the rider's field of view at 30 m/s, 0 to 20 degrees."))
     ui.emit(edit::Set<&world::CameraFeel::widening_deg>{static_cast<float>(*to)});
-  if (const auto to = real_slider(ui, "Chase distance", feel.chase_distance, world::kMinChase, world::kMaxChase, 0,
-                                  "Metres from the chase camera to a lone car; trains more."))
+  if (const auto to =
+          real_slider(ui, "Chase distance", feel.chase_distance, world::kMinChase, world::kMaxChase, 0,
+                      "Distance of the chase camera from a single car, in metres. Longer trains add to it."))
     ui.emit(edit::Set<&world::CameraFeel::chase_distance>{static_cast<float>(*to)});
-  if (const auto on = checkbox(ui, "Head-bob", feel.head_bob,
-                               "The rider's head gives way to g, and shakes a little with the rails."))
+  if (const auto on = checkbox(ui, "Head-bob", feel.head_bob, "The rider's head moves with g and vibrates slightly."))
     ui.emit(edit::Set<&world::CameraFeel::head_bob>{*on});
   if (const auto on = checkbox(ui, "Reduced motion", feel.reduced_motion,
-                               "The rider's horizon stays level; cameras cut; no bobbing, no widening."))
+                               "Level horizon, cuts between cameras, no head-bob, no widening."))
     ui.emit(edit::Set<&world::CameraFeel::reduced_motion>{*on});
 }
 

@@ -1,4 +1,4 @@
-// Challenge: what it teaches, what must hold and what does now, the medals, hints.
+// Challenge: lesson, goals and limits with their state, medals, hints.
 #include <imgui.h>
 
 #include <algorithm>
@@ -6,12 +6,9 @@
 #include <string>
 
 #include "query/challenge.h"
-#include "ui/actions/key_map.h"
-#include "ui/panels/panels.h"
-#include "ui/screens/challenge_list.h"
-#include "ui/screens/dialogs.h"
-#include "ui/screens/medals.h"
-#include "ui/screens/score_card.h"
+#include "ui/context/rows.h"
+#include "ui/tools/places.h"
+#include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 
@@ -19,15 +16,6 @@ namespace coaster::ui {
 namespace {
 
 using exchange::RuleList;
-
-void paragraph(Ui& ui, std::string_view label, std::string_view words, std::uint32_t rgb) {
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(rgb));
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(words.data(), words.data() + words.size());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  note_item(ui, label, "label", "", true, std::string(words));
-}
 
 // A mark, the rule's words, and its value: on the right where there is room beside the words, else below them.
 void rule_row(Ui& ui, const query::Rule& rule, const exchange::ChallengeRule& words) {
@@ -74,15 +62,15 @@ void medals(Ui& ui, const edit::ActiveChallenge& challenge, int best) {
   }
   const float height = size + ImGui::GetTextLineHeight() + std::floor(4 * ui.scale);
   ImGui::Dummy({room, height});
-  note(ui, "Medals", "label", "Earned so far, in this go or before.", true, std::string(medal_title(challenge.medal)),
-       low, {low.x + room, low.y + height});
+  note(ui, "Medals", "label", "Medals earned so far.", true, std::string(medal_title(challenge.medal)), low,
+       {low.x + room, low.y + height});
 }
 
 void medal_rules(Ui& ui, const std::vector<query::Rule>& rules) {
-  for (const auto& [list, title] :
-       {std::pair{RuleList::silver, "For silver, too"}, std::pair{RuleList::gold, "For gold, too"}}) {
+  for (const auto& [list, title] : {std::pair{RuleList::silver, "Silver also needs###For silver, too"},
+                                    std::pair{RuleList::gold, "Gold also needs###For gold, too"}}) {
     if (ui.session().game.challenge->file.list(list).empty()) continue;
-    heading(ui, title, "Besides all of the above.");
+    heading(ui, title, "In addition to the rules above.");
     rules_of(ui, rules, {list});
   }
 }
@@ -92,21 +80,21 @@ void buttons(Ui& ui, const edit::ActiveChallenge& challenge) {
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x, half = (ImGui::GetContentRegionAvail().x - gap) / 2;
   const bool any = session.document.entities.pool<world::Cart>().size() > 0 && !session.document.track.segments.empty();
   const bool by_riding = challenge.file.judged != exchange::Judged::build;
-  if (button(ui, "Ride it",
-             by_riding ? "Let the train run from its start: at the end of the ride the challenge is judged."
-                       : "Let the train run from its start. This challenge is judged as you build.",
+  if (button(ui, "Ride###Ride it",
+             by_riding ? "Start the ride. The challenge is judged at its end."
+                       : "Start the ride. This challenge is judged while you build.",
              any, half)) {
     if (session.motion.state != world::RideState::stopped) ui.emit(edit::RideStop{});
     ui.emit(edit::RideStart{});
   }
   ImGui::SameLine(0, gap);
   const int left = static_cast<int>(challenge.file.hints.size()) - challenge.hints;
-  if (button(ui, "Hint", left > 0 ? std::to_string(left) + " left." : "There is no further hint.", left > 0, half))
+  if (button(ui, "Hint", left > 0 ? std::to_string(left) + " left." : "No more hints.", left > 0, half))
     ui.emit(edit::ShowHint{});
-  if (button(ui, "Start over", "Open the start track again.", true, half))
-    ui.dialogs.request(ui, {Want::Kind::challenge, challenge.path});
+  if (button(ui, "Restart###Start over", "Reload the start track.", true, half))
+    ui.want = {Want::Kind::challenge, challenge.path};
   ImGui::SameLine(0, gap);
-  if (button(ui, "Leave", "Leave the challenge; the track stays as it is.", true, half))
+  if (button(ui, "Leave", "Leave the challenge. The track stays as it is.", true, half))
     ui.emit(edit::LeaveChallenge{});
 }
 
@@ -120,23 +108,24 @@ void challenge_panel(Ui& ui) {
   paragraph(ui, "Name", challenge.file.name, palette().accent);
   paragraph(ui, "Teaches", challenge.file.teaches, palette().dim);
   if (!rules) return paragraph(ui, "Problem", rules.status().message, palette().error);
-  heading(ui, challenge.file.judged == exchange::Judged::build ? "To pass, build so that" : "To pass, ride so that",
-          "What must hold; the ride's values are the ghost's, which rides ahead of you.");
+  heading(ui,
+          challenge.file.judged == exchange::Judged::build ? "To pass###To pass, build so that"
+                                                           : "To pass###To pass, ride so that",
+          "Goals and limits. Values of the ride come from a simulation of the whole ride.");
   rules_of(ui, *rules, {RuleList::goals, RuleList::limits, RuleList::bronze});
   medals(ui, challenge, std::max(challenge.medal, known_medal(ui, challenge.path)));
   medal_rules(ui, *rules);
   if (!challenge.last.reason.empty()) {
     paragraph(ui, "Not passed", challenge.last.reason, palette().warning);
     if (challenge.last.place &&
-        button(ui, "Show where",
-               with_keys(ui.keys, "Look at the place, and select the segment.", "Show where it failed")))
+        button(ui, "Show where", with_keys(ui.keys, "Go to the place and select the segment.", "Show where it failed")))
       show_place(ui, *challenge.last.place);
   }
   for (int i = 0; i < challenge.hints; ++i)
     paragraph(ui, "Hint " + std::to_string(i + 1), challenge.file.hints[static_cast<std::size_t>(i)], palette().text);
   buttons(ui, challenge);
-  if (button(ui, "All challenges", "Choose another one.", true, ImGui::GetContentRegionAvail().x))
-    ui.dialogs.show_challenges();
+  if (button(ui, "All challenges", "Choose another challenge.", true, ImGui::GetContentRegionAvail().x))
+    ui.want = {Want::Kind::challenges};
 }
 
 }  // namespace coaster::ui

@@ -1,11 +1,10 @@
-// Elements: the palette. Which one, its parameters, what it would be like at the track's open end, and placing it.
+// Elements: the palette, the parameters of the selected element, its preview at the track's open end, and placing it.
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "ui/actions/key_map.h"
-#include "ui/panels/panels.h"
+#include "ui/context/rows.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
@@ -54,11 +53,9 @@ void parameters(Ui& ui) {
   const world::ElementRow& row = base::row_of(element.kind);
   bool changed = false;
   if (row.sided) {
-    if (radio(ui, "Left", !element.right, "To the left of the direction of travel."))
-      element.right = false, changed = true;
+    if (radio(ui, "Left", !element.right, "Turn left.")) element.right = false, changed = true;
     (void)beside_last(ui, "Right");
-    if (radio(ui, "Right", element.right, "To the right of the direction of travel."))
-      element.right = true, changed = true;
+    if (radio(ui, "Right", element.right, "Turn right.")) element.right = true, changed = true;
   }
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
     const world::ElementParameter& p = row.parameters[i];
@@ -75,22 +72,19 @@ void parameters(Ui& ui) {
 }
 
 void outcome(Ui& ui, const sim::ElementPlan& plan) {
-  read_query(ui, "Spans", "element.spans", {},
-             "Cubic Bézier spans it would be made of: as few as keep within 1 cm of the ideal curve.", {.decimals = 0});
-  read_query(ui, "Total length", "element.length", {},
-             "Along it, with what eases out the bend and the slope of the track's end.", {.decimals = 1});
-  read_query(ui, "Fit error", "element.error", {}, "The largest distance between the ideal curve and the spans.",
+  read_query(ui, "Spans", "element.spans", {}, "Cubic Bézier spans, as few as stay within 1 cm of the ideal curve.",
+             {.decimals = 0});
+  read_query(ui, "Total length", "element.length", {}, "Length including the transition from the track's end.",
+             {.decimals = 1});
+  read_query(ui, "Fit error", "element.error", {}, "Largest distance between the ideal curve and the spans.",
              {.decimals = 1, .unit = "mm", .factor = 1000});
   if (plan.lowest < 0)
-    read_out(ui, "In the ground", fixed(-plan.lowest, 1), "m", "It goes below the ground: the red part.", true);
+    read_out(ui, "Below ground###In the ground", fixed(-plan.lowest, 1), "m",
+             "Depth below the ground. That part is red.", true);
   if (const double missing = sim::worst(ui.find(edit::Want::room).room); missing > 0)
-    read_out(ui, "Lacks room", fixed(missing, 1), "m",
-             "A train on it or on other track would be in the way: the yellow part.", true);
-  for (const std::string& line : plan.lines) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().warning));
-    ImGui::TextWrapped("%s", line.c_str());
-    ImGui::PopStyleColor();
-  }
+    read_out(ui, "Missing clearance###Lacks room", fixed(missing, 1), "m",
+             "Missing clearance to other track. That part is yellow.", true);
+  for (const std::string& line : plan.lines) tinted(line, palette().warning);
 }
 
 }  // namespace
@@ -102,18 +96,14 @@ void elements_panel(Ui& ui) {
   parameters(ui);
   const sim::ElementPlan& plan = *ui.find(edit::Want::element).element;
   const bool possible = plan.refusal.empty();
-  if (possible) {
-    outcome(ui, plan);
-  } else {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().warning));
-    ImGui::TextWrapped("%s", plan.refusal.c_str());
-    ImGui::PopStyleColor();
-  }
-  if (button(
-          ui, "Place",
-          with_keys(ui.keys, "Add it at the open end of the track; " + ui.keys.shown("Cancel") + " hides the preview.",
-                    "Place element"),
-          possible, ImGui::GetContentRegionAvail().x))
+  if (possible) outcome(ui, plan);
+  else tinted(plan.refusal, palette().warning);
+  if (button(ui, "Place",
+             with_keys(
+                 ui.keys,
+                 "Place the element at the open end of the track. " + ui.keys.shown("Cancel") + " hides the preview.",
+                 "Place element"),
+             possible, ImGui::GetContentRegionAvail().x))
     ui.emit(edit::PlaceElement{session.settings.element});
 }
 

@@ -1,7 +1,7 @@
-// Evaluation: the methods to compare, resolution, and the read-outs to compare them by.
+// Evaluation: methods, resolution, and the read-outs to compare them.
 #include <imgui.h>
 
-#include "ui/panels/panels.h"
+#include "ui/context/rows.h"
 #include "ui/widgets/theme.h"
 #include "world/evaluation.h"
 #include "world/lab_view.h"
@@ -23,8 +23,8 @@ void method(Ui& ui, std::size_t row) {
   const curve::Evaluator& one = curve::evaluators()[row];
   const auto id = static_cast<curve::EvaluatorId>(row);
   const std::string& refusal = ui.state.stats.stage_refusals[static_cast<std::size_t>(one.evaluated_by)];
-  const std::string tooltip = std::string(one.formula) + "\nCost a point: " + std::string(one.cost) +
-                              (refusal.empty() ? "" : "\nNot here: " + refusal);
+  const std::string tooltip = std::string(one.formula) + "\nCost per point: " + std::string(one.cost) +
+                              (refusal.empty() ? "" : "\nNot available: " + refusal);
   if (radio(ui, one.label, ui.session().settings.evaluation->evaluator == id, tooltip, refusal.empty()))
     ui.emit(edit::Set<&world::Evaluation::evaluator>{id});
 }
@@ -43,17 +43,16 @@ void methods_of(Ui& ui, Group group, std::string_view title, std::string_view to
 }
 
 void methods(Ui& ui) {
-  methods_of(ui, Group::paper, "The paper's four", "Barrett 2012, section 3, each in its textbook form.");
-  methods_of(ui, Group::fast, "Fast", "The same polynomial, arranged for today's processors.");
+  methods_of(ui, Group::paper, "The paper's four", "Barrett 2012, section 3, in textbook form.");
+  methods_of(ui, Group::fast, "Fast", "The same polynomial, arranged for modern processors.");
   methods_of(ui, Group::gpu, "On the GPU",
-             "From the control points alone: 48 bytes a segment go to the GPU, not its polyline.");
+             "Computed from the control points: each segment uploads 48 bytes instead of its polyline.");
 }
 
 void resolution(Ui& ui) {
   const world::Settings& settings = ui.session().settings;
-  const auto steps =
-      slider(ui, "Steps per segment", settings.evaluation->steps, curve::kMinSteps, curve::kMaxSteps, true,
-             "Straight pieces that each segment is drawn with, 1 to 4096. Ctrl+click or double-click to type.");
+  const auto steps = slider(ui, "Steps per segment", settings.evaluation->steps, curve::kMinSteps, curve::kMaxSteps,
+                            true, "Straight pieces per segment, 1 to 4096. Ctrl+click or double-click to type.");
   if (steps) ui.emit(edit::Set<&world::Evaluation::steps>{*steps});
   const Number budget{.value = static_cast<double>(settings.evaluation->vertex_budget),
                       .decimals = 0,
@@ -61,16 +60,15 @@ void resolution(Ui& ui) {
                       .low = 1'000,
                       .high = 1e9,
                       .largest = 1e15};
-  if (const auto to =
-          number(ui, "Vertex budget", budget, "How many vertices all polylines together may have; more is refused.")) {
+  if (const auto to = number(ui, "Vertex budget", budget,
+                             "Largest number of vertices of all polylines. Commands that need more are rejected.")) {
     ui.emit(edit::Set<&world::Evaluation::vertex_budget>{static_cast<std::int64_t>(*to)});
   }
 }
 
 void lengths(Ui& ui) {
-  const auto chosen =
-      combo_of(ui, "Arc length", ui.session().settings.evaluation->arc_length,
-               "How the displayed length is measured. The ride always uses the adaptive Gauss-Legendre rule.");
+  const auto chosen = combo_of(ui, "Arc length", ui.session().settings.evaluation->arc_length,
+                               "Method of the displayed length. The ride always uses adaptive Gauss-Legendre.");
   if (chosen) ui.emit(edit::Set<&world::Evaluation::arc_length>{*chosen});
 }
 
@@ -88,26 +86,23 @@ void evaluation_panel(Ui& ui) {
   const bool timed = !ui.state.scripted && stats.evaluated_vertices > 0;
   read_query(ui, "Vertices", "vertices", {}, "Vertices of all polylines together.", {.decimals = 0});
   read_out(ui, "Evaluation time", timed ? fixed(stats.evaluation_ms, 3) : "--", "ms",
-           "Time inside the chosen method in the last frame that evaluated anything. A still frame evaluates nothing.");
+           "Time of the selected method in the last frame that evaluated. A still frame evaluates nothing.");
   read_out(ui, "Time per point",
            timed ? fixed(stats.evaluation_ms * 1e6 / static_cast<double>(stats.evaluated_vertices), 1) : "--", "ns",
-           "The same, per vertex.");
-  read_out(ui, "Time on the GPU", !ui.state.scripted && stats.gpu_ms > 0 ? fixed(stats.gpu_ms, 3) : "--", "ms",
-           "Work of the graphics processor on the polylines, a few frames ago: where the method runs there, its "
-           "evaluation too.");
-  read_query(
-      ui, "Held on the GPU", "polyline_bytes", {},
-      "Bytes of all polylines on the graphics processor: 24 a vertex, or 48 a segment when they are evaluated there.",
-      {.decimals = 0});
+           "Evaluation time per vertex.");
+  read_out(ui, "GPU time###Time on the GPU", !ui.state.scripted && stats.gpu_ms > 0 ? fixed(stats.gpu_ms, 3) : "--",
+           "ms", "GPU time for the polylines, a few frames ago. Includes evaluation where the method runs on the GPU.");
+  read_query(ui, "GPU memory###Held on the GPU", "polyline_bytes", {},
+             "GPU memory of all polylines: 24 bytes per vertex, or 48 per segment when evaluated on the GPU.",
+             {.decimals = 0});
   const std::size_t segments = ui.session().derived.order.size();
-  read_out(ui, "A segment",
+  read_out(ui, "Per segment###A segment",
            segments == 0 ? "--" : fixed(static_cast<double>(stats.polyline_bytes) / static_cast<double>(segments), 0),
            "B",
-           "What a moved segment uploads of its polyline: its vertices, or its four control points where the method "
-           "runs on the GPU.");
+           "Bytes uploaded when a segment moves: its vertices, or its four control points when evaluated on the GPU.");
   read_query(ui, "Largest deviation", "deviation", {},
-             "Largest distance of a vertex from the exact point at the same parameter (de Casteljau in long double): "
-             "rounding error alone.",
+             "Largest distance of a vertex from the exact point at the same t (de Casteljau in long double): rounding "
+             "error only.",
              {.decimals = 6, .unit = "mm", .factor = 1e3});
 }
 

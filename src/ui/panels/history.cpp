@@ -1,7 +1,7 @@
-// History: the steps that can be undone and redone; a click goes there.
+// History: undo and redo steps. A click goes to a step.
 #include <imgui.h>
 
-#include "ui/panels/panels.h"
+#include "ui/context/ui.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 
@@ -28,9 +28,10 @@ bool step_row(Ui& ui, const std::string& text, const std::string& name, std::uin
 void history_panel(Ui& ui) {
   const edit::History& history = ui.session().history;
   const double megabytes = static_cast<double>(history.undo_bytes) / (1 << 20);
-  read_out(ui, "Steps", std::to_string(history.undo.size()) + " back, " + std::to_string(history.redo.size()) + " on",
-           "", "Camera, panels and what is selected are no part of it.");
-  read_out(ui, "Memory", fixed(megabytes, 2), "MiB", "Of the steps back. Beyond 256 MiB the oldest are forgotten.");
+  read_out(ui, "Steps", std::to_string(history.undo.size()) + " undo, " + std::to_string(history.redo.size()) + " redo",
+           "", "Steps that can be undone and redone. Camera, panels and selection are not included.");
+  read_out(ui, "Memory", fixed(megabytes, 2), "MiB",
+           "Memory of the undo steps. Beyond 256 MiB the oldest are dropped.");
   const std::size_t undo = history.undo.size(), redo = history.redo.size();
   const std::size_t first = undo > kMostShown ? undo - kMostShown : 0;
   if (first == 0 && undo > 0 && step_row(ui, "Start", "Start", palette().dim, "Undo everything."))
@@ -39,14 +40,13 @@ void history_panel(Ui& ui) {
     const bool now = i + 1 == undo;
     const std::string number = std::to_string(i + 1);
     if (step_row(ui, number + "  " + history.undo[i].label, number, now ? palette().accent : palette().text,
-                 now ? "The newest step." : "Go back to after this step."))
+                 now ? "The current step." : "Undo to this step."))
       repeat(ui, true, undo - 1 - i);
   }
   // The redo stack has the next step last.
   for (std::size_t k = 0; k < std::min(redo, kMostShown); ++k) {
     const std::string number = std::to_string(undo + k + 1);
-    if (step_row(ui, number + "  " + history.redo[redo - 1 - k].label, number, palette().dim,
-                 "Go on to after this step."))
+    if (step_row(ui, number + "  " + history.redo[redo - 1 - k].label, number, palette().dim, "Redo to this step."))
       repeat(ui, false, k + 1);
   }
 }

@@ -1,8 +1,8 @@
-// Operation: what makes the track a ride: equipment on the selected segment, the train, losses, and what ends the ride.
+// Operation: equipment on the selected segment, the train, losses, and what ends the ride.
 #include <array>
 
 #include "sim/study/ratings.h"
-#include "ui/panels/panels.h"
+#include "ui/context/ui.h"
 
 namespace coaster::ui {
 namespace {
@@ -26,13 +26,14 @@ void equipment_values(Ui& ui, world::Name name, const world::Equipment& now) {
   };
   const bool brakes = now.kind == world::EquipmentKind::brake || now.kind == world::EquipmentKind::block;
   field("Speed", set.speed, "m/s", 0, world::kMaxSpeed,
-        "What a lift pulls up to, a launch pushes to, a brake slows to, a station sends off at.");
+        "Target speed of a lift, launch or brake, and exit speed of a station.");
   field("Acceleration", set.acceleration, "m/s\u00B2", world::kMinAcceleration, world::kMaxAcceleration,
-        "How strongly.");
+        "Largest acceleration or deceleration.");
   if (brakes)
-    field("Hysteresis", set.hysteresis, "m/s", 0, world::kMaxSpeed, "On above speed + this, off below speed - this.");
+    field("Hysteresis", set.hysteresis, "m/s", 0, world::kMaxSpeed,
+          "The brake switches on above speed + hysteresis and off below speed - hysteresis.");
   if (now.kind == world::EquipmentKind::station)
-    field("Wait", set.seconds, "s", 0, world::kMaxDwell, "How long a train stands in the station.");
+    field("Wait", set.seconds, "s", 0, world::kMaxDwell, "Time that a train waits in the station.");
   if (changed) ui.emit(set);
 }
 
@@ -40,16 +41,16 @@ void equipment(Ui& ui) {
   const edit::Session& session = ui.session();
   const world::Entity segment = chosen_segment(session);
   std::vector<Choice> kinds = choices_of<world::EquipmentKind>();
-  kinds.insert(kinds.begin(), {"Plain track", "Nothing but rails."});
+  kinds.insert(kinds.begin(), {"Plain track", "No equipment."});
   if (!segment.valid()) {
     combo(ui, "Equipment", std::span(kinds).first(1), 0,
-          "Select a segment to put a station, lift, launch, brake or block on it.");
+          "Select a segment to place a station, lift, launch, brake or block.");
     return;
   }
   const world::Name name = world::name_of(session.document, segment);
   const world::Equipment* const now = session.document.entities.find<world::Equipment>(segment);
   if (const auto to = combo(ui, "Equipment", kinds, now ? static_cast<int>(now->kind) + 1 : 0,
-                            "What stands on the selected segment.")) {
+                            "Equipment on the selected segment.")) {
     if (*to == 0 && now) ui.emit(edit::RemoveEquipment{{name}});
     if (*to > 0) {
       const world::Equipment base = now ? *now : world::Equipment{};
@@ -77,7 +78,7 @@ void train(Ui& ui) {
                               .low = 1,
                               .high = world::kMaxCars,
                               .largest = 1e9},
-                             "Cars of the train; they share one energy."))
+                             "Number of cars. They move as one."))
     ui.emit(edit::SetTrain{{name}, static_cast<int>(*to)});
   if (const auto to = number(ui, "Spacing",
                              {.value = design->spacing,
@@ -86,17 +87,16 @@ void train(Ui& ui) {
                               .step = 0.02,
                               .low = world::kMinSpacing,
                               .high = world::kMaxSpacing},
-                             "Between the middles of neighbouring cars."))
+                             "Distance between the centres of neighbouring cars."))
     ui.emit(edit::SetTrain{.cart = {name}, .cars = design->cars, .spacing = static_cast<float>(*to)});
-  if (const auto to =
-          number(ui, "Car length",
-                 {.value = design->length,
-                  .unit = "m",
-                  .decimals = 2,
-                  .step = 0.02,
-                  .low = world::kMinCarLength,
-                  .high = world::kMaxCarLength},
-                 "Of a car's body: trains collide where bodies touch. Longer than the spacing counts as the spacing."))
+  if (const auto to = number(ui, "Car length",
+                             {.value = design->length,
+                              .unit = "m",
+                              .decimals = 2,
+                              .step = 0.02,
+                              .low = world::kMinCarLength,
+                              .high = world::kMaxCarLength},
+                             "Length of a car's body. Trains collide where bodies touch. At most the spacing."))
     ui.emit(edit::SetTrain{.cart = {name}, .cars = design->cars, .length = static_cast<float>(*to)});
   if (const auto to = number(ui, "Car mass",
                              {.value = design->mass,
@@ -106,7 +106,7 @@ void train(Ui& ui) {
                               .low = world::kMinCarMass,
                               .high = world::kMaxCarMass,
                               .largest = 1e6},
-                             "With riders. Drag is told for 500 kg: heavier cars feel less of it."))
+                             "Mass including riders. Drag is given for 500 kg; heavier cars slow down less."))
     ui.emit(edit::SetTrain{.cart = {name}, .cars = design->cars, .mass = static_cast<float>(*to)});
 }
 
@@ -115,12 +115,12 @@ void losses(Ui& ui) {
   const world::Resistance& now = document.resistance;
   if (const auto to = number(
           ui, "Rolling", {.value = now.rolling, .decimals = 4, .step = 0.0002, .low = 0, .high = world::kMaxRolling},
-          "Rolling friction, of the weight: steel coasters 0.02 to 0.03. 0: frictionless."))
+          "Rolling friction coefficient. Steel coasters: 0.02 to 0.03. 0: none."))
     ui.emit(edit::SetLosses{static_cast<float>(*to), now.drag});
   if (const auto to =
           number(ui, "Drag",
                  {.value = now.drag, .unit = "1/m", .decimals = 6, .step = 0.000002, .low = 0, .high = world::kMaxDrag},
-                 "Drag: slows by this times v\u00B2; about 0.00002."))
+                 "Drag coefficient: deceleration divided by v\u00B2. About 0.00002."))
     ui.emit(edit::SetLosses{now.rolling, static_cast<float>(*to)});
   if (const auto to = number(ui, "Heartline",
                              {.value = document.heartline,
@@ -129,10 +129,10 @@ void losses(Ui& ui) {
                               .step = 0.01,
                               .low = -world::kMaxHeartline,
                               .high = world::kMaxHeartline},
-                             "Height over the rails where forces are told for."))
+                             "Height above the rails at which forces are computed."))
     ui.emit(edit::SetHeartline{*to});
   if (const auto on = checkbox(ui, "Rollback ends the ride", document.rollback_fails,
-                               "A train that rolls back 2 m ends the ride; else it rolls on."))
+                               "The ride fails when a train rolls back 2 m."))
     ui.emit(edit::SetRollbackFails{*on});
 }
 

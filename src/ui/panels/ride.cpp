@@ -1,9 +1,8 @@
-// Ride: running the carts, how they move, and what the riders feel.
+// Ride: running the carts, their motion, and g.
 #include <imgui.h>
 
 #include "sim/shape/frame_methods.h"
-#include "ui/actions/key_map.h"
-#include "ui/panels/panels.h"
+#include "ui/context/rows.h"
 #include "ui/widgets/icons.h"
 
 namespace coaster::ui {
@@ -16,43 +15,41 @@ void controls(Ui& ui) {
   const bool running = state == world::RideState::running;
   const float width = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemInnerSpacing.x) / 4;
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  if (icon_button(ui, Icon::play, "Play", with_keys(ui.keys, "Let the carts run from where they are.", "Play or pause"),
+  if (icon_button(ui, kPlayIcon, "Play", with_keys(ui.keys, "Start or resume the ride.", "Play or pause"),
                   any && !running, width))
     ui.emit(edit::RideStart{});
   ImGui::SameLine(0, gap);
-  if (icon_button(ui, Icon::pause, "Pause", with_keys(ui.keys, "Hold the carts where they are.", "Play or pause"),
-                  any && running, width))
+  if (icon_button(ui, kPauseIcon, "Pause", with_keys(ui.keys, "Pause the ride.", "Play or pause"), any && running,
+                  width))
     ui.emit(edit::RidePause{});
   ImGui::SameLine(0, gap);
   const bool steppable = any && (state == world::RideState::paused || state == world::RideState::stopped);
-  if (icon_button(ui, Icon::step, "Step",
-                  with_keys(ui.keys, "Advance a held ride by one tick of 1/120 s.", "Single step"), steppable, width))
+  if (icon_button(ui, kStepIcon, "Step",
+                  with_keys(ui.keys, "Advance a paused ride by one tick of 1/120 s.", "Single step"), steppable, width))
     ui.emit(edit::RideStep{1});
   ImGui::SameLine(0, gap);
-  if (icon_button(ui, Icon::reset, "Reset", with_keys(ui.keys, "Put the carts back to their start.", "Reset"), any,
-                  width))
+  if (icon_button(ui, kResetIcon, "Reset", with_keys(ui.keys, "Return the carts to their start.", "Reset"), any, width))
     ui.emit(edit::RideStop{});
 }
 
 void read_outs(Ui& ui) {
-  read_query(ui, "State", "ride.state", {}, "stopped at the start, running, paused, ended at an open end, or failed.");
+  read_query(ui, "State", "ride.state", {}, "Stopped at the start, running, paused, ended at an open end, or failed.");
   if (ui.session().motion.failure.kind != world::FailureKind::none)
-    read_query(ui, "Because it", "ride.fail", {}, "Why the ride stopped by itself.");
+    read_query(ui, "Reason###Because it", "ride.fail", {}, "Why the ride ended.");
   read_query(ui, "Speed", "ride.speed", {}, "Speed of the first cart along the track.", {.decimals = 2});
-  read_query(ui, "Height", "ride.height", {}, "Height of the first cart over the ground.", {.decimals = 2});
-  read_query(ui, "Distance", "ride.distance", {}, "Place of the first cart, along the track from its start.",
+  read_query(ui, "Height", "ride.height", {}, "Height of the first cart above the ground.", {.decimals = 2});
+  read_query(ui, "Distance", "ride.distance", {}, "Distance of the first cart from the start of the track.",
              {.decimals = 2});
-  read_query(ui, "Lap", "ride.lap", {}, "Whole rounds since the start.", {.decimals = 0});
+  read_query(ui, "Lap", "ride.lap", {}, "Laps completed since the start.", {.decimals = 0});
   read_query(ui, "Energy", "ride.energy", {}, "v\u00B2/2 + g (y - datum), per kilogram.", {.decimals = 3});
-  read_query(
-      ui, "Energy drift", "ride.energy_drift", {},
-      "How far the energy is from where it started, relative to the peak kinetic energy: the integrator's error.",
-      {.decimals = 4, .unit = "ppm", .factor = 1e6});
+  read_query(ui, "Energy drift", "ride.energy_drift", {},
+             "Change of energy since the start, relative to peak kinetic energy: the integrator's error.",
+             {.decimals = 4, .unit = "ppm", .factor = 1e6});
   // Scripts and pictures show no times.
   const double cost = ui.session().measuring.ride_cost.ns_per_tick;
   read_out(ui, "Cost per tick", !ui.state.scripted && cost > 0 ? fixed(cost, 0) : "--", "ns",
-           "What the last ticks took on this machine, all carts together, by the chosen integrator.");
-  read_query(ui, "g up", "ride.g_up", {}, "Felt acceleration towards the rider's head; at rest on the flat 1.",
+           "Average time of a tick on this machine, for all carts, with the selected integrator.");
+  read_query(ui, "g up", "ride.g_up", {}, "Felt acceleration towards the rider's head. 1 at rest on level track.",
              {.decimals = 2, .unit = "g"});
   read_query(ui, "g side", "ride.g_side", {}, "Felt acceleration to the side.", {.decimals = 2, .unit = "g"});
   read_query(ui, "g forward", "ride.g_forward", {}, "Felt acceleration forwards.", {.decimals = 2, .unit = "g"});
@@ -60,7 +57,7 @@ void read_outs(Ui& ui) {
 
 void ride_methods(Ui& ui) {
   const world::Settings& settings = ui.session().settings;
-  heading(ui, "Frame method", "What carts and the ride camera are turned by. The track stays banked by its knots.");
+  heading(ui, "Frame method", "Frames that orient carts and the ride camera. The knots define the bank of the track.");
   const auto rows = sim::frame_methods();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto method = static_cast<world::FrameMethod>(i);
@@ -68,7 +65,7 @@ void ride_methods(Ui& ui) {
       ui.emit(edit::Set<&world::Settings::frames>{method});
   }
   const auto chosen =
-      combo_of(ui, "Integrator", settings.integrator, "How speed and place advance from tick to tick (1/120 s).");
+      combo_of(ui, "Integrator", settings.integrator, "Integration method of speed and position, per tick of 1/120 s.");
   if (chosen) ui.emit(edit::Set<&world::Settings::integrator>{*chosen});
 }
 

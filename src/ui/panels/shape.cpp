@@ -1,12 +1,11 @@
-// Shape: what can be done to the selected knots, or to all of them, at once; snapping.
+// Shape: operations on the selected knots or on all knots, and snapping.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <imgui.h>
 
-#include "ui/actions/key_map.h"
-#include "ui/panels/panels.h"
+#include "ui/context/ui.h"
 #include "ui/widgets/widget_parts.h"
 #include "world/selection.h"
 
@@ -56,16 +55,16 @@ struct Buttons {
 void snapping(Ui& ui) {
   const world::Snapping& now = ui.session().settings.snapping;
   if (const auto to = combo_of(ui, "Snap to", now.to,
-                               "What moves by hand snaps to this; " + ui.keys.shown("Next snapping") +
-                                   " takes the next. Hold Ctrl while moving for the other way round."))
+                               "Dragged knots snap to this. " + ui.keys.shown("Next snapping") +
+                                   " selects the next. Hold Ctrl while dragging to invert snapping."))
     ui.emit(edit::SetSnapping{*to, now.step, now.angle});
   if (const auto to =
           number(ui, "Step", {.value = now.step, .unit = "m", .decimals = 3, .step = 0.01, .low = 0.001, .high = 1000},
-                 "Of the grid."))
+                 "Step of the grid."))
     ui.emit(edit::SetSnapping{now.to, *to, now.angle});
   if (const auto to = number(
           ui, "Angle", {.value = now.angle, .unit = "\u00B0", .decimals = 1, .step = 0.1, .low = 0.1, .high = 180},
-          "Turning snaps to multiples of this."))
+          "Rotations snap to multiples of this angle."))
     ui.emit(edit::SetSnapping{now.to, now.step, *to});
 }
 
@@ -74,10 +73,10 @@ void whole_track(Ui& ui) {
   const world::Track& track = session.document.track;
   const std::size_t chosen = world::selected_knots(session.document, session.settings).size();
   Buttons next{ui, 3};
-  if (next("Reverse", "Turn the direction of travel round; the shape stays.", !track.segments.empty()))
+  if (next("Reverse", "Reverse the direction of travel. The shape is unchanged.", !track.segments.empty()))
     ui.emit(edit::Reverse{});
   if (next("Duplicate",
-           "Copy the track between the selected neighbouring knots to the open end, turned to go on from there.",
+           "Copy the track between the selected neighbouring knots to the open end, rotated to continue from there.",
            !track.closed && chosen >= 2))
     ui.emit(edit::Duplicate{shaped_knots(session)});
   if (next("Close", "Close the track exactly: ends nearer than 2 m become one knot, others get a segment between them.",
@@ -97,31 +96,30 @@ void shape_panel(Ui& ui) {
            (knots.which == edit::Knots::Which::all ? "all " : "") + std::to_string(count) +
                (count == 1 ? " knot" : " knots"),
            "",
-           "The selected knots, or all when none is selected. Shift+click adds a knot, Ctrl+click all up to it, " +
+           "The selected knots, or all when none is selected. Shift+click adds a knot, Ctrl+click adds all up to it, " +
                ui.keys.shown("Box select") + " draws a box, " + ui.keys.shown("Select all") + " selects all.");
   Buttons next{ui, 2};
-  if (next("Smooth", "The natural C2 spline through the knots: curvature goes on over every joint.",
+  if (next("Smooth", "Fit the natural C2 spline through the knots: curvature is continuous at every joint.",
            any && session.document.track.knots.size() > 1))
     ui.emit(edit::Smooth{knots});
-  if (next("Equalise handles", "Both handles as long as they are on average (C1).", any))
-    ui.emit(edit::Equalise{knots});
-  if (next("Straighten", "Neighbouring knots on the line from the first to the last of them.", any && count > 1))
+  if (next("Equalise handles", "Set both handles to their average length (C1).", any)) ui.emit(edit::Equalise{knots});
+  if (next("Straighten", "Move neighbouring knots onto the line from the first to the last.", any && count > 1))
     ui.emit(edit::Straighten{knots});
-  if (next("Drop to ground", "Knots on the ground, level.", any)) ui.emit(edit::DropToGround{knots});
+  if (next("Drop to ground", "Move the knots to the ground and level them.", any)) ui.emit(edit::DropToGround{knots});
   constexpr std::array<std::string_view, 3> kMirrors{"Mirror X", "Mirror Y", "Mirror Z"};
   Buttons mirrors{ui, 3};
   for (int i = 0; i < 3; ++i)
     if (mirrors(kMirrors[static_cast<std::size_t>(i)],
-                "Mirror across the plane through the knots' middle, normal to the axis.", any)) {
+                "Mirror across the plane through the centre of the knots, normal to the axis.", any)) {
       glm::vec3 across(0);
       across[i] = 1;
       ui.emit(edit::Mirror{knots, across, middle_of(session, knots)});
     }
   if (const auto to =
           number(ui, "Radius", {.value = ui.radius, .unit = "m", .decimals = 2, .step = 0.1, .low = 0.1, .high = 1e5},
-                 "Of curvature at the knots, set by Set radius."))
+                 "Radius of curvature for Set radius."))
     ui.radius = *to;
-  if (button(ui, "Set radius", "Give the knots this radius of curvature by the lengths of their handles.",
+  if (button(ui, "Set radius", "Give the knots this radius of curvature by changing their handle lengths.",
              any && count < session.document.track.knots.size(), -1))
     ui.emit(edit::SetRadius{knots, ui.radius});
   whole_track(ui);

@@ -1,13 +1,13 @@
-// The status bar: selection, length, speed, g and fps, the mark of unsaved changes, and the last message. What does not
-// fit is left out, the least important first.
+// The status bar: selection, length, speed, g, fps, unsaved changes, and the last message. Parts that do not fit are
+// left out, the least important first.
 #include <imgui.h>
 
 #include <cmath>
 
 #include "base/utf8.h"
+#include "ui/context/rows.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/toasts.h"
 #include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
@@ -29,11 +29,18 @@ std::vector<Part> parts(const Ui& ui) {
   const edit::Session& session = ui.session();
   const double fps = ui.state.stats.fps;
   const bool timed = !ui.state.scripted && fps > 0;
-  return {{"Selection", world::label_of(session.document, session.settings.selected), "What is selected.", 36},
+  return {{"Selection", world::label_of(session.document, session.settings.selected), "The selection.", 36},
           {"Length", real(ui, "length", 1, "m"), "Length of the track.", 76},
           {"Speed", real(ui, "ride.speed", 1, "m/s"), "Speed of the first cart.", 68},
           {"g", real(ui, "ride.g_up", 1, "g"), "Felt acceleration towards the rider's head.", 40},
-          {"fps", timed ? fixed(fps, 0) : "--", "Frames shown in a second.", 28}};
+          {"fps", timed ? fixed(fps, 0) : "--", "Frames per second.", 28}};
+}
+
+std::string shortened(std::string words, float room) {
+  if (text_size(words).x <= room) return words;
+  while (!words.empty() && text_size(words).x + text_size("\u2026").x > room)
+    words.resize(base::utf8_start(words, words.size() - 1).size());
+  return words + "\u2026";
 }
 
 }  // namespace
@@ -65,7 +72,7 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
     const std::string mark = unsaved ? "\u25CF unsaved" : "saved";
     draw(mark, unsaved ? palette().warning : palette().dim, x);
     const float mark_end = x + std::max(text_size(mark).x, text_size("\u25CF unsaved").x);
-    place("Unsaved", "Whether the track differs from its file.", unsaved ? "on" : "off", x, mark_end);
+    place("Unsaved", "Whether the track has unsaved changes.", unsaved ? "on" : "off", x, mark_end);
     x = mark_end + between;
     for (const Part& part : parts(ui)) {
       const float value_width = std::max(text_size(part.value).x, std::floor(part.cell * ui.scale));
@@ -76,20 +83,14 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
       place(part.label, part.tooltip, part.value, x, end);
       x = end + between;
     }
-    // The last message stays here after its toast is gone; it is shortened to what room is left.
+    // The last message stays here after its toast is gone, shortened to fit.
     const auto& notices = ui.session().notices.list;
     if (!notices.empty() && right - x > 60 * ui.scale) {
       const edit::Notice& last = notices.back();
       const std::uint32_t tint = last.kind == edit::NoticeKind::error     ? palette().error
                                  : last.kind == edit::NoticeKind::warning ? palette().warning
                                                                           : palette().dim;
-      std::string words = last.text;
-      const float room = right - x;
-      if (text_size(words).x > room) {
-        while (!words.empty() && text_size(words).x + text_size("\u2026").x > room)
-          words.resize(base::utf8_start(words, words.size() - 1).size());
-        words += "\u2026";
-      }
+      const std::string words = shortened(last.text, right - x);
       draw(words, tint, right - text_size(words).x);
       place("Message", last.text, last.text, right - text_size(words).x, right);
     }

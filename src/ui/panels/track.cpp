@@ -1,14 +1,11 @@
-// Track: name, size, what can be added or removed, start of the ride, file.
+// Track: name, size, adding and deleting parts, start of the ride, file.
 #include <imgui.h>
 
 #include <algorithm>
 
 #include "sim/ride/equipment.h"
-#include "ui/actions/conflict_tour.h"
-#include "ui/actions/key_map.h"
-#include "ui/lab/page_parts.h"
-#include "ui/panels/panels.h"
-#include "ui/screens/dialogs.h"
+#include "ui/context/rows.h"
+#include "ui/tools/places.h"
 #include "ui/widgets/widget_parts.h"
 #include "world/aids.h"
 
@@ -30,8 +27,8 @@ void beside(float width) {
   if (width < ImGui::GetContentRegionAvail().x) ImGui::SameLine();
 }
 
-// Where a new cart touches no other at the start of the ride: the start or the middle of a segment, looked for from
-// `first` on; the start of `first` where there is no such place.
+// Returns where a new cart touches no other at the start of the ride: the start or middle of a segment, searched from
+// `first` on. The start of `first` if there is none.
 edit::AddCart free_place(const edit::Session& session, world::Entity first) {
   const sim::Derived& derived = session.derived;
   const sim::Rails rails{derived.length, derived.closed};
@@ -57,19 +54,17 @@ edit::AddCart free_place(const edit::Session& session, world::Entity first) {
 }
 
 void size(Ui& ui) {
-  read_query(ui, "Length", "length", {}, "Length of the track, by the arc-length method chosen under Evaluation.",
-             {.decimals = 3});
+  read_query(ui, "Length", "length", {}, "Length of the track, by the method selected in Evaluation.", {.decimals = 3});
   read_query(ui, "Segments", "segments", {}, "Cubic Bézier segments.", {.decimals = 0});
-  read_query(ui, "Knots", "knots", {}, "Places the track goes through.", {.decimals = 0});
+  read_query(ui, "Knots", "knots", {}, "Points that the track passes through.", {.decimals = 0});
   colouring_box(ui);
 }
 
 void conflicts(Ui& ui) {
   if (ui.find(edit::Want::conflicts).conflicts.empty()) return;
-  read_query(ui, "Conflicts", "conflicts", {},
-             "Places where the track is in its own way: a train has too little room beside, under or over other track.",
+  read_query(ui, "Conflicts", "conflicts", {}, "Places where the track lacks clearance from itself.",
              {.decimals = 0, .warns = true});
-  if (button(ui, "Next conflict", "Look at the next place where the track is in its own way.", true,
+  if (button(ui, "Next conflict", "Go to the next place where the track lacks clearance from itself.", true,
              ImGui::GetContentRegionAvail().x))
     show_next_conflict(ui);
 }
@@ -91,38 +86,37 @@ void building(Ui& ui) {
   const std::size_t knots = session.document.track.knots.size();
   const bool closed = session.document.track.closed;
 
-  if (const auto to = checkbox(
-          ui, "Closed", closed,
-          "Join the last knot to the first (a circuit; ends that meet become one knot), or open the track there.",
-          closed || knots >= 2))
+  if (const auto to =
+          checkbox(ui, "Closed", closed,
+                   "Join the last knot to the first, or open the circuit there. Ends that meet become one knot.",
+                   closed || knots >= 2))
     ui.emit(*to ? closing(session) : edit::SetClosed{false});
   if (const auto on = checkbox(
           ui, "Append points", session.settings.aids->append_mode,
           with_keys(ui.keys,
-                    "A click on the ground appends a knot to an open track; " + ui.keys.shown("Cancel") + " leaves it.",
+                    "Click on the ground to append a knot to an open track. " + ui.keys.shown("Cancel") + " ends it.",
                     "Append points")))
     ui.emit(edit::Set<&world::Aids::append_mode>{*on});
 
   const float width = pair_width();
   if (button(ui, "Add curve",
-             with_keys(ui.keys, "Split the longest segment at half its length, keeping the shape.", "Add curve"), true,
-             width))
+             with_keys(ui.keys, "Split the longest segment at half its length. The shape is unchanged.", "Add curve"),
+             true, width))
     ui.emit(edit::AddCurve{});
   beside(width);
   if (button(ui, "Insert point",
              with_keys(ui.keys,
-                       "Insert a knot at the picked place of the selected segment, keeping the shape (de Casteljau), "
-                       "as a double click on the curve does.",
+                       "Insert a knot at the selected position without changing the shape (de Casteljau). Or "
+                       "double-click the curve.",
                        "Insert point"),
              on_segment, width))
     ui.emit(edit::SplitSegment{{*selected}, session.settings.selected_t});
-  if (button(ui, "Delete", with_keys(ui.keys, "Remove the selected knot or cart.", "Delete"), removable, width))
+  if (button(ui, "Delete", with_keys(ui.keys, "Delete the selected knot or cart.", "Delete"), removable, width))
     ui.emit(edit::RemoveKnot{{*selected}});
   beside(width);
   const auto& segments = session.document.track.segments;
   if (button(ui, "Add cart",
-             "Add a cart at the start of the selected segment, or of the track, or at the next place after it that is "
-             "free.",
+             "Add a cart at the first free place from the start of the selected segment, or of the track.",
              !segments.empty(), width)) {
     ui.emit(free_place(session, on_segment ? session.settings.selected : segments.front()));
   }
@@ -137,7 +131,7 @@ void start(Ui& ui) {
                      .low = -world::kMaxSpeed,
                      .high = world::kMaxSpeed,
                      .largest = 1e300};
-  if (const auto to = number(ui, "Start speed", speed, "Speed at which carts start; negative runs backwards."))
+  if (const auto to = number(ui, "Start speed", speed, "Start speed of the carts. Negative: backwards."))
     ui.emit(edit::SetStartSpeed{*to});
   const Number datum{.value = document.datum,
                      .unit = "m",
@@ -146,22 +140,20 @@ void start(Ui& ui) {
                      .low = -world::kMaxCoordinate,
                      .high = world::kMaxCoordinate,
                      .largest = 1e300};
-  if (const auto to = number(ui, "Datum", datum, "Height at which potential energy is zero."))
-    ui.emit(edit::SetDatum{*to});
+  if (const auto to = number(ui, "Datum", datum, "Height of zero potential energy.")) ui.emit(edit::SetDatum{*to});
 }
 
 void file(Ui& ui) {
-  if (auto path =
-          text(ui, "File", ui.file, std::string("The track's file. Another path typed here is opened.\n") + ui.file))
-    ui.dialogs.request(ui, {Want::Kind::load, std::move(*path)});
+  if (auto path = text(ui, "File", ui.file, std::string("The track's file. Type another path to open it.\n") + ui.file))
+    ui.want = {Want::Kind::load, std::move(*path)};
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-  if (button(ui, "New", with_keys(ui.keys, "Start an empty track.", "New"), true, width))
-    ui.dialogs.request(ui, {Want::Kind::fresh, {}});
+  if (button(ui, "New", with_keys(ui.keys, "Start an empty track.", "New"), true, width)) ui.want = {Want::Kind::fresh};
   ImGui::SameLine();
   if (button(ui, "Open", with_keys(ui.keys, "Choose a track file to open.", "Open"), true, width))
-    ui.dialogs.request(ui, {Want::Kind::browse, {}});
+    ui.want = {Want::Kind::browse};
   ImGui::SameLine();
-  if (button(ui, "Save", with_keys(ui.keys, "Save the track to its file.", "Save"), true, width)) ui.dialogs.save(ui);
+  if (button(ui, "Save", with_keys(ui.keys, "Save the track to its file.", "Save"), true, width))
+    ui.want = {Want::Kind::save};
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A plot: the axes are chosen, the room is divided, the parts are drawn, the cursor is followed.
+// A plot: chooses the axes, lays out and draws the parts, and follows the cursor.
 #include "ui/plots/plot.h"
 
 #include <imgui.h>
@@ -62,9 +62,9 @@ void make_square(PlotArea& area) {
 
 int most_ticks(float room, float each) { return std::max(2, static_cast<int>(room / each)); }
 
-// Divides the room: the y axis' texts on the left, its title and the legend above; the x axis' texts below, its title
-// at their end when it is short, else in a row of its own.
-PlotArea lay_out(const Ui& ui, const Plot& p, const Data& data, ImVec2 low, ImVec2 high) {
+// Lays out the plot: labels of the y axis left, its title and the legend above; labels of the x axis below, its title
+// at their end if it is short, else in its own row.
+PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 low, ImVec2 high) {
   PlotArea area;
   area.scale = ui.scale;
   area.text_px = small_text_px(ui);
@@ -144,7 +144,7 @@ void draw_all(ImDrawList& list, const PlotArea& area, const Plot& p, ImVec2 oute
 
 }  // namespace
 
-std::optional<PlotDrag> plot(Ui& ui, std::string_view label, const Plot& p, std::string_view tooltip) {
+std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot& p, std::string_view tooltip) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const float least = 4 * small_text_px(ui);
   const ImVec2 size(std::max(least, p.width > 0 ? p.width : room.x), std::max(least, p.height > 0 ? p.height : room.y));

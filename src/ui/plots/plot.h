@@ -1,6 +1,5 @@
-// A plot of our own over Dear ImGui: lines, points and bars on linear or logarithmic axes with titles and units, a
-// grid, a legend, marked levels, a read-out under the mouse and a cursor that can be dragged. Keeps nothing between
-// frames.
+// A plot widget: lines, points and bars on linear or logarithmic axes with titles and units, a grid, a legend, marked
+// levels, a read-out under the mouse and a cursor that can be dragged. Keeps no state between frames.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +15,8 @@ namespace coaster::ui {
 
 enum class SeriesKind : std::uint8_t { line, points, line_and_points, bars };
 
-// x and y are equally long and outlive the call. What has no place on the axes (NaN, a negative number on a logarithmic
-// axis) is a gap; lines are expected in order of x unless the plot is `square`.
+// x and y have the same size and outlive the call. NaN, and negative numbers on a logarithmic axis, are gaps. Lines
+// must be sorted by x unless the plot is `square`.
 struct Series {
   std::string label;  // "" keeps it out of the legend
   std::span<const double> x, y;
@@ -33,7 +32,7 @@ struct Level {
   std::uint32_t colour = 0xF2B84B;
 };
 
-// A point that stands out, with an optional text beside it.
+// A highlighted point with an optional label.
 struct Spot {
   double x = 0, y = 0;
   std::uint32_t colour = 0xFF8A1F;
@@ -64,10 +63,10 @@ struct PlotDrag {
   double x = 0, y = 0;
 };
 
-// Draws at the layout's place and registers "Panel/label" of kind "plot" over the area of the data, so that a click in
-// its middle is a click at the middle of the x axis. While the mouse holds it: where the cursor is wanted, x within the
-// axis and a multiple of a round step no longer than a pixel, when that is not where the cursor is; or with
-// `drags_point` the place under the mouse.
-std::optional<PlotDrag> plot(Ui& ui, std::string_view label, const Plot& plot, std::string_view tooltip);
+// Draws at ImGui's cursor and registers "Panel/label" of kind "plot" over the area of the data, so that a click in its
+// middle is a click at the middle of the x axis. While the mouse drags, returns the new x of the cursor, within the
+// axis and a multiple of a round step no longer than a pixel, if it differs from the present one; with `drags_point`,
+// the position under the mouse.
+std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot& plot, std::string_view tooltip);
 
 }  // namespace coaster::ui

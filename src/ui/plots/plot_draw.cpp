@@ -16,7 +16,7 @@ ImVec2 PlotArea::at(double x_value, double y_value) const {
           high.y - static_cast<float>(place(part_of(y, y_value))) * (high.y - low.y)};
 }
 
-float small_text_px(const Ui& ui) { return std::max(13.0f, std::round(kSmallFontPixels * ui.scale)); }
+float small_text_px(const WidgetFrame& ui) { return std::max(13.0f, std::round(kSmallFontPixels * ui.scale)); }
 
 ImVec2 small_size(const PlotArea& area, std::string_view text) {
   return small_font()->CalcTextSizeA(area.text_px, 1e9f, 0, text.data(), text.data() + text.size());
@@ -35,8 +35,7 @@ namespace {
 
 bool drawable(ImVec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-// The points of one unbroken piece. Where several fall into a pixel's column, its first, lowest, highest and last stand
-// for them.
+// The points of one unbroken piece. Of several in one pixel column, the first, lowest, highest and last remain.
 std::vector<ImVec2> thinned(std::vector<ImVec2> points, float width) {
   if (static_cast<float>(points.size()) < 5 * width) return points;
   std::vector<ImVec2> kept;

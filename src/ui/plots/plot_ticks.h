@@ -1,5 +1,5 @@
-// The arithmetic of a plot's axes: ranges that fit data, values to places and back, round ticks and their texts. No
-// drawing.
+// Arithmetic of plot axes: ranges that fit data, conversion between values and positions, round ticks and their labels.
+// Draws nothing.
 #pragma once
 
 #include <limits>
@@ -18,7 +18,7 @@ struct AxisRange {
   friend bool operator==(const AxisRange&, const AxisRange&) = default;
 };
 
-// What is finite (and on a logarithmic axis positive) of the values seen so far.
+// Range of the values added so far that are finite (and positive on a logarithmic axis).
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   void add(double value, AxisScale scale);
@@ -26,14 +26,14 @@ struct Extent {
   bool empty() const { return !(low <= high); }
 };
 
-// A valid range that holds the extent, with `margin` (a part of the span) of air on both sides. A linear range of one
-// value is widened about it; a logarithmic one spans at least a decade and at most kMostDecades below its top. An empty
-// extent gives 0..1, or 0.1..1.
+// Returns a valid range that contains the extent, plus `margin` (a fraction of the span) on both sides. A linear range
+// of a single value is widened around it; a logarithmic one spans at least a decade and at most kMostDecades. An empty
+// extent gives 0..1, or 0.1..1 on a logarithmic axis.
 AxisRange fit(const Extent& extent, AxisScale scale, double margin = 0);
 inline constexpr double kMostDecades = 24;
 
-// 0 at `low`, 1 at `high`, linear or in the logarithm; beyond the ends below 0 and above 1. On a logarithmic axis zero
-// is at 0 (the lower edge); negative values and NaN have no place: NaN.
+// Returns the position of a value: 0 at `low`, 1 at `high`, linear or logarithmic; outside the range below 0 or
+// above 1. On a logarithmic axis zero is at 0 (the lower edge). NaN for negative values and NaN.
 double part_of(const AxisRange& axis, double value);
 // The inverse of part_of() within [0,1]; parts outside are clamped.
 double value_at(const AxisRange& axis, double part);

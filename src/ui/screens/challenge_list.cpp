@@ -1,4 +1,5 @@
 #include "ui/screens/challenge_list.h"
+#include "ui/context/rows.h"
 
 #include <imgui.h>
 
@@ -9,8 +10,8 @@
 #include "exchange/challenge_file.h"
 #include "exchange/own/progress_file.h"
 #include "query/challenge.h"
-#include "ui/screens/medals.h"
 #include "ui/widgets/imgui_compat.h"
+#include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 
@@ -64,14 +65,6 @@ void ChallengeShelf::read(const std::filesystem::path& users) {
   }
 }
 
-int known_medal(const Ui& ui, const std::filesystem::path& challenge) {
-  const std::string key = challenge.stem().string();
-  const exchange::ChallengeProgress* const now = exchange::find(ui.session().game.earned, key);
-  const exchange::ChallengeProgress* const kept =
-      ui.state.kept ? exchange::find(ui.state.kept->progress, key) : nullptr;
-  return std::max(now ? now->medal : 0, kept ? kept->medal : 0);
-}
-
 std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, const ChallengeShelf& shelf, int& current,
                                                          float height) {
   std::optional<std::filesystem::path> chosen;
@@ -84,7 +77,7 @@ std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, const Challenge
     ImGui::EndChild();
     return chosen;
   }
-  if (count == 0) ImGui::TextUnformatted("There are no challenges here.");
+  if (count == 0) ImGui::TextUnformatted("No challenges found.");
   for (int i = 0; i < count; ++i) {
     const ChallengeEntry& entry = shelf.entries()[static_cast<std::size_t>(i)];
     const int medal = known_medal(ui, entry.path);

@@ -1,4 +1,4 @@
-// The challenges that come with the program and those of the user, with the medals earned: a list to choose from.
+// The list of challenges, the program's and the user's, with the medals earned.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/widgets/widgets.h"
+#include "ui/context/ui.h"
 
 namespace coaster::ui {
 
@@ -28,9 +28,6 @@ class ChallengeShelf {
  private:
   std::vector<ChallengeEntry> entries_;
 };
-
-// The best medal known of the challenge of that file: earned since the program's start, or kept for the user. 0: none.
-int known_medal(const Ui& ui, const std::filesystem::path& challenge);
 
 // A row for each challenge in `height` px, scrolling; ui.panel names the widgets. What was clicked, or chosen by the
 // arrow keys and Enter. `current`: the row that the keys are at.

@@ -1,4 +1,4 @@
-// The questions, and what follows from their answers.
+// Which dialog is open, and what follows from its answer.
 #include "ui/screens/dialogs.h"
 
 #include <imgui.h>
@@ -8,37 +8,9 @@
 
 #include "base/file_lock.h"
 #include "exchange/formats.h"
-#include "ui/actions/key_map.h"
-#include "ui/widgets/theme.h"
-#include "ui/widgets/toasts.h"
-#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
-
-using platform::Key;
-
-bool pressed(const platform::Events& events, Key a, Key b = Key::unknown) {
-  return std::any_of(events.begin(), events.end(), [&](const platform::Event& event) {
-    const auto* press = std::get_if<platform::KeyPress>(&event);
-    return press != nullptr && press->down && !press->repeat &&
-           (press->key == a || (b != Key::unknown && press->key == b));
-  });
-}
-
-void title(std::string_view words) {
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().accent));
-  ImGui::TextUnformatted(words.data(), words.data() + words.size());
-  ImGui::PopStyleColor();
-  ImGui::Separator();
-}
-
-void paragraph(Ui& ui, std::string_view label, const std::string& words) {
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(words.c_str());
-  ImGui::PopTextWrapPos();
-  note_item(ui, label, "label", "", true, words);
-}
 
 // Where a file is looked for first: beside the document, else beside the file used last.
 std::filesystem::path first_folder(const Ui& ui) {
@@ -49,41 +21,54 @@ std::filesystem::path first_folder(const Ui& ui) {
   return ".";
 }
 
+bool held_by_other(const Ui& ui) { return ui.state.kept != nullptr && !ui.state.kept->holder.empty(); }
+
+}  // namespace
+
 std::string file_name_for(const std::string& track) {
   std::string name;
   for (const char c : track) name += c == '/' || c == '\\' ? '-' : c;
   return (name.empty() || name.starts_with('.') ? "track" : name) + ".json";
 }
 
-bool held_by_other(const Ui& ui) { return ui.state.kept != nullptr && !ui.state.kept->holder.empty(); }
-
-}  // namespace
-
 void Dialogs::abandon() {
-  stage_ = Stage::none;
+  dialog_ = Dialog::none;
   want_ = {};
   saving_ = system_ = false;
+}
+
+void Dialogs::take(Ui& ui, Want want) {
+  if (want.kind >= Want::Kind::fresh && want.kind <= Want::Kind::quit) request(ui, std::move(want));
+  else perform(ui, want);
 }
 
 void Dialogs::request(Ui& ui, Want want) {
   want_ = std::move(want);
   saving_ = false;
-  if (edit::dirty(ui.state.find)) stage_ = Stage::unsaved;
+  if (edit::dirty(ui.state.find)) dialog_ = Dialog::unsaved;
   else proceed(ui);
 }
 
 void Dialogs::proceed(Ui& ui) {
-  const Want want = std::exchange(want_, {});
-  stage_ = Stage::none;
+  dialog_ = Dialog::none;
   saving_ = false;
+  perform(ui, std::exchange(want_, {}));
+}
+
+void Dialogs::perform(Ui& ui, const Want& want) {
   switch (want.kind) {
-    case Want::Kind::nothing: break;
+    case Want::Kind::nothing:
+    case Want::Kind::start_screen: break;
     case Want::Kind::fresh: ui.emit(edit::NewTrack{}); break;
     case Want::Kind::browse: browse(ui, FileBrowser::Mode::open); break;
     case Want::Kind::load: ui.emit(edit::Load{want.path}); break;
     case Want::Kind::tutorial: ui.out.wants_tutorial = true; break;
     case Want::Kind::challenge: ui.emit(edit::StartChallenge{want.path}); break;
     case Want::Kind::quit: ui.out.quit = true; break;
+    case Want::Kind::save: save(ui); break;
+    case Want::Kind::save_as: browse(ui, FileBrowser::Mode::save); break;
+    case Want::Kind::settings: dialog_ = Dialog::settings; break;
+    case Want::Kind::challenges: dialog_ = Dialog::challenges, shelf_is_read_ = false; break;
   }
 }
 
@@ -101,21 +86,18 @@ void Dialogs::browse(Ui& ui, FileBrowser::Mode mode) {
   const std::string name =
       session.file.path.empty() ? file_name_for(session.document.name) : session.file.path.filename().string();
   browser_.start(mode, first_folder(ui), save ? name : "");
-  stage_ = Stage::browse;
+  dialog_ = Dialog::browse;
 }
 
-void Dialogs::save_as(Ui& ui) { browse(ui, FileBrowser::Mode::save); }
-
 void Dialogs::save(Ui& ui) {
-  if (ui.session().file.path.empty()) return save_as(ui);
+  if (ui.session().file.path.empty()) return browse(ui, FileBrowser::Mode::save);
   if (held_by_other(ui)) {
-    ui.toasts.show(edit::NoticeKind::warning, ui.state.kept->holder + " edits this file: save under another name.",
-                   ui.state.seconds);
-    return save_as(ui);
+    ui.warn(ui.state.kept->holder + " edits this file: save under another name.");
+    return browse(ui, FileBrowser::Mode::save);
   }
   ui.emit(edit::Save{ui.session().file.path.string()});
   saving_ = want_.kind != Want::Kind::nothing;
-  stage_ = Stage::none;
+  dialog_ = Dialog::none;
 }
 
 // `asked`: whether to overwrite it has been asked already.
@@ -129,159 +111,47 @@ void Dialogs::take_file(Ui& ui, std::filesystem::path path, bool asked) {
       !ui.session().file.path.empty() && base::canonical_path(path) == base::canonical_path(ui.session().file.path);
   chosen_ = std::move(path);
   if (!asked && !own && std::filesystem::exists(chosen_, error)) {
-    stage_ = Stage::overwrite;
+    dialog_ = Dialog::overwrite;
     return;
   }
   ui.emit(edit::Save{chosen_.string()});
   // Exporting saves nothing: what was to follow waits for an answer again.
   saving_ = want_.kind != Want::Kind::nothing;
-  stage_ = Stage::none;
+  dialog_ = Dialog::none;
 }
 
 void Dialogs::take_system(Ui& ui) {
   if (!system_ || ui.state.kept == nullptr || !ui.state.kept->system.answer) return;
   system_ = false;
   const std::string answer = *ui.state.kept->system.answer;
-  if (answer.empty() || stage_ != Stage::browse) return;
+  if (answer.empty() || dialog_ != Dialog::browse) return;
   take_file(
       ui,
       exchange::format_of(answer) == nullptr && browser_.mode() == FileBrowser::Mode::save ? answer + ".json" : answer,
       exchange::format_of(answer) != nullptr);
 }
 
-void Dialogs::build_unsaved(Ui& ui, const platform::Events& events) {
-  ui.panel = "Unsaved changes";
-  title("Unsaved changes");
-  const std::string& name = ui.session().document.name;
-  paragraph(ui, "Question",
-            (name.empty() ? std::string("This track") : "\u201C" + name + "\u201D") +
-                " has changes that are not saved. Without saving they are lost.");
-  const bool enter = pressed(events, Key::enter, Key::keypad_enter);
-  const bool save_now = button(ui, "Save", "Save them, then go on. Key Enter.") || enter;
-  ImGui::SameLine();
-  const bool drop = button(ui, "Discard", "Go on without them. Key D.") || pressed(events, Key::d);
-  ImGui::SameLine();
-  const bool cancel = button(ui, "Cancel", "Back to the track. Key Escape.") || pressed(events, Key::escape);
-  if (cancel) abandon();
-  else if (drop) proceed(ui);
-  else if (save_now) save(ui);
-}
-
-void Dialogs::build_browser(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
-  const bool saving = browser_.mode() == FileBrowser::Mode::save;
-  ui.panel = saving ? "Save as" : "Open";
-  title(saving ? "Save the track as" : "Open a track");
-  const SystemDialog system = ui.state.kept != nullptr ? ui.state.kept->system : SystemDialog{};
-  if (system.running) {
-    paragraph(ui, "Waiting", "The desktop's own dialog is open.");
-    if (button(ui, "Cancel", "Do not wait for it.") || pressed(events, Key::escape)) abandon();
-    return;
-  }
-  switch (browser_.build(ui, events, text_had_keyboard, system.available)) {
-    case FileBrowser::Answer::none: break;
-    case FileBrowser::Answer::cancel: abandon(); break;
-    case FileBrowser::Answer::chosen: take_file(ui, browser_.chosen(), false); break;
-    case FileBrowser::Answer::make_folder: folder_name_ = "New folder", stage_ = Stage::new_folder; break;
-    case FileBrowser::Answer::system:
-      system_ = true;
-      ui.out.system_dialog = SystemDialogRequest{saving, browser_.folder().string(),
-                                                 saving ? file_name_for(ui.session().document.name) : ""};
-      break;
-  }
-}
-
-void Dialogs::build_overwrite(Ui& ui, const platform::Events& events) {
-  ui.panel = "Overwrite";
-  title("Overwrite?");
-  paragraph(ui, "Question",
-            chosen_.string() + " exists already, of " + base::local_time(base::change_time(chosen_)) +
-                ". What is in it is lost when it is overwritten.");
-  const bool yes = button(ui, "Overwrite", "Save in its place.");
-  ImGui::SameLine();
-  if (yes) take_file(ui, chosen_, true);
-  if (button(ui, "Cancel", "Choose another name. Keys Escape and Enter.") || pressed(events, Key::escape, Key::enter))
-    stage_ = Stage::browse;
-}
-
-void Dialogs::build_new_folder(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
-  ui.panel = "New folder";
-  title("New folder");
-  if (auto typed = text(ui, "Name", folder_name_, "The folder's name.")) folder_name_ = std::move(*typed);
-  const bool named = !folder_name_.empty() && folder_name_ != "." && folder_name_ != ".." &&
-                     folder_name_.find('/') == std::string::npos;
-  const bool make =
-      button(ui, "Make", "Make it. Key Enter.", named) || (named && pressed(events, Key::enter, Key::keypad_enter));
-  ImGui::SameLine();
-  if (button(ui, "Cancel", "Back. Key Escape.") || (!text_had_keyboard && pressed(events, Key::escape)))
-    stage_ = Stage::browse;
-  if (!make) return;
-  ui.out.new_folder = (browser_.folder() / folder_name_).string();
-  browser_.go(browser_.folder());
-  stage_ = Stage::browse;
-}
-
-void Dialogs::build_recovery(Ui& ui) {
-  ui.panel = "Recovery";
-  title("Recover unsaved work?");
-  const RecoveryOffer& offer = ui.state.kept->recoveries.front();
-  paragraph(ui, "Question",
-            "The program ended without being asked to, and \u201C" + offer.name +
-                "\u201D had changes that were not saved. They were put aside:");
-  read_out(ui, "File", offer.original.empty() ? "none: it was never saved" : offer.original, "",
-           "The file whose unsaved state it is.");
-  read_out(ui, "File saved", offer.file_time != 0 ? base::local_time(offer.file_time) : "--", "",
-           "When the file was last changed.");
-  read_out(ui, "Autosaved", base::local_time(offer.time), "", "When the unsaved state was put aside.");
-  if (offer.file_time > offer.time) paragraph(ui, "Newer", "The file is newer than the autosave.");
-  const std::size_t more = ui.state.kept->recoveries.size() - 1;
-  if (more > 0) paragraph(ui, "More", std::to_string(more) + " more after this one.");
-  const auto answer = [&](Recovery what) { ui.out.recovery = what, stage_ = Stage::none; };
-  if (button(ui, "Recover", "Go on with the unsaved state. The file stays as it is until you save."))
-    answer(Recovery::recover);
-  ImGui::SameLine();
-  if (button(ui, "Discard", "Delete the autosave. The file stays as it is.")) answer(Recovery::discard);
-  ImGui::SameLine();
-  if (button(ui, "Later", "Keep it, and ask again at the next start.")) answer(Recovery::later), asked_later_ = true;
-}
-
 std::pair<float, float> Dialogs::wanted_size() const {
   switch (shown_) {
-    case Stage::browse: return {680, 470};
-    case Stage::settings: return {560, 520};
-    case Stage::challenges: return {620, 640};
-    case Stage::recovery: return {480, -168};
+    case Dialog::browse: return {680, 470};
+    case Dialog::settings: return {560, 520};
+    case Dialog::challenges: return {620, 640};
+    case Dialog::recovery: return {480, -168};
     default: return {440, -96};
   }
-}
-
-void Dialogs::build_stage(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
-  switch (shown_) {
-    case Stage::none: break;
-    case Stage::unsaved: build_unsaved(ui, events); break;
-    case Stage::browse: build_browser(ui, events, text_had_keyboard); break;
-    case Stage::overwrite: build_overwrite(ui, events); break;
-    case Stage::new_folder: build_new_folder(ui, events, text_had_keyboard); break;
-    case Stage::recovery: build_recovery(ui); break;
-    case Stage::challenges: build_challenges(ui); break;
-    case Stage::settings:
-      ui.panel = "Settings";
-      title("Settings");
-      if (build_settings(ui) || (!text_had_keyboard && pressed(events, Key::escape))) stage_ = Stage::none;
-      break;
-  }
-  ui.panel.clear();
 }
 
 void Dialogs::build(Ui& ui, const platform::Events& events, bool text_had_keyboard, float width, float height) {
   follow_save(ui);
   take_system(ui);
   const UserState* const kept = ui.state.kept;
-  if (stage_ == Stage::none && kept != nullptr && !kept->recoveries.empty() && !asked_later_) stage_ = Stage::recovery;
-  if (stage_ == Stage::recovery && (kept == nullptr || kept->recoveries.empty())) stage_ = Stage::none;
+  if (dialog_ == Dialog::none && kept != nullptr && !kept->recoveries.empty() && !asked_later_)
+    dialog_ = Dialog::recovery;
+  if (dialog_ == Dialog::recovery && (kept == nullptr || kept->recoveries.empty())) dialog_ = Dialog::none;
   const platform::Events none;
-  const bool changed = std::exchange(shown_, stage_) != stage_;  // what brought it here is not its answer, too
+  const bool changed = std::exchange(shown_, dialog_) != dialog_;  // what brought it here is not its answer, too
   constexpr const char* kId = "##dialog";
-  if (shown_ != Stage::none && !ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
+  if (shown_ != Dialog::none && !ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
   const auto [design_width, design_height] = wanted_size();
   const bool fits = design_height < 0;  // itself to what is in it
   const float wide = std::floor(std::min(design_width * ui.scale, width - 16)),
@@ -297,8 +167,8 @@ void Dialogs::build(Ui& ui, const platform::Events& events, bool text_had_keyboa
                                       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
   if (!ImGui::BeginPopupModal(kId, nullptr, kFixed)) return;
-  if (shown_ == Stage::none) ImGui::CloseCurrentPopup();
-  build_stage(ui, changed ? none : events, text_had_keyboard);
+  if (shown_ == Dialog::none) ImGui::CloseCurrentPopup();
+  build_shown(ui, changed ? none : events, text_had_keyboard);
   ImGui::EndPopup();
 }
 

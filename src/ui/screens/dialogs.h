@@ -1,6 +1,6 @@
-// Questions over everything else, one at a time: what to do with unsaved changes, which file, whether to overwrite it,
-// whether to recover an autosave; and the settings. While one is open, keys and mouse are its own. The document changes
-// by the commands alone that answers lead to.
+// Modal dialogs, one at a time: unsaved changes, choosing a file, overwriting, a new folder, recovering an autosave,
+// settings, challenges. An open dialog takes all keys and the mouse. The document changes only by the commands that
+// answers emit.
 #pragma once
 
 #include <string>
@@ -11,48 +11,40 @@
 
 namespace coaster::ui {
 
-// What is to follow once nothing unsaved can be lost.
-struct Want {
-  enum class Kind { nothing, fresh, browse, load, challenge, tutorial, quit } kind = Kind::nothing;
-  std::string path;  // of load and challenge
-};
-
 class Dialogs {
  public:
-  bool open() const { return stage_ != Stage::none; }
+  bool open() const { return dialog_ != Dialog::none; }
 
-  // Does it, or asks first when there are unsaved changes.
-  void request(Ui& ui, Want want);
-  // To the document's own file; asks for one where it has none, or where somebody else edits it.
-  void save(Ui& ui);
-  void save_as(Ui& ui);
-  void show_settings() { stage_ = Stage::settings; }
-  // The list of challenges to choose from.
-  void show_challenges() { stage_ = Stage::challenges, shelf_is_read_ = false; }
+  // Does it, or first asks about unsaved changes. Want::Kind::save writes to the document's own file; it asks for one
+  // where there is none, or where somebody else edits it.
+  void take(Ui& ui, Want want);
 
   // `text_had_keyboard`: a field did at the start of the frame. width, height: of the window, px.
   void build(Ui& ui, const platform::Events& events, bool text_had_keyboard, float width, float height);
 
  private:
-  enum class Stage { none, unsaved, browse, overwrite, new_folder, recovery, settings, challenges };
+  enum class Dialog { none, unsaved, browse, overwrite, new_folder, recovery, settings, challenges };
 
+  void request(Ui& ui, Want want);
+  void save(Ui& ui);
   void proceed(Ui& ui);
+  void perform(Ui& ui, const Want& want);
   void abandon();
   void follow_save(Ui& ui);
   void browse(Ui& ui, FileBrowser::Mode mode);
   void take_file(Ui& ui, std::filesystem::path path, bool asked);
   void take_system(Ui& ui);
-  void build_stage(Ui& ui, const platform::Events& events, bool text_had_keyboard);
+  void build_shown(Ui& ui, const platform::Events& events, bool text_had_keyboard);
   void build_unsaved(Ui& ui, const platform::Events& events);
   void build_browser(Ui& ui, const platform::Events& events, bool text_had_keyboard);
   void build_overwrite(Ui& ui, const platform::Events& events);
   void build_new_folder(Ui& ui, const platform::Events& events, bool text_had_keyboard);
   void build_recovery(Ui& ui);
-  void build_challenges(Ui& ui);  // dialogs_challenges.cpp
+  void build_challenges(Ui& ui);
   std::pair<float, float> wanted_size()
       const;  // design px; a height below 0: at least so much, and as high as what is in it
 
-  Stage stage_ = Stage::none, shown_ = Stage::none;
+  Dialog dialog_ = Dialog::none, shown_ = Dialog::none;
   Want want_;
   bool saving_ = false;       // a save was asked for so that `want_` can follow
   bool asked_later_ = false;  // about recovery
@@ -65,7 +57,10 @@ class Dialogs {
   std::string folder_name_;
 };
 
-// The content of the settings window; true when it is to be closed. panel_settings.cpp.
+// The name of the file that a track of this name is first saved to.
+std::string file_name_for(const std::string& track);
+
+// The content of the settings window (settings_window.cpp); true when it is to be closed.
 bool build_settings(Ui& ui);
 
 }  // namespace coaster::ui

@@ -181,10 +181,10 @@ FileBrowser::Answer FileBrowser::draw_list(Ui& ui, const Entries& entries, float
       if (draw_row(ui, *entries[i])) twice = entries[i];
     const std::string words =
         !problem_.empty()            ? problem_
-        : entries.size() > kMostRows ? std::to_string(entries.size() - kMostRows) + " more: type a part of the name"
-        : entries.empty() ? (words_.empty() || mode_ == Mode::save ? "No folders, and no files that can be read here."
-                                                                   : "Nothing here has this in its name.")
-                          : "";
+        : entries.size() > kMostRows ? std::to_string(entries.size() - kMostRows) + " more: type part of the name"
+        : entries.empty()
+            ? (words_.empty() || mode_ == Mode::save ? "No folders and no readable files here." : "No matches.")
+            : "";
     if (!words.empty()) {
       ImGui::PushTextWrapPos(0);
       ImGui::TextDisabled("%s", words.c_str());
@@ -199,21 +199,21 @@ FileBrowser::Answer FileBrowser::draw_list(Ui& ui, const Entries& entries, float
 
 FileBrowser::Answer FileBrowser::draw_buttons(Ui& ui, const Entries& entries, bool system) {
   Answer answer = Answer::none;
-  if (const auto on =
-          checkbox(ui, "Show all files", all_, "Also show hidden files and those that no format is known for."))
+  if (const auto on = checkbox(ui, "Show all files", all_, "Also show hidden files and files of unknown formats."))
     all_ = *on, read_at_ = -1;
-  if (button(ui, "New folder", "Make a folder here.")) answer = Answer::make_folder;
+  if (button(ui, "New folder", "Create a folder here.")) answer = Answer::make_folder;
   if (system) {
     ImGui::SameLine();
-    if (button(ui, "System dialog", "Choose with the desktop's own file dialog.")) answer = Answer::system;
+    if (button(ui, "System dialog", "Use the desktop's file dialog.")) answer = Answer::system;
   }
   const float width = std::floor(110 * ui.scale), gap = ImGui::GetStyle().ItemSpacing.x;
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 2 * width - gap);
-  if (button(ui, "Cancel", "Leave everything as it is. Key Escape.", true, width)) answer = Answer::cancel;
+  if (button(ui, "Cancel", "Cancel. Key Escape.", true, width)) answer = Answer::cancel;
   ImGui::SameLine();
   const bool can = mode_ == Mode::save ? !words_.empty()
                                        : !marked_.empty() || is_path(words_) || (!words_.empty() && !entries.empty());
-  if (button(ui, mode_ == Mode::save ? "Save" : "Open", "Take what is marked or named above. Key Enter.", can, width))
+  if (button(ui, mode_ == Mode::save ? "Save" : "Open", "Use the selected file or the name above. Key Enter.", can,
+             width))
     answer = confirm(entries);
   return answer;
 }
@@ -228,8 +228,8 @@ FileBrowser::Answer FileBrowser::build(Ui& ui, const platform::Events& events, b
   const bool saving = mode_ == Mode::save;
   const std::string_view label = saving ? "Name" : "Search or path";
   if (auto typed = text(ui, label, words_,
-                        saving ? "The file's name. Its ending tells the format; without one it is .json."
-                               : "What names must contain, or a path that starts with / or ~/. Just type.")) {
+                        saving ? "Name of the file. Its extension selects the format, .json by default."
+                               : "Part of a name, or a path that starts with / or ~/.")) {
     words_ = std::move(*typed);
     untouched_ = by_key_ = false;
     if (!saving) marked_.clear();

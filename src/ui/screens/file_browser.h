@@ -1,5 +1,5 @@
-// Choosing a file: a folder's path as buttons, its folders and its files with known endings, with size and time.
-// Arrows, Enter, Backspace and typing work without the mouse. Reads folders, writes nothing.
+// The file browser: the folder's path as buttons, its folders, and its files of known formats with size and time. Works
+// by mouse or by arrows, Enter, Backspace and typing. Reads folders, writes nothing.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/folders.h"
-#include "ui/widgets/widgets.h"
+#include "ui/context/ui.h"
 
 namespace coaster::ui {
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <string>
 
-#include "ui/actions/key_map.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 #include "world/aids.h"
@@ -22,15 +21,14 @@ struct Hint {
 // With the keys as the user has them.
 std::array<Hint, 8> first_steps(const KeyMap& keys) {
   const auto k = [&](std::string_view action) { return keys.shown(action); };
-  return {Hint{"Drag", "turn the view; the wheel zooms, " + k("Frame all") + " shows all"},
+  return {Hint{"Drag", "orbit; wheel zooms, " + k("Frame all") + " frames all"},
           Hint{"Click", "select a knot, then drag it or its handles"},
           Hint{k("Move") + " " + k("Rotate") + " " + k("Scale"), "move, rotate, scale; then X, Y, Z or a number"},
-          Hint{k("Append points"), "append knots by clicks; " + k("Add curve") + " adds a curve"},
-          Hint{k("Play or pause"),
-               "ride; " + k("Ride camera") + " looks from the seat, " + k("Orbit camera") + " from afar"},
+          Hint{k("Append points"), "append knots by clicking; " + k("Add curve") + " adds a curve"},
+          Hint{k("Play or pause"), "ride; " + k("Ride camera") + " rider's view, " + k("Orbit camera") + " orbit view"},
           Hint{k("Laboratory"), "the laboratory: curves, errors, forces"},
-          Hint{k("Undo"), "undo, as often as you like"},
-          Hint{k("Command palette"), "find every action and command"}};
+          Hint{k("Undo"), "undo, any number of steps"},
+          Hint{k("Command palette"), "find any action or command"}};
 }
 
 }  // namespace
@@ -60,7 +58,7 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
       ImGui::TextUnformatted(hint.text.c_str());
       ImGui::PopStyleColor();
     }
-    if (button(ui, "Got it", "Dismiss the first steps; View/First steps brings them back."))
+    if (button(ui, "Got it", "Hide the first steps. View/First steps shows them again."))
       ui.emit(edit::Set<&world::Aids::show_hints>{false});
     ui.panel.clear();
   }

@@ -1,7 +1,7 @@
 // The first steps, in the viewport's lower left corner while Settings::show_hints.
 #pragma once
 
-#include "ui/widgets/widgets.h"
+#include "ui/context/ui.h"
 
 namespace coaster::ui {
 

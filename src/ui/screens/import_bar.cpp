@@ -22,12 +22,12 @@ void build_import_bar(Ui& ui, const view::Viewport& scene) {
   if (ImGui::Begin("##import", nullptr, kFlags)) {
     ui.panel = "Import";
     const auto done = static_cast<float>(progress->done.load());
-    ImGui::TextUnformatted("Fitting a track to the file's rows");
+    ImGui::TextUnformatted("Fitting a track to the imported points");
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, colour(palette().accent));
     ImGui::ProgressBar(done, {-1, std::floor(8 * ui.scale)}, "");
     ImGui::PopStyleColor();
-    note_item(ui, "Progress", "label", "How much of the file is fitted.", true, fixed(100.0 * done, 0) + " %");
-    if (button(ui, "Cancel", "Leave the track that is open as it is. Escape does so, too.", !progress->cancelled) ||
+    note_item(ui, "Progress", "label", "Part of the file that is fitted.", true, fixed(100.0 * done, 0) + " %");
+    if (button(ui, "Cancel", "Cancel the import. The open track stays as it is. Key Escape.", !progress->cancelled) ||
         ImGui::IsKeyPressed(ImGuiKey_Escape))
       ui.out.cancel_import = true;
     ui.panel.clear();

@@ -1,7 +1,7 @@
-// How far the import of a file is, with a way to cancel it.
+// Progress of a file import, with a cancel button.
 #pragma once
 
-#include "ui/widgets/widgets.h"
+#include "ui/context/ui.h"
 
 namespace coaster::ui {
 

@@ -52,14 +52,11 @@ void draw_lesson(Ui& ui, const view::Viewport& scene, const Widget* marked) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().warning));
     ImGui::Text("Lesson %d of %d", lesson->number, lesson->count);
     ImGui::PopStyleColor();
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(lesson->text.c_str());
-    ImGui::PopTextWrapPos();
-    note_item(ui, "Text", "label", "", true, lesson->text);
+    paragraph(ui, "Text", lesson->text, palette().text);
     ImGui::Dummy({0, std::floor(2 * ui.scale)});
-    if (button(ui, "Show me", "Let the lesson do it.")) ui.out.lesson_answer = query::LessonAnswer::show;
+    if (button(ui, "Show me", "Let the tutorial do this step.")) ui.out.lesson_answer = query::LessonAnswer::show;
     ImGui::SameLine();
-    if (button(ui, "Leave", "End the tutorial; the track stays as it is."))
+    if (button(ui, "Leave", "Leave the tutorial. The track stays as it is."))
       ui.out.lesson_answer = query::LessonAnswer::leave;
     ui.panel.clear();
     foot.y = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;

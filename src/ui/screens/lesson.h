@@ -1,7 +1,7 @@
-// A lesson: what a player is asked to do, on a card in the viewport, and a ring around the widget that it is about.
+// A lesson of the tutorial: a card in the viewport and a ring around the widget it is about.
 #pragma once
 
-#include "ui/widgets/widgets.h"
+#include "ui/context/ui.h"
 
 namespace coaster::ui {
 

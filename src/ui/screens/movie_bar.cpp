@@ -11,7 +11,7 @@ namespace coaster::ui {
 namespace {
 
 std::string words_of(const MovieState& movie) {
-  if (movie.encoding) return "Making the movie's file";
+  if (movie.encoding) return "Encoding the movie";
   return fixed(static_cast<double>(movie.ticks) * world::kTick, 1) + " s, " + std::to_string(movie.frames) +
          (movie.frames == 1 ? " picture" : " pictures");
 }
@@ -43,19 +43,19 @@ void build_movie_bar(Ui& ui, const view::Viewport& scene) {
     draw_dot(!movie->encoding);
     const std::string words = words_of(*movie);
     ImGui::TextUnformatted(words.c_str());
-    note_item(ui, "State", "label", "What of the movie there is.", true, words);
+    note_item(ui, "State", "label", "Recorded so far.", true, words);
     const float button_width = std::floor(64 * ui.scale);
     ImGui::SameLine(ImGui::GetWindowWidth() - button_width - 12 * ui.scale);
     if (button(ui, "Stop",
-               movie->encoding ? "Do without the file; the pictures are kept."
-                               : "End the movie here. Else it ends with the lap.",
+               movie->encoding ? "Cancel encoding. The pictures are kept."
+                               : "Stop recording. Otherwise it stops at the end of the lap.",
                true, button_width))
       ui.out.movie = MovieWish::stop;
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, colour(movie->encoding ? palette().accent : palette().error));
     ImGui::ProgressBar(static_cast<float>(movie->done), {-1, std::floor(6 * ui.scale)}, "");
     ImGui::PopStyleColor();
-    note_item(ui, "Progress", "label", "How much of the lap is recorded; then, of the movie's file made.", true,
-              fixed(100 * movie->done, 0) + " %");
+    note_item(ui, "Progress", "label", "Part of the lap that is recorded, then part of the movie that is encoded.",
+              true, fixed(100 * movie->done, 0) + " %");
     ui.panel.clear();
   }
   ImGui::End();

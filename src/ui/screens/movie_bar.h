@@ -1,7 +1,7 @@
-// How far a movie is, with a way to stop it: over the scene, and not in the movie.
+// Progress of the movie being recorded, with a stop button. Drawn over the scene, not in the movie.
 #pragma once
 
-#include "ui/widgets/widgets.h"
+#include "ui/context/ui.h"
 
 namespace coaster::ui {
 

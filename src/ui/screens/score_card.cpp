@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "query/challenge.h"
-#include "ui/actions/key_map.h"
-#include "ui/screens/medals.h"
+#include "ui/tools/places.h"
+#include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 #include "world/aids.h"
@@ -17,13 +17,6 @@ namespace {
 
 using edit::RideEnd;
 
-void wrapped(Ui& ui, std::string_view label, const std::string& words, std::uint32_t rgb) {
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(rgb));
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(words.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  note_item(ui, label, "label", "", true, words);
 }
 
 std::string sentence(std::string words) {
@@ -53,20 +46,19 @@ void rating(Ui& ui, const char* name, double value, std::uint32_t rgb, std::stri
 
 void numbers(Ui& ui, const edit::RideResult& result) {
   const sim::Ratings& r = result.ratings;
-  if (result.end == RideEnd::failed) read_out(ui, "Time", fixed(result.seconds, 2), "s", "From the start to here.");
-  else
-    read_out(ui, result.end == RideEnd::lap ? "Lap time" : "Time", fixed(r.seconds, 2), "s",
-             "Of the ride, from its start.");
-  read_out(ui, "Length", fixed(r.length, 1), "m", "Of the track.");
-  read_out(ui, "Top speed", fixed(r.top_speed.value, 1), "m/s", "Anywhere in the ride.");
+  if (result.end == RideEnd::failed)
+    read_out(ui, "Time", fixed(result.seconds, 2), "s", "Time from the start to the failure.");
+  else read_out(ui, result.end == RideEnd::lap ? "Lap time" : "Time", fixed(r.seconds, 2), "s", "Time of the ride.");
+  read_out(ui, "Length", fixed(r.length, 1), "m", "Length of the track.");
+  read_out(ui, "Top speed", fixed(r.top_speed.value, 1), "m/s", "Highest speed of the ride.");
   read_out(ui, "Highest drop", fixed(r.highest_drop, 1), "m",
-           "The largest of " + std::to_string(r.drops) + " descents of 3 m or more.");
-  read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "Time in which riders are lifted from their seats.");
+           "Largest of " + std::to_string(r.drops) + " descents of 3 m or more.");
+  read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "Time with vertical g below 0.");
   read_out(ui, "Vertical g", fixed(r.up_least.value, 2) + " .. " + fixed(r.up_most.value, 2), "g",
-           "Smallest and largest, low-passed, of all cars.");
-  read_out(ui, "Lateral g", fixed(r.side_most.value, 2), "g", "Largest to either side, low-passed.");
-  read_out(ui, "Inversions", std::to_string(r.inversions), "", "Times that riders are turned upside down.");
-  constexpr std::string_view kTerms = "After OpenRCT2's published terms of g and drops, with real g.";
+           "Smallest and largest, low-pass filtered, all cars.");
+  read_out(ui, "Lateral g", fixed(r.side_most.value, 2), "g", "Largest to either side, low-pass filtered.");
+  read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
+  constexpr std::string_view kTerms = "After OpenRCT2's published rating terms, with real g.";
   rating(ui, "Excitement", r.excitement, 0x4FB477, kTerms);
   rating(ui, "Intensity", r.intensity, 0xF2B84B, kTerms);
   rating(ui, "Nausea", r.nausea, 0xE5534B, kTerms);
@@ -90,19 +82,19 @@ void verdict(Ui& ui, const edit::Verdict& verdict) {
   list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y + line}, packed(palette().dim), name.c_str(), nullptr, 0,
                &clip);
   ImGui::Dummy({room, size});
-  note(ui, "Verdict", "label", "What the challenge makes of it.", true, words, low, {low.x + room, low.y + size});
+  note(ui, "Verdict", "label", "Verdict of the challenge.", true, words, low, {low.x + room, low.y + size});
 }
 
 void buttons(Ui& ui, const edit::Session& session) {
   const auto place = failed_place(session);
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  if (button(ui, "Ride again", "Let the train run from its start.")) {
+  if (button(ui, "Ride again", "Start the ride again.")) {
     ui.emit(edit::RideStop{});
     ui.emit(edit::RideStart{});
   }
   ImGui::SameLine(0, gap);
   if (button(ui, "Show where",
-             with_keys(ui.keys, "Look at the place where it failed, and select the segment.", "Show where it failed"),
+             with_keys(ui.keys, "Go to the place of the failure and select the segment.", "Show where it failed"),
              place.has_value()))
     show_place(ui, *place);
   ImGui::SameLine(0, gap);
@@ -117,54 +109,26 @@ void build(Ui& ui, const edit::Session& session) {
   ImGui::PopStyleColor();
   note_item(ui, "Track", "label", "", true, session.document.name);
   const bool failed = result.end == RideEnd::failed;
-  wrapped(ui, "Title", std::string(base::row_of(result.end).label), failed ? palette().error : palette().text);
+  paragraph(ui, "Title", std::string(base::row_of(result.end).label), failed ? palette().error : palette().text);
   if (!result.reason.empty())
-    wrapped(ui, "Reason", sentence(result.reason), failed ? palette().warning : palette().dim);
+    paragraph(ui, "Reason", sentence(result.reason), failed ? palette().warning : palette().dim);
   if (result.verdict) {
     verdict(ui, *result.verdict);
     if (!result.verdict->reason.empty() && result.verdict->reason != result.reason)
-      wrapped(ui, "Why not", sentence(result.verdict->reason), palette().warning);
+      paragraph(ui, "Why not", sentence(result.verdict->reason), palette().warning);
   }
   ImGui::Separator();
   numbers(ui, result);
   if (!result.whole)
-    wrapped(ui, "Note",
-            "The track was changed, or the train moved by hand, during the ride: the numbers are of a whole ride on it "
-            "now.",
-            palette().dim);
+    paragraph(
+        ui, "Note",
+        "The track or the train was changed during the ride. These values are of a whole ride on the current track.",
+        palette().dim);
   ImGui::Separator();
   buttons(ui, session);
 }
 
 }  // namespace
-
-bool card_shows(const edit::Session& session) {
-  return session.settings.aids->show_card && session.game.show_result && session.game.result;
-}
-
-std::optional<double> failed_place(const edit::Session& session) {
-  if (!session.game.result) return std::nullopt;
-  if (session.game.result->verdict && session.game.result->verdict->place) return session.game.result->verdict->place;
-  return session.game.result->end == RideEnd::failed ? session.game.result->place : std::nullopt;
-}
-
-void show_place(Ui& ui, double distance) {
-  const edit::Session& session = ui.session();
-  const sim::Derived& derived = session.derived;
-  if (derived.order.empty()) return;
-  const sim::TrackPlace place = sim::place_at(derived, distance);
-  const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
-  const double t = shape.arc.parameter(place.s);
-  world::Camera camera = session.settings.camera;
-  camera.target = glm::vec3(curve::point(shape.key.cubic, t));
-  constexpr float kNear = 18, kFar = 36;  // m
-  camera.distance = std::clamp(camera.distance, kNear, kFar);
-  ui.emit(edit::Select{{world::name_of(session.document, derived.order[place.index])}, t});
-  ui.emit(edit::SetCamera{camera});
-  if (card_shows(session)) ui.emit(edit::CloseCard{});
-  if (session.settings.camera_mode != world::CameraMode::orbit)
-    ui.emit(edit::Set<&world::Settings::camera_mode>{world::CameraMode::orbit});
-}
 
 void draw_score_card(Ui& ui, const view::Viewport& scene) {
   const edit::Session& session = ui.session();

@@ -8,7 +8,6 @@
 #include "base/text.h"
 #include "platform/sound.h"
 #include "ui/actions/actions.h"
-#include "ui/actions/key_map.h"
 #include "ui/screens/dialogs.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
@@ -28,8 +27,8 @@ void scale(Ui& ui) {
   const auto current = static_cast<int>(place - percents.begin());
   if (place == percents.end() || *place != now) percents.insert(place, now);
   std::vector<Choice> choices;
-  for (const int percent : percents) choices.push_back({std::to_string(percent) + " %", "Size of texts and panels."});
-  if (const auto to = combo(ui, "Scale", choices, current, "Size of texts and panels."))
+  for (const int percent : percents) choices.push_back({std::to_string(percent) + " %", "Size of text and panels."});
+  if (const auto to = combo(ui, "Scale", choices, current, "Size of text and panels."))
     ui.emit(edit::Set<&world::Look::ui_scale>{static_cast<float>(percents[static_cast<std::size_t>(*to)]) / 100});
 }
 
@@ -42,15 +41,14 @@ void look(Ui& ui) {
     ui.emit(edit::Set<&world::Look::style>{*to});
   const bool built = platform::sound_library() != "none";
   if (const auto to = slider(ui, "Sound (%)", static_cast<int>(std::lround(100 * settings.look->sound)), 0, 100, false,
-                             built ? "Loudness of the ride in a window; 0: silent. So it is without a sound device."
-                                   : "This program was built without sound (OpenAL)."))
+                             built ? "Ride volume. 0 mutes it." : "This build has no sound (OpenAL)."))
     ui.emit(edit::Set<&world::Look::sound>{static_cast<float>(*to) / 100});
-  if (const auto on = checkbox(ui, "Shadows", settings.look->shadows,
-                               "What track and trains take of the sun. Without them frames cost less."))
+  if (const auto on =
+          checkbox(ui, "Shadows", settings.look->shadows, "Turn shadows on or off. Frames are faster without them."))
     ui.emit(edit::Set<&world::Look::shadows>{*on});
   ImGui::SameLine();
   if (const auto on = checkbox(ui, "Reduced motion", settings.feel->reduced_motion,
-                               "Keep the rider's horizon level, cut between cameras, no bobbing, no widening."))
+                               "Level horizon, cuts between cameras, no head-bob, no widening."))
     ui.emit(edit::Set<&world::CameraFeel::reduced_motion>{*on});
 }
 
@@ -58,23 +56,23 @@ void keeping(Ui& ui) {
   if (ui.state.kept == nullptr) return;
   const exchange::UserSettings& now = ui.state.kept->settings;
   const int seconds = static_cast<int>(std::lround(now.autosave_seconds));
-  if (const auto to = slider(ui, "Autosave every (s)", seconds, static_cast<int>(exchange::kMinAutosave),
-                             static_cast<int>(exchange::kMaxAutosave), true,
-                             "How long unsaved changes wait before they are put aside.")) {
+  if (const auto to =
+          slider(ui, "Autosave every (s)", seconds, static_cast<int>(exchange::kMinAutosave),
+                 static_cast<int>(exchange::kMaxAutosave), true, "Seconds between a change and its autosave.")) {
     ui.out.settings = now;
     ui.out.settings->autosave_seconds = std::clamp<double>(*to, exchange::kMinAutosave, exchange::kMaxAutosave);
   }
-  if (button(ui, "Forget recent files", "Empty the list in the menu File.", !now.recent.empty())) {
+  if (button(ui, "Clear recent files###Forget recent files", "Clear the list of recent files.", !now.recent.empty())) {
     ui.out.settings = now;
     ui.out.settings->recent.clear();
   }
   ImGui::SameLine();
   if (const auto on =
-          checkbox(ui, "Hints", ui.session().settings.aids->show_hints, "Tell the first steps in the viewport."))
+          checkbox(ui, "Hints", ui.session().settings.aids->show_hints, "Show the first steps in the viewport."))
     ui.emit(edit::Set<&world::Aids::show_hints>{*on});
   ImGui::SameLine();
   if (const auto on = checkbox(ui, "Score cards", ui.session().settings.aids->show_card,
-                               "Show a card with the ride's numbers when it ends."))
+                               "Show a card with results at the end of a ride."))
     ui.emit(edit::Set<&world::Aids::show_card>{*on});
 }
 
@@ -100,10 +98,10 @@ std::vector<exchange::KeyChoice> with_choice(std::vector<exchange::KeyChoice> ke
   return keys;
 }
 
-void key_rows(Ui& ui) {
+void key_fields(Ui& ui) {
   if (ui.state.kept == nullptr) return;
   const exchange::UserSettings& now = ui.state.kept->settings;
-  heading(ui, "Keys", "One or two for each action, such as Ctrl+Z; empty for none.");
+  heading(ui, "Keys", "One or two keys per action, such as Ctrl+Z. Empty: none.");
   const float below = ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
   if (ImGui::BeginChild("##keys", {0, std::max(3 * ImGui::GetFrameHeight(), ImGui::GetContentRegionAvail().y - below)},
                         true)) {
@@ -120,7 +118,7 @@ void key_rows(Ui& ui) {
     ui.panel = "Settings";
   }
   ImGui::EndChild();
-  if (button(ui, "Default keys", "Give every action its own keys back.", !now.keys.empty())) {
+  if (button(ui, "Default keys", "Reset every action to its default keys.", !now.keys.empty())) {
     ui.out.settings = now;
     ui.out.settings->keys.clear();
   }
@@ -132,7 +130,7 @@ void key_rows(Ui& ui) {
 bool build_settings(Ui& ui) {
   look(ui);
   keeping(ui);
-  key_rows(ui);
+  key_fields(ui);
   return button(ui, "Close", "Back to the track. Key Escape.");
 }
 

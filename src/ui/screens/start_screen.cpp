@@ -1,5 +1,6 @@
 // Choices on the left, pictures on the right.
 #include "ui/screens/start_screen.h"
+#include "ui/context/rows.h"
 
 #include <imgui.h>
 
@@ -9,9 +10,7 @@
 #include <variant>
 
 #include "base/folders.h"
-#include "ui/actions/key_map.h"
-#include "ui/screens/dialogs.h"
-#include "ui/screens/medals.h"
+#include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 
@@ -50,9 +49,7 @@ bool escaped(const platform::Events& events) {
 
 }  // namespace
 
-void StartScreen::load(Ui& ui, const std::filesystem::path& file) {
-  ui.dialogs.request(ui, {Want::Kind::load, file.string()});
-}
+void StartScreen::load(Ui& ui, const std::filesystem::path& file) { ui.want = {Want::Kind::load, file.string()}; }
 
 void StartScreen::build_choices(Ui& ui, float width) {
   const float size = std::floor(64 * ui.scale);
@@ -71,32 +68,27 @@ void StartScreen::build_choices(Ui& ui, float width) {
   std::error_code ignored;
   const std::filesystem::path last =
       kept != nullptr && !kept->settings.recent.empty() ? kept->settings.recent.front() : "";
-  if (button(
-          ui, "Continue",
-          last.empty() ? "There is no track that was open before." : "Open " + last.string() + ", the track used last.",
-          !last.empty() && std::filesystem::exists(last, ignored), width))
+  if (button(ui, "Continue", last.empty() ? "No recent track." : "Open " + last.string() + ", the most recent track.",
+             !last.empty() && std::filesystem::exists(last, ignored), width))
     load(ui, last);
-  if (button(ui, "New track", with_keys(ui.keys, "An empty ground; click to place knots.", "New"), true, width))
-    ui.dialogs.request(ui, {Want::Kind::fresh, {}});
-  if (button(ui, "Open or import",
-             with_keys(ui.keys, "A track file: coaster's own, or one of NoLimits (.csv, .nltrack, .nl2elem).", "Open"),
+  if (button(ui, "New track", with_keys(ui.keys, "Start an empty track. Click on the ground to place knots.", "New"),
              true, width))
-    ui.dialogs.request(ui, {Want::Kind::browse, {}});
-  if (button(ui, "Tutorial", "Build and ride a first coaster, step by step, with your own hands.", true, width))
-    ui.dialogs.request(ui, {Want::Kind::tutorial, {}});
-  if (button(
-          ui, "Challenges",
-          with_keys(ui.keys, "Start tracks with a goal and three medals, one for each thing to learn.", "Challenges"),
-          true, width))
-    ui.dialogs.show_challenges();
-  if (button(ui, "Build on", "Close this page and go on with the track behind it. Key Escape.", true, width))
-    open_ = false;
-  if (button(ui, "Quit", with_keys(ui.keys, "Leave the program.", "Quit"), true, width))
-    ui.dialogs.request(ui, {Want::Kind::quit, {}});
+    ui.want = {Want::Kind::fresh};
+  if (button(ui, "Open or import",
+             with_keys(ui.keys, "Open a coaster track, or import one of NoLimits (.csv, .nltrack, .nl2elem).", "Open"),
+             true, width))
+    ui.want = {Want::Kind::browse};
+  if (button(ui, "Tutorial", "Build and ride your first coaster, step by step.", true, width))
+    ui.want = {Want::Kind::tutorial};
+  if (button(ui, "Challenges",
+             with_keys(ui.keys, "Tracks to improve, each with a goal and three medals.", "Challenges"), true, width))
+    ui.want = {Want::Kind::challenges};
+  if (button(ui, "Back to the track###Build on", "Close this page. Key Escape.", true, width)) open_ = false;
+  if (button(ui, "Quit", with_keys(ui.keys, "Quit coaster.", "Quit"), true, width)) ui.want = {Want::Kind::quit};
   ImGui::PopStyleVar();
   if (kept != nullptr)
     if (const auto on = checkbox(ui, "Show at start", kept->settings.start_screen,
-                                 "Begin with this page when no track is named.")) {
+                                 "Show this page at start when no track is given.")) {
       ui.out.settings = kept->settings;
       ui.out.settings->start_screen = *on;
     }
@@ -137,7 +129,7 @@ bool StartScreen::draw(Ui& ui, const Card& card, float width) {
 
 void StartScreen::build_challenges(Ui& ui, float width, float gap) {
   if (shelf_.empty()) shelf_.read(ui.state.kept != nullptr ? ui.state.kept->challenges : std::filesystem::path());
-  heading(ui, "Challenges", "Start tracks with a goal and three medals, one for each thing to learn.");
+  heading(ui, "Challenges", "Tracks to improve, each with a goal and three medals.");
   int place = 0;
   for (const ChallengeEntry& entry : shelf_.entries()) {
     if (place++ % static_cast<int>(kCardsInARow) != 0) ImGui::SameLine(0, gap);
@@ -145,7 +137,7 @@ void StartScreen::build_challenges(Ui& ui, float width, float gap) {
     if (draw(ui, {"Challenges/" + entry.name, entry.track.string(), help, entry.name, known_medal(ui, entry.path)},
              width) &&
         entry.problem.empty())
-      ui.dialogs.request(ui, {Want::Kind::challenge, entry.path.string()});
+      ui.want = {Want::Kind::challenge, entry.path.string()};
   }
 }
 
@@ -172,16 +164,16 @@ void StartScreen::build_tracks(Ui& ui) {
       if (recent.size() < static_cast<std::size_t>(kCardsInARow) && std::filesystem::exists(file, ignored))
         recent.emplace_back(file);
   if (!recent.empty()) {
-    heading(ui, "Recent", "The tracks used last.");
+    heading(ui, "Recent", "Recently used tracks.");
     grid("Recent", recent);
   }
-  heading(ui, "Samples", "Tracks that come with the program.");
+  heading(ui, "Samples", "Sample tracks.");
   grid("Samples", samples_);
   build_challenges(ui, width, gap);
 }
 
 void StartScreen::build(Ui& ui, const platform::Events& events, float width, float height) {
-  if (!open_ || ui.dialogs.open()) return;
+  if (!open_) return;
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({width, height});
   ImGui::SetNextWindowBgAlpha(0.72f);

@@ -1,13 +1,12 @@
-// The first thing that is seen: what to go on with, tracks and challenges by their pictures. While it is open keys and
-// mouse are its own.
+// The start screen: recent tracks, samples and challenges with pictures. While open it takes all keys and the mouse.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "ui/context/ui.h"
 #include "ui/screens/challenge_list.h"
-#include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
 

@@ -1,19 +1,18 @@
-// The keys that move the free camera: W A S D along the view and to its sides, E and Q up and down, Shift four times as
-// fast.
+// Keys of the free camera: W A S D to move, E and Q for up and down, Shift for four times the speed.
 #pragma once
 
 #include <array>
 
 #include "platform/events.h"
-#include "ui/widgets/widgets.h"
+#include "ui/context/ui.h"
 
 namespace coaster::ui {
 
 // Which of them are held, over frames.
 class FlyKeys {
  public:
-  // One frame: while the free camera is chosen, emits where the keys take it in the time that the events' ticks tell.
-  // Keys pressed while a text has the keyboard, or with Ctrl or Alt, do not count.
+  // One frame: moves the free camera, if it is selected, over the time of the events' ticks. Ignores keys pressed while
+  // a text field has the keyboard, or with Ctrl or Alt.
   void fly(Ui& ui, const platform::Events& events, bool text_has_keyboard);
 
  private:

@@ -1,4 +1,4 @@
-// Which knots a click or a box in the viewport selects: sets of knots from the present ones. No state, no Dear ImGui.
+// Which knots a click or a box in the viewport selects. No state, no ImGui.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,4 @@
-// Where the mouse takes what it moves, turns or scales: rays met with axes and planes, snapping. No state, no Dear
-// ImGui.
+// Geometry of transforms: intersections of rays with axes and planes, rotation angles, snapping. No state, no ImGui.
 #pragma once
 
 #include <cstdint>

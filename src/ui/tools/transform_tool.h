@@ -1,13 +1,13 @@
-// Moving, turning and scaling the selected knots: by the gizmo, or with G, R and S as in Blender, along an axis (X, Y,
-// Z), in a plane (Shift+axis), by typed numbers. Holds the transform that is under way and nothing else.
+// Moving, rotating and scaling the selected knots by the gizmo, or with G, R and S as in Blender, along an axis (X, Y,
+// Z), in a plane (Shift+axis), or by typed numbers. Keeps only the current transform.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string>
 
+#include "ui/context/ui.h"
 #include "ui/tools/transform_math.h"
-#include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
 

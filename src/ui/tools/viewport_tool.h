@@ -1,12 +1,12 @@
 // The mouse in the viewport: hovering, selecting, dragging knots and handles, boxes, appending, and the orbit camera.
-// Holds the drag that is under way and nothing else.
+// Keeps only the current drag.
 #pragma once
 
 #include <glm/glm.hpp>
 
+#include "ui/context/ui.h"
 #include "ui/tools/selecting.h"
 #include "ui/tools/transform_tool.h"
-#include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
 

@@ -1,5 +1,5 @@
-// Fields to type in: numbers, sliders, text. A number is dragged, or clicked and typed; what is typed goes out once,
-// when it is complete, and never as inf or nan.
+// Fields to type in: numbers, sliders, text. A typed number is returned once, when it is complete, and is never inf or
+// NaN.
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -10,7 +10,6 @@
 
 #include "base/text.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/toasts.h"
 #include "ui/widgets/widget_parts.h"
 #include "ui/widgets/widgets.h"
 
@@ -25,10 +24,9 @@ void copy(std::array<char, 1024>& to, const std::string& from) {
   to[length] = 0;
 }
 
-// An InputText whose text lives in ui.entry while it is typed in. With `begin` it takes the keyboard at once, as if
-// clicked. Complete: by Enter, or by a press elsewhere or loss of the keyboard with the text changed; Escape leaves it
-// as it was.
-Typing typed(Ui& ui, const char* key, const std::string& initial, bool begin) {
+// An InputText whose text is in ui.entry while it is typed. With `begin` it takes the keyboard at once, as if clicked.
+// Complete on Enter, or when it loses focus with the text changed; Escape discards the text.
+Typing typed(WidgetFrame& ui, const char* key, const std::string& initial, bool begin) {
   const ImGuiID id = ImGui::GetID(key);
   Entry& entry = ui.entry;
   const bool mine = entry.id == id;
@@ -58,23 +56,21 @@ Typing typed(Ui& ui, const char* key, const std::string& initial, bool begin) {
   return !escaped && entry.text != entry.initial ? Typing::complete : Typing::no;
 }
 
-// The number typed, with `largest` for what is beyond it (inf and 1e39 too); nothing for what is no number, with a
-// notice.
-std::optional<double> parse(Ui& ui, std::string_view label, double largest) {
+// Returns the typed number, clamped to +-`largest` (inf and 1e39 too). Warns and returns nothing if it is no number.
+std::optional<double> parse(WidgetFrame& ui, std::string_view label, double largest) {
   const char* begin = ui.entry.text.data();
   char* end = nullptr;
   const double value = std::strtod(begin, &end);
   if (end == begin || std::isnan(value)) {
-    ui.toasts.show(edit::NoticeKind::warning,
-                   path_of(ui, label) + ": \"" + begin + "\" is not a number within the limits; nothing changed.",
-                   ui.state.seconds);
+    ui.warn(ui.panel + "/" + std::string(shown(label)) + ": \"" + begin +
+            "\" is not a number within the limits; nothing changed.");
     return std::nullopt;
   }
   return std::clamp(value, -largest, largest);
 }
 
-// The press that opens a field for typing: Ctrl+click or a double click; for drags a plain click too, told at its
-// release.
+// Returns whether the mouse opens a field for typing: Ctrl+click or double-click; with `plain_click` also the release
+// of a click.
 bool wants_typing(ImGuiID id, ImVec2 low, ImVec2 high, bool plain_click) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool over =
@@ -86,7 +82,7 @@ bool wants_typing(ImGuiID id, ImVec2 low, ImVec2 high, bool plain_click) {
 }
 
 // The text of a field, right-aligned over it, the unit and a small name dimmed.
-void draw_number(const Ui& ui, const Number& n, std::string_view name, std::uint32_t name_colour, ImVec2 low,
+void draw_number(const WidgetFrame& ui, const Number& n, std::string_view name, std::uint32_t name_colour, ImVec2 low,
                  ImVec2 high, bool enabled) {
   const float pad = std::floor(6 * ui.scale), gap = std::floor(4 * ui.scale), alpha = enabled ? 1.0f : 0.45f;
   const float top = std::floor((low.y + high.y - ImGui::GetTextLineHeight()) * 0.5f);
@@ -112,7 +108,7 @@ void draw_number(const Ui& ui, const Number& n, std::string_view name, std::uint
   list.PopClipRect();
 }
 
-std::optional<double> drag(Ui& ui, const Number& n, ImGuiID id) {
+std::optional<double> drag(WidgetFrame& ui, const Number& n, ImGuiID id) {
   double value = n.value;
   const bool bounded = n.low < n.high;
   const std::string format = "%." + std::to_string(n.decimals) + "f";
@@ -124,13 +120,13 @@ std::optional<double> drag(Ui& ui, const Number& n, ImGuiID id) {
   if (!changed || !std::isfinite(value)) return std::nullopt;
   if (!ui.gesture.open) {
     ui.gesture = {id, true};
-    ui.emit(edit::BeginGesture{});
+    ui.begin_gesture();
   }
   return value;
 }
 
 // One field at the cursor, `width` wide.
-std::optional<double> field(Ui& ui, std::string_view label, const Number& n, std::string_view name,
+std::optional<double> field(WidgetFrame& ui, std::string_view label, const Number& n, std::string_view name,
                             std::uint32_t name_colour, float width, std::string_view tooltip, bool enabled) {
   ImGui::PushID(label.data(), label.data() + label.size());
   ImGui::BeginDisabled(!enabled);
@@ -154,12 +150,13 @@ std::optional<double> field(Ui& ui, std::string_view label, const Number& n, std
 
 }  // namespace
 
-std::optional<double> number(Ui& ui, std::string_view label, const Number& n, std::string_view tooltip, bool enabled) {
+std::optional<double> number(WidgetFrame& ui, std::string_view label, const Number& n, std::string_view tooltip,
+                             bool enabled) {
   begin_row(ui, label);
   return field(ui, label, n, {}, 0, ImGui::CalcItemWidth(), tooltip, enabled);
 }
 
-std::optional<Changed> numbers(Ui& ui, std::string_view group, std::span<const std::string_view> names,
+std::optional<Changed> numbers(WidgetFrame& ui, std::string_view group, std::span<const std::string_view> names,
                                std::span<const Number> values, std::string_view tooltip) {
   const float gap = std::floor(4 * ui.scale), room = ImGui::GetContentRegionAvail().x;
   const float count = static_cast<float>(names.size()), width = std::floor((room - gap * (count - 1)) / count);
@@ -177,8 +174,8 @@ std::optional<Changed> numbers(Ui& ui, std::string_view group, std::span<const s
 namespace {
 
 // A bar from low to high whose value is shown with `decimals`, and rounded to them while it is dragged.
-std::optional<double> slide(Ui& ui, std::string_view label, double value, double low, double high, bool logarithmic,
-                            int decimals, std::string_view tooltip) {
+std::optional<double> slide(WidgetFrame& ui, std::string_view label, double value, double low, double high,
+                            bool logarithmic, int decimals, std::string_view tooltip) {
   begin_row(ui, label);
   const float width = ImGui::CalcItemWidth();
   ImGui::PushID(label.data(), label.data() + label.size());
@@ -213,19 +210,20 @@ std::optional<double> slide(Ui& ui, std::string_view label, double value, double
 
 }  // namespace
 
-std::optional<int> slider(Ui& ui, std::string_view label, int value, int low, int high, bool logarithmic,
+std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, int low, int high, bool logarithmic,
                           std::string_view tooltip) {
   const auto to = slide(ui, label, value, low, high, logarithmic, 0, tooltip);
   const auto whole = to ? std::optional(static_cast<int>(std::lround(*to))) : std::nullopt;
   return whole != value ? whole : std::nullopt;
 }
 
-std::optional<double> real_slider(Ui& ui, std::string_view label, double value, double low, double high, int decimals,
-                                  std::string_view tooltip) {
+std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
+                                  int decimals, std::string_view tooltip) {
   return slide(ui, label, value, low, high, false, decimals, tooltip);
 }
 
-std::optional<std::string> text(Ui& ui, std::string_view label, const std::string& value, std::string_view tooltip) {
+std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const std::string& value,
+                                std::string_view tooltip) {
   begin_row(ui, label);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float pad = ImGui::GetStyle().FramePadding.x, room = ImGui::CalcItemWidth() - 2 * pad;

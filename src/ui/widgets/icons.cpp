@@ -14,13 +14,9 @@
 namespace coaster::ui {
 namespace {
 
-struct Place {
-  float x, y;  // of the square, 0..1, y down
-};
-// A cubic Bézier curve, as everything here.
-struct Stroke {
-  Place p0, p1, p2, p3;
-};
+using Place = Icon::Place;
+using Stroke = Icon::Stroke;
+
 constexpr Stroke line(Place a, Place b) {
   return {a, {(2 * a.x + b.x) / 3, (2 * a.y + b.y) / 3}, {(a.x + 2 * b.x) / 3, (a.y + 2 * b.y) / 3}, b};
 }
@@ -45,59 +41,36 @@ constexpr std::array kReset{Stroke{{0.26f, 0.24f}, {0.6f, -0.02f}, {0.98f, 0.26f
                             Stroke{{0.9f, 0.62f}, {0.78f, 1.02f}, {0.2f, 1.02f}, {0.1f, 0.6f}},
                             line({0.26f, 0.24f}, {0.24f, 0.0f}), line({0.26f, 0.24f}, {0.5f, 0.3f})};
 
-std::span<const Stroke> strokes_of(Icon icon) {
-  switch (icon) {
-    case Icon::straight: return kStraight;
-    case Icon::curve: return kCurve;
-    case Icon::helix: return kHelix;
-    case Icon::climb: return kClimb;
-    case Icon::dive: return kDive;
-    case Icon::camelback: return kCamelback;
-    case Icon::loop: return kLoop;
-    case Icon::corkscrew: return kCorkscrew;
-    case Icon::reset: return kReset;
-    case Icon::play:
-    case Icon::pause:
-    case Icon::step: break;
-  }
-  return {};
-}
+constexpr Place kPlayArrow[] = {{0.14f, 0.06f}, {0.14f, 0.94f}, {0.94f, 0.5f}},
+                kStepArrow[] = {{0.14f, 0.06f}, {0.14f, 0.94f}, {0.7f, 0.5f}};
+constexpr Icon::Bar kStepBar[] = {{{0.74f, 0.06f}, {0.92f, 0.94f}}},
+                    kPauseBars[] = {{{0.14f, 0.06f}, {0.4f, 0.94f}}, {{0.6f, 0.06f}, {0.86f, 0.94f}}};
+
+// Rows of world::elements(), in its order.
+constexpr Icon kElementIcons[] = {{kStraight}, {kCurve},     {kHelix}, {kClimb},
+                                  {kDive},     {kCamelback}, {kLoop},  {kCorkscrew}};
+static_assert(std::size(kElementIcons) == world::elements().size());
 
 }  // namespace
 
-Icon icon_of(world::ElementKind kind) {
-  switch (kind) {
-    case world::ElementKind::straight: return Icon::straight;
-    case world::ElementKind::curve: return Icon::curve;
-    case world::ElementKind::helix: return Icon::helix;
-    case world::ElementKind::climb: return Icon::climb;
-    case world::ElementKind::dive: return Icon::dive;
-    case world::ElementKind::camelback: return Icon::camelback;
-    case world::ElementKind::loop: return Icon::loop;
-    case world::ElementKind::corkscrew: return Icon::corkscrew;
-  }
-  return Icon::straight;
-}
+const Icon kPlayIcon{{}, kPlayArrow}, kPauseIcon{{}, {}, kPauseBars}, kStepIcon{{}, kStepArrow, kStepBar},
+    kResetIcon{kReset};
 
-void draw_icon(ImDrawList& list, Icon icon, ImVec2 low, float size, ImU32 colour) {
+const Icon& icon_of(world::ElementKind kind) { return kElementIcons[static_cast<std::size_t>(kind)]; }
+
+void draw_icon(ImDrawList& list, const Icon& icon, ImVec2 low, float size, ImU32 colour) {
   const auto at = [&](Place p) { return ImVec2(low.x + p.x * size, low.y + p.y * size); };
   const float thick = std::max(1.25f, size * 0.1f);
-  for (const Stroke& s : strokes_of(icon)) list.AddBezierCubic(at(s.p0), at(s.p1), at(s.p2), at(s.p3), colour, thick);
-  const bool triangle = icon == Icon::play || icon == Icon::step;
-  if (triangle)
-    list.AddTriangleFilled(at({0.14f, 0.06f}), at({0.14f, 0.94f}), at({icon == Icon::play ? 0.94f : 0.7f, 0.5f}),
-                           colour);
-  if (icon == Icon::step) list.AddRectFilled(at({0.74f, 0.06f}), at({0.92f, 0.94f}), colour);
-  if (icon == Icon::pause) {
-    list.AddRectFilled(at({0.14f, 0.06f}), at({0.4f, 0.94f}), colour);
-    list.AddRectFilled(at({0.6f, 0.06f}), at({0.86f, 0.94f}), colour);
-  }
+  for (const Stroke& s : icon.strokes) list.AddBezierCubic(at(s.p0), at(s.p1), at(s.p2), at(s.p3), colour, thick);
+  if (!icon.arrow.empty()) list.AddTriangleFilled(at(icon.arrow[0]), at(icon.arrow[1]), at(icon.arrow[2]), colour);
+  for (const Icon::Bar& bar : icon.bars) list.AddRectFilled(at(bar.low), at(bar.high), colour);
 }
 
-bool icon_button(Ui& ui, Icon icon, std::string_view label, std::string_view tooltip, bool enabled, float width,
-                 bool above) {
+bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std::string_view tooltip, bool enabled,
+                 float width, bool above) {
+  const std::string_view name = shown(label);
   if (above) ImGui::PushFont(small_font());
-  const ImVec2 padding = ImGui::GetStyle().FramePadding, words = text_size(label);
+  const ImVec2 padding = ImGui::GetStyle().FramePadding, words = text_size(name);
   const float small = std::floor(words.y * 0.62f), size = above ? std::floor(words.y * 1.3f) : small,
               gap = std::floor(words.y * (above ? 0.15f : 0.35f));
   const float height = words.y + 2 * padding.y + (above ? size + gap : 0);
@@ -110,11 +83,11 @@ bool icon_button(Ui& ui, Icon icon, std::string_view label, std::string_view too
   if (above) {
     draw_icon(list, icon, {std::floor(low.x + (width - size) / 2), std::floor(low.y + padding.y)}, size, colour);
     list.AddText({std::floor(low.x + std::max(2.0f, (width - words.x) / 2)), low.y + padding.y + size + gap}, colour,
-                 label.data(), label.data() + label.size());
+                 name.data(), name.data() + name.size());
   } else {
     const float left = std::floor(low.x + std::max(2.0f, (width - words.x - gap - size) / 2));
     draw_icon(list, icon, {left, std::floor(low.y + (height - size) / 2)}, size, colour);
-    list.AddText({left + size + gap, low.y + padding.y}, colour, label.data(), label.data() + label.size());
+    list.AddText({left + size + gap, low.y + padding.y}, colour, name.data(), name.data() + name.size());
   }
   list.PopClipRect();
   ImGui::EndDisabled();

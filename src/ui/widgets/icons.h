@@ -1,8 +1,7 @@
-// Icons of simple strokes, drawn in the colour of the text that they stand beside.
+// Icons of simple strokes, drawn in the colour of the text beside them.
 #pragma once
 
-#include <cstdint>
-#include <optional>
+#include <span>
 #include <string_view>
 
 #include <imgui.h>
@@ -11,30 +10,31 @@
 
 namespace coaster::ui {
 
-struct Ui;
+struct WidgetFrame;
 
-enum class Icon : std::uint8_t {
-  play,
-  pause,
-  step,
-  reset,
-  straight,
-  curve,
-  helix,
-  climb,
-  dive,
-  camelback,
-  loop,
-  corkscrew
+// Curves, a filled triangle and filled bars in the unit square, y down.
+struct Icon {
+  struct Place {
+    float x, y;
+  };
+  struct Stroke {
+    Place p0, p1, p2, p3;  // a cubic Bézier curve
+  };
+  struct Bar {
+    Place low, high;
+  };
+  std::span<const Stroke> strokes;
+  std::span<const Place> arrow = {};  // three corners, or none
+  std::span<const Bar> bars = {};
 };
+extern const Icon kPlayIcon, kPauseIcon, kStepIcon, kResetIcon;
+const Icon& icon_of(world::ElementKind kind);
 
-Icon icon_of(world::ElementKind kind);
-
-// Into the square of `size` px below and right of `low`.
-void draw_icon(ImDrawList& list, Icon icon, ImVec2 low, float size, ImU32 colour);
+// Into the square of `size` px whose top left is `low`.
+void draw_icon(ImDrawList& list, const Icon& icon, ImVec2 low, float size, ImU32 colour);
 
 // A button as in widgets.h with an icon before its label, or above it, in the small font. width: px.
-bool icon_button(Ui& ui, Icon icon, std::string_view label, std::string_view tooltip, bool enabled, float width,
-                 bool above = false);
+bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std::string_view tooltip, bool enabled,
+                 float width, bool above = false);
 
 }  // namespace coaster::ui

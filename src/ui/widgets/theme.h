@@ -1,4 +1,4 @@
-// Colours, spacing and fonts of the panels. A theme is a handful of named colours; everything else follows from them.
+// Colours, spacing and fonts of the panels. A theme is a set of named colours.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,7 @@ const Palette& palette_of(world::Theme theme);
 // Of the current ImGui context, after apply_theme().
 const Palette& palette();
 
-// A colour of data, which is chosen for dark grounds, as it can be told from the ground and read in the current theme:
-// the same hue.
+// Returns a data colour, chosen for dark backgrounds, adapted to the contrast of the current theme. Same hue.
 std::uint32_t ink(std::uint32_t rgb);
 
 ImVec4 colour(std::uint32_t rgb, float alpha = 1.0f);

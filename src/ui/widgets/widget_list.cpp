@@ -1,11 +1,11 @@
-// Which widgets a frame had, and which of them can be seen and reached. The same rules as ImGui's own hovering, so that
-// a script that follows them clicks what a person could click.
+// Registered widgets, and which of them are visible and reachable, by the rules of ImGui's hovering: a script can click
+// only what a person could click.
+#include "ui/widgets/widget_list.h"
+
 #include <imgui.h>
 #include <imgui_internal.h>
 
 #include <utility>
-
-#include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
 namespace {
@@ -21,8 +21,8 @@ const ImGuiWindow* window_at(ImVec2 pixel) {
   return nullptr;
 }
 
-// Whether an open popup other than the window's own takes the mouse away from it; the menu bar keeps it, but for a
-// modal one.
+// Returns whether an open popup of another window captures the mouse. The menu bar keeps it, except under a modal
+// popup.
 bool behind_popup(const ImGuiWindow* window) {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   bool any = false;
@@ -34,19 +34,38 @@ bool behind_popup(const ImGuiWindow* window) {
   return any;
 }
 
+constexpr std::string_view kId = "###";
+
+// `path` with each label as its shown part, or as its id.
+std::string joined(std::string_view path, bool ids) {
+  std::string result;
+  while (true) {
+    const std::size_t slash = path.find('/');
+    const std::string_view label = path.substr(0, slash);
+    const std::size_t mark = label.find(kId);
+    result += ids && mark != std::string_view::npos ? label.substr(mark + kId.size()) : shown(label);
+    if (slash == std::string_view::npos) return result;
+    result += '/';
+    path.remove_prefix(slash + 1);
+  }
+}
+
 }  // namespace
+
+std::string_view shown(std::string_view label) { return label.substr(0, label.find(kId)); }
 
 void WidgetList::clear() {
   widgets_.clear();
   windows_.clear();
 }
 
-void WidgetList::add(std::string path, std::string_view kind, glm::vec2 low, glm::vec2 high, bool enabled,
+void WidgetList::add(std::string_view path, std::string_view kind, glm::vec2 low, glm::vec2 high, bool enabled,
                      std::string value) {
   const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
   const glm::vec2 middle = (low + high) * 0.5f;
   Widget widget;
-  widget.path = std::move(path);
+  widget.path = joined(path, false);
+  if (path.find(kId) != std::string_view::npos) widget.alias = joined(path, true);
   widget.kind = kind;
   widget.x = low.x;
   widget.y = low.y;

@@ -1,4 +1,4 @@
-// Rows, buttons, switches, choices and read-outs. Fields that are typed in: fields.cpp.
+// Rows, buttons, switches, choices and read-outs. Fields to type in are in fields.cpp.
 #include "ui/widgets/widgets.h"
 
 #include <imgui.h>
@@ -29,11 +29,11 @@ void show_tooltip(std::string_view text, float scale) {
 
 glm::vec2 mouse_position() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
-std::string path_of(const Ui& ui, std::string_view label) {
+std::string path_of(const WidgetFrame& ui, std::string_view label) {
   return label.empty() ? ui.panel : ui.panel + "/" + std::string(label);
 }
 
-void note(Ui& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
+void note(WidgetFrame& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
           std::string value, ImVec2 low, ImVec2 high) {
   std::string path = path_of(ui, label);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -43,10 +43,10 @@ void note(Ui& ui, std::string_view label, std::string_view kind, std::string_vie
     ui.rest.next = path;
     if (ui.rest.path == path && ui.rest.seconds > kTooltipRest) show_tooltip(tooltip, ui.scale);
   }
-  ui.list.add(std::move(path), kind, {low.x, low.y}, {high.x, high.y}, enabled, std::move(value));
+  ui.list.add(path, kind, {low.x, low.y}, {high.x, high.y}, enabled, std::move(value));
 }
 
-void note_item(Ui& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
+void note_item(WidgetFrame& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
                std::string value) {
   note(ui, label, kind, tooltip, enabled, std::move(value), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
 }
@@ -55,7 +55,8 @@ std::string hidden(std::string_view label) { return "##" + std::string(label); }
 
 ImVec2 text_size(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()); }
 
-void begin_row(Ui&, std::string_view label, float needed) {
+void begin_row(WidgetFrame&, std::string_view label, float needed) {
+  label = shown(label);
   constexpr float kLabelPart = 0.47f;  // of the row, for the label beside a control
   const float start = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
   const float label_room = std::floor(room * kLabelPart);
@@ -69,7 +70,7 @@ void begin_row(Ui&, std::string_view label, float needed) {
   ImGui::SetNextItemWidth(beside ? room - label_room : room);
 }
 
-bool header(Ui& ui, std::string_view name, std::string_view tooltip, bool at_first) {
+bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool at_first) {
   const std::string label(name);
   if (ImGui::GetCursorPosY() > 2 * ImGui::GetStyle().WindowPadding.y)
     ImGui::Dummy({0, std::floor(3 * ui.scale)});  // not before the first
@@ -78,14 +79,28 @@ bool header(Ui& ui, std::string_view name, std::string_view tooltip, bool at_fir
   return open;
 }
 
-void heading(Ui& ui, std::string_view words, std::string_view tooltip) {
+void heading(WidgetFrame& ui, std::string_view label, std::string_view tooltip) {
+  const std::string_view words = shown(label);
   ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
   ImGui::TextUnformatted(words.data(), words.data() + words.size());
   ImGui::PopStyleColor();
-  note_item(ui, words, "label", tooltip, true);
+  note_item(ui, label, "label", tooltip, true);
 }
 
-bool button(Ui& ui, std::string_view label, std::string_view tooltip, bool enabled, float width) {
+void tinted(std::string_view words, std::uint32_t rgb) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colour(rgb));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void paragraph(WidgetFrame& ui, std::string_view label, std::string_view words, std::uint32_t rgb) {
+  tinted(words, rgb);
+  note_item(ui, label, "label", "", true, std::string(words));
+}
+
+bool button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, bool enabled, float width) {
   ImGui::BeginDisabled(!enabled);
   const bool pressed = ImGui::Button(std::string(label).c_str(), {width, 0});
   ImGui::EndDisabled();
@@ -93,7 +108,7 @@ bool button(Ui& ui, std::string_view label, std::string_view tooltip, bool enabl
   return pressed && enabled;
 }
 
-bool radio(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled) {
+bool radio(WidgetFrame& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled) {
   ImGui::BeginDisabled(!enabled);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, std::floor(2 * ui.scale)));
   const bool pressed = ImGui::RadioButton(std::string(label).c_str(), on);
@@ -103,18 +118,18 @@ bool radio(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bo
   return pressed && enabled && !on;
 }
 
-bool beside_last(Ui& ui, std::string_view label) {
+bool beside_last(WidgetFrame& ui, std::string_view label) {
   const float button = ImGui::GetTextLineHeight() + 2 * std::floor(2 * ui.scale),
               room = ImGui::GetContentRegionAvail().x;
   const float start = ImGui::GetCursorPosX(), middle = std::floor(room * 0.5f);
   const float last_end = ImGui::GetItemRectMax().x - ImGui::GetCursorScreenPos().x;
-  if (last_end > middle || middle + button + ImGui::GetStyle().ItemInnerSpacing.x + text_size(label).x > room)
+  if (last_end > middle || middle + button + ImGui::GetStyle().ItemInnerSpacing.x + text_size(shown(label)).x > room)
     return false;
   ImGui::SameLine(start + middle);
   return true;
 }
 
-std::optional<bool> checkbox(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled) {
+std::optional<bool> checkbox(WidgetFrame& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled) {
   bool wanted = on;
   ImGui::BeginDisabled(!enabled);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, std::floor(2 * ui.scale)));
@@ -126,14 +141,14 @@ std::optional<bool> checkbox(Ui& ui, std::string_view label, bool on, std::strin
   return wanted;
 }
 
-std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice> choices, int current,
+std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<const Choice> choices, int current,
                          std::string_view tooltip, bool may_cut) {
   float widest = 0;
-  for (const Choice& choice : choices) widest = std::max(widest, text_size(choice.label).x);
+  for (const Choice& choice : choices) widest = std::max(widest, text_size(shown(choice.label)).x);
   begin_row(ui, label, may_cut ? 0 : widest + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight());
-  const std::string preview = current >= 0 && current < static_cast<int>(choices.size())
-                                  ? choices[static_cast<std::size_t>(current)].label
-                                  : "";
+  const std::string preview(current >= 0 && current < static_cast<int>(choices.size())
+                                ? shown(choices[static_cast<std::size_t>(current)].label)
+                                : "");
   // Once the list is open, ImGui's last item is the list's: the box has to be known before.
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const ImVec2 high(low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight());
@@ -153,19 +168,20 @@ std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice>
   return chosen;
 }
 
-void read_out(Ui& ui, std::string_view label, std::string_view value, std::string_view unit, std::string_view tooltip,
-              bool warns) {
+void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, std::string_view unit,
+              std::string_view tooltip, bool warns) {
+  const std::string_view words = shown(label);
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, gap = std::floor(5 * ui.scale),
               line = ImGui::GetTextLineHeight();
   const float value_width = text_size(value).x + (unit.empty() ? 0 : gap + text_size(unit).x);
   // Units share one column, so that the numbers before them end on one edge.
   const float unit_room = unit.empty() ? 0 : std::max(text_size(unit).x, std::floor(38 * ui.scale)) + gap;
-  const bool stacked = text_size(label).x + gap + value_width > room;
-  const bool column = !stacked && text_size(label).x + gap + text_size(value).x + unit_room <= room;
+  const bool stacked = text_size(words).x + gap + value_width > room;
+  const bool column = !stacked && text_size(words).x + gap + text_size(value).x + unit_room <= room;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 ink = packed(warns ? palette().warning : palette().text);
-  list.AddText(start, packed(palette().dim), label.data(), label.data() + label.size());
+  list.AddText(start, packed(palette().dim), words.data(), words.data() + words.size());
   const float top = start.y + (stacked ? line : 0);
   const float right = start.x + room;
   const float edge = unit.empty() ? right : column ? right - unit_room : right - text_size(unit).x - gap;
@@ -190,29 +206,6 @@ std::string fixed(double value, int decimals) {
   bool zero = true;
   for (const char* c = text; *c != 0; ++c) zero = zero && (*c == '-' || *c == '0' || *c == '.');
   return zero && text[0] == '-' ? text + 1 : text;
-}
-
-std::optional<query::Value> value_of(const Ui& ui, std::string_view name, std::string_view argument) {
-  const query::Query* row = query::find_query(name);
-  if (row == nullptr) return std::nullopt;
-  const query::Context context{ui.state.find, ui.state.stats, {}, ui.session().document.name};
-  auto result = row->evaluate(context, argument);
-  if (!result) return std::nullopt;
-  return *result;
-}
-
-void read_query(Ui& ui, std::string_view label, std::string_view name, std::string_view argument,
-                std::string_view tooltip, Shown shown) {
-  const query::Query* row = query::find_query(name);
-  const std::string unit = shown.unit != nullptr ? shown.unit : row != nullptr ? std::string(row->unit) : "";
-  std::string words = "--";
-  if (!(shown.is_time && ui.state.scripted)) {
-    if (const auto value = value_of(ui, name, argument)) {
-      const double* real = std::get_if<double>(&*value);
-      words = real != nullptr ? fixed(*real * shown.factor, shown.decimals) : query::to_text(*value);
-    }
-  }
-  read_out(ui, label, words, unit, tooltip, shown.warns);
 }
 
 }  // namespace coaster::ui

@@ -1,44 +1,28 @@
-// Thin wrappers over Dear ImGui's widgets. Each lays out a row (label left, control right; label above where both do
-// not fit), shows a tooltip, and registers itself under "Panel/Label" so that scripts find it. None changes state: they
-// return what the user wants.
+// Thin wrappers over Dear ImGui's widgets. Each lays out a row (label left, control right; label above if both do not
+// fit), shows a tooltip, and registers itself under "Panel/Label" for scripts. They return the user's input and change
+// no state.
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "ui/host/host.h"
-
-struct ImGuiWindow;
+#include "base/names.h"
+#include "ui/widgets/widget_list.h"
 
 namespace coaster::ui {
 
-// The widgets of a frame, in drawing order.
-class WidgetList {
- public:
-  void clear();
-  // A widget over [low, high) of the window being built; whether it can be seen follows from the window's clip
-  // rectangle.
-  void add(std::string path, std::string_view kind, glm::vec2 low, glm::vec2 high, bool enabled, std::string value);
-  // After ImGui::Render(): finds the covered ones.
-  void finish();
-  const std::vector<Widget>& widgets() const { return widgets_; }
-
- private:
-  std::vector<Widget> widgets_;
-  std::vector<const ImGuiWindow*> windows_;
-};
-
-// The one text that is being typed.
+// The text being typed.
 struct Entry {
   unsigned id = 0;
   std::array<char, 1024> text{}, initial{};
 };
 
-// The one numeric drag that is under way: its moves are one step of undo. Begun with its first change.
+// The current drag of a number: one undo step, which begins with its first change.
 struct Gesture {
   unsigned id = 0;
   bool open = false;
@@ -50,59 +34,43 @@ struct Rest {
   float seconds = 0;
 };
 
-struct Toasts;
-struct LabCache;
-class Dialogs;
-class StartScreen;
-class KeyMap;
-
-// What a panel works with during one build.
-struct Ui {
-  const State& state;
-  Output& out;
+// What widgets work with during one build.
+struct WidgetFrame {
   WidgetList& list;
   Entry& entry;
   Gesture& gesture;
   Rest& rest;
-  Toasts& toasts;
-  LabCache& lab;
-  std::string& file;  // the path in Track/File
-  double& radius;     // the number in Shape/Radius, m
-  Dialogs& dialogs;
-  StartScreen& start;
-  const KeyMap& keys;
-  std::string_view renderer;  // GL_RENDERER
-  float scale = 1;
-  std::string panel;  // first part of the paths
-
-  const edit::Session& session() const { return state.session; }
-  const edit::Findings& find(edit::Want wanted) const { return state.find(wanted); }
-  template <class C>
-  void emit(C command) {
-    out.commands.push_back(edit::Command(std::move(command)));
-  }
+  const std::function<void()>& begin_gesture;                // called before the first change of a drag
+  const std::function<void(const std::string& text)>& warn;  // shows a notice about input that changes nothing
+  float scale = 1;                                           // px a design px
+  std::string panel;                                         // first part of the paths
 };
 
 glm::vec2 mouse_position();  // px
 
-// Registers the last item of ImGui and shows its tooltip when the mouse rests on it.
-void note_item(Ui& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
+// Registers ImGui's last item and shows its tooltip while the mouse rests on it.
+void note_item(WidgetFrame& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
                std::string value = {});
 
+// Labels may be "Shown###Id" (widget_list.h).
 // True while open; `open`: at first.
-bool header(Ui& ui, std::string_view name, std::string_view tooltip, bool open = true);
-void heading(Ui& ui, std::string_view text, std::string_view tooltip);
-bool button(Ui& ui, std::string_view label, std::string_view tooltip, bool enabled = true, float width = 0);
-bool radio(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled = true);
-// Whether a radio button or checkbox with this label fits beside the last one, from the row's middle on; moves there
-// when it does.
-bool beside_last(Ui& ui, std::string_view label);
-std::optional<bool> checkbox(Ui& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled = true);
+bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool open = true);
+void heading(WidgetFrame& ui, std::string_view label, std::string_view tooltip);
+// Wrapped text of a colour 0xRRGGBB; paragraph() also registers it.
+void tinted(std::string_view words, std::uint32_t rgb);
+void paragraph(WidgetFrame& ui, std::string_view label, std::string_view words, std::uint32_t rgb);
+bool button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, bool enabled = true, float width = 0);
+bool radio(WidgetFrame& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled = true);
+// Returns whether a radio button or checkbox with this label fits beside the last one, in the right half of the row,
+// and if so moves there.
+bool beside_last(WidgetFrame& ui, std::string_view label);
+std::optional<bool> checkbox(WidgetFrame& ui, std::string_view label, bool on, std::string_view tooltip,
+                             bool enabled = true);
 
 struct Choice {
   std::string label, tooltip;
 };
-std::optional<int> combo(Ui& ui, std::string_view label, std::span<const Choice> choices, int current,
+std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<const Choice> choices, int current,
                          std::string_view tooltip,
                          bool may_cut = false);  // may_cut: beside its label even where the widest choice is cut
 
@@ -117,7 +85,7 @@ std::vector<Choice> choices_of() {
   return choices;
 }
 template <base::Named E>
-std::optional<E> combo_of(Ui& ui, std::string_view label, E current, std::string_view tooltip) {
+std::optional<E> combo_of(WidgetFrame& ui, std::string_view label, E current, std::string_view tooltip) {
   const auto chosen = combo(ui, label, choices_of<E>(), static_cast<int>(current), tooltip);
   if (!chosen) return std::nullopt;
   return static_cast<E>(*chosen);
@@ -131,42 +99,29 @@ struct Number {
   double low = 0, high = 0;  // of drags; what is typed goes out as it is, for the command to clamp (low == high: none)
   double largest = 3.4028234663852886e38;  // typed numbers beyond it become it: the command's clamp then says "limit"
 };
-// A field to drag, or to click and type in. Returns a new value: during a drag inside a gesture, or once when typed.
-std::optional<double> number(Ui& ui, std::string_view label, const Number& number, std::string_view tooltip,
+// A number field: drag it, or click and type. Returns a new value during a drag (within a gesture) or when typed.
+std::optional<double> number(WidgetFrame& ui, std::string_view label, const Number& number, std::string_view tooltip,
                              bool enabled = true);
-// Fields in a row without labels of their own, "Group/name": x, y, z. Returns the changed one.
+// Number fields in one row, "Group/name", without labels. Returns the changed one.
 struct Changed {
   int index;
   double value;
 };
-std::optional<Changed> numbers(Ui& ui, std::string_view group, std::span<const std::string_view> names,
+std::optional<Changed> numbers(WidgetFrame& ui, std::string_view group, std::span<const std::string_view> names,
                                std::span<const Number> values, std::string_view tooltip);
-// A whole number on a (logarithmic) bar; Ctrl+click or a double click types it.
-std::optional<int> slider(Ui& ui, std::string_view label, int value, int low, int high, bool logarithmic,
+// An integer slider, linear or logarithmic. Ctrl+click or double-click to type.
+std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, int low, int high, bool logarithmic,
                           std::string_view tooltip);
 // The same for a real number, shown with and rounded to `decimals`.
-std::optional<double> real_slider(Ui& ui, std::string_view label, double value, double low, double high, int decimals,
-                                  std::string_view tooltip);
-// A line of text; returns it when Enter is pressed or the field is left changed.
-std::optional<std::string> text(Ui& ui, std::string_view label, const std::string& value, std::string_view tooltip);
+std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
+                                  int decimals, std::string_view tooltip);
+// A text field. Returns the text on Enter, or when it loses focus changed.
+std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const std::string& value,
+                                std::string_view tooltip);
 
-// Label left, value with its unit right; in the colour of warnings where it `warns`.
-void read_out(Ui& ui, std::string_view label, std::string_view value, std::string_view unit, std::string_view tooltip,
-              bool warns = false);
-// The same for a query's value, with `decimals`; "--" where it has none or (times) where a script runs. `factor`
-// converts units.
-struct Shown {
-  int decimals = 2;
-  const char* unit = nullptr;  // null: the query's
-  double factor = 1;
-  bool is_time = false;
-  bool warns = false;
-};
-void read_query(Ui& ui, std::string_view label, std::string_view query, std::string_view argument,
-                std::string_view tooltip, Shown shown = {});
-
-// The value of a query, or nothing.
-std::optional<query::Value> value_of(const Ui& ui, std::string_view query, std::string_view argument = {});
+// Label left, value and unit right, in the warning colour if it `warns`.
+void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, std::string_view unit,
+              std::string_view tooltip, bool warns = false);
 // "12345.60", without a "-" before zero.
 std::string fixed(double value, int decimals);
 

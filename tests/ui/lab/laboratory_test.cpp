@@ -2,7 +2,6 @@
 #include <set>
 
 #include "curve/bernstein.h"
-#include "ui/panels/panels.h"
 #include "ui/stage.h"
 #include "world/lab_view.h"
 #include "world/look.h"
@@ -20,8 +19,7 @@ struct LaboratoryTest : Stage {
   }
   static std::vector<std::string> pages() {
     std::vector<std::string> names;
-    for (const Panel& panel : panels())
-      if (panel.column == Column::bottom) names.emplace_back(panel.name);
+    for (const base::NameRow& page : world::lab_pages()) names.emplace_back(page.label);
     return names;
   }
   double number_shown(const std::string& path) const {
@@ -29,17 +27,6 @@ struct LaboratoryTest : Stage {
     return widget != nullptr ? std::strtod(widget->value.c_str(), nullptr) : -1e300;
   }
 };
-
-TEST_F(LaboratoryTest, pages_are_the_rows_of_the_worlds_table_in_its_order) {
-  const std::vector<std::string> names = pages();
-  ASSERT_EQ(names.size(), world::lab_pages().size());
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    std::string lower = names[i];
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    EXPECT_EQ(lower, world::lab_pages()[i].name);
-  }
-}
 
 TEST_F(LaboratoryTest, the_strip_starts_folded_and_its_bar_opens_and_folds_it) {
   frames(2);
@@ -67,6 +54,7 @@ TEST_F(LaboratoryTest, every_page_draws_for_every_selection_with_paths_of_its_ow
       std::size_t inside = 0;
       for (const Widget& widget : host_->widgets()) {
         EXPECT_TRUE(paths.insert(widget.path).second) << widget.path << " twice on " << page;
+        EXPECT_TRUE(widget.alias.empty() || paths.insert(widget.alias).second) << widget.alias << " twice on " << page;
         inside += widget.path.starts_with("Laboratory/") ? 1 : 0;
       }
       EXPECT_GT(inside, pages().size() + 2) << page;

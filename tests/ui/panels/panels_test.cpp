@@ -18,10 +18,11 @@ TEST_F(PanelsTest, every_panel_draws_and_paths_are_unique_for_every_selection) {
        {std::pair{world::Kind::knot, 2u}, {world::Kind::segment, 1u}, {world::Kind::cart, 1u}}) {
     select(kind, number);
     std::set<std::string> paths;
-    for (const Widget& widget : host_->widgets())
+    for (const Widget& widget : host_->widgets()) {
       EXPECT_TRUE(paths.insert(widget.path).second) << widget.path << " twice";
+      EXPECT_TRUE(widget.alias.empty() || paths.insert(widget.alias).second) << widget.alias << " twice";
+    }
     for (const Panel& panel : panels()) {
-      if (panel.column == Column::bottom) continue;  // pages of the laboratory: laboratory_test.cpp
       const std::string start = std::string(panel.name) + "/";
       const auto inside = [&](const std::string& path) { return path.starts_with(start); };
       // Those that are folded at first: tests/scripts/shape.coaster.

@@ -1,7 +1,8 @@
 #include "ui/screens/score_card.h"
 
-#include "ui/screens/medals.h"
 #include "ui/stage.h"
+#include "ui/tools/places.h"
+#include "ui/widgets/medals.h"
 #include "world/aids.h"
 
 namespace coaster::ui {

@@ -19,6 +19,19 @@ TEST_F(WidgetsTest, a_click_on_a_radio_chooses_that_evaluator_and_no_other) {
   EXPECT_EQ(all<edit::Set<&world::Evaluation::evaluator>>().size(), 1u) << "already on: nothing to ask for";
 }
 
+TEST_F(WidgetsTest, a_changed_label_is_shown_and_its_former_path_is_kept_as_an_alias) {
+  select(world::Kind::segment, 1);
+  const Widget* const now = find("Inspector/Position t");
+  ASSERT_NE(now, nullptr);
+  EXPECT_EQ(now->path, "Inspector/Position t");
+  EXPECT_EQ(now->alias, "Inspector/Place");
+  EXPECT_EQ(find("Inspector/Place"), now);
+  EXPECT_EQ(find("Inspector/Turns")->alias, "");
+  type("Inspector/Place", "0.25");
+  EXPECT_DOUBLE_EQ(session_.settings.selected_t, 0.25);
+  for (const Widget& widget : host_->widgets()) EXPECT_EQ(widget.path.find("###"), std::string::npos) << widget.path;
+}
+
 TEST_F(WidgetsTest, a_press_and_release_in_one_frame_is_a_click) {
   ASSERT_TRUE(reach("Track/Closed"));
   const glm::vec2 at = middle(*find("Track/Closed"));

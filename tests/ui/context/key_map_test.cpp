@@ -1,4 +1,4 @@
-#include "ui/actions/key_map.h"
+#include "ui/context/key_map.h"
 
 #include <gtest/gtest.h>
 
@@ -11,13 +11,13 @@ using platform::Key;
 
 std::vector<std::string> problems_of(const std::vector<exchange::KeyChoice>& choices) {
   std::vector<std::string> problems;
-  (void)KeyMap::make(choices, problems);
+  (void)KeyMap::make(key_rows(), choices, problems);
   return problems;
 }
 
 TEST(key_map, without_choices_the_keys_are_those_of_the_table) {
   std::vector<std::string> problems;
-  const KeyMap keys = KeyMap::make({}, problems);
+  const KeyMap keys = KeyMap::make(key_rows(), {}, problems);
   EXPECT_TRUE(problems.empty());
   for (std::size_t row = 0; row < actions().size(); ++row)
     EXPECT_EQ(keys.shown(row), actions()[row].keys) << actions()[row].name;
@@ -33,7 +33,7 @@ TEST(key_map, names_of_actions_are_unique) {
 TEST(key_map, a_choice_replaces_both_keys_of_its_action_and_an_empty_one_takes_them) {
   std::vector<std::string> problems;
   const std::vector<exchange::KeyChoice> choices{{"Redo", {"F4"}}, {"Delete", {}}};
-  const KeyMap keys = KeyMap::make(choices, problems);
+  const KeyMap keys = KeyMap::make(key_rows(), choices, problems);
   EXPECT_TRUE(problems.empty());
   EXPECT_EQ(keys.shown("Redo"), "F4");
   EXPECT_EQ(keys.shown("Delete"), "");
@@ -44,7 +44,7 @@ TEST(key_map, what_cannot_be_done_is_told_and_leaves_the_action_its_own_keys) {
   std::vector<std::string> problems;
   const std::vector<exchange::KeyChoice> choices{
       {"Undooo", {"F4"}}, {"Save", {"Ctrl+Splat"}}, {"Undo", {"F3"}}, {"Redo", {"F3"}}};
-  const KeyMap keys = KeyMap::make(choices, problems);
+  const KeyMap keys = KeyMap::make(key_rows(), choices, problems);
   ASSERT_EQ(problems.size(), 3u);
   EXPECT_NE(problems[0].find("did you mean \"Undo\"?"), std::string::npos);
   EXPECT_EQ(problems[1], "Save: no key \"Ctrl+Splat\"");

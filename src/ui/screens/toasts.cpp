@@ -1,5 +1,5 @@
 // Notices over the bottom of the viewport.
-#include "ui/widgets/toasts.h"
+#include "ui/screens/toasts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ui/widgets/toasts.h"
+#include "ui/screens/toasts.h"
 
 #include <gtest/gtest.h>
 

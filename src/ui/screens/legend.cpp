@@ -1,4 +1,4 @@
-#include "ui/plots/legend.h"
+#include "ui/screens/legend.h"
 
 #include <algorithm>
 #include <cmath>

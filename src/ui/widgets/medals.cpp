@@ -1,4 +1,4 @@
-#include "ui/screens/medals.h"
+#include "ui/widgets/medals.h"
 
 #include <algorithm>
 #include <array>

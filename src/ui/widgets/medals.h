@@ -1,4 +1,4 @@
-// Medals, ticks and crosses as simple shapes.
+// Medals, ticks and crosses, drawn as simple shapes.
 #pragma once
 
 #include <imgui.h>

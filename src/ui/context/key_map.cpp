@@ -1,5 +1,5 @@
 // The keys of actions, from their table and the settings.
-#include "ui/actions/key_map.h"
+#include "ui/context/key_map.h"
 
 #include <algorithm>
 #include <optional>
@@ -7,23 +7,16 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "ui/actions/actions.h"
 
 namespace coaster::ui {
 namespace {
 
 using platform::Chord;
 
-std::optional<std::size_t> row_of(std::string_view name) {
-  const auto found = std::find_if(actions().begin(), actions().end(), [&](const Action& a) { return a.name == name; });
-  if (found == actions().end()) return std::nullopt;
-  return static_cast<std::size_t>(found - actions().begin());
-}
-
-std::string nearest_action(std::string_view name) {
-  std::vector<std::string> names;
-  for (const Action& action : actions()) names.emplace_back(action.name);
-  return base::suggestion(name, names);
+std::optional<std::size_t> index_of(std::span<const std::string_view> names, std::string_view name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names.begin());
 }
 
 struct Wanted {
@@ -32,12 +25,15 @@ struct Wanted {
 };
 
 // What of the choices can be read; the first choice of a key has it.
-std::vector<Wanted> readable(std::span<const exchange::KeyChoice> choices, std::vector<std::string>& problems) {
+std::vector<Wanted> readable(std::span<const std::string_view> names, std::span<const exchange::KeyChoice> choices,
+                             std::vector<std::string>& problems) {
   std::vector<Wanted> all;
+  const std::vector<std::string> actions(names.begin(), names.end());
   for (const exchange::KeyChoice& choice : choices) {
-    const auto row = row_of(choice.action);
+    const auto row = index_of(names, choice.action);
     if (!row) {
-      problems.push_back(fmt::format("no action {}{}", base::quoted(choice.action), nearest_action(choice.action)));
+      problems.push_back(
+          fmt::format("no action {}{}", base::quoted(choice.action), base::suggestion(choice.action, actions)));
       continue;
     }
     Wanted wanted{*row, {}};
@@ -52,7 +48,7 @@ std::vector<Wanted> readable(std::span<const exchange::KeyChoice> choices, std::
                 : all.end();
       if (!chord) problems.push_back(fmt::format("{}: no key {}", choice.action, base::quoted(text)));
       else if (owner != all.end())
-        problems.push_back(fmt::format("{} is wanted by {} and {}", text, actions()[owner->row].name, choice.action));
+        problems.push_back(fmt::format("{} is wanted by {} and {}", text, names[owner->row], choice.action));
       else wanted.chords.push_back(*chord);
       usable = usable && chord && owner == all.end();
     }
@@ -63,25 +59,29 @@ std::vector<Wanted> readable(std::span<const exchange::KeyChoice> choices, std::
 
 }  // namespace
 
-KeyMap KeyMap::make(std::span<const exchange::KeyChoice> choices, std::vector<std::string>& problems) {
+KeyMap KeyMap::make(std::span<const KeyRow> rows, std::span<const exchange::KeyChoice> choices,
+                    std::vector<std::string>& problems) {
   KeyMap map;
-  for (const Action& action : actions()) {
-    std::vector<Chord>& row = map.rows_.emplace_back();
-    for (const Chord& chord : {action.chord, action.other})
-      if (chord.key != platform::Key::unknown) row.push_back(chord);
+  for (const KeyRow& row : rows) {
+    map.names_.push_back(row.name);
+    std::vector<Chord>& chords = map.rows_.emplace_back();
+    for (const Chord& chord : {row.first, row.second})
+      if (chord.key != platform::Key::unknown) chords.push_back(chord);
   }
-  const std::vector<Wanted> all = readable(choices, problems);
+  const std::vector<Wanted> all = readable(map.names_, choices, problems);
   for (const Wanted& wanted : all) map.rows_[wanted.row] = wanted.chords;
   for (const Wanted& wanted : all)
     for (std::size_t row = 0; row < map.rows_.size(); ++row)
       for (const Chord& chord : wanted.chords) {
         if (row == wanted.row) continue;
         if (std::erase(map.rows_[row], chord) > 0)
-          problems.push_back(fmt::format("{} is {} now, no longer {}", platform::to_text(chord),
-                                         actions()[wanted.row].name, actions()[row].name));
+          problems.push_back(fmt::format("{} is {} now, no longer {}", platform::to_text(chord), map.names_[wanted.row],
+                                         map.names_[row]));
       }
   return map;
 }
+
+std::optional<std::size_t> KeyMap::row_of(std::string_view action) const { return index_of(names_, action); }
 
 std::string KeyMap::shown(std::size_t row) const {
   return rows_[row].empty() ? std::string() : platform::to_text(rows_[row].front());
@@ -93,7 +93,7 @@ std::string KeyMap::shown(std::string_view action) const {
 }
 
 std::string with_keys(const KeyMap& keys, std::string_view help, std::string_view action) {
-  const auto row = row_of(action);
+  const auto row = keys.row_of(action);
   std::string text(help);
   if (!row || keys.chords(*row).empty()) return text;
   text += keys.chords(*row).size() == 1 ? " Key " : " Keys ";

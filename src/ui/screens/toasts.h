@@ -1,5 +1,4 @@
-// Notices over the bottom of the viewport: the newest one, for some seconds; in scripts (no wall clock) until the next
-// one.
+// The newest notice, shown at the bottom of the viewport for some seconds; in scripts (no clock) until the next one.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +15,9 @@ struct Toasts {
   double since = 0;  // s
   std::uint64_t serial = 0;
 
-  // Takes the newest notice of the session, and drops what has been shown long enough.
+  // Takes the newest notice of the session and drops one whose time is over.
   void update(const edit::Session& session, double seconds, bool scripted);
-  // A notice of the UI's own, about input that makes no command.
+  // Shows a notice of the UI about input that makes no command.
   void show(edit::NoticeKind what, std::string text, double seconds);
   void draw(const view::Viewport& viewport, float scale, double seconds, bool scripted) const;
 };

@@ -1,0 +1,45 @@
+// Which keys do what: those of the table of actions, changed by the user's settings.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exchange/own/settings_file.h"
+#include "platform/events.h"
+
+namespace coaster::ui {
+
+// An action and its default keys, Key::unknown for none. `name` outlives the map.
+struct KeyRow {
+  std::string_view name;
+  platform::Chord first, second;
+};
+
+class KeyMap {
+ public:
+  // The default keys of `rows`, replaced by `choices`. Adds a line to `problems` for each name that no action has, each
+  // unknown key and each key chosen twice, which leave the row unchanged; also for each default key that moved to
+  // another action.
+  static KeyMap make(std::span<const KeyRow> rows, std::span<const exchange::KeyChoice> choices,
+                     std::vector<std::string>& problems);
+
+  // The keys of a row: none, one or two.
+  std::span<const platform::Chord> chords(std::size_t row) const { return rows_[row]; }
+  // The first of them, "" without one.
+  std::string shown(std::size_t row) const;
+  std::string shown(std::string_view action) const;
+  // The row of that action.
+  std::optional<std::size_t> row_of(std::string_view action) const;
+
+ private:
+  std::vector<std::string_view> names_;
+  std::vector<std::vector<platform::Chord>> rows_;
+};
+
+// "HELP Key C.", "HELP Keys Ctrl+Y, Ctrl+Shift+Z.", or the help alone.
+std::string with_keys(const KeyMap& keys, std::string_view help, std::string_view action);
+
+}  // namespace coaster::ui

@@ -1,0 +1,40 @@
+// What a frame of the UI decides: commands, the view, and wishes that the program fulfils.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edit/commands/commands.h"
+#include "exchange/own/settings_file.h"
+#include "query/lesson.h"
+#include "view/camera.h"
+#include "view/pick.h"
+
+namespace coaster::ui {
+
+enum class MovieWish { none, start, stop };
+enum class Recovery { recover, discard, later };  // later: offered again at the next start
+struct SystemDialogRequest {
+  bool save = false;
+  std::string folder, name;
+};
+
+struct Output {
+  std::vector<edit::Command> commands;
+  view::View view;  // of the scene
+  view::Pick hovered;
+  bool quit = false;
+  bool wants_screenshot = false;
+  bool cancel_import = false;
+  MovieWish movie = MovieWish::none;
+  std::optional<exchange::UserSettings> settings;  // to keep instead of the present ones
+  std::optional<Recovery> recovery;                // the answer to the first offer
+  query::LessonAnswer lesson_answer = query::LessonAnswer::none;
+  bool wants_tutorial = false;
+  std::vector<std::string> wanted_pictures;          // files of tracks, the most wanted first
+  std::optional<std::string> new_folder;             // to make
+  std::optional<SystemDialogRequest> system_dialog;  // to open
+};
+
+}  // namespace coaster::ui

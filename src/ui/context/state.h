@@ -1,0 +1,75 @@
+// What the program shows the UI in a frame: the session, and what is kept for the user beside it. Read only.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edit/session/findings.h"
+#include "edit/session/session.h"
+#include "exchange/own/progress_file.h"
+#include "exchange/own/settings_file.h"
+#include "query/lesson.h"
+#include "query/query.h"
+#include "view/camera_rig.h"
+
+namespace coaster::ui {
+
+// An autosave that another run left, offered for recovery.
+struct RecoveryOffer {
+  std::string original, name;  // the file (empty: none) and the track's name
+  std::int64_t file_time = 0,
+               time = 0;  // of the file's last change (0: it is not there) and of the autosave, s since 1970
+};
+
+// The desktop's file dialog, which runs in its own process.
+struct SystemDialog {
+  bool available = false, running = false;
+  std::optional<std::string> answer;  // in the frame after it has ended: the file, "" when it was cancelled
+};
+
+// What is kept for the user between runs, filled in by app.
+struct UserState {
+  exchange::UserSettings settings;
+  std::vector<RecoveryOffer> recoveries;  // the first one is offered
+  std::string holder;                     // who else edits the document's file; empty: nobody
+  SystemDialog system;
+  exchange::Progress progress;       // in challenges
+  std::filesystem::path challenges;  // folder of the user's own; empty: none
+};
+
+// A track file on the start screen.
+struct TrackPicture {
+  unsigned texture = 0;  // GL name, 16:9; 0 when there is none
+  std::string name;      // the track's
+  double length = 0;     // m
+  std::string problem;   // why there is no picture
+};
+
+// The movie being recorded.
+struct MovieState {
+  int frames = 0;             // pictures taken
+  std::int64_t ticks = 0;     // of the ride so far
+  double done = 0;            // 0..1 of the lap, then of the movie file
+  bool encoding = false;      // all pictures are taken; the movie file is being written
+  int width = 0, height = 0;  // px, of the pictures; 0: as the window
+};
+
+struct State {
+  edit::Finder find;  // shows the session, and computes what a panel asks for
+  const query::FrameStats& stats;
+  double seconds;                             // since start, for fading notices and the cursor's blink
+  bool scripted;                              // times and fps read "--"
+  const view::CameraRig* rig = nullptr;       // the camera; null: derived from the session
+  const UserState* kept = nullptr;            // null: nothing is kept or offered
+  const base::Progress* importing = nullptr;  // of the file being read
+  const query::LessonCard* lesson = nullptr;
+  const std::map<std::string, TrackPicture>* pictures = nullptr;  // by path
+  const MovieState* movie = nullptr;                              // null: none is recorded
+  const edit::Session& session = find.session();
+};
+
+}  // namespace coaster::ui

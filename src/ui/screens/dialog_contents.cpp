@@ -1,0 +1,160 @@
+// The content of each dialog.
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "base/file_lock.h"
+#include "ui/screens/dialogs.h"
+#include "ui/widgets/theme.h"
+
+namespace coaster::ui {
+namespace {
+
+using platform::Key;
+
+bool pressed(const platform::Events& events, Key a, Key b = Key::unknown) {
+  return std::any_of(events.begin(), events.end(), [&](const platform::Event& event) {
+    const auto* press = std::get_if<platform::KeyPress>(&event);
+    return press != nullptr && press->down && !press->repeat &&
+           (press->key == a || (b != Key::unknown && press->key == b));
+  });
+}
+
+void title(std::string_view words) {
+  tinted(words, palette().accent);
+  ImGui::Separator();
+}
+
+}  // namespace
+
+void Dialogs::build_unsaved(Ui& ui, const platform::Events& events) {
+  ui.panel = "Unsaved changes";
+  title("Unsaved changes");
+  const std::string& name = ui.session().document.name;
+  paragraph(ui, "Question",
+            (name.empty() ? std::string("This track") : "\u201C" + name + "\u201D") +
+                " has unsaved changes. They will be lost unless you save.",
+            palette().text);
+  const bool enter = pressed(events, Key::enter, Key::keypad_enter);
+  const bool save_now = button(ui, "Save", "Save, then continue. Key Enter.") || enter;
+  ImGui::SameLine();
+  const bool drop = button(ui, "Discard", "Continue without saving. Key D.") || pressed(events, Key::d);
+  ImGui::SameLine();
+  const bool cancel = button(ui, "Cancel", "Back to the track. Key Escape.") || pressed(events, Key::escape);
+  if (cancel) abandon();
+  else if (drop) proceed(ui);
+  else if (save_now) save(ui);
+}
+
+void Dialogs::build_browser(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
+  const bool saving = browser_.mode() == FileBrowser::Mode::save;
+  ui.panel = saving ? "Save as" : "Open";
+  title(saving ? "Save the track as" : "Open a track");
+  const SystemDialog system = ui.state.kept != nullptr ? ui.state.kept->system : SystemDialog{};
+  if (system.running) {
+    paragraph(ui, "Waiting", "The desktop's file dialog is open.", palette().text);
+    if (button(ui, "Cancel", "Stop waiting for it.") || pressed(events, Key::escape)) abandon();
+    return;
+  }
+  switch (browser_.build(ui, events, text_had_keyboard, system.available)) {
+    case FileBrowser::Answer::none: break;
+    case FileBrowser::Answer::cancel: abandon(); break;
+    case FileBrowser::Answer::chosen: take_file(ui, browser_.chosen(), false); break;
+    case FileBrowser::Answer::make_folder: folder_name_ = "New folder", dialog_ = Dialog::new_folder; break;
+    case FileBrowser::Answer::system:
+      system_ = true;
+      ui.out.system_dialog = SystemDialogRequest{saving, browser_.folder().string(),
+                                                 saving ? file_name_for(ui.session().document.name) : ""};
+      break;
+  }
+}
+
+void Dialogs::build_overwrite(Ui& ui, const platform::Events& events) {
+  ui.panel = "Overwrite";
+  title("Overwrite?");
+  paragraph(ui, "Question",
+            chosen_.string() + " already exists, changed on " + base::local_time(base::change_time(chosen_)) +
+                ". Its content will be lost.",
+            palette().text);
+  const bool yes = button(ui, "Overwrite", "Replace the file.");
+  ImGui::SameLine();
+  if (yes) take_file(ui, chosen_, true);
+  if (button(ui, "Cancel", "Choose another name. Keys Escape and Enter.") || pressed(events, Key::escape, Key::enter))
+    dialog_ = Dialog::browse;
+}
+
+void Dialogs::build_new_folder(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
+  ui.panel = "New folder";
+  title("New folder");
+  if (auto typed = text(ui, "Name", folder_name_, "The folder's name.")) folder_name_ = std::move(*typed);
+  const bool named = !folder_name_.empty() && folder_name_ != "." && folder_name_ != ".." &&
+                     folder_name_.find('/') == std::string::npos;
+  const bool make = button(ui, "Create###Make", "Create the folder. Key Enter.", named) ||
+                    (named && pressed(events, Key::enter, Key::keypad_enter));
+  ImGui::SameLine();
+  if (button(ui, "Cancel", "Back. Key Escape.") || (!text_had_keyboard && pressed(events, Key::escape)))
+    dialog_ = Dialog::browse;
+  if (!make) return;
+  ui.out.new_folder = (browser_.folder() / folder_name_).string();
+  browser_.go(browser_.folder());
+  dialog_ = Dialog::browse;
+}
+
+void Dialogs::build_recovery(Ui& ui) {
+  ui.panel = "Recovery";
+  title("Recover unsaved work?");
+  const RecoveryOffer& offer = ui.state.kept->recoveries.front();
+  paragraph(
+      ui, "Question",
+      "coaster closed unexpectedly. Unsaved changes to \u201C" + offer.name + "\u201D were recovered:", palette().text);
+  read_out(ui, "File", offer.original.empty() ? "none: never saved" : offer.original, "",
+           "File that the changes belong to.");
+  read_out(ui, "File saved", offer.file_time != 0 ? base::local_time(offer.file_time) : "--", "",
+           "When the file was last changed.");
+  read_out(ui, "Autosaved", base::local_time(offer.time), "", "Time of the autosave.");
+  if (offer.file_time > offer.time) paragraph(ui, "Newer", "The file is newer than the autosave.", palette().text);
+  const std::size_t more = ui.state.kept->recoveries.size() - 1;
+  if (more > 0) paragraph(ui, "More", std::to_string(more) + " more after this one.", palette().text);
+  const auto answer = [&](Recovery what) { ui.out.recovery = what, dialog_ = Dialog::none; };
+  if (button(ui, "Recover", "Open the unsaved changes. The file stays as it is until you save."))
+    answer(Recovery::recover);
+  ImGui::SameLine();
+  if (button(ui, "Discard", "Delete the autosave. The file stays as it is.")) answer(Recovery::discard);
+  ImGui::SameLine();
+  if (button(ui, "Later", "Keep the autosave and ask again at the next start."))
+    answer(Recovery::later), asked_later_ = true;
+}
+
+void Dialogs::build_challenges(Ui& ui) {
+  ui.panel = "Challenges";
+  title("Challenges");
+  const bool opened_now = !std::exchange(shelf_is_read_, true);  // by a key, perhaps, which is no answer yet
+  if (opened_now) shelf_.read(ui.state.kept != nullptr ? ui.state.kept->challenges : std::filesystem::path());
+  const auto chosen = draw_challenge_list(ui, shelf_, challenge_,
+                                          ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing());
+  const bool cancel =
+      button(ui, "Cancel", "Back to the track. Key Escape.") || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
+  if (opened_now) return;
+  if (cancel) abandon();
+  else if (chosen) request(ui, {Want::Kind::challenge, chosen->string()});
+}
+
+void Dialogs::build_shown(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
+  switch (shown_) {
+    case Dialog::none: break;
+    case Dialog::unsaved: build_unsaved(ui, events); break;
+    case Dialog::browse: build_browser(ui, events, text_had_keyboard); break;
+    case Dialog::overwrite: build_overwrite(ui, events); break;
+    case Dialog::new_folder: build_new_folder(ui, events, text_had_keyboard); break;
+    case Dialog::recovery: build_recovery(ui); break;
+    case Dialog::challenges: build_challenges(ui); break;
+    case Dialog::settings:
+      ui.panel = "Settings";
+      title("Settings");
+      if (build_settings(ui) || (!text_had_keyboard && pressed(events, Key::escape))) dialog_ = Dialog::none;
+      break;
+  }
+  ui.panel.clear();
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,64 @@
+#include "ui/tools/places.h"
+
+#include <algorithm>
+
+#include "world/aids.h"
+
+namespace coaster::ui {
+namespace {
+
+double selected_distance(const edit::Session& session) {
+  const sim::SegmentShape* const shape = session.derived.segments.find(session.settings.selected);
+  const auto index = shape ? world::index_of(session.derived.order, session.settings.selected) : std::nullopt;
+  return index ? session.derived.starts[*index] + shape->arc.distance(session.settings.selected_t) : -1;
+}
+
+// Selects the segment at `distance` and points the orbit camera at `target`, from between `near` and `far` m.
+void look_at(Ui& ui, double distance, glm::vec3 target, float near, float far) {
+  const edit::Session& session = ui.session();
+  const sim::TrackPlace place = sim::place_at(session.derived, distance);
+  const world::Entity segment = session.derived.order[place.index];
+  ui.emit(
+      edit::Select{{world::name_of(session.document, segment)}, session.derived.shape(segment).arc.parameter(place.s)});
+  world::Camera camera = session.settings.camera;
+  camera.target = target;
+  camera.distance = std::clamp(camera.distance, near, far);
+  ui.emit(edit::SetCamera{camera});
+  if (session.settings.camera_mode != world::CameraMode::orbit)
+    ui.emit(edit::Set<&world::Settings::camera_mode>{world::CameraMode::orbit});
+}
+
+}  // namespace
+
+bool card_shows(const edit::Session& session) {
+  return session.settings.aids->show_card && session.game.show_result && session.game.result;
+}
+
+std::optional<double> failed_place(const edit::Session& session) {
+  if (!session.game.result) return std::nullopt;
+  if (session.game.result->verdict && session.game.result->verdict->place) return session.game.result->verdict->place;
+  return session.game.result->end == edit::RideEnd::failed ? session.game.result->place : std::nullopt;
+}
+
+void show_place(Ui& ui, double distance) {
+  const sim::Derived& derived = ui.session().derived;
+  if (derived.order.empty()) return;
+  const sim::TrackPlace place = sim::place_at(derived, distance);
+  const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
+  const glm::vec3 target(curve::point(shape.key.cubic, shape.arc.parameter(place.s)));
+  look_at(ui, distance, target, 18, 36);
+  if (card_shows(ui.session())) ui.emit(edit::CloseCard{});
+}
+
+void show_next_conflict(Ui& ui) {
+  constexpr double kHere = 1e-3;  // m: the one that is selected
+  const std::span<const sim::Conflict> found = ui.find(edit::Want::conflicts).conflicts;
+  if (found.empty()) return;
+  const double from = selected_distance(ui.session());
+  const auto later = std::find_if(found.begin(), found.end(),
+                                  [&](const sim::Conflict& conflict) { return conflict.at > from + kHere; });
+  const sim::Conflict& next = later == found.end() ? found.front() : *later;
+  look_at(ui, next.at, 0.5f * (next.at_place + next.other_place), 0, 24);
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,48 @@
+// The widgets of a frame and where they are, for scripts and lessons.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+struct ImGuiWindow;
+
+namespace coaster::ui {
+
+// A label "Shown###Id" shows its first part and keeps the second as its id; others are their own id.
+std::string_view shown(std::string_view label);
+
+// A widget as last drawn, for scripts: path "Panel/Label" or "Panel/Group/Label".
+struct Widget {
+  std::string path;   // of what the labels show
+  std::string alias;  // of their ids, where that differs: the path before a label changed
+  std::string kind;   // button, radio, checkbox, slider, number, text, combo, header, menu, item, label
+  float x = 0, y = 0, width = 0, height = 0;  // px
+  bool visible = true;                        // inside its clip rectangle
+  bool enabled = true;
+  bool covered = false;  // another window lies over its middle
+  std::string value;     // shown value or "on"/"off"
+
+  bool is(std::string_view name) const { return path == name || (!alias.empty() && alias == name); }
+};
+
+// The widgets of a frame, in drawing order.
+class WidgetList {
+ public:
+  void clear();
+  // A widget over [low, high) of the window being built; `path` is made of labels. Whether it can be seen follows from
+  // the window's clip rectangle.
+  void add(std::string_view path, std::string_view kind, glm::vec2 low, glm::vec2 high, bool enabled,
+           std::string value);
+  // After ImGui::Render(): finds the covered ones.
+  void finish();
+  const std::vector<Widget>& widgets() const { return widgets_; }
+
+ private:
+  std::vector<Widget> widgets_;
+  std::vector<const ImGuiWindow*> windows_;
+};
+
+}  // namespace coaster::ui
