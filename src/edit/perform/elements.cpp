@@ -1,4 +1,4 @@
-// Commands of the palette: placing an element at the open end, choosing and previewing one.
+// Commands of the palette: place an element at the open end, select and preview one.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,7 @@ Status well_formed(const world::Element& element) {
   return {};
 }
 
-// To the tenth of a millimetre, which is all that is worth reading.
+// Rounds to a tenth of a millimetre, enough for a reader.
 std::string metres(double value, double step) { return base::to_text(std::round(value / step) * step); }
 
 void report(const sim::ElementPlan& plan, double missing, Change& change) {
@@ -33,13 +33,13 @@ void report(const sim::ElementPlan& plan, double missing, Change& change) {
   if (!plan.fit.within)
     change.clamped.push_back("so far from the origin it keeps within " +
                              base::to_text(static_cast<float>(plan.fit.error)) + " m" + shape);
-  if (!change.clamped.empty()) return;  // the warning is to be the newest notice
+  if (!change.clamped.empty()) return;  // the warning should be the newest notice
   change.note = std::string(base::row_of(plan.element.kind).name) + " of " + std::to_string(plan.spans()) +
                 (plan.spans() == 1 ? " span, " : " spans, ") + metres(plan.length, 0.125) + " m, within " +
                 std::to_string(static_cast<int>(std::ceil(plan.fit.error * 1000))) + " mm" + shape;
 }
 
-// The end keeps its place, direction and roll; its outgoing handle becomes the first span's.
+// The end keeps its position, direction and roll; its outgoing handle becomes the first span's.
 void open_out(world::Document& document, const world::Knot& start) {
   if (document.track.knots.empty()) {
     world::append_knot(document, start);
@@ -68,7 +68,7 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
   open_out(document, plan.fit.knots.front());
   for (std::size_t k = 1; k < plan.fit.knots.size(); ++k)
     change.select = world::append_knot(document, plan.fit.knots[k]);
-  // As for the first appended segment: without a cart there would be nothing to watch.
+  // As for the first appended segment: without a train there would be nothing to watch.
   if (document.track.segments.size() == plan.spans() && document.entities.pool<world::Cart>().size() == 0)
     world::add_cart(document, document.track.segments.front(), 0.0);
   report(plan, missing, change);

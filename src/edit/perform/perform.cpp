@@ -18,7 +18,7 @@ T cut(std::vector<std::string>& lines, std::string_view what, T value, T low, T 
   return limit;
 }
 
-// Whole numbers in full: a limit of 100000 m, not of 1e+05 m.
+// Prints whole numbers in full: a limit of 100000 m, not 1e+05 m.
 constexpr auto kPrintReal = [](auto value) {
   const bool plain = std::abs(value) < 1e9 && value == std::trunc(value);
   return plain ? std::to_string(static_cast<std::int64_t>(value)) : base::to_text(value);

@@ -17,7 +17,7 @@ namespace coaster::edit {
 // "camera.roll_damping" as a notice says it: "roll damping".
 std::string noun_of(std::string_view word);
 
-// Commands read from text name rows; others may come from anywhere.
+// Commands parsed from text name valid rows; others may not.
 template <base::Named E>
 base::Status known_row(E value) {
   if (base::has_row(value)) return {};

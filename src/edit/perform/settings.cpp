@@ -1,4 +1,4 @@
-// Commands on how things are shown and measured. They touch neither document nor motion.
+// Commands of settings: how things are shown and measured. They change neither document nor motion.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -30,7 +30,7 @@ Status perform(Session& session, Change& change, const SetCamera& command) {
   camera.yaw_deg = std::remainder(camera.yaw_deg, 360.0f);
   camera.pitch_deg = change.clamp("pitch", camera.pitch_deg, -world::kMaxPitch, world::kMaxPitch, "degrees");
   camera.distance = change.clamp("distance", camera.distance, kMinDistance, kMaxDistance, "m");
-  camera.field_of_view_deg = session.settings.camera.field_of_view_deg;  // has a command of its own
+  camera.field_of_view_deg = session.settings.camera.field_of_view_deg;  // has its own command
   session.settings.camera = camera;
   return {};
 }
