@@ -42,7 +42,7 @@ base::Result<script::Script> read_script(const std::string& path) {
   return base::Status{base::Code::usage, all};
 }
 
-// A challenge's start track must not pass it: it is ridden, or looked at, without a picture.
+// Checks that a challenge's start track does not pass it, without a picture.
 base::Status validate_challenge(const std::string& path) {
   base::Files files;
   edit::Session session = edit::make_session({});
@@ -93,7 +93,7 @@ base::Status open_envelope(edit::Session& session, base::Files& files, const Opt
   return edit::apply(session, files, edit::LoadEnvelope{options.envelope});
 }
 
-// A first frame, so that the viewport is known, then the track.
+// Draws a first frame, so that the viewport is known, then opens the track.
 base::Status open_track(Program& program, const std::filesystem::path& path) {
   run_frame(program, {platform::Tick{0}}, 0);
   if (path.empty()) return apply(program, edit::NewTrack{});
@@ -116,7 +116,7 @@ base::Status choose_camera(Program& program, const std::string& name) {
   return mode ? apply(program, edit::Set<&world::Settings::camera_mode>{*mode}) : base::Status{};
 }
 
-// What a signal asks for: unsaved changes are put aside, and the exit code tells of the signal, as shells have it.
+// Ends after a signal: autosaves unsaved changes, and returns the exit code of the signal, as shells define it.
 int leave_by(Program& program, int signal) {
   const base::Status kept = autosave_now(program);
   if (!kept) std::fprintf(stderr, "%s\n", kept.message.c_str());
@@ -144,7 +144,7 @@ int run_script(const Options& options) {
   if (!options.config.empty()) {
     start_keeping(**program, {options.config, options.config}, {}, options.reset_layout);  // the user named it
     platform::watch_signals();
-    run.environment.scale = (*program)->session.settings.look->ui_scale;  // until the script says otherwise
+    run.environment.scale = (*program)->session.settings.look->ui_scale;  // until the script changes it
   }
   if (!options.file.empty())
     if (const base::Status opened = open_track(**program, options.file); !opened) return finish(opened);
@@ -161,8 +161,8 @@ int run_script(const Options& options) {
   return finish(ran);
 }
 
-// With --frames: that many frames, all drawn. Else a lap (two minutes at most) without drawing, and one picture from
-// its middle.
+// With --frames: draws that many frames. Else rides a lap (two minutes at most) without drawing, and takes one picture
+// in its middle.
 base::Status ride(Program& program, RideSummary& summary) {
   constexpr std::int64_t kMostTicks = 120 * world::kTicksPerSecond;
   const auto tick = [&] {
@@ -182,11 +182,11 @@ base::Status ride(Program& program, RideSummary& summary) {
     if (const base::Status again = apply(program, edit::RideStart{}); !again) return again;
     advance(program, static_cast<int>(summary.ticks / 2));
   }
-  draw(), draw();  // the second one shows values of the first
+  draw(), draw();  // the second frame shows values of the first
   return {};
 }
 
-// The report of the whole ride, without a picture: needs no graphics.
+// Prints the report of the whole ride; needs no graphics.
 int run_report(const Options& options) {
   base::Files files;
   edit::Session session = edit::make_session({});

@@ -1,4 +1,4 @@
-// Making a program and changing its state.
+// Creates a program and changes its state.
 #include "app/program.h"
 
 #include <cstdio>
@@ -24,7 +24,7 @@ constexpr const char* kCompiler = "clang " __clang_version__;
 constexpr const char* kCompiler = "gcc " __VERSION__;
 #endif
 
-// "Some processor, compiler 12.2.0": what times are worth nothing without.
+// "Some processor, compiler 12.2.0": printed with all times.
 std::string machine_line() {
   std::string model = "unknown processor";
   std::ifstream info("/proc/cpuinfo");  // not a regular file with a size
@@ -73,7 +73,7 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
 
 namespace {
 
-// One command, applied and recorded.
+// Applies and records one command.
 base::Status apply_one(Program& program, const edit::Command& command) {
   if (const std::string* const path = edit::output_path(command); path && !program.files.root().contains(*path)) {
     const base::Status refused{
@@ -110,11 +110,11 @@ base::Status apply(Program& program, const edit::Command& command) {
   const std::uint64_t notices = program.session.notices.serial;
   const base::Status applied = apply_one(program, command);
   if (program.session.notices.serial != notices)
-    program.picture.toast = program.session.notices.list.back().text;  // the panels show it a frame later
+    program.picture.toast = program.session.notices.list.back().text;  // the panels show it one frame later
   if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) ||
       command.is<edit::LoadEnvelope>())
     return applied;
-  // Another track: looked at from where all of it is seen.
+  // Another track: frames the whole track.
   const edit::Session& session = program.session;
   const world::Camera camera =
       view::frame_all(session.settings.camera, session.document, program.picture.view.viewport);
@@ -137,7 +137,7 @@ void advance(Program& program, int ticks) {
     std::printf("tick %llu document %s motion %s\n", static_cast<unsigned long long>(program.session.tick),
                 document.c_str(), motion.c_str());
   }
-  if (program.options.hash_log) std::fflush(stdout);  // whoever reads along sees every frame at once
+  if (program.options.hash_log) std::fflush(stdout);  // a reader of the log sees every frame at once
 }
 
 query::Context context_of(Program& program) {

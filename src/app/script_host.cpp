@@ -30,13 +30,13 @@ base::Status set_environment(Program& program, const script::Environment& enviro
   return {};
 }
 
-// A script's size goes to the surface first, so that the frame that tells the panels draws in it.
+// A script's size is set on the surface first, so that this frame already draws in it.
 base::Status frame(Program& program, platform::Events events, int ticks) {
   for (const platform::Event& event : events)
     if (const auto* const resize = std::get_if<platform::Resize>(&event))
       program.surface->resize({resize->width, resize->height});
   if (program.surface->is_window()) {
-    platform::Events ignored;  // the window system is kept answered; the script alone decides what happens
+    platform::Events ignored;  // keeps the window system responsive; only the script decides what happens
     program.surface->poll(ignored);
   }
   film(program, ticks, [&](int some) {
@@ -86,8 +86,7 @@ base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim)
   return *position;
 }
 
-// A cart's middle, or, where a mark lies over it, the nearest pixel around it that is still the cart: a person would
-// click there too.
+// Returns a car's middle, or the nearest pixel of the car if a mark covers it, as a user would click.
 glm::vec2 uncovered(const Program& program, const AimPoint& aim, glm::vec2 middle) {
   const edit::Session& session = program.session;
   const view::Pick wanted{view::PickKind::cart, world::find(session.document, aim.name)};
@@ -106,7 +105,7 @@ glm::vec2 uncovered(const Program& program, const AimPoint& aim, glm::vec2 middl
   return middle;
 }
 
-// Handles show for what is selected alone.
+// Only selected knots show handles.
 base::Result<glm::vec2> pixel_of(const Program& program, const AimPoint& aim) {
   const auto position = position_of(program, aim);
   if (!position) return position.status();
@@ -118,7 +117,7 @@ base::Result<glm::vec2> pixel_of(const Program& program, const AimPoint& aim) {
   return aim.kind == AimPoint::Kind::cart ? uncovered(program, aim, at) : at;
 }
 
-// A line that renews itself, on terminals alone.
+// A line that is updated in place, only on terminals.
 void progress(int line, int lines) {
   if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\rline %d of %d ", line, lines);
 }
@@ -160,7 +159,7 @@ script::Host make_script_host(Program& program) {
     stop_keeping(*p, false);
     p->quit = false;
     start_keeping(*p, {folder, folder}, p->files.root(), false);
-    for (int i = 0; i < 2; ++i) run_frame(*p, {platform::Tick{0}}, 0);  // a question that comes up is laid out
+    for (int i = 0; i < 2; ++i) run_frame(*p, {platform::Tick{0}}, 0);  // lays out a dialog that opens
     return base::Status{};
   };
   host.interrupted = [] { return platform::pending_signal() != 0; };

@@ -1,4 +1,4 @@
-// Opening, framing and drawing tracks beside the one that is open.
+// Opens, frames and draws tracks other than the open one.
 #include "app/track_pictures.h"
 
 #include "app/scene.h"

@@ -1,4 +1,4 @@
-// The formats of track files, one row each. Whoever reads or writes a track by its path asks this table.
+// The formats of track files, one row each. All reading and writing of tracks by path uses this table.
 #pragma once
 
 #include <filesystem>
@@ -11,24 +11,24 @@
 namespace coaster::exchange {
 
 struct Format {
-  std::string_view ending;  // with the dot, in lower case; paths may have either case
+  std::string_view ending;  // with the dot, in lower case; paths may use either case
   std::string_view label;   // for messages and lists
   base::Result<LoadedTrack> (*parse)(std::string_view bytes,
-                                     std::string_view name);  // as parse_track; null: can only be written
-  std::string (*print)(const world::Document& document);      // null: can only be read
+                                     std::string_view name);  // as parse_track; null: write-only
+  std::string (*print)(const world::Document& document);      // null: read-only
   bool binary;                                                // the bytes are not text
-  bool whole;  // holds everything that a document has: saving to it counts as saving
+  bool whole;                                                 // holds the whole document: saving to it counts as saving
   base::Status (*check)(const world::Document& document) =
-      nullptr;  // whether it can be printed; null: every document can
-  // As parse, where that may take longer than a frame; null elsewhere.
+      nullptr;  // whether the document can be printed; null: always
+  // As parse, for formats that may take longer than a frame; null for the others.
   base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name,
                                              base::Progress* progress) = nullptr;
 };
 
-// The project's own format first.
+// Returns the table; the project's own format is first.
 std::span<const Format> formats();
 
-// The row for the path's ending, or null.
+// Returns the row for the path's extension, or null.
 const Format* format_of(const std::filesystem::path& path);
 
 // Reads or writes the file in the format of its extension. An unknown extension is refused with the list of those known
@@ -37,7 +37,7 @@ base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::
                                      base::Progress* progress = nullptr);
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document);
 
-// Endings that can be read or written, for messages: ".json, .obj or .svg".
+// Returns the extensions that can be read or written, for messages: ".json, .obj or .svg".
 enum class Direction { read, write };
 std::string known_endings(Direction direction);
 

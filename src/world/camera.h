@@ -17,9 +17,9 @@ constexpr std::span<const base::NameRow> rows_of(CameraMode) { return kCameraMod
 inline constexpr float kMaxPitch = 89;                               // degrees
 inline constexpr float kMinFieldOfView = 30, kMaxFieldOfView = 110;  // degrees, vertical
 
-// Orbit camera: looks at `target` from `distance` metres; yaw about +Y (0 looks along -Z), pitch above the horizon (up
-// to kMaxPitch either way; the view keeps it out of the ground). Its vertical field of view is that of the chase and
-// the free camera, too.
+// The orbit camera: looks at `target` from `distance` metres; yaw about +Y (0 looks along -Z), pitch above the horizon
+// (up to kMaxPitch either way; the view keeps it above the ground). The chase and fly cameras have the same vertical
+// field of view.
 struct Camera {
   glm::vec3 target{0, 5, 0};
   float yaw_deg = 35, pitch_deg = 18, distance = 80;
@@ -35,10 +35,9 @@ struct Camera {
                                                       .query = "field_of_view"})};
 };
 
-// The free camera: level, from `eye` (m), yaw as the orbit camera's, pitch of the view above the horizon (up to
-// kMaxPitch).
+// The fly camera: level, at `eye` (m), yaw as the orbit camera's, pitch above the horizon (up to kMaxPitch).
 struct FlyCamera {
-  glm::vec3 eye{0, 12, 60};  // at least kLowestFlight over the ground
+  glm::vec3 eye{0, 12, 60};  // at least kLowestFlight above the ground
   float yaw_deg = 0, pitch_deg = -6;
   friend bool operator==(const FlyCamera&, const FlyCamera&) = default;
 };

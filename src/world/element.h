@@ -19,8 +19,8 @@ struct ElementParameter {
   std::string_view name;   // in scripts and recordings: "radius"
   std::string_view label;  // in the panel
   std::string_view unit;   // "" where there is none
-  double usual;            // at first
-  double low, high;        // what is beyond is clamped with a notice
+  double usual;            // default value
+  double low, high;        // values beyond are clamped with a notice
   std::string_view help;
 };
 
@@ -30,7 +30,7 @@ struct ElementRow {
   std::string_view name;   // in scripts and recordings: "element curve ..."
   std::string_view label;  // in the panel
   std::string_view help;
-  bool sided;  // left or right makes a difference
+  bool sided;  // has a left and a right form
   std::span<const ElementParameter> parameters;
 };
 
@@ -103,18 +103,18 @@ inline constexpr ElementRow kElements[] = {
 constexpr std::span<const ElementRow> elements() { return kElements; }
 constexpr std::span<const ElementRow> rows_of(ElementKind) { return elements(); }
 
-// One element with its parameters: the first of `values` are those of its row, in the row's order; the others are 0.
+// One element with its parameters: the first `values` are those of its row, in the row's order; the others are 0.
 struct Element {
   ElementKind kind = ElementKind::straight;
-  bool right = false;  // false: to the left; false where the row is not sided
+  bool right = false;  // false: to the left; always false if the row is not sided
   std::array<double, kMaxElementParameters> values{};
   friend bool operator==(const Element&, const Element&) = default;
 };
 
-// The row's usual values, to the left.
+// Returns an element with the row's default values, to the left.
 Element usual_element(ElementKind kind);
 
-// The value of a parameter that the element's row has (COASTER_CHECK).
+// Returns the value of a parameter that the element's row has (COASTER_CHECK).
 double value_of(const Element& element, std::string_view parameter);
 
 }  // namespace coaster::world

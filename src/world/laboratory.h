@@ -10,7 +10,7 @@
 
 namespace coaster::world {
 
-// What the track is coloured by: rows of colourings(), in its order.
+// The colouring of the track: rows of colourings(), in its order.
 enum class Colouring : std::uint8_t { plain, speed, height, vertical, lateral, longitudinal, curvature, error };
 
 struct ColouringRow {
@@ -18,7 +18,7 @@ struct ColouringRow {
   std::string_view label;  // in the panel and over the legend
   std::string_view unit;
   std::string_view help;
-  bool of_ride = false;  // the whole ride is simulated for it
+  bool of_ride = false;  // needs a simulation of the whole ride
 };
 std::span<const ColouringRow> colourings();
 inline std::span<const ColouringRow> rows_of(Colouring) { return colourings(); }

@@ -27,7 +27,7 @@ enum class Layer : std::uint8_t {
 std::span<const base::NameRow> layers();
 inline std::span<const base::NameRow> rows_of(Layer) { return layers(); }
 
-// A set of layers. The polyline, the supports, the knots and the conflicts show at first.
+// A set of layers. By default: polyline, supports, knots and conflicts.
 class Layers {
  public:
   bool has(Layer layer) const { return (bits_ & bit(layer)) != 0; }

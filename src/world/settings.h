@@ -16,7 +16,7 @@
 
 namespace coaster::world {
 
-// How carts and the ride camera are turned: a row of sim::frame_methods(), in its order.
+// How trains and the ride camera are oriented: a row of sim::frame_methods(), in its order.
 enum class FrameMethod : std::uint8_t { knots, rmf, frenet, world_up };
 // How carts move: a row of sim::integrators().
 enum class IntegratorId : int {};
@@ -25,12 +25,12 @@ enum class Axis : std::uint8_t { x, y, z };
 inline constexpr base::NameRow kAxes[] = {{"x"}, {"y"}, {"z"}};
 constexpr std::span<const base::NameRow> rows_of(Axis) { return kAxes; }
 
-// The parameter of a spline through knots: the lengths of the chords between them, or 1 from each to the next.
+// The parameter of a spline through knots: chord lengths, or 1 per span.
 enum class SplineSteps : std::uint8_t { chord, uniform };
 inline constexpr base::NameRow kSplineSteps[] = {{"chord"}, {"uniform"}};
 constexpr std::span<const base::NameRow> rows_of(SplineSteps) { return kSplineSteps; }
 
-// What moves by hand snap to.
+// What dragged knots snap to.
 enum class SnapTo : std::uint8_t { off, grid, knots, ground };
 inline constexpr base::NameRow kSnapTos[] = {{"off", "Nothing", "Dragged knots follow the mouse."},
                                              {"grid", "Grid", "Positions snap to multiples of the step."},
@@ -68,10 +68,10 @@ struct Settings {
   Camera camera;
   FlyCamera fly;
   Entity selected = kNone;   // a knot, segment or cart: the active one
-  std::vector<Entity> also;  // further selected knots while `selected` is one: no one twice, in the order of selecting
-  double selected_t = 0.5;   // the picked place on a selected segment, parameter in [0,1]
+  std::vector<Entity> also;  // further selected knots while `selected` is one: unique, in the order of selection
+  double selected_t = 0.5;   // the picked position on a selected segment, parameter in [0,1]
   Snapping snapping;
-  Element element = usual_element(ElementKind::curve);  // the palette's
+  Element element = usual_element(ElementKind::curve);  // the palette's element
   friend bool operator==(const Settings&, const Settings&) = default;
 
   static constexpr auto kRows = std::tuple{

@@ -29,16 +29,15 @@ void derive(Session& session) {
   sim::derive(session.document, session.settings, session.measuring.clock, session.derived);
 }
 
-// A ride that has not started shows the carts as designed (so does one without carts: nothing is left that
-// could go on); any other keeps them where they are.
+// A ride that has not started (or has no trains) shows the trains as designed; any other keeps their positions.
 void settle_motion(Session& session) {
   if (session.motion.state == world::RideState::stopped || session.document.entities.pool<world::Cart>().size() == 0)
     sim::reset(session.document, session.derived, session.motion);
   else sim::reconcile(session.document, session.derived, session.motion);
 }
 
-// A split knows only `up` at the new knot, which fixes the twist of both halves up to whole turns: those
-// follow from the twist that the segment had, shared out by length.
+// A split only knows `up` at the new knot, which fixes the twist of both halves up to whole turns: those follow from
+// the segment's twist, divided by length.
 void share_turns(Session& session, const MotionFollowUp& split, double twist) {
   const double left = session.derived.shape(split.first).arc.length(),
                right = session.derived.shape(split.second).arc.length();
@@ -54,7 +53,7 @@ void share_turns(Session& session, const MotionFollowUp& split, double twist) {
   if (changed) derive(session);
 }
 
-// Everything that must hold again after the document has changed.
+// Restores everything that must hold after a change of the document.
 void follow_document(Session& session, const Change& change, double twist_before) {
   world::settle_joints(session.document);
   derive(session);
@@ -68,11 +67,11 @@ void follow_document(Session& session, const Change& change, double twist_before
 template <class C>
 Status document_command(Session& session, const C& command, Change& change) {
   History& history = session.history;
-  std::optional<world::Document> before;  // inside a gesture its start is the snapshot
+  std::optional<world::Document> before;  // inside a gesture, the gesture's start is the snapshot
   if (!history.in_gesture) before = session.document;
   const Status status = perform(session, change, command);
   if (!status) return status;
-  // The derived data are still those of the document before.
+  // The derived data are still those of the previous document.
   const sim::SegmentShape* const split = session.derived.segments.find(change.motion.first);
   follow_document(session, change, split ? split->twist : 0.0);
   if (history.in_gesture) history.gesture_label = print(command);
@@ -87,8 +86,7 @@ Status settings_command(Session& session, const C& command, Change& change) {
   return status;
 }
 
-// Exchanges the whole document by `exchange` (which returns false when there is nothing to exchange) and
-// brings the rest in line.
+// Replaces the whole document by `exchange` (which returns false if there is nothing to exchange) and updates the rest.
 template <class Exchange>
 bool exchange_document(Session& session, Exchange exchange) {
   world::Document next = session.document;
@@ -132,7 +130,7 @@ Status steps(Session& session, const CancelGesture&) {
   return cancel(session);
 }
 
-// Another document: nothing of the old one stays, but settings do (other than what was under way).
+// Starts with another document: discards everything of the old one except settings.
 void start_over(Session& session, world::Document document, std::filesystem::path path) {
   session.document = std::move(document);
   session.history = {};
@@ -157,7 +155,7 @@ Status files_command(Session& session, base::Files& files, const Load& command) 
   base::Result<exchange::LoadedTrack> loaded =
       read ? std::move(ahead->track) : exchange::load_track(files, command.path);
   if (!loaded) return loaded.status();
-  // A format that does not hold everything is imported: the next save is to a file of its own.
+  // A format that does not hold everything is an import: the next save needs a file name.
   start_over(session, std::move(loaded->document),
              exchange::format_of(command.path)->whole ? command.path : std::string());
   session.file.import = loaded->import;
@@ -168,7 +166,7 @@ Status files_command(Session& session, base::Files& files, const Save& command) 
   if (command.path.empty()) return refused("expected a file to save to");
   const Status status = exchange::save_track(files, command.path, session.document);
   if (!status) return status;
-  // Exporting to a format that does not hold everything is no saving: the document stays as unsaved as it was.
+  // Saving in a format that does not hold everything is an export: the document stays unsaved.
   if (!exchange::format_of(command.path)->whole) {
     notify(session, NoticeKind::info, "exported " + command.path);
     return {};
@@ -205,7 +203,7 @@ Status files_command(Session& session, base::Files& files, const LoadEnvelope& c
   notify(session, NoticeKind::info, "forces are held against " + session.limits.name + " (not a compliance check)");
   return {};
 }
-// Its rules must be such that the referee can read them.
+// The referee must be able to parse its rules.
 Status files_command(Session& session, base::Files& files, const StartChallenge& command) {
   base::Result<exchange::LoadedChallenge> loaded = exchange::load_challenge(files, command.path);
   if (!loaded) return loaded.status();
@@ -224,8 +222,8 @@ Status files_command(Session& session, base::Files& files, const StartChallenge&
 Status files_command(Session& session, base::Files& files, const RecoverTrack& command) {
   base::Result<exchange::LoadedTrack> loaded = exchange::load_track(files, command.path);
   if (!loaded) return loaded.status();
-  // What its own file holds now is what it is compared with: another document, or none, and then it is unsaved whatever
-  // it says.
+  // It is compared with what the original file holds now; if that is another document, or there is none, it counts as
+  // unsaved.
   const exchange::Format* const format = command.original.empty() ? nullptr : exchange::format_of(command.original);
   std::uint64_t saved = ~world::hash(loaded->document);
   if (format != nullptr && format->whole)

@@ -21,7 +21,7 @@
 
 namespace coaster::edit {
 
-// One step of undo: the document before and after it by value would be twice the memory, so each step keeps one side.
+// One undo step. Keeping the document before and after would double the memory, so each step keeps one side.
 struct HistoryStep {
   std::string label;         // the command's text, or that of a gesture's last command
   world::Document document;  // before the step on the undo stack, after it on the redo stack
@@ -30,7 +30,7 @@ struct HistoryStep {
 struct History {
   std::deque<HistoryStep> undo;  // oldest first; the oldest are dropped beyond kMaxHistoryBytes (estimated)
   std::vector<HistoryStep> redo;
-  std::size_t undo_bytes = 0;  // estimate of what the undo stack holds
+  std::size_t undo_bytes = 0;  // estimated size of the undo stack
   bool in_gesture = false;
   world::Document gesture_start;
   std::string gesture_label;
@@ -46,10 +46,10 @@ struct Notice {
 
 // What the ticks of the live ride take; 0 without a clock and before the first tick.
 struct RideCost {
-  double ns_per_tick = 0;  // all carts together, a mean that forgets: the newest call counts for a tenth
+  double ns_per_tick = 0;  // all trains together; exponential moving average (weight 0.1)
 };
 
-// A file that a thread has read in advance; the next load of it takes this.
+// A file that a thread has read in advance, for its next load.
 struct ReadAhead {
   std::string path;
   exchange::LoadedTrack track;
@@ -73,17 +73,17 @@ struct DocumentFile {
 struct ForceLimits {
   sim::Envelope envelope = sim::default_envelope();
   std::string name = "default";
-  std::uint64_t serial = 0;  // grows with each envelope that is read
+  std::uint64_t serial = 0;  // increases with each envelope that is loaded
 };
 
 // Challenges and the ends of rides.
 struct Game {
   Referee referee;
   std::optional<ActiveChallenge> challenge;
-  RideRun run;                       // the ride on its way, for its end
+  RideRun run;                       // the ride in progress
   std::optional<RideResult> result;  // of the last ride that ended
-  bool show_result = false;          // its score card is not closed yet
-  exchange::Progress earned;         // in challenges, since the program's start
+  bool show_result = false;          // its score card is still open
+  exchange::Progress earned;         // progress in challenges since the program's start
 };
 
 // What is measured on this machine; nobody's hash depends on it.
@@ -111,25 +111,26 @@ struct Session {
 };
 
 void notify(Session& session, NoticeKind kind, std::string text);
-bool dirty(const Finder& find);  // the document differs from its file
+bool dirty(const Finder& find);  // the document has unsaved changes
 
-// Does a part of a measurement that is under way, some ms; nothing else does: a frame without one costs nothing.
+// Runs the next slice of the measurement (a few ms); no-op when idle.
 void advance_measurement(Session& session);
 
-// The selected cart, else the first one by name; kNone without any: whose forces, colours, advice and report are told.
+// Returns the selected cart, else the first one by name; kNone without any. Forces, colours, advice and report are for
+// this train.
 world::Entity chosen_cart(const Session& session);
 // The report of the chosen cart's ride on the present track, to read, and as comma-separated values by time; nothing
 // without a ride.
 std::optional<std::string> ride_report(const Finder& find);
 std::optional<std::string> ride_csv(const Finder& find);
 
-// "c1 rolled back at 123.4 m, -0.3 m/s"; empty while all is well.
+// Returns "c1 rolled back at 123.4 m, -0.3 m/s"; empty if the ride has not failed.
 std::string failure_text(const Session& session);
 
-// Advances the ride by whole ticks. When it stops by itself, a notice says why.
+// Advances the ride by whole ticks. If it stops, a notice says why.
 void advance(Session& session, int ticks);
 
-// A session on an empty document.
+// Returns a session with an empty document.
 Session make_session(sim::Clock clock);
 
 }  // namespace coaster::edit
