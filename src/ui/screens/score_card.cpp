@@ -17,8 +17,6 @@ namespace {
 
 using edit::RideEnd;
 
-}
-
 std::string sentence(std::string words) {
   if (!words.empty() && words.front() >= 'a' && words.front() <= 'z')
     words.front() = static_cast<char>(words.front() - 'a' + 'A');
