@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/commands/commands.h"
 #include "edit/random_commands.h"
 
 namespace coaster::edit {

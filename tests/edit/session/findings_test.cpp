@@ -1,0 +1,85 @@
+#include "edit/session/findings.h"
+
+#include <algorithm>
+#include <string>
+
+#include "edit/session_fixture.h"
+
+namespace coaster::edit {
+namespace findings_test {
+
+constexpr Want kAll = Want::document_hash | Want::ride | Want::ratings | Want::overloads | Want::conflicts |
+                      Want::element | Want::room | Want::breaks | Want::values | Want::supports | Want::deviation;
+
+class FindingsOfASession : public test::SessionTest {
+ protected:
+  // A session that has never found anything, in the same state: what it finds is computed afresh.
+  Session fresh() const {
+    Session other = make_session({});
+    other.document = session.document;
+    other.settings = session.settings;
+    other.limits = session.limits;
+    sim::derive(other.document, other.settings, {}, other.derived);
+    sim::reset(other.document, other.derived, other.motion);
+    return other;
+  }
+  void expect_the_same(const std::string& after) {
+    Session other = fresh();
+    const Findings &found = find(session, kAll), &expected = find(other, kAll);
+    EXPECT_EQ(found.document_hash, world::hash(session.document)) << after;
+    ASSERT_EQ(found.ride == nullptr, expected.ride == nullptr) << after;
+    if (found.ride) {
+      EXPECT_EQ(found.ride->samples.size(), expected.ride->samples.size()) << after;
+      EXPECT_EQ(found.ride->samples.back().speed, expected.ride->samples.back().speed) << after;
+    }
+    EXPECT_EQ(found.ratings->up_most.value, expected.ratings->up_most.value) << after;
+    EXPECT_EQ(found.ratings->highest_drop, expected.ratings->highest_drop) << after;
+    ASSERT_EQ(found.overloads.size(), expected.overloads.size()) << after;
+    for (std::size_t i = 0; i < found.overloads.size(); ++i)
+      EXPECT_EQ(found.overloads[i].worst, expected.overloads[i].worst) << after;
+    EXPECT_TRUE(std::equal(found.conflicts.begin(), found.conflicts.end(), expected.conflicts.begin(),
+                           expected.conflicts.end()))
+        << after;
+    EXPECT_EQ(found.element->refusal, expected.element->refusal) << after;
+    EXPECT_EQ(found.room.size(), expected.room.size()) << after;
+    EXPECT_EQ(found.breaks.size(), expected.breaks.size()) << after;
+    EXPECT_EQ(found.values->values, expected.values->values) << after;
+    EXPECT_EQ(found.supports->count(), expected.supports->count()) << after;
+  }
+};
+
+TEST_F(FindingsOfASession, are_those_of_a_fresh_session_after_every_change) {
+  for (const char* const line : {"datum 2.5", "move @k2 to 3.7 19.3 -8.1", "undo", "redo", "split @s2 at 0.37",
+                                 "colour speed", "start_speed 17.3", "colour curvature", "remove @k2", "undo"}) {
+    good(line);
+    expect_the_same(line);
+  }
+}
+
+TEST_F(FindingsOfASession, a_ride_is_simulated_when_it_is_wanted_and_changed_alone) {
+  good("start_speed 9.1");
+  const Findings& found = find(session, Want::ride);
+  ASSERT_NE(found.ride, nullptr);
+  const std::uint64_t first = found.ride->serial;
+  find(session, Want::ride);
+  EXPECT_EQ(found.ride->serial, first);
+  for (const char* const line : {"start_speed 10.3", "start_speed 11.7", "start_speed 12.9"}) {
+    good(line);
+    find(session, Want::document_hash | Want::conflicts | Want::breaks | Want::supports);
+  }
+  find(session, Want::ride);
+  EXPECT_EQ(found.ride->serial, first + 1);  // the edits between were never simulated
+  EXPECT_EQ(found.ride->start.speed, 12.9);
+}
+
+TEST_F(FindingsOfASession, without_a_cart_there_is_no_ride_and_nothing_of_one) {
+  for (world::Entity cart; (cart = chosen_cart(session)).valid();)
+    good("remove @" + world::label_of(session.document, cart));
+  const Findings& found = find(session, Want::ride | Want::ratings | Want::overloads);
+  EXPECT_EQ(found.ride, nullptr);
+  EXPECT_EQ(found.ratings->up_most.value, 0);
+  EXPECT_TRUE(found.overloads.empty());
+}
+
+}  // namespace findings_test
+}  // namespace coaster::edit
