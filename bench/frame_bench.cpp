@@ -10,6 +10,9 @@
 
 #include "app/frame.h"
 #include "app/program.h"
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_session.h"
 #include "world/topology.h"
 
 namespace coaster {

@@ -9,6 +9,7 @@
 #include "app/pictures.h"
 #include "app/program.h"
 #include "app/scene.h"
+#include "edit/commands/commands_ride.h"
 #include "platform/signals.h"
 
 namespace coaster::app {

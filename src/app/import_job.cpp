@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/program.h"
+#include "edit/commands/commands_session.h"
 #include "exchange/formats.h"
 
 namespace coaster::app {

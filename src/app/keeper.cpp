@@ -8,6 +8,8 @@
 #include "app/keeper_progress.h"
 #include "app/program.h"
 #include "base/text.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
 #include "world/settings_groups.h"
 
 namespace coaster::app {

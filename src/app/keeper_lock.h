@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/status.h"
-#include "edit/commands/commands.h"
+#include "edit/commands/command.h"
 
 namespace coaster::app {
 

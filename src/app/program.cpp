@@ -9,6 +9,8 @@
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/text.h"
+#include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_settings.h"
 #include "edit/perform/apply.h"
 #include "query/challenge.h"
 #include "view/camera.h"

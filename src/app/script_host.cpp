@@ -8,6 +8,7 @@
 #include "app/frame.h"
 #include "app/pictures.h"
 #include "base/text.h"
+#include "edit/commands/commands_settings.h"
 #include "platform/signals.h"
 #include "view/camera.h"
 #include "view/gizmo.h"

@@ -3,6 +3,7 @@
 
 #include "app/scene.h"
 #include "base/folders.h"
+#include "edit/commands/commands_session.h"
 #include "edit/perform/apply.h"
 #include "edit/session/session.h"
 #include "gfx/image.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/files.h"
-#include "edit/commands/commands.h"
+#include "edit/commands/command.h"
 #include "platform/events.h"
 #include "query/lesson.h"
 #include "query/query.h"

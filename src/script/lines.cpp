@@ -9,6 +9,7 @@
 
 #include "base/words.h"
 #include "edit/commands/codec.h"
+#include "edit/commands/commands_settings.h"
 #include "query/condition.h"
 #include "script/grammar.h"
 #include "script/lines_parts.h"

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
 #include "script/grammar.h"
 #include "script/paths.h"
 #include "view/camera.h"

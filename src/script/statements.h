@@ -10,7 +10,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
-#include "edit/commands/commands.h"
+#include "edit/commands/command.h"
 #include "platform/events.h"
 #include "query/condition.h"
 #include "script/host.h"

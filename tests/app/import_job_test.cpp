@@ -1,6 +1,7 @@
 #include "app/import_job.h"
 
 #include "app/program_fixture.h"
+#include "edit/commands/commands_session.h"
 #include "exchange/formats.h"
 
 namespace coaster::app {

@@ -2,6 +2,9 @@
 
 #include "app/program_fixture.h"
 #include "base/text.h"
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
 #include "world/look.h"
 
 namespace coaster::app {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/program.h"
+#include "edit/commands/commands_document.h"
 
 namespace coaster::app {
 

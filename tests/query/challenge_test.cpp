@@ -1,5 +1,6 @@
 #include "query/challenge.h"
 
+#include "edit/commands/commands_challenge.h"
 #include "edit/session_fixture.h"
 #include "exchange/own/track_file.h"
 #include "world/evaluation.h"

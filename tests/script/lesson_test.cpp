@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "edit/commands/commands_document.h"
 #include "script/fake_host.h"
 
 namespace coaster::script {

@@ -5,6 +5,7 @@
 
 #include "base/hash.h"
 #include "edit/commands/codec.h"
+#include "edit/commands/commands_session.h"
 #include "script/fake_host.h"
 #include "world/lab_view.h"
 #include "world/layers.h"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/commands/commands_document.h"
 #include "script/fake_host.h"
 
 namespace coaster::script {

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "base/files.h"
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_settings.h"
 #include "edit/perform/apply.h"
 #include "edit/session/session.h"
 #include "platform/surface.h"

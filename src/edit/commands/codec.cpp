@@ -117,6 +117,8 @@ bool read_field(WordReader& words, const Field& field) {
 
 }  // namespace
 
+Command::Command() : Command(Undo{}) {}
+
 const std::string* output_path(const Command& command) {
   if (const Save* const save = command.as<Save>()) return &save->path;
   if (const SaveMeasurements* const save = command.as<SaveMeasurements>()) return &save->path;

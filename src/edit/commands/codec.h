@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/text.h"
-#include "edit/commands/commands.h"
+#include "edit/commands/command.h"
 
 namespace coaster::edit {
 

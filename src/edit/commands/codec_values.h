@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/text.h"
-#include "edit/commands/commands.h"
+#include "edit/commands/command.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/frame_methods.h"
 

@@ -1,5 +1,5 @@
-// The list of all kinds of commands, for what is done with every kind: its text, applying it. A file that makes some
-// command includes commands.h alone.
+// The list of all kinds of commands, for what is done with every kind: its text, applying it. A file that makes a
+// command includes the header of its group alone.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,16 @@
 #include <utility>
 
 #include "base/check.h"
-#include "edit/commands/commands.h"
+#include "edit/commands/command.h"
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_lab.h"
+#include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
+#include "edit/commands/commands_shape.h"
 #include "world/settings_groups.h"
 
 namespace coaster::edit {

@@ -1,4 +1,4 @@
-// The commands of challenges and the score card. See commands.h.
+// The commands of challenges and the score card. See command.h.
 #pragma once
 
 #include <string>

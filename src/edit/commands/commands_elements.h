@@ -1,4 +1,4 @@
-// The commands of the palette: elements at the open end of the track. See commands.h.
+// The commands of the palette: elements at the open end of the track. See command.h.
 #pragma once
 
 #include "edit/commands/command_fields.h"

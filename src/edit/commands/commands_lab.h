@@ -1,4 +1,4 @@
-// The laboratory's commands: what is drawn over the scene, and measuring. See commands.h.
+// The laboratory's commands: what is drawn over the scene, and measuring. See command.h.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The commands of the ride's operation: equipment, trains, losses, banking. See commands.h.
+// The commands of the ride's operation: equipment, trains, losses, banking. See command.h.
 #pragma once
 
 #include <string>

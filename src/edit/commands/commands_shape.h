@@ -1,4 +1,4 @@
-// The commands that shape several knots at once, and the whole track. See commands.h.
+// The commands that shape several knots at once, and the whole track. See command.h.
 #pragma once
 
 #include <glm/glm.hpp>

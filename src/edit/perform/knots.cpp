@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edit/commands/commands_document.h"
 #include "edit/perform/knot_runs.h"
 #include "world/topology.h"
 

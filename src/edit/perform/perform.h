@@ -7,6 +7,15 @@
 #include <vector>
 
 #include "base/text.h"
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_lab.h"
+#include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
+#include "edit/commands/commands_shape.h"
 #include "edit/session/session.h"
 
 namespace coaster::edit {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edit/commands/commands_settings.h"
 #include "edit/perform/knot_runs.h"
 
 namespace coaster::edit {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "edit/commands/commands_lab.h"
+#include "edit/commands/commands_settings.h"
 #include "edit/perform/set.h"
 #include "world/lab_view.h"
 

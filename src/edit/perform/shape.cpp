@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "curve/natural_spline.h"
+#include "edit/commands/commands_shape.h"
 #include "edit/perform/knot_runs.h"
 #include "world/topology.h"
 

@@ -4,6 +4,7 @@
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
+#include "edit/commands/commands_shape.h"
 #include "edit/perform/knot_runs.h"
 #include "world/topology.h"
 

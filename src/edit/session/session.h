@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/files.h"
-#include "edit/commands/commands.h"
+#include "edit/commands/command.h"
 #include "edit/session/challenge.h"
 #include "edit/session/findings.h"
 #include "exchange/own/track_file.h"

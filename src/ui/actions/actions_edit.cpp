@@ -2,6 +2,11 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
 #include "ui/actions/actions_parts.h"
 #include "ui/tools/places.h"
 #include "world/aids.h"

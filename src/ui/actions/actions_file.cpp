@@ -1,4 +1,5 @@
 // The menu File.
+#include "edit/commands/commands_challenge.h"
 #include "ui/actions/actions_parts.h"
 
 namespace coaster::ui {

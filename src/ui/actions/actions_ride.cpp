@@ -1,4 +1,6 @@
 // The menu Ride.
+#include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_settings.h"
 #include "ui/actions/actions_parts.h"
 #include "ui/tools/places.h"
 #include "world/aids.h"

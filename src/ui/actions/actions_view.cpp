@@ -1,6 +1,8 @@
 // The menu View: cameras, colours, what is shown.
 #include <algorithm>
 
+#include "edit/commands/commands_lab.h"
+#include "edit/commands/commands_settings.h"
 #include "ui/actions/actions_parts.h"
 #include "ui/actions/command_palette.h"
 #include "ui/tools/fly_keys.h"

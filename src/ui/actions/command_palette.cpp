@@ -12,6 +12,8 @@
 
 #include "base/words.h"
 #include "edit/commands/codec.h"
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_session.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include "edit/commands/commands_settings.h"
 #include "ui/tools/fly_keys.h"
 #include "world/aids.h"
 #include "world/camera_feel.h"

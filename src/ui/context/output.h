@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "edit/commands/commands.h"
+#include "edit/commands/command.h"
 #include "exchange/own/settings_file.h"
 #include "query/lesson.h"
 #include "view/camera.h"

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "edit/commands/commands_settings.h"
 #include "world/lab_view.h"
 
 namespace coaster::ui {

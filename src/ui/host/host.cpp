@@ -9,6 +9,9 @@
 #include <utility>
 #include <variant>
 
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/command_palette.h"
 #include "ui/actions/gamepad.h"

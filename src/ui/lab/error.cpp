@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "edit/commands/commands_settings.h"
 #include "ui/lab/cache.h"
 #include "world/evaluation.h"
 #include "world/lab_view.h"

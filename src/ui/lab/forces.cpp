@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_ride.h"
 #include "sim/study/ratings.h"
 #include "ui/lab/cache.h"
 #include "ui/lab/table.h"

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "edit/commands/commands_settings.h"
 #include "sim/shape/frame_methods.h"
 #include "ui/lab/cache.h"
 #include "world/layers.h"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_settings.h"
 #include "sim/study/live_errata.h"
 #include "ui/context/rows.h"
 #include "ui/lab/cache.h"

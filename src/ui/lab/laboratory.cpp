@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "edit/commands/commands_settings.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 #include "world/lab_view.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "edit/commands/commands_settings.h"
 #include "ui/lab/cache.h"
 #include "ui/lab/table.h"
 #include "ui/widgets/theme.h"

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "edit/commands/commands_lab.h"
 #include "ui/lab/cache.h"
 #include "ui/lab/table.h"
 #include "ui/widgets/theme.h"

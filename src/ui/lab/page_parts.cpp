@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "edit/commands/commands_lab.h"
+#include "edit/commands/commands_settings.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 #include "world/lab_view.h"

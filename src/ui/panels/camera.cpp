@@ -1,6 +1,7 @@
 // Camera: camera mode and camera feel.
 #include <array>
 
+#include "edit/commands/commands_settings.h"
 #include "ui/context/ui.h"
 #include "ui/tools/fly_keys.h"
 #include "world/camera_feel.h"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_ride.h"
 #include "query/challenge.h"
 #include "ui/context/rows.h"
 #include "ui/tools/places.h"

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_settings.h"
 #include "ui/context/rows.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"

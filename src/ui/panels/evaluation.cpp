@@ -1,6 +1,7 @@
 // Evaluation: methods, resolution, and the read-outs to compare them.
 #include <imgui.h>
 
+#include "edit/commands/commands_settings.h"
 #include "ui/context/rows.h"
 #include "ui/widgets/theme.h"
 #include "world/evaluation.h"

@@ -1,6 +1,7 @@
 // History: undo and redo steps. A click goes to a step.
 #include <imgui.h>
 
+#include "edit/commands/commands_session.h"
 #include "ui/context/ui.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"

@@ -6,6 +6,9 @@
 #include <imgui.h>
 
 #include "curve/continuity.h"
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_settings.h"
+#include "edit/commands/commands_shape.h"
 #include "ui/context/rows.h"
 #include "world/selection.h"
 #include "world/topology.h"

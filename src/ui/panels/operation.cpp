@@ -1,6 +1,7 @@
 // Operation: equipment on the selected segment, the train, losses, and what ends the ride.
 #include <array>
 
+#include "edit/commands/commands_operation.h"
 #include "sim/study/ratings.h"
 #include "ui/context/ui.h"
 

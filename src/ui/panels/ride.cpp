@@ -1,6 +1,8 @@
 // Ride: running the carts, their motion, and g.
 #include <imgui.h>
 
+#include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_settings.h"
 #include "sim/shape/frame_methods.h"
 #include "ui/context/rows.h"
 #include "ui/widgets/icons.h"

@@ -5,6 +5,8 @@
 
 #include <imgui.h>
 
+#include "edit/commands/commands_settings.h"
+#include "edit/commands/commands_shape.h"
 #include "ui/context/ui.h"
 #include "ui/widgets/widget_parts.h"
 #include "world/selection.h"

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_settings.h"
+#include "edit/commands/commands_shape.h"
 #include "sim/ride/equipment.h"
 #include "ui/context/rows.h"
 #include "ui/tools/places.h"

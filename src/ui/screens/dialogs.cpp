@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "base/file_lock.h"
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_session.h"
 #include "exchange/formats.h"
 
 namespace coaster::ui {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "edit/commands/commands_settings.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_parts.h"
 #include "world/aids.h"

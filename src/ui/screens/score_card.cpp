@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_ride.h"
 #include "query/challenge.h"
 #include "ui/tools/places.h"
 #include "ui/widgets/medals.h"

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/text.h"
+#include "edit/commands/commands_settings.h"
 #include "platform/sound.h"
 #include "ui/actions/actions.h"
 #include "ui/screens/dialogs.h"

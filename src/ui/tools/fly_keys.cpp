@@ -5,6 +5,8 @@
 #include <cmath>
 #include <variant>
 
+#include "edit/commands/commands_settings.h"
+
 namespace coaster::ui {
 namespace {
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_settings.h"
 #include "world/aids.h"
 
 namespace coaster::ui {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "edit/commands/commands_settings.h"
 #include "world/selection.h"
 
 namespace coaster::ui {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "edit/commands/commands.h"
+#include "edit/commands/command.h"
 #include "edit/session/session.h"
 #include "view/camera.h"
 

@@ -7,6 +7,8 @@
 
 #include "base/portable_math.h"
 #include "edit/commands/codec.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_shape.h"
 #include "world/selection.h"
 
 namespace coaster::ui {

@@ -7,6 +7,10 @@
 #include <cmath>
 #include <utility>
 
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
+#include "edit/commands/commands_shape.h"
 #include "ui/tools/fly_keys.h"
 #include "ui/widgets/theme.h"
 #include "view/gizmo.h"

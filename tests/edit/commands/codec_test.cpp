@@ -5,7 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "edit/commands/commands.h"
+#include "edit/commands/command.h"
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_settings.h"
+#include "edit/commands/commands_shape.h"
 #include "edit/random_commands.h"
 
 namespace coaster::edit {

@@ -7,6 +7,11 @@
 #include <rapidcheck/gtest.h>
 #include <unistd.h>
 
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
 #include "edit/random_commands.h"
 #include "edit/session_fixture.h"
 #include "world/evaluation.h"

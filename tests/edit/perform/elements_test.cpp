@@ -2,6 +2,7 @@
 
 #include "base/hash.h"
 #include "curve/continuity.h"
+#include "edit/commands/commands_elements.h"
 #include "edit/session_fixture.h"
 #include "sim/random_elements.h"
 #include "world/aids.h"

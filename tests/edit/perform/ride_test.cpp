@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "edit/commands/commands_ride.h"
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {

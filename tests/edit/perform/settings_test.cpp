@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "edit/commands/commands_settings.h"
 #include "edit/session_fixture.h"
 #include "world/camera_feel.h"
 #include "world/evaluation.h"

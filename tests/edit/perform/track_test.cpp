@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "curve/arc_length.h"
+#include "edit/commands/commands_document.h"
 #include "edit/session_fixture.h"
 #include "world/evaluation.h"
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/commands/commands_document.h"
 #include "edit/session/session.h"
 #include "sim/tracks.h"
 

@@ -1,5 +1,7 @@
 #include "ui/actions/actions.h"
 
+#include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_settings.h"
 #include "ui/stage.h"
 #include "world/aids.h"
 #include "world/look.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "edit/commands/commands_settings.h"
 #include "ui/stage.h"
 
 namespace coaster::ui {

@@ -2,6 +2,9 @@
 #include <set>
 
 #include "curve/bernstein.h"
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
 #include "ui/stage.h"
 #include "world/lab_view.h"
 #include "world/look.h"

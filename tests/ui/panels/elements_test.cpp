@@ -1,6 +1,8 @@
 // The palette, worked by mouse and keyboard.
 #include <algorithm>
 
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_elements.h"
 #include "ui/panels/panels.h"
 #include "ui/stage.h"
 #include "world/aids.h"

@@ -3,6 +3,9 @@
 #include <set>
 
 #include "curve/evaluators.h"
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_settings.h"
 #include "ui/stage.h"
 
 namespace coaster::ui {

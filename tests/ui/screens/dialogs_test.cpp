@@ -1,6 +1,8 @@
 // Questions about unsaved changes, files and recovery, by mouse and keys.
 #include "ui/screens/dialogs.h"
 
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_session.h"
 #include "ui/stage.h"
 
 namespace coaster::ui {

@@ -1,5 +1,8 @@
 #include "ui/screens/score_card.h"
 
+#include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_settings.h"
 #include "ui/stage.h"
 #include "ui/tools/places.h"
 #include "ui/widgets/medals.h"

@@ -1,5 +1,8 @@
 #include "ui/tools/viewport_tool.h"
 
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
 #include "ui/stage.h"
 #include "world/aids.h"
 

@@ -1,5 +1,6 @@
 #include "ui/widgets/widgets.h"
 
+#include "edit/commands/commands_settings.h"
 #include "ui/stage.h"
 #include "world/evaluation.h"
 

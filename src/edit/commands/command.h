@@ -1,0 +1,51 @@
+// One command of any kind: everything that a person, a script or a recording can make the program do to document,
+// motion and settings. The kinds are plain structs with a name, a line of help and a list of fields; from these come
+// printing, parsing, help and completion. They stand in commands_*.h by what they change, and command_list.h lists them
+// all. A file that makes a command includes the header of its group. Commands carry names and numbers, never screen
+// coordinates.
+#pragma once
+
+#include <any>
+#include <string>
+#include <utility>
+
+#include "edit/commands/command_fields.h"
+
+namespace coaster::edit {
+
+// One command of any kind. A std::variant of so many kinds would take half a minute to compile.
+class Command {
+ public:
+  Command();  // undo
+  template <class C>
+  requires requires { C::kInfo; }
+  Command(C command) : value_(std::move(command)), info_(&C::kInfo) {}
+
+  const CommandInfo& info() const { return *info_; }  // one object for each kind
+  template <class C>
+  bool is() const {
+    return as<C>() != nullptr;
+  }
+  // Returns null if it is of another kind.
+  template <class C>
+  const C* as() const {
+    return std::any_cast<C>(&value_);
+  }
+  template <class C>
+  C* as() {
+    return std::any_cast<C>(&value_);
+  }
+
+ private:
+  std::any value_;
+  const CommandInfo* info_;
+};
+
+inline const CommandInfo& info(const Command& command) { return command.info(); }
+
+// Returns the file that a command writes, or null. Such commands change nothing, and scripts may write only below $OUT.
+const std::string* output_path(const Command& command);
+// Sets the file of a command that writes one; does nothing for others.
+void set_output_path(Command& command, std::string path);
+
+}  // namespace coaster::edit
