@@ -58,7 +58,7 @@ std::filesystem::path free_folder(const Program& program) {
   return path;
 }
 
-// Of the first train, which the lap is told by.
+// Of the first train, which defines the lap.
 std::int64_t ticks_of_lap(edit::Session& session) {
   const sim::Ghost* const ghost =
       session.findings.memory.rides.ride(session.document, session.derived, world::first_cart(session.document));
