@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <memory>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "app/program.h"
+#include "base/scratch_folder.h"
 #include "edit/commands/commands_document.h"
 
 namespace coaster::app {
@@ -41,18 +41,7 @@ class FakeSurface final : public platform::Surface {
 
 class ProgramTest : public testing::Test {
  protected:
-  void SetUp() override {
-    const testing::TestInfo& info = *testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              ("coaster_" + std::string(info.name()) + "_" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-    program_ = make();
-  }
-  void TearDown() override {
-    program_.reset();
-    std::filesystem::remove_all(folder_);
-  }
+  void SetUp() override { program_ = make(); }
 
   // A program without a renderer: it can do all but draw the scene.
   static std::unique_ptr<Program> make() {
@@ -92,7 +81,8 @@ class ProgramTest : public testing::Test {
   }
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
-  std::filesystem::path folder_;
+  test::ScratchFolder scratch_;
+  std::filesystem::path folder_ = scratch_.path();
   std::unique_ptr<Program> program_;
 };
 

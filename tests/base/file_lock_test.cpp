@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "base/files.h"
+#include "base/scratch_folder.h"
 
 namespace coaster::base {
 namespace file_lock_test {
@@ -18,14 +19,7 @@ using Outcome = LockAttempt::Outcome;
 
 class file_lock : public testing::Test {
  protected:
-  void SetUp() override {
-    folder = fs::temp_directory_path() /
-             ("coaster_lock_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    std::ofstream(folder / "a.json") << "x";
-  }
-  void TearDown() override { fs::remove_all(folder); }
+  file_lock() { std::ofstream(folder / "a.json") << "x"; }
   fs::path lock_file() const { return folder / ".a.json.lock"; }
 
   // A process that holds the lock until it is killed.
@@ -47,7 +41,8 @@ class file_lock : public testing::Test {
     return child;
   }
 
-  fs::path folder;
+  test::ScratchFolder scratch;
+  fs::path folder = scratch.path();
 };
 
 TEST_F(file_lock, one_at_a_time_and_gone_when_it_is_let_go) {

@@ -1,4 +1,5 @@
 #include "base/files.h"
+#include "base/scratch_folder.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -19,13 +20,6 @@ namespace fs = std::filesystem;
 
 class files : public testing::Test {
  protected:
-  void SetUp() override {
-    folder = fs::temp_directory_path() /
-             ("coaster_files_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
   std::string content(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -34,7 +28,8 @@ class files : public testing::Test {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
   }
 
-  fs::path folder;
+  test::ScratchFolder scratch;
+  fs::path folder = scratch.path();
   Files io;
 };
 

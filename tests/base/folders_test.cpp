@@ -1,4 +1,5 @@
 #include "base/folders.h"
+#include "base/scratch_folder.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -13,14 +14,8 @@ namespace fs = std::filesystem;
 
 class folders : public testing::Test {
  protected:
-  void SetUp() override {
-    folder = fs::temp_directory_path() /
-             ("coaster_folders_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-  fs::path folder;
+  test::ScratchFolder scratch;
+  fs::path folder = scratch.path();
 };
 
 struct Variable {

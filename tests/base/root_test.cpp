@@ -12,6 +12,7 @@
 
 #include "base/file_lock.h"
 #include "base/files.h"
+#include "base/scratch_folder.h"
 
 namespace coaster::base {
 namespace root_test {
@@ -21,9 +22,6 @@ namespace fs = std::filesystem;
 class root : public testing::Test {
  protected:
   void SetUp() override {
-    top = fs::temp_directory_path() /
-          ("coaster_root_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(top);
     fs::create_directories(top / "out");
     fs::create_directories(top / "foreign" / "folder");
     std::ofstream(victim()) << "victim";
@@ -36,7 +34,6 @@ class root : public testing::Test {
     EXPECT_EQ(text(victim()), "victim");
     EXPECT_EQ(std::distance(fs::recursive_directory_iterator(top / "foreign"), fs::recursive_directory_iterator()), 2);
     EXPECT_EQ(std::distance(fs::directory_iterator(top), fs::directory_iterator()), 2);
-    fs::remove_all(top);
   }
   fs::path victim() const { return top / "foreign" / "victim"; }
   fs::path out(const char* name) const { return top / "out" / name; }
@@ -50,7 +47,8 @@ class root : public testing::Test {
     EXPECT_NE(status.message.find(reason), std::string::npos) << status.message;
   }
 
-  fs::path top;
+  test::ScratchFolder scratch;
+  fs::path top = scratch.path();
   Files io;
 };
 

@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 
+#include "base/scratch_folder.h"
 #include "exchange/formats.h"
 #include "exchange/own/autosave.h"
 
@@ -55,18 +56,12 @@ unsigned duration_of(Work work) {
 
 class killed : public testing::Test {
  protected:
-  void SetUp() override {
-    folder = fs::temp_directory_path() /
-             ("coaster_killed_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
   std::size_t entries() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
   }
 
-  fs::path folder;
+  test::ScratchFolder scratch;
+  fs::path folder = scratch.path();
   base::Files files;
   std::mt19937 bits{20120607};
 };

@@ -11,6 +11,7 @@
 
 #include "base/check.h"
 #include "base/file_lock.h"
+#include "base/scratch_folder.h"
 #include "exchange/challenge_file.h"
 #include "exchange/own/envelope_file.h"
 #include "exchange/own/progress_file.h"
@@ -89,9 +90,8 @@ std::string census(const std::filesystem::path& folder) {
 // many "..".
 class LinkFarm {
  public:
-  LinkFarm() : top_(std::filesystem::temp_directory_path() / ("coaster_farm_" + std::to_string(::getpid()))) {
-    std::filesystem::remove_all(top_);
-    std::filesystem::path deep = top_;
+  LinkFarm() {
+    std::filesystem::path deep = scratch_.path();
     for (int i = 0; i <= kMostUp; ++i) deep /= "n";
     outside = deep / "outside", run = deep / "run";
     std::filesystem::create_directories(outside / "folder");
@@ -111,15 +111,12 @@ class LinkFarm {
     COASTER_CHECK(::mkfifo((run / "pipe").c_str(), 0600) == 0 && ::mkfifo((run / ".y.lock").c_str(), 0600) == 0,
                   "pipes are made");
   }
-  ~LinkFarm() { std::filesystem::remove_all(top_); }
-  LinkFarm(const LinkFarm&) = delete;
-  LinkFarm& operator=(const LinkFarm&) = delete;
 
   static constexpr int kMostUp = 10;
   std::filesystem::path outside, run;
 
  private:
-  std::filesystem::path top_;
+  test::ScratchFolder scratch_;
 };
 
 // Each line is an operation's letter and a path below the run's folder, or below the folder outside when it begins with

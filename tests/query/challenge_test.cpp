@@ -1,5 +1,6 @@
 #include "query/challenge.h"
 
+#include "base/scratch_folder.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/session_fixture.h"
 #include "exchange/own/track_file.h"
@@ -15,14 +16,7 @@ namespace fs = std::filesystem;
 
 class ChallengeTest : public test::SessionTest {
  protected:
-  void SetUp() override {
-    folder = fs::temp_directory_path() /
-             ("coaster_challenge_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    session.game.referee = referee();
-  }
-  void TearDown() override { fs::remove_all(folder); }
+  void SetUp() override { session.game.referee = referee(); }
 
   // A challenge file on a shipped track, with these members besides name and track.
   std::string file(const std::string& members, const std::string& track = "tracks/gentle.json") {
@@ -49,7 +43,8 @@ class ChallengeTest : public test::SessionTest {
     return std::get<double>(*find_query(name)->evaluate({session, stats, "", ""}, argument));
   }
 
-  fs::path folder;
+  test::ScratchFolder scratch;
+  fs::path folder = scratch.path();
   FrameStats stats;
 };
 

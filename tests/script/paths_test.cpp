@@ -1,5 +1,6 @@
 // Scripts read where they are told to and write below $OUT alone.
 #include "script/paths.h"
+#include "base/scratch_folder.h"
 
 #include <filesystem>
 #include <fstream>
@@ -12,13 +13,12 @@ namespace paths_test {
 class Paths : public testing::Test {
  protected:
   Paths() {
-    std::filesystem::remove_all(root_);
     std::filesystem::create_directories(root_ / "script");
     std::filesystem::create_directories(out_);
     std::ofstream(root_ / "script/beside.json") << "{}";
   }
-  ~Paths() override { std::filesystem::remove_all(root_); }
-  std::filesystem::path root_ = std::filesystem::temp_directory_path() / "coaster_paths_test", out_ = root_ / "out";
+  test::ScratchFolder scratch_;
+  std::filesystem::path root_ = scratch_.path(), out_ = root_ / "out";
 };
 
 TEST_F(Paths, a_file_is_read_below_out_beside_the_script_or_where_the_program_is) {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-#include <unistd.h>
 
+#include "base/scratch_folder.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
@@ -29,13 +29,8 @@ Command document_command(test::RandomCommands& random) {
 
 class Applying : public test::SessionTest {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("coaster_apply" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string file(const char* name) const { return (folder_ / name).string(); }
-  std::filesystem::path folder_;
+  std::string file(const char* name) const { return (scratch_.path() / name).string(); }
+  test::ScratchFolder scratch_;
 };
 
 TEST_F(Applying, save_and_load_bring_the_same_document) {

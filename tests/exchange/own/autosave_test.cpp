@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "base/scratch_folder.h"
 #include "exchange/formats.h"
 
 namespace coaster::exchange {
@@ -23,12 +24,6 @@ world::Document document_named(std::string name) {
 
 class autosave : public testing::Test {
  protected:
-  void SetUp() override {
-    folder = fs::temp_directory_path() /
-             ("coaster_autosave_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
   std::size_t entries() const {
     return fs::exists(folder)
                ? static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()))
@@ -50,7 +45,8 @@ class autosave : public testing::Test {
     ::waitpid(child, nullptr, 0);
   }
 
-  fs::path folder;
+  test::ScratchFolder scratch;
+  fs::path folder = scratch.path() / "autosaves";
   base::Files files;
 };
 

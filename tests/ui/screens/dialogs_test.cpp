@@ -1,6 +1,7 @@
 // Questions about unsaved changes, files and recovery, by mouse and keys.
 #include "ui/screens/dialogs.h"
 
+#include "base/scratch_folder.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_session.h"
 #include "ui/stage.h"
@@ -11,18 +12,11 @@ namespace dialogs_test {
 using platform::Key;
 
 struct DialogsTest : Stage {
-  std::filesystem::path folder;
+  test::ScratchFolder scratch;
+  std::filesystem::path folder = scratch.path();
   void SetUp() override {
-    folder = std::filesystem::temp_directory_path() /
-             ("coaster_dialogs_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
     Stage::SetUp();
     frames(2);
-  }
-  void TearDown() override {
-    Stage::TearDown();
-    std::filesystem::remove_all(folder);
   }
 };
 
