@@ -51,7 +51,7 @@ std::optional<double> Words::number(std::string_view what) {
   std::string_view text = word->text;
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto value = parse_double(text);
-  if (!value) fail(word->column, fmt::format("expected {}, found {}", what, base::quoted(word->text)));
+  if (!value) reject(what);
   return value;
 }
 
@@ -60,7 +60,7 @@ std::optional<std::int64_t> Words::whole(std::string_view what, std::int64_t low
   if (!word) return std::nullopt;
   const auto value = parse_int(word->text);
   if (value && *value >= low && *value <= high) return value;
-  fail(word->column, fmt::format("expected {} ({}..{}), found {}", what, low, high, base::quoted(word->text)));
+  reject(fmt::format("{} ({}..{})", what, low, high));
   return std::nullopt;
 }
 
@@ -71,7 +71,7 @@ std::optional<glm::vec3> Words::vector(std::string_view what) {
     if (!word) return std::nullopt;
     const auto value = parse_float(word->text);
     if (!value) {
-      fail(word->column, fmt::format("expected {}, found {}", what, base::quoted(word->text)));
+      reject(what);
       return std::nullopt;
     }
     v[axis] = *value;
@@ -85,7 +85,7 @@ std::optional<bool> Words::on_off() {
   if (word->text == "1") return true;
   if (word->text == "0") return false;
   const auto value = parse_switch(word->text);
-  if (!value) fail(word->column, "expected on or off, found " + base::quoted(word->text));
+  if (!value) reject("on or off");
   return value;
 }
 
@@ -94,8 +94,7 @@ std::optional<std::size_t> Words::one_of(std::string_view what, std::span<const 
   if (!word) return std::nullopt;
   const auto found = std::find(names.begin(), names.end(), word->text);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  fail(word->column,
-       fmt::format("expected {}, found {}{}", what, base::quoted(word->text), suggestion(word->text, names)));
+  reject(what, suggestion(word->text, names));
   return std::nullopt;
 }
 
@@ -104,6 +103,11 @@ bool Words::end() {
   if (const Token* const extra = peek())
     return fail(extra->column, "unexpected " + base::quoted(extra->text) + " after the end of the statement");
   return true;
+}
+
+bool Words::reject(std::string_view what, std::string_view hint) {
+  const Token& word = words_[next_ - 1];
+  return fail(word.column, fmt::format("expected {}, found {}{}", what, base::quoted(word.text), hint));
 }
 
 bool Words::fail(int column, std::string message) {

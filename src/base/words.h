@@ -1,4 +1,4 @@
-// Reads the words of one line for a grammar (scripts, conditions); keeps the first failure with its column.
+// Reads the words of one line for a grammar (commands, scripts, conditions); keeps the first failure with its column.
 #pragma once
 
 #include <optional>
@@ -34,6 +34,8 @@ class Words {
   std::optional<std::size_t> one_of(std::string_view what, std::span<const std::string> names);
   // Returns true at the end of the line.
   bool end();
+  // Fails at the last word taken: "expected WHAT, found ...".
+  bool reject(std::string_view what, std::string_view hint = {});
   bool fail(int column, std::string message);
   bool failed() const { return failed_; }
   int end_column() const;

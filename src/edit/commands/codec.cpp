@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "edit/commands/codec_values.h"
 #include "edit/commands/command_list.h"
 
@@ -25,14 +27,14 @@ struct Keyword {
 // The operations of a field type, so that the rest is written once for all commands.
 struct FieldType {
   std::string (*print)(const void* value);
-  bool (*read)(WordReader& words, void* value);
+  bool (*read)(base::Words& words, void* value);
   std::string (*usage)(const void* value);  // null: a target, whose words depend on the command
 };
 template <class T>
 constexpr FieldType field_type() {
   FieldType type{};
   type.print = [](const void* value) { return print_value(*static_cast<const T*>(value)); };
-  type.read = [](WordReader& words, void* value) { return read_value(words, *static_cast<T*>(value)); };
+  type.read = [](base::Words& words, void* value) { return read_value(words, *static_cast<T*>(value)); };
   if constexpr (!std::is_same_v<T, Target>)
     type.usage = [](const void* value) { return usage_of(*static_cast<const T*>(value)); };
   return type;
@@ -101,16 +103,12 @@ std::string usage(const CommandKind& row) {
 }
 
 // Reads one field; returns false if it failed through `words`.
-bool read_field(WordReader& words, const Field& field) {
+bool read_field(base::Words& words, const Field& field) {
   const Keyword& keyword = field.keyword;
   if (!keyword.word.empty()) {
     if (keyword.optional && (!words.peek() || words.peek()->text != keyword.word)) return true;
-    const base::Token* const word = words.take("\"" + keyword.word + "\"");
-    if (!word) return false;
-    if (word->text != keyword.word) {
-      const std::vector<std::string> candidates{keyword.word};
-      return words.reject("\"" + keyword.word + "\"", base::suggestion(word->text, candidates));
-    }
+    const Names one{keyword.word};
+    if (!words.one_of(fmt::format("\"{}\"", keyword.word), one)) return false;
   }
   return field.type->read(words, field.value);
 }
@@ -175,18 +173,18 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
   const auto row = std::find_if(kKinds.begin(), kKinds.end(),
                                 [&](const CommandKind& kind) { return kind.info->name == tokens[0].text; });
   if (row == kKinds.end()) {
-    error = {tokens[0].column,
-             "no command " + base::quoted(tokens[0].text) + base::suggestion(tokens[0].text, command_names())};
+    error = {tokens[0].column, fmt::format("no command {}{}", base::quoted(tokens[0].text),
+                                           base::suggestion(tokens[0].text, command_names()))};
     return failed();
   }
-  WordReader words(tokens, error);
+  base::Words words(tokens, error);
   words.take("a command");
   Command result = row->make();
   for (const Field& field : fields_of(result))
     if (!read_field(words, field)) return failed();
   if (words.peek()) {
     const base::Token& extra = *words.peek();
-    words.fail(extra.column, "unexpected " + base::quoted(extra.text) + "; usage: " + usage(*row));
+    words.fail(extra.column, fmt::format("unexpected {}; usage: {}", base::quoted(extra.text), usage(*row)));
     return failed();
   }
   return result;

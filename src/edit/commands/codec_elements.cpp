@@ -1,5 +1,5 @@
 // Elements as text: "loop right height 20 top 90 shift 4".
-#include <algorithm>
+#include <fmt/format.h>
 
 #include "edit/commands/codec_values.h"
 
@@ -20,24 +20,23 @@ Names words_of(const world::ElementRow& row) {
 std::string print_value(const world::Element& value) {
   const world::ElementRow& row = base::row_of(value.kind);
   std::string text(row.name);
-  if (row.sided) text += " " + std::string(value.right ? kRight : kLeft);
+  if (row.sided) text += fmt::format(" {}", value.right ? kRight : kLeft);
   for (std::size_t i = 0; i < row.parameters.size(); ++i)
-    text += " " + std::string(row.parameters[i].name) + " " + base::to_text(value.values[i]);
+    text += fmt::format(" {} {}", row.parameters[i].name, base::to_text(value.values[i]));
   return text;
 }
 
-bool read_value(WordReader& words, world::Element& value) {
+bool read_value(base::Words& words, world::Element& value) {
   world::ElementKind kind{};
   if (!read_value(words, kind)) return false;
   value = world::usual_element(kind);
   const Names names = words_of(base::row_of(value.kind));
   const std::size_t parameters = base::row_of(value.kind).parameters.size();
   while (words.peek()) {
-    int word = 0;
-    if (!read_name(words, names, word)) return false;
-    const auto index = static_cast<std::size_t>(word);
-    if (index >= parameters) value.right = names[index] == kRight;
-    else if (!read_value(words, value.values[index])) return false;
+    const auto word = words.one_of(joined(names), names);
+    if (!word) return false;
+    if (*word >= parameters) value.right = names[*word] == kRight;
+    else if (!read_value(words, value.values[*word])) return false;
   }
   return true;
 }
@@ -45,9 +44,8 @@ bool read_value(WordReader& words, world::Element& value) {
 std::string usage_of(const world::Element&) {
   std::string text;
   for (const world::ElementRow& row : world::elements()) {
-    text += (text.empty() ? "" : " | ") + std::string(row.name) + (row.sided ? " [left|right]" : "");
-    for (const world::ElementParameter& parameter : row.parameters)
-      text += " [" + std::string(parameter.name) + " NUMBER]";
+    text += fmt::format("{}{}{}", text.empty() ? "" : " | ", row.name, row.sided ? " [left|right]" : "");
+    for (const world::ElementParameter& parameter : row.parameters) text += fmt::format(" [{} NUMBER]", parameter.name);
   }
   return text;
 }

@@ -2,13 +2,14 @@
 #include "edit/commands/codec_values.h"
 
 #include <limits>
-#include <vector>
+
+#include <fmt/format.h>
 
 namespace coaster::edit {
 namespace {
 
 template <class T, class Parse>
-bool read_number(WordReader& words, std::string_view what, Parse parse, T& value) {
+bool read_number(base::Words& words, std::string_view what, Parse parse, T& value) {
   const base::Token* const word = words.take(what);
   if (!word) return false;
   const auto number = parse(word->text);
@@ -25,38 +26,6 @@ std::string joined(const Names& names) {
   return text;
 }
 
-// The row that the next word names.
-bool read_name(WordReader& words, const Names& names, int& row) {
-  const std::string expected = joined(names);
-  const base::Token* const word = words.take(expected);
-  if (!word) return false;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == word->text) return row = static_cast<int>(i), true;
-  return words.reject(expected, base::suggestion(word->text, names));
-}
-
-const base::Token* WordReader::take(std::string_view what) {
-  if (const base::Token* const word = peek()) return ++next_, word;
-  fail(end_column(), "expected " + std::string(what) + " at the end of the line");
-  return nullptr;
-}
-
-bool WordReader::reject(std::string_view what, std::string_view hint) {
-  const base::Token& word = words_[next_ - 1];
-  return fail(word.column, "expected " + std::string(what) + ", found " + base::quoted(word.text) + std::string(hint));
-}
-
-bool WordReader::fail(int column, std::string message) {
-  error_ = {column, std::move(message)};
-  return false;
-}
-
-int WordReader::end_column() const {
-  if (words_.empty()) return 1;
-  const base::Token& last = words_.back();
-  return last.column + static_cast<int>(last.quoted ? base::quoted(last.text).size() : last.text.size());
-}
-
 std::string print_value(const Target& value) {
   return value.name.number == 0 ? "none" : "@" + world::to_text(value.name);
 }
@@ -64,12 +33,8 @@ std::string print_value(const HandleTarget& value) {
   return "@" + world::to_text(value.knot) + (value.end == HandleEnd::in ? ".in" : ".out");
 }
 std::string print_value(glm::vec3 v) {
-  return base::to_text(v.x) + " " + base::to_text(v.y) + " " + base::to_text(v.z);
+  return fmt::format("{} {} {}", base::to_text(v.x), base::to_text(v.y), base::to_text(v.z));
 }
-std::string print_value(float value) { return base::to_text(value); }
-std::string print_value(double value) { return base::to_text(value); }
-std::string print_value(int value) { return std::to_string(value); }
-std::string print_value(std::int64_t value) { return std::to_string(value); }
 std::string print_value(bool value) { return value ? "on" : "off"; }
 std::string print_value(const std::string& value) { return base::quoted(value); }
 
@@ -81,7 +46,7 @@ std::string print_value(const Knots& value) {
   return text.empty() ? "none" : text;
 }
 
-bool read_value(WordReader& words, Knots& value) {
+bool read_value(base::Words& words, Knots& value) {
   constexpr std::string_view kExpected = "knots such as @k3 or @k1,@k2, or all, or selected";
   const base::Token* const word = words.take(kExpected);
   if (!word) return false;
@@ -101,7 +66,7 @@ bool read_value(WordReader& words, Knots& value) {
   }
 }
 
-bool read_value(WordReader& words, Target& value) {
+bool read_value(base::Words& words, Target& value) {
   constexpr std::string_view kExpected = "an entity such as @k3, @s2 or @c1";
   const base::Token* const word = words.take(kExpected);
   if (!word) return false;
@@ -113,7 +78,7 @@ bool read_value(WordReader& words, Target& value) {
   return true;
 }
 
-bool read_value(WordReader& words, HandleTarget& value) {
+bool read_value(base::Words& words, HandleTarget& value) {
   constexpr std::string_view kExpected = "a handle such as @k3.in or @k3.out";
   const base::Token* const word = words.take(kExpected);
   if (!word) return false;
@@ -127,18 +92,18 @@ bool read_value(WordReader& words, HandleTarget& value) {
   return true;
 }
 
-bool read_value(WordReader& words, glm::vec3& value) {
+bool read_value(base::Words& words, glm::vec3& value) {
   for (const auto& [axis, what] : {std::pair{0, "a number (x of three)"}, std::pair{1, "a number (y of three)"},
                                    std::pair{2, "a number (z of three)"}})
     if (!read_number(words, what, base::parse_float, value[axis])) return false;
   return true;
 }
-bool read_value(WordReader& words, float& value) { return read_number(words, "a number", base::parse_float, value); }
-bool read_value(WordReader& words, double& value) { return read_number(words, "a number", base::parse_double, value); }
-bool read_value(WordReader& words, std::int64_t& value) {
+bool read_value(base::Words& words, float& value) { return read_number(words, "a number", base::parse_float, value); }
+bool read_value(base::Words& words, double& value) { return read_number(words, "a number", base::parse_double, value); }
+bool read_value(base::Words& words, std::int64_t& value) {
   return read_number(words, "a whole number", base::parse_int, value);
 }
-bool read_value(WordReader& words, int& value) {
+bool read_value(base::Words& words, int& value) {
   const auto parse = [](std::string_view text) {
     auto number = base::parse_int(text);
     if (number && (*number > std::numeric_limits<int>::max() || *number < std::numeric_limits<int>::min()))
@@ -147,26 +112,16 @@ bool read_value(WordReader& words, int& value) {
   };
   return read_number(words, "a whole number", parse, value);
 }
-bool read_value(WordReader& words, bool& value) {
-  int row = 0;
-  if (!read_name(words, {"off", "on"}, row)) return false;
-  value = row == 1;
-  return true;
+bool read_value(base::Words& words, bool& value) {
+  static const Names kNames{"off", "on"};
+  const auto row = words.one_of(joined(kNames), kNames);
+  if (row) value = *row == 1;
+  return row.has_value();
 }
-bool read_value(WordReader& words, std::string& value) {
+bool read_value(base::Words& words, std::string& value) {
   const base::Token* const word = words.take("a text");
   if (word) value = word->text;
   return word != nullptr;
 }
-
-std::string usage_of(const HandleTarget&) { return "@knot.in|@knot.out"; }
-std::string usage_of(const Knots&) { return "@knot,...|all|selected"; }
-std::string usage_of(glm::vec3) { return "X Y Z"; }
-std::string usage_of(float) { return "NUMBER"; }
-std::string usage_of(double) { return "NUMBER"; }
-std::string usage_of(int) { return "N"; }
-std::string usage_of(std::int64_t) { return "N"; }
-std::string usage_of(bool) { return "on|off"; }
-std::string usage_of(const std::string&) { return "\"TEXT\""; }
 
 }  // namespace coaster::edit

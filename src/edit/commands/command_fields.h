@@ -1,11 +1,13 @@
-// The parts of commands: their targets, their effect, their name, help and list of fields.
+// The parts of commands: their targets, their effect, their name, help and list of fields; lists of kinds.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/status.h"
 #include "world/entity.h"
 
 namespace coaster::edit {
@@ -48,14 +50,33 @@ struct CommandInfo {
   Effect effect;
 };
 
+struct Session;
+struct Change;  // of the session by one command: edit/perform/perform.h
+
+// The name, help and effect of a kind of command, and the function that carries it out. It checks first and changes
+// nothing on failure; one with Effect::document changes only the document.
+#define COASTER_COMMAND(Kind, name, help, effect)         \
+  static constexpr CommandInfo kInfo{name, help, effect}; \
+  friend base::Status perform(Session& session, Change& change, const Kind& command)
+
 // fields(self, visit) calls visit(keyword, member) in the order of the text; an empty keyword is positional: "move @k4
 // to 1 2 3" has the fields ("", knot) and ("to", position).
-#define COASTER_COMMAND(name, help, effect) \
-  static constexpr CommandInfo kInfo { name, help, effect }
 #define COASTER_FIELDS(...)                                                         \
   template <class Self, class Visit>                                                \
   static void fields([[maybe_unused]] Self& self, [[maybe_unused]] Visit&& visit) { \
     __VA_ARGS__;                                                                    \
   }
+
+template <class... C>
+struct CommandList {
+  static constexpr std::size_t size = sizeof...(C);
+  // Calls make.template operator()<C>() for each kind, in order.
+  template <class Make>
+  static constexpr auto table(Make make) {
+    return std::array{make.template operator()<C>()...};
+  }
+};
+template <class... A, class... B>
+CommandList<A..., B...> operator+(CommandList<A...>, CommandList<B...>);
 
 }  // namespace coaster::edit

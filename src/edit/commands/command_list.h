@@ -1,9 +1,7 @@
-// The list of all kinds of commands, for what is done with every kind: its text, applying it. A file that makes a
-// command includes the header of its group alone.
+// All kinds of commands, for what is done with every kind: its text, applying it. Each group's header lists its own.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <tuple>
 #include <utility>
@@ -23,18 +21,6 @@
 
 namespace coaster::edit {
 
-template <class... C>
-struct CommandList {
-  static constexpr std::size_t size = sizeof...(C);
-  // Calls make.template operator()<C>() for each kind, in order.
-  template <class Make>
-  static constexpr auto table(Make make) {
-    return std::array{make.template operator()<C>()...};
-  }
-};
-template <class... A, class... B>
-CommandList<A..., B...> operator+(CommandList<A...>, CommandList<B...>);
-
 // Set<> of every row of a group of settings.
 template <class Group, std::size_t... I>
 CommandList<Set<std::get<I>(Group::kRows).member>...> set_commands(std::index_sequence<I...>);
@@ -42,17 +28,9 @@ template <class... Groups>
 auto set_commands(world::GroupList<Groups...>)
     -> decltype((set_commands<Groups>(std::make_index_sequence<std::tuple_size_v<decltype(Groups::kRows)>>()) + ...));
 
-using Commands =
-    decltype(CommandList<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment,
-                         AddCurve, AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2,
-                         MakeAllG2, Translate, Rotate, Scale, Mirror, Smooth, Equalise, Straighten, SetRadius,
-                         DropToGround, Align, Reverse, Duplicate, CloseExactly, SetEquipment, RemoveEquipment, SetTrain,
-                         SetLosses, SetHeartline, SetRollbackFails, AutoBank, PlaceElement, SetCamera, SetFly, Select,
-                         SelectKnots, SetSnapping, SetPolyline, ShowLayer, Measure, StopMeasuring, ChooseElement,
-                         RideStart, RidePause, RideStop, RideStep, RideSeek, Undo, Redo, BeginGesture, EndGesture,
-                         CancelGesture, Load, Save, SaveMeasurements, SaveReport, LoadEnvelope, RecoverTrack, NewTrack,
-                         StartChallenge, LeaveChallenge, ShowHint, CloseCard>() +
-             set_commands(world::SettingGroups()));
+using Commands = decltype(DocumentCommands() + ShapeCommands() + OperationCommands() + ElementCommands() +
+                          SettingsCommands() + LabCommands() + RideCommands() + SessionCommands() +
+                          ChallengeCommands() + set_commands(world::SettingGroups()));
 
 // The place of a command's kind in the list (COASTER_CHECK).
 inline std::size_t index_of(const Command& command) {

@@ -10,22 +10,25 @@ namespace coaster::edit {
 struct StartChallenge {
   std::string path;
   COASTER_COMMAND(
-      "challenge",
+      StartChallenge, "challenge",
       "Begin a challenge: opens its start track, which has no file then. Forces are held against the built-in limits.",
       Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
 struct LeaveChallenge {
-  COASTER_COMMAND("challenge.leave", "Leave the challenge; the track stays as it is.", Effect::settings);
+  COASTER_COMMAND(LeaveChallenge, "challenge.leave", "Leave the challenge; the track stays as it is.",
+                  Effect::settings);
   COASTER_FIELDS()
 };
 struct ShowHint {
-  COASTER_COMMAND("challenge.hint", "Show the challenge's next hint.", Effect::settings);
+  COASTER_COMMAND(ShowHint, "challenge.hint", "Show the challenge's next hint.", Effect::settings);
   COASTER_FIELDS()
 };
 struct CloseCard {
-  COASTER_COMMAND("card.close", "Close the score card of the last ride.", Effect::settings);
+  COASTER_COMMAND(CloseCard, "card.close", "Close the score card of the last ride.", Effect::settings);
   COASTER_FIELDS()
 };
+
+using ChallengeCommands = CommandList<StartChallenge, LeaveChallenge, ShowHint, CloseCard>;
 
 }  // namespace coaster::edit

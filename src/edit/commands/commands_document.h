@@ -13,13 +13,13 @@ namespace coaster::edit {
 struct MoveKnot {
   Target knot;
   glm::vec3 to{0};
-  COASTER_COMMAND("move", "Move a knot to a position (m).", Effect::document);
+  COASTER_COMMAND(MoveKnot, "move", "Move a knot to a position (m).", Effect::document);
   COASTER_FIELDS(visit("", self.knot), visit("to", self.to))
 };
 struct MoveHandle {
   HandleTarget handle;
   glm::vec3 to{0};
-  COASTER_COMMAND("handle",
+  COASTER_COMMAND(MoveHandle, "handle",
                   "Move a handle to a position (m): sets the knot's direction and that side's length; a smooth joint "
                   "keeps both sides equal.",
                   Effect::document);
@@ -28,96 +28,102 @@ struct MoveHandle {
 struct SetDirection {
   Knots knots;
   glm::vec3 to{1, 0, 0};
-  COASTER_COMMAND("direct", "Turn the tangents of knots to a direction.", Effect::document);
+  COASTER_COMMAND(SetDirection, "direct", "Turn the tangents of knots to a direction.", Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct SetLengths {
   Knots knots;
   float in = 5, out = 5;
-  COASTER_COMMAND("lengths", "Set handle lengths of knots (m); different ones make a smooth joint aligned.",
+  COASTER_COMMAND(SetLengths, "lengths", "Set handle lengths of knots (m); different ones make a smooth joint aligned.",
                   Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("in", self.in), visit("out", self.out))
 };
 struct SetRoll {
   Knots knots;
   double to = 0;
-  COASTER_COMMAND("roll", "Set the roll of knots (degrees from the horizon, positive to the rider's right).",
+  COASTER_COMMAND(SetRoll, "roll", "Set the roll of knots (degrees from the horizon, positive to the rider's right).",
                   Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct SetJoint {
   Knots knots;
   world::JointKind to = world::JointKind::smooth;
-  COASTER_COMMAND("joint", "Set the joint of knots: smooth, aligned or automatic.", Effect::document);
+  COASTER_COMMAND(SetJoint, "joint", "Set the joint of knots: smooth, aligned or automatic.", Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct SetTurns {
   Target segment;
   int to = 0;
-  COASTER_COMMAND("turns", "Set the whole turns of roll within a segment.", Effect::document);
+  COASTER_COMMAND(SetTurns, "turns", "Set the whole turns of roll within a segment.", Effect::document);
   COASTER_FIELDS(visit("", self.segment), visit("to", self.to))
 };
 struct SplitSegment {
   Target segment;
   double at = 0.5;
-  COASTER_COMMAND("split", "Insert a knot into a segment at a parameter, keeping the shape (de Casteljau).",
-                  Effect::document);
+  COASTER_COMMAND(SplitSegment, "split",
+                  "Insert a knot into a segment at a parameter, keeping the shape (de Casteljau).", Effect::document);
   COASTER_FIELDS(visit("", self.segment), visit("at", self.at))
 };
 struct AddCurve {
-  COASTER_COMMAND("add_curve",
+  COASTER_COMMAND(AddCurve, "add_curve",
                   "Split the longest segment at half its arc length; on an open track with no segment, append a knot.",
                   Effect::document);
   COASTER_FIELDS()
 };
 struct AppendKnot {
   glm::vec3 at{0};
-  COASTER_COMMAND("append", "Append a knot to an open track.", Effect::document);
+  COASTER_COMMAND(AppendKnot, "append", "Append a knot to an open track.", Effect::document);
   COASTER_FIELDS(visit("at", self.at))
 };
 struct RemoveKnot {
   Target knot;
-  COASTER_COMMAND("remove", "Remove a knot or a cart.", Effect::document);
+  COASTER_COMMAND(RemoveKnot, "remove", "Remove a knot or a cart.", Effect::document);
   COASTER_FIELDS(visit("", self.knot))
 };
 struct SetClosed {
   bool to = true;
-  COASTER_COMMAND("closed", "Close the track (on) or open it (off).", Effect::document);
+  COASTER_COMMAND(SetClosed, "closed", "Close the track (on) or open it (off).", Effect::document);
   COASTER_FIELDS(visit("", self.to))
 };
 struct AddCart {
   Target segment;
   double at = 0;
-  COASTER_COMMAND("add_cart", "Add a cart that starts on a segment, at a fraction of its length.", Effect::document);
+  COASTER_COMMAND(AddCart, "add_cart", "Add a cart that starts on a segment, at a fraction of its length.",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.segment), visit("at", self.at))
 };
 struct SetName {
   std::string to;
-  COASTER_COMMAND("name", "Name the track.", Effect::document);
+  COASTER_COMMAND(SetName, "name", "Name the track.", Effect::document);
   COASTER_FIELDS(visit("", self.to))
 };
 struct SetStartSpeed {
   double to = 1;
-  COASTER_COMMAND("start_speed", "Set the speed at which carts start (m/s).", Effect::document);
+  COASTER_COMMAND(SetStartSpeed, "start_speed", "Set the speed at which carts start (m/s).", Effect::document);
   COASTER_FIELDS(visit("", self.to))
 };
 struct SetDatum {
   double to = 0;
-  COASTER_COMMAND("datum", "Set the height at which potential energy is zero (m).", Effect::document);
+  COASTER_COMMAND(SetDatum, "datum", "Set the height at which potential energy is zero (m).", Effect::document);
   COASTER_FIELDS(visit("", self.to))
 };
 
 // Makes all joints of a track G2 with the least movement (edit/perform/joint_repair.h).
 struct MakeG2 {
   Target knot;
-  COASTER_COMMAND("make_g2",
+  COASTER_COMMAND(MakeG2, "make_g2",
                   "Give a knot's two segments one curvature (G2) by moving the least; other joints keep their class.",
                   Effect::document);
   COASTER_FIELDS(visit("", self.knot))
 };
 struct MakeAllG2 {
-  COASTER_COMMAND("make_all_g2", "Make every joint G2 by moving little; says which could not be.", Effect::document);
+  COASTER_COMMAND(MakeAllG2, "make_all_g2", "Make every joint G2 by moving little; says which could not be.",
+                  Effect::document);
   COASTER_FIELDS()
 };
+
+using DocumentCommands =
+    CommandList<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve,
+                AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2>;
 
 }  // namespace coaster::edit

@@ -8,7 +8,7 @@ namespace coaster::edit {
 
 struct PlaceElement {
   world::Element what;
-  COASTER_COMMAND("element",
+  COASTER_COMMAND(PlaceElement, "element",
                   "Add an element at the open end of the track, e.g. element loop right height 20; what is not named "
                   "has its usual value.",
                   Effect::document);
@@ -16,9 +16,11 @@ struct PlaceElement {
 };
 struct ChooseElement {
   world::Element what;
-  COASTER_COMMAND("element.choose", "Choose the palette's element and its parameters, and show where it would go.",
-                  Effect::settings);
+  COASTER_COMMAND(ChooseElement, "element.choose",
+                  "Choose the palette's element and its parameters, and show where it would go.", Effect::settings);
   COASTER_FIELDS(visit("", self.what))
 };
+
+using ElementCommands = CommandList<PlaceElement, ChooseElement>;
 
 }  // namespace coaster::edit

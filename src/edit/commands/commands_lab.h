@@ -11,25 +11,28 @@ namespace coaster::edit {
 struct ShowLayer {
   world::Layer what{};
   bool to = true;
-  COASTER_COMMAND("show", "Show or hide one of the laboratory's pictures over the scene.", Effect::settings);
+  COASTER_COMMAND(ShowLayer, "show", "Show or hide one of the laboratory's pictures over the scene.", Effect::settings);
   COASTER_FIELDS(visit("", self.what), visit("", self.to))
 };
 // Measures the table of sim/study/measure.h, a part per frame.
 struct Measure {
   COASTER_COMMAND(
-      "measure",
+      Measure, "measure",
       "Measure time and error of every evaluator on this machine, a part in each frame, on curves of this track.",
       Effect::settings);
   COASTER_FIELDS()
 };
 struct StopMeasuring {
-  COASTER_COMMAND("measure.stop", "Stop measuring; what is measured stays.", Effect::settings);
+  COASTER_COMMAND(StopMeasuring, "measure.stop", "Stop measuring; what is measured stays.", Effect::settings);
   COASTER_FIELDS()
 };
 struct SaveMeasurements {
   std::string path;
-  COASTER_COMMAND("measure.save", "Write what was measured to a file of comma-separated values.", Effect::session);
+  COASTER_COMMAND(SaveMeasurements, "measure.save", "Write what was measured to a file of comma-separated values.",
+                  Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
+
+using LabCommands = CommandList<ShowLayer, Measure, StopMeasuring, SaveMeasurements>;
 
 }  // namespace coaster::edit

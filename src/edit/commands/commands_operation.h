@@ -13,22 +13,22 @@ struct SetEquipment {
   world::EquipmentKind to{};
   float speed = world::Equipment{}.speed, acceleration = world::Equipment{}.acceleration;
   float hysteresis = world::Equipment{}.hysteresis, seconds = world::Equipment{}.seconds;
-  COASTER_COMMAND("equip", "Put a station, lift, launch, brake or block on a segment (m/s, m/s^2, m/s, s).",
-                  Effect::document);
+  COASTER_COMMAND(SetEquipment, "equip",
+                  "Put a station, lift, launch, brake or block on a segment (m/s, m/s^2, m/s, s).", Effect::document);
   COASTER_FIELDS(visit("", self.segment), visit("as", self.to), visit("speed?", self.speed),
                  visit("acceleration?", self.acceleration), visit("hysteresis?", self.hysteresis),
                  visit("seconds?", self.seconds))
 };
 struct RemoveEquipment {
   Target segment;
-  COASTER_COMMAND("unequip", "Make a segment plain track again.", Effect::document);
+  COASTER_COMMAND(RemoveEquipment, "unequip", "Make a segment plain track again.", Effect::document);
   COASTER_FIELDS(visit("", self.segment))
 };
 struct SetTrain {
   Target cart;
   int cars = 1;
   float spacing = 0, length = 0, mass = 0;  // 0: unchanged
-  COASTER_COMMAND("train",
+  COASTER_COMMAND(SetTrain, "train",
                   "Set how many cars a train has, how far their middles are apart (m), how long (m) and how heavy (kg) "
                   "each is; what is 0 or left out stays.",
                   Effect::document);
@@ -37,23 +37,25 @@ struct SetTrain {
 };
 struct SetLosses {
   float rolling = 0, drag = 0;
-  COASTER_COMMAND("losses", "Set rolling friction (of the weight) and drag (1/m); 0 0 is the frictionless circuit.",
+  COASTER_COMMAND(SetLosses, "losses",
+                  "Set rolling friction (of the weight) and drag (1/m); 0 0 is the frictionless circuit.",
                   Effect::document);
   COASTER_FIELDS(visit("rolling", self.rolling), visit("drag", self.drag))
 };
 struct SetHeartline {
   double to = 1.1;
-  COASTER_COMMAND("heartline", "Set how far over the rails forces are told for (m).", Effect::document);
+  COASTER_COMMAND(SetHeartline, "heartline", "Set how far over the rails forces are told for (m).", Effect::document);
   COASTER_FIELDS(visit("", self.to))
 };
 struct SetRollbackFails {
   bool to = true;
-  COASTER_COMMAND("rollback_fails", "Whether a train that rolls back ends the ride (on, off).", Effect::document);
+  COASTER_COMMAND(SetRollbackFails, "rollback_fails", "Whether a train that rolls back ends the ride (on, off).",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.to))
 };
 struct SaveReport {
   std::string path;
-  COASTER_COMMAND("report",
+  COASTER_COMMAND(SaveReport, "report",
                   "Write the report of the selected cart's whole ride, else the first one's, to a file; one that ends "
                   "in .csv gets the ride by time.",
                   Effect::session);
@@ -61,17 +63,20 @@ struct SaveReport {
 };
 struct LoadEnvelope {
   std::string path;
-  COASTER_COMMAND("envelope",
+  COASTER_COMMAND(LoadEnvelope, "envelope",
                   "Hold forces against the limits by duration in a file (.json): data to edit, not a compliance check.",
                   Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
 struct AutoBank {
   COASTER_COMMAND(
-      "auto_bank",
+      AutoBank, "auto_bank",
       "Roll every knot so that the riders of the selected cart, else of the first, feel no lateral g there.",
       Effect::document);
   COASTER_FIELDS()
 };
+
+using OperationCommands = CommandList<SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetHeartline,
+                                      SetRollbackFails, SaveReport, LoadEnvelope, AutoBank>;
 
 }  // namespace coaster::edit

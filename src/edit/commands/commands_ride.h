@@ -6,29 +6,31 @@
 namespace coaster::edit {
 
 struct RideStart {
-  COASTER_COMMAND("ride.start", "Let the carts run, from where they are.", Effect::motion);
+  COASTER_COMMAND(RideStart, "ride.start", "Let the carts run, from where they are.", Effect::motion);
   COASTER_FIELDS()
 };
 struct RidePause {
-  COASTER_COMMAND("ride.pause", "Hold the carts where they are.", Effect::motion);
+  COASTER_COMMAND(RidePause, "ride.pause", "Hold the carts where they are.", Effect::motion);
   COASTER_FIELDS()
 };
 struct RideStop {
-  COASTER_COMMAND("ride.stop", "Put the carts back to their start.", Effect::motion);
+  COASTER_COMMAND(RideStop, "ride.stop", "Put the carts back to their start.", Effect::motion);
   COASTER_FIELDS()
 };
 struct RideStep {
   int ticks = 1;
-  COASTER_COMMAND("ride.step", "Advance a paused ride by some ticks of 1/120 s.", Effect::motion);
+  COASTER_COMMAND(RideStep, "ride.step", "Advance a paused ride by some ticks of 1/120 s.", Effect::motion);
   COASTER_FIELDS(visit("", self.ticks))
 };
 struct RideSeek {
   double to = 0;
   COASTER_COMMAND(
-      "ride.seek",
+      RideSeek, "ride.seek",
       "Put the selected cart, else the first, at a distance from the track's start (m), keeping its energy.",
       Effect::motion);
   COASTER_FIELDS(visit("", self.to))
 };
+
+using RideCommands = CommandList<RideStart, RidePause, RideStop, RideStep, RideSeek>;
 
 }  // namespace coaster::edit

@@ -8,45 +8,51 @@
 namespace coaster::edit {
 
 struct Undo {
-  COASTER_COMMAND("undo", "Undo the last step.", Effect::history);
+  COASTER_COMMAND(Undo, "undo", "Undo the last step.", Effect::history);
   COASTER_FIELDS()
 };
 struct Redo {
-  COASTER_COMMAND("redo", "Redo the step undone last.", Effect::history);
+  COASTER_COMMAND(Redo, "redo", "Redo the step undone last.", Effect::history);
   COASTER_FIELDS()
 };
 // Commands between begin and end are one undo step; cancel restores the document from begin exactly.
 struct BeginGesture {
-  COASTER_COMMAND("gesture.begin", "Commands up to gesture.end are one step of undo.", Effect::history);
+  COASTER_COMMAND(BeginGesture, "gesture.begin", "Commands up to gesture.end are one step of undo.", Effect::history);
   COASTER_FIELDS()
 };
 struct EndGesture {
-  COASTER_COMMAND("gesture.end", "End a gesture.", Effect::history);
+  COASTER_COMMAND(EndGesture, "gesture.end", "End a gesture.", Effect::history);
   COASTER_FIELDS()
 };
 struct CancelGesture {
-  COASTER_COMMAND("gesture.cancel", "End a gesture and put everything back as it was before.", Effect::history);
+  COASTER_COMMAND(CancelGesture, "gesture.cancel", "End a gesture and put everything back as it was before.",
+                  Effect::history);
   COASTER_FIELDS()
 };
 struct Load {
   std::string path;
-  COASTER_COMMAND("load", "Open a track file; its ending tells the format.", Effect::session);
+  COASTER_COMMAND(Load, "load", "Open a track file; its ending tells the format.", Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
 struct Save {
   std::string path;
-  COASTER_COMMAND("save", "Save the track to a file, or export it: the ending tells the format.", Effect::session);
+  COASTER_COMMAND(Save, "save", "Save the track to a file, or export it: the ending tells the format.",
+                  Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
 struct RecoverTrack {
   std::string path, original;
-  COASTER_COMMAND("recover", "Open an autosaved track as the unsaved state of another file, which may be \"\": none.",
+  COASTER_COMMAND(RecoverTrack, "recover",
+                  "Open an autosaved track as the unsaved state of another file, which may be \"\": none.",
                   Effect::session);
   COASTER_FIELDS(visit("", self.path), visit("as", self.original))
 };
 struct NewTrack {
-  COASTER_COMMAND("new", "Start an empty track.", Effect::session);
+  COASTER_COMMAND(NewTrack, "new", "Start an empty track.", Effect::session);
   COASTER_FIELDS()
 };
+
+using SessionCommands =
+    CommandList<Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save, RecoverTrack, NewTrack>;
 
 }  // namespace coaster::edit

@@ -13,20 +13,21 @@ template <auto Member>
 struct Set {
   static constexpr world::SettingRow kRow = world::setting_row<Member>();
   world::ValueOf<Member> to{};
-  COASTER_COMMAND(kRow.word, kRow.help, Effect::settings);
+  static constexpr CommandInfo kInfo{kRow.word, kRow.help, Effect::settings};
   COASTER_FIELDS(visit("", self.to))
 };
 
 // --- settings of several values
 struct SetCamera {
   world::Camera to;
-  COASTER_COMMAND("camera", "Look at a target (m) from a distance (m) at yaw and pitch (degrees).", Effect::settings);
+  COASTER_COMMAND(SetCamera, "camera", "Look at a target (m) from a distance (m) at yaw and pitch (degrees).",
+                  Effect::settings);
   COASTER_FIELDS(visit("target", self.to.target), visit("yaw", self.to.yaw_deg), visit("pitch", self.to.pitch_deg),
                  visit("distance", self.to.distance))
 };
 struct SetFly {
   world::FlyCamera to;
-  COASTER_COMMAND("camera.fly",
+  COASTER_COMMAND(SetFly, "camera.fly",
                   "Put the free camera at a place (m), looking at yaw and pitch (degrees; yaw 0 is -Z, pitch up).",
                   Effect::settings);
   COASTER_FIELDS(visit("eye", self.to.eye), visit("yaw", self.to.yaw_deg), visit("pitch", self.to.pitch_deg))
@@ -34,18 +35,20 @@ struct SetFly {
 struct Select {
   Target what;
   double at = 0.5;
-  COASTER_COMMAND("select", "Select a knot, a cart, or a segment with a place on it; none clears.", Effect::settings);
+  COASTER_COMMAND(Select, "select", "Select a knot, a cart, or a segment with a place on it; none clears.",
+                  Effect::settings);
   COASTER_FIELDS(visit("", self.what), visit("at?", self.at))
 };
 struct SelectKnots {
   Knots knots;
-  COASTER_COMMAND("select_knots", "Select several knots; the last one named is the active one.", Effect::settings);
+  COASTER_COMMAND(SelectKnots, "select_knots", "Select several knots; the last one named is the active one.",
+                  Effect::settings);
   COASTER_FIELDS(visit("", self.knots))
 };
 struct SetSnapping {
   world::SnapTo to{};
   double step = world::Snapping{}.step, angle = world::Snapping{}.angle;
-  COASTER_COMMAND("snapping",
+  COASTER_COMMAND(SetSnapping, "snapping",
                   "Let what is moved by hand snap to a grid (step in m), to other knots or to the ground; turns to an "
                   "angle (degrees).",
                   Effect::settings);
@@ -53,10 +56,12 @@ struct SetSnapping {
 };
 struct SetPolyline {
   bool to = true;
-  COASTER_COMMAND("polyline",
+  COASTER_COMMAND(SetPolyline, "polyline",
                   "Show or hide the evaluated polyline over the track (on, off); the same as show polyline.",
                   Effect::settings);
   COASTER_FIELDS(visit("", self.to))
 };
+
+using SettingsCommands = CommandList<SetCamera, SetFly, Select, SelectKnots, SetSnapping, SetPolyline>;
 
 }  // namespace coaster::edit

@@ -14,7 +14,8 @@ struct Translate {
   Knots knots;
   glm::vec3 by{0};
   bool anew = false;
-  COASTER_COMMAND("translate", "Move knots by a distance (m); anew on: from where they were when the gesture began.",
+  COASTER_COMMAND(Translate, "translate",
+                  "Move knots by a distance (m); anew on: from where they were when the gesture began.",
                   Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("anew?", self.anew))
 };
@@ -23,7 +24,7 @@ struct Rotate {
   double by = 0;
   glm::vec3 about{0}, axis{0, 1, 0};
   bool anew = false;
-  COASTER_COMMAND("rotate", "Turn knots by an angle (degrees, right-handed) about a point and an axis.",
+  COASTER_COMMAND(Rotate, "rotate", "Turn knots by an angle (degrees, right-handed) about a point and an axis.",
                   Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("about", self.about), visit("axis?", self.axis),
                  visit("anew?", self.anew))
@@ -32,26 +33,27 @@ struct Scale {
   Knots knots;
   glm::vec3 by{1}, about{0};
   bool anew = false;
-  COASTER_COMMAND("scale_knots", "Scale knots and their handles along x, y and z about a point.", Effect::document);
+  COASTER_COMMAND(Scale, "scale_knots", "Scale knots and their handles along x, y and z about a point.",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("about", self.about), visit("anew?", self.anew))
 };
 struct Mirror {
   Knots knots;
   glm::vec3 across{1, 0, 0}, about{0};
-  COASTER_COMMAND("mirror", "Mirror knots across the plane through a point with a normal.", Effect::document);
+  COASTER_COMMAND(Mirror, "mirror", "Mirror knots across the plane through a point with a normal.", Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("across", self.across), visit("about", self.about))
 };
 struct Align {
   Knots knots;
   world::Axis axis = world::Axis::y;
   double to = 0;
-  COASTER_COMMAND("align", "Give knots one coordinate (m): x, y or z.", Effect::document);
+  COASTER_COMMAND(Align, "align", "Give knots one coordinate (m): x, y or z.", Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("axis", self.axis), visit("to", self.to))
 };
 struct Smooth {
   Knots knots;
   world::SplineSteps by = world::SplineSteps::chord;
-  COASTER_COMMAND("smooth",
+  COASTER_COMMAND(Smooth, "smooth",
                   "Give knots the direction and handles of the natural C2 spline through them, with chords or equal "
                   "steps as the parameter.",
                   Effect::document);
@@ -59,35 +61,36 @@ struct Smooth {
 };
 struct Equalise {
   Knots knots;
-  COASTER_COMMAND("equalise", "Make both handles of knots as long as they are on average: C1.", Effect::document);
+  COASTER_COMMAND(Equalise, "equalise", "Make both handles of knots as long as they are on average: C1.",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.knots))
 };
 struct Straighten {
   Knots knots;
-  COASTER_COMMAND("straighten", "Put neighbouring knots on the line from the first to the last of them.",
+  COASTER_COMMAND(Straighten, "straighten", "Put neighbouring knots on the line from the first to the last of them.",
                   Effect::document);
   COASTER_FIELDS(visit("", self.knots))
 };
 struct SetRadius {
   Knots knots;
   double to = 20;
-  COASTER_COMMAND("radius", "Set the radius of curvature at knots (m), by the lengths of their handles.",
+  COASTER_COMMAND(SetRadius, "radius", "Set the radius of curvature at knots (m), by the lengths of their handles.",
                   Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct DropToGround {
   Knots knots;
   double to = 0;
-  COASTER_COMMAND("drop", "Put knots on the ground (or at a height, m), level.", Effect::document);
+  COASTER_COMMAND(DropToGround, "drop", "Put knots on the ground (or at a height, m), level.", Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("to?", self.to))
 };
 struct Reverse {
-  COASTER_COMMAND("reverse", "Turn the direction of travel round; the shape stays.", Effect::document);
+  COASTER_COMMAND(Reverse, "reverse", "Turn the direction of travel round; the shape stays.", Effect::document);
   COASTER_FIELDS()
 };
 struct Duplicate {
   Knots knots;
-  COASTER_COMMAND("duplicate",
+  COASTER_COMMAND(Duplicate, "duplicate",
                   "Copy the track between neighbouring knots to the end of an open track, turned to go on from there.",
                   Effect::document);
   COASTER_FIELDS(visit("", self.knots))
@@ -95,10 +98,13 @@ struct Duplicate {
 struct CloseExactly {
   double within = 2;
   COASTER_COMMAND(
-      "close",
+      CloseExactly, "close",
       "Close the track: ends that are within a distance (m) become one knot, others get a segment between them.",
       Effect::document);
   COASTER_FIELDS(visit("within?", self.within))
 };
+
+using ShapeCommands = CommandList<Translate, Rotate, Scale, Mirror, Align, Smooth, Equalise, Straighten, SetRadius,
+                                  DropToGround, Reverse, Duplicate, CloseExactly>;
 
 }  // namespace coaster::edit

@@ -13,10 +13,6 @@
 #include "edit/perform/set.h"
 #include "edit/session/history.h"
 #include "edit/session/ride_watch.h"
-#include "exchange/formats.h"
-#include "exchange/own/envelope_file.h"
-#include "exchange/own/track_file.h"
-#include "world/aids.h"
 #include "world/selection.h"
 #include "world/topology.h"
 
@@ -24,10 +20,6 @@ namespace coaster::edit {
 namespace {
 
 using base::Status;
-
-void derive(Session& session) {
-  sim::derive(session.document, session.settings, session.measuring.clock, session.derived);
-}
 
 // A ride that has not started (or has no trains) shows the trains as designed; any other keeps their positions.
 void settle_motion(Session& session) {
@@ -105,171 +97,62 @@ Status cancel(Session& session) {
   return {};
 }
 
-Status steps(Session& session, const Undo&) {
-  if (session.history.in_gesture) return cancel(session);
-  if (exchange_document(session, [&](world::Document& d) { return undo(session.history, d); })) return {};
-  return refused("there is nothing to undo");
-}
-Status steps(Session& session, const Redo&) {
-  if (session.history.in_gesture) return refused("a gesture is open");
-  if (exchange_document(session, [&](world::Document& d) { return redo(session.history, d); })) return {};
-  return refused("there is nothing to redo");
-}
-Status steps(Session& session, const BeginGesture&) {
-  if (session.history.in_gesture) return refused("a gesture is open already");
-  begin_gesture(session.history, session.document);
-  return {};
-}
-Status steps(Session& session, const EndGesture&) {
-  if (!session.history.in_gesture) return refused("no gesture is open");
-  end_gesture(session.history, session.document);
-  return {};
-}
-Status steps(Session& session, const CancelGesture&) {
-  if (!session.history.in_gesture) return refused("no gesture is open");
-  return cancel(session);
+// "there is nothing to undo" -> "There is nothing to undo."
+std::string sentence(std::string text) {
+  if (text.empty()) return text;
+  if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text.ends_with('.') ? text : text + '.';
 }
 
-// Starts with another document: discards everything of the old one except settings.
-void start_over(Session& session, world::Document document, std::filesystem::path path) {
-  session.document = std::move(document);
-  session.history = {};
-  session.motion = {};
-  session.settings.selected = world::kNone, session.settings.also.clear();
-  session.settings.aids->append_mode = false;
-  session.file.path = std::move(path);
-  session.file.import.reset();
-  session.game.challenge.reset();
-  session.game.run = {};
-  session.game.result.reset();
-  session.game.show_result = false;
-  session.file.saved_hash = world::hash(session.document);
-  fit_budget(session);
-  derive(session);
-  sim::reset(session.document, session.derived, session.motion);
-}
-
-Status files_command(Session& session, base::Files& files, const Load& command) {
-  std::optional<ReadAhead> ahead = std::exchange(session.file.read_ahead, std::nullopt);
-  const bool read = ahead && ahead->path == command.path;
-  base::Result<exchange::LoadedTrack> loaded =
-      read ? std::move(ahead->track) : exchange::load_track(files, command.path);
-  if (!loaded) return loaded.status();
-  // A format that does not hold everything is an import: the next save needs a file name.
-  start_over(session, std::move(loaded->document),
-             exchange::format_of(command.path)->whole ? command.path : std::string());
-  session.file.import = loaded->import;
-  for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
-  return {};
-}
-Status files_command(Session& session, base::Files& files, const Save& command) {
-  if (command.path.empty()) return refused("expected a file to save to");
-  const Status status = exchange::save_track(files, command.path, session.document);
-  if (!status) return status;
-  // Saving in a format that does not hold everything is an export: the document stays unsaved.
-  if (!exchange::format_of(command.path)->whole) {
-    notify(session, NoticeKind::info, "exported " + command.path);
-    return {};
-  }
-  session.file.path = command.path;
-  session.file.saved_hash = world::hash(session.document);
-  notify(session, NoticeKind::info, "saved " + command.path);
-  return {};
-}
-Status files_command(Session& session, base::Files& files, const SaveMeasurements& command) {
-  if (command.path.empty()) return refused("expected a file to write to");
-  if (session.measuring.measurement.next == 0) return refused("nothing is measured yet");
-  const Status status =
-      files.write_atomic(command.path, sim::to_csv(session.measuring.measurement, session.measuring.machine));
-  if (!status) return status;
-  notify(session, NoticeKind::info, "saved " + command.path);
-  return {};
-}
-Status files_command(Session& session, base::Files& files, const SaveReport& command) {
-  if (command.path.empty()) return refused("expected a file to write to");
-  const auto report = command.path.ends_with(".csv") ? ride_csv(session) : ride_report(session);
-  if (!report) return refused("a report needs a track with a cart");
-  const Status status = files.write_atomic(command.path, *report);
-  if (!status) return status;
-  notify(session, NoticeKind::info, "saved " + command.path);
-  return {};
-}
-Status files_command(Session& session, base::Files& files, const LoadEnvelope& command) {
-  base::Result<exchange::LoadedEnvelope> loaded = exchange::load_envelope(files, command.path);
-  if (!loaded) return loaded.status();
-  session.limits.envelope = std::move(loaded->envelope), session.limits.name = std::move(loaded->name);
-  ++session.limits.serial;
-  for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
-  notify(session, NoticeKind::info, "forces are held against " + session.limits.name + " (not a compliance check)");
-  return {};
-}
-// The referee must be able to parse its rules.
-Status files_command(Session& session, base::Files& files, const StartChallenge& command) {
-  base::Result<exchange::LoadedChallenge> loaded = exchange::load_challenge(files, command.path);
-  if (!loaded) return loaded.status();
-  if (session.game.referee.check)
-    if (const Status readable = session.game.referee.check(loaded->challenge, command.path); !readable) return readable;
-  start_over(session, loaded->challenge.start, {});
-  session.limits.envelope = sim::default_envelope(), session.limits.name = "default";
-  ++session.limits.serial;
-  session.game.challenge.emplace();
-  session.game.challenge->shape = sim::trace_of(session.document);
-  session.game.challenge->file = std::move(loaded->challenge);
-  session.game.challenge->path = command.path;
-  for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
-  return {};
-}
-Status files_command(Session& session, base::Files& files, const RecoverTrack& command) {
-  base::Result<exchange::LoadedTrack> loaded = exchange::load_track(files, command.path);
-  if (!loaded) return loaded.status();
-  // It is compared with what the original file holds now; if that is another document, or there is none, it counts as
-  // unsaved.
-  const exchange::Format* const format = command.original.empty() ? nullptr : exchange::format_of(command.original);
-  std::uint64_t saved = ~world::hash(loaded->document);
-  if (format != nullptr && format->whole)
-    if (const base::Result<exchange::LoadedTrack> old = exchange::load_track(files, command.original))
-      saved = world::hash(old->document);
-  start_over(session, std::move(loaded->document),
-             format != nullptr && format->whole ? command.original : std::string());
-  session.file.saved_hash = saved;
-  for (std::string& warning : loaded->warnings) notify(session, NoticeKind::warning, std::move(warning));
-  notify(session, NoticeKind::info,
-         "recovered " + (command.original.empty() ? std::string("a track that had no file") : command.original));
-  return {};
-}
-Status files_command(Session& session, base::Files&, const NewTrack&) {
-  start_over(session, {}, {});
-  return {};
-}
-
-using Perform = Status (*)(Session&, base::Files&, Change&, const Command&);
+using Perform = Status (*)(Session&, Change&, const Command&);
 constexpr auto kPerform = Commands::table([]<class C>() -> Perform {
-  return [](Session& session, [[maybe_unused]] base::Files& files, [[maybe_unused]] Change& change,
-            const Command& command) -> Status {
+  return [](Session& session, Change& change, const Command& command) -> Status {
     const C& c = *command.as<C>();
     if constexpr (C::kInfo.effect == Effect::document) return document_command(session, c, change);
     else if constexpr (C::kInfo.effect == Effect::settings) return settings_command(session, c, change);
-    else if constexpr (C::kInfo.effect == Effect::motion) return perform(session, change, c);
-    else if constexpr (C::kInfo.effect == Effect::history) return steps(session, c);
-    else return files_command(session, files, c);
+    else return perform(session, change, c);
   };
 });
 
 }  // namespace
 
+Status perform(Session& session, Change&, const Undo&) {
+  if (session.history.in_gesture) return cancel(session);
+  if (exchange_document(session, [&](world::Document& d) { return undo(session.history, d); })) return {};
+  return refused("there is nothing to undo");
+}
+Status perform(Session& session, Change&, const Redo&) {
+  if (session.history.in_gesture) return refused("a gesture is open");
+  if (exchange_document(session, [&](world::Document& d) { return redo(session.history, d); })) return {};
+  return refused("there is nothing to redo");
+}
+Status perform(Session& session, Change&, const BeginGesture&) {
+  if (session.history.in_gesture) return refused("a gesture is open already");
+  begin_gesture(session.history, session.document);
+  return {};
+}
+Status perform(Session& session, Change&, const EndGesture&) {
+  if (!session.history.in_gesture) return refused("no gesture is open");
+  end_gesture(session.history, session.document);
+  return {};
+}
+Status perform(Session& session, Change&, const CancelGesture&) {
+  if (!session.history.in_gesture) return refused("no gesture is open");
+  return cancel(session);
+}
+
 Status apply(Session& session, base::Files& files, const Command& command) {
-  Change change;
+  Change change{files};
   const Effect effect = info(command).effect;
-  Status status = kPerform[index_of(command)](session, files, change, command);
+  const Status status = kPerform[index_of(command)](session, change, command);
   if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
-  if (status && (effect == Effect::document || effect == Effect::history)) watch_built(session);
-  const std::string name(info(command).name);
-  if (status.code == base::Code::refused) status.message = name + ": " + status.message;
-  if (!status) notify(session, NoticeKind::error, status.message);
-  else
-    for (const std::string& line : change.clamped) notify(session, NoticeKind::warning, name + ": " + line);
-  if (status && !change.note.empty()) notify(session, NoticeKind::info, name + ": " + change.note);
-  return status;
+  if (status.code == base::Code::refused) notify(session, NoticeKind::error, sentence(status.message));
+  else if (!status) notify(session, NoticeKind::error, status.message);
+  if (!status) return status;
+  if (effect == Effect::document || effect == Effect::history) watch_built(session);
+  for (const std::string& line : change.clamped) notify(session, NoticeKind::warning, sentence(line));
+  if (!change.note.empty()) notify(session, NoticeKind::info, change.note);
+  return {};
 }
 
 }  // namespace coaster::edit

@@ -1,19 +1,19 @@
 // Commands on the document's own members: name, start speed, datum.
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/utf8.h"
+#include "edit/commands/commands_document.h"
 #include "edit/perform/perform.h"
 
 namespace coaster::edit {
-namespace {
 
 using base::Status;
 
-}  // namespace
-
 Status perform(Session& session, Change&, const SetName& command) {
   if (command.to.size() > world::kMaxNameBytes)
-    return refused("the name is over the limit of " + std::to_string(world::kMaxNameBytes) + " bytes");
+    return refused(fmt::format("the name is over the limit of {} bytes", world::kMaxNameBytes));
   if (!base::is_printable_utf8(command.to)) return refused("expected a name in UTF-8 without control characters");
   session.document.name = command.to;
   return {};

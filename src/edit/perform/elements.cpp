@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "edit/commands/commands_elements.h"
 #include "edit/perform/perform.h"
 #include "sim/plan/elements.h"
 #include "world/aids.h"
@@ -20,23 +23,19 @@ Status well_formed(const world::Element& element) {
   return {};
 }
 
-// Rounds to a tenth of a millimetre, enough for a reader.
-std::string metres(double value, double step) { return base::to_text(std::round(value / step) * step); }
-
+// What the riders and the ground get to know of a placed element.
 void report(const sim::ElementPlan& plan, double missing, Change& change) {
   change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
-  if (plan.lowest < 0) change.clamped.push_back("goes " + metres(-plan.lowest, 0.125) + " m below the ground");
+  if (plan.lowest < 0) change.clamped.push_back(fmt::format("goes {:.1f} m below the ground", -plan.lowest));
   if (missing > 0)
-    change.clamped.push_back("comes " + metres(missing, 0.125) +
-                             " m too near to other track: a train would not get by");
-  const std::string shape = " of its shape";
+    change.clamped.push_back(fmt::format("comes {:.1f} m too near to other track: a train would not get by", missing));
   if (!plan.fit.within)
-    change.clamped.push_back("so far from the origin it keeps within " +
-                             base::to_text(static_cast<float>(plan.fit.error)) + " m" + shape);
+    change.clamped.push_back(
+        fmt::format("so far from the origin the fit error is {} m", base::to_text(static_cast<float>(plan.fit.error))));
   if (!change.clamped.empty()) return;  // the warning should be the newest notice
-  change.note = std::string(base::row_of(plan.element.kind).name) + " of " + std::to_string(plan.spans()) +
-                (plan.spans() == 1 ? " span, " : " spans, ") + metres(plan.length, 0.125) + " m, within " +
-                std::to_string(static_cast<int>(std::ceil(plan.fit.error * 1000))) + " mm" + shape;
+  change.note = fmt::format("Placed {}: {:.1f} m, {} {}, fit error {} mm.", base::row_of(plan.element.kind).name,
+                            plan.length, plan.spans(), plan.spans() == 1 ? "span" : "spans",
+                            static_cast<int>(std::ceil(plan.fit.error * 1000)));
 }
 
 // The end keeps its position, direction and roll; its outgoing handle becomes the first span's.
@@ -58,8 +57,7 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
   const sim::ElementPlan& plan = *find(session, Want::element, command.what).element;
   if (!plan.refusal.empty()) return refused(plan.refusal);
   const std::size_t knots = std::max<std::size_t>(document.track.knots.size(), 1) + plan.spans();
-  if (knots > world::kMaxKnots)
-    return refused("the track is at the limit of " + std::to_string(world::kMaxKnots) + " knots");
+  if (knots > world::kMaxKnots) return refused(fmt::format("the track is at the limit of {} knots", world::kMaxKnots));
   if (const Status room =
           within_budget(knots - 1, session.settings.evaluation->steps, session.settings.evaluation->vertex_budget);
       !room)

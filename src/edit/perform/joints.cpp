@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "edit/commands/commands_document.h"
 #include "edit/perform/joint_repair.h"
 #include "edit/perform/perform.h"
 
@@ -18,15 +21,15 @@ std::string as_movement(double value) {
 }
 
 std::string told(const world::Document& document, const RepairReport& report) {
-  std::string text = "made " + std::to_string(report.changed) + (report.changed == 1 ? " joint" : " joints") +
-                     " G2 by moving " + as_movement(report.movement) + "; " + std::to_string(report.already) +
-                     " were already";
+  std::string text =
+      fmt::format("Made {} {} G2 by moving {}. {} were G2 already.", report.changed,
+                  report.changed == 1 ? "joint" : "joints", as_movement(report.movement), report.already);
   if (report.refused.empty()) return text;
-  text += "; " + std::to_string(report.refused.size()) + " refused: ";
+  text += fmt::format(" {} cannot be: ", report.refused.size());
   for (std::size_t i = 0; i < std::min(kMostNamed, report.refused.size()); ++i)
-    text += (i ? ", " : "") + std::string("@") + world::label_of(document, report.refused[i].knot) + " (" +
-            report.refused[i].reason + ")";
-  return text + (report.refused.size() > kMostNamed ? ", ..." : "");
+    text += fmt::format("{}@{} ({})", i ? ", " : "", world::label_of(document, report.refused[i].knot),
+                        report.refused[i].reason);
+  return text + (report.refused.size() > kMostNamed ? ", ..." : ".");
 }
 
 }  // namespace
@@ -39,8 +42,8 @@ Status perform(Session& session, Change& change, const MakeG2& command) {
   const world::Document before = session.document;
   const Status status = make_g2(session.document, index, &movement);
   if (!status) return status;
-  change.note =
-      before == session.document ? "the joint is G2 already" : "made the joint G2 by moving " + as_movement(movement);
+  change.note = before == session.document ? "The joint is G2 already."
+                                           : fmt::format("Made the joint G2 by moving {}.", as_movement(movement));
   return {};
 }
 

@@ -1,6 +1,9 @@
 // Commands of equipment, trains, losses and banking.
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "edit/commands/commands_operation.h"
 #include "edit/perform/perform.h"
 #include "sim/plan/banking.h"
 #include "world/topology.h"
@@ -88,7 +91,7 @@ Status perform(Session& session, Change& change, const AutoBank&) {
     world::orthonormalise(knot);
     ++turned;
   }
-  change.note = "banked " + std::to_string(turned) + (turned == 1 ? " knot" : " knots");
+  change.note = fmt::format("Banked {} {}.", turned, turned == 1 ? "knot" : "knots");
   return {};
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edit/commands/commands_ride.h"
 #include "edit/perform/perform.h"
 #include "edit/session/ride_watch.h"
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <type_traits>
 
+#include <fmt/format.h>
+
 #include "base/names.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/perform/perform.h"
@@ -21,8 +23,7 @@ std::string noun_of(std::string_view word);
 template <base::Named E>
 base::Status known_row(E value) {
   if (base::has_row(value)) return {};
-  return refused("there is no row " + std::to_string(static_cast<int>(value)) + " in the table of " +
-                 std::to_string(base::count_of<E>()));
+  return refused(fmt::format("there is no row {} in the table of {}", static_cast<int>(value), base::count_of<E>()));
 }
 
 // Cuts a number to the limits of its row; refuses what is no value at all.

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "curve/natural_spline.h"
 #include "edit/commands/commands_shape.h"
 #include "edit/perform/knot_runs.h"
@@ -107,7 +109,7 @@ Status perform(Session& session, Change& change, const Smooth& command) {
   const Places at{session.document};
   if (at.count < 2) return refused("a spline needs two knots");
   for (const KnotRun& run : runs_of(session.document, *knots)) smooth_run(at, run, command.by);
-  change.note = "smoothed " + std::to_string(knots->size()) + (knots->size() == 1 ? " knot" : " knots");
+  change.note = fmt::format("Smoothed {} {}.", knots->size(), knots->size() == 1 ? "knot" : "knots");
   return {};
 }
 

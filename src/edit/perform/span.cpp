@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "edit/commands/commands_shape.h"
 #include "edit/perform/append_shape.h"
 #include "edit/perform/knot_runs.h"
@@ -112,7 +114,8 @@ Status perform(Session& session, Change& change, const CloseExactly& command) {
       glm::length(dvec3(world::knot(document, last).position) - dvec3(world::knot(document, first).position));
   if (gap <= command.within && track.knots.size() >= 3) {
     world::weld_ends(document);
-    change.note = "the ends were " + base::to_text(std::round(gap * 1e3) / 1e3) + " m apart and are one knot now";
+    change.note =
+        fmt::format("Joined both ends, {} m apart, into one knot.", base::to_text(std::round(gap * 1e3) / 1e3));
     return {};
   }
   if (const Status room = room_for(session, track.knots.size(), track.knots.size()); !room) return room;

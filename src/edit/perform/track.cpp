@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "edit/commands/commands_document.h"
 #include "edit/perform/append_shape.h"
 #include "edit/perform/perform.h"
 #include "world/topology.h"
@@ -23,8 +26,8 @@ Status split_at(Session& session, Change& change, Entity segment, double t) {
   const glm::vec3 up(sim::frame_of(document, segment, t).up);
   const world::SplitResult split = world::split_segment(document, segment, t, up);
   if (!split.knot.valid())
-    return refused("a handle would leave the limits of " + base::to_text(world::kMinHandle) + " to " +
-                   base::to_text(world::kMaxHandle) + " m, or the knot the world");
+    return refused(fmt::format("a handle would leave the limits of {} to {} m, or the knot the world",
+                               base::to_text(world::kMinHandle), base::to_text(world::kMaxHandle)));
   change.motion = {MotionFollowUp::Kind::split, split.first, split.second, 0, 0};
   change.select = split.knot;
   return {};

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/portable_math.h"
 #include "curve/frames.h"
 #include "edit/commands/commands_shape.h"
@@ -79,8 +81,8 @@ Status transform(Session& session, Change& change, const Knots& which, const Map
     session.document.entities.get<Knot>(e) = next;
   }
   if (cut)
-    change.clamped.push_back("handle lengths are cut to the limits of " + base::to_text(world::kMinHandle) + " to " +
-                             base::to_text(world::kMaxHandle) + " m");
+    change.clamped.push_back(fmt::format("handle lengths are clamped to the limits of {} to {} m",
+                                         base::to_text(world::kMinHandle), base::to_text(world::kMaxHandle)));
   if (glm::determinant(map.linear) < 0) {
     std::sort(knots->begin(), knots->end());
     turn_back_twists(session.document, *knots,
@@ -113,7 +115,7 @@ Status perform(Session& session, Change& change, const Scale& command) {
   dmat3 linear(1.0);
   for (int i = 0; i < 3; ++i) {
     if (!(std::abs(double{command.by[i]}) >= kLeastFactor))
-      return refused("a factor below " + base::to_text(kLeastFactor) + " would leave nothing to scale back");
+      return refused(fmt::format("expected factors of {} or more", base::to_text(kLeastFactor)));
     linear[i][i] = command.by[i];
   }
   return transform(session, change, command.knots, {.linear = linear, .about = dvec3(command.about)}, command.anew);
@@ -133,7 +135,7 @@ Status perform(Session& session, Change& change, const Align& command) {
   if (!knots) return knots.status();
   if (!std::isfinite(command.to)) return refused("expected a finite coordinate");
   const int axis = static_cast<int>(command.axis);
-  const std::string what = "position." + std::string(base::name_of(command.axis));
+  const std::string what = fmt::format("position.{}", base::name_of(command.axis));
   const double to = change.clamp(what, command.to, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}, "m");
   for (const Entity e : *knots) session.document.entities.get<Knot>(e).position[axis] = static_cast<float>(to);
   return {};

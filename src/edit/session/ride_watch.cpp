@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
+
+#include <fmt/format.h>
 
 namespace coaster::edit {
 namespace {
@@ -51,19 +52,14 @@ std::optional<Shortfall> shortfall(const sim::Ghost& ghost, const sim::RailTable
 std::string failure_words(Session& session, const sim::Ghost* ghost, double& place) {
   const world::Failure& failure = session.motion.failure;
   place = failure.distance;
-  char words[256];
+  const std::string_view what = base::name_of(failure.kind);
   const bool climbed = failure.kind == FailureKind::stall || failure.kind == FailureKind::rollback;
   const auto missing = ghost && climbed ? shortfall(*ghost, *find(session, Want::ride).tables) : std::nullopt;
-  if (!missing) {
-    std::snprintf(words, sizeof words, "%s at %.1f m, %.1f m/s", std::string(base::name_of(failure.kind)).c_str(),
-                  failure.distance, std::abs(failure.speed));
-    return words;
-  }
+  if (!missing) return fmt::format("{} at {:.1f} m, {:.1f} m/s", what, failure.distance, std::abs(failure.speed));
   place = missing->furthest;
-  std::snprintf(words, sizeof words, "%s at %.1f m, %.1f m below the top at %.1f m: %.1f m/s more would take it over",
-                std::string(base::name_of(failure.kind)).c_str(), missing->furthest, missing->height, missing->distance,
-                std::sqrt(2 * world::kGravity * missing->height));
-  return words;
+  return fmt::format("{} at {:.1f} m, {:.1f} m below the top at {:.1f} m: {:.1f} m/s more would take it over", what,
+                     missing->furthest, missing->height, missing->distance,
+                     std::sqrt(2 * world::kGravity * missing->height));
 }
 
 void judge(Session& session, RideResult* result) {
@@ -79,7 +75,7 @@ void judge(Session& session, RideResult* result) {
   if (result) result->verdict = challenge.last;
   constexpr const char* kMedals[] = {"", "bronze", "silver", "gold"};
   if (challenge.medal > before)
-    notify(session, NoticeKind::info, challenge.file.name + ": passed, " + kMedals[challenge.medal]);
+    notify(session, NoticeKind::info, fmt::format("Passed {} with {}.", challenge.file.name, kMedals[challenge.medal]));
 }
 
 // Ends the ride and reports it once.

@@ -1,8 +1,9 @@
 // The session's small functions: notices, ticks, a new session. apply.cpp changes it.
 #include "edit/session/session.h"
 
-#include <cstdio>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "edit/session/ride_watch.h"
 
@@ -46,9 +47,8 @@ std::optional<std::string> ride_csv(const Finder& find) {
 std::string failure_text(const Session& session) {
   const world::Failure& failure = session.motion.failure;
   if (failure.kind == world::FailureKind::none) return {};
-  char place[64];
-  std::snprintf(place, sizeof place, " at %.1f m, %.1f m/s", failure.distance, failure.speed);
-  return world::label_of(session.document, failure.cart) + " " + std::string(base::name_of(failure.kind)) + place;
+  return fmt::format("Train {} {} at {:.1f} m ({:.1f} m/s).", world::label_of(session.document, failure.cart),
+                     base::name_of(failure.kind), failure.distance, failure.speed);
 }
 
 void advance(Session& session, int ticks) {

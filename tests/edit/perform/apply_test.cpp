@@ -56,7 +56,7 @@ TEST_F(Applying, exporting_leaves_the_path_and_what_is_unsaved) {
   good("datum 3.25");
   for (const char* name : {"a.obj", "a.gltf", "a.svg"}) {
     ASSERT_TRUE(apply(Save{file(name)}));
-    EXPECT_EQ(session.notices.list.back().text, "exported " + file(name));
+    EXPECT_EQ(session.notices.list.back().text, "Exported " + file(name));
     EXPECT_GT(std::filesystem::file_size(file(name)), 0u);
     EXPECT_TRUE(dirty(session));
     EXPECT_EQ(session.file.path, file("a.json"));

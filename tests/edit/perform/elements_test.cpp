@@ -32,7 +32,7 @@ TEST_F(PerformElementsTest, an_empty_track_gets_its_first_knots_and_a_cart) {
   EXPECT_EQ(knot(1).position, glm::vec3(0, 2, 0));
   EXPECT_EQ(knot(2).position, glm::vec3(20, 2, 0));
   EXPECT_EQ(session.document.entities.pool<world::Cart>().size(), 1u);
-  EXPECT_NE(session.notices.list.back().text.find("straight of 1 span, 20 m, within"), std::string::npos)
+  EXPECT_NE(session.notices.list.back().text.find("Placed straight: 20.0 m, 1 span, fit error"), std::string::npos)
       << session.notices.list.back().text;
   EXPECT_EQ(session.settings.selected, entity("k2"));
 }
@@ -110,7 +110,7 @@ TEST_F(PerformElementsTest, carts_under_way_stay_where_they_are) {
 }
 
 TEST_F(PerformElementsTest, what_cannot_be_placed_is_refused_and_limits_are_told) {
-  clamped("element loop height 500", "height 500 m is beyond the limit of 100 m");
+  clamped("element loop height 500", "Height 500 m is beyond the limit of 100 m");
   good("element dive height 300");
   EXPECT_EQ(session.notices.list.back().kind, NoticeKind::warning);
   EXPECT_NE(session.notices.list.back().text.find("below the ground"), std::string::npos)

@@ -219,7 +219,7 @@ TEST_F(RepairCommands, one_joint_is_one_step_and_undo_restores_the_hash) {
   good("make_g2 @k4");
   EXPECT_NE(world::hash(session.document), before);
   EXPECT_EQ(session.history.undo.size(), 1u);
-  EXPECT_NE(session.notices.list.back().text.find("made the joint G2 by moving"), std::string::npos);
+  EXPECT_NE(session.notices.list.back().text.find("Made the joint G2 by moving"), std::string::npos);
   good("make_g2 @k4");
   EXPECT_EQ(session.history.undo.size(), 1u) << "it was G2";
   good("undo");

@@ -19,7 +19,7 @@ TEST_F(ShapingKnots, move_puts_the_knot_there_and_keeps_its_shape) {
 }
 
 TEST_F(ShapingKnots, move_beyond_the_limit_is_clamped_with_a_notice) {
-  clamped("move @k2 to 250000 1 -3", "position.x 250000 is beyond the limit of 100000 m");
+  clamped("move @k2 to 250000 1 -3", "Position.x 250000 is beyond the limit of 100000 m");
   EXPECT_EQ(knot(2).position, glm::vec3(100'000, 1, -3));
   clamped("move @k2 to 1 -3e9 -3", "limit of -100000 m");
 }
@@ -50,7 +50,7 @@ TEST_F(ShapingKnots, shaping_an_automatic_joint_makes_it_aligned) {
 
 TEST_F(ShapingKnots, a_handle_on_its_knot_keeps_the_direction_at_the_shortest_length) {
   const glm::vec3 tangent = knot(2).tangent;
-  clamped("handle @k2.out to 131.3 19.7 -37.1", "handle length 0 is beyond the limit of 0.01 m");
+  clamped("handle @k2.out to 131.3 19.7 -37.1", "Handle length 0 is beyond the limit of 0.01 m");
   EXPECT_EQ(knot(2).tangent, tangent);
   EXPECT_EQ(knot(2).out_length, world::kMinHandle);
   clamped("handle @k2.out to 90000 19.7 -37.1", "limit of 10000 m");
@@ -89,7 +89,7 @@ TEST_F(ShapingKnots, a_joint_made_smooth_takes_the_mean_length) {
 TEST_F(ShapingKnots, turns_are_clamped) {
   good("turns @s1 to 2");
   EXPECT_EQ(world::segment(session.document, entity("s1")).turns, 2);
-  clamped("turns @s1 to 99", "turns 99 is beyond the limit of 16");
+  clamped("turns @s1 to 99", "Turns 99 is beyond the limit of 16");
   clamped("turns @s1 to -99", "limit of -16");
 }
 

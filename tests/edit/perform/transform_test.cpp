@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "edit/commands/commands_shape.h"
 #include "edit/session_fixture.h"
 #include "sim/shape/derived.h"
 #include "world/topology.h"

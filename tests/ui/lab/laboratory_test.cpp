@@ -6,6 +6,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "ui/stage.h"
+#include "ui/widgets/widgets.h"
 #include "world/lab_view.h"
 #include "world/look.h"
 

@@ -1,0 +1,113 @@
+// Commands that open, save and export.
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "edit/commands/commands_lab.h"
+#include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_session.h"
+#include "edit/perform/perform.h"
+#include "exchange/formats.h"
+#include "exchange/own/envelope_file.h"
+#include "exchange/own/track_file.h"
+#include "world/aids.h"
+
+namespace coaster::edit {
+
+using base::Status;
+
+namespace {
+
+Status write(Change& change, const std::string& path, std::string_view text) {
+  if (path.empty()) return refused("expected a file to write to");
+  const Status status = change.files.write_atomic(path, text);
+  if (status) change.note = "Saved " + path;
+  return status;
+}
+
+}  // namespace
+
+void start_over(Session& session, world::Document document, std::filesystem::path path) {
+  session.document = std::move(document);
+  session.history = {};
+  session.motion = {};
+  session.settings.selected = world::kNone, session.settings.also.clear();
+  session.settings.aids->append_mode = false;
+  session.file.path = std::move(path);
+  session.file.import.reset();
+  session.game.challenge.reset();
+  session.game.run = {};
+  session.game.result.reset();
+  session.game.show_result = false;
+  session.file.saved_hash = world::hash(session.document);
+  fit_budget(session);
+  derive(session);
+  sim::reset(session.document, session.derived, session.motion);
+}
+
+Status perform(Session& session, Change& change, const Load& command) {
+  std::optional<ReadAhead> ahead = std::exchange(session.file.read_ahead, std::nullopt);
+  const bool read = ahead && ahead->path == command.path;
+  base::Result<exchange::LoadedTrack> loaded =
+      read ? std::move(ahead->track) : exchange::load_track(change.files, command.path);
+  if (!loaded) return loaded.status();
+  // A format that does not hold everything is an import: the next save needs a file name.
+  start_over(session, std::move(loaded->document),
+             exchange::format_of(command.path)->whole ? command.path : std::string());
+  session.file.import = loaded->import;
+  warn(session, loaded->warnings);
+  return {};
+}
+Status perform(Session& session, Change& change, const Save& command) {
+  if (command.path.empty()) return refused("expected a file to save to");
+  const Status status = exchange::save_track(change.files, command.path, session.document);
+  if (!status) return status;
+  // Saving in a format that does not hold everything is an export: the document stays unsaved.
+  const bool whole = exchange::format_of(command.path)->whole;
+  if (whole) session.file.path = command.path, session.file.saved_hash = world::hash(session.document);
+  change.note = fmt::format("{} {}", whole ? "Saved" : "Exported", command.path);
+  return {};
+}
+Status perform(Session& session, Change& change, const SaveMeasurements& command) {
+  if (session.measuring.measurement.next == 0) return refused("nothing is measured yet");
+  return write(change, command.path, sim::to_csv(session.measuring.measurement, session.measuring.machine));
+}
+Status perform(Session& session, Change& change, const SaveReport& command) {
+  const auto report = command.path.ends_with(".csv") ? ride_csv(session) : ride_report(session);
+  if (!report) return refused("a report needs a track with a cart");
+  return write(change, command.path, *report);
+}
+Status perform(Session& session, Change& change, const LoadEnvelope& command) {
+  base::Result<exchange::LoadedEnvelope> loaded = exchange::load_envelope(change.files, command.path);
+  if (!loaded) return loaded.status();
+  session.limits.envelope = std::move(loaded->envelope), session.limits.name = std::move(loaded->name);
+  ++session.limits.serial;
+  warn(session, loaded->warnings);
+  change.note =
+      fmt::format("Forces are compared with the limits of {}. This is not a compliance check.", session.limits.name);
+  return {};
+}
+Status perform(Session& session, Change& change, const RecoverTrack& command) {
+  base::Result<exchange::LoadedTrack> loaded = exchange::load_track(change.files, command.path);
+  if (!loaded) return loaded.status();
+  // It is compared with what the original file holds now; if that is another document, or there is none, it counts as
+  // unsaved.
+  const exchange::Format* const format = command.original.empty() ? nullptr : exchange::format_of(command.original);
+  std::uint64_t saved = ~world::hash(loaded->document);
+  if (format != nullptr && format->whole)
+    if (const base::Result<exchange::LoadedTrack> old = exchange::load_track(change.files, command.original))
+      saved = world::hash(old->document);
+  start_over(session, std::move(loaded->document),
+             format != nullptr && format->whole ? command.original : std::string());
+  session.file.saved_hash = saved;
+  warn(session, loaded->warnings);
+  change.note =
+      command.original.empty() ? "Recovered a track that had no file." : fmt::format("Recovered {}", command.original);
+  return {};
+}
+Status perform(Session& session, Change&, const NewTrack&) {
+  start_over(session, {}, {});
+  return {};
+}
+
+}  // namespace coaster::edit
