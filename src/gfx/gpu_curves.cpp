@@ -119,18 +119,17 @@ bool GpuCurves::capture(EvaluatedBy stage, const CurveSlots& slots) {
     return false;
   const Program* const measuring = program(stage, true);
   if (measuring == nullptr) return false;
-  GLuint query = 0, written = 0;
-  gl.GenQueries(1, &query);
+  const Object query = generate<&Gl::GenQueries, &Gl::DeleteQueries>(gl);
   measuring->use();
   gl.Enable(GL_RASTERIZER_DISCARD);
-  gl.BeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query);
+  gl.BeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query.id());
   gl.BeginTransformFeedback(GL_POINTS);
   run(stage, slots, *measuring, true);
   gl.EndTransformFeedback();
   gl.EndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
   gl.Disable(GL_RASTERIZER_DISCARD);
-  gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &written);
-  gl.DeleteQueries(1, &query);
+  GLuint written = 0;
+  gl.GetQueryObjectuiv(query.id(), GL_QUERY_RESULT, &written);
   return written == captured_count(stage, slots);
 }
 

@@ -7,11 +7,7 @@ GpuTimer::GpuTimer(const Gl& gl) : gl_(&gl) {
   able_ = gl.GenQueries && gl.DeleteQueries && gl.BeginQuery && gl.EndQuery && gl.GetQueryObjectuiv &&
           gl.GetQueryObjectui64v;
   if (!able_) return;
-  for (Pending& pending : ring_) {
-    GLuint id = 0;
-    gl.GenQueries(1, &id);
-    pending.query = Object(gl, id, [](const Gl& g, GLuint name) { g.DeleteQueries(1, &name); });
-  }
+  for (Pending& pending : ring_) pending.query = generate<&Gl::GenQueries, &Gl::DeleteQueries>(gl);
 }
 
 void GpuTimer::begin() {

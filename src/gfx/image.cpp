@@ -55,16 +55,8 @@ Difference compare(const Image& picture, const Image& golden) {
 }
 
 Object make_texture(const Gl& gl, const Image& image) {
-  GLuint id = 0;
-  gl.GenTextures(1, &id);
-  Object texture(gl, id, [](const Gl& table, GLuint name) { table.DeleteTextures(1, &name); });
   gl.ActiveTexture(GL_TEXTURE0);
-  gl.BindTexture(GL_TEXTURE_2D, id);
-  for (const auto& [parameter, value] : {std::pair{GL_TEXTURE_MIN_FILTER, GL_LINEAR},
-                                         {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
-                                         {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
-                                         {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE}})
-    gl.TexParameteri(GL_TEXTURE_2D, GLenum(parameter), value);
+  Object texture = make_texture(gl, GL_LINEAR, GL_LINEAR);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
   gl.BindTexture(GL_TEXTURE_2D, 0);

@@ -18,57 +18,45 @@ std::string log_of(const Gl& gl, GLuint id, bool program) {
   return text.data();
 }
 
-const char* extension_of(GLenum kind) {
-  switch (kind) {
-    case GL_VERTEX_SHADER: return ".vert: ";
-    case GL_TESS_CONTROL_SHADER: return ".tesc: ";
-    case GL_TESS_EVALUATION_SHADER: return ".tese: ";
-    case GL_GEOMETRY_SHADER: return ".geom: ";
-    default: return ".frag: ";
-  }
-}
+// A stage of a program; `extension`: of its file.
+struct Stage {
+  GLenum kind;
+  const char* extension;
+  std::string_view source;
+};
 
-base::Result<Object> compile(const Gl& gl, GLenum kind, std::string_view name, std::string_view header,
-                             std::string_view common, std::string_view source) {
-  Object shader(gl, gl.CreateShader(kind), [](const Gl& g, GLuint id) { g.DeleteShader(id); });
-  const char* parts[] = {header.data(), common.data(), "\n#line 1\n", source.data()};
-  const GLint sizes[] = {GLint(header.size()), GLint(common.size()), 9, GLint(source.size())};
+base::Result<Object> compile(const Gl& gl, std::string_view name, std::string_view header, std::string_view common,
+                             const Stage& stage) {
+  Object shader(gl, gl.CreateShader(stage.kind), [](const Gl& g, GLuint id) { g.DeleteShader(id); });
+  const char* parts[] = {header.data(), common.data(), "\n#line 1\n", stage.source.data()};
+  const GLint sizes[] = {GLint(header.size()), GLint(common.size()), 9, GLint(stage.source.size())};
   gl.ShaderSource(shader.id(), 4, parts, sizes);
   gl.CompileShader(shader.id());
   GLint ok = GL_FALSE;
   gl.GetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);
   if (ok != GL_TRUE)
     return base::Status{base::Code::graphics,
-                        fmt::format("shader {}{}{}", name, extension_of(kind), log_of(gl, shader.id(), false))};
+                        fmt::format("shader {}.{}: {}", name, stage.extension, log_of(gl, shader.id(), false))};
   return shader;
 }
 
-Object make_framebuffer(const Gl& gl) {
-  GLuint id = 0;
-  gl.GenFramebuffers(1, &id);
-  return {gl, id, [](const Gl& g, GLuint name) { g.DeleteFramebuffers(1, &name); }};
-}
-
 Object make_renderbuffer(const Gl& gl, GLenum format, int width, int height, int samples) {
-  GLuint id = 0;
-  gl.GenRenderbuffers(1, &id);
-  gl.BindRenderbuffer(GL_RENDERBUFFER, id);
+  Object made = generate<&Gl::GenRenderbuffers, &Gl::DeleteRenderbuffers>(gl);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, made.id());
   gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-  return {gl, id, [](const Gl& g, GLuint name) { g.DeleteRenderbuffers(1, &name); }};
+  return made;
 }
 
 }  // namespace
 
-Object make_buffer(const Gl& gl) {
-  GLuint id = 0;
-  gl.GenBuffers(1, &id);
-  return {gl, id, [](const Gl& g, GLuint name) { g.DeleteBuffers(1, &name); }};
-}
-
-Object make_vertex_array(const Gl& gl) {
-  GLuint id = 0;
-  gl.GenVertexArrays(1, &id);
-  return {gl, id, [](const Gl& g, GLuint name) { g.DeleteVertexArrays(1, &name); }};
+Object make_texture(const Gl& gl, GLint min_filter, GLint mag_filter) {
+  Object made = generate<&Gl::GenTextures, &Gl::DeleteTextures>(gl);
+  gl.BindTexture(GL_TEXTURE_2D, made.id());
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, min_filter);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, mag_filter);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return made;
 }
 
 base::Result<Target> make_target(const Gl& gl, int width, int height, int samples) {
@@ -86,38 +74,19 @@ base::Result<Target> make_target(const Gl& gl, int width, int height, int sample
   return target;
 }
 
-void Program::set(const char* name, int value) const {
-  gl->Uniform1i(gl->GetUniformLocation(object.id(), name), value);
-}
-void Program::set(const char* name, float value) const {
-  gl->Uniform1f(gl->GetUniformLocation(object.id(), name), value);
-}
-void Program::set(const char* name, glm::vec2 value) const {
-  gl->Uniform2f(gl->GetUniformLocation(object.id(), name), value.x, value.y);
-}
-void Program::set(const char* name, glm::vec3 value) const {
-  gl->Uniform3fv(gl->GetUniformLocation(object.id(), name), 1, &value[0]);
-}
-void Program::set(const char* name, glm::vec4 value) const {
-  gl->Uniform4fv(gl->GetUniformLocation(object.id(), name), 1, &value[0]);
-}
-void Program::set(const char* name, const glm::mat4& value) const {
-  gl->UniformMatrix4fv(gl->GetUniformLocation(object.id(), name), 1, GL_FALSE, &value[0][0]);
-}
-
 base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources) {
-  const std::pair<GLenum, std::string_view> stages[] = {{GL_VERTEX_SHADER, sources.vertex},
-                                                        {GL_TESS_CONTROL_SHADER, sources.tessellation_control},
-                                                        {GL_TESS_EVALUATION_SHADER, sources.tessellation_evaluation},
-                                                        {GL_GEOMETRY_SHADER, sources.geometry},
-                                                        {GL_FRAGMENT_SHADER, sources.fragment}};
+  const Stage stages[] = {{GL_VERTEX_SHADER, "vert", sources.vertex},
+                          {GL_TESS_CONTROL_SHADER, "tesc", sources.tessellation_control},
+                          {GL_TESS_EVALUATION_SHADER, "tese", sources.tessellation_evaluation},
+                          {GL_GEOMETRY_SHADER, "geom", sources.geometry},
+                          {GL_FRAGMENT_SHADER, "frag", sources.fragment}};
   const std::string_view header = sources.tessellation_evaluation.empty() ? kHeader : kTessellationHeader;
   Program program{Object(gl, gl.CreateProgram(), [](const Gl& g, GLuint id) { g.DeleteProgram(id); }), &gl};
   const GLuint id = program.object.id();
   std::vector<Object> shaders;
-  for (const auto& [kind, source] : stages) {
-    if (source.empty()) continue;
-    auto shader = compile(gl, kind, sources.name, header, sources.common, source);
+  for (const Stage& stage : stages) {
+    if (stage.source.empty()) continue;
+    auto shader = compile(gl, sources.name, header, sources.common, stage);
     if (!shader) return shader.status();
     gl.AttachShader(id, shader->id());
     shaders.push_back(std::move(*shader));
@@ -131,11 +100,6 @@ base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources) 
     return base::Status{base::Code::graphics,
                         fmt::format("shader {} does not link: {}", sources.name, log_of(gl, id, true))};
   return program;
-}
-
-base::Result<Program> make_program(const Gl& gl, std::string_view name, std::string_view common,
-                                   std::string_view vertex, std::string_view fragment) {
-  return make_program(gl, {name, common, vertex, {}, {}, {}, fragment, {}});
 }
 
 void float_attribute(const Gl& gl, GLuint location, int components, std::size_t stride, std::size_t offset,

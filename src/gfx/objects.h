@@ -2,7 +2,6 @@
 // to be current, destructors too.
 #pragma once
 
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,8 +40,18 @@ class Object {
   Destroy destroy_ = nullptr;
 };
 
-Object make_buffer(const Gl& gl);
-Object make_vertex_array(const Gl& gl);
+// Creates one name by a function like glGenBuffers, to be deleted by its opposite.
+template <auto Generate, auto Delete>
+Object generate(const Gl& gl) {
+  GLuint id = 0;
+  (gl.*Generate)(1, &id);
+  return {gl, id, [](const Gl& g, GLuint name) { (g.*Delete)(1, &name); }};
+}
+inline Object make_buffer(const Gl& gl) { return generate<&Gl::GenBuffers, &Gl::DeleteBuffers>(gl); }
+inline Object make_vertex_array(const Gl& gl) { return generate<&Gl::GenVertexArrays, &Gl::DeleteVertexArrays>(gl); }
+inline Object make_framebuffer(const Gl& gl) { return generate<&Gl::GenFramebuffers, &Gl::DeleteFramebuffers>(gl); }
+// Binds the new texture to the active unit and clamps it at its edges.
+Object make_texture(const Gl& gl, GLint min_filter, GLint mag_filter);
 
 // Colour and depth of one size. samples 0: single-sampled.
 struct Target {
@@ -58,12 +67,17 @@ struct Program {
   Object object;
   const Gl* gl = nullptr;
   void use() const { gl->UseProgram(object.id()); }
-  void set(const char* name, int value) const;
-  void set(const char* name, float value) const;
-  void set(const char* name, glm::vec2 value) const;
-  void set(const char* name, glm::vec3 value) const;
-  void set(const char* name, glm::vec4 value) const;
-  void set(const char* name, const glm::mat4& value) const;
+  void set(const char* name, int value) const { gl->Uniform1i(place(name), value); }
+  void set(const char* name, float value) const { gl->Uniform1f(place(name), value); }
+  void set(const char* name, glm::vec2 value) const { gl->Uniform2f(place(name), value.x, value.y); }
+  void set(const char* name, glm::vec3 value) const { gl->Uniform3fv(place(name), 1, &value[0]); }
+  void set(const char* name, glm::vec4 value) const { gl->Uniform4fv(place(name), 1, &value[0]); }
+  void set(const char* name, const glm::mat4& value) const {
+    gl->UniformMatrix4fv(place(name), 1, GL_FALSE, &value[0][0]);
+  }
+
+ private:
+  GLint place(const char* name) const { return gl->GetUniformLocation(object.id(), name); }
 };
 
 // A program's stages; empty ones are left out. `captured` are the outputs that transform feedback writes, interleaved.
@@ -75,8 +89,6 @@ struct ProgramSources {
 // Compiles and links. Prepends a version line to each stage (4.00 with tessellation, else 3.30), then `common` (shared
 // functions). On failure Code::graphics with `name` and the compiler's log; line numbers count within each part.
 base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources);
-base::Result<Program> make_program(const Gl& gl, std::string_view name, std::string_view common,
-                                   std::string_view vertex, std::string_view fragment);
 
 // Sets a float attribute of the bound vertex array from the bound buffer; divisor 1: one value per instance.
 void float_attribute(const Gl& gl, GLuint location, int components, std::size_t stride, std::size_t offset,

@@ -32,7 +32,8 @@ base::Result<ScenePrograms> make_scene_programs(const Gl& gl) {
   ScenePrograms programs;
   for (const Row& row : rows) {
     const std::string common = row.defines + std::string(common_glsl()) + std::string(row.shared);
-    auto program = make_program(gl, row.name, common, row.vertex, row.fragment);
+    auto program =
+        make_program(gl, {.name = row.name, .common = common, .vertex = row.vertex, .fragment = row.fragment});
     if (!program) return program.status();
     programs.*row.program = std::move(*program);
   }

@@ -1,43 +1,23 @@
 #include "gfx/shadow_map.h"
 
 #include <string>
-#include <utility>
 
 #include "base/check.h"
 #include "gfx/draw_state.h"
 
 namespace coaster::gfx {
-namespace {
-
-Object make_texture(const Gl& gl, std::initializer_list<std::pair<GLenum, GLint>> parameters) {
-  GLuint id = 0;
-  gl.GenTextures(1, &id);
-  gl.BindTexture(GL_TEXTURE_2D, id);
-  for (const auto& [name, value] : parameters) gl.TexParameteri(GL_TEXTURE_2D, name, value);
-  return {gl, id, [](const Gl& g, GLuint texture) { g.DeleteTextures(1, &texture); }};
-}
-
-}  // namespace
 
 void ShadowMap::make(int size) {
   const Gl& gl = *gl_;
   gl.ActiveTexture(GL_TEXTURE0);
-  depth_ = make_texture(gl, {{GL_TEXTURE_MIN_FILTER, GL_LINEAR},
-                             {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
-                             {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
-                             {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE},
-                             {GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE},
-                             {GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL}});
+  depth_ = make_texture(gl, GL_LINEAR, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
-  cover_ = make_texture(gl, {{GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST},
-                             {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
-                             {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
-                             {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE}});
+  cover_ = make_texture(gl, GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RG8, size, size, 0, GL_RG, GL_UNSIGNED_BYTE, nullptr);
-  GLuint id = 0;
-  gl.GenFramebuffers(1, &id);
-  framebuffer_ = Object(gl, id, [](const Gl& g, GLuint name) { g.DeleteFramebuffers(1, &name); });
-  gl.BindFramebuffer(GL_FRAMEBUFFER, id);
+  framebuffer_ = make_framebuffer(gl);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, cover_.id(), 0);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
   COASTER_CHECK(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,

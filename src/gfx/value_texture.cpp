@@ -11,15 +11,7 @@ void ValueTexture::fit(int rows) {
   rows_ = std::max(rows_, 1);
   while (rows_ < rows) rows_ *= 2;
   held_.resize(static_cast<std::size_t>(rows_) * kWidth, sim::kUnknownValue);
-  GLuint id = 0;
-  gl_->GenTextures(1, &id);
-  texture_ = Object(*gl_, id, [](const Gl& gl, GLuint name) { gl.DeleteTextures(1, &name); });
-  gl_->BindTexture(GL_TEXTURE_2D, id);
-  for (const auto& [parameter, value] : {std::pair{GL_TEXTURE_MIN_FILTER, GL_NEAREST},
-                                         {GL_TEXTURE_MAG_FILTER, GL_NEAREST},
-                                         {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
-                                         {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE}})
-    gl_->TexParameteri(GL_TEXTURE_2D, GLenum(parameter), value);
+  texture_ = make_texture(*gl_, GL_NEAREST, GL_NEAREST);
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, kWidth, rows_, 0, GL_RED, GL_FLOAT, held_.data());
 }

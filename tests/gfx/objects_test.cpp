@@ -12,11 +12,15 @@ constexpr std::string_view kVertex = "void main() { gl_Position = vec4(0.0); }\n
 constexpr std::string_view kFragment = "out vec4 colour;\nvoid main() { colour = tone(); }\n";
 constexpr std::string_view kCommon = "vec4 tone() { return vec4(0.5); }";
 
-TEST_F(Objects, a_correct_program_links) { EXPECT_TRUE(make_program(gl_, "good", kCommon, kVertex, kFragment).ok()); }
+TEST_F(Objects, a_correct_program_links) {
+  EXPECT_TRUE(make_program(gl_, {.name = "good", .common = kCommon, .vertex = kVertex, .fragment = kFragment}).ok());
+}
 
 TEST_F(Objects, a_broken_shader_shows_name_stage_and_log) {
-  const auto program =
-      make_program(gl_, "sunset", kCommon, kVertex, "out vec4 colour;\nvoid main() { colour = no_such_name; }\n");
+  const auto program = make_program(gl_, {.name = "sunset",
+                                          .common = kCommon,
+                                          .vertex = kVertex,
+                                          .fragment = "out vec4 colour;\nvoid main() { colour = no_such_name; }\n"});
   ASSERT_FALSE(program.ok());
   EXPECT_EQ(program.status().code, base::Code::graphics);
   EXPECT_NE(program.status().message.find("sunset.frag"), std::string::npos) << program.status().message;
@@ -24,17 +28,20 @@ TEST_F(Objects, a_broken_shader_shows_name_stage_and_log) {
 }
 
 TEST_F(Objects, lines_in_a_log_are_counted_in_the_stage_alone) {
-  const auto program =
-      make_program(gl_, "x", "\n\n\n\n\n\n" + std::string(kCommon), "void main() {\n\n  wrong;\n}\n", kFragment);
+  const std::string common = "\n\n\n\n\n\n" + std::string(kCommon);
+  const auto program = make_program(
+      gl_, {.name = "x", .common = common, .vertex = "void main() {\n\n  wrong;\n}\n", .fragment = kFragment});
   ASSERT_FALSE(program.ok());
   EXPECT_NE(program.status().message.find(":3("), std::string::npos)
       << program.status().message;  // Mesa: "0:3(3): error"
 }
 
 TEST_F(Objects, stages_that_do_not_fit_are_refused_by_the_linker) {
-  const auto program =
-      make_program(gl_, "misfit", "", "out vec3 thing;\nvoid main() { thing = vec3(1.0); gl_Position = vec4(0.0); }\n",
-                   "in vec2 thing;\nout vec4 colour;\nvoid main() { colour = vec4(thing, 0.0, 1.0); }\n");
+  const auto program = make_program(
+      gl_, {.name = "misfit",
+            .common = "",
+            .vertex = "out vec3 thing;\nvoid main() { thing = vec3(1.0); gl_Position = vec4(0.0); }\n",
+            .fragment = "in vec2 thing;\nout vec4 colour;\nvoid main() { colour = vec4(thing, 0.0, 1.0); }\n"});
   ASSERT_FALSE(program.ok());
   EXPECT_NE(program.status().message.find("misfit does not link"), std::string::npos) << program.status().message;
 }
