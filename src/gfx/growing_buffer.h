@@ -1,24 +1,55 @@
 // A vertex or index buffer on the GPU that grows and keeps its contents.
 #pragma once
 
+#include <algorithm>
+#include <span>
+
 #include "gfx/objects.h"
 
 namespace coaster::gfx {
 
+// Binds only the targets of copies, so no vertex array is disturbed.
+template <class T>
 class GrowingBuffer {
  public:
   explicit GrowingBuffer(const Gl& gl) : gl_(&gl), object_(make_buffer(gl)) {}
-  // Reserves at least `bytes`. Returns true if the GL name changed, so that vertex arrays must be set up again: the old
-  // bytes were copied on the GPU into a buffer of at least twice the size.
-  bool reserve(std::size_t bytes);
-  // Writes within the reserved size.
-  void write(std::size_t offset, const void* data, std::size_t bytes);
+
+  // Reserves at least `count` items. Returns true if the GL name changed, so that vertex arrays must be set up again:
+  // the old items were copied on the GPU into a buffer of at least twice the size.
+  bool reserve(std::size_t count) {
+    const std::size_t bytes = count * sizeof(T);
+    if (bytes <= capacity_) return false;
+    constexpr std::size_t kSmallest = 64 * 1024;
+    const std::size_t capacity = std::max({bytes, 2 * capacity_, kSmallest});
+    Object grown = make_buffer(*gl_);
+    gl_->BindBuffer(GL_COPY_WRITE_BUFFER, grown.id());
+    gl_->BufferData(GL_COPY_WRITE_BUFFER, GLsizeiptr(capacity), nullptr, GL_DYNAMIC_DRAW);
+    if (capacity_ > 0) {
+      gl_->BindBuffer(GL_COPY_READ_BUFFER, object_.id());
+      gl_->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, GLsizeiptr(capacity_));
+    }
+    object_ = std::move(grown);
+    capacity_ = capacity;
+    return true;
+  }
+  // Writes within the reserved size, from item `first` on.
+  void write(std::size_t first, std::span<const T> items) {
+    COASTER_CHECK(first * sizeof(T) + items.size_bytes() <= capacity_, "writes stay within the reserved size");
+    gl_->BindBuffer(GL_COPY_WRITE_BUFFER, object_.id());
+    gl_->BufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(first * sizeof(T)), GLsizeiptr(items.size_bytes()), items.data());
+  }
+  // Writes from the start; returns what reserve() does.
+  bool fill(std::span<const T> items) {
+    const bool moved = reserve(items.size());
+    if (!items.empty()) write(0, items);
+    return moved;
+  }
   GLuint id() const { return object_.id(); }
 
  private:
   const Gl* gl_;
   Object object_;
-  std::size_t capacity_ = 0;
+  std::size_t capacity_ = 0;  // bytes
 };
 
 }  // namespace coaster::gfx

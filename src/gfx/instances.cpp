@@ -1,14 +1,26 @@
 // Packs overlay and poses into instance attributes.
 #include "gfx/instances.h"
 
-#include <cstddef>
+#include <initializer_list>
+#include <numeric>
 
+#include "gfx/mesh_pool.h"
 #include "sim/solids/train_mesh.h"
 
 namespace coaster::gfx {
 namespace {
 
-constexpr std::size_t kLineFloats = 11, kMarkFloats = 9, kPoseFloats = 16;
+constexpr std::size_t kPoseFloats = 16;
+
+// Sets attributes of so many floats each, from location `first` on, one value per instance, from the bound buffer.
+void instance_attributes(const Gl& gl, GLuint first, std::initializer_list<int> sizes) {
+  const std::size_t stride = std::size_t(std::accumulate(sizes.begin(), sizes.end(), 0)) * sizeof(float);
+  std::size_t offset = 0;
+  for (const int size : sizes) {
+    float_attribute(gl, first++, size, stride, offset, 1);
+    offset += std::size_t(size) * sizeof(float);
+  }
+}
 
 void push(std::vector<float>& out, glm::vec3 v) { out.insert(out.end(), {v.x, v.y, v.z}); }
 
@@ -39,23 +51,17 @@ glm::dvec3 hitch(const sim::Pose& pose, double way) {
 
 Instances::Model::Model(const Gl& gl, const sim::Mesh& mesh)
     : vertices(gl), indices(gl), poses(gl), array(make_vertex_array(gl)), index_count(GLsizei(mesh.indices.size())) {
-  vertices.reserve(mesh.vertices.size() * sizeof(sim::MeshVertex));
-  vertices.write(0, mesh.vertices.data(), mesh.vertices.size() * sizeof(sim::MeshVertex));
-  indices.reserve(mesh.indices.size() * sizeof(std::uint32_t));
-  indices.write(0, mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
+  vertices.fill(mesh.vertices);
+  indices.fill(mesh.indices);
 }
 
 void Instances::Model::link(const Gl& gl) {
   gl.BindVertexArray(array.id());
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices.id());
-  constexpr std::size_t kStride = sizeof(sim::MeshVertex);
-  float_attribute(gl, 0, 3, kStride, offsetof(sim::MeshVertex, position));
-  float_attribute(gl, 1, 3, kStride, offsetof(sim::MeshVertex, normal));
-  float_attribute(gl, 2, 1, kStride, offsetof(sim::MeshVertex, part));
+  mesh_attributes(gl);
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
   gl.BindBuffer(GL_ARRAY_BUFFER, poses.id());
-  for (std::size_t column = 0; column < 4; ++column)
-    float_attribute(gl, GLuint(3 + column), 4, kPoseFloats * sizeof(float), column * 4 * sizeof(float), 1);
+  instance_attributes(gl, 3, {4, 4, 4, 4});
 }
 
 Instances::Instances(const Gl& gl)
@@ -69,27 +75,28 @@ Instances::Instances(const Gl& gl)
       coupling_(gl, sim::coupling_mesh()) {}
 
 void Instances::upload(const view::Overlay& overlay, std::span<const sim::Pose> carts) {
-  const auto send = [&](GrowingBuffer& buffer) {
-    const bool moved = buffer.reserve(staged_.size() * sizeof(float));
-    if (!staged_.empty()) buffer.write(0, staged_.data(), staged_.size() * sizeof(float));
+  const auto send = [&](GrowingBuffer<float>& buffer, const Object& array, std::initializer_list<int> sizes) {
+    if (buffer.fill(staged_)) {
+      gl_->BindVertexArray(array.id());
+      gl_->BindBuffer(GL_ARRAY_BUFFER, buffer.id());
+      instance_attributes(*gl_, 0, sizes);
+    }
     staged_.clear();
-    return moved;
   };
-  staged_.clear();
   for (const view::Line& line : overlay.lines) {
     push(staged_, line.from);
     push(staged_, line.to);
     staged_.push_back(line.width_px);
     push_colour(staged_, line.rgba);
   }
-  if (send(line_buffer_)) link_lines();
+  send(line_buffer_, line_array_, {3, 3, 1, 4});
   for (const view::Mark& mark : overlay.marks) {
     push(staged_, mark.position);
     staged_.push_back(mark.radius_px);
     staged_.push_back(mark.shape == view::MarkShape::square ? 1.0f : 0.0f);
     push_colour(staged_, mark.rgba);
   }
-  if (send(mark_buffer_)) link_marks();
+  send(mark_buffer_, mark_array_, {3, 1, 1, 4});
   lines_ = GLsizei(overlay.lines.size()), marks_ = GLsizei(overlay.marks.size());
   stage_cars(carts, true);
   send_poses(leading_);
@@ -123,9 +130,7 @@ void Instances::stage_couplings(std::span<const sim::Pose> cars) {
 
 void Instances::send_poses(Model& model) {
   model.count = GLsizei(staged_.size() / kPoseFloats);
-  const bool moved = model.poses.reserve(staged_.size() * sizeof(float));
-  if (!staged_.empty()) model.poses.write(0, staged_.data(), staged_.size() * sizeof(float));
-  if (moved) model.link(*gl_);
+  if (model.poses.fill(staged_)) model.link(*gl_);
   staged_.clear();
 }
 
@@ -150,26 +155,6 @@ std::int64_t Instances::car_triangles() const {
   for (const Model* model : {&leading_, &following_, &coupling_})
     indices += std::int64_t(model->index_count) * model->count;
   return indices / 3;
-}
-
-void Instances::link_lines() {
-  gl_->BindVertexArray(line_array_.id());
-  gl_->BindBuffer(GL_ARRAY_BUFFER, line_buffer_.id());
-  constexpr std::size_t kFloat = sizeof(float), kStride = kLineFloats * kFloat;
-  float_attribute(*gl_, 0, 3, kStride, 0, 1);
-  float_attribute(*gl_, 1, 3, kStride, 3 * kFloat, 1);
-  float_attribute(*gl_, 2, 1, kStride, 6 * kFloat, 1);
-  float_attribute(*gl_, 3, 4, kStride, 7 * kFloat, 1);
-}
-
-void Instances::link_marks() {
-  gl_->BindVertexArray(mark_array_.id());
-  gl_->BindBuffer(GL_ARRAY_BUFFER, mark_buffer_.id());
-  constexpr std::size_t kFloat = sizeof(float), kStride = kMarkFloats * kFloat;
-  float_attribute(*gl_, 0, 3, kStride, 0, 1);
-  float_attribute(*gl_, 1, 1, kStride, 3 * kFloat, 1);
-  float_attribute(*gl_, 2, 1, kStride, 4 * kFloat, 1);
-  float_attribute(*gl_, 3, 4, kStride, 5 * kFloat, 1);
 }
 
 }  // namespace coaster::gfx

@@ -34,14 +34,14 @@ class Instances {
     gl_->BindVertexArray(array.id());
     return count;
   }
-  void link_lines();
-  void link_marks();
 
   // A constant mesh, drawn once per pose.
   struct Model {
     Model(const Gl& gl, const sim::Mesh& mesh);
     void link(const Gl& gl);
-    GrowingBuffer vertices, indices, poses;
+    GrowingBuffer<sim::MeshVertex> vertices;
+    GrowingBuffer<std::uint32_t> indices;
+    GrowingBuffer<float> poses;
     Object array;
     GLsizei index_count = 0, count = 0;
   };
@@ -50,7 +50,7 @@ class Instances {
   void send_poses(Model& model);
 
   const Gl* gl_;
-  GrowingBuffer line_buffer_, mark_buffer_;
+  GrowingBuffer<float> line_buffer_, mark_buffer_;
   Object line_array_, mark_array_;
   GLsizei lines_ = 0, marks_ = 0;
   Model leading_, following_, coupling_;

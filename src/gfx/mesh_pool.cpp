@@ -18,6 +18,14 @@ bool fits(Range range, std::size_t count) { return count <= range.size && range.
 
 }  // namespace
 
+void mesh_attributes(const Gl& gl) {
+  constexpr std::size_t kStride = sizeof(sim::MeshVertex);
+  float_attribute(gl, 0, 3, kStride, offsetof(sim::MeshVertex, position));
+  float_attribute(gl, 1, 3, kStride, offsetof(sim::MeshVertex, normal));
+  float_attribute(gl, 2, 1, kStride, offsetof(sim::MeshVertex, part));
+}
+
+// Makes room for a solid.
 void MeshPool::fit(const sim::Mesh& mesh, Id& id) {
   if (id == kNone) {
     if (free_.empty()) free_.push_back(static_cast<Id>(solids_.size())), solids_.emplace_back();
@@ -32,24 +40,25 @@ void MeshPool::fit(const sim::Mesh& mesh, Id& id) {
     vertex_ranges_.give_back(solid.vertices);
     solid.vertices = vertex_ranges_.take(with_room(mesh.vertices.size()));
   }
-  const auto place = [&](std::size_t count, GrowingBuffer& buffer, Ranges& ranges, Range& range) {
-    if (fits(range, count)) return;
-    empty(buffer, ranges, range);
-    ranges.give_back(range);
-    range = ranges.take(with_room_for_triangles(count));
+  for (Level& level : levels_) {
+    const std::size_t count = (mesh.*level.indices).size();
+    Range& range = solid.*level.range;
+    if (fits(range, count)) continue;
+    empty(level, range);
+    level.ranges.give_back(range);
+    range = level.ranges.take(with_room_for_triangles(count));
     moved_ = true;
-  };
-  place(mesh.indices.size(), indices_, index_ranges_, solid.indices);
-  place(mesh.coarse.size(), coarse_, coarse_ranges_, solid.coarse);
+  }
 }
 
+// Numbers the mesh's vertices as in the buffer and fills up its ranges.
 void MeshPool::settle(sim::Mesh& mesh, Id id) {
   Solid& solid = solids_[id];
   const std::uint32_t first = solid.vertices.first;
-  for (std::uint32_t& index : mesh.indices) index += first;
-  for (std::uint32_t& index : mesh.coarse) index += first;
-  mesh.indices.resize(solid.indices.size, first);
-  mesh.coarse.resize(solid.coarse.size, first);
+  for (const Level& level : levels_) {
+    for (std::uint32_t& index : mesh.*level.indices) index += first;
+    (mesh.*level.indices).resize((solid.*level.range).size, first);
+  }
   if (mesh.vertices.empty()) return;
   glm::vec3 low = mesh.vertices[0].position, high = low;
   for (const sim::MeshVertex& vertex : mesh.vertices)
@@ -58,27 +67,26 @@ void MeshPool::settle(sim::Mesh& mesh, Id id) {
   solid.radius = 0.5f * glm::distance(low, high);
 }
 
-std::int64_t MeshPool::send(const sim::Mesh& mesh, Id id) {
+std::int64_t MeshPool::write(sim::Mesh& mesh, Id& id, Stopwatch& watch) {
   written_ = 0;
+  fit(mesh, id);
+  watch.time([&] { settle(mesh, id); });
   const Solid& solid = solids_[id];
-  if (vertices_.reserve(std::size_t(vertex_ranges_.used()) * sizeof(sim::MeshVertex))) link();
-  const std::size_t bytes = mesh.vertices.size() * sizeof(sim::MeshVertex);
-  if (bytes > 0)
-    vertices_.write(std::size_t(solid.vertices.first) * sizeof(sim::MeshVertex), mesh.vertices.data(), bytes);
-  write_indices(indices_, index_ranges_, solid.indices, mesh.indices);
-  write_indices(coarse_, coarse_ranges_, solid.coarse, mesh.coarse);
+  if (vertices_.reserve(vertex_ranges_.used())) link();
+  if (!mesh.vertices.empty()) vertices_.write(solid.vertices.first, mesh.vertices);
+  for (Level& level : levels_) write_indices(level, solid.*level.range, mesh.*level.indices);
   near_metres_ = -1;
-  return written_ + std::int64_t(bytes);
+  return written_ + std::int64_t(mesh.vertices.size() * sizeof(sim::MeshVertex));
 }
 
 void MeshPool::release(Id& id) {
   if (id == kNone) return;
   Solid& solid = solids_[id];
-  empty(indices_, index_ranges_, solid.indices);
-  empty(coarse_, coarse_ranges_, solid.coarse);
   vertex_ranges_.give_back(solid.vertices);
-  index_ranges_.give_back(solid.indices);
-  coarse_ranges_.give_back(solid.coarse);
+  for (Level& level : levels_) {
+    empty(level, solid.*level.range);
+    level.ranges.give_back(solid.*level.range);
+  }
   solid = {};
   free_.push_back(id);
   id = kNone;
@@ -86,33 +94,30 @@ void MeshPool::release(Id& id) {
 }
 
 // Fills gaps with degenerate triangles.
-void MeshPool::empty(GrowingBuffer& buffer, const Ranges& ranges, Range range) {
-  if (range.size > 0) write_indices(buffer, ranges, range, std::vector<std::uint32_t>(range.size, 0));
+void MeshPool::empty(Level& level, Range range) {
+  if (range.size > 0) write_indices(level, range, std::vector<std::uint32_t>(range.size, 0));
 }
 
-void MeshPool::write_indices(GrowingBuffer& buffer, const Ranges& ranges, Range range,
-                             const std::vector<std::uint32_t>& indices) {
-  if (buffer.reserve(std::size_t(ranges.used()) * sizeof(std::uint32_t))) link();
+void MeshPool::write_indices(Level& level, Range range, const std::vector<std::uint32_t>& indices) {
+  if (level.buffer.reserve(level.ranges.used())) link();
   ++version_;  // a solid never changes without its indices
-  buffer.write(std::size_t(range.first) * sizeof(std::uint32_t), indices.data(), range.size * sizeof(std::uint32_t));
+  level.buffer.write(range.first, indices);
   written_ += std::int64_t(range.size * sizeof(std::uint32_t));
 }
 
 // Collects runs of solids that are adjacent in a buffer and of the same kind; the gaps between them hold degenerate
 // triangles.
-void MeshPool::gather(Range Solid::*range, bool far, const std::vector<Id>& order, std::vector<Run>& runs) const {
-  runs.clear();
+void MeshPool::gather(Level& level) const {
+  level.runs.clear();
   bool open = false;
-  for (const Id id : order) {
+  for (const Id id : level.order) {
     const Solid& solid = solids_[id];
-    const Range place = solid.*range;
-    if (solid.far != far) {
-      open = false;
-      continue;
+    const Range place = solid.*level.range;
+    if (solid.far == level.far) {
+      if (!open) level.runs.push_back({place.first, 0});
+      level.runs.back().count = place.first + place.size - level.runs.back().first;
     }
-    if (!open) runs.push_back({place.first, 0});
-    runs.back().count = place.first + place.size - runs.back().first;
-    open = true;
+    open = solid.far == level.far;
   }
 }
 
@@ -120,67 +125,60 @@ void MeshPool::look_from(glm::vec3 eye, float near_metres) {
   if (!moved_ && eye == eye_ && near_metres == near_metres_) return;
   eye_ = eye, near_metres_ = near_metres;
   if (moved_) {
-    const auto sorted = [&](Range Solid::*range, std::vector<Id>& order) {
-      order.clear();
+    for (Level& level : levels_) {
+      level.order.clear();
       for (Id id = 0; id < solids_.size(); ++id)
-        if (solids_[id].used) order.push_back(id);
-      std::sort(order.begin(), order.end(),
-                [&](Id a, Id b) { return (solids_[a].*range).first < (solids_[b].*range).first; });
-    };
-    sorted(&Solid::indices, fine_order_);
-    sorted(&Solid::coarse, coarse_order_);
+        if (solids_[id].used) level.order.push_back(id);
+      std::sort(level.order.begin(), level.order.end(),
+                [&](Id a, Id b) { return (solids_[a].*level.range).first < (solids_[b].*level.range).first; });
+    }
     moved_ = false;
   }
   for (Solid& solid : solids_) solid.far = glm::distance(eye, solid.middle) - solid.radius > near_metres;
-  gather(&Solid::indices, false, fine_order_, fine_runs_);
-  if (fine_runs_.size() > kMostRuns) {
+  gather(levels_[0]);
+  if (levels_[0].runs.size() > kMostRuns) {
     for (Solid& solid : solids_) solid.far = false;
-    gather(&Solid::indices, false, fine_order_, fine_runs_);
+    gather(levels_[0]);
   }
-  gather(&Solid::coarse, true, coarse_order_, coarse_runs_);
+  gather(levels_[1]);
 }
 
-void MeshPool::bind(const Object& array) const {
-  gl_->BindVertexArray(array.id());
+void MeshPool::bind(const Level& level) const {
+  gl_->BindVertexArray(level.array.id());
   for (GLuint column = 0; column < 4; ++column)
     gl_->VertexAttrib4f(3 + column, column == 0, column == 1, column == 2, column == 3);
 }
 
 int MeshPool::draw() const {
-  const auto pass = [&](const Object& array, const std::vector<Run>& runs) {
-    if (runs.empty()) return;
-    bind(array);
-    for (const Run& run : runs)
+  for (const Level& level : levels_) {
+    if (level.runs.empty()) continue;
+    bind(level);
+    for (const Run& run : level.runs)
       gl_->DrawElements(GL_TRIANGLES, GLsizei(run.count), GL_UNSIGNED_INT,
                         reinterpret_cast<const void*>(std::size_t(run.first) * sizeof(std::uint32_t)));
-  };
-  pass(fine_array_, fine_runs_);
-  pass(coarse_array_, coarse_runs_);
+  }
   return draw_calls();
 }
 
 void MeshPool::draw_all() const {
-  bind(fine_array_);
-  gl_->DrawElements(GL_TRIANGLES, GLsizei(index_ranges_.used()), GL_UNSIGNED_INT, nullptr);
+  bind(levels_[0]);
+  gl_->DrawElements(GL_TRIANGLES, GLsizei(index_count()), GL_UNSIGNED_INT, nullptr);
 }
 
 std::int64_t MeshPool::triangles() const {
   std::int64_t indices = 0;
-  for (const auto* runs : {&fine_runs_, &coarse_runs_})
-    for (const Run& run : *runs) indices += run.count;
+  for (const Level& level : levels_)
+    for (const Run& run : level.runs) indices += run.count;
   return indices / 3;
 }
 
 void MeshPool::link() {
-  for (const bool far : {false, true}) {
-    gl_->BindVertexArray((far ? coarse_array_ : fine_array_).id());
+  for (const Level& level : levels_) {
+    gl_->BindVertexArray(level.array.id());
     gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
-    gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, (far ? coarse_ : indices_).id());
-    constexpr std::size_t kStride = sizeof(sim::MeshVertex);
-    float_attribute(*gl_, 0, 3, kStride, offsetof(sim::MeshVertex, position));
-    float_attribute(*gl_, 1, 3, kStride, offsetof(sim::MeshVertex, normal));
-    float_attribute(*gl_, 2, 1, kStride, offsetof(sim::MeshVertex, part));
-    float_attribute(*gl_, 7, 2, kStride, offsetof(sim::MeshVertex, along));
+    gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, level.buffer.id());
+    mesh_attributes(*gl_);
+    float_attribute(*gl_, 7, 2, sizeof(sim::MeshVertex), offsetof(sim::MeshVertex, along));
   }
   gl_->BindVertexArray(0);
 }

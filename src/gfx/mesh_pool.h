@@ -2,14 +2,30 @@
 // made for runs of neighbours in the buffers, so a camera move uploads nothing and costs a few draw calls.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "gfx/growing_buffer.h"
 #include "gfx/ranges.h"
+#include "sim/shape/derived.h"
 #include "sim/solids/mesh.h"
 
 namespace coaster::gfx {
+
+// Adds up the time of some work; 0 without a clock.
+struct Stopwatch {
+  const sim::Clock& clock;
+  double seconds = 0;
+  void time(const auto& work) {
+    const double began = clock ? clock() : 0;
+    work();
+    if (clock) seconds += clock() - began;
+  }
+};
+
+// Sets the attributes 0 position, 1 normal and 2 part of the bound vertex array from the bound buffer of MeshVertex.
+void mesh_attributes(const Gl& gl);
 
 class MeshPool {
  public:
@@ -20,17 +36,11 @@ class MeshPool {
   explicit MeshPool(const Gl& gl)
       : gl_(&gl),
         vertices_(gl),
-        indices_(gl),
-        coarse_(gl),
-        fine_array_(make_vertex_array(gl)),
-        coarse_array_(make_vertex_array(gl)) {}
+        levels_{{{gl, &Solid::indices, &sim::Mesh::indices, false}, {gl, &Solid::coarse, &sim::Mesh::coarse, true}}} {}
 
-  // Makes room for a solid, in its old range if it fits there. An id of kNone is a new solid.
-  void fit(const sim::Mesh& mesh, Id& id);
-  // Prepares the mesh for its range, without GL: numbers its vertices as in the buffer and fills up the range.
-  void settle(sim::Mesh& mesh, Id id);
-  // Returns the bytes written.
-  std::int64_t send(const sim::Mesh& mesh, Id id);
+  // Writes a solid, into its old range if it fits there; an id of kNone is a new solid. Numbers the mesh's vertices as
+  // in the buffer. Returns the bytes written. `watch` measures the work outside GL.
+  std::int64_t write(sim::Mesh& mesh, Id& id, Stopwatch& watch);
   void release(Id& id);
 
   // From now on draws solids closer to `eye` than `near_metres` in full. Linear in the solids; does nothing while
@@ -39,7 +49,7 @@ class MeshPool {
   // Draws all solids with the program in use; returns the number of draw calls. Locations 0 position, 1 normal, 2 part,
   // 3 to 6 the unit matrix, 7 position along the segment and the segment's index.
   int draw() const;
-  int draw_calls() const { return int(fine_runs_.size() + coarse_runs_.size()); }
+  int draw_calls() const { return int(levels_[0].runs.size() + levels_[1].runs.size()); }
   std::int64_t triangles() const;  // per draw, gaps included
   // Draws all solids in full, independent of the eye: one draw call.
   void draw_all() const;
@@ -48,7 +58,7 @@ class MeshPool {
   std::uint64_t version() const { return version_; }
 
   // One past the last index in use; 0: empty.
-  std::uint32_t index_count() const { return index_ranges_.used(); }
+  std::uint32_t index_count() const { return levels_[0].ranges.used(); }
 
  private:
   struct Solid {
@@ -60,21 +70,33 @@ class MeshPool {
   struct Run {
     std::uint32_t first = 0, count = 0;  // indices
   };
-  void write_indices(GrowingBuffer& buffer, const Ranges& ranges, Range range,
-                     const std::vector<std::uint32_t>& indices);
-  void empty(GrowingBuffer& buffer, const Ranges& ranges, Range range);
+  // All solids' indices in full, or those for distant views.
+  struct Level {
+    Level(const Gl& gl, Range Solid::*in_solid, std::vector<std::uint32_t> sim::Mesh::*in_mesh, bool distant)
+        : buffer(gl), array(make_vertex_array(gl)), range(in_solid), indices(in_mesh), far(distant) {}
+    GrowingBuffer<std::uint32_t> buffer;
+    Object array;
+    Range Solid::*range;
+    std::vector<std::uint32_t> sim::Mesh::*indices;
+    bool far;
+    Ranges ranges;
+    std::vector<Id> order;  // by position in the buffer
+    std::vector<Run> runs;
+  };
+  void fit(const sim::Mesh& mesh, Id& id);
+  void settle(sim::Mesh& mesh, Id id);
+  void write_indices(Level& level, Range range, const std::vector<std::uint32_t>& indices);
+  void empty(Level& level, Range range);
   void link();
-  void bind(const Object& array) const;
-  void gather(Range Solid::*range, bool far, const std::vector<Id>& order, std::vector<Run>& runs) const;
+  void bind(const Level& level) const;
+  void gather(Level& level) const;
 
   const Gl* gl_;
-  GrowingBuffer vertices_, indices_, coarse_;
-  Object fine_array_, coarse_array_;
-  Ranges vertex_ranges_, index_ranges_, coarse_ranges_;
+  GrowingBuffer<sim::MeshVertex> vertices_;
+  Ranges vertex_ranges_;
+  std::array<Level, 2> levels_;
   std::vector<Solid> solids_;
   std::vector<Id> free_;
-  std::vector<Id> fine_order_, coarse_order_;  // by position in the two buffers
-  std::vector<Run> fine_runs_, coarse_runs_;
   std::int64_t written_ = 0;
   std::uint64_t version_ = 0;
   bool moved_ = true;  // ranges changed since the orders were computed

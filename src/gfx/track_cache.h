@@ -23,8 +23,8 @@ struct PolylineVertex {
   glm::vec3 tangent;  // B'(t)
 };
 inline constexpr float kBreak = 3e38f;
-// Size of a slot of control points; an empty one has kBreak in p0.x.
-inline constexpr std::size_t kControlBytes = 48;
+// A slot of control points is a cubic; an empty one has kBreak in p0.x.
+inline constexpr std::size_t kControlBytes = sizeof(curve::Cubic);
 
 class TrackCache {
  public:
@@ -47,7 +47,6 @@ class TrackCache {
   const SupportCache& supports() const { return supports_; }
   // Changes whenever any of these is written or removed.
   std::uint64_t mesh_version() const { return mesh_.version() + supports_.mesh().version(); }
-  GLsizei index_count() const { return GLsizei(mesh_.index_count()); }
   // Binds the array whose instance i is the line from vertex i to vertex i+1: locations 0 and 1 are position and
   // tangent of vertex i, 2 and 3 of vertex i+1.
   void bind_lines() const { gl_->BindVertexArray(line_array_.id()); }
@@ -75,23 +74,22 @@ class TrackCache {
   };
   Slot& slot_of(world::Entity segment);
   void release(Slot& slot);
-  void release_unseen();
-  bool write_segment(const sim::SegmentShape& shape, bool on_processor, Slot& slot);
-  void write_polyline(const sim::SegmentShape& shape, Slot& slot);
+  bool write_segment(const sim::SegmentShape& shape, bool on_processor, Slot& slot, Stopwatch& watch);
+  void write_polyline(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch);
   void write_control(const sim::SegmentShape& shape, Slot& slot);
   void empty_control(Range range);
   void drop_lines();
   void drop_controls();
-  void write(GrowingBuffer& buffer, std::size_t offset, const void* data, std::size_t bytes, bool polyline);
-  void write_mesh(const sim::SegmentShape& shape, Slot& slot);
+  template <class T>
+  void write(GrowingBuffer<T>& buffer, Range range, std::span<const T> items);
+  void write_mesh(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch);
   void fill_breaks(Range range);
   void write_lines(Range range);
   void link_lines();
-  template <class Work>
-  void timed(const Work& work);
 
   const Gl* gl_;
-  GrowingBuffer lines_, controls_;
+  GrowingBuffer<PolylineVertex> lines_;
+  GrowingBuffer<curve::Cubic> controls_;
   MeshPool mesh_;
   SupportCache supports_;
   Object line_array_;
@@ -99,8 +97,7 @@ class TrackCache {
   std::vector<Slot> slots_;  // by the entity's index
   std::size_t live_ = 0;     // slots with a segment
   std::uint64_t stamp_ = 0;  // of the current sync
-  const sim::Clock* clock_ = nullptr;
-  Synced synced_;  // of the current sync
+  Synced synced_;            // of the current sync
   std::int64_t held_polyline_bytes_ = 0;
   std::vector<Placed> placed_;  // by slot of control points
   // Staging buffers; kept for their capacity.

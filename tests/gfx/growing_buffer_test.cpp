@@ -14,16 +14,15 @@ namespace growing_buffer_test {
 using GrowingBuffers = test::Studio;
 
 TEST_F(GrowingBuffers, what_they_hold_survives_growth) {
-  GrowingBuffer buffer(gl_);
+  GrowingBuffer<float> buffer(gl_);
   std::vector<float> numbers(3000);
   std::iota(numbers.begin(), numbers.end(), 0.5f);
   const std::size_t bytes = numbers.size() * sizeof(float);
-  EXPECT_TRUE(buffer.reserve(bytes));
-  EXPECT_FALSE(buffer.reserve(bytes)) << "no growth without need";
-  buffer.write(0, numbers.data(), bytes);
-  EXPECT_TRUE(buffer.reserve(100 * bytes));
+  EXPECT_TRUE(buffer.fill(numbers));
+  EXPECT_FALSE(buffer.reserve(numbers.size())) << "no growth without need";
+  EXPECT_TRUE(buffer.reserve(100 * numbers.size()));
   const float tail = -7.25f;
-  buffer.write(100 * bytes - sizeof tail, &tail, sizeof tail);
+  buffer.write(100 * numbers.size() - 1, std::span(&tail, 1));
 
   const auto read = reinterpret_cast<PFNGLGETBUFFERSUBDATAPROC>(surface_->gl_proc("glGetBufferSubData"));
   ASSERT_NE(read, nullptr);

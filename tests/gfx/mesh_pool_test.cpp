@@ -55,11 +55,11 @@ TEST_F(Pool, places_are_used_again_and_gaps_draw_nothing) {
   const Track track(test::ring_document(9, 17.3f));
   sim::Mesh mesh;
   std::vector<MeshPool::Id> ids(9, MeshPool::kNone);
+  const sim::Clock no_clock;
+  Stopwatch watch{no_clock};
   const auto send = [&](std::size_t i) {
     sim::sweep_track(track.derived.shape(track.derived.order[i]), mesh);
-    pool.fit(mesh, ids[i]);
-    pool.settle(mesh, ids[i]);
-    pool.send(mesh, ids[i]);
+    pool.write(mesh, ids[i], watch);
   };
   for (std::size_t i = 0; i < 9; ++i) send(i);
   const std::uint32_t used = pool.index_count();
