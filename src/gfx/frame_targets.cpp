@@ -1,11 +1,25 @@
 #include "gfx/frame_targets.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.h"
-#include "gfx/draw_state.h"
 
 namespace coaster::gfx {
+namespace {
+
+// Pixels with their origin at the bottom left, inside the picture.
+struct Rectangle {
+  int x, y, width, height;
+};
+Rectangle pixels_of(const view::Viewport& v, int width, int height) {
+  const auto pixel = [](float place, int limit) { return std::clamp(int(std::lround(place)), 0, limit); };
+  const int left = pixel(v.x, width), right = pixel(v.x + v.width, width);
+  const int top = pixel(v.y, height), bottom = pixel(v.y + v.height, height);
+  return {left, height - bottom, right - left, bottom - top};
+}
+
+}  // namespace
 
 void FrameTargets::set_samples(int samples) {
   const int clamped = std::clamp(samples, 0, gl_->max_samples);

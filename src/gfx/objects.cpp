@@ -102,6 +102,12 @@ base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources) 
   return program;
 }
 
+void blend(const Gl& gl, bool on) {
+  (on ? gl.Enable : gl.Disable)(GL_BLEND);
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
 void float_attribute(const Gl& gl, GLuint location, int components, std::size_t stride, std::size_t offset,
                      GLuint divisor) {
   gl.EnableVertexAttribArray(location);

@@ -90,6 +90,9 @@ struct ProgramSources {
 // functions). On failure Code::graphics with `name` and the compiler's log; line numbers count within each part.
 base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources);
 
+// Turns blending by alpha on or off; the result stays opaque over an opaque picture.
+void blend(const Gl& gl, bool on);
+
 // Sets a float attribute of the bound vertex array from the bound buffer; divisor 1: one value per instance.
 void float_attribute(const Gl& gl, GLuint location, int components, std::size_t stride, std::size_t offset,
                      GLuint divisor = 0);

@@ -1,10 +1,9 @@
 // Ground and sky, on their sides of the horizon, by shaders that follow the ray of each pixel.
+#include <algorithm>
 #include <array>
-#include <string>
 
 #include <fmt/format.h>
 
-#include "gfx/draw_state.h"
 #include "gfx/passes.h"
 #include "gfx/sun_shadows.h"
 
@@ -42,7 +41,7 @@ void draw_part(const Pass& pass, const Program& program, const Rays& rays, const
   program.set("up", rays.up);
   program.set("eye", pass.scene.view.eye);
   for (std::size_t i = 0; i < part.corners.size(); ++i)
-    program.set((fmt::format("corners[{}]", i)).c_str(), part.corners[i]);
+    program.set(fmt::format("corners[{}]", i).c_str(), part.corners[i]);
   if (!pass.scene.unseen) pass.gl.DrawArrays(GL_TRIANGLE_FAN, 0, part.count);
   pass.count(part.count - 2);
 }

@@ -1,5 +1,4 @@
 // The overlay's lines and marks, one instance each.
-#include "gfx/draw_state.h"
 #include "gfx/passes.h"
 
 namespace coaster::gfx {

@@ -1,9 +1,8 @@
 // Track and trains: into the picture and into shadow maps, from the same buffers.
-#include <string>
+#include <algorithm>
 
 #include <fmt/format.h>
 
-#include "gfx/draw_state.h"
 #include "gfx/passes.h"
 #include "gfx/sun_shadows.h"
 #include "sim/solids/track_mesh.h"
@@ -54,7 +53,7 @@ void set_colouring(const Pass& pass, const Program& program) {
   program.set("value_range", glm::vec2(values->low, values->high));
   program.set("unknown", view::kUnknownColour);
   for (std::size_t i = 0; i < view::kColourStops.size(); ++i)
-    program.set((fmt::format("stops[{}]", i)).c_str(), view::kColourStops[i]);
+    program.set(fmt::format("stops[{}]", i).c_str(), view::kColourStops[i]);
 }
 
 void draw_outlines(const Pass& pass, const TrackCache& track, const Instances& instances) {

@@ -14,30 +14,16 @@ namespace coaster::gfx {
 struct Renderer::Parts {
   const Gl& gl;
   std::shared_ptr<const ScenePrograms> programs;
-  AirBuffer air;
-  TrackCache track;
-  Instances instances;
   GpuCurves gpu_curves;
-  ValueTexture values;  // colours of the track
-  CurveDeviation deviation;
-  SunShadows shadows;
-  GpuTimer polyline_timer;
-  Object empty_array;  // for triangles without attributes
-  FrameTargets targets;
-
-  Parts(const Gl& table, std::shared_ptr<const ScenePrograms> compiled, GpuCurves with)
-      : gl(table),
-        programs(std::move(compiled)),
-        air(table),
-        track(table),
-        instances(table),
-        gpu_curves(std::move(with)),
-        values(table),
-        deviation(table),
-        shadows(table),
-        polyline_timer(table),
-        empty_array(make_vertex_array(table)),
-        targets(table) {}
+  AirBuffer air{gl};
+  TrackCache track{gl};
+  Instances instances{gl};
+  ValueTexture values{gl};  // colours of the track
+  CurveDeviation deviation{gl};
+  SunShadows shadows{gl};
+  GpuTimer polyline_timer{gl};
+  Object empty_array = make_vertex_array(gl);  // for triangles without attributes
+  FrameTargets targets{gl};
 
   void upload(const Scene& scene, DrawStats& stats);
 };
@@ -65,20 +51,17 @@ void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
 base::Result<std::unique_ptr<Renderer>> Renderer::make(const Gl& gl, int samples) {
   auto programs = make_scene_programs(gl);
   if (!programs) return programs.status();
-  std::unique_ptr<Renderer> renderer(new Renderer(
-      std::make_unique<Parts>(gl, std::make_shared<const ScenePrograms>(std::move(*programs)), GpuCurves(gl))));
-  renderer->set_samples(samples);
-  return renderer;
+  std::unique_ptr<Parts> parts(
+      new Parts{gl, std::make_shared<const ScenePrograms>(std::move(*programs)), GpuCurves(gl)});
+  return std::unique_ptr<Renderer>(new Renderer(std::move(parts), samples));
 }
 
 std::unique_ptr<Renderer> Renderer::sibling(int samples) const {
-  std::unique_ptr<Renderer> renderer(
-      new Renderer(std::make_unique<Parts>(parts_->gl, parts_->programs, parts_->gpu_curves.sibling())));
-  renderer->set_samples(samples);
-  return renderer;
+  std::unique_ptr<Parts> parts(new Parts{parts_->gl, parts_->programs, parts_->gpu_curves.sibling()});
+  return std::unique_ptr<Renderer>(new Renderer(std::move(parts), samples));
 }
 
-Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Renderer::Renderer(std::unique_ptr<Parts> parts, int samples) : parts_(std::move(parts)) { set_samples(samples); }
 Renderer::~Renderer() = default;
 
 std::string Renderer::refusal(curve::EvaluatedBy stage) const { return parts_->gpu_curves.refusal(stage); }

@@ -56,7 +56,6 @@ class Renderer {
   // Returns why a stage cannot evaluate polylines on this driver; empty if it can. draw() then uses the vertex shader:
   // the same picture.
   std::string refusal(curve::EvaluatedBy stage) const;
-  bool supports(curve::EvaluatedBy stage) const { return refusal(stage).empty(); }
 
   // 0 or 1: no multisampling; clamped to the driver's maximum.
   void set_samples(int samples);
@@ -71,7 +70,7 @@ class Renderer {
 
  private:
   struct Parts;
-  explicit Renderer(std::unique_ptr<Parts> parts);
+  Renderer(std::unique_ptr<Parts> parts, int samples);
   std::unique_ptr<Parts> parts_;
 };
 

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "base/check.h"
-#include "gfx/draw_state.h"
 
 namespace coaster::gfx {
 

@@ -24,7 +24,7 @@ class Stages : public test::Studio, public testing::WithParamInterface<Evaluated
  protected:
   void SetUp() override {
     test::Studio::SetUp();
-    if (!renderer_->supports(GetParam())) GTEST_SKIP() << renderer_->refusal(GetParam());
+    if (const std::string why = renderer_->refusal(GetParam()); !why.empty()) GTEST_SKIP() << why;
   }
   void on(Track& track, EvaluatedBy stage) const {
     track.settings.evaluation->evaluator =
@@ -209,8 +209,8 @@ using Driver = test::Studio;
 TEST_F(Driver, without_tessellation_the_vertex_shader_draws_and_the_reason_is_told) {
   gl_.PatchParameteri = nullptr;
   renderer_ = fresh();
-  EXPECT_TRUE(renderer_->supports(EvaluatedBy::vertex_shader));
-  EXPECT_TRUE(renderer_->supports(EvaluatedBy::geometry_shader));
+  EXPECT_EQ(renderer_->refusal(EvaluatedBy::vertex_shader), "");
+  EXPECT_EQ(renderer_->refusal(EvaluatedBy::geometry_shader), "");
   EXPECT_NE(renderer_->refusal(EvaluatedBy::tessellation_shader).find("need OpenGL 4.0"), std::string::npos);
   Track track(test::ring_document(9, 17.3f));
   track.settings.evaluation->evaluator = row_of(EvaluatedBy::vertex_shader);
