@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "base/check.h"
 #include "curve/cubic.h"
 
 namespace coaster::view {
@@ -32,6 +32,32 @@ Viewport with_area(Viewport v) {
 glm::vec3 towards_eye(float yaw_deg, float pitch_deg) {
   const float yaw = glm::radians(yaw_deg), pitch = glm::radians(std::clamp(pitch_deg, -89.0f, 89.0f));
   return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
+}
+
+// Returns the nearest camera with the same yaw and pitch that shows all points.
+world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3> points, Viewport viewport) {
+  viewport = with_area(viewport);
+  world::Camera out = from;
+  const glm::vec3 back = towards_eye(from.yaw_deg, from.pitch_deg);
+  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back)), up = glm::cross(back, right);
+  const float tan_y = std::tan(glm::radians(from.field_of_view_deg) * 0.5f) / kMargin,
+              tan_x = tan_y * viewport.width / viewport.height;
+  // A point at x across and b towards the eye is visible from an eye at x0, d if |x - x0| <= (d - b) tan. The largest x
+  // + b tan and -x + b tan of all points give the nearest eye that sees them all, and its position; the same for y.
+  constexpr float kLowest = std::numeric_limits<float>::lowest();
+  float right_most = kLowest, left_most = kLowest, top = kLowest, bottom = kLowest, nearest = kLowest,
+        furthest = kLowest;
+  for (const glm::vec3 p : points) {
+    const float x = glm::dot(p, right), y = glm::dot(p, up), b = glm::dot(p, back);
+    right_most = std::max(right_most, x + b * tan_x), left_most = std::max(left_most, -x + b * tan_x);
+    top = std::max(top, y + b * tan_y), bottom = std::max(bottom, -y + b * tan_y);
+    nearest = std::max(nearest, b), furthest = std::max(furthest, -b);
+  }
+  const float eye = std::max((right_most + left_most) / (2 * tan_x), (top + bottom) / (2 * tan_y));
+  const float middle = 0.5f * (nearest - furthest);
+  out.target = 0.5f * (right_most - left_most) * right + 0.5f * (top - bottom) * up + middle * back;
+  out.distance = std::max(kNearest, eye - middle);
+  return out;
 }
 
 }  // namespace
@@ -85,12 +111,9 @@ Eye ride_eye(const sim::Pose& pose, float field_of_view_deg) {
 }
 
 View orbit_view(const world::Camera& camera, Viewport viewport) { return view_of(orbit_eye(camera), viewport); }
-View ride_view(const sim::Pose& pose, Viewport viewport) {
-  return view_of(ride_eye(pose, world::Camera{}.field_of_view_deg), viewport);
-}
 
 world::FlyCamera fly_from(const View& view) {
-  const glm::vec3 forward = line_of_sight(view), up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  const glm::vec3 forward = line_of_sight(view), up = top_of(view);
   // Looking straight up or down, the picture's up direction defines the yaw.
   const glm::vec3 ahead = std::abs(forward.y) < 0.9999f ? forward : -std::copysign(1.0f, forward.y) * up;
   world::FlyCamera fly;
@@ -133,32 +156,6 @@ std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point) {
   const double along = -(w.x * d.x + w.z * d.z) / flat;
   if (!(along >= 0) || along > kFurthest) return std::nullopt;
   return static_cast<float>(ray.origin.y + along * d.y);
-}
-
-world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3> points, Viewport viewport) {
-  COASTER_CHECK(!points.empty(), "framing needs at least one point");
-  viewport = with_area(viewport);
-  world::Camera out = from;
-  const glm::vec3 back = towards_eye(from.yaw_deg, from.pitch_deg);
-  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back)), up = glm::cross(back, right);
-  const float tan_y = std::tan(glm::radians(from.field_of_view_deg) * 0.5f) / kMargin,
-              tan_x = tan_y * viewport.width / viewport.height;
-  // A point at x across and b towards the eye is visible from an eye at x0, d if |x - x0| <= (d - b) tan. The largest x
-  // + b tan and -x + b tan of all points give the nearest eye that sees them all, and its position; the same for y.
-  constexpr float kLowest = std::numeric_limits<float>::lowest();
-  float right_most = kLowest, left_most = kLowest, top = kLowest, bottom = kLowest, nearest = kLowest,
-        furthest = kLowest;
-  for (const glm::vec3 p : points) {
-    const float x = glm::dot(p, right), y = glm::dot(p, up), b = glm::dot(p, back);
-    right_most = std::max(right_most, x + b * tan_x), left_most = std::max(left_most, -x + b * tan_x);
-    top = std::max(top, y + b * tan_y), bottom = std::max(bottom, -y + b * tan_y);
-    nearest = std::max(nearest, b), furthest = std::max(furthest, -b);
-  }
-  const float eye = std::max((right_most + left_most) / (2 * tan_x), (top + bottom) / (2 * tan_y));
-  const float middle = 0.5f * (nearest - furthest);
-  out.target = 0.5f * (right_most - left_most) * right + 0.5f * (top - bottom) * up + middle * back;
-  out.distance = std::max(kNearest, eye - middle);
-  return out;
 }
 
 world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport) {

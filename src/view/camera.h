@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include <glm/glm.hpp>
 
@@ -24,8 +23,10 @@ struct View {
   glm::vec3 eye{0};
   Viewport viewport;
 };
-// Returns the unit direction into the picture.
+// Return the unit directions into the picture, to its right and to its top.
 inline glm::vec3 line_of_sight(const View& v) { return -glm::vec3(v.view[0][2], v.view[1][2], v.view[2][2]); }
+inline glm::vec3 right_of(const View& v) { return {v.view[0][0], v.view[1][0], v.view[2][0]}; }
+inline glm::vec3 top_of(const View& v) { return {v.view[0][1], v.view[1][1], v.view[2][1]}; }
 
 struct Ray {
   glm::vec3 origin, direction;  // unit
@@ -53,7 +54,6 @@ Eye ride_eye(const sim::Pose& pose, float field_of_view_deg);
 View view_of(const Eye& eye, Viewport viewport);
 
 View orbit_view(const world::Camera& camera, Viewport viewport);
-View ride_view(const sim::Pose& pose, Viewport viewport);
 
 // Returns the fly camera that is closest to this view.
 world::FlyCamera fly_from(const View& view);
@@ -68,10 +68,8 @@ std::optional<glm::vec3> meet_plane(const Ray& ray, glm::vec3 point, glm::vec3 n
 // Returns the height (y) on the vertical line through `point` that is nearest to the ray.
 std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point);
 
-// Returns the nearest camera with the same yaw and pitch that shows all points (at least one) with a margin, at the
-// viewport's aspect ratio.
-world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3> points, Viewport viewport);
-// The same for a box.
+// Returns the nearest camera with the same yaw and pitch that shows a box with a margin, at the viewport's aspect
+// ratio.
 world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport);
 // The same for the whole track (40 m about the origin if it is empty) or for one entity.
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport);

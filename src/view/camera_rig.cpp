@@ -15,6 +15,8 @@ using glm::dquat;
 using glm::dvec3;
 using world::CameraMode;
 
+bool goes_along(CameraMode mode) { return mode == CameraMode::ride || mode == CameraMode::chase; }
+
 const world::CartMotion* ridden_cart(const Watched& w, world::Entity& cart) {
   if (w.derived.order.empty()) return nullptr;
   cart = world::first_cart(w.document);
@@ -67,7 +69,7 @@ Eye with_train(CameraRig& rig, const Watched& w, int ticks, bool switched) {
 
 Eye target_eye(CameraRig& rig, const Watched& w, int ticks, bool switched) {
   const world::Settings& s = w.settings;
-  if (rig.mode == CameraMode::ride || rig.mode == CameraMode::chase) {
+  if (goes_along(rig.mode)) {
     const Eye eye = with_train(rig, w, ticks, switched);
     if (usable(eye)) return eye;
     rig.with_train = false;
@@ -102,11 +104,10 @@ Eye eased(const CameraRig& rig, const Eye& to) {
 CameraMode shown_mode(const Watched& w) {
   const CameraMode chosen = w.settings.camera_mode;
   world::Entity cart;
-  const bool goes_along = chosen == CameraMode::ride || chosen == CameraMode::chase;
-  return goes_along && !ridden_cart(w, cart) ? CameraMode::orbit : chosen;
+  return goes_along(chosen) && !ridden_cart(w, cart) ? CameraMode::orbit : chosen;
 }
 
-bool steps(const CameraRig& rig) { return rig.mode == CameraMode::ride || rig.mode == CameraMode::chase; }
+bool steps(const CameraRig& rig) { return goes_along(rig.mode); }
 
 void follow(CameraRig& rig, const Watched& w, int ticks) {
   const CameraMode mode = shown_mode(w);
@@ -114,7 +115,7 @@ void follow(CameraRig& rig, const Watched& w, int ticks) {
              changed = !rig.begun || mode != rig.mode || reduced != rig.reduced;
   const Eye before = rig.eye;
   const bool switched = mode != rig.mode;
-  rig.with_train = rig.with_train && (mode == CameraMode::ride || mode == CameraMode::chase);
+  rig.with_train = rig.with_train && goes_along(mode);
   rig.mode = mode, rig.reduced = reduced;
   const Eye to = target_eye(rig, w, ticks, switched);
   if (reduced || !rig.begun || (changed && !w.eased)) rig.ticks_left = 0;

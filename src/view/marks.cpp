@@ -29,15 +29,23 @@ std::vector<world::Entity> knots_with_handles(const world::Document& document, c
   return {};
 }
 
+std::optional<PlacedMark> placed_mark(const Projector& projector, const View& view, PickKind kind, world::Entity knot,
+                                      glm::vec3 position) {
+  const auto pixel = projector(position);
+  if (!pixel) return std::nullopt;
+  const glm::dvec3 away = glm::dvec3(position) - glm::dvec3(view.eye);
+  return PlacedMark{kind, knot, position, *pixel, glm::dot(away, away), 0};
+}
+
 std::vector<PlacedMark> marks_on_screen(const world::Document& document, const world::Settings& settings,
                                         const View& view) {
   const Projector projector(view);
   std::vector<PlacedMark> marks;
   const auto add = [&](PickKind kind, world::Entity knot, glm::vec3 position, std::size_t order) {
-    const auto pixel = projector(position);
-    if (!pixel) return;
-    const glm::dvec3 away = glm::dvec3(position) - glm::dvec3(view.eye);
-    marks.push_back({kind, knot, position, *pixel, glm::dot(away, away), order});
+    auto mark = placed_mark(projector, view, kind, knot, position);
+    if (!mark) return;
+    mark->order = order;
+    marks.push_back(*mark);
   };
   const std::vector<world::Entity>& knots = document.track.knots;
   for (std::size_t i = 0; i < knots.size(); ++i)

@@ -29,6 +29,10 @@ struct PlacedMark {
   std::size_t order = 0;  // index in the track; the in-handle comes before the out-handle
 };
 
+// Returns a mark without its order; nothing if it is not on screen.
+std::optional<PlacedMark> placed_mark(const Projector& projector, const View& view, PickKind kind, world::Entity knot,
+                                      glm::vec3 position);
+
 // Returns the marks of knots and of the selection's handles, in no particular order.
 std::vector<PlacedMark> marks_on_screen(const world::Document& document, const world::Settings& settings,
                                         const View& view);

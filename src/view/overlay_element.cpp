@@ -43,7 +43,7 @@ struct Sketch {
   Overlay& overlay;
   float scale;
   void line(dvec3 from, dvec3 to, float width_px, std::uint32_t rgba) const {
-    overlay.lines.push_back({glm::vec3(from), glm::vec3(to), width_px * scale, rgba});
+    add_line(from, to, width_px * scale, rgba, overlay);
   }
   void rimmed(dvec3 from, dvec3 to, float width_px, std::uint32_t rgba) const {
     line(from, to, width_px + 2, kRimColour);
@@ -121,8 +121,8 @@ void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narr
   constexpr std::size_t kMostKnots = 400;
   const std::vector<world::Knot>& knots = plan.fit.knots;
   for (std::size_t k = 1; k < knots.size() && knots.size() <= kMostKnots; ++k) {
-    overlay.marks.push_back({knots[k].position, 4.0f * scale, 0x1b1f27ff, MarkShape::disc});
-    overlay.marks.push_back({knots[k].position, 3.0f * scale, kElementColour, MarkShape::disc});
+    add_disc(knots[k].position, 4.0f * scale, 0x1b1f27ff, overlay);
+    add_disc(knots[k].position, 3.0f * scale, kElementColour, overlay);
   }
 }
 

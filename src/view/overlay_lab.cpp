@@ -18,26 +18,14 @@ namespace {
 
 constexpr double kMaxOffset = 1e4;  // m, limit of a magnified error
 
-void disc(glm::dvec3 at, float radius_px, std::uint32_t rgba, Overlay& overlay) {
-  overlay.marks.push_back({glm::vec3(at), radius_px, rgba, MarkShape::disc});
-}
-
 // Returns the segments whose rounding is shown, with at most kMaxRoundingVertices together.
 std::vector<world::Entity> rounded_segments(const world::Document& document, const sim::Derived& derived,
                                             const world::Settings& settings) {
-  const world::Entity selected = settings.selected;
-  if (document.entities.find<world::Segment>(selected)) return {selected};
-  std::vector<world::Entity> out;
-  if (document.entities.find<world::Knot>(selected)) {
-    const world::Neighbours at = world::neighbours(document, selected);
-    if (at.before.valid()) out.push_back(at.before);
-    if (at.after.valid() && at.after != at.before) out.push_back(at.after);
-    return out;
-  }
+  const std::vector<world::Entity> selected = selected_segments(document, settings.selected);
+  if (!selected.empty()) return selected;
   const auto most = static_cast<std::size_t>(kMaxRoundingVertices / (settings.evaluation->steps + 1));
-  out.assign(derived.order.begin(),
-             derived.order.begin() + static_cast<std::ptrdiff_t>(std::min(most, derived.order.size())));
-  return out;
+  return {derived.order.begin(),
+          derived.order.begin() + static_cast<std::ptrdiff_t>(std::min(most, derived.order.size()))};
 }
 
 void add_rounding(const sim::SegmentShape& shape, const world::Settings& settings, Overlay& overlay) {
@@ -58,7 +46,7 @@ void add_rounding(const sim::SegmentShape& shape, const world::Settings& setting
     add_line(r.exact[i], moved[i], 1.0f * scale, faded(kRoundingColour, 0x60), overlay);
   for (std::size_t i = 0; i + 1 < last; ++i) add_line(moved[i], moved[i + 1], 1.75f * scale, kRoundingColour, overlay);
   add_line(moved[last - 1], moved[last], 3.0f * scale, kSeamColour, overlay);
-  if (last > 1) disc(moved[last - 1], 3.5f * scale, kSeamColour, overlay);
+  if (last > 1) add_disc(moved[last - 1], 3.5f * scale, kSeamColour, overlay);
 }
 
 // Appends a layer's lines, each over a dark rim, so that they read on sky, ground and rails. Layers with thousands of
@@ -85,9 +73,9 @@ void add_construction(const sim::SegmentShape& shape, double t, const View& view
   // The last two points span the tangent: B'(t) = 3 (second[1] - second[0]).
   const double third = glm::length(c.second[1] - c.second[0]);
   add_arrow(c.point, curve::unit_tangent(shape.key.cubic, t), third, view, 2.75f * scale, kTangentColour, overlay);
-  for (const glm::dvec3 at : c.first) disc(at, 3.5f * scale, kConstructionColour, overlay);
-  for (const glm::dvec3 at : c.second) disc(at, 4.25f * scale, kConstructionColour, overlay);
-  disc(c.point, 5.5f * scale, kTangentColour, overlay);
+  for (const glm::dvec3 at : c.first) add_disc(at, 3.5f * scale, kConstructionColour, overlay);
+  for (const glm::dvec3 at : c.second) add_disc(at, 4.25f * scale, kConstructionColour, overlay);
+  add_disc(c.point, 5.5f * scale, kTangentColour, overlay);
 }
 
 void add_circle(const sim::SegmentShape& shape, double t, float scale, Overlay& overlay) {
@@ -105,7 +93,7 @@ void add_circle(const sim::SegmentShape& shape, double t, float scale, Overlay& 
     before = at;
   }
   add_line(centre, touch, 1.25f * scale, faded(kCircleColour, 0xa0), overlay);
-  disc(centre, 3.0f * scale, kCircleColour, overlay);
+  add_disc(centre, 3.0f * scale, kCircleColour, overlay);
 }
 
 void add_rounding(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,

@@ -15,6 +15,21 @@ double PixelScale::operator()(glm::dvec3 at) const {
   return depth > 0 ? focal_px_ / depth : 0;
 }
 
+std::vector<world::Entity> selected_segments(const world::Document& document, world::Entity selected) {
+  if (document.entities.find<world::Segment>(selected)) return {selected};
+  if (!document.entities.find<world::Knot>(selected)) return {};
+  const world::Neighbours at = world::neighbours(document, selected);
+  std::vector<world::Entity> out{at.before, at.after};
+  std::erase(out, world::kNone);
+  return out;
+}
+
+glm::dvec3 over_rails(const sim::Derived& derived, double distance, double height) {
+  const sim::TrackPlace place = sim::place_at(derived, distance);
+  const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
+  return curve::point(shape.key.cubic, shape.arc.parameter(place.s)) + height * sim::frame_at(shape, place.s).up;
+}
+
 void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px,
                std::uint32_t rgba, Overlay& overlay) {
   constexpr double kBarb = 0.3, kHalfWidth = 0.14,
@@ -34,24 +49,17 @@ void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> gly
   constexpr std::uint32_t kInk = 0x1b1f27ff;
   const double px_per_metre = PixelScale(view)(at);
   if (!(px_per_metre > 0)) return;
-  overlay.marks.push_back({glm::vec3(at), 11 * scale, rgba, MarkShape::disc});
+  add_disc(at, 11 * scale, rgba, overlay);
   // Dots, because marks are drawn over lines.
-  const glm::dvec3 right(view.view[0][0], view.view[1][0], view.view[2][0]),
-      up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  const glm::dvec3 right(right_of(view)), up(top_of(view));
   const double metres = static_cast<double>(scale) / px_per_metre;
-  for (const glm::dvec2 dot : glyph)
-    overlay.marks.push_back(
-        {glm::vec3(at + metres * (dot.x * right + dot.y * up)), 1.5f * scale, kInk, MarkShape::disc});
+  for (const glm::dvec2 dot : glyph) add_disc(at + metres * (dot.x * right + dot.y * up), 1.5f * scale, kInk, overlay);
 }
 
 void add_band(const sim::Derived& derived, double from, double to, int pieces, float width_px, std::uint32_t rgba,
               Overlay& overlay) {
   constexpr double kOver = 0.35;  // m above the rails
-  const auto at = [&](double distance) {
-    const sim::TrackPlace place = sim::place_at(derived, distance);
-    const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
-    return curve::point(shape.key.cubic, shape.arc.parameter(place.s)) + kOver * sim::frame_at(shape, place.s).up;
-  };
+  const auto at = [&](double distance) { return over_rails(derived, distance, kOver); };
   glm::dvec3 before = at(from);
   for (int i = 1; i <= pieces; ++i) {
     const glm::dvec3 next = at(from + (to - from) * i / pieces);
@@ -62,19 +70,15 @@ void add_band(const sim::Derived& derived, double from, double to, int pieces, f
 
 std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& view) {
   constexpr float kNearest = 1;  // m: closer track gets no more detail
-  // Rows of the view matrix are the camera's axes; a sphere is outside if it lies beyond a side plane of the frustum.
-  const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]),
-      up(view.view[0][1], view.view[1][1], view.view[2][1]);
-  const glm::vec3 forward = line_of_sight(view);
+  const glm::vec3 right = right_of(view), up = top_of(view), forward = line_of_sight(view);
   const float fx = view.projection[0][0], fy = view.projection[1][1];
+  // A sphere is outside if it lies beyond a side plane of the frustum.
   const float side_x = std::sqrt(1 + fx * fx), side_y = std::sqrt(1 + fy * fy);
   const float focal_px = 0.5f * view.viewport.height * fy;
   std::vector<SeenSegment> seen;
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const sim::SegmentShape& shape = derived.shape(derived.order[i]);
-    const curve::Cubic& c = shape.key.cubic;
-    const glm::vec3 low = glm::min(glm::min(c.p0, c.p1), glm::min(c.p2, c.p3)),
-                    high = glm::max(glm::max(c.p0, c.p1), glm::max(c.p2, c.p3));
+    const auto [low, high] = curve::control_box(shape.key.cubic);
     const float radius = 0.5f * glm::length(high - low);
     const glm::vec3 off = 0.5f * (low + high) - view.eye;
     const float depth = glm::dot(off, forward);

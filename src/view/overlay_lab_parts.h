@@ -25,6 +25,16 @@ inline void add_line(glm::dvec3 from, glm::dvec3 to, float width_px, std::uint32
   overlay.lines.push_back({glm::vec3(from), glm::vec3(to), width_px, rgba});
 }
 
+inline void add_disc(glm::dvec3 at, float radius_px, std::uint32_t rgba, Overlay& overlay) {
+  overlay.marks.push_back({glm::vec3(at), radius_px, rgba, MarkShape::disc});
+}
+
+// Returns the selected segment, or the segments at the selected knot.
+std::vector<world::Entity> selected_segments(const world::Document& document, world::Entity selected);
+
+// Returns the point `height` metres above the rails at a distance along the track.
+glm::dvec3 over_rails(const sim::Derived& derived, double distance, double height);
+
 // Adds an arrow from `from` along the unit `direction`, `length` metres long. Its head, two barbs that face the eye, is
 // left out where the view is along it.
 void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px,

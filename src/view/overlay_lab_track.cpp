@@ -127,8 +127,7 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
   constexpr int kPieces = 12;
   constexpr double kCrossPx = 7, kNormalPx = 40, kBeside = 0.02;
   const PixelScale pixels(view);
-  const glm::dvec3 right(view.view[0][0], view.view[1][0], view.view[2][0]),
-      up(view.view[0][1], view.view[1][1], view.view[2][1]);
+  const glm::dvec3 right(right_of(view)), up(top_of(view));
   int drawn = 0;
   for (const sim::FrenetBreak& at : breaks) {
     const sim::SegmentShape* const shape = derived.segments.find(at.segment);

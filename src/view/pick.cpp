@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "view/beam.h"
@@ -24,67 +23,40 @@ bool inside(const PlacedMark& mark, dvec2 pixel, double scale) {
   return glm::dot(off, off) <= kKnotRadius * scale * kKnotRadius * scale;
 }
 
-// Finds the mark under a pixel among those of marks_on_screen(); knots by the segment tree, not one by one.
-class MarksAt {
- public:
-  MarksAt(const world::Document& document, const world::Settings& settings, const View& view, dvec2 pixel)
-      : document_(document), settings_(settings), projector_(view), eye_(view.eye), pixel_(pixel) {}
-
-  // `place`: index of the knot in the track.
-  void try_knot(std::size_t place) {
-    const world::Entity knot = document_.track.knots[place];
-    try_mark(PickKind::knot, knot, world::knot(document_, knot).position, [place] { return place; });
-  }
-  void try_handles(world::Entity e) {
-    const world::Knot& knot = world::knot(document_, e);
-    const auto order = [&] { return 2 * world::index_of(document_.track.knots, e).value_or(0); };
+// Returns the topmost of marks_on_screen() under a pixel. Finds knots by the segment tree, not one by one.
+std::optional<Pick> pick_mark(const world::Document& document, const sim::Derived& derived,
+                              const world::Settings& settings, const View& view, glm::vec2 pixel) {
+  const Projector projector(view);
+  const std::vector<world::Entity>& knots = document.track.knots;
+  std::optional<PlacedMark> best;
+  const auto try_mark = [&](PickKind kind, world::Entity knot, glm::vec3 position, const auto& order) {
+    auto mark = placed_mark(projector, view, kind, knot, position);
+    if (!mark || !inside(*mark, pixel, settings.look->ui_scale)) return;
+    mark->order = order();
+    if (!best || covers(*mark, *best)) best = mark;
+  };
+  const auto try_knot = [&](std::size_t i) {
+    try_mark(PickKind::knot, knots[i], world::knot(document, knots[i]).position, [i] { return i; });
+  };
+  for (const world::Entity e : knots_with_handles(document, settings)) {
+    const world::Knot& knot = world::knot(document, e);
+    const auto order = [&] { return 2 * world::index_of(knots, e).value_or(0); };
     try_mark(PickKind::handle_in, e, world::in_handle(knot), order);
     try_mark(PickKind::handle_out, e, world::out_handle(knot), [&] { return order() + 1; });
   }
-  std::optional<Pick> best() const {
-    if (!best_) return std::nullopt;
-    return Pick{best_->kind, best_->knot, 0, best_->position};
-  }
-
- private:
-  template <class Order>
-  void try_mark(PickKind kind, world::Entity knot, glm::vec3 position, const Order& order) {
-    const auto seen = projector_(position);
-    if (!seen) return;
-    PlacedMark mark{kind, knot, position, *seen, 0, 0};
-    if (!inside(mark, pixel_, settings_.look->ui_scale)) return;
-    const dvec3 away = dvec3(position) - eye_;
-    mark.distance = glm::dot(away, away);
-    mark.order = order();
-    if (!best_ || covers(mark, *best_)) best_ = mark;
-  }
-
-  const world::Document& document_;
-  const world::Settings& settings_;
-  Projector projector_;
-  dvec3 eye_;
-  dvec2 pixel_;
-  std::optional<PlacedMark> best_;
-};
-
-std::optional<Pick> pick_mark(const world::Document& document, const sim::Derived& derived,
-                              const world::Settings& settings, const View& view, glm::vec2 pixel) {
-  MarksAt marks(document, settings, view, pixel);
-  for (const world::Entity e : knots_with_handles(document, settings)) marks.try_handles(e);
-  if (const auto handle = marks.best()) return handle;  // handles are over knots
-  const std::size_t count = document.track.knots.size();
-  if (derived.order.empty()) {
-    for (std::size_t i = 0; i < count; ++i) marks.try_knot(i);
-  } else {
+  if (!best && derived.order.empty()) {
+    for (std::size_t i = 0; i < knots.size(); ++i) try_knot(i);
+  } else if (!best) {  // handles are over knots
     // Segment i goes from knot i to the next one.
     const double reach = 1.001 * static_cast<double>(kKnotRadius * settings.look->ui_scale);
     (void)visit_near(
         derived.tree, Beam(view, pixel), [reach] { return reach; },
         [&](std::size_t i) {
-          if (i < count) marks.try_knot(i), marks.try_knot((i + 1) % count);
+          if (i < knots.size()) try_knot(i), try_knot((i + 1) % knots.size());
         });
   }
-  return marks.best();
+  if (!best) return std::nullopt;
+  return Pick{best->kind, best->knot, 0, best->position};
 }
 
 glm::vec3 cart_middle(const sim::Pose& pose) {
@@ -132,58 +104,54 @@ double distance_to_car(const Ray& ray, const sim::Pose& pose) {
   return nearest;
 }
 
-// Calls visit(cart, pose) for every car of every train.
-template <class Visit>
-void for_each_car(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
-                  const world::Settings& settings, Visit visit) {
-  for (std::size_t i = 0; i < motion.carts.size(); ++i) {
-    const world::CartMotion& cart = motion.carts.items()[i];
-    if (!derived.segments.contains(cart.segment)) continue;
-    for (const sim::Pose& car : sim::car_poses(document, derived, motion.carts.entities()[i], cart, settings.frames))
-      visit(motion.carts.entities()[i], car);
-  }
-}
+// A car under a pixel.
+struct Hit {
+  double distance;  // m from the eye
+  glm::vec3 position;
+};
 
-std::optional<Pick> pick_cart(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
-                              const world::Settings& settings, const View& view, glm::vec2 pixel) {
-  if (motion.carts.size() == 0) return std::nullopt;
-  const Ray ray = ray_through(view, pixel);
-  double nearest = kNowhere;
-  Pick best;
-  for_each_car(document, derived, motion, settings, [&](world::Entity cart, const sim::Pose& car) {
-    const double distance = distance_to_car(ray, car);
-    if (!(distance < nearest)) return;
-    nearest = distance;
-    best = {PickKind::cart, cart, 0, ray.origin + static_cast<float>(distance) * ray.direction};
-  });
-  if (best.kind == PickKind::none) return std::nullopt;
-  return best;
-}
-
-// A distant car is smaller than the knot below it, so a few pixels around its middle also pick it. The one nearest to
-// the eye wins.
-std::optional<Pick> pick_distant_cart(const world::Document& document, const sim::Derived& derived,
-                                      const world::Motion& motion, const world::Settings& settings, const View& view,
-                                      glm::vec2 pixel) {
-  constexpr double kNotTheRiders = 2.5;  // m from the eye
-  const float reach = kCartReach * settings.look->ui_scale;
+// Returns the nearest of the cars for which hit(pose) gives a hit.
+template <class HitCar>
+std::optional<Pick> nearest_cart(const world::Document& document, const sim::Derived& derived,
+                                 const world::Motion& motion, const world::Settings& settings, const HitCar& hit_car) {
   double nearest = kNowhere;
   std::optional<Pick> best;
-  for_each_car(document, derived, motion, settings, [&](world::Entity cart, const sim::Pose& car) {
-    const glm::vec3 middle = cart_middle(car);
-    const auto seen = project(view, middle);
-    if (!seen || std::abs(seen->z) > 1 || glm::distance(glm::dvec3(view.eye), car.position) < kNotTheRiders) return;
-    const double distance = glm::distance(glm::dvec3(view.eye), glm::dvec3(middle));
-    if (glm::distance(glm::vec2(seen->x, seen->y), pixel) > reach || !(distance < nearest)) return;
-    nearest = distance;
-    best = Pick{PickKind::cart, cart, 0, middle};
-  });
+  for (std::size_t i = 0; i < motion.carts.size(); ++i) {
+    const world::CartMotion& cart = motion.carts.items()[i];
+    const world::Entity entity = motion.carts.entities()[i];
+    if (!derived.segments.contains(cart.segment)) continue;
+    for (const sim::Pose& car : sim::car_poses(document, derived, entity, cart, settings.frames)) {
+      const std::optional<Hit> hit = hit_car(car);
+      if (!hit || !(hit->distance < nearest)) continue;
+      nearest = hit->distance;
+      best = Pick{PickKind::cart, entity, 0, hit->position};
+    }
+  }
   return best;
 }
 
-}  // namespace
-
-namespace {
+// Picks a car by its boxes; if none is hit, by a few pixels around its middle, because a distant car is smaller than
+// the knot below it.
+std::optional<Pick> pick_cart(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
+                              const world::Settings& settings, const View& view, glm::vec2 pixel) {
+  constexpr double kNotTheRiders = 2.5;  // m from the eye
+  const Ray ray = ray_through(view, pixel);
+  const float reach = kCartReach * settings.look->ui_scale;
+  const auto by_box = [&](const sim::Pose& car) {
+    const double distance = distance_to_car(ray, car);
+    return std::optional(Hit{distance, ray.origin + static_cast<float>(distance) * ray.direction});
+  };
+  const auto by_middle = [&](const sim::Pose& car) -> std::optional<Hit> {
+    const glm::vec3 middle = cart_middle(car);
+    const auto seen = project(view, middle);
+    if (!seen || std::abs(seen->z) > 1 || glm::distance(glm::dvec3(view.eye), car.position) < kNotTheRiders ||
+        glm::distance(glm::vec2(seen->x, seen->y), pixel) > reach)
+      return std::nullopt;
+    return Hit{glm::distance(glm::dvec3(view.eye), glm::dvec3(middle)), middle};
+  };
+  if (const auto cart = nearest_cart(document, derived, motion, settings, by_box)) return cart;
+  return nearest_cart(document, derived, motion, settings, by_middle);
+}
 
 // Returns the selected segment if the pixel is on the mark of its picked position.
 std::optional<Pick> pick_place(const sim::Derived& derived, const world::Settings& settings, const View& view,
@@ -206,7 +174,6 @@ Pick pick(const world::Document& document, const sim::Derived& derived, const wo
     if (const PickKind part = pick_gizmo(*gizmo, view, settings.look->ui_scale, pixel); part != PickKind::none)
       return {part, world::kNone, 0, gizmo->at};
   if (const auto cart = pick_cart(document, derived, motion, settings, view, pixel)) return *cart;
-  if (const auto cart = pick_distant_cart(document, derived, motion, settings, view, pixel)) return *cart;
   if (const auto place = pick_place(derived, settings, view, pixel)) return *place;
   return pick_curve(derived, view, pixel, kCurveReach * settings.look->ui_scale).value_or(Pick{});
 }
@@ -215,13 +182,6 @@ std::optional<glm::vec3> position_of(const world::Document& document, const sim:
                                      const world::Motion& motion, PickKind kind, world::Entity entity, double t) {
   const world::Knot* const knot = document.entities.find<world::Knot>(entity);
   switch (kind) {
-    case PickKind::none:
-    case PickKind::axis_x:
-    case PickKind::axis_y:
-    case PickKind::axis_z:
-    case PickKind::plane_x:
-    case PickKind::plane_y:
-    case PickKind::plane_z: return std::nullopt;
     case PickKind::knot: return knot ? std::optional(knot->position) : std::nullopt;
     case PickKind::handle_in: return knot ? std::optional(world::in_handle(*knot)) : std::nullopt;
     case PickKind::handle_out: return knot ? std::optional(world::out_handle(*knot)) : std::nullopt;
@@ -234,8 +194,8 @@ std::optional<glm::vec3> position_of(const world::Document& document, const sim:
       const sim::SegmentShape* const shape = derived.segments.find(entity);
       return shape ? std::optional(glm::vec3(curve::point(shape->key.cubic, t))) : std::nullopt;
     }
+    default: return std::nullopt;  // nothing, and parts of the gizmo
   }
-  return std::nullopt;
 }
 
 }  // namespace coaster::view

@@ -7,6 +7,8 @@
 #include <bit>
 #include <cstddef>
 
+#include "curve/bernstein.h"
+
 namespace coaster::view {
 
 using Bernstein8 = std::array<double, 9>;
@@ -74,9 +76,7 @@ template <std::size_t N, class Found>
 void each_root(const std::array<double, N>& c, const Found& found) {
   const auto value = [&c](double t) {
     std::array<double, N> row = c;
-    for (std::size_t level = N; level > 1; --level)
-      for (std::size_t i = 0; i + 1 < level; ++i) row[i] = (1 - t) * row[i] + t * row[i + 1];
-    return row[0];
+    return curve::de_casteljau_in_place<double, double>(row, t);
   };
   each_crossing(c, 0, 1, [&](Bracket at, bool rising) {
     for (int i = 0; i < 60 && at.high - at.low > 1e-16; ++i) {

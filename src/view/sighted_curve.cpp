@@ -91,15 +91,11 @@ double refined(const Screen& s, Bracket at) {
 
 int sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-int first_sign(const Bernstein8& n) {
-  for (const double c : n)
-    if (c != 0) return sign(c);
-  return 0;
-}
-int last_sign(const Bernstein8& n) {
-  for (std::size_t i = n.size(); i-- > 0;)
-    if (n[i] != 0) return sign(n[i]);
-  return 0;
+// Returns the sign of the first coefficient that is not 0.
+template <class It>
+int first_sign(It from, It to) {
+  const It found = std::find_if(from, to, [](double c) { return c != 0; });
+  return found == to ? 0 : sign(*found);
 }
 
 void add(SightedPlaces& places, const SightedPlace& place) {
@@ -113,9 +109,9 @@ void add_places(const Screen& s, double from, double to, SightedPlaces& places) 
     return place;
   };
   const Bernstein8 n = slope_polynomial(s);
-  if (first_sign(n) >= 0) add(places, in_whole(place_at(s, 0)));
+  if (first_sign(n.begin(), n.end()) >= 0) add(places, in_whole(place_at(s, 0)));
   each_rise(n, [&](const Bracket& bracket) { add(places, in_whole(place_at(s, refined(s, bracket)))); });
-  if (last_sign(n) < 0) add(places, in_whole(place_at(s, 1)));
+  if (first_sign(n.rbegin(), n.rend()) < 0) add(places, in_whole(place_at(s, 1)));
 }
 
 Screen restricted(const Screen& s, double from, double to) {

@@ -78,7 +78,7 @@ TEST(camera, the_rider_looks_forward_from_over_the_rails) {
   sim::Pose pose;
   pose.position = {3.3, 7.1, -2.9};
   pose.frame = {{0.6, 0, 0.8}, {0, 1, 0}};
-  const View v = ride_view(pose, kViewport);
+  const View v = view_of(ride_eye(pose, 45), kViewport);
   EXPECT_LT(glm::distance(v.eye, glm::vec3(3.3f, 8.2f, -2.9f)), 1e-5f);
   const auto ahead = project(v, v.eye + glm::vec3(6, 0, 8)), left = project(v, v.eye + glm::vec3(6.8f, 0, 7.4f));
   ASSERT_TRUE(ahead && left);

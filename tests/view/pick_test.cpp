@@ -173,7 +173,8 @@ TEST(pick, the_cart_that_the_eye_rides_on_is_not_picked) {
   world::Document d = test::straight_document({-20, 5, 1}, {20, 5, 1});
   world::add_cart(d, d.track.segments[0], 0.3);
   Scene scene(d);
-  scene.view = ride_view(sim::pose(scene.derived, scene.motion.carts.items()[0], world::FrameMethod::knots), kViewport);
+  const sim::Pose seat = sim::pose(scene.derived, scene.motion.carts.items()[0], world::FrameMethod::knots);
+  scene.view = view_of(ride_eye(seat, 45), kViewport);
   for (float x = 60; x < 690; x += 37)
     for (float y = 35; y < 500; y += 31)
       EXPECT_NE(pick(scene.document, scene.derived, scene.motion, scene.settings, scene.view, {x, y}).kind,
