@@ -12,85 +12,31 @@
 
 namespace coaster::platform {
 
-// Keys by their meaning on a US layout. Values of letters and digits are their ASCII codes.
+// Keys by their meaning on a US layout. X(enumerator, code, name): GLFW's codes, which are ASCII for printable keys.
+// clang-format off
+#define COASTER_KEYS(X) \
+  X(space, 32, "Space") X(apostrophe, 39, "'") X(comma, 44, ",") X(minus, 45, "-") X(period, 46, ".") \
+  X(slash, 47, "/") X(d0, 48, "0") X(d1, 49, "1") X(d2, 50, "2") X(d3, 51, "3") X(d4, 52, "4") X(d5, 53, "5") \
+  X(d6, 54, "6") X(d7, 55, "7") X(d8, 56, "8") X(d9, 57, "9") X(semicolon, 59, ";") X(equal, 61, "=") X(a, 65, "A") \
+  X(b, 66, "B") X(c, 67, "C") X(d, 68, "D") X(e, 69, "E") X(f, 70, "F") X(g, 71, "G") X(h, 72, "H") X(i, 73, "I") \
+  X(j, 74, "J") X(k, 75, "K") X(l, 76, "L") X(m, 77, "M") X(n, 78, "N") X(o, 79, "O") X(p, 80, "P") X(q, 81, "Q") \
+  X(r, 82, "R") X(s, 83, "S") X(t, 84, "T") X(u, 85, "U") X(v, 86, "V") X(w, 87, "W") X(x, 88, "X") X(y, 89, "Y") \
+  X(z, 90, "Z") X(left_bracket, 91, "[") X(backslash, 92, "\\") X(right_bracket, 93, "]") X(grave, 96, "`") \
+  X(escape, 256, "Escape") X(enter, 257, "Enter") X(tab, 258, "Tab") X(backspace, 259, "Backspace") \
+  X(insert, 260, "Insert") X(del, 261, "Delete") X(right, 262, "Right") X(left, 263, "Left") X(down, 264, "Down") \
+  X(up, 265, "Up") X(page_up, 266, "PageUp") X(page_down, 267, "PageDown") X(home, 268, "Home") X(end, 269, "End") \
+  X(f1, 290, "F1") X(f2, 291, "F2") X(f3, 292, "F3") X(f4, 293, "F4") X(f5, 294, "F5") X(f6, 295, "F6") \
+  X(f7, 296, "F7") X(f8, 297, "F8") X(f9, 298, "F9") X(f10, 299, "F10") X(f11, 300, "F11") X(f12, 301, "F12") \
+  X(keypad_enter, 335, "KeypadEnter")
+// clang-format on
 enum class Key : int {
   unknown = 0,
-  space = 32,
-  apostrophe = 39,
-  comma = 44,
-  minus = 45,
-  period = 46,
-  slash = 47,
-  d0 = 48,
-  d1,
-  d2,
-  d3,
-  d4,
-  d5,
-  d6,
-  d7,
-  d8,
-  d9,
-  semicolon = 59,
-  equal = 61,
-  a = 65,
-  b,
-  c,
-  d,
-  e,
-  f,
-  g,
-  h,
-  i,
-  j,
-  k,
-  l,
-  m,
-  n,
-  o,
-  p,
-  q,
-  r,
-  s,
-  t,
-  u,
-  v,
-  w,
-  x,
-  y,
-  z,
-  left_bracket = 91,
-  backslash = 92,
-  right_bracket = 93,
-  grave = 96,
-  escape = 256,
-  enter,
-  tab,
-  backspace,
-  insert,
-  del,
-  right,
-  left,
-  down,
-  up,
-  page_up,
-  page_down,
-  home,
-  end,
-  f1 = 290,
-  f2,
-  f3,
-  f4,
-  f5,
-  f6,
-  f7,
-  f8,
-  f9,
-  f10,
-  f11,
-  f12,
-  keypad_enter = 335
+#define X(key, code, name) key = (code),
+  COASTER_KEYS(X)
+#undef X
 };
+// Returns a key's name in scripts and settings; empty for codes that are no key.
+std::string_view name_of(Key key);
 
 struct Modifiers {
   bool shift = false, ctrl = false, alt = false;

@@ -18,29 +18,16 @@ Modifiers modifiers_of(int mods) {
   return {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_ALT) != 0};
 }
 
-// GLFW's codes of printable keys are ASCII, as ours; the other keys are in blocks of the same order.
 Key key_of(int code) {
-  if (code >= GLFW_KEY_SPACE && code <= GLFW_KEY_GRAVE_ACCENT) return static_cast<Key>(code);
-  if (code >= GLFW_KEY_ESCAPE && code <= GLFW_KEY_END)
-    return static_cast<Key>(static_cast<int>(Key::escape) + (code - GLFW_KEY_ESCAPE));
-  if (code >= GLFW_KEY_F1 && code <= GLFW_KEY_F12)
-    return static_cast<Key>(static_cast<int>(Key::f1) + (code - GLFW_KEY_F1));
-  return code == GLFW_KEY_KP_ENTER ? Key::keypad_enter : Key::unknown;
+  const Key key{code};
+  return name_of(key).empty() ? Key::unknown : key;
 }
 
 std::string utf8_of(unsigned codepoint) {
-  std::string out;
-  const auto put = [&](unsigned byte) { out += static_cast<char>(byte); };
-  if (codepoint < 0x80) {
-    put(codepoint);
-  } else if (codepoint < 0x800) {
-    put(0xc0 | codepoint >> 6), put(0x80 | (codepoint & 63));
-  } else if (codepoint < 0x10000) {
-    put(0xe0 | codepoint >> 12), put(0x80 | (codepoint >> 6 & 63)), put(0x80 | (codepoint & 63));
-  } else {
-    put(0xf0 | codepoint >> 18), put(0x80 | (codepoint >> 12 & 63)), put(0x80 | (codepoint >> 6 & 63)),
-        put(0x80 | (codepoint & 63));
-  }
+  constexpr unsigned kFirst[] = {0, 0xc0, 0xe0, 0xf0};  // marks of the first byte, by the number of bytes after it
+  int more = codepoint < 0x80 ? 0 : codepoint < 0x800 ? 1 : codepoint < 0x10000 ? 2 : 3;
+  std::string out(1, static_cast<char>(kFirst[more] | codepoint >> 6 * more));
+  while (more-- > 0) out += static_cast<char>(0x80 | (codepoint >> 6 * more & 63));
   return out;
 }
 
@@ -48,10 +35,8 @@ class WindowSurface final : public Surface {
  public:
   explicit WindowSurface(GLFWwindow* window) : window_(window), last_(glfwGetTime()) {
     glfwSetWindowUserPointer(window, this);
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
-      const PixelScale s = of(w).pixel_scale();
-      of(w).pending_.push_back(MouseMove{static_cast<float>(x * s.x), static_cast<float>(y * s.y)});
-    });
+    glfwSetCursorPosCallback(
+        window, [](GLFWwindow* w, double x, double y) { of(w).pending_.push_back(of(w).in_pixels(x, y)); });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
       if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
       const Button which = button == GLFW_MOUSE_BUTTON_LEFT    ? Button::left
@@ -86,8 +71,8 @@ class WindowSurface final : public Surface {
       glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program decides when to close
       of(w).pending_.push_back(CloseRequest{});
     });
-    load(bind_framebuffer_, "glBindFramebuffer");
-    load(blit_, "glBlitFramebuffer");
+    bind_framebuffer_ = reinterpret_cast<PFNGLBINDFRAMEBUFFERPROC>(glfwGetProcAddress("glBindFramebuffer"));
+    blit_ = reinterpret_cast<PFNGLBLITFRAMEBUFFERPROC>(glfwGetProcAddress("glBlitFramebuffer"));
   }
   ~WindowSurface() override {
     glfwDestroyWindow(window_);
@@ -159,19 +144,17 @@ class WindowSurface final : public Surface {
   }
 
  private:
-  struct PixelScale {
-    double x, y;
-  };
   static WindowSurface& of(GLFWwindow* window) {
     return *static_cast<WindowSurface*>(glfwGetWindowUserPointer(window));
   }
   // Cursor positions are in screen coordinates; on some systems these are not pixels.
-  PixelScale pixel_scale() const {
+  MouseMove in_pixels(double x, double y) const {
     int width = 1, height = 1, pixels_x = 1, pixels_y = 1;
     glfwGetWindowSize(window_, &width, &height);
     glfwGetFramebufferSize(window_, &pixels_x, &pixels_y);
-    if (width <= 0 || height <= 0) return {1, 1};
-    return {static_cast<double>(pixels_x) / width, static_cast<double>(pixels_y) / height};
+    if (width > 0 && height > 0)
+      x *= static_cast<double>(pixels_x) / width, y *= static_cast<double>(pixels_y) / height;
+    return {static_cast<float>(x), static_cast<float>(y)};
   }
   // Polls the first gamepad: GLFW reports its state, not changes. A gamepad that is unplugged releases everything.
   void poll_gamepad() {
@@ -191,11 +174,6 @@ class WindowSurface final : public Surface {
       if (down != std::exchange(pad_down_[i], down)) pending_.push_back(GamepadButton{static_cast<PadButton>(i), down});
     }
   }
-  template <class F>
-  static void load(F& function, const char* name) {
-    function = reinterpret_cast<F>(glfwGetProcAddress(name));
-  }
-
   GLFWwindow* window_;
   double last_;
   Events pending_;
@@ -228,7 +206,8 @@ base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options
   };
   if (!set("DISPLAY") && !set("WAYLAND_DISPLAY"))
     return base::Status{base::Code::graphics, "no display (DISPLAY and WAYLAND_DISPLAY are not set); use --headless"};
-  if (!glfwInit()) return base::Status{base::Code::graphics, "no window system: " + last_error() + "; use --headless"};
+  if (!glfwInit())
+    return base::Status{base::Code::graphics, fmt::format("no window system: {}; use --headless", last_error())};
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -240,7 +219,8 @@ base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options
   if (!window) {
     const std::string reason = last_error();
     glfwTerminate();
-    return base::Status{base::Code::graphics, "no window with OpenGL 3.3 core: " + reason + "; use --headless"};
+    return base::Status{base::Code::graphics,
+                        fmt::format("no window with OpenGL 3.3 core: {}; use --headless", reason)};
   }
   glfwMakeContextCurrent(window);
   glfwSwapInterval(options.vsync ? 1 : 0);

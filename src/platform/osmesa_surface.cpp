@@ -88,20 +88,14 @@ class OffscreenSurface final : public Surface {
 };
 
 OSMesaContext create_core(const OsMesa& mesa, int major, int minor) {
-  const int attributes[] = {OSMESA_FORMAT,
-                            OSMESA_RGBA,
-                            OSMESA_DEPTH_BITS,
-                            24,
-                            OSMESA_STENCIL_BITS,
-                            8,
-                            OSMESA_PROFILE,
-                            OSMESA_CORE_PROFILE,
-                            OSMESA_CONTEXT_MAJOR_VERSION,
-                            major,
-                            OSMESA_CONTEXT_MINOR_VERSION,
-                            minor,
-                            0};
-  return mesa.create(attributes, nullptr);
+  const int attributes[][2] = {{OSMESA_FORMAT, OSMESA_RGBA},
+                               {OSMESA_DEPTH_BITS, 24},
+                               {OSMESA_STENCIL_BITS, 8},
+                               {OSMESA_PROFILE, OSMESA_CORE_PROFILE},
+                               {OSMESA_CONTEXT_MAJOR_VERSION, major},
+                               {OSMESA_CONTEXT_MINOR_VERSION, minor},
+                               {0, 0}};
+  return mesa.create(attributes[0], nullptr);
 }
 
 // Returns the version of a driver that rejected 3.3, for the error message.
