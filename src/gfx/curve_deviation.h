@@ -2,7 +2,6 @@
 // processor.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "gfx/gpu_curves.h"

@@ -17,16 +17,10 @@ class GpuTimer {
   double ms() const { return ms_; }
 
  private:
-  void take_results();
-
-  struct Pending {
-    Object query;
-    bool under_way = false;
-  };
   const Gl* gl_;
-  std::array<Pending, 4> ring_;
-  std::size_t next_ = 0, oldest_ = 0;
-  bool able_ = false, begun_ = false;
+  std::array<Object, 4> ring_;          // queries; none without timers
+  std::size_t started_ = 0, read_ = 0;  // parts so far
+  bool measuring_ = false;
   double ms_ = 0;
 };
 

@@ -1,7 +1,6 @@
 // Pictures in memory and as PNG files; comparison with golden pictures.
 #pragma once
 
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>

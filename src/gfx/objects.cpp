@@ -1,6 +1,7 @@
 // Creation of OpenGL objects.
 #include "gfx/objects.h"
 
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>

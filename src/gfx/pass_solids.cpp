@@ -35,13 +35,6 @@ void draw_carts(const Pass& pass, const Instances& instances) {
   pass.stats.triangles += instances.car_triangles();
 }
 
-void set_view(const Pass& pass, const Program& program) {
-  program.use();
-  program.set("view_projection", pass.view_projection);
-  program.set("eye", pass.scene.view.eye);
-  program.set("outline", metres_of_pixels(pass.scene.view, kOutline));
-}
-
 // Sets the track's colours: the scene's values, or paint.
 void set_colouring(const Pass& pass, const Program& program) {
   const sim::TrackValues* const values = pass.scene.values;
@@ -56,13 +49,18 @@ void set_colouring(const Pass& pass, const Program& program) {
     program.set(fmt::format("stops[{}]", i).c_str(), view::kColourStops[i]);
 }
 
-void draw_outlines(const Pass& pass, const TrackCache& track, const Instances& instances) {
-  pass.gl.CullFace(GL_FRONT);
-  set_view(pass, pass.programs.outline);
-  set_colouring(pass, pass.programs.outline);
+// Draws everything by a program, without the faces that are `hidden`.
+void draw_all(const Pass& pass, const Program& program, GLenum hidden, const TrackCache& track,
+              const Instances& instances, const SunShadows& shadows) {
+  pass.gl.CullFace(hidden);
+  program.use();
+  program.set("view_projection", pass.view_projection);
+  program.set("eye", pass.scene.view.eye);
+  program.set("outline", metres_of_pixels(pass.scene.view, kOutline));
+  set_colouring(pass, program);
+  shadows.bind(program);
   draw_track(pass, track);
   draw_carts(pass, instances);
-  pass.gl.CullFace(GL_BACK);
 }
 
 }  // namespace
@@ -98,13 +96,8 @@ void draw_solids(const Pass& pass, const TrackCache& track, const Instances& ins
   pass.gl.DepthFunc(GL_LESS);
   pass.gl.Enable(GL_CULL_FACE);
   values.bind();  // the sampler always needs a texture
-  if (pass.scenery.drawing) draw_outlines(pass, track, instances);
-  pass.gl.CullFace(GL_BACK);
-  set_view(pass, pass.programs.solid);
-  set_colouring(pass, pass.programs.solid);
-  shadows.bind(pass.programs.solid);
-  draw_track(pass, track);
-  draw_carts(pass, instances);
+  if (pass.scenery.drawing) draw_all(pass, pass.programs.outline, GL_FRONT, track, instances, shadows);
+  draw_all(pass, pass.programs.solid, GL_BACK, track, instances, shadows);
   pass.gl.Disable(GL_CULL_FACE);
 }
 

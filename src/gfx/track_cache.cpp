@@ -1,7 +1,6 @@
 // Keeps the slots of the track's buffers equal to the derived track.
 #include "gfx/track_cache.h"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "sim/solids/track_mesh.h"

@@ -1,11 +1,9 @@
 // The target of frames: a window (GLFW) or memory (OSMesa). The only interface with virtual functions in the program.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "base/status.h"
 #include "platform/events.h"

@@ -1,6 +1,7 @@
 #include "view/gizmo.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "view/marks.h"

@@ -1,7 +1,6 @@
 // The arrows and squares at the selected knots that move them along one axis or in one plane. Constant size on screen.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "view/overlay.h"

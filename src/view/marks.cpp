@@ -1,7 +1,5 @@
 #include "view/marks.h"
 
-#include <algorithm>
-
 namespace coaster::view {
 namespace {
 
@@ -12,14 +10,12 @@ bool is_handle(PickKind kind) { return kind == PickKind::handle_in || kind == Pi
 Projector::Projector(const View& view)
     : matrix_(glm::dmat4(view.projection) * glm::dmat4(view.view)), viewport_(view.viewport) {}
 
-glm::dvec2 Projector::to_pixels(glm::dvec2 ndc) const {
-  return {viewport_.x + (ndc.x + 1) * 0.5 * viewport_.width, viewport_.y + (1 - ndc.y) * 0.5 * viewport_.height};
-}
-
 std::optional<glm::dvec2> Projector::operator()(glm::dvec3 world) const {
   const glm::dvec4 clip = matrix_ * glm::dvec4(world, 1);
   if (!(clip.w > 1e-4) || !(std::abs(clip.z) <= clip.w)) return std::nullopt;
-  return to_pixels(glm::dvec2(clip) / clip.w);
+  const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
+  return glm::dvec2(viewport_.x + (ndc.x + 1) * 0.5 * viewport_.width,
+                    viewport_.y + (1 - ndc.y) * 0.5 * viewport_.height);
 }
 
 std::vector<world::Entity> knots_with_handles(const world::Document& document, const world::Settings& settings) {

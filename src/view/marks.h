@@ -12,8 +12,6 @@ class Projector {
  public:
   explicit Projector(const View& view);
   std::optional<glm::dvec2> operator()(glm::dvec3 world) const;
-  const glm::dmat4& matrix() const { return matrix_; }
-  glm::dvec2 to_pixels(glm::dvec2 ndc) const;
 
  private:
   glm::dmat4 matrix_;

@@ -39,9 +39,13 @@ class Sampler {
   std::size_t next_ = 1;
 };
 
+// The preview under construction.
 struct Sketch {
+  const sim::ElementPlan& plan;
+  std::span<const sim::Narrow> narrow;
   Overlay& overlay;
   float scale;
+
   void line(dvec3 from, dvec3 to, float width_px, std::uint32_t rgba) const {
     add_line(from, to, width_px * scale, rgba, overlay);
   }
@@ -49,29 +53,23 @@ struct Sketch {
     line(from, to, width_px + 2, kRimColour);
     line(from, to, width_px, rgba);
   }
+  std::uint32_t colour_at(const ElementPoint& p) const {
+    const bool lacks_room = std::any_of(narrow.begin(), narrow.end(),
+                                        [&](const sim::Narrow& part) { return part.from <= p.s && p.s <= part.to; });
+    return p.position.y < 0  ? kBuriedColour
+           : lacks_room      ? kNarrowColour
+           : p.s < plan.lead ? kLeadColour
+                             : kElementColour;
+  }
 };
-
-struct Shown {
-  const sim::ElementPlan& plan;
-  std::span<const sim::Narrow> narrow;
-};
-
-std::uint32_t colour_at(const Shown& shown, const ElementPoint& p) {
-  const bool lacks_room = std::any_of(shown.narrow.begin(), shown.narrow.end(),
-                                      [&](const sim::Narrow& part) { return part.from <= p.s && p.s <= part.to; });
-  return p.position.y < 0        ? kBuriedColour
-         : lacks_room            ? kNarrowColour
-         : p.s < shown.plan.lead ? kLeadColour
-                                 : kElementColour;
-}
 
 dvec3 rail(const ElementPoint& p, double side) {
   return p.position + (0.5 * side * sim::kGauge) * glm::cross(p.up, p.tangent);
 }
 
 // Adds rails as short lines, a tie at every other step, and plumb lines.
-void add_rails(const Shown& shown, const Sketch& sketch) {
-  const sim::ElementPlan& plan = shown.plan;
+void add_rails(const Sketch& sketch) {
+  const sim::ElementPlan& plan = sketch.plan;
   const double step = std::max(sim::kTieSpacing / 2, plan.length / kMaxElementSteps);
   const int steps = std::max(1, static_cast<int>(std::ceil(plan.length / step)));
   const int plumb = std::max(1, static_cast<int>(std::max(kPlumbSpacing, plan.length / 60) / step));
@@ -79,7 +77,7 @@ void add_rails(const Shown& shown, const Sketch& sketch) {
   ElementPoint before = sample(0);
   for (int i = 1; i <= steps; ++i) {
     const ElementPoint here = sample(plan.length * i / steps);
-    const std::uint32_t colour = colour_at(shown, here);
+    const std::uint32_t colour = sketch.colour_at(here);
     for (const double side : {-1.0, 1.0})
       sketch.rimmed(rail(before, side), rail(here, side), 2.0f, faded(colour, 0xd0));
     if (i % 2 == 0) sketch.line(rail(here, -1), rail(here, 1), 1.25f, faded(colour, 0x70));
@@ -90,8 +88,8 @@ void add_rails(const Shown& shown, const Sketch& sketch) {
 }
 
 // Adds dashes of about constant length on screen, a power of two in metres.
-void add_dashes(const Shown& shown, const View& view, const Sketch& sketch) {
-  const sim::ElementPlan& plan = shown.plan;
+void add_dashes(const Sketch& sketch, const View& view) {
+  const sim::ElementPlan& plan = sketch.plan;
   const std::vector<ElementPoint>& points = plan.ideal.points;
   double px_per_metre = 0;
   const PixelScale scale(view);
@@ -103,7 +101,7 @@ void add_dashes(const Shown& shown, const View& view, const Sketch& sketch) {
   Sampler sample(points);
   for (double s = 0; s < plan.length; s += 2 * dash) {
     const ElementPoint from = sample(s), to = sample(std::min(s + dash, plan.length));
-    sketch.line(from.position, to.position, 2.5f, colour_at(shown, from));
+    sketch.line(from.position, to.position, 2.5f, sketch.colour_at(from));
   }
 }
 
@@ -112,9 +110,9 @@ void add_dashes(const Shown& shown, const View& view, const Sketch& sketch) {
 void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, const View& view, float scale,
                  Overlay& overlay) {
   if (!plan.refusal.empty() || plan.ideal.points.size() < 2) return;
-  const Sketch sketch{overlay, scale};
-  add_rails({plan, narrow}, sketch);
-  add_dashes({plan, narrow}, view, sketch);
+  const Sketch sketch{plan, narrow, overlay, scale};
+  add_rails(sketch);
+  add_dashes(sketch, view);
   const ElementPoint& end = plan.ideal.points.back();
   add_arrow(end.position, end.tangent, std::clamp(0.05 * plan.length, 3.0, 12.0), view, 3.0f * scale, kElementColour,
             overlay);

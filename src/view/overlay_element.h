@@ -2,7 +2,6 @@
 // ground.
 #pragma once
 
-#include "sim/study/element_room.h"
 #include "view/overlay.h"
 
 namespace coaster::view {

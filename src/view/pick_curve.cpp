@@ -1,6 +1,5 @@
 // Picking the curve: the positions of segments near the line of sight, and the choice between them.
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "view/beam.h"
