@@ -14,9 +14,8 @@ class CurveDeviation {
   explicit CurveDeviation(const Gl& gl) : gl_(&gl), buffer_(make_buffer(gl)) {}
 
   struct Result {
-    double metres =
-        0;  // m, the largest |vertex - exact point at the same t| (long double oracle) of the segments measured so far
-    int pending = 0;  // segments not yet measured; all of them if the driver cannot capture
+    double metres = 0;  // m, the largest |vertex - exact point at the same t| (long double) of the measured segments
+    int pending = 0;    // segments not yet measured; all of them if the driver cannot capture
   };
   // Measures segments that have not been measured with this stage, shape and resolution, up to kBudget vertices per
   // call (at least one segment), and waits for the GPU. If nothing changed, a call costs one comparison per segment.

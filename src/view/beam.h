@@ -16,9 +16,8 @@ namespace coaster::view {
 struct Sighted {
   double u = 0, v = 0, w = 0, z = 0;
 };
-inline constexpr double kNowhere =
-    std::numeric_limits<double>::infinity();  // the distance to something that is not hit
-inline constexpr double kLeastDepth = 1e-4;   // m: smaller depths count as behind the eye
+inline constexpr double kNowhere = std::numeric_limits<double>::infinity();  // distance to what is not hit
+inline constexpr double kLeastDepth = 1e-4;  // m: smaller depths count as behind the eye
 inline bool is_visible(const Sighted& s) { return s.w > kLeastDepth && s.z <= s.w && -s.z <= s.w; }
 
 class Beam {

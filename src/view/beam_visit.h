@@ -67,7 +67,7 @@ struct BoxSweep {
   const Float4 rounding = all(2e-6f) * (abs(from_u) + abs(from_v) + abs(from_w) + abs(to_u) + abs(to_v) + abs(to_w)) +
                           all(beam.rounding * beam.stretch);
   const Float4 reach = all(slope) * (depth + radius) + radius * all(beam.stretch) + rounding;
-  store(off / (depth * depth + all(1e-30f)), closeness);
+  closeness = stored(off / (depth * depth + all(1e-30f)));
   return mask_bits(off <= reach * reach) & mask_bits(depth + radius + rounding > all(0)) & ((1u << block.count) - 1);
 }
 

@@ -14,8 +14,7 @@ using glm::dvec3;
 
 constexpr double kChaseHeadingLag = 0.55, kElevationLag = 0.7, kAsideLag = 0.2;  // s
 constexpr double kLookOver = 0.9;                                                // m above the rails
-constexpr double kElevation =
-    0.30;  // rad above the horizon on level track; less uphill, more downhill, to see over a crest
+constexpr double kElevation = 0.30;  // rad above the horizon on level track; less uphill, more downhill
 constexpr double kBySlope = 0.5, kLowest = 0.10, kHighest = 0.95;
 constexpr double kBeside = 0.26;     // rad to the train's left, so that its side shows and the rails do not hide it
 constexpr double kBesideOver = 0.6;  // rad more while it is upside down: shows a loop from the side

@@ -62,8 +62,8 @@ void Heading::settle(const curve::Frame& frame) {
 }
 
 void Heading::follow(const curve::Frame& frame, double lag, double dt) {
-  constexpr double kUpright = 0.2, kVague = 0.15,
-                   kClear = 0.6;  // of up's height; of the tangent's horizontal length
+  constexpr double kUpright = 0.2;               // of up's height
+  constexpr double kVague = 0.15, kClear = 0.6;  // of the tangent's horizontal length
   const dvec3 f = frame.forward;
   const double flat = std::sqrt(f.x * f.x + f.z * f.z),
                part = std::clamp((flat - kVague) / (kClear - kVague), 0.0, 1.0);

@@ -41,9 +41,9 @@ struct CameraRig {
   bool with_train = false;
   glm::dvec3 anchor{0};  // m, position of the train
   Heading heading;
-  glm::dvec3 forward{1, 0, 0}, up{0, 1, 0};  // the rider's, unit
-  double roll_lag = 0,
-         roll_rate = 0;  // rad by which `up` lags the track's, including whole turns; rad/s of `up` about `forward`
+  glm::dvec3 forward{1, 0, 0}, up{0, 1, 0};    // the rider's, unit
+  double roll_lag = 0;                         // rad by which `up` lags the track's, including whole turns
+  double roll_rate = 0;                        // rad/s of `up` about `forward`
   Damped<double> widening, elevation, beside;  // degrees; rad above the horizon; rad to the train's left
   Damped<glm::dvec3> bob, aside;               // m on the seat's axes; m to stay clear of the track
 

@@ -23,8 +23,7 @@ struct DrawStats {
   std::int64_t upload_bytes = 0;           // written to the track's buffers
   std::int64_t polyline_upload_bytes = 0;  // of these, polylines: vertices, or control points for GPU evaluators
   std::int64_t polyline_bytes = 0;         // size of all polylines
-  curve::EvaluatedBy
-      drawn_by{};             // evaluator of the polyline: derived.evaluated_by, or the vertex shader as its substitute
+  curve::EvaluatedBy drawn_by{};           // derived.evaluated_by, or the vertex shader as its substitute
   double deviation = 0;       // m, of vertices computed by the GPU, see CurveDeviation; 0 for processor evaluators
   int deviation_pending = 0;  // segments whose deviation will be measured in the next frames
 };

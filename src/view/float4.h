@@ -3,7 +3,7 @@
 #pragma once
 
 #include <array>
-#include <cstring>
+#include <bit>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -15,12 +15,8 @@ typedef float Float4 __attribute__((vector_size(16)));
 typedef int Mask4 __attribute__((vector_size(16)));  // 0 (false) or -1 (true) per lane
 
 inline Float4 all(float x) { return Float4{x, x, x, x}; }
-inline void store(Float4 x, std::array<float, 4>& out) { std::memcpy(out.data(), &x, sizeof x); }
-inline Float4 load(const std::array<float, 4>& x) {
-  Float4 out;
-  std::memcpy(&out, x.data(), sizeof out);
-  return out;
-}
+inline std::array<float, 4> stored(Float4 x) { return std::bit_cast<std::array<float, 4>>(x); }
+inline Float4 load(const std::array<float, 4>& x) { return std::bit_cast<Float4>(x); }
 
 #if defined(__SSE2__)
 inline Float4 min(Float4 a, Float4 b) { return _mm_min_ps(a, b); }

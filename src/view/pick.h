@@ -37,8 +37,7 @@ struct Pick {
 inline constexpr float kKnotRadius = 5.0f;
 inline constexpr float kHandleHalf = 4.0f;  // half the side of the handle's square
 inline constexpr float kCurveReach = 8.0f;  // px from the curve
-inline constexpr float kCartReach =
-    9.0f;  // px from a car's middle: more than a knot's radius, so that a car on a knot can be picked beside it
+inline constexpr float kCartReach = 9.0f;   // px from a car's middle: more than a knot's radius
 
 // Returns what is under a pixel. Marks are on top of everything and never hidden. Handles win over knots, knots over
 // the gizmo, the gizmo over cars, cars over the curve; within a kind the mark nearest to the eye wins (ties: the
