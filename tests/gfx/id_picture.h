@@ -123,7 +123,8 @@ class IdPicture {
  public:
   explicit IdPicture(const gfx::Gl& gl)
       : gl_(gl),
-        program_(std::move(*gfx::make_program(gl, "ids", "", kIdVertexShader, kIdFragmentShader))),
+        program_(std::move(
+            *gfx::make_program(gl, {.name = "ids", .vertex = kIdVertexShader, .fragment = kIdFragmentShader}))),
         target_(std::move(*gfx::make_target(gl, kIdWidth, kIdHeight, 0))),
         array_(gfx::make_vertex_array(gl)),
         buffer_(gfx::make_buffer(gl)) {}

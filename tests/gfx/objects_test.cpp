@@ -39,7 +39,6 @@ TEST_F(Objects, lines_in_a_log_are_counted_in_the_stage_alone) {
 TEST_F(Objects, stages_that_do_not_fit_are_refused_by_the_linker) {
   const auto program = make_program(
       gl_, {.name = "misfit",
-            .common = "",
             .vertex = "out vec3 thing;\nvoid main() { thing = vec3(1.0); gl_Position = vec4(0.0); }\n",
             .fragment = "in vec2 thing;\nout vec4 colour;\nvoid main() { colour = vec4(thing, 0.0, 1.0); }\n"});
   ASSERT_FALSE(program.ok());
