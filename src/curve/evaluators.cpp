@@ -1,11 +1,10 @@
 #include "curve/evaluators.h"
 
 #include <array>
-#include <cmath>
+#include <utility>
 
 #include "base/check.h"
 #include "curve/evaluators_detail.h"
-#include "curve/evaluators_vector.h"
 #include "curve/kernels.h"
 
 namespace coaster::curve {
@@ -13,8 +12,10 @@ namespace {
 
 using Points = std::span<glm::vec3>;
 
-detail::ControlPoints<glm::vec3> controls(const PreparedCubic& c) {
-  return {c.cubic.p0, c.cubic.p1, c.cubic.p2, c.cubic.p3};
+// Joints never gap: both ends are the control points themselves, whatever the arithmetic gave.
+void pin_ends(const Cubic& cubic, Points points) {
+  points.front() = cubic.p0;
+  points.back() = cubic.p3;
 }
 
 int steps_of(Points points, Points tangents) {
@@ -23,62 +24,62 @@ int steps_of(Points points, Points tangents) {
   return static_cast<int>(points.size()) - 1;
 }
 
-// Joints never gap: both ends are the control points themselves, whatever the arithmetic gave.
-void pin_ends(const Cubic& cubic, Points points) {
-  points.front() = cubic.p0;
-  points.back() = cubic.p3;
-}
-
-void bernstein(const PreparedCubic& curve, Points points, Points tangents) {
-  const auto c = controls(curve);
+// Writes point(t) and tangent(t) at t = i/n.
+template <class Point, class Tangent>
+void write(const Cubic& cubic, Points points, Points tangents, Point point, Tangent tangent) {
   const int n = steps_of(points, tangents);
-  for (int i = 0; i <= n; ++i) points[i] = detail::bernstein_point(c, static_cast<float>(i) / static_cast<float>(n));
+  for (int i = 0; i <= n; ++i) points[i] = point(static_cast<float>(i) / static_cast<float>(n));
   if (!tangents.empty())
-    for (int i = 0; i <= n; ++i)
-      tangents[i] = detail::bernstein_tangent(c, static_cast<float>(i) / static_cast<float>(n));
-  pin_ends(curve.cubic, points);
+    for (int i = 0; i <= n; ++i) tangents[i] = tangent(static_cast<float>(i) / static_cast<float>(n));
+  pin_ends(cubic, points);
 }
 
+// Barrett 2012, section 2.1, term by term.
+void bernstein(const PreparedCubic& curve, Points points, Points tangents) {
+  const auto& [p0, p1, p2, p3] = curve.cubic;
+  const auto point = [&](float t) {
+    const float s = 1.0f - t;
+    return s * s * s * p0 + 3.0f * t * s * s * p1 + 3.0f * t * t * s * p2 + t * t * t * p3;
+  };
+  const auto tangent = [&](float t) {
+    const float s = 1.0f - t;
+    return 3.0f * s * s * (p1 - p0) + 6.0f * t * s * (p2 - p1) + 3.0f * t * t * (p3 - p2);
+  };
+  write(curve.cubic, points, tangents, point, tangent);
+}
+
+// The recurrence of Barrett 2012, section 3.2; the last row's difference gives the tangent.
 void de_casteljau(const PreparedCubic& curve, Points points, Points tangents) {
-  const auto c = controls(curve);
-  const int n = steps_of(points, tangents);
-  for (int i = 0; i <= n; ++i) {
-    const float t = static_cast<float>(i) / static_cast<float>(n);
-    const auto row = detail::casteljau(c, t);
-    points[i] = (1.0f - t) * row.left + t * row.right;
-    if (!tangents.empty()) tangents[i] = 3.0f * (row.right - row.left);
-  }
-  pin_ends(curve.cubic, points);
+  const auto last_row = [&c = curve.cubic](float t) {
+    const float s = 1.0f - t;
+    const glm::vec3 a = s * c.p0 + t * c.p1, b = s * c.p1 + t * c.p2, d = s * c.p2 + t * c.p3;
+    return std::pair{s * a + t * b, s * b + t * d};
+  };
+  const auto point = [&](float t) {
+    const auto [left, right] = last_row(t);
+    return (1.0f - t) * left + t * right;
+  };
+  const auto tangent = [&](float t) {
+    const auto [left, right] = last_row(t);
+    return 3.0f * (right - left);
+  };
+  write(curve.cubic, points, tangents, point, tangent);
 }
 
 void horner(const PreparedCubic& curve, Points points, Points tangents) {
   const Coefficients& c = curve.monomial;
-  const int n = steps_of(points, tangents);
-  for (int i = 0; i <= n; ++i)
-    points[i] = detail::horner(c.c0, c.c1, c.c2, c.c3, static_cast<float>(i) / static_cast<float>(n));
-  if (!tangents.empty()) {
-    const glm::vec3 d1 = 2.0f * c.c2, d2 = 3.0f * c.c3;
-    for (int i = 0; i <= n; ++i) {
-      const float t = static_cast<float>(i) / static_cast<float>(n);
-      tangents[i] = c.c1 + t * (d1 + t * d2);
-    }
-  }
-  pin_ends(curve.cubic, points);
+  const glm::vec3 d1 = 2.0f * c.c2, d2 = 3.0f * c.c3;
+  write(
+      curve.cubic, points, tangents, [&](float t) { return detail::horner(c.c0, c.c1, c.c2, c.c3, t); },
+      [&](float t) { return c.c1 + t * (d1 + t * d2); });
 }
 
 void estrin(const PreparedCubic& curve, Points points, Points tangents) {
   const Coefficients& c = curve.monomial;
-  const int n = steps_of(points, tangents);
-  for (int i = 0; i <= n; ++i)
-    points[i] = detail::estrin(c.c0, c.c1, c.c2, c.c3, static_cast<float>(i) / static_cast<float>(n));
-  if (!tangents.empty()) {
-    const glm::vec3 d1 = 2.0f * c.c2, d2 = 3.0f * c.c3;
-    for (int i = 0; i <= n; ++i) {
-      const float t = static_cast<float>(i) / static_cast<float>(n);
-      tangents[i] = (c.c1 + t * d1) + (t * t) * d2;
-    }
-  }
-  pin_ends(curve.cubic, points);
+  const glm::vec3 d1 = 2.0f * c.c2, d2 = 3.0f * c.c3;
+  write(
+      curve.cubic, points, tangents, [&](float t) { return detail::estrin(c.c0, c.c1, c.c2, c.c3, t); },
+      [&](float t) { return (c.c1 + t * d1) + (t * t) * d2; });
 }
 
 void forward_differences(const PreparedCubic& curve, Points points, Points tangents) {
@@ -92,6 +93,21 @@ void forward_differences(const PreparedCubic& curve, Points points, Points tange
     for (int i = 0; i <= n; ++i, detail::step(g)) tangents[i] = g.value;
   }
   pin_ends(curve.cubic, points);
+}
+
+// By the vector kernels. Tangents are the points of the derivative, a cubic whose last coefficient is 0 and whose p3 is
+// B'(1).
+template <VectorMethod Method>
+void by_eights(const PreparedCubic& curve, Points points, Points tangents) {
+  steps_of(points, tangents);
+  vector_polyline(Method, curve, points);
+  points.front() = curve.cubic.p0;
+  if (tangents.empty()) return;
+  const Coefficients& c = curve.monomial;
+  PreparedCubic slope;
+  slope.cubic.p3 = 3.0f * (curve.cubic.p3 - curve.cubic.p2);
+  slope.monomial = {c.c1, 2.0f * c.c2, 3.0f * c.c3, glm::vec3(0)};
+  vector_polyline(Method, slope, tangents);
 }
 
 // Error bounds. u = 2^-24 is float's unit roundoff; M = extent bounds the coordinates' size (as a vector length), S =
@@ -143,9 +159,9 @@ constexpr std::array<Evaluator, 10> kEvaluators{{
     {"estrin", "Estrin", "(c0 + t c1) + t^2 (c2 + t c3), coefficients stored",
      "3 vector additions, 3 vector and 1 scalar multiplications", estrin, estrin_bound},
     {"horner8", "Horner, 8 at once", "Horner's rule for eight parameters in one vector",
-     "3 vector additions, 3 vector multiplications, by eights", detail::horner8, horner8_bound},
+     "3 vector additions, 3 vector multiplications, by eights", by_eights<VectorMethod::horner>, horner8_bound},
     {"forward_differences8", "Forward differences, 8 lanes", "each lane steps by 8/n, restarted every 64 points",
-     "3 vector additions, by eights", detail::forward_differences8, forward_differences8_bound},
+     "3 vector additions, by eights", by_eights<VectorMethod::differences>, forward_differences8_bound},
     {"gpu_vertex", "Vertex shader", "Horner at t = gl_VertexID / n, coefficients per segment",
      "3 vector additions, 3 vector multiplications", horner, horner_bound, EvaluatedBy::vertex_shader},
     {"gpu_geometry", "Geometry shader", "Horner at t = i / n, one point becomes a strip",

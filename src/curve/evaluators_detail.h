@@ -1,40 +1,7 @@
-// The inner loops of the evaluators over any vector type, so that a test can count their operations.
+// The inner loops of evaluators over any vector type, so that a test can count their operations.
 #pragma once
 
-#include <cstddef>
-
-#include "curve/cubic.h"
-
 namespace coaster::curve::detail {
-
-template <class V>
-struct ControlPoints {
-  V p0, p1, p2, p3;
-};
-
-// B(t) term by term: Barrett 2012, section 2.1.
-template <class V>
-V bernstein_point(const ControlPoints<V>& c, float t) {
-  const float s = 1.0f - t;
-  return s * s * s * c.p0 + 3.0f * t * s * s * c.p1 + 3.0f * t * t * s * c.p2 + t * t * t * c.p3;
-}
-template <class V>
-V bernstein_tangent(const ControlPoints<V>& c, float t) {
-  const float s = 1.0f - t;
-  return 3.0f * s * s * (c.p1 - c.p0) + 6.0f * t * s * (c.p2 - c.p1) + 3.0f * t * t * (c.p3 - c.p2);
-}
-
-// The recurrence of Barrett 2012, section 3.2; the last row's difference gives the tangent.
-template <class V>
-struct CasteljauRow {
-  V left, right;
-};
-template <class V>
-CasteljauRow<V> casteljau(const ControlPoints<V>& c, float t) {
-  const float s = 1.0f - t;
-  const V a = s * c.p0 + t * c.p1, b = s * c.p1 + t * c.p2, d = s * c.p2 + t * c.p3;
-  return {s * a + t * b, s * b + t * d};
-}
 
 // Barrett 2012, section 3.3: three additions and three multiplications per point.
 template <class V>
