@@ -1,10 +1,8 @@
-// Bézier curves of any degree n: Bernstein's basis, de Casteljau's triangle, degree elevation and the hodograph.
-// Written for clarity and accuracy, not speed. Used by the pictures of the construction and as the test oracle of the
-// evaluators.
+// Bézier curves of any degree n: Bernstein's basis and de Casteljau's triangle. Written for clarity and accuracy, not
+// speed. Used by the pictures of the construction and by the exact point of a cubic.
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -27,20 +25,6 @@ void bernstein_basis(Real t, std::span<Real> weights) {
   }
 }
 
-// Returns B_(i,n)(t), 0 <= i <= n. For plots.
-double bernstein(int i, int n, double t);
-
-// Returns the point at t of the curve with the given n + 1 >= 1 control points (numbers, or vectors of `Real`), as the
-// sum of the points weighted by Bernstein's basis.
-template <class Real, class Point>
-Point bernstein_point(std::span<const Point> controls, Real t) {
-  std::vector<Real> weights(controls.size());
-  bernstein_basis<Real>(t, weights);
-  Point sum = weights[0] * controls[0];
-  for (std::size_t i = 1; i < controls.size(); ++i) sum += weights[i] * controls[i];
-  return sum;
-}
-
 // Returns all levels of de Casteljau's triangle in one row: the n + 1 controls, then n points, n - 1, ..., 1:
 // (n+1)(n+2)/2 in all. The last is the point of the curve. The first points of the levels are the controls of [0,t];
 // the last points, in reverse order, those of [t,1].
@@ -61,35 +45,6 @@ Point de_casteljau_in_place(std::span<Point> row, Real t) {
     for (std::size_t i = 0; i + 1 < level; ++i) row[i] = (Real(1) - t) * row[i] + t * row[i + 1];
   return row[0];
 }
-template <class Real, class Point>
-Point de_casteljau(std::span<const Point> controls, Real t) {
-  std::vector<Point> row(controls.begin(), controls.end());
-  return de_casteljau_in_place<Real, Point>(row, t);
-}
-
-// Returns the n + 2 controls of the same curve with degree n + 1: q_i = i/(n+1) p_(i-1) + (1 - i/(n+1)) p_i.
-template <class Real, class Point>
-std::vector<Point> elevated(std::span<const Point> controls) {
-  std::vector<Point> more;
-  more.reserve(controls.size() + 1);
-  more.push_back(controls.front());
-  for (std::size_t i = 1; i < controls.size(); ++i) {
-    const Real share = static_cast<Real>(i) / static_cast<Real>(controls.size());
-    more.push_back(share * controls[i - 1] + (Real(1) - share) * controls[i]);
-  }
-  more.push_back(controls.back());
-  return more;
-}
-
-// Returns the n controls of the hodograph B'(t), n (p_(i+1) - p_i); none for a single point.
-template <class Real, class Point>
-std::vector<Point> hodograph_controls(std::span<const Point> controls) {
-  std::vector<Point> less;
-  for (std::size_t i = 0; i + 1 < controls.size(); ++i)
-    less.push_back(static_cast<Real>(controls.size() - 1) * (controls[i + 1] - controls[i]));
-  return less;
-}
-
 std::array<glm::dvec3, 4> controls(const Cubic& cubic);
 
 // De Casteljau's construction of a point on a cubic, level by level; Barrett 2012, section 3.2. t in [0,1].
@@ -99,12 +54,5 @@ struct Construction {
   glm::dvec3 point;                  // on the curve
 };
 Construction construction(const Cubic& cubic, double t);
-
-// Returns the three controls of B'(t), in metres per unit of t.
-std::array<glm::dvec3, 3> hodograph(const Cubic& cubic);
-
-// Returns the four control points of a curve of degree 0 to 3 as a cubic, by repeated degree elevation. `controls`
-// holds 1 to 4 points.
-std::array<glm::dvec3, 4> as_cubic_controls(std::span<const glm::dvec3> controls);
 
 }  // namespace coaster::curve
