@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "curve/arc_length.h"
 #include "curve/frames.h"
 
 namespace coaster::curve {
@@ -12,8 +11,6 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-
-using Quad = std::array<dvec2, 4>;
 
 // The control points projected along the mean normal of the closed polygon p0 p1 p2 p3 (Newell's); empty if they are
 // collinear.
@@ -42,8 +39,6 @@ View view_of(const Cubic& c) {
   return view;
 }
 
-double turn(dvec2 a, dvec2 b, dvec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
-
 double distance_to_edge(dvec2 p, dvec2 a, dvec2 b) {
   const dvec2 d = b - a;
   const double squared = glm::dot(d, d);
@@ -52,34 +47,15 @@ double distance_to_edge(dvec2 p, dvec2 a, dvec2 b) {
 }
 
 // Returns 0 inside the closed polygon (even-odd), else the distance to it.
-double outside(dvec2 p, const Quad& polygon, std::size_t corners) {
+double outside(dvec2 p, const std::array<dvec2, 4>& polygon) {
   bool inside = false;
   double nearest = 1e300;
-  for (std::size_t i = 0; i < corners; ++i) {
-    const dvec2 a = polygon[i], b = polygon[(i + 1) % corners];
+  for (std::size_t i = 0; i < 4; ++i) {
+    const dvec2 a = polygon[i], b = polygon[(i + 1) % 4];
     nearest = std::min(nearest, distance_to_edge(p, a, b));
     if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
   }
   return inside ? 0.0 : nearest;
-}
-
-// Writes the hull of four points in order of rotation, by Andrew's monotone chain; returns its number of corners.
-std::size_t hull_of(Quad points, Quad& hull) {
-  std::sort(points.begin(), points.end(), [](dvec2 a, dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-  std::array<dvec2, 9> chain{};
-  std::size_t n = 0;
-  for (int i = 0; i < 4; ++i) {
-    while (n >= 2 && turn(chain[n - 2], chain[n - 1], points[i]) <= 0) --n;
-    chain[n++] = points[i];
-  }
-  const std::size_t lower = n + 1;
-  for (int i = 2; i >= 0; --i) {
-    while (n >= lower && turn(chain[n - 2], chain[n - 1], points[i]) <= 0) --n;
-    chain[n++] = points[i];
-  }
-  n = std::min<std::size_t>(n > 1 ? n - 1 : n, 4);
-  std::copy_n(chain.begin(), n, hull.begin());
-  return n;
 }
 
 // Returns the angle between a rotation-minimising frame carried from t0 to t1 and one carried in twice as many steps.
@@ -106,19 +82,17 @@ GravesenClaim gravesen_claim(const Cubic& c) {
   const double chord = glm::length(dvec3(c.p3) - dvec3(c.p0));
   const double polygon = glm::length(dvec3(c.p1) - dvec3(c.p0)) + glm::length(dvec3(c.p2) - dvec3(c.p1)) +
                          glm::length(dvec3(c.p3) - dvec3(c.p2));
-  return {0.5 * polygon * chord, 0.5 * (polygon + chord), arc_length(c), 0.5 * (polygon - chord)};
+  return {0.5 * polygon * chord, 0.5 * (polygon + chord)};
 }
 
-LineClaim line_claim(const Cubic& cubic, int steps) {
+double line_claim(const Cubic& cubic, int steps) {
   constexpr int kMostSteps = 4096;
   const int n = std::clamp(steps, 1, kMostSteps);
   const dvec3 start = point(cubic, 0.0), difference = point(cubic, 1.0 / n) - start;
-  LineClaim worst{0, 0};
-  for (int i = 0; i <= n; ++i) {
-    const double t = static_cast<double>(i) / n,
-                 distance = glm::length(start + static_cast<double>(i) * difference - point(cubic, t));
-    if (distance > worst.distance) worst = {distance, t};
-  }
+  double worst = 0;
+  for (int i = 0; i <= n; ++i)
+    worst = std::max(
+        worst, glm::length(start + static_cast<double>(i) * difference - point(cubic, static_cast<double>(i) / n)));
   return worst;
 }
 
@@ -143,19 +117,14 @@ FlipClaim flip_claim(const Cubic& cubic) {
   return worst;
 }
 
-PenClaim pen_claim(const Cubic& cubic) {
+double pen_claim(const Cubic& cubic) {
   constexpr int kPlaces = 128;
   const View view = view_of(cubic);
-  if (!view.flat) return {0, 0};
-  const Quad pen{view(dvec3(cubic.p0)), view(dvec3(cubic.p1)), view(dvec3(cubic.p2)), view(dvec3(cubic.p3))};
-  Quad hull{};
-  const std::size_t corners = hull_of(pen, hull);
-  PenClaim worst{0, 0};
-  for (int i = 0; i <= kPlaces; ++i) {
-    const dvec2 p = view(point(cubic, static_cast<double>(i) / kPlaces));
-    worst.outside = std::max(worst.outside, outside(p, pen, 4));
-    worst.outside_hull = std::max(worst.outside_hull, outside(p, hull, corners));
-  }
+  if (!view.flat) return 0;
+  const std::array pen{view(dvec3(cubic.p0)), view(dvec3(cubic.p1)), view(dvec3(cubic.p2)), view(dvec3(cubic.p3))};
+  double worst = 0;
+  for (int i = 0; i <= kPlaces; ++i)
+    worst = std::max(worst, outside(view(point(cubic, static_cast<double>(i) / kPlaces)), pen));
   return worst;
 }
 

@@ -10,19 +10,13 @@ namespace coaster::curve {
 // chord.
 struct GravesenClaim {
   double product;  // m^2, half the polygon times the chord, as in the paper
-  double mean;     // m, (chord + polygon) / 2
-  double length;   // m, the true length
-  double bound;    // m, (polygon - chord) / 2: largest error of the mean
+  double mean;     // m, (chord + polygon) / 2: off by at most (polygon - chord) / 2
 };
 GravesenClaim gravesen_claim(const Cubic& cubic);
 
-// Paper erratum: B(0) + i dB, one difference for all steps, is a straight line.
-struct LineClaim {
-  double distance;  // m, the largest distance of a vertex B(0) + i (B(1/n) - B(0)) from the vertex B(i/n)
-  double t;         // of the farthest vertex
-};
-// `steps` >= 1. Costs one evaluation per step, at most 4096.
-LineClaim line_claim(const Cubic& cubic, int steps);
+// Paper erratum: B(0) + i dB, one difference for all steps, is a straight line. Returns the largest distance in m of a
+// vertex B(0) + i (B(1/n) - B(0)) from the vertex B(i/n). `steps` >= 1. Costs one evaluation per step, at most 4096.
+double line_claim(const Cubic& cubic, int steps);
 
 // Paper erratum: the Frenet-Serret normal flips across an inflection; the rotation-minimising frame does not.
 struct FlipClaim {
@@ -34,11 +28,8 @@ struct FlipClaim {
 FlipClaim flip_claim(const Cubic& cubic);
 
 // Paper erratum: the lines between the control points are no "pen containing the curve". The curve can leave a polygon
-// that crosses itself or is not convex; it never leaves the convex hull.
-struct PenClaim {
-  double outside;       // m, how far the curve leaves the closed control polygon, seen along its mean normal
-  double outside_hull;  // m, the same for the hull of the four points: 0 to rounding
-};
-PenClaim pen_claim(const Cubic& cubic);
+// that crosses itself or is not convex; it never leaves the convex hull. Returns how far in m the curve leaves the
+// closed control polygon, seen along its mean normal.
+double pen_claim(const Cubic& cubic);
 
 }  // namespace coaster::curve

@@ -97,7 +97,7 @@ std::array<Erratum, kErrata.size()> errata(const Derived& derived, world::Entity
         "It is their mean, (chord + polygon) / 2, with an error of at most (polygon - chord) / 2. The product is an "
         "area."},
        {"line", "A vertex of the polyline is B(0) + i dB, with one difference dB.", 0.0, "m",
-        curve::line_claim(cubic, steps).distance, "m",
+        curve::line_claim(cubic, steps), "m",
         "That is a straight line in equal steps; a cubic needs three differences. The value is the line's distance "
         "from the curve."},
        frozen(derived, index),
@@ -106,7 +106,7 @@ std::array<Erratum, kErrata.size()> errata(const Derived& derived, world::Entity
         "them."},
        flip(cubic),
        {"pen", "Lines between the control points form a pen that contains the curve.", 0.0, "m",
-        curve::pen_claim(cubic).outside, "m",
+        curve::pen_claim(cubic), "m",
         "The curve stays in their convex hull, not in their polygon, which may cross itself. The value is its distance "
         "from the "
         "closed polygon."}}};
