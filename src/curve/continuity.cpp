@@ -41,24 +41,4 @@ Joint joint(const Cubic& before, const Cubic& after) {
   return j;
 }
 
-std::string_view name(Geometric g) {
-  switch (g) {
-    case Geometric::broken: return "none";
-    case Geometric::g0: return "G0";
-    case Geometric::g1: return "G1";
-    case Geometric::g2: return "G2";
-  }
-  return "none";
-}
-
-std::string_view name(Parametric c) {
-  switch (c) {
-    case Parametric::broken: return "none";
-    case Parametric::c0: return "C0";
-    case Parametric::c1: return "C1";
-    case Parametric::c2: return "C2";
-  }
-  return "none";
-}
-
 }  // namespace coaster::curve

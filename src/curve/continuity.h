@@ -1,14 +1,19 @@
 // Continuity of the joint of two cubics: geometric (shape) and parametric (shape and speed of the parameter).
 #pragma once
 
-#include <string_view>
+#include <cstdint>
 
+#include "base/names.h"
 #include "curve/cubic.h"
 
 namespace coaster::curve {
 
-enum class Geometric { broken, g0, g1, g2 };
-enum class Parametric { broken, c0, c1, c2 };
+enum class Geometric : std::uint8_t { broken, g0, g1, g2 };
+inline constexpr base::NameRow kGeometric[] = {{"none"}, {"G0"}, {"G1"}, {"G2"}};
+constexpr std::span<const base::NameRow> rows_of(Geometric) { return kGeometric; }
+enum class Parametric : std::uint8_t { broken, c0, c1, c2 };
+inline constexpr base::NameRow kParametric[] = {{"none"}, {"C0"}, {"C1"}, {"C2"}};
+constexpr std::span<const base::NameRow> rows_of(Parametric) { return kParametric; }
 
 struct Joint {
   double gap;             // m, |b3 - c0|
@@ -17,9 +22,8 @@ struct Joint {
   double curvature_jump;  // 1/m, length of the difference of the curvature vectors
   Geometric geometric;
   Parametric parametric;
-  glm::dvec3 curvature_before,
-      curvature_after;  // 1/m, curvature vectors: towards the centre, with the curvature as length
-  double second_jump;   // m, length of C''(0) - B''(1): 0 for C2
+  glm::dvec3 curvature_before, curvature_after;  // 1/m, towards the centre, with the curvature as length
+  double second_jump;                            // m, length of C''(0) - B''(1): 0 for C2
 };
 
 // Returns the curvature vector in 1/m, the change of the unit tangent per metre; 0 where B' vanishes. At t = 0 its
@@ -30,8 +34,5 @@ glm::dvec3 curvature_vector(const Cubic& cubic, double t);
 // shared), angle 1e-3 rad, relative speed 1e-4, curvature 1e-3 /m, second derivative 1e-3 of its size. Paper erratum: a
 // common tangent line is G1; equal first derivatives (C1) are more.
 Joint joint(const Cubic& before, const Cubic& after);
-
-std::string_view name(Geometric g);   // "none", "G0", "G1", "G2"
-std::string_view name(Parametric c);  // "none", "C0", "C1", "C2"
 
 }  // namespace coaster::curve

@@ -108,7 +108,7 @@ std::string words_of(const edit::Finder& find, const Rule& rule, const Finding& 
   if (!overloads.empty()) {
     const sim::RedSpan& span = overloads.front();
     std::snprintf(words, sizeof words, "%.2f g %s at %.1f m, limit %.2f g for that duration", span.worst,
-                  std::string(sim::label(span.axis)).c_str(), span.from_distance, span.allowed);
+                  std::string(base::row_of(span.axis).label).c_str(), span.from_distance, span.allowed);
     return words;
   }
   char at[32] = "";

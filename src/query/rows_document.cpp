@@ -93,7 +93,7 @@ Answer joint(const Context& c, View argument) {
 
 template <class Continuity>
 Value ranked(Continuity found) {
-  return Ranked{static_cast<int>(found) - 1, std::string(curve::name(found))};
+  return Ranked{static_cast<int>(found) - 1, std::string(base::name_of(found))};
 }
 Answer geometric(const Context& c, View argument) {
   return of_joint(c, argument, ranked(curve::Geometric::broken),

@@ -84,7 +84,7 @@ Weakest<Level> weakest(const edit::Session& session) {
 template <class Level, Level curve::Joint::*member>
 Answer weakest_level(const Context& c, View) {
   const Level level = weakest<Level, member>(c.session).level;
-  return Value(Ranked{static_cast<int>(level) - 1, std::string(curve::name(level))});
+  return Value(Ranked{static_cast<int>(level) - 1, std::string(base::name_of(level))});
 }
 template <class Level, Level curve::Joint::*member>
 Answer weakest_knot(const Context& c, View) {

@@ -60,8 +60,8 @@ TEST(continuity, an_angle_below_a_milliradian_is_none) {
 }
 
 TEST(continuity, names_are_those_of_the_field) {
-  EXPECT_EQ(name(Geometric::g1), "G1");
-  EXPECT_EQ(name(Parametric::c2), "C2");
+  EXPECT_EQ(base::name_of(Geometric::g1), "G1");
+  EXPECT_EQ(base::name_of(Parametric::c2), "C2");
 }
 
 }  // namespace continuity_test

@@ -41,7 +41,7 @@ bool read_point(EnvelopeParse& parse, const Json& value, std::string_view axis, 
 
 bool read_curves(EnvelopeParse& parse, Fields& fields) {
   for (std::size_t axis = 0; axis < sim::kForceAxes; ++axis) {
-    const std::string_view name = sim::name(static_cast<sim::ForceAxis>(axis));
+    const std::string_view name = base::name_of(static_cast<sim::ForceAxis>(axis));
     const Json* const list = fields.list(name);
     if (!list) return false;
     if (list->size() > kMaxEnvelopePoints)
@@ -76,7 +76,7 @@ std::string print_envelope(const sim::Envelope& envelope, std::string_view name)
       ",\n  \"name\": " + json_string(name) + ",\n  \"note\": " + json_string(kEnvelopeNote) +
       ",\n  \"shortest\": " + base::to_text(envelope.shortest) + ",\n  \"cutoff\": " + base::to_text(envelope.cutoff);
   for (std::size_t axis = 0; axis < sim::kForceAxes; ++axis) {
-    out += ",\n  " + json_string(sim::name(static_cast<sim::ForceAxis>(axis))) + ": [";
+    out += ",\n  " + json_string(base::name_of(static_cast<sim::ForceAxis>(axis))) + ": [";
     const char* before = "\n";
     for (const sim::EnvelopePoint& point : envelope.curves[axis]) {
       out +=

@@ -97,16 +97,6 @@ void find_spans(const Ghost& ghost, const Envelope& envelope, int car, ForceAxis
 
 }  // namespace
 
-std::string_view name(ForceAxis axis) {
-  constexpr std::array<std::string_view, kForceAxes> kNames{"down", "lift", "side", "forward", "back"};
-  return kNames[static_cast<std::size_t>(axis)];
-}
-std::string_view label(ForceAxis axis) {
-  constexpr std::array<std::string_view, kForceAxes> kLabels{"into the seat (+Gz)", "out of the seat (-Gz)",
-                                                             "to a side (Gy)", "forwards (+Gx)", "backwards (-Gx)"};
-  return kLabels[static_cast<std::size_t>(axis)];
-}
-
 const Envelope& default_envelope() {
   static const Envelope kDefault{
       {EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2}},

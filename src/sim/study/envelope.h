@@ -4,19 +4,22 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
+#include "base/names.h"
 #include "sim/ride/ghost.h"
 
 namespace coaster::sim {
 
 // The directions in which a rider is pressed or lifted, each with its own limit.
 enum class ForceAxis : std::uint8_t { down, lift, side, forward, back };  // +Gz, -Gz, +-Gy, +Gx, -Gx
-inline constexpr std::size_t kForceAxes = 5;
-std::string_view name(ForceAxis axis);   // "down" and so on
-std::string_view label(ForceAxis axis);  // "into the seat (+Gz)" and so on
+inline constexpr base::NameRow kForceAxisRows[] = {{"down", "into the seat (+Gz)"},
+                                                   {"lift", "out of the seat (-Gz)"},
+                                                   {"side", "to a side (Gy)"},
+                                                   {"forward", "forwards (+Gx)"},
+                                                   {"back", "backwards (-Gx)"}};
+constexpr std::span<const base::NameRow> rows_of(ForceAxis) { return kForceAxisRows; }
+inline constexpr std::size_t kForceAxes = std::size(kForceAxisRows);
 
 struct EnvelopePoint {
   double seconds, g;

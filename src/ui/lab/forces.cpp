@@ -177,10 +177,11 @@ void red_table(Ui& ui, const ForceStudy& study, float height, bool brief) {
   if (!begin_table(ui, "Red spans", kRedColumns, height)) return;
   for (std::size_t i = 0; i < study.red.size(); ++i) {
     const sim::RedSpan& span = study.red[i];
-    const Cell cells[] = {{fixed(span.from_distance, 1) + (brief ? "" : ".." + fixed(span.to_distance, 1))},
-                          {std::string(brief ? sim::name(span.axis) : sim::label(span.axis)), kPlainColour, true},
-                          {fixed(span.worst, 2), kBadColour},
-                          {fixed(span.allowed, 2)}};
+    const Cell cells[] = {
+        {fixed(span.from_distance, 1) + (brief ? "" : ".." + fixed(span.to_distance, 1))},
+        {std::string(brief ? base::name_of(span.axis) : base::row_of(span.axis).label), kPlainColour, true},
+        {fixed(span.worst, 2), kBadColour},
+        {fixed(span.allowed, 2)}};
     if (!table_row(ui, "Span " + std::to_string(i + 1), cells, ui.lab.red_chosen == static_cast<int>(i),
                    fixed(span.worst, 2), "Click to move the train there."))
       continue;

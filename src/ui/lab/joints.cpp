@@ -74,7 +74,7 @@ void row_of(Ui& ui, const JointRow& row, double speed) {
                              : row.joint.geometric == curve::Geometric::g1 ? kPlainColour
                                                                            : kBadColour;
   const std::uint32_t step_tint = step > 1 ? kBadColour : step > 0.3 ? kPolygonColour : kPlainColour;
-  const std::string geometric(curve::name(row.joint.geometric)), parametric(curve::name(row.joint.parametric));
+  const std::string geometric(base::name_of(row.joint.geometric)), parametric(base::name_of(row.joint.parametric));
   const Cell cells[] = {{name, kPlainColour, true},        {geometric, tint, true},
                         {parametric, kPlainColour, true},  {fixed(row.joint.angle * 180 / 3.14159265358979, 3)},
                         {fixed(row.joint.speed_ratio, 3)}, {fixed(row.joint.curvature_jump, 5)},
