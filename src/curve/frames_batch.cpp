@@ -1,7 +1,7 @@
 #include "curve/frames_batch.h"
 
 #include "base/check.h"
-#include "curve/kernels_frames_jobs.h"
+#include "curve/kernels_jobs.h"
 
 namespace coaster::curve {
 namespace {

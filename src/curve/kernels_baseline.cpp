@@ -3,10 +3,6 @@
 
 namespace coaster::curve::detail {
 
-const Kernels& baseline_kernels() {
-  static constexpr Kernels kernels{positions_by_horner,      positions_by_differences, track_positions,
-                                   track_positions_streamed, track_vertices,           track_unit_tangents};
-  return kernels;
-}
+const Kernels& baseline_kernels() { return kKernels; }
 
 }  // namespace coaster::curve::detail

@@ -4,7 +4,7 @@
 // transport() for them.
 #pragma once
 
-#include "curve/kernels_frames_jobs.h"
+#include "curve/kernels_jobs.h"
 
 #if defined(__SSE2__)
 #include <immintrin.h>

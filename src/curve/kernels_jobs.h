@@ -1,5 +1,5 @@
-// The interface from kernels.cpp to the kernels compiled for each instruction set. Plain pointers: these files share no
-// library code.
+// The interface from kernels.cpp and frames_batch.cpp to the kernels compiled for each instruction set. Plain pointers:
+// these files share no library code.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ struct Job {
   int steps;   // n
   int points;  // vertices of each curve: n, or n + 1 with p3 as the last
   float* out;  // count * points vertices
-  unsigned char* slow =
-      nullptr;  // for track_unit_tangents: 1 for each curve whose tangents lose their direction to rounding
+  // For track_unit_tangents: 1 for each curve whose tangents lose their direction to rounding.
+  unsigned char* slow = nullptr;
 };
 
 // Groups between two restarts of the differences: a value accumulates at most kRun - 1 roundings.
@@ -34,6 +34,20 @@ struct Kernels {
 const Kernels& baseline_kernels();
 #ifdef COASTER_AVX2_KERNELS
 const Kernels& avx2_kernels();  // requires a processor with AVX2 and FMA
+#endif
+
+// Eight chains of `count` points each, one chain after the other, three doubles per point. ups[chain][0] is given.
+struct FrameJob {
+  const double* points;
+  const double* tangents;
+  double* ups;
+  long count;
+  bool* bad;  // eight flags: the chain has a point that transport() handles by a branch
+};
+
+void transport_eight_baseline(const FrameJob& job);
+#ifdef COASTER_AVX2_KERNELS
+void transport_eight_avx2(const FrameJob& job);
 #endif
 
 }  // namespace coaster::curve::detail

@@ -1,4 +1,5 @@
-// The unit tangents of the vector kernels. Included only by the files of each instruction set, after kernels_body.h.
+// The unit tangents of the vector kernels, and the table of all kernels. Included only by the files of each instruction
+// set, after kernels_body.h.
 #pragma once
 
 #include "curve/kernels_body.h"
@@ -110,5 +111,9 @@ void track_unit_tangents(const Job& job) {
     job.slow[i] = any_below(least, (size[0] + size[1] + size[2]) * share + 1e-29f);
   }
 }
+
+constexpr coaster::curve::detail::Kernels kKernels{positions_by_horner, positions_by_differences,
+                                                   track_positions,     track_positions_streamed,
+                                                   track_vertices,      track_unit_tangents};
 
 }  // namespace
