@@ -34,7 +34,7 @@ double gauss(const CoefficientsD& c, double a, double b, const Node (&nodes)[N])
   const double half = 0.5 * (b - a), middle = 0.5 * (a + b);
   double sum = 0;
   for (const Node& node : nodes)
-    sum += node.weight * (speed(c, middle - half * node.x) + speed(c, middle + half * node.x));
+    sum += node.weight * (c.speed(middle - half * node.x) + c.speed(middle + half * node.x));
   return half * sum;
 }
 
@@ -103,9 +103,9 @@ double split_at_slow_points(const CoefficientsD& c, const SlowPoints& slow, doub
 
 // True if the speed falls below a quarter of its maximum: there may be a cusp between any two samples.
 bool slows_down(const CoefficientsD& c, double a, double b) {
-  double slowest = speed(c, b), fastest = slowest;
+  double slowest = c.speed(b), fastest = slowest;
   for (int i = 0; i < 8; ++i) {
-    const double v = speed(c, a + (b - a) * i / 8.0);
+    const double v = c.speed(a + (b - a) * i / 8.0);
     slowest = std::min(slowest, v);
     fastest = std::max(fastest, v);
   }
@@ -119,9 +119,9 @@ bool nearly_stops(const CoefficientsD& c, double a, double b) {
   if (detail::steadiness(detail::hodograph(c, a, b)) >= kSteady) return false;
   if (slows_down(c, a, b)) return true;
   const SlowPoints slow = slow_points(c);
-  const double usual = std::max(speed(c, a), speed(c, b));
+  const double usual = std::max(c.speed(a), c.speed(b));
   return std::any_of(slow.t.begin(), slow.t.begin() + slow.count,
-                     [&](double t) { return t > a && t < b && speed(c, t) < kSteady * usual; });
+                     [&](double t) { return t > a && t < b && c.speed(t) < kSteady * usual; });
 }
 
 // Near a stop the two rules may agree by chance, or both miss a kink. So only steady pieces are accepted. The others
@@ -213,7 +213,7 @@ double ArcLengthMap::parameter(double s) const {
     const double error = s0 + partial(interval, t) - s;
     if (std::abs(error) <= tolerance) break;
     (error > 0 ? high : low) = t;
-    const double slope = speed(c_, t);
+    const double slope = c_.speed(t);
     const double next = slope > 0 ? t - error / slope : -1.0;
     const double previous = t;
     t = next > low && next < high ? next : 0.5 * (low + high);

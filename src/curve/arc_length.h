@@ -25,10 +25,9 @@ enum class LengthControl { none, count, tolerance };
 enum class LengthBound { none, estimated, guaranteed };
 
 struct LengthEstimate {
-  double length = 0;        // m
-  double error_bound = -1;  // m; -1 if the method has no bound
-  std::int64_t evaluations =
-      0;  // number of square roots: one per |B'(t)| or chord, four per chord with its control polygon
+  double length = 0;             // m
+  double error_bound = -1;       // m; -1 if the method has no bound
+  std::int64_t evaluations = 0;  // of square roots: one per |B'(t)| or chord, four per chord with its control polygon
 };
 
 struct ArcLengthMethod {

@@ -19,8 +19,7 @@ struct Hodograph {
 
 inline Hodograph hodograph(const CoefficientsD& c, double a, double b) {
   const double w = b - a;
-  const glm::dvec3 first = c.c1 + a * (2.0 * c.c2 + a * (3.0 * c.c3)),
-                   last = c.c1 + b * (2.0 * c.c2 + b * (3.0 * c.c3));
+  const glm::dvec3 first = c.derivative(a), last = c.derivative(b);
   return {w * first, w * (first + w * (c.c2 + (3.0 * a) * c.c3)), w * last};
 }
 

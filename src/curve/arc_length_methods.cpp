@@ -40,22 +40,22 @@ LengthEstimate chord_sum(const Cubic& cubic, const LengthDemand& demand) {
 LengthEstimate simpson(const Cubic& cubic, const LengthDemand& demand) {
   const CoefficientsD c = coefficients_d(cubic);
   const int n = demand.count + demand.count % 2;  // Simpson's rule needs pairs of intervals
-  double sum = speed(c, 0) + speed(c, 1);
-  for (int i = 1; i < n; ++i) sum += (i % 2 ? 4.0 : 2.0) * speed(c, static_cast<double>(i) / n);
+  double sum = c.speed(0) + c.speed(1);
+  for (int i = 1; i < n; ++i) sum += (i % 2 ? 4.0 : 2.0) * c.speed(static_cast<double>(i) / n);
   return counted(sum / (3.0 * n), n + 1);
 }
 
 LengthEstimate trapezium(const Cubic& cubic, const LengthDemand& demand) {
   const CoefficientsD c = coefficients_d(cubic);
-  double sum = 0.5 * (speed(c, 0) + speed(c, 1));
-  for (int i = 1; i < demand.count; ++i) sum += speed(c, static_cast<double>(i) / demand.count);
+  double sum = 0.5 * (c.speed(0) + c.speed(1));
+  for (int i = 1; i < demand.count; ++i) sum += c.speed(static_cast<double>(i) / demand.count);
   return counted(sum / demand.count, demand.count + 1);
 }
 
 LengthEstimate riemann(const Cubic& cubic, const LengthDemand& demand) {
   const CoefficientsD c = coefficients_d(cubic);
   double sum = 0;
-  for (int i = 0; i < demand.count; ++i) sum += speed(c, static_cast<double>(i) / demand.count);
+  for (int i = 0; i < demand.count; ++i) sum += c.speed(static_cast<double>(i) / demand.count);
   return counted(sum / demand.count, demand.count);
 }
 
@@ -68,7 +68,7 @@ LengthEstimate by_panels(const Cubic& cubic, int count, Rule (*rule_of)(int)) {
   for (int p = 0; p < panels; ++p) {
     const double a = static_cast<double>(p) / panels, b = static_cast<double>(p + 1) / panels;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i)
-      sum += rule.weights[i] * speed(c, 0.5 * ((a + b) + (b - a) * rule.nodes[i]));
+      sum += rule.weights[i] * c.speed(0.5 * ((a + b) + (b - a) * rule.nodes[i]));
   }
   return counted(sum / (2.0 * panels), panels * static_cast<int>(rule.nodes.size()));
 }

@@ -11,11 +11,6 @@ namespace {
 
 using glm::dvec3;
 
-struct DoubleControls {
-  dvec3 p0, p1, p2, p3;
-};
-DoubleControls widen(const Cubic& c) { return {dvec3(c.p0), dvec3(c.p1), dvec3(c.p2), dvec3(c.p3)}; }
-
 dvec3 lerp(dvec3 a, dvec3 b, double t) { return a + t * (b - a); }
 
 }  // namespace
@@ -27,29 +22,17 @@ Coefficients coefficients(const Cubic& c) {
 }
 
 CoefficientsD coefficients_d(const Cubic& cubic) {
-  const DoubleControls c = widen(cubic);
-  const dvec3 d0 = c.p1 - c.p0, d1 = c.p2 - c.p1, d2 = c.p3 - c.p2;
-  return {c.p0, 3.0 * d0, 3.0 * (d1 - d0), (d2 - d1) - (d1 - d0)};
+  const auto [p0, p1, p2, p3] = controls(cubic);
+  const dvec3 d0 = p1 - p0, d1 = p2 - p1, d2 = p3 - p2;
+  return {p0, 3.0 * d0, 3.0 * (d1 - d0), (d2 - d1) - (d1 - d0)};
 }
 
 PreparedCubic prepare(const Cubic& cubic) { return {cubic, coefficients(cubic)}; }
 
-glm::dvec3 point(const Cubic& cubic, double t) {
-  if (t == 1.0) return dvec3(cubic.p3);
-  const CoefficientsD c = coefficients_d(cubic);
-  return c.c0 + t * (c.c1 + t * (c.c2 + t * c.c3));
-}
+glm::dvec3 point(const Cubic& cubic, double t) { return t == 1.0 ? dvec3(cubic.p3) : coefficients_d(cubic).point(t); }
 
-glm::dvec3 derivative(const Cubic& cubic, double t) {
-  const CoefficientsD c = coefficients_d(cubic);
-  return c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3));
-}
-
-glm::dvec3 second_derivative(const Cubic& cubic, double t) {
-  const CoefficientsD c = coefficients_d(cubic);
-  return 2.0 * c.c2 + t * (6.0 * c.c3);
-}
-
+glm::dvec3 derivative(const Cubic& cubic, double t) { return coefficients_d(cubic).derivative(t); }
+glm::dvec3 second_derivative(const Cubic& cubic, double t) { return coefficients_d(cubic).second_derivative(t); }
 glm::dvec3 third_derivative(const Cubic& cubic) { return 6.0 * coefficients_d(cubic).c3; }
 
 glm::dvec3 point_long_double(const Cubic& cubic, double t) {
@@ -86,8 +69,8 @@ double curvature(const Cubic& cubic, double t) {
 
 SplitCubic split(const Cubic& cubic, double t) {
   // Barrett 2012, section 3.2: the table of de Casteljau's method contains the control points of both halves.
-  const DoubleControls c = widen(cubic);
-  const dvec3 a = lerp(c.p0, c.p1, t), b = lerp(c.p1, c.p2, t), d = lerp(c.p2, c.p3, t);
+  const auto [p0, p1, p2, p3] = controls(cubic);
+  const dvec3 a = lerp(p0, p1, t), b = lerp(p1, p2, t), d = lerp(p2, p3, t);
   const dvec3 e = lerp(a, b, t), f = lerp(b, d, t);
   const glm::vec3 middle(lerp(e, f, t));
   return {{cubic.p0, glm::vec3(a), glm::vec3(e), middle}, {middle, glm::vec3(f), glm::vec3(d), cubic.p3}};

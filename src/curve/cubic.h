@@ -20,6 +20,14 @@ struct Coefficients {
 };
 struct CoefficientsD {
   glm::dvec3 c0{0}, c1{0}, c2{0}, c3{0};
+  // B(t), B'(t), B''(t), |B'(t)|.
+  glm::dvec3 point(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
+  glm::dvec3 derivative(double t) const { return c1 + t * (2.0 * c2 + t * (3.0 * c3)); }
+  glm::dvec3 second_derivative(double t) const { return 2.0 * c2 + t * (6.0 * c3); }
+  double speed(double t) const {
+    const glm::dvec3 d = derivative(t);
+    return std::sqrt(glm::dot(d, d));
+  }
 };
 
 // A cubic with precomputed coefficients; changes only when a control point moves.
@@ -30,11 +38,6 @@ struct PreparedCubic {
 
 Coefficients coefficients(const Cubic& cubic);     // in float, as in the paper's program
 CoefficientsD coefficients_d(const Cubic& cubic);  // exact control points, double arithmetic
-// Returns |B'(t)|.
-inline double speed(const CoefficientsD& c, double t) {
-  const glm::dvec3 d = c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3));
-  return std::sqrt(glm::dot(d, d));
-}
 PreparedCubic prepare(const Cubic& cubic);
 
 // Return B(t), B'(t), B''(t), B'''(t) in double, t in [0,1] (any finite t is allowed). At t = 0 and 1 point() is

@@ -12,10 +12,10 @@ namespace coaster::curve {
 
 struct SplinePoints {
   std::span<const glm::dvec3> points;  // n >= 2 (closed: n >= 3), m
-  std::span<const double>
-      steps;  // > 0, parameter steps from each point to the next: n - 1, closed n (the last leads back to the first)
-  std::optional<glm::dvec3> first,
-      last;  // dP/du at the ends; if absent, the second derivative is 0 there (natural). Ignored when closed.
+  // > 0, parameter steps from each point to the next: n - 1, closed n (the last leads back to the first).
+  std::span<const double> steps;
+  // dP/du at the ends; if absent, the second derivative is 0 there (natural). Ignored when closed.
+  std::optional<glm::dvec3> first, last;
   bool closed = false;
 };
 

@@ -13,9 +13,8 @@ using glm::dvec3;
 // Returns the nearest parameter by Newton's method from `t`; searches the whole segment if that fails.
 curve::NearestPoint nearest_from(const curve::Cubic& cubic, const curve::CoefficientsD& c, dvec3 target, double t) {
   for (int i = 0; i < 4; ++i) {
-    const dvec3 off = c.c0 + t * (c.c1 + t * (c.c2 + t * c.c3)) - target,
-                d = c.c1 + t * (2.0 * c.c2 + t * (3.0 * c.c3));
-    const double slope = glm::dot(d, d) + glm::dot(off, 2.0 * c.c2 + t * (6.0 * c.c3));
+    const dvec3 off = c.point(t) - target, d = c.derivative(t);
+    const double slope = glm::dot(d, d) + glm::dot(off, c.second_derivative(t));
     if (!(slope > 0)) break;
     t = std::clamp(t - glm::dot(off, d) / slope, 0.0, 1.0);
   }

@@ -16,13 +16,7 @@ constexpr std::size_t kFittedRows = 40;  // rows that handle lengths are fitted 
 constexpr int kIterations = 12;
 constexpr double kMostFitRoll = 2 * base::kPi * (world::kMaxTurns - 1);
 
-// A cubic in double, as monomials.
-struct Curve {
-  dvec3 c0, c1, c2, c3;
-  dvec3 point(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
-  dvec3 derivative(double t) const { return c1 + t * (2.0 * c2 + t * (3.0 * c3)); }
-  dvec3 second(double t) const { return 2.0 * c2 + t * (6.0 * c3); }
-};
+using Curve = curve::CoefficientsD;
 
 struct Ends {
   dvec3 p0, t0, p3, t3;
@@ -37,7 +31,7 @@ Curve curve_of(const Ends& e, double out, double in) {
 double nearer(const Curve& c, dvec3 target, double t, int steps) {
   for (int i = 0; i < steps; ++i) {
     const dvec3 d = c.derivative(t), off = c.point(t) - target;
-    const double speed = glm::dot(d, d), slope = speed + glm::dot(off, c.second(t));
+    const double speed = glm::dot(d, d), slope = speed + glm::dot(off, c.second_derivative(t));
     const double step = glm::dot(off, d) / (slope > 0.1 * speed ? slope : std::max(speed, 1e-30));
     t = std::clamp(t - std::clamp(step, -0.2, 0.2), 0.0, 1.0);
     if (std::abs(step) < 1e-9) break;
@@ -107,8 +101,7 @@ void clip(RollWindow& polygon, dvec2 normal, double limit, RollWindow& spare) {
 // Carries the frame along the curve from row to row, in steps of at most 1/32, and integrates the length.
 class Carrier {
  public:
-  Carrier(const Curve& c, const curve::Frame& start)
-      : c_(c), frame_(start), place_(c.point(0)), speed_(glm::length(c.derivative(0))) {}
+  Carrier(const Curve& c, const curve::Frame& start) : c_(c), frame_(start), place_(c.point(0)), speed_(c.speed(0)) {}
   void go_to(double t) {
     const int steps = std::max(1, static_cast<int>(std::ceil((t - t_) * 32)));
     const double from = t_;
@@ -121,7 +114,7 @@ class Carrier {
   void step(double t) {
     const dvec3 place = c_.point(t), d = c_.derivative(t);
     const double speed = glm::length(d);
-    length_ += (t - t_) / 6 * (speed_ + 4 * glm::length(c_.derivative(0.5 * (t + t_))) + speed);  // Simpson
+    length_ += (t - t_) / 6 * (speed_ + 4 * c_.speed(0.5 * (t + t_)) + speed);  // Simpson
     if (speed > 1e-12) frame_ = curve::transport(frame_, place_, place, d / speed);
     t_ = t, place_ = place, speed_ = speed;
   }
