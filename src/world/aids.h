@@ -14,21 +14,14 @@ struct Aids {
   friend bool operator==(const Aids&, const Aids&) = default;
 
   static constexpr auto kRows = std::tuple{
-      setting(&Aids::show_hints, {.word = "hints",
-                                  .help = "Whether the first steps show in the viewport.",
-                                  .kept_as = "hints",
-                                  .on_for_user = true}),
-      setting(&Aids::show_card, {.word = "card",
-                                 .help = "Whether the score card shows when a ride ends.",
-                                 .kept_as = "card",
-                                 .on_for_user = true}),
-      setting(&Aids::show_gizmo, {.word = "gizmo",
-                                  .help = "Whether arrows show that move the selected knots.",
-                                  .kept_as = "gizmo",
-                                  .on_for_user = true}),
-      setting(&Aids::append_mode, {.word = "append_mode", .help = "Whether a click on the ground appends a knot."}),
-      setting(&Aids::show_element,
-              {.word = "element.preview", .help = "Whether the palette's element shows where it would go."})};
+      setting(&Aids::show_hints, "hints", "Whether the first steps show in the viewport.",
+              {.kept_as = "hints", .on_for_user = true}),
+      setting(&Aids::show_card, "card", "Whether the score card shows when a ride ends.",
+              {.kept_as = "card", .on_for_user = true}),
+      setting(&Aids::show_gizmo, "gizmo", "Whether arrows show that move the selected knots.",
+              {.kept_as = "gizmo", .on_for_user = true}),
+      setting(&Aids::append_mode, "append_mode", "Whether a click on the ground appends a knot."),
+      setting(&Aids::show_element, "element.preview", "Whether the palette's element shows where it would go.")};
 };
 
 }  // namespace coaster::world

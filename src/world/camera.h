@@ -26,13 +26,9 @@ struct Camera {
   float field_of_view_deg = 45;
   friend bool operator==(const Camera&, const Camera&) = default;
 
-  static constexpr auto kRows =
-      std::tuple{setting(&Camera::field_of_view_deg, {.word = "camera.field_of_view",
-                                                      .help = "Vertical field of view of all cameras but the rider's.",
-                                                      .low = kMinFieldOfView,
-                                                      .high = kMaxFieldOfView,
-                                                      .unit = "degrees",
-                                                      .query = "field_of_view"})};
+  static constexpr auto kRows = std::tuple{setting(
+      &Camera::field_of_view_deg, "camera.field_of_view", "Vertical field of view of all cameras but the rider's.",
+      {.low = kMinFieldOfView, .high = kMaxFieldOfView, .unit = "degrees", .query = "field_of_view"})};
 };
 
 // The fly camera: level, at `eye` (m), yaw as the orbit camera's, pitch above the horizon (up to kMaxPitch).

@@ -17,40 +17,20 @@ struct CameraFeel {
   bool head_bob = false;
   friend bool operator==(const CameraFeel&, const CameraFeel&) = default;
 
-  static constexpr auto kRows =
-      std::tuple{setting(&CameraFeel::ride_view_deg, {.word = "camera.ride_view",
-                                                      .help = "Vertical field of view of the rider.",
-                                                      .low = kMinFieldOfView,
-                                                      .high = kMaxFieldOfView,
-                                                      .unit = "degrees",
-                                                      .query = "ride_view"}),
-                 setting(&CameraFeel::widening_deg, {.word = "camera.widening",
-                                                     .help = "How much the rider's view widens at 30 m/s.",
-                                                     .low = 0,
-                                                     .high = 20,
-                                                     .unit = "degrees",
-                                                     .query = "widening"}),
-                 setting(&CameraFeel::roll_damping, {.word = "camera.roll_damping",
-                                                     .help = "Lag of the rider's roll behind the track's. 0: none.",
-                                                     .low = 0,
-                                                     .high = 2,
-                                                     .unit = "s",
-                                                     .query = "roll_damping"}),
-                 setting(&CameraFeel::chase_distance, {.word = "camera.chase_distance",
-                                                       .help = "Distance from the chase camera to a lone car.",
-                                                       .low = kMinChase,
-                                                       .high = kMaxChase,
-                                                       .unit = "m",
-                                                       .query = "chase_distance"}),
-                 setting(&CameraFeel::reduced_motion,
-                         {.word = "camera.reduced_motion",
-                          .help = "Whether the rider's horizon stays level, cameras cut, and nothing bobs or widens.",
-                          .query = "reduced_motion",
-                          .kept_as = "reduced_motion"}),
-                 setting(&CameraFeel::head_bob, {.word = "camera.head_bob",
-                                                 .help = "Whether the rider's head gives way to g.",
-                                                 .query = "head_bob",
-                                                 .kept_as = "head_bob"})};
+  static constexpr auto kRows = std::tuple{
+      setting(&CameraFeel::ride_view_deg, "camera.ride_view", "Vertical field of view of the rider.",
+              {.low = kMinFieldOfView, .high = kMaxFieldOfView, .unit = "degrees", .query = "ride_view"}),
+      setting(&CameraFeel::widening_deg, "camera.widening", "How much the rider's view widens at 30 m/s.",
+              {.low = 0, .high = 20, .unit = "degrees", .query = "widening"}),
+      setting(&CameraFeel::roll_damping, "camera.roll_damping", "Lag of the rider's roll behind the track's. 0: none.",
+              {.low = 0, .high = 2, .unit = "s", .query = "roll_damping"}),
+      setting(&CameraFeel::chase_distance, "camera.chase_distance", "Distance from the chase camera to a lone car.",
+              {.low = kMinChase, .high = kMaxChase, .unit = "m", .query = "chase_distance"}),
+      setting(&CameraFeel::reduced_motion, "camera.reduced_motion",
+              "Whether the rider's horizon stays level, cameras cut, and nothing bobs or widens.",
+              {.query = "reduced_motion", .kept_as = "reduced_motion"}),
+      setting(&CameraFeel::head_bob, "camera.head_bob", "Whether the rider's head gives way to g.",
+              {.query = "head_bob", .kept_as = "head_bob"})};
 };
 
 }  // namespace coaster::world

@@ -17,17 +17,13 @@ struct Evaluation {
   curve::ArcLengthId arc_length{};
   friend bool operator==(const Evaluation&, const Evaluation&) = default;
 
-  static constexpr auto kRows = std::tuple{
-      setting(&Evaluation::evaluator, {.word = "evaluator", .help = "Method that evaluates the polylines."}),
-      setting(&Evaluation::steps, {.word = "resolution",
-                                   .help = "Steps per segment of the polylines.",
-                                   .low = curve::kMinSteps,
-                                   .high = curve::kMaxSteps}),
-      setting(&Evaluation::vertex_budget, {.word = "vertex_budget",
-                                           .help = "Limit of the vertices of all polylines together.",
-                                           .low = 1e3,
-                                           .high = 1e9}),
-      setting(&Evaluation::arc_length, {.word = "arc_length", .help = "Method that measures the displayed length."})};
+  static constexpr auto kRows =
+      std::tuple{setting(&Evaluation::evaluator, "evaluator", "Method that evaluates the polylines."),
+                 setting(&Evaluation::steps, "resolution", "Steps per segment of the polylines.",
+                         {.low = curve::kMinSteps, .high = curve::kMaxSteps}),
+                 setting(&Evaluation::vertex_budget, "vertex_budget",
+                         "Limit of the vertices of all polylines together.", {.low = 1e3, .high = 1e9}),
+                 setting(&Evaluation::arc_length, "arc_length", "Method that measures the displayed length.")};
 };
 
 }  // namespace coaster::world

@@ -16,17 +16,12 @@ struct LabView {
   friend bool operator==(const LabView&, const LabView&) = default;
 
   static constexpr auto kRows = std::tuple{
-      setting(&LabView::colouring, {.word = "colour", .help = "Value that colours the track."}),
-      setting(&LabView::magnification, {.word = "magnification",
-                                        .help = "How many times the rounding layer magnifies an evaluator's errors.",
-                                        .low = 1,
-                                        .high = 1e7}),
-      setting(&LabView::comb_scale, {.word = "comb_scale",
-                                     .help = "Length of the comb's teeth: metres for a curvature of 1/m.",
-                                     .low = 0.001,
-                                     .high = 1e6,
-                                     .unit = "m^2"}),
-      setting(&LabView::page, {.word = "page", .help = "Page of the laboratory that is open."})};
+      setting(&LabView::colouring, "colour", "Value that colours the track."),
+      setting(&LabView::magnification, "magnification",
+              "How many times the rounding layer magnifies an evaluator's errors.", {.low = 1, .high = 1e7}),
+      setting(&LabView::comb_scale, "comb_scale", "Length of the comb's teeth: metres for a curvature of 1/m.",
+              {.low = 0.001, .high = 1e6, .unit = "m^2"}),
+      setting(&LabView::page, "page", "Page of the laboratory that is open.")};
 };
 
 }  // namespace coaster::world

@@ -35,19 +35,15 @@ struct Look {
   friend bool operator==(const Look&, const Look&) = default;
 
   static constexpr auto kRows = std::tuple{
-      setting(&Look::ui_scale,
-              {.word = "scale", .help = "Scale of the panels.", .low = 0.75, .high = 3, .kept_as = "ui_scale"}),
-      setting(&Look::theme, {.word = "theme", .help = "Colours of the panels.", .kept_as = "theme"}),
-      setting(&Look::style, {.word = "style", .help = "Light of the scene.", .kept_as = "style"}),
-      setting(&Look::shadows, {.word = "shadows",
-                               .help = "Whether track and trains cast shadows. Frames cost less without them.",
-                               .kept_as = "shadows"}),
-      setting(&Look::sound,
-              {.word = "sound", .help = "Ride volume. 0 mutes it.", .low = 0, .high = 1, .kept_as = "sound"}),
-      setting(&Look::show_panels, {.word = "panels", .help = "Whether the panels show.", .kept_as = "panels"}),
-      setting(&Look::show_laboratory, {.word = "laboratory",
-                                       .help = "Whether the pages of the laboratory show, below the viewport.",
-                                       .kept_as = "laboratory"})};
+      setting(&Look::ui_scale, "scale", "Scale of the panels.", {.low = 0.75, .high = 3, .kept_as = "ui_scale"}),
+      setting(&Look::theme, "theme", "Colours of the panels.", {.kept_as = "theme"}),
+      setting(&Look::style, "style", "Light of the scene.", {.kept_as = "style"}),
+      setting(&Look::shadows, "shadows", "Whether track and trains cast shadows. Frames cost less without them.",
+              {.kept_as = "shadows"}),
+      setting(&Look::sound, "sound", "Ride volume. 0 mutes it.", {.low = 0, .high = 1, .kept_as = "sound"}),
+      setting(&Look::show_panels, "panels", "Whether the panels show.", {.kept_as = "panels"}),
+      setting(&Look::show_laboratory, "laboratory", "Whether the pages of the laboratory show, below the viewport.",
+              {.kept_as = "laboratory"})};
 };
 
 }  // namespace coaster::world

@@ -10,8 +10,8 @@
 namespace coaster::world {
 
 struct SettingRow {
-  std::string_view word;          // of the command that sets it
-  std::string_view help;          // one line, of the command and of the query
+  std::string_view word = {};     // of the command that sets it
+  std::string_view help = {};     // one line, of the command and of the query
   double low = 0, high = 0;       // limits of a number; values beyond them are clamped with a notice
   std::string_view unit = {};     // of the number, "m"
   std::string_view query = {};    // its name where it differs from `word`
@@ -27,7 +27,9 @@ struct SettingOf {
   SettingRow row;
 };
 template <class Group, class T>
-constexpr SettingOf<Group, T> setting(T Group::*member, const SettingRow& row) {
+constexpr SettingOf<Group, T> setting(T Group::*member, std::string_view word, std::string_view help,
+                                      SettingRow row = {}) {
+  row.word = word, row.help = help;
   return {member, row};
 }
 

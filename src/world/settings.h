@@ -74,14 +74,13 @@ struct Settings {
   Element element = usual_element(ElementKind::curve);  // the palette's element
   friend bool operator==(const Settings&, const Settings&) = default;
 
-  static constexpr auto kRows = std::tuple{
-      setting(&Settings::frames, {.word = "frames_by",
-                                  .help = "Frames that turn carts: the knots' banked ones (knots), rotation-minimising "
-                                          "along the track (rmf), Frenet-Serret (frenet) or upright (world_up)."}),
-      setting(&Settings::integrator, {.word = "integrator", .help = "Method that moves the carts."}),
-      setting(&Settings::camera_mode,
-              {.word = "camera_mode",
-               .help = "Camera: orbit, from the first cart (ride), from behind its train (chase) or free (fly)."})};
+  static constexpr auto kRows =
+      std::tuple{setting(&Settings::frames, "frames_by",
+                         "Frames that turn carts: the knots' banked ones (knots), rotation-minimising "
+                         "along the track (rmf), Frenet-Serret (frenet) or upright (world_up)."),
+                 setting(&Settings::integrator, "integrator", "Method that moves the carts."),
+                 setting(&Settings::camera_mode, "camera_mode",
+                         "Camera: orbit, from the first cart (ride), from behind its train (chase) or free (fly).")};
 };
 
 }  // namespace coaster::world
