@@ -31,7 +31,7 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
                                       edit::SetSnapping{s.snapping.to, s.snapping.step, s.snapping.angle},
                                       edit::ChooseElement{s.element}};
   world::for_each_setting([&]<auto Setting>() { commands.push_back(edit::Set<Setting>{world::value_in<Setting>(s)}); });
-  for (std::size_t i = 0; i < world::layers().size(); ++i) {
+  for (std::size_t i = 0; i < std::size(world::kLayers); ++i) {
     const auto layer = static_cast<world::Layer>(i);
     commands.push_back(edit::ShowLayer{layer, s.lab->layers.has(layer)});
   }

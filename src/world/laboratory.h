@@ -10,7 +10,7 @@
 
 namespace coaster::world {
 
-// The colouring of the track: rows of colourings(), in its order.
+// The colouring of the track.
 enum class Colouring : std::uint8_t { plain, speed, height, vertical, lateral, longitudinal, curvature, error };
 
 struct ColouringRow {
@@ -20,8 +20,17 @@ struct ColouringRow {
   std::string_view help;
   bool of_ride = false;  // needs a simulation of the whole ride
 };
-std::span<const ColouringRow> colourings();
-inline std::span<const ColouringRow> rows_of(Colouring) { return colourings(); }
+inline constexpr ColouringRow kColourings[] = {
+    {"plain", "Plain", "", "Painted steel."},
+    {"speed", "Speed", "m/s", "Speed of the simulated ride.", true},
+    {"height", "Height", "m", "Height above the ground."},
+    {"vertical", "Vertical g", "g", "Presses riders into the seat. 1 at rest, below 0 in airtime.", true},
+    {"lateral", "Lateral g", "g", "Pushes riders sideways.", true},
+    {"longitudinal", "Longitudinal g", "g", "Pushes riders into the backrest. Below 0 into the lap bar.", true},
+    {"curvature", "Curvature", "1/m", "1 / radius of the osculating circle."},
+    {"error", "Evaluator error", "mm", "Distance of the selected evaluator's vertices from the exact curve."},
+};
+constexpr std::span<const ColouringRow> rows_of(Colouring) { return kColourings; }
 
 // The pages of the laboratory's strip: PAGE(name, label, help). `name` is the enumerator and the word of scripts ("page
 // weights"); ui/lab builds the page in a function NAME_page().
@@ -37,14 +46,17 @@ inline std::span<const ColouringRow> rows_of(Colouring) { return colourings(); }
   PAGE(measurements, "Measurements", "Time and error of every evaluator, measured on this machine.")        \
   PAGE(forces, "Forces", "Speed, height and g over the whole ride, overloads, and ratings, before it is ridden.")
 
-// Rows of lab_pages(), in its order.
 enum class LabPage : std::uint8_t {
 #define COASTER_ENUMERATOR(name, label, help) name,
   COASTER_LAB_PAGES(COASTER_ENUMERATOR)
 #undef COASTER_ENUMERATOR
 };
 
-std::span<const base::NameRow> lab_pages();
-inline std::span<const base::NameRow> rows_of(LabPage) { return lab_pages(); }
+inline constexpr base::NameRow kLabPages[] = {
+#define COASTER_ROW(name, label, help) {#name, label, help},
+    COASTER_LAB_PAGES(COASTER_ROW)
+#undef COASTER_ROW
+};
+constexpr std::span<const base::NameRow> rows_of(LabPage) { return kLabPages; }
 
 }  // namespace coaster::world

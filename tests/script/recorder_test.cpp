@@ -71,7 +71,7 @@ TEST(recorder, a_replay_has_the_same_hashes) {
 world::Settings other_settings(const edit::Session& session) {
   world::Settings s = session.settings;
   world::for_each_setting([&]<auto Setting>() { world::value_in<Setting>(s) = test::other_value<Setting>(); });
-  for (std::size_t i = 0; i < world::layers().size(); ++i) {
+  for (std::size_t i = 0; i < std::size(world::kLayers); ++i) {
     const auto layer = static_cast<world::Layer>(i);
     s.lab->layers.set(layer, !s.lab->layers.has(layer));
   }

@@ -236,7 +236,7 @@ TEST(overlay_lab, no_layer_outgrows_its_limit_on_a_long_track) {
 
 TEST(overlay_lab, an_empty_track_shows_nothing) {
   Scene scene{world::Document{}};
-  for (std::size_t i = 0; i < world::layers().size(); ++i)
+  for (std::size_t i = 0; i < std::size(world::kLayers); ++i)
     scene.settings.lab->layers.set(static_cast<world::Layer>(i), true);
   Overlay overlay;
   add_laboratory(scene.document, scene.derived, scene.settings, scene.view, {}, overlay);

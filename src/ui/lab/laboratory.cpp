@@ -20,7 +20,7 @@ COASTER_LAB_PAGES(COASTER_PAGE)
 
 namespace {
 
-// Rows of world::lab_pages(), in its order.
+// Rows of world::kLabPages, in its order.
 constexpr void (*kBuild[])(Ui& ui) = {
 #define COASTER_PAGE(name, label, help) name##_page,
     COASTER_LAB_PAGES(COASTER_PAGE)
@@ -137,7 +137,7 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
 void build_laboratory(Ui& ui, const view::Viewport& area) {
   if (area.width < 1 || area.height < 1) return;
   const float bar = std::min(ImGui::GetFrameHeight(), area.height);
-  const std::span<const base::NameRow> all = world::lab_pages();
+  const std::span<const base::NameRow> all = world::kLabPages;
   ui.panel = "Laboratory";
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));

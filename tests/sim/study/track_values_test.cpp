@@ -109,7 +109,7 @@ TEST(track_values, a_moved_knot_changes_the_heights_of_two_segments) {
 
 TEST(track_values, the_legend_is_round_and_holds_every_value) {
   Coloured track(test::ring_document(9, 41.3));
-  for (std::size_t row = 1; row < world::colourings().size(); ++row) {
+  for (std::size_t row = 1; row < std::size(world::kColourings); ++row) {
     const TrackValues& values = track.by(static_cast<Colouring>(row));
     EXPECT_LT(values.low, values.high);
     for (const float value : values.values) {
@@ -119,7 +119,7 @@ TEST(track_values, the_legend_is_round_and_holds_every_value) {
     }
     const double power = std::pow(10.0, std::floor(std::log10(values.high - values.low)));
     const double tenths = (values.high - values.low) / power * 10;
-    EXPECT_NEAR(tenths, std::round(tenths), 1e-6) << world::colourings()[row].name;
+    EXPECT_NEAR(tenths, std::round(tenths), 1e-6) << world::kColourings[row].name;
   }
 }
 
@@ -127,7 +127,7 @@ TEST(track_values, plain_needs_nothing_and_an_empty_track_has_nothing) {
   Coloured track(test::ring_document(9, 41.3));
   EXPECT_TRUE(track.by(Colouring::plain).values.empty());
   const Derived none;
-  for (std::size_t row = 0; row < world::colourings().size(); ++row) {
+  for (std::size_t row = 0; row < std::size(world::kColourings); ++row) {
     track.settings.lab->colouring = static_cast<Colouring>(row);
     const TrackValues& values = track.memo.update(none, track.settings, nullptr);
     EXPECT_TRUE(values.values.empty());

@@ -23,7 +23,7 @@ struct LaboratoryTest : Stage {
   }
   static std::vector<std::string> pages() {
     std::vector<std::string> names;
-    for (const base::NameRow& page : world::lab_pages()) names.emplace_back(page.label);
+    for (const base::NameRow& page : world::kLabPages) names.emplace_back(page.label);
     return names;
   }
   double number_shown(const std::string& path) const {
