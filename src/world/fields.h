@@ -6,15 +6,13 @@
 //     visit(Field{"speed", 0, kMaxSpeed, InFile::written}, &Equipment::speed);
 //   }
 //
-// Parsing, printing and hashing of documents, keys of derived data and the history's estimate of bytes read this list.
+// Parsing, printing and hashing of documents and the history's estimate of bytes read this list.
 #pragma once
 
 #include <array>
 #include <string>
 #include <string_view>
 #include <type_traits>
-
-#include "base/hash.h"
 
 namespace coaster::world {
 
@@ -48,16 +46,6 @@ void add_fields(const T& component, Add add) {
   });
   T::fields([&](const Field& field, auto member) {
     if (counts[static_cast<std::size_t>(field.since)]) add(component.*member);
-  });
-}
-
-// Adds every field, for keys of what is derived from a component.
-template <HasFields T>
-void add_all(base::Hasher& hasher, const T& component) {
-  T::fields([&](const Field&, auto member) {
-    const auto& value = component.*member;
-    if constexpr (HasFields<std::remove_cvref_t<decltype(value)>>) add_all(hasher, value);
-    else hasher.add(value);
   });
 }
 

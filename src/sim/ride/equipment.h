@@ -15,6 +15,7 @@ struct EquipmentSpan {
   double from = 0, to = 0;  // m from the track's start
   world::Entity segment;
   world::Equipment equipment;
+  friend bool operator==(const EquipmentSpan&, const EquipmentSpan&) = default;
 };
 // Returns the spans in track order.
 std::vector<EquipmentSpan> equipment_spans(const world::Document& document, const Derived& derived);
@@ -31,11 +32,6 @@ struct TrainPlace {
 struct ControlState {
   std::int32_t dwell = 0;  // ticks left to wait; -1: dispatched
   bool braking = false;
-  template <class Visit>
-  static constexpr void fields(Visit visit) {
-    visit(world::Field{}, &ControlState::dwell);
-    visit(world::Field{}, &ControlState::braking);
-  }
   friend bool operator==(const ControlState&, const ControlState&) = default;
 };
 

@@ -22,16 +22,6 @@ struct GhostStart {
   ControlState control;
   double length = world::kCarLength;  // m, of a car
   double mass = world::kCarMass;      // kg, of a car
-  template <class Visit>
-  static constexpr void fields(Visit visit) {
-    visit(world::Field{}, &GhostStart::front);
-    visit(world::Field{}, &GhostStart::speed);
-    visit(world::Field{}, &GhostStart::cars);
-    visit(world::Field{}, &GhostStart::spacing);
-    visit(world::Field{}, &GhostStart::control);
-    visit(world::Field{}, &GhostStart::length);
-    visit(world::Field{}, &GhostStart::mass);
-  }
   friend bool operator==(const GhostStart&, const GhostStart&) = default;
 };
 
@@ -101,18 +91,25 @@ class GhostMemo {
   std::uint64_t simulations() const { return simulations_; }
 
  private:
+  // Everything that a ride depends on.
+  struct Key {
+    std::uint64_t tables = 0;  // their serial
+    GhostStart start;
+    world::Resistance resistance;
+    bool rollback_fails = false;
+    std::vector<EquipmentSpan> equipment;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
   struct Entry {
-    std::uint64_t key = 0;
+    Key key;
     Ghost ghost;
     std::uint64_t used = 0;
     bool has_lap = false;  // `lap` is up to date with the ghost
     LapTable lap;
   };
-  Entry& find(const world::Document& document, const Derived& derived, const GhostStart& start,
-              const GhostLimits& limits);
+  Entry& find(const world::Document& document, const Derived& derived, const GhostStart& start);
 
   RailTables tables_;
-  std::vector<EquipmentSpan> equipment_;
   std::deque<Entry> entries_;  // at most most_; the least recently used is evicted
   std::uint64_t simulations_ = 0, clock_ = 0;
   static constexpr std::size_t kMostEntries = 16;
