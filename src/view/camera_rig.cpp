@@ -26,7 +26,7 @@ const world::CartMotion* ridden_cart(const Watched& w, world::Entity& cart) {
 
 Ridden ridden_of(const Watched& w, world::Entity cart, const world::CartMotion& motion) {
   const std::size_t index = sim::index_of_segment(w.derived, motion.segment, motion.track_distance);
-  const sim::CarPlace front{index < w.derived.order.size() ? index : 0, motion.s};
+  const sim::TrackPlace front{index < w.derived.order.size() ? index : 0, motion.s};
   const world::Cart* const design = w.document.entities.find<world::Cart>(cart);
   Ridden out{cart, motion, {}, {}, 0};
   if (design) out.length = (sim::cars_on(w.derived, *design) - 1) * static_cast<double>(design->spacing);

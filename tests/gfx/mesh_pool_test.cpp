@@ -102,7 +102,7 @@ TEST_F(Pool, trains_take_as_many_draw_calls_however_long_they_are) {
     carts_.clear();
     for (int i = 0; i < cars; ++i) {
       carts_.push_back(
-          sim::pose(track.derived, sim::CarPlace{static_cast<std::size_t>(i), 1.0}, world::FrameMethod::knots));
+          sim::pose(track.derived, sim::TrackPlace{static_cast<std::size_t>(i), 1.0}, world::FrameMethod::knots));
       carts_.back().leads = i % 7 == 0;
     }
     (void)draw(track);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/ride/ride_rules.h"
 #include "sim/ride/train.h"
 
 namespace coaster::sim {
@@ -17,7 +16,7 @@ class Landscape {
       : closed_(tables.closed()), length_(tables.length()) {
     const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(length_ / kTableStep)));
     step_ = length_ / static_cast<double>(n), per_metre_ = 1.0 / step_;
-    std::vector<TableRail> sums(n + 1, TableRail{0, 0});
+    std::vector<RailPoint> sums(n + 1, RailPoint{0, 0});
     for (int car = 0; car < start.cars; ++car) add_car(tables, segments, car * start.spacing, sums);
     const double share = 1.0 / start.cars;
     cells_.resize(n);
@@ -44,7 +43,7 @@ class Landscape {
   };
   // Visits the segments in order, as the grid does.
   void add_car(const RailTables& tables, std::span<const SegmentTable* const> segments, double back,
-               std::vector<TableRail>& sums) const {
+               std::vector<RailPoint>& sums) const {
     std::size_t index = segments.size();
     const double first = tables.locate(-back, index);
     double offset = first;  // the position in the segment is step * i + offset
@@ -58,7 +57,7 @@ class Landscape {
         left = tables.start(index + 1) - tables.start(index);
         s = step_ * static_cast<double>(i) + offset;
       }
-      const TableRail rail = rail_at(*segments[index], s);
+      const RailPoint rail = rail_at(*segments[index], s);
       sums[i].height += rail.height, sums[i].slope += rail.slope;
     }
   }
@@ -73,10 +72,6 @@ std::vector<const SegmentTable*> segments_of(const RailTables& tables) {
   for (std::size_t i = 0; i < tables.size(); ++i) segments.push_back(&tables.segment(i));
   return segments;
 }
-
-struct Moving {
-  double at, speed, work;  // m from the track's start (unwrapped), m/s, J/kg
-};
 
 class Simulation {
  public:
@@ -106,13 +101,13 @@ class Simulation {
     ghost.samples.reserve(usual), ghost.forces.reserve(usual / kForceEvery * static_cast<std::size_t>(start_.cars));
     add_sample(ghost, acceleration(0));
     while (ghost.samples.size() <= most && ghost.end == world::FailureKind::none) {
-      const double before = moving_.at - start_.front;
+      const double before = moving_.x - start_.front;
       double drive = 0;
       const bool held = control(drive);
       if (!held) advance(drive, ghost);
       add_sample(ghost, held ? 0.0 : acceleration(drive));
       if (ghost.end == world::FailureKind::none) ghost.end = failure(held, ghost);
-      const double after = moving_.at - start_.front;
+      const double after = moving_.x - start_.front;
       if (rails_.closed && !ghost.lap && after >= rails_.length) {
         const double part = after > before ? (rails_.length - before) / (after - before) : 1.0;
         ghost.lap = true;
@@ -124,28 +119,24 @@ class Simulation {
   }
 
  private:
-  double others(double speed, double direction, double drive) const {
-    return drive - direction * (world::kGravity * resistance_.rolling + resistance_.drag * speed * speed);
-  }
   double gravity(double at) const { return -world::kGravity * landscape_.slope(at - round_); }
   // After each move: computes the gravity there, which is used several times, and the start of the train's lap.
   void settle() {
-    if (rails_.closed && !(moving_.at >= round_ && moving_.at < round_ + rails_.length))
-      round_ = rails_.length * std::floor(moving_.at / rails_.length);
-    gravity_here_ = gravity(moving_.at);
+    if (rails_.closed && !(moving_.x >= round_ && moving_.x < round_ + rails_.length))
+      round_ = rails_.length * std::floor(moving_.x / rails_.length);
+    gravity_here_ = gravity(moving_.x);
   }
   double direction(double drive) const {
-    if (moving_.speed != 0) return moving_.speed > 0 ? 1.0 : -1.0;
-    const double pull = gravity_here_ + drive;
-    if (std::abs(pull) <= world::kGravity * resistance_.rolling) return 0.0;
-    return pull > 0 ? 1.0 : -1.0;
+    return direction_of(moving_.speed, resistance_, [&] { return gravity_here_ + drive; });
   }
-  double acceleration(double drive) const { return gravity_here_ + others(moving_.speed, direction(drive), drive); }
+  double acceleration(double drive) const {
+    return gravity_here_ + (drive - direction(drive) * loss(resistance_, moving_.speed));
+  }
 
   bool control(double& drive) {
     if (equipment_.empty()) return false;
     const double free = acceleration(0);
-    const Drive now = drive_of(equipment_, rails_, {moving_.at, start_.cars, start_.spacing, start_.length},
+    const Drive now = drive_of(equipment_, rails_, {moving_.x, start_.cars, start_.spacing, start_.length},
                                moving_.speed, free, true, world::kTick, control_);
     drive = now.acceleration;
     if (now.held) {
@@ -158,28 +149,20 @@ class Simulation {
   void advance(double drive, Ghost& ghost) {
     const double sign = direction(drive), dt = world::kTick;
     if (moving_.speed == 0 && sign == 0 && resistance_.rolling > 0) return;  // at rest, held by friction
-    const auto with = [&](const Moving& m, double pull) {
-      const double by_others = others(m.speed, sign, drive);
-      return Moving{m.speed, pull + by_others, by_others * m.speed};
+    const auto rates = [&](const TrainState& m, double pull) {
+      const double others = drive - sign * loss(resistance_, m.speed);
+      return TrainRates{m.speed, pull + others, others * m.speed};
     };
-    const auto slope = [&](const Moving& m) { return with(m, gravity(m.at)); };
-    const auto moved = [&](const Moving& k, double h) {
-      return Moving{moving_.at + h * k.at, moving_.speed + h * k.speed, moving_.work + h * k.work};
-    };
-    const Moving k1 = with(moving_, gravity_here_), k2 = slope(moved(k1, 0.5 * dt)), k3 = slope(moved(k2, 0.5 * dt)),
-                 k4 = slope(moved(k3, dt));
-    const auto mean = [](double a, double b, double c, double d) { return (a + 2.0 * b + 2.0 * c + d) / 6.0; };
-    Moving next = moved({mean(k1.at, k2.at, k3.at, k4.at), mean(k1.speed, k2.speed, k3.speed, k4.speed),
-                         mean(k1.work, k2.work, k3.work, k4.work)},
-                        dt);
+    TrainState next = runge_kutta(moving_, rates(moving_, gravity_here_), dt,
+                                  [&](const TrainState& m) { return rates(m, gravity(m.x)); });
     const bool losses = !(resistance_ == world::Resistance{});
     if (losses && sign != 0 && next.speed * sign < 0) {  // friction stops it and does not reverse it
       const double part = moving_.speed / (moving_.speed - next.speed);
-      next = {moving_.at + part * (next.at - moving_.at), 0.0, moving_.work + part * (next.work - moving_.work)};
+      next = {moving_.x + part * (next.x - moving_.x), 0.0, moving_.work + part * (next.work - moving_.work)};
     }
     moving_ = next;
-    if (!rails_.closed && !(next.at >= 0 && next.at <= rails_.length)) {
-      moving_.at = std::clamp(next.at, 0.0, rails_.length);
+    if (!rails_.closed && !(next.x >= 0 && next.x <= rails_.length)) {
+      moving_.x = std::clamp(next.x, 0.0, rails_.length);
       ghost.end = world::FailureKind::off_end;
     }
     settle();
@@ -188,22 +171,21 @@ class Simulation {
   world::FailureKind failure(bool held, const Ghost& ghost) {
     const double travelled = ghost.samples.back().travelled;
     furthest_ = std::max(furthest_, travelled);
-    if (document_.rollback_fails && furthest_ > kRollback && moving_.speed < 0 && travelled < furthest_ - kRollback)
-      return world::FailureKind::rollback;
+    if (rolls_back(document_, moving_.speed, travelled, furthest_)) return world::FailureKind::rollback;
     still_ = std::abs(moving_.speed) < kStillSpeed && !held ? still_ + 1 : 0;
     return still_ >= kStillTicks ? world::FailureKind::stall : world::FailureKind::none;
   }
 
   void add_sample(Ghost& ghost, double along) {
     const double speed = moving_.speed;
-    ghost.samples.push_back({moving_.at - start_.front, speed, along, moving_.work});
+    ghost.samples.push_back({moving_.x - start_.front, speed, along, moving_.work});
     if ((ghost.samples.size() - 1) % kForceEvery != 0) return;
     const auto a = static_cast<float>(along / world::kGravity),
                v2 = static_cast<float>(speed * speed / world::kGravity);
     hints_.resize(static_cast<std::size_t>(start_.cars), 0);
     for (int car = 0; car < start_.cars; ++car) {
       std::size_t& hint = hints_[static_cast<std::size_t>(car)];
-      double at = moving_.at - round_ - car * start_.spacing;
+      double at = moving_.x - round_ - car * start_.spacing;
       if (rails_.closed && at < 0) at += rails_.length;
       const double s = tables_.locate(at, hint);
       const glm::vec3 g = felt_at(*segments_[hint], s, a, v2);
@@ -220,7 +202,7 @@ class Simulation {
   Landscape landscape_;
   Rails rails_;
   ControlState control_;
-  Moving moving_;
+  TrainState moving_;                    // x: m from the track's start, unwrapped
   double round_ = 0, gravity_here_ = 0;  // m, m/s^2
   double furthest_ = 0;
   int still_ = 0;
@@ -241,14 +223,15 @@ Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipmen
   return Simulation(tables, equipment, document, start).run(limits, std::move(memory));
 }
 
+GhostStart start_at(const Derived& derived, const world::Cart& design, double front, double speed,
+                    ControlState control) {
+  return {front, speed, cars_on(derived, design), design.spacing, control, design.body(), design.mass};
+}
+
 GhostStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design) {
-  GhostStart start;
-  for (std::size_t i = 0; i < derived.order.size(); ++i)
-    if (derived.order[i] == design.segment)
-      start.front = derived.starts[i] + design.fraction * derived.shape(design.segment).arc.length();
-  start.speed = document.start_speed;
-  start.cars = cars_on(derived, design);
-  start.spacing = design.spacing, start.length = design.body(), start.mass = design.mass;
+  GhostStart start = start_at(derived, design, 0, document.start_speed, {});
+  if (const auto index = world::index_of(derived.order, design.segment))
+    start.front = derived.starts[*index] + design.fraction * derived.shape(design.segment).arc.length();
   return start;
 }
 

@@ -69,7 +69,9 @@ struct GhostLimits {
 Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
                const GhostStart& start, const GhostLimits& limits = {}, Ghost memory = {});
 
-// Returns the start of a designed train.
+// Returns the start of a designed train as it moves, and at its start position.
+GhostStart start_at(const Derived& derived, const world::Cart& design, double front, double speed,
+                    ControlState control);
 GhostStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design);
 
 // Caches the tables and the ghosts of a document's trains, and simulates on demand after changes. A result stays valid

@@ -9,32 +9,18 @@ namespace coaster::sim {
 namespace {
 
 // s' = v, v' = a(s) + b(v), W' = b v: gravity depends only on s, losses and equipment only on v.
-struct Slopes {
-  double speed, acceleration, power;
-};
-Slopes slopes(const TrainContext& context, const TrainState& state) {
+TrainRates slopes(const TrainContext& context, const TrainState& state) {
   const double others = context.others(state.speed);
   return {state.speed, context.gravity(state.x) + others, others * state.speed};
 }
-TrainState moved(const TrainState& state, const Slopes& k, double dt) {
-  return {state.x + dt * k.speed, state.speed + dt * k.acceleration, state.work + dt * k.power};
-}
 
-// Classical Runge-Kutta, order 4.
 TrainState rk4(const TrainContext& context, TrainState state, double dt) {
-  const Slopes k1 = slopes(context, state), k2 = slopes(context, moved(state, k1, 0.5 * dt));
-  const Slopes k3 = slopes(context, moved(state, k2, 0.5 * dt)), k4 = slopes(context, moved(state, k3, dt));
-  const auto mean = [](double a, double b, double c, double d) { return (a + 2.0 * b + 2.0 * c + d) / 6.0; };
-  return moved(state,
-               {mean(k1.speed, k2.speed, k3.speed, k4.speed),
-                mean(k1.acceleration, k2.acceleration, k3.acceleration, k4.acceleration),
-                mean(k1.power, k2.power, k3.power, k4.power)},
-               dt);
+  return runge_kutta(state, slopes(context, state), dt, [&](const TrainState& at) { return slopes(context, at); });
 }
 
 // Velocity Verlet: symplectic without losses, so its energy error stays bounded.
 TrainState verlet(const TrainContext& context, TrainState state, double dt) {
-  const Slopes k = slopes(context, state);
+  const TrainRates k = slopes(context, state);
   const double x = state.x + dt * state.speed + 0.5 * dt * dt * k.acceleration;
   const double others = context.others(state.speed + dt * k.acceleration);
   const double speed = state.speed + 0.5 * dt * (k.acceleration + context.gravity(x) + others);
@@ -43,7 +29,7 @@ TrainState verlet(const TrainContext& context, TrainState state, double dt) {
 
 // Semi-implicit Euler: the speed first, then the position with the new speed.
 TrainState euler(const TrainContext& context, TrainState state, double dt) {
-  const Slopes k = slopes(context, state);
+  const TrainRates k = slopes(context, state);
   const double speed = state.speed + dt * k.acceleration;
   return {state.x + dt * speed, speed, state.work + dt * k.power};
 }

@@ -11,18 +11,9 @@
 namespace coaster::sim {
 namespace {
 
-std::size_t index_in(const Derived& derived, world::Entity segment) {
-  return static_cast<std::size_t>(std::find(derived.order.begin(), derived.order.end(), segment) -
-                                  derived.order.begin());
-}
-
 double mean_height(const world::Document& document, const Derived& derived, world::Entity entity,
                    const world::CartMotion& cart) {
-  std::vector<CarPlace> places;
-  const world::Cart* const design = document.entities.find<world::Cart>(entity);
-  const world::Cart single;
-  const world::Cart& train = design ? *design : single;
-  place_cars(derived, front_place(derived, cart), cars_on(derived, train), train.spacing, places);
+  const std::vector<TrackPlace> places = places_of(document, derived, entity, cart);
   return TrainContext{derived, places}.height(0.0);
 }
 
@@ -36,9 +27,9 @@ void set_reference(const world::Document& document, const Derived& derived, worl
 world::CartMotion begin(const world::Document& document, const Derived& derived, world::Entity entity,
                         const world::Cart& design) {
   world::CartMotion motion;
-  const std::size_t index = index_in(derived, design.segment);
-  COASTER_CHECK(index < derived.order.size(), "a cart starts on a segment of the track");
-  settle_on(derived, {index, design.fraction * derived.shape(design.segment).arc.length()}, motion);
+  const auto index = world::index_of(derived.order, design.segment);
+  COASTER_CHECK(index, "a cart starts on a segment of the track");
+  settle_on(derived, {*index, design.fraction * derived.shape(design.segment).arc.length()}, motion);
   motion.speed = document.start_speed;
   set_reference(document, derived, entity, motion);
   return motion;
@@ -47,16 +38,13 @@ world::CartMotion begin(const world::Document& document, const Derived& derived,
 // Updates a moving train after an edit: the same segment and fraction, else the same distance along the track.
 void follow_edit(const world::Document& document, const Derived& derived, world::Entity entity,
                  world::CartMotion& cart) {
-  std::size_t index = index_in(derived, cart.segment);
-  double s = cart.s;
-  if (index < derived.order.size()) {
+  if (const auto index = world::index_of(derived.order, cart.segment)) {
     const double length = derived.shape(cart.segment).arc.length();
-    if (length != cart.segment_length && cart.segment_length > 0) s *= length / cart.segment_length;
+    const bool scales = length != cart.segment_length && cart.segment_length > 0;
+    settle_on(derived, {*index, scales ? cart.s * (length / cart.segment_length) : cart.s}, cart);
   } else {
-    const TrackPlace place = place_at(derived, std::min(cart.track_distance, derived.length));
-    index = place.index, s = place.s;
+    settle_on(derived, place_at(derived, std::min(cart.track_distance, derived.length)), cart);
   }
-  settle_on(derived, {index, s}, cart);
   const double drift = energy(document, derived, entity, cart) - cart.work - cart.reference_energy;
   if (std::abs(drift) <= 1e-4 * std::max(cart.peak_kinetic, 1e-6)) return;
   set_reference(document, derived, entity, cart);
@@ -65,7 +53,7 @@ void follow_edit(const world::Document& document, const Derived& derived, world:
 
 }  // namespace
 
-CarPlace front_place(const Derived& derived, const world::CartMotion& cart) {
+TrackPlace front_place(const Derived& derived, const world::CartMotion& cart) {
   const std::size_t index = index_of_segment(derived, cart.segment, cart.track_distance);
   COASTER_CHECK(index < derived.order.size(), "a cart is on a segment of the track");
   return {index, cart.s};
@@ -76,7 +64,7 @@ void halt(world::CartMotion& cart) {
   cart.speed = 0;
 }
 
-void settle_on(const Derived& derived, CarPlace front, world::CartMotion& cart) {
+void settle_on(const Derived& derived, TrackPlace front, world::CartMotion& cart) {
   const SegmentShape& shape = derived.shape(derived.order[front.index]);
   cart.segment = derived.order[front.index];
   cart.segment_length = shape.arc.length();
@@ -124,9 +112,8 @@ void step(const world::Document& document, const Derived& derived, world::Integr
 void seek(const world::Document& document, const Derived& derived, world::Entity entity, double distance,
           world::Motion& motion) {
   world::CartMotion& cart = motion.carts.get(entity);
-  const TrackPlace place = place_at(derived, distance);
   const double sign = cart.speed < 0 ? -1.0 : 1.0, total = cart.reference_energy + cart.work;
-  settle_on(derived, {place.index, place.s}, cart);
+  settle_on(derived, place_at(derived, distance), cart);
   const double kinetic = total - world::kGravity * (mean_height(document, derived, entity, cart) - document.datum);
   cart.speed = kinetic > 0 ? sign * std::sqrt(2.0 * kinetic) : 0.0;
   cart.timetable = {};

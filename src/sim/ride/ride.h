@@ -74,7 +74,7 @@ struct Pose {
 };
 Pose pose(const Derived& derived, const world::CartMotion& cart, world::FrameMethod method);
 // Return the pose at a position on the track, and of all cars of a train, first to last.
-Pose pose(const Derived& derived, CarPlace place, world::FrameMethod method);
+Pose pose(const Derived& derived, TrackPlace place, world::FrameMethod method);
 std::vector<Pose> car_poses(const world::Document& document, const Derived& derived, world::Entity cart,
                             const world::CartMotion& motion, world::FrameMethod method);
 

@@ -3,7 +3,6 @@
 
 #include <span>
 
-#include "sim/ride/equipment.h"
 #include "sim/ride/ride.h"
 
 namespace coaster::sim {
@@ -14,11 +13,16 @@ struct RideInput {
   std::span<const EquipmentSpan> equipment;
 };
 
-CarPlace front_place(const Derived& derived, const world::CartMotion& cart);
+TrackPlace front_place(const Derived& derived, const world::CartMotion& cart);
+// Returns the positions of a moving train's cars, first to last.
+std::vector<TrackPlace> places_of(const world::Document& document, const Derived& derived, world::Entity entity,
+                                  const world::CartMotion& motion);
+// Returns a train's acceleration along the rails at x = 0 and this speed.
+double acceleration_of(TrainContext context, double speed);
 // Stops a train where it is; the energy removed counts as work.
 void halt(world::CartMotion& cart);
 // Writes position, length and distance to the motion.
-void settle_on(const Derived& derived, CarPlace front, world::CartMotion& cart);
+void settle_on(const Derived& derived, TrackPlace front, world::CartMotion& cart);
 
 // Advances all trains by whole ticks while the ride is running, by a stepped row or by vertices.
 void step_trains(const RideInput& input, const Integrator& row, int ticks, world::Motion& motion);

@@ -4,11 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "base/check.h"
-#include "sim/ride/equipment.h"
-#include "sim/ride/ride.h"
 #include "sim/ride/ride_parts.h"
-#include "sim/ride/ride_rules.h"
 
 namespace coaster::sim {
 namespace {
@@ -45,13 +41,13 @@ double time_of(const TickContext& tick, const TrainContext& context, const Train
 
 // Moves the cars by x; those that reach the joint at `reached` cross it. Returns false if the first car reaches an open
 // end.
-bool move_cars(const Derived& derived, double x, bool forward, bool at_joint, std::vector<CarPlace>& places,
+bool move_cars(const Derived& derived, double x, bool forward, bool at_joint, std::vector<TrackPlace>& places,
                std::int64_t& laps) {
   constexpr double kReached = 1e-12;  // m
   const std::size_t count = derived.order.size();
   bool on_track = true;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    CarPlace& car = places[i];
+    TrackPlace& car = places[i];
     const double length = derived.shape(derived.order[car.index]).arc.length();
     const bool crosses = at_joint && (forward ? car.s <= length && length - car.s <= x + kReached
                                               : car.s >= 0 && car.s <= -x + kReached);
@@ -72,12 +68,8 @@ bool move_cars(const Derived& derived, double x, bool forward, bool at_joint, st
   return on_track;
 }
 
-// Returns the sign of the motion that losses oppose. At rest friction opposes gravity and drive, up to its limit.
 double direction_of(const TrainContext& context, double speed) {
-  if (speed != 0) return speed > 0 ? 1.0 : -1.0;
-  const double pull = context.gravity(0.0) + context.drive;
-  if (std::abs(pull) <= world::kGravity * context.resistance.rolling) return 0.0;
-  return pull > 0 ? 1.0 : -1.0;
+  return sim::direction_of(speed, context.resistance, [&] { return context.gravity(0.0) + context.drive; });
 }
 
 bool stays_at_rest(const TrainContext& context, double speed) {
@@ -86,7 +78,7 @@ bool stays_at_rest(const TrainContext& context, double speed) {
 
 // Advances a train by `dt` in one step across joints. Returns false and changes nothing if that is not possible: at
 // open ends, and where losses stop it.
-bool advance_across(const TickContext& tick, double dt, double drive, std::vector<CarPlace>& places,
+bool advance_across(const TickContext& tick, double dt, double drive, std::vector<TrackPlace>& places,
                     world::CartMotion& cart) {
   const Derived& derived = tick.input.derived;
   const world::Document& document = tick.input.document;
@@ -98,11 +90,11 @@ bool advance_across(const TickContext& tick, double dt, double drive, std::vecto
   if (losses && next.speed * context.direction < 0) return false;
   const double from = derived.starts[places.front().index] + places.front().s, to = from + next.x;
   if (!derived.closed && !(to > 0 && to < derived.length)) return false;
-  const CarPlace before = places.front();
-  for (CarPlace& car : places) car = behind(derived, car, -next.x);
+  const TrackPlace before = places.front();
+  for (TrackPlace& car : places) car = behind(derived, car, -next.x);
   // Moved on and yet nearer to the track's start: it completed a lap, unless the track is so short that one step is
   // several laps.
-  const auto order = [](const CarPlace& a, const CarPlace& b) {
+  const auto order = [](const TrackPlace& a, const TrackPlace& b) {
     return a.index != b.index ? a.index < b.index : a.s < b.s;
   };
   if (next.x > 0 && order(places.front(), before)) ++cart.laps;
@@ -112,7 +104,7 @@ bool advance_across(const TickContext& tick, double dt, double drive, std::vecto
 }
 
 // Advances a train by `dt` in parts that end at joints and where losses stop it. Returns false at an open end.
-bool advance_stepped(const TickContext& tick, double dt, double drive, std::vector<CarPlace>& places,
+bool advance_stepped(const TickContext& tick, double dt, double drive, std::vector<TrackPlace>& places,
                      world::CartMotion& cart) {
   const Derived& derived = tick.input.derived;
   const world::Document& document = tick.input.document;
@@ -151,15 +143,13 @@ bool advance_stepped(const TickContext& tick, double dt, double drive, std::vect
 
 // Returns the effect of equipment in this tick; `held` is true if it holds the train still.
 Drive drive_for(const TickContext& tick, std::size_t train, std::span<const TrainPlace> trains,
-                std::span<const CarPlace> places, world::CartMotion& cart) {
+                std::span<const TrackPlace> places, world::CartMotion& cart) {
   const RideInput& input = tick.input;
   if (input.equipment.empty()) return {};
   std::vector<TrainPlace> others(trains.begin(), trains.end());
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(train));
   const Rails rails{input.derived.length, input.derived.closed};
-  TrainContext context{input.derived, places, input.document.datum, cart.reference_energy, tick.resistance, 0.0, 0.0};
-  context.direction = cart.speed > 0 ? 1.0 : cart.speed < 0 ? -1.0 : 0.0;
-  const double free = context.gravity(0.0) + context.others(cart.speed);
+  const double free = acceleration_of({input.derived, places, 0, 0, tick.resistance}, cart.speed);
   ControlState control{cart.dwell, cart.braking};
   const bool way_free = section_free(input.equipment, rails, trains[train], others);
   const Drive drive =
@@ -173,9 +163,7 @@ std::optional<world::FailureKind> failure_of(const TickContext& tick, bool held,
                                              world::CartMotion& cart) {
   cart.furthest = std::max(cart.furthest, cart.travelled);
   if (!on_track) return std::abs(arrival) > kStillSpeed ? std::optional(world::FailureKind::off_end) : std::nullopt;
-  if (tick.input.document.rollback_fails && cart.furthest > kRollback && cart.speed < 0 &&
-      cart.travelled < cart.furthest - kRollback)
-    return world::FailureKind::rollback;
+  if (rolls_back(tick.input.document, cart.speed, cart.travelled, cart.furthest)) return world::FailureKind::rollback;
   const bool still = std::abs(cart.speed) < kStillSpeed && !held;
   cart.still = still ? cart.still + 1 : 0;
   if (cart.still >= kStillTicks) return world::FailureKind::stall;
@@ -193,7 +181,7 @@ struct Train {
   int cars;
   double spacing, length;
   world::Resistance resistance;
-  std::vector<CarPlace> places;
+  std::vector<TrackPlace> places;
 };
 
 std::vector<Train> trains_of(const RideInput& input, world::Motion& motion) {
@@ -206,7 +194,7 @@ std::vector<Train> trains_of(const RideInput& input, world::Motion& motion) {
                 cars_on(input.derived, design),
                 design.spacing,
                 design.body(),
-                resistance_of(input.document, static_cast<double>(design.mass)),
+                resistance_of(input.document, design.mass),
                 {}};
     place_cars(input.derived, front_place(input.derived, *train.motion), train.cars, train.spacing, train.places);
     trains.push_back(std::move(train));

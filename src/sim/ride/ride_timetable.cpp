@@ -19,14 +19,8 @@ void note_extremes(world::CartMotion& cart) {
 }
 
 GhostStart start_of(const RideInput& input, world::Entity entity, const world::TimetablePlace& table) {
-  const world::Cart& design = input.document.entities.get<world::Cart>(entity);
-  return {table.front,
-          table.speed,
-          cars_on(input.derived, design),
-          design.spacing,
-          {table.dwell, table.braking},
-          static_cast<double>(design.body()),
-          static_cast<double>(design.mass)};
+  return start_at(input.derived, input.document.entities.get<world::Cart>(entity), table.front, table.speed,
+                  {table.dwell, table.braking});
 }
 
 // Applies the next tick's entry. Returns false if the timetable ends the ride.
@@ -53,8 +47,7 @@ bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity ent
   cart.work += after.work - before.work;
   cart.speed = after.speed;
   note_extremes(cart);
-  const TrackPlace place = place_at(input.derived, ghost->distance(next));
-  settle_on(input.derived, {place.index, place.s}, cart);
+  settle_on(input.derived, place_at(input.derived, ghost->distance(next)), cart);
   cart.timetable.tick = static_cast<std::int64_t>(next);
   return true;
 }
@@ -73,16 +66,15 @@ void follow_laps(const RideInput& input, const LapTable& table, int ticks, world
   }
   cart.laps += static_cast<std::int64_t>(on.laps + std::floor((front + on.along) / length) - rounds_before);
   cart.timetable.phase = on.phase, cart.timetable.tick += ticks;
-  const TrackPlace place = place_at(input.derived, front + on.along);
-  settle_on(input.derived, {place.index, place.s}, cart);
+  settle_on(input.derived, place_at(input.derived, front + on.along), cart);
 }
 
 // Returns the speed by the energy, with the first car at height `height` m (of a vertex: not exactly on the curve) and
 // the others behind it on the curve.
-double speed_at(const RideInput& input, const TrainLoad& load, const world::CartMotion& cart, CarPlace front,
+double speed_at(const RideInput& input, const TrainLoad& load, const world::CartMotion& cart, TrackPlace front,
                 double height) {
   if (load.cars > 1) {
-    std::vector<CarPlace> places;
+    std::vector<TrackPlace> places;
     place_cars(input.derived, front, load.cars, load.spacing, places);
     for (std::size_t i = 1; i < places.size(); ++i)
       height += rail_point(input.derived.shape(input.derived.order[places[i].index]), places[i].s).height;
@@ -143,8 +135,7 @@ bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double d
   for (int n = 0; n < kMostVertices; ++n) {
     const SegmentShape& shape = derived.shape(derived.order[index]);
     // A GPU evaluator has no polyline here: use as many steps of the exact curve.
-    const auto count =
-        static_cast<int>(shape.points.empty() ? derived.steps + 1 : static_cast<int>(shape.points.size()));
+    const int count = shape.points.empty() ? derived.steps + 1 : static_cast<int>(shape.points.size());
     const auto vertex = [&](int i) {
       return shape.points.empty() ? curve::point(shape.key.cubic, static_cast<double>(i) / (count - 1))
                                   : glm::dvec3(shape.points[static_cast<std::size_t>(i)]);
@@ -171,8 +162,7 @@ bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double d
         cart.speed != 0 ? std::abs(cart.speed) : 0.5 * std::sqrt(std::max(0.0, 2.0 * sign * load.drive * chord));
     if (!(pace > 0) || !(time >= chord / pace)) break;
     time -= chord / pace;
-    const double lost = world::kGravity * load.resistance.rolling + load.resistance.drag * pace * pace;
-    cart.work += (sign * load.drive - lost) * std::abs(s - cart.s);
+    cart.work += (sign * load.drive - loss(load.resistance, pace)) * std::abs(s - cart.s);
     cart.travelled += s - cart.s;
     settle_on(derived, {index, s}, cart);
     cart.speed = sign * speed_at(input, load, cart, {index, s}, b.y);

@@ -33,7 +33,7 @@ world::Resistance resistance_of(const world::Document& document, double car_mass
   return felt;
 }
 
-CarPlace behind(const Derived& derived, CarPlace place, double back) {
+TrackPlace behind(const Derived& derived, TrackPlace place, double back) {
   const std::size_t count = derived.order.size();
   place.s -= back;
   // A track of only zero-length segments has no point farther back.
@@ -53,7 +53,7 @@ CarPlace behind(const Derived& derived, CarPlace place, double back) {
   return {place.index, 0.0};
 }
 
-void place_cars(const Derived& derived, CarPlace front, int cars, double spacing, std::vector<CarPlace>& places) {
+void place_cars(const Derived& derived, TrackPlace front, int cars, double spacing, std::vector<TrackPlace>& places) {
   places.resize(static_cast<std::size_t>(cars));
   places[0] = front;
   for (std::size_t i = 1; i < places.size(); ++i) places[i] = behind(derived, places[i - 1], spacing);
@@ -61,8 +61,8 @@ void place_cars(const Derived& derived, CarPlace front, int cars, double spacing
 
 double TrainContext::height(double x) const {
   double sum = 0;
-  for (const CarPlace& car : cars) {
-    const CarPlace at = moved(car, x);
+  for (const TrackPlace& car : cars) {
+    const TrackPlace at = moved(car, x);
     sum += rail_point(derived.shape(derived.order[at.index]), at.s).height;
   }
   return sum / static_cast<double>(cars.size());
@@ -70,8 +70,8 @@ double TrainContext::height(double x) const {
 
 double TrainContext::gravity(double x) const {
   double sum = 0;
-  for (const CarPlace& car : cars) {
-    const CarPlace at = moved(car, x);
+  for (const TrackPlace& car : cars) {
+    const TrackPlace at = moved(car, x);
     sum += rail_point(derived.shape(derived.order[at.index]), at.s).slope;
   }
   return -world::kGravity * sum / static_cast<double>(cars.size());
@@ -79,7 +79,7 @@ double TrainContext::gravity(double x) const {
 
 double joint_ahead(const TrainContext& context) {
   double least = std::numeric_limits<double>::infinity();
-  for (const CarPlace& car : context.cars) {
+  for (const TrackPlace& car : context.cars) {
     const double left = length_of(context.derived, car.index) - car.s;
     if (left >= 0) least = std::min(least, left);  // a car beyond an open end has its last joint behind it
   }
@@ -88,7 +88,7 @@ double joint_ahead(const TrainContext& context) {
 
 double joint_behind(const TrainContext& context) {
   double most = -std::numeric_limits<double>::infinity();
-  for (const CarPlace& car : context.cars)
+  for (const TrackPlace& car : context.cars)
     if (car.s >= 0) most = std::max(most, -car.s);
   return most;
 }

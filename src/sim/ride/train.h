@@ -5,64 +5,72 @@
 #include <span>
 #include <vector>
 
+#include "sim/ride/ride_rules.h"
 #include "sim/shape/derived.h"
-#include "world/motion.h"
 
 namespace coaster::sim {
 
-// A point of the rails, as integrators use it.
-struct RailPoint {
-  double height;  // m (y)
-  double slope;   // dy/ds, the tangent's y
-};
-// Returns the point at arc length s of a segment; beyond its ends the rails continue straight.
+// Returns the rails at arc length s of a segment; beyond its ends the rails continue straight.
 RailPoint rail_point(const SegmentShape& shape, double s);
-
-// The middle of a car: the index of its segment in derived.order, and the arc length within it. Cars beyond the end of
-// an open track have s outside [0, length] of its first or last segment.
-struct CarPlace {
-  std::size_t index = 0;
-  double s = 0;  // m
-};
 
 // Returns how many of a designed train's cars fit on the track: all, but on a closed track no more than its length
 // allows.
 int cars_on(const Derived& derived, const world::Cart& design);
 
 // Returns the position `back` metres behind another (negative: ahead), across any number of joints.
-CarPlace behind(const Derived& derived, CarPlace place, double back);
+TrackPlace behind(const Derived& derived, TrackPlace place, double back);
 
 // Returns a document's losses for one train: drag per kilogram is proportional to 1 / mass.
 world::Resistance resistance_of(const world::Document& document, double car_mass);
 
-// Writes the positions of a train's cars, first to last, from that of its first car.
-void place_cars(const Derived& derived, CarPlace front, int cars, double spacing, std::vector<CarPlace>& places);
+// Writes the positions of the middles of a train's cars, first to last, from that of its first car. Cars beyond the end
+// of an open track have s outside [0, length] of its first or last segment.
+void place_cars(const Derived& derived, TrackPlace front, int cars, double spacing, std::vector<TrackPlace>& places);
 
-// A train during a part of a tick in which no car crosses a joint. x is the distance moved since the part began, m.
+// The state of a train during a part of a tick in which no car crosses a joint. x is the distance moved since the part
+// began, m.
 struct TrainState {
   double x = 0;
   double speed = 0;  // m/s
   double work = 0;   // J/kg done by everything except gravity
 };
+// Its derivative by time.
+struct TrainRates {
+  double speed, acceleration, power;
+};
+inline TrainState moved(const TrainState& state, const TrainRates& k, double dt) {
+  return {state.x + dt * k.speed, state.speed + dt * k.acceleration, state.work + dt * k.power};
+}
+// Takes a step of classical Runge-Kutta, order 4. `k1` is rates(state).
+template <class Rates>
+TrainState runge_kutta(const TrainState& state, const TrainRates& k1, double dt, const Rates& rates) {
+  const TrainRates k2 = rates(moved(state, k1, 0.5 * dt)), k3 = rates(moved(state, k2, 0.5 * dt)),
+                   k4 = rates(moved(state, k3, dt));
+  const auto mean = [](double a, double b, double c, double d) { return (a + 2.0 * b + 2.0 * c + d) / 6.0; };
+  return moved(state,
+               {mean(k1.speed, k2.speed, k3.speed, k4.speed),
+                mean(k1.acceleration, k2.acceleration, k3.acceleration, k4.acceleration),
+                mean(k1.power, k2.power, k3.power, k4.power)},
+               dt);
+}
+
 struct TrainContext {
   const Derived& derived;
-  std::span<const CarPlace> cars;  // at x = 0
-  double datum = 0;                // m
-  double reference_energy = 0;     // J/kg, including the work so far
+  std::span<const TrackPlace> cars;  // at x = 0
+  double datum = 0;                  // m
+  double reference_energy = 0;       // J/kg, including the work so far
   world::Resistance resistance;
   double direction = 0;  // sign of the motion that losses oppose: +1, -1, or 0 at rest
   double drive = 0;      // m/s^2 by equipment, constant during a tick
   bool across = false;   // x may cross joints; else the rails continue straight there
 
-  CarPlace moved(const CarPlace& car, double x) const {
-    return across ? behind(derived, car, -x) : CarPlace{car.index, car.s + x};
+  TrackPlace moved(const TrackPlace& car, double x) const {
+    return across ? behind(derived, car, -x) : TrackPlace{car.index, car.s + x};
   }
   double height(double x) const;   // m, the cars' mean
   double gravity(double x) const;  // m/s^2 along the rails: -g times the cars' mean slope
   // Returns the acceleration in m/s^2 by losses and equipment.
-  double others(double speed) const {
-    return drive - direction * (world::kGravity * resistance.rolling + resistance.drag * speed * speed);
-  }
+  double others(double speed) const { return drive - direction * loss(resistance, speed); }
 };
 
 // Returns the x at which a car first reaches a joint: +infinity or -infinity if there is none (no cars).

@@ -23,8 +23,8 @@ struct ShapeKey {
   curve::Cubic cubic;
   glm::vec3 up_from{0}, up_to{0};
   std::int32_t turns = 0;
-  glm::vec3 tangent_from{1, 0, 0},
-      tangent_to{1, 0, 0};  // the knots' own: rounding of the control points loses a little
+  // The knots' own: rounding of the control points loses a little.
+  glm::vec3 tangent_from{1, 0, 0}, tangent_to{1, 0, 0};
   friend bool operator==(const ShapeKey&, const ShapeKey&) = default;
 };
 
@@ -48,8 +48,8 @@ struct SegmentShape {
   std::optional<world::EquipmentKind> fitted;  // the segment's equipment; not part of its shape
 
   PolylineKey polyline_key;  // steps 0: there is no polyline
-  std::vector<glm::vec3> points,
-      tangents;          // steps+1 vertices, or none for a GPU evaluator; tangents are B'(t), not normalised
+  // steps+1 vertices, or none for a GPU evaluator; tangents are B'(t), not normalised.
+  std::vector<glm::vec3> points, tangents;
   double deviation = 0;  // m, largest |vertex - exact point at the same t|, long double oracle
   std::uint64_t polyline_build = 0;
 };
@@ -59,8 +59,8 @@ struct Derived {
   world::Pool<SegmentShape> segments;  // by the document's segment entities
   std::vector<world::Entity> order;    // in the order of document.track.segments
   std::vector<double> starts;  // m, distance of segment i's start along the track; size order.size()+1, back() = length
-  std::vector<double>
-      twists;  // rad, rotation of the knots' frames relative to rotation-minimising ones before segment i; as starts
+  // rad, rotation of the knots' frames relative to rotation-minimising ones before segment i; as starts.
+  std::vector<double> twists;
   SegmentTree tree;  // over `order`, for picking and clearance
   bool closed = false;
   double length = 0;                  // m, adaptive Gauss-Legendre
@@ -89,12 +89,19 @@ inline double within_lap(double distance, double length, bool closed) {
   return closed && length > 0 ? distance - length * std::floor(distance / length) : distance;
 }
 
-// Position on the track by distance from its start; wraps on a closed track, clamps on an open one. Needs a segment.
 struct TrackPlace {
   std::size_t index = 0;  // index into derived.order
   double s = 0;           // m within the segment
 };
+// Returns the position by distance from the track's start; wraps on a closed track, clamps on an open one. Needs a
+// segment.
 TrackPlace place_at(const Derived& derived, double distance);
+
+// A point of the rails, as integrators use it.
+struct RailPoint {
+  double height;  // m (y)
+  double slope;   // dy/ds, the tangent's y
+};
 
 // Returns the frame at arc length s of a segment (rotation-minimising from the first knot's up, twist spread); forward
 // is exactly the unit tangent.

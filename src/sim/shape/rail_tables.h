@@ -63,10 +63,7 @@ class RailTables {
 
 // Height (m) and slope at s within a segment: cubic Hermite, so the slope is the exact derivative of the height; beyond
 // the ends the rails continue straight. Error below 1e-6 m for tracks with bends above 5 m.
-struct TableRail {
-  double height, slope;
-};
-inline TableRail rail_at(const SegmentTable& table, double s) {
+inline RailPoint rail_at(const SegmentTable& table, double s) {
   if (s <= 0 || !(table.step > 0))
     return {table.height.front() + std::min(s, 0.0) * table.slope.front(), table.slope.front()};
   const double at = s * table.per_metre;

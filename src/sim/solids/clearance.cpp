@@ -22,7 +22,7 @@ double nearest_place(dvec3 p, dvec3 a, dvec3 d) {
 
 // Returns the distance in metres along the rails from the held position to one of another segment, the shorter way
 // round.
-double along_rails(const Derived& derived, Held held, std::size_t index, float along) {
+double along_rails(const Derived& derived, TrackPlace held, std::size_t index, float along) {
   const double start = derived.starts[index],
                ring = start + static_cast<double>(along) * (derived.starts[index + 1] - start);
   const double onward = ring - derived.starts[held.index] - held.s;
@@ -94,7 +94,7 @@ bool meet(const curve::Box& a, const curve::Box& b) {
 
 curve::Box widened(curve::Box box, float by) { return {box.low - by, box.high + by}; }
 
-bool is_clear(const Derived& derived, std::span<const Lane* const> lanes, const Bar& bar, Held held) {
+bool is_clear(const Derived& derived, std::span<const Lane* const> lanes, const Bar& bar, TrackPlace held) {
   const Question question{dvec3(bar.from), dvec3(bar.to),
                           static_cast<double>(std::max(bar.from_radius, bar.to_radius))};
   const double reach = kEnvelopeRadius + kEnvelopeLift + question.radius + 0.1;

@@ -30,15 +30,10 @@ struct Lane {
   curve::Box box;           // about the curve
 };
 
-// The position whose support the bar belongs to.
-struct Held {
-  std::size_t index = 0;  // in derived.order
-  double s = 0;           // m within the segment
-};
-
-// Returns true if the bar stays outside the clearance envelope. `lanes` has one entry per segment of derived.order.
-// Costs the logarithm of the segments plus about a microsecond for each one near the bar.
-bool is_clear(const Derived& derived, std::span<const Lane* const> lanes, const Bar& bar, Held held);
+// Returns true if the bar stays outside the clearance envelope; `held` is the position whose support it belongs to.
+// `lanes` has one entry per segment of derived.order. Costs the logarithm of the segments plus about a microsecond for
+// each one near the bar.
+bool is_clear(const Derived& derived, std::span<const Lane* const> lanes, const Bar& bar, TrackPlace held);
 
 // Returns the smallest distance of two line segments, m. Points are segments of zero length.
 double distance_between(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d);

@@ -27,7 +27,7 @@ double steepest_place(const SegmentShape& shape) {
 // it stops at the segment's ends.
 double way_from_rest(const Derived& derived, std::size_t index, double from, const Integrator& row) {
   const SegmentShape& shape = derived.shape(derived.order[index]);
-  const std::array<CarPlace, 1> car{CarPlace{index, from}};
+  const std::array<TrackPlace, 1> car{TrackPlace{index, from}};
   const TrainContext context{derived, car, 0.0, world::kGravity * rail_point(shape, from).height, {}, 0.0, 0.0};
   TrainState state;
   for (int tick = 0; tick < kFrozenTicks; ++tick) {

@@ -41,10 +41,10 @@ TEST(integrators, the_slope_is_the_derivative_of_the_height) {
 
 // A single car at arc length s of a segment, without losses.
 struct Alone {
-  std::array<CarPlace, 1> car;
+  std::array<TrackPlace, 1> car;
   TrainContext context;
   Alone(const Derived& derived, std::size_t index, double s, double datum = 0, double energy = 0)
-      : car{CarPlace{index, s}}, context{derived, car, datum, energy, {}, 0, 0} {}
+      : car{TrackPlace{index, s}}, context{derived, car, datum, energy, {}, 0, 0} {}
 };
 
 // The order of a method: halving the step of a smooth problem divides the error by 2^order.

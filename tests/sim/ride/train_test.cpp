@@ -11,7 +11,7 @@ TEST(train, cars_stand_their_spacing_apart_over_joints_and_the_seam) {
   const world::Document d = test::ring_document(12, 20.3);
   const Derived derived = test::derived_of(d);
   const double spacing = 3.7;
-  std::vector<CarPlace> places;
+  std::vector<TrackPlace> places;
   place_cars(derived, {0, 1.3}, 9, spacing, places);
   ASSERT_EQ(places.size(), 9u);
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -25,8 +25,8 @@ TEST(train, cars_stand_their_spacing_apart_over_joints_and_the_seam) {
 
 TEST(train, behind_goes_forward_by_negative_distances) {
   const Derived derived = test::derived_of(test::ring_document(7, 11.1));
-  const CarPlace there = behind(derived, {3, 2.2}, -25.5);
-  const CarPlace back = behind(derived, there, 25.5);
+  const TrackPlace there = behind(derived, {3, 2.2}, -25.5);
+  const TrackPlace back = behind(derived, there, 25.5);
   EXPECT_EQ(back.index, 3u);
   EXPECT_NEAR(back.s, 2.2, 1e-9);
 }
@@ -42,7 +42,7 @@ TEST(train, a_train_longer_than_the_circuit_loses_cars) {
 
 TEST(train, cars_hang_over_an_open_start_along_its_tangent) {
   const Derived derived = test::derived_of(test::straight_document({1.1f, 9.3f, 2.7f}, {31.1f, 6.3f, 2.7f}, 3));
-  std::vector<CarPlace> places;
+  std::vector<TrackPlace> places;
   place_cars(derived, {0, 1.0}, 3, 4.0, places);
   const TrainContext context{derived, places, 0, 0, {}, 0, 0};
   const double slope = -3.0 / std::hypot(30.0, 3.0);
@@ -53,7 +53,7 @@ TEST(train, cars_hang_over_an_open_start_along_its_tangent) {
 
 TEST(train, gravity_is_the_slope_of_the_mean_height) {
   const Derived derived = test::derived_of(test::ring_document(12, 20.3));
-  std::vector<CarPlace> places;
+  std::vector<TrackPlace> places;
   place_cars(derived, {5, 2.0}, 8, 3.0, places);
   const TrainContext context{derived, places, 0, 0, {}, 0, 0};
   const double h = 1e-4;
@@ -62,11 +62,11 @@ TEST(train, gravity_is_the_slope_of_the_mean_height) {
 
 TEST(train, joints_ahead_and_behind_are_the_nearest_of_any_car) {
   const Derived derived = test::derived_of(test::ring_document(12, 20.3));
-  std::vector<CarPlace> places;
+  std::vector<TrackPlace> places;
   place_cars(derived, {5, 2.0}, 3, 3.0, places);
   const TrainContext context{derived, places, 0, 0, {}, 0, 0};
   double ahead = 1e9, back = -1e9;
-  for (const CarPlace& car : places) {
+  for (const TrackPlace& car : places) {
     const double length = derived.shape(derived.order[car.index]).arc.length();
     ahead = std::min(ahead, length - car.s), back = std::max(back, -car.s);
   }

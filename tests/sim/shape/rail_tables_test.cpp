@@ -24,7 +24,7 @@ TEST(rail_tables, heights_and_slopes_are_those_of_the_curve) {
     for (int n = 0; n < 100; ++n) {
       const double s = derived.shape(derived.order[i]).arc.length() * (bits() / 4294967296.0);
       const RailPoint exact = rail_point(derived.shape(derived.order[i]), s);
-      const TableRail table = rail_at(tables.segment(i), s);
+      const RailPoint table = rail_at(tables.segment(i), s);
       ASSERT_NEAR(table.height, exact.height, 1e-6) << i << " " << s;
       ASSERT_NEAR(table.slope, exact.slope, 1e-5) << i << " " << s;
       // The slope is the table's own derivative: energy is kept by it.
