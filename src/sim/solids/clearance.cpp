@@ -36,15 +36,11 @@ Ring between(const Ring& a, const Ring& b, double share) {
           0};
 }
 
-dvec3 over(const Ring& ring, double left, double up) {
-  return ring.position + left * ring.frame.left() + up * ring.frame.up;
-}
-
 struct Question {
   dvec3 from, to;
   double radius;
   bool keeps(double room, const Ring& a, const Ring& b, double left, double up) const {
-    return distance_between(from, to, over(a, left, up), over(b, left, up)) >= room + radius + kBarMargin;
+    return distance_between(from, to, a.place(left, up), b.place(left, up)) >= room + radius + kBarMargin;
   }
 };
 

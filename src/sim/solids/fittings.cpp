@@ -18,31 +18,18 @@ struct Fitting {
   const SegmentShape& shape;
   std::vector<Ring> rings;
   Mesh& mesh;
-  double length() const { return shape.arc.length(); }
 };
-
-// Calls place(ring) at the middles of equal parts of about `spacing` metres.
-template <class Place>
-void along_track(const Fitting& fitting, double spacing, const Place& place) {
-  const int count = std::max(1, static_cast<int>(std::lround(fitting.length() / spacing)));
-  for (int i = 0; i < count; ++i) place(ring_at(fitting.shape, fitting.length() * (i + 0.5) / count));
-}
-
-dvec3 place_of(const Ring& at, dvec2 offset) {
-  return at.position + offset.x * at.frame.left() + offset.y * at.frame.up;
-}
 
 // Adds a block around (left, up) with half sides along forward, up and left.
 void add_block(const Ring& at, dvec2 middle, dvec3 half, Part part, bool from_afar, Mesh& mesh) {
-  add_box(place_of(at, middle), at.frame, half, part, at.along, from_afar, mesh);
+  add_box(at.place(middle), at.frame, half, part, at.along, from_afar, mesh);
 }
 
 // The bed between the rails: crossbars from arm to arm and a beam along the track on them.
 constexpr double kBedTop = -0.17;
 void add_bed(const Fitting& fitting, double half_width) {
-  along_track(fitting, kTieSpacing, [&](const Ring& at) {
+  for (const Ring& at : spaced_rings(fitting.shape, kTieSpacing))
     add_block(at, {0, kBedTop - 0.11}, {0.04, 0.04, 0.36}, Part::tie, false, fitting.mesh);
-  });
   add_beam(fitting.rings, {-half_width, kBedTop - 0.07}, {half_width, kBedTop}, Part::tie, true, fitting.mesh);
 }
 
@@ -56,33 +43,33 @@ void add_chain(const Fitting& fitting) {
              false, fitting.mesh);
   }
   add_beam(fitting.rings, {-0.025, kBedTop}, {0.025, kBedTop + 0.055}, Part::chain, true, fitting.mesh);
-  along_track(fitting, kPitch, [&](const Ring& at) {
+  for (const Ring& at : spaced_rings(fitting.shape, kPitch)) {
     for (const double side : {-1.0, 1.0})
       add_block(at, {0.062 * side, kBedTop + 0.05}, {0.105, 0.05, 0.018}, Part::chain, false, fitting.mesh);
     add_block(at, {0, kBedTop + 0.05}, {0.03, 0.028, 0.055}, Part::chain, false, fitting.mesh);
-  });
+  }
 }
 
 // Adds two rows of upright plates between the rails.
 void add_fins(const Fitting& fitting) {
   add_bed(fitting, 0.22);
-  along_track(fitting, 0.9, [&](const Ring& at) {
+  for (const Ring& at : spaced_rings(fitting.shape, 0.9)) {
     for (const double side : {-1.0, 1.0}) {
       add_block(at, {0.13 * side, kBedTop + 0.125}, {0.38, 0.125, 0.018}, Part::fin, true, fitting.mesh);
       add_block(at, {0.13 * side, kBedTop + 0.03}, {0.30, 0.03, 0.05}, Part::chain, false, fitting.mesh);
     }
-  });
+  }
 }
 
 // Adds pairs of blocks, with a slot between them for the train's fin.
 void add_stators(const Fitting& fitting) {
   add_bed(fitting, 0.30);
-  along_track(fitting, 0.75, [&](const Ring& at) {
+  for (const Ring& at : spaced_rings(fitting.shape, 0.75)) {
     for (const double side : {-1.0, 1.0}) {
       add_block(at, {0.16 * side, kBedTop + 0.10}, {0.31, 0.10, 0.09}, Part::stator, true, fitting.mesh);
       add_block(at, {0.16 * side, kBedTop + 0.215}, {0.25, 0.015, 0.06}, Part::chain, false, fitting.mesh);
     }
-  });
+  }
 }
 
 // Returns rings that are upright for any roll: left is level, up is perpendicular to it and to the track.
@@ -103,10 +90,8 @@ void add_handrail(const Fitting& fitting, const std::vector<Ring>& rings, dvec2 
   for (const double height : {0.55, kHeight})
     add_beam(rings, edge + dvec2(-0.025, height - 0.025), edge + dvec2(0.025, height + 0.025), Part::support,
              height == kHeight, fitting.mesh);
-  along_track(fitting, spacing, [&](Ring at) {
-    if (upright) at = level({at}).front();
+  for (const Ring& at : upright ? level(spaced_rings(fitting.shape, spacing)) : spaced_rings(fitting.shape, spacing))
     add_block(at, edge + dvec2(0, 0.5 * kHeight), {0.025, 0.5 * kHeight, 0.025}, Part::support, false, fitting.mesh);
-  });
 }
 
 // Adds a walkway on brackets from the spine, on the left.
@@ -115,10 +100,9 @@ void add_walkway(const Fitting& fitting) {
   if (!walkable(fitting.rings, 0.82, 0.75)) return;
   add_beam(fitting.rings, {kInner, kFloor - 0.05}, {kOuter, kFloor}, Part::deck, true, fitting.mesh);
   add_handrail(fitting, fitting.rings, {kOuter - 0.04, kFloor}, 2.0, false);
-  along_track(fitting, 2.0, [&](const Ring& at) {
-    add_bar(place_of(at, {0.1, -kSpineDrop}), place_of(at, {kOuter - 0.05, kFloor - 0.09}), 0.05, 0.04, 6, Part::tie,
-            at.along, true, fitting.mesh);
-  });
+  for (const Ring& at : spaced_rings(fitting.shape, 2.0))
+    add_bar(at.place(0.1, -kSpineDrop), at.place(kOuter - 0.05, kFloor - 0.09), 0.05, 0.04, 6, Part::tie, at.along,
+            true, fitting.mesh);
 }
 
 // Adds floors on both sides, slightly below the cars' floor, with a yellow edge, a handrail at the back and legs to the
@@ -135,14 +119,12 @@ void add_platforms(const Fitting& fitting) {
     strip(kInner, kOuter, kFloor - kThick, kFloor, Part::concrete);
     strip(kInner + 0.06, kInner + 0.06 + kEdge, kFloor, kFloor + 0.012, Part::stripe);
     add_handrail(fitting, rings, {side * (kOuter - 0.06), kFloor}, 1.8, true);
-    along_track(fitting, 4.5, [&](const Ring& place) {
-      const Ring at = level({place}).front();
+    for (const Ring& at : level(spaced_rings(fitting.shape, 4.5)))
       for (const double out : {kInner + 0.35, kOuter - 0.35}) {
-        const dvec3 top = place_of(at, {side * out, kFloor - 0.5 * kThick});
+        const dvec3 top = at.place(side * out, kFloor - 0.5 * kThick);
         if (top.y > kThick)
           add_bar({top.x, 0, top.z}, top, 0.14, 0.14, 8, Part::concrete, at.along, true, fitting.mesh);
       }
-    });
   }
 }
 

@@ -41,21 +41,6 @@ void add_sides(std::span<const std::uint32_t> rings, std::uint32_t count, std::u
                            rings.back() + k + step});
 }
 
-// Adds a quadrilateral a, b, c, d with its own vertices. Its normal is that of the diagonals, even if it is slightly
-// bent; a face of zero area gets `otherwise`.
-void add_quad(const std::array<dvec3, 4>& corners, dvec3 otherwise, Part part, float along, bool from_afar,
-              Mesh& mesh) {
-  const dvec3 across = glm::cross(corners[2] - corners[0], corners[3] - corners[1]);
-  const double size = glm::length(across);
-  const dvec3 normal = size > 1e-12 ? across / size : otherwise;
-  const std::uint32_t first = next_vertex(mesh);
-  for (const dvec3& corner : corners) add_vertex(corner, normal, part, along, mesh);
-  for (Indices* out : {&mesh.indices, from_afar ? &mesh.coarse : nullptr})
-    if (out) out->insert(out->end(), {first, first + 1, first + 2, first, first + 2, first + 3});
-}
-
-dvec3 some_normal(dvec3 forward) { return curve::perpendicular(forward, {0, 1, 0}); }
-
 }  // namespace
 
 void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh) {
@@ -67,8 +52,7 @@ void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh) {
     const Ring& at = rings[i];
     all.push_back(next_vertex(mesh));
     if (i % 2 == 0 || i + 1 == rings.size()) every_other.push_back(all.back());
-    const dvec3 left = at.frame.left(), up = at.frame.up,
-                centre = at.position + tube.offset.x * left + tube.offset.y * up;
+    const dvec3 left = at.frame.left(), up = at.frame.up, centre = at.place(tube.offset);
     for (const dvec2 u : unit) {
       const dvec3 normal = u.x * left + u.y * up;
       add_vertex(centre + tube.radius * normal, normal, tube.part, at.along, mesh);
@@ -88,15 +72,11 @@ void add_face(std::span<const dvec3> corners, Part part, float along, bool from_
   for (const dvec3& corner : corners)
     add_vertex(corner, size > 1e-12 ? area / size : dvec3(0, 1, 0), part, along, mesh);
   for (std::uint32_t i = 1; i + 1 < corners.size(); ++i)
-    for (Indices* out : {&mesh.indices, from_afar ? &mesh.coarse : nullptr})
-      if (out) out->insert(out->end(), {first, first + i, first + i + 1});
+    mesh.add_triangles({first, first + i, first + i + 1}, from_afar);
 }
 
 void add_extrusion(std::span<const Ring> rings, std::span<const dvec2> outline, Part part, bool from_afar, Mesh& mesh) {
-  const auto place = [&](const Ring& ring, std::size_t k) {
-    const dvec2 at = outline[k % outline.size()];
-    return ring.position + at.x * ring.frame.left() + at.y * ring.frame.up;
-  };
+  const auto place = [&](const Ring& ring, std::size_t k) { return ring.place(outline[k % outline.size()]); };
   for (std::size_t k = 0; k < outline.size(); ++k) {
     const dvec2 side = outline[(k + 1) % outline.size()] - outline[k], out = glm::normalize(dvec2(side.y, -side.x));
     std::uint32_t before = 0;
@@ -104,8 +84,7 @@ void add_extrusion(std::span<const Ring> rings, std::span<const dvec2> outline, 
       const dvec3 normal = out.x * rings[i].frame.left() + out.y * rings[i].frame.up;
       const std::uint32_t at = next_vertex(mesh);
       for (const std::size_t end : {k, k + 1}) add_vertex(place(rings[i], end), normal, part, rings[i].along, mesh);
-      for (Indices* list : {&mesh.indices, from_afar ? &mesh.coarse : nullptr})
-        if (list && i > 0) list->insert(list->end(), {before, before + 1, at, before + 1, at + 1, at});
+      if (i > 0) mesh.add_triangles({before, before + 1, at, before + 1, at + 1, at}, from_afar);
       before = at;
     }
   }
@@ -123,13 +102,12 @@ void add_beam(std::span<const Ring> rings, dvec2 low, dvec2 high, Part part, boo
 
 void add_prism(const std::array<dvec3, 4>& near, const std::array<dvec3, 4>& far, Part part, float along,
                bool from_afar, Mesh& mesh) {
-  const dvec3 otherwise(0, 1, 0);
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t next = (k + 1) % 4;
-    add_quad({near[next], near[k], far[k], far[next]}, otherwise, part, along, from_afar, mesh);
+    add_face(std::array{near[next], near[k], far[k], far[next]}, part, along, from_afar, mesh);
   }
-  add_quad(near, otherwise, part, along, from_afar, mesh);
-  add_quad({far[3], far[2], far[1], far[0]}, otherwise, part, along, from_afar, mesh);
+  add_face(near, part, along, from_afar, mesh);
+  add_face(std::array{far[3], far[2], far[1], far[0]}, part, along, from_afar, mesh);
 }
 
 void add_box(dvec3 middle, const curve::Frame& frame, dvec3 half, Part part, float along, bool from_afar, Mesh& mesh) {
@@ -144,24 +122,20 @@ void add_bar(dvec3 from, dvec3 to, double from_radius, double to_radius, int sid
              bool from_afar, Mesh& mesh) {
   const double length = glm::length(to - from);
   if (!(length > 1e-6)) return;
-  const dvec3 forward = (to - from) / length, up = some_normal(forward), left = glm::cross(up, forward);
+  const dvec3 forward = (to - from) / length, up = curve::perpendicular(forward, {0, 1, 0}),
+              left = glm::cross(up, forward);
   const double slope = (from_radius - to_radius) / length, shrink = 1 / glm::length(dvec2(1, slope));
   std::vector<dvec3> front, back;
-  const std::array<std::uint32_t, 2> rings{next_vertex(mesh), next_vertex(mesh) + static_cast<std::uint32_t>(sides)};
+  const std::uint32_t first = next_vertex(mesh), count = static_cast<std::uint32_t>(sides);
   for (const bool at_end : {false, true})
     for (const dvec2 u : circle(sides)) {
       const dvec3 out = u.x * left + u.y * up, place = at_end ? to + to_radius * out : from + from_radius * out;
       add_vertex(place, shrink * (out + slope * forward), part, along, mesh);
       (at_end ? front : back).push_back(place);
     }
-  const auto count = static_cast<std::uint32_t>(sides);
-  for (Indices* list : {&mesh.indices, from_afar ? &mesh.coarse : nullptr}) {
-    if (!list) continue;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const std::uint32_t a = rings[0] + k, b = rings[0] + (k + 1) % count, c = rings[1] + k,
-                          d = rings[1] + (k + 1) % count;
-      list->insert(list->end(), {a, b, c, b, d, c});
-    }
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t next = (k + 1) % count, a = first + k, b = first + next, c = a + count, d = b + count;
+    mesh.add_triangles({a, b, c, b, d, c}, from_afar);
   }
   std::reverse(back.begin(), back.end());
   add_face(front, part, along, from_afar, mesh);

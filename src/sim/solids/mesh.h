@@ -49,6 +49,10 @@ struct Mesh {
   std::vector<MeshVertex> vertices;
   std::vector<std::uint32_t> indices, coarse;
   void clear() { vertices.clear(), indices.clear(), coarse.clear(); }
+  void add_triangles(std::initializer_list<std::uint32_t> corners, bool from_afar) {
+    indices.insert(indices.end(), corners);
+    if (from_afar) coarse.insert(coarse.end(), corners);
+  }
 };
 
 // A cross-section for sweeping a solid.
@@ -56,6 +60,8 @@ struct Ring {
   glm::dvec3 position{0};
   curve::Frame frame;
   float along = 0;  // arc length over the segment's length
+  glm::dvec3 place(double left, double up) const { return position + left * frame.left() + up * frame.up; }
+  glm::dvec3 place(glm::dvec2 offset) const { return place(offset.x, offset.y); }
 };
 
 // A tube about the line at `offset` (left, up) from the rings' middle, closed by a fan at both ends; smooth normals.
@@ -75,7 +81,7 @@ void add_extrusion(std::span<const Ring> rings, std::span<const glm::dvec2> outl
 // Adds the swept rectangle between two corners.
 void add_beam(std::span<const Ring> rings, glm::dvec2 low, glm::dvec2 high, Part part, bool from_afar, Mesh& mesh);
 
-// Adds a flat convex face, counter-clockwise as seen from outside.
+// Adds a flat convex face, counter-clockwise as seen from outside. The normal of a face of zero area is up.
 void add_face(std::span<const glm::dvec3> corners, Part part, float along, bool from_afar, Mesh& mesh);
 
 // Adds six flat faces around eight corners: four of one end, counter-clockwise as seen from outside, and the matching

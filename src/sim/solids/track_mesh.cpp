@@ -38,10 +38,9 @@ void add_arm(const Ring& at, double side, Mesh& mesh) {
   const dvec2 rail(0.5 * kGauge * side, 0), spine(0.06 * side, -kSpineDrop + 0.04),
       along = glm::normalize(spine - rail);
   const dvec2 across = side * dvec2(-along.y, along.x);  // downwards and outwards
-  const dvec3 left = at.frame.left(), thick = kHalfThickness * at.frame.forward;
-  const auto place = [&](dvec2 p) { return at.position + p.x * left + p.y * at.frame.up; };
+  const dvec3 thick = kHalfThickness * at.frame.forward;
   const auto end = [&](dvec2 middle, double half) {
-    const dvec3 low = place(middle + half * across), high = place(middle - half * across);
+    const dvec3 low = at.place(middle + half * across), high = at.place(middle - half * across);
     return side < 0 ? std::array{low - thick, low + thick, high + thick, high - thick}
                     : std::array{low + thick, low - thick, high - thick, high + thick};
   };
@@ -92,20 +91,22 @@ std::vector<Ring> rings_of(const SegmentShape& shape) {
   return rings;
 }
 
+std::vector<Ring> spaced_rings(const SegmentShape& shape, double spacing) {
+  const double length = shape.arc.length();
+  const int count = std::max(1, static_cast<int>(std::lround(length / spacing)));
+  std::vector<Ring> rings;
+  for (int i = 0; i < count; ++i) rings.push_back(ring_at(shape, length * (i + 0.5) / count));
+  return rings;
+}
+
 void sweep_track(const SegmentShape& shape, Mesh& mesh) {
   mesh.clear();
   const std::vector<Ring> rings = rings_of(shape);
   add_tube(rings, {{0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail}, mesh);
   add_tube(rings, {{-0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail}, mesh);
   add_tube(rings, {{0, -kSpineDrop}, kSpineRadius, kSpineSides, kSpineSides / 3, Part::spine}, mesh);
-  const double length = shape.arc.length();
-  if (!(length > kShortestWithTie)) return;
-  const int ties = std::max(1, static_cast<int>(std::lround(length / kTieSpacing)));
-  for (int i = 0; i < ties; ++i) {
-    const Ring at = ring_at(shape, length * (i + 0.5) / ties);
-    add_arm(at, 1.0, mesh);
-    add_arm(at, -1.0, mesh);
-  }
+  if (!(shape.arc.length() > kShortestWithTie)) return;
+  for (const Ring& at : spaced_rings(shape, kTieSpacing)) add_arm(at, 1.0, mesh), add_arm(at, -1.0, mesh);
 }
 
 }  // namespace coaster::sim

@@ -29,6 +29,8 @@ Ring ring_at(const SegmentShape& shape, double s);
 // degree has 2.
 std::vector<double> ring_places(const SegmentShape& shape);
 std::vector<Ring> rings_of(const SegmentShape& shape);
+// Returns the rings at the middles of equal parts of about `spacing` metres.
+std::vector<Ring> spaced_rings(const SegmentShape& shape, double spacing);
 
 // Builds rails, spine and ties. The rings at both ends depend on the knots alone, so neighbours meet bit for bit. Tubes
 // have smooth normals and are closed at both ends. Replaces the contents of `mesh`. A segment of zero length gives

@@ -15,8 +15,7 @@ using glm::dvec3;
 constexpr curve::Frame kAhead{{1, 0, 0}, {0, 1, 0}};
 
 void add_block(dvec3 low, dvec3 high, Part part, Mesh& mesh) {
-  const dvec3 half = 0.5 * (high - low);
-  add_box(0.5 * (low + high), kAhead, half, part, 0, true, mesh);
+  add_box(0.5 * (low + high), kAhead, 0.5 * (high - low), part, 0, true, mesh);
 }
 
 // Adds a block whose upper face is shifted by `lean` along X.
@@ -54,6 +53,38 @@ std::vector<dvec3> outline(const BodySection& s) {
   point(-s.half_width, s.low + kStripeHigh * height), point(-s.half_width, s.low + kStripeLow * height);
   corner(-w, s.low + round, 2);
   return out;
+}
+
+// Adds a solid through sections of equally many corners, back to front, counter-clockwise as seen from the front;
+// smooth except at both ends. parts[k] is the strip between corners k and k + 1.
+void add_loft(std::span<const std::vector<dvec3>> sections, std::span<const Part> parts, Mesh& mesh) {
+  const std::size_t count = parts.size(), rows = sections.size();
+  // Normals of corners: the area-weighted sum of the adjacent faces' normals.
+  std::vector<dvec3> normals(rows * count, dvec3(0));
+  for (std::size_t row = 0; row + 1 < rows; ++row)
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t next = (k + 1) % count;
+      const dvec3 area =
+          glm::cross(sections[row + 1][next] - sections[row][k], sections[row + 1][k] - sections[row][next]);
+      for (const std::size_t corner :
+           {row * count + k, row * count + next, (row + 1) * count + k, (row + 1) * count + next})
+        normals[corner] += area;
+    }
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t next = (k + 1) % count;
+    for (std::size_t row = 0; row < rows; ++row) {
+      const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+      for (const std::size_t corner : {k, next}) {
+        COASTER_CHECK(sections[row].size() == count, "all sections have the same number of corners");
+        const dvec3 normal = normals[row * count + corner];
+        mesh.vertices.push_back(
+            {glm::vec3(sections[row][corner]), glm::vec3(glm::normalize(normal)), static_cast<float>(parts[k])});
+      }
+      if (row > 0) mesh.add_triangles({first - 2, first - 1, first, first - 1, first + 1, first}, true);
+    }
+  }
+  add_face(sections.back(), parts[0], 0, true, mesh);
+  add_face(std::vector<dvec3>(sections.front().rbegin(), sections.front().rend()), parts[0], 0, true, mesh);
 }
 
 void add_body(std::span<const BodySection> sections, Mesh& mesh) {
@@ -100,64 +131,7 @@ void add_seat(double x, double z, Mesh& mesh) {
   add_bar({x + 0.25, 0.86, z - 0.21}, {x + 0.25, 0.86, z + 0.21}, 0.032, 0.032, 8, Part::chain, 0, true, mesh);
 }
 
-}  // namespace
-
-void add_loft(std::span<const std::vector<dvec3>> sections, std::span<const Part> parts, Mesh& mesh) {
-  const std::size_t count = parts.size(), rows = sections.size();
-  // Normals of corners: the area-weighted sum of the adjacent faces' normals.
-  std::vector<dvec3> normals(rows * count, dvec3(0));
-  for (std::size_t row = 0; row + 1 < rows; ++row)
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t next = (k + 1) % count;
-      const dvec3 area =
-          glm::cross(sections[row + 1][next] - sections[row][k], sections[row + 1][k] - sections[row][next]);
-      for (const std::size_t corner :
-           {row * count + k, row * count + next, (row + 1) * count + k, (row + 1) * count + next})
-        normals[corner] += area;
-    }
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t next = (k + 1) % count;
-    for (std::size_t row = 0; row < rows; ++row) {
-      const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-      for (const std::size_t corner : {k, next}) {
-        COASTER_CHECK(sections[row].size() == count, "all sections have the same number of corners");
-        const dvec3 normal = normals[row * count + corner];
-        mesh.vertices.push_back(
-            {glm::vec3(sections[row][corner]), glm::vec3(glm::normalize(normal)), static_cast<float>(parts[k])});
-      }
-      if (row > 0)
-        for (auto* list : {&mesh.indices, &mesh.coarse})
-          list->insert(list->end(), {first - 2, first - 1, first, first - 1, first + 1, first});
-    }
-  }
-  std::vector<dvec3> end(sections.back().begin(), sections.back().end());
-  add_face(end, parts[0], 0, true, mesh);
-  end.assign(sections.front().rbegin(), sections.front().rend());
-  add_face(end, parts[0], 0, true, mesh);
-}
-
-void add_ball(dvec3 middle, dvec3 half, int sides, Part part, Mesh& mesh) {
-  const int rows = sides / 2;
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size()), count = static_cast<std::uint32_t>(sides);
-  for (int row = 0; row <= rows; ++row) {
-    const base::SinCos high = base::sin_cos(base::kPi * (static_cast<double>(row) / rows - 0.5));
-    for (int k = 0; k < sides; ++k) {
-      const base::SinCos turn = base::sin_cos(2 * base::kPi * k / sides);
-      const dvec3 unit(high.cos * turn.cos, high.sin, -high.cos * turn.sin);
-      mesh.vertices.push_back(
-          {glm::vec3(middle + half * unit), glm::vec3(glm::normalize(unit / half)), static_cast<float>(part)});
-    }
-  }
-  for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(rows); ++row)
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const std::uint32_t a = first + row * count + k, b = first + row * count + (k + 1) % count;
-      for (auto* list : {&mesh.indices, &mesh.coarse}) {
-        if (row > 0) list->insert(list->end(), {a, b, a + count});
-        if (row + 1 < static_cast<std::uint32_t>(rows)) list->insert(list->end(), {b, b + count, a + count});
-      }
-    }
-}
-
+// Adds a rider whose hip is at `hip`, looking along +X, with hands on the bar.
 void add_rider(dvec3 hip, Part shirt, Part trousers, Mesh& mesh) {
   const dvec3 chest = hip + dvec3(-0.05, 0.26, 0), head = hip + dvec3(-0.07, 0.66, 0);
   add_ball(chest, {0.125, 0.31, 0.19}, 12, shirt, mesh);
@@ -178,14 +152,35 @@ void add_rider(dvec3 hip, Part shirt, Part trousers, Mesh& mesh) {
   }
 }
 
+}  // namespace
+
+void add_ball(dvec3 middle, dvec3 half, int sides, Part part, Mesh& mesh) {
+  const int rows = sides / 2;
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size()), count = static_cast<std::uint32_t>(sides);
+  for (int row = 0; row <= rows; ++row) {
+    const base::SinCos high = base::sin_cos(base::kPi * (static_cast<double>(row) / rows - 0.5));
+    for (int k = 0; k < sides; ++k) {
+      const base::SinCos turn = base::sin_cos(2 * base::kPi * k / sides);
+      const dvec3 unit(high.cos * turn.cos, high.sin, -high.cos * turn.sin);
+      mesh.vertices.push_back(
+          {glm::vec3(middle + half * unit), glm::vec3(glm::normalize(unit / half)), static_cast<float>(part)});
+    }
+  }
+  for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(rows); ++row)
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t a = first + row * count + k, b = first + row * count + (k + 1) % count;
+      if (row > 0) mesh.add_triangles({a, b, a + count}, true);
+      if (row + 1 < static_cast<std::uint32_t>(rows)) mesh.add_triangles({b, b + count, a + count}, true);
+    }
+}
+
 Mesh car_mesh(bool leading) {
   Mesh mesh;
-  const BodySection tub[] = {{-1.10, 0.34, 0.54, 0.40},
-                             {-1.06, 0.28, 0.62, 0.49},
-                             {-0.96, 0.24, 0.67, 0.55},
-                             {-0.60, 0.23, 0.68, 0.575},
-                             {0.20, 0.23, 0.68, 0.575}};
-  std::vector<BodySection> body(std::begin(tub), std::end(tub));
+  std::vector<BodySection> body{{-1.10, 0.34, 0.54, 0.40},
+                                {-1.06, 0.28, 0.62, 0.49},
+                                {-0.96, 0.24, 0.67, 0.55},
+                                {-0.60, 0.23, 0.68, 0.575},
+                                {0.20, 0.23, 0.68, 0.575}};
   const BodySection plain[] = {
       {0.60, 0.23, 0.68, 0.575}, {0.96, 0.24, 0.67, 0.55}, {1.06, 0.28, 0.62, 0.49}, {1.10, 0.34, 0.54, 0.40}};
   const BodySection nose[] = {{0.36, 0.23, 0.69, 0.575}, {0.50, 0.23, 0.715, 0.565}, {0.64, 0.23, 0.715, 0.54},

@@ -16,12 +16,7 @@ Mesh car_mesh(bool leading);
 // Returns a bar from the origin to (1, 0, 0).
 Mesh coupling_mesh();
 
-// Adds a solid through sections of equally many corners, back to front, counter-clockwise as seen from the front;
-// smooth except at both ends. parts[k] is the strip between corners k and k + 1.
-void add_loft(std::span<const std::vector<glm::dvec3>> sections, std::span<const Part> parts, Mesh& mesh);
 // Adds an ellipsoid with half axes along x, y, z.
 void add_ball(glm::dvec3 middle, glm::dvec3 half, int sides, Part part, Mesh& mesh);
-// Adds a rider whose hip is at `hip`, looking along +X, with hands on the bar.
-void add_rider(glm::dvec3 hip, Part shirt, Part trousers, Mesh& mesh);
 
 }  // namespace coaster::sim
