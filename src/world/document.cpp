@@ -39,6 +39,7 @@ curve::Cubic cubic_of(const Document& document, Entity segment_entity) {
 
 glm::vec3 in_handle(const Knot& k) { return k.position - k.tangent * k.in_length; }
 glm::vec3 out_handle(const Knot& k) { return k.position + k.tangent * k.out_length; }
+float as_handle(double length) { return std::clamp(static_cast<float>(length), kMinHandle, kMaxHandle); }
 
 Neighbours neighbours(const Document& document, Entity knot_entity) {
   const Track& track = document.track;

@@ -63,6 +63,7 @@ void copy_fittings(Document& document, Entity from, Entity to);
 curve::Cubic cubic_of(const Document& document, Entity segment);
 glm::vec3 in_handle(const Knot& knot);   // position - tangent * in_length
 glm::vec3 out_handle(const Knot& knot);  // position + tangent * out_length
+float as_handle(double length);          // a handle's length: in float, within kMinHandle..kMaxHandle
 
 // The segments that end and start at a knot; kNone at the ends of an open track. Linear in the track's length.
 struct Neighbours {

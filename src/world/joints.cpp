@@ -1,6 +1,4 @@
 // Keeps the promises of joints: equal lengths if smooth, the shape given by the neighbours if automatic.
-#include <algorithm>
-
 #include "world/topology.h"
 
 namespace coaster::world {
@@ -8,7 +6,7 @@ namespace {
 
 double chord(glm::vec3 a, glm::vec3 b) { return glm::length(glm::dvec3(b) - glm::dvec3(a)); }
 
-float third(double length) { return std::clamp(static_cast<float>(length / 3.0), kMinHandle, kMaxHandle); }
+float third(double length) { return as_handle(length / 3.0); }
 
 }  // namespace
 

@@ -49,8 +49,6 @@ double as_fraction(double part, double whole) {
   return whole > 0 ? std::clamp(part / whole, 0.0, below_one) : 0.0;
 }
 
-void set_length(float& length, double value) { length = std::clamp(static_cast<float>(value), kMinHandle, kMaxHandle); }
-
 // Extends segments[before] over the knot between it and segments[after], and removes the latter.
 void merge_segments(Document& document, std::size_t before_index, std::size_t after_index) {
   const Entity before = document.track.segments[before_index], after = document.track.segments[after_index];
@@ -105,7 +103,7 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
   middle.tangent = glm::vec3(curve::unit_tangent(whole, t));
   middle.up = up;
   middle.joint = JointKind::aligned;
-  set_length(middle.in_length, lengths[1]), set_length(middle.out_length, lengths[2]);
+  middle.in_length = as_handle(lengths[1]), middle.out_length = as_handle(lengths[2]);
   orthonormalise(middle);
 
   const Entity e = create_named(document, Kind::knot);
@@ -117,10 +115,10 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
   document.track.knots.insert(document.track.knots.begin() + place, e);
   document.track.segments.insert(document.track.segments.begin() + place, second);
   Knot& start = document.entities.get<Knot>(from);
-  set_length(start.out_length, lengths[0]);
+  start.out_length = as_handle(lengths[0]);
   start.joint = JointKind::aligned;
   Knot& end = document.entities.get<Knot>(to);
-  set_length(end.in_length, lengths[3]);
+  end.in_length = as_handle(lengths[3]);
   end.joint = JointKind::aligned;
 
   const double left = curve::arc_length(cubic_of(document, first)),

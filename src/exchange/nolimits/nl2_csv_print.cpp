@@ -7,7 +7,6 @@
 #include "base/text.h"
 #include "exchange/nolimits/nl2_csv.h"
 #include "sim/shape/derived.h"
-#include "world/evaluation.h"
 
 namespace coaster::exchange {
 namespace {
@@ -21,14 +20,6 @@ void print_row(std::string& out, std::size_t number, dvec3 position, const curve
   for (const dvec3& v : {position, frame.forward, frame.left(), frame.up})
     for (int axis = 0; axis < 3; ++axis) print_number(out, v[axis]);
   out += '\n';
-}
-
-sim::Derived shapes_of(const world::Document& document) {
-  world::Settings settings;
-  settings.evaluation->steps = 1;  // polylines are not needed
-  sim::Derived derived;
-  sim::derive(document, settings, {}, derived);
-  return derived;
 }
 
 }  // namespace
@@ -45,7 +36,7 @@ base::Status check_nl2_csv(const world::Document& document, double spacing) {
 
 std::string print_nl2_csv(const world::Document& document, double spacing) {
   COASTER_CHECK(spacing > 0 && check_nl2_csv(document, spacing).ok(), "callers check the track first");
-  const sim::Derived derived = shapes_of(document);
+  const sim::Derived derived = sim::shapes_of(document);
   std::string out;
   for (const std::string_view column : kNl2Columns) out += fmt::format("{}{}\"", out.empty() ? "\"" : "\t\"", column);
   out += '\n';

@@ -9,7 +9,6 @@
 #include "exchange/nolimits/nl2_spline.h"
 #include "exchange/nolimits/nl2elem.h"
 #include "sim/shape/derived.h"
-#include "world/evaluation.h"
 
 namespace coaster::exchange {
 namespace {
@@ -94,10 +93,7 @@ base::Status check_nl2elem(const world::Document& document) {
 
 std::string print_nl2elem(const world::Document& document) {
   COASTER_CHECK(check_nl2elem(document).ok(), "callers check the track first");
-  world::Settings settings;
-  settings.evaluation->steps = 1;
-  sim::Derived derived;
-  sim::derive(document, settings, {}, derived);
+  const sim::Derived derived = sim::shapes_of(document);
   double spacing = 1;
   const auto spans_at = [&](double m) {
     return std::max<std::size_t>(4, static_cast<std::size_t>(std::ceil(derived.length / m)));

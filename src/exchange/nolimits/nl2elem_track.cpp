@@ -5,7 +5,6 @@
 
 #include "base/portable_math.h"
 #include "sim/shape/derived.h"
-#include "world/evaluation.h"
 #include "world/topology.h"
 
 namespace coaster::exchange {
@@ -154,10 +153,7 @@ world::Knot knot_of(const std::vector<Piece>& pieces, std::size_t i, bool closed
 ImportReport report_of(const world::Document& document, const std::vector<Piece>& pieces, const ElementFile& file) {
   ImportReport report;
   report.knots = static_cast<int>(document.track.knots.size());
-  world::Settings settings;
-  settings.evaluation->steps = 1;
-  sim::Derived derived;
-  sim::derive(document, settings, {}, derived);
+  const sim::Derived derived = sim::shapes_of(document);
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (int k = 0; k <= 16; ++k) {
       const Piece& piece = pieces[i];

@@ -105,17 +105,21 @@ void ElementPath::add(double length, const ElementPiece& piece) {
   curve_.breaks.push_back(curve_.points.size() - 1);
 }
 
+void ElementPath::add(std::initializer_list<double> lengths, const ElementPiece& whole) {
+  double begin = 0;
+  for (const double length : lengths) {
+    add(length, [&whole, begin](double u) { return whole(begin + u); });
+    begin += length;
+  }
+}
+
+ElementRate upright_rate(double angle, double bend) {
+  const auto [sin, cos] = base::sin_cos(angle);
+  return {{cos, sin, 0}, {-sin * bend, cos * bend, 0}, {-sin, cos, 0}, 0};
+}
+
 void ElementPath::add(const Bend& bend) {
-  const auto piece = [bend](double begin) {
-    return [bend, begin](double u) {
-      const auto [sin, cos] = base::sin_cos(bend.angle(begin + u));
-      const double k = bend.bend(begin + u);
-      return ElementRate{{cos, sin, 0}, {-sin * k, cos * k, 0}, {-sin, cos, 0}, 0};
-    };
-  };
-  add(bend.ramp(), piece(0));
-  add(bend.arc(), piece(bend.ramp()));
-  add(bend.ramp(), piece(bend.ramp() + bend.arc()));
+  add({bend.ramp(), bend.arc(), bend.ramp()}, [&](double u) { return upright_rate(bend.angle(u), bend.bend(u)); });
 }
 
 ElementCurve ElementPath::finish(double reach) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -24,8 +25,7 @@ struct ElementPoint {
 struct ElementCurve {
   std::vector<ElementPoint> points;
   std::vector<std::size_t> breaks;  // indices into `points` where pieces begin, and the last point
-  std::size_t lead = 0;  // start of the element proper; before it is the lead-in, where curvature and slope of the
-                         // track's end fade out
+  std::size_t lead = 0;  // start of the element proper; in the lead-in the end's curvature and slope fade out
   double length() const { return points.empty() ? 0 : points.back().s; }
 };
 
@@ -36,6 +36,9 @@ struct ElementRate {
   double roll = 0;   // rad about the tangent on top of `up`, positive to the rider's right
 };
 using ElementPiece = std::function<ElementRate(double u)>;
+
+// Returns the rate by arc length of a curve in the plane of forward and up, from its angle and curvature there.
+ElementRate upright_rate(double angle, double bend);
 
 // A bend from one angle to another: clothoid, circle, clothoid. Curvature rises linearly in the length from 0 to
 // 1/radius, over a quarter of the angle, at most 30 degrees, and falls in the same way.
@@ -70,6 +73,8 @@ class ElementPath {
   void set_axes(glm::dvec3 forward, glm::dvec3 up, glm::dvec3 left) { forward_ = forward, up_ = up, left_ = left; }
   // Leaves out pieces shorter than 1e-9 m.
   void add(double length, const ElementPiece& piece);
+  // Adds a curve in parts of these lengths, with breaks between them.
+  void add(std::initializer_list<double> lengths, const ElementPiece& whole);
   // A bend in the plane of forward and up, angles from forward.
   void add(const Bend& bend);
   // Marks the end of the lead-in.

@@ -77,18 +77,13 @@ struct Slope {
 };
 
 void add_round(ElementPath& path, const Round& round, const std::function<Slope(double)>& slope) {
-  const auto piece = [&](double begin) {
-    return [round, slope, begin](double along) {
-      const double u = begin + along, k = round.bend.bend(u);
-      const auto [sin, cos] = base::sin_cos(round.bend.angle(u));
-      const auto [rise, change] = slope(u);
-      return ElementRate{{cos, rise, -sin}, {-sin * k, change, -cos * k}, dvec3(0), round.roll(u)};
-    };
-  };
-  const double ramp = round.bend.ramp(), arc = round.bend.arc();
-  path.add(ramp, piece(0));
-  path.add(arc, piece(ramp));
-  path.add(ramp, piece(ramp + arc));
+  const double ramp = round.bend.ramp();
+  path.add({ramp, round.bend.arc(), ramp}, [&](double u) {
+    const auto [sin, cos] = base::sin_cos(round.bend.angle(u));
+    const auto [rise, change] = slope(u);
+    const double k = round.bend.bend(u);
+    return ElementRate{{cos, rise, -sin}, {-sin * k, change, -cos * k}, dvec3(0), round.roll(u)};
+  });
 }
 
 // The bank follows from a speed: gravity and the turn together press straight into the seat.
@@ -112,14 +107,19 @@ double levelling_radius(const world::Element& element) {
 
 }  // namespace
 
+std::string beyond_limit(const world::ElementParameter& parameter, double value, double limit) {
+  const std::string unit = fmt::format("{}{}", parameter.unit.empty() ? "" : " ", parameter.unit);
+  return fmt::format("{} {}{} is beyond the limit of {}{}", parameter.name, base::to_text(value), unit,
+                     base::to_text(limit), unit);
+}
+
 void give_way(world::Element& element, std::string_view parameter, double limit, std::string_view reason,
               std::vector<std::string>& lines) {
   const std::span<const world::ElementParameter> parameters = base::row_of(element.kind).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (parameters[i].name != parameter) continue;
-    const std::string unit = parameters[i].unit.empty() ? "" : " " + std::string(parameters[i].unit);
-    lines.push_back(fmt::format("{} {}{} is beyond the limit of {}{}: {}", parameter, base::to_text(element.values[i]),
-                                unit, base::to_text(std::round(limit * 1000.0) / 1000.0), unit, reason));
+    lines.push_back(fmt::format(
+        "{}: {}", beyond_limit(parameters[i], element.values[i], std::round(limit * 1000.0) / 1000.0), reason));
     element.values[i] = limit;
   }
 }
@@ -163,8 +163,8 @@ void add_helix(ShapeTask& task) {
 ElementShape element_shape(world::Element& element, const TrackEnd& end, std::vector<std::string>& lines) {
   ElementShape shape;
   if (const double k = glm::length(end.curvature); k > kSharpestEnd) {
-    shape.refusal = "the track's end is too sharp for an element: its radius is " +
-                    base::to_text(std::round(1000.0 / k) / 1000.0) + " m";
+    shape.refusal = fmt::format("the track's end is too sharp for an element: its radius is {} m",
+                                base::to_text(std::round(1000.0 / k) / 1000.0));
     return shape;
   }
   const auto steep = [](dvec3 forward) { return std::abs(slope_of(forward)) > base::radians(kSteepestEnd_deg); };
@@ -180,8 +180,8 @@ ElementShape element_shape(world::Element& element, const TrackEnd& end, std::ve
     return shape;
   }
   if (steep(end.forward) || steep(path.end().tangent)) {
-    shape.refusal = "the track's end is steeper than " + base::to_text(kSteepestEnd_deg) +
-                    " degrees: only a straight can follow it";
+    shape.refusal = fmt::format("the track's end is steeper than {} degrees: only a straight can follow it",
+                                base::to_text(kSteepestEnd_deg));
     return shape;
   }
   double slope = head(path);

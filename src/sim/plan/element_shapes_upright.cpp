@@ -24,15 +24,6 @@ double root(double low, double high, const std::function<double(double)>& f) {
   return 0.5 * (low + high);
 }
 
-// Returns a piece of a curve in the plane of heading and up, from angle and curvature by arc length.
-ElementPiece upright_piece(std::function<double(double)> angle, std::function<double(double)> bend) {
-  return [angle = std::move(angle), bend = std::move(bend)](double u) {
-    const auto [sin, cos] = base::sin_cos(angle(u));
-    const double k = bend(u);
-    return ElementRate{{cos, sin, 0}, {-sin * k, cos * k, 0}, {-sin, cos, 0}, 0};
-  };
-}
-
 // The foot of a camelback, by its steepest angle: a clothoid to 1/radius, a circle, and a clothoid through the
 // inflection to the parabola's curvature -bend. The other foot is its mirror image.
 struct Foot {
@@ -120,17 +111,11 @@ class Winding {
 void add_winding(ElementPath& path, const Winding& w, double sin_axis, double side) {
   const double cos_axis = std::sqrt(1 - sin_axis * sin_axis);
   const dvec3 axis(sin_axis, 0, side * cos_axis), across(cos_axis, 0, -side * sin_axis), up(0, 1, 0);
-  const auto piece = [=](double begin) -> ElementPiece {
-    return [=](double along) {
-      const auto [sin, cos] = base::sin_cos(w.turned(begin + along));
-      const dvec3 normal = cos * up - sin * across;
-      return ElementRate{(sin_axis / cos_axis) * axis + cos * across + sin * up, w.bend(begin + along) * normal, normal,
-                         0};
-    };
-  };
-  path.add(w.ramp(), piece(0));
-  path.add(w.arc(), piece(w.ramp()));
-  path.add(w.ramp(), piece(w.ramp() + w.arc()));
+  path.add({w.ramp(), w.arc(), w.ramp()}, [&](double u) {
+    const auto [sin, cos] = base::sin_cos(w.turned(u));
+    const dvec3 normal = cos * up - sin * across;
+    return ElementRate{(sin_axis / cos_axis) * axis + cos * across + sin * up, w.bend(u) * normal, normal, 0};
+  });
 }
 
 }  // namespace
@@ -152,8 +137,7 @@ void add_climb_or_dive(ShapeTask& task) {
   }
   const double to = side * angle, sin = base::sin_cos(angle).sin, missing = height - bends(angle);
   task.path.add(Bend{task.slope, to, radius});
-  if (angle > 0 && missing > 0)
-    task.path.add(missing / sin, upright_piece([to](double) { return to; }, [](double) { return 0.0; }));
+  if (angle > 0 && missing > 0) task.path.add(missing / sin, [to](double) { return upright_rate(to, 0); });
   task.path.add(Bend{to, 0, radius});
 }
 
@@ -174,24 +158,18 @@ void add_camelback(ShapeTask& task) {
   const double angle = root(base::radians(0.5), base::radians(78), [&](double a) { return rise(a) - height; });
   const Foot foot(angle, radius, p);
   const double edge = p * tangent_of(angle), whole = foot.length();
-  const auto up = [&](double begin) {
-    return upright_piece([=](double u) { return foot.angle_at(begin + u); },
-                         [=](double u) { return foot.bend(begin + u); });
-  };
-  const auto down = [&](double begin) {
-    return upright_piece([=](double u) { return -foot.angle_at(whole - begin - u); },
-                         [=](double u) { return foot.bend(whole - begin - u); });
-  };
-  task.path.add(foot.first, up(0));
-  task.path.add(foot.arc, up(foot.first));
-  task.path.add(foot.second, up(foot.first + foot.arc));
+  task.path.add({foot.first, foot.arc, foot.second},
+                [&](double u) { return upright_rate(foot.angle_at(u), foot.bend(u)); });
   task.path.add(2 * edge, [=](double u) {
     const double slope = (edge - u) / p;
     return ElementRate{{1, slope, 0}, {0, -1 / p, 0}, {-slope, 1, 0}, 0};
   });
-  task.path.add(foot.second, down(0));
-  task.path.add(foot.arc, down(foot.second));
-  task.path.add(foot.first, down(foot.second + foot.arc));
+  const auto down = [&](double from) {
+    return [&foot, from](double u) { return upright_rate(-foot.angle_at(from - u), foot.bend(from - u)); };
+  };
+  task.path.add(foot.second, down(whole));
+  task.path.add(foot.arc, down(whole - foot.second));
+  task.path.add(foot.first, down(whole - (foot.second + foot.arc)));
 }
 
 void add_loop(ShapeTask& task) {

@@ -113,8 +113,6 @@ void shift_second(Nodes& n, const ElementCurve& curve, std::span<const std::size
   n.place[next] = ideal + off;
 }
 
-float as_handle(double length) { return std::clamp(static_cast<float>(length), world::kMinHandle, world::kMaxHandle); }
-
 std::vector<world::Knot> knots_of(const ElementCurve& curve, std::span<const std::size_t> at, const Nodes& n) {
   std::vector<world::Knot> knots;
   for (std::size_t k = 0; k < at.size(); ++k) {
@@ -124,8 +122,8 @@ std::vector<world::Knot> knots_of(const ElementCurve& curve, std::span<const std
     // From the tangent in double, not from the rounded one: gcc 12 at -O2 may omit a rounding to float and back, and
     // the bits matter.
     knot.up = glm::vec3(curve::perpendicular(n.tangent[k], curve.points[at[k]].up));
-    knot.in_length = as_handle(k > 0 ? n.in[k] : n.out[k]);
-    knot.out_length = as_handle(k + 1 < at.size() ? n.out[k] : n.in[k]);
+    knot.in_length = world::as_handle(k > 0 ? n.in[k] : n.out[k]);
+    knot.out_length = world::as_handle(k + 1 < at.size() ? n.out[k] : n.in[k]);
     knot.joint = world::JointKind::aligned;
     world::orthonormalise(knot);
     knots.push_back(knot);

@@ -30,9 +30,7 @@ void clamp_values(world::Element& element, std::vector<std::string>& lines) {
     if (!std::isfinite(value)) value = p.usual;
     const double cut = std::clamp(value, p.low, p.high);
     if (cut == value) continue;
-    const std::string unit = p.unit.empty() ? "" : " " + std::string(p.unit);
-    lines.push_back(fmt::format("{} {}{} is beyond the limit of {}{}", p.name, base::to_text(value), unit,
-                                base::to_text(cut), unit));
+    lines.push_back(beyond_limit(p, value, cut));
     value = cut;
   }
 }
@@ -74,10 +72,10 @@ ElementPlan plan_element(const world::Element& element, const TrackEnd& end) {
   plan.length = plan.ideal.length();
   plan.lead = plan.ideal.points[plan.ideal.lead].s;
   if (plan.length > kLongestElement)
-    plan.refusal = "the element is longer than the limit of " + base::to_text(kLongestElement) + " m";
+    plan.refusal = fmt::format("the element is longer than the limit of {} m", base::to_text(kLongestElement));
   else if (!within_world(plan.ideal))
     plan.refusal =
-        "the element leaves the limit of coordinates, " + base::to_text(double{world::kMaxCoordinate}) + " m";
+        fmt::format("the element leaves the limit of coordinates, {} m", base::to_text(double{world::kMaxCoordinate}));
   if (!plan.refusal.empty()) return plan;
   plan.fit = fit_element(plan.ideal);
   plan.lowest = plan.ideal.points.front().position.y;

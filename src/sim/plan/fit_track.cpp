@@ -6,7 +6,6 @@
 #include "base/check.h"
 #include "base/portable_math.h"
 #include "sim/plan/fit_check.h"
-#include "world/evaluation.h"
 #include "world/topology.h"
 
 namespace coaster::sim {
@@ -26,6 +25,16 @@ struct Span {
   std::size_t first = 0, last = 0;
   SpanFit fit;
 };
+
+// The least and the greatest roll that a window leaves its second knot; low > high if it is empty.
+struct Range {
+  double low = 1, high = -1;
+};
+Range second_rolls(const RollWindow& window) {
+  Range range;
+  for (const glm::dvec2 p : window) range.low = std::min(range.low, p.y), range.high = std::max(range.high, p.y);
+  return range;
+}
 
 // The state of a fit. On a closed track `rows` repeats the first row at the end.
 struct Work {
@@ -56,8 +65,7 @@ struct Work {
   SpanFit fit(std::size_t first, std::size_t last, double low, double high) {
     SpanFit f = fit_span(rows, distances, first, last, low, high, bounds(), scratch);
     if (f.within && closed && last + 1 == rows.size()) {  // ends where it began: without additional roll
-      double least = 1, most = -1;
-      for (const glm::dvec2 p : f.window) least = std::min(least, p.y), most = std::max(most, p.y);
+      const auto [least, most] = second_rolls(f.window);
       f.within = least <= 0 && most >= 0;
     }
     return f;
@@ -103,14 +111,13 @@ void fit_spans(Work& w) {
   const std::size_t end = w.rows.size() - 1;
   w.spans.clear();
   const double most = w.closed ? 0 : w.bounds().angle;
-  double low = -most, high = most;
+  Range allowed{-most, most};
   std::size_t usual = kFirstStride;
   for (std::size_t first = 0; first < end && !w.cancelled();) {
-    Span span = longest_span(w, first, low, high, usual);
+    Span span = longest_span(w, first, allowed.low, allowed.high, usual);
     usual = std::max<std::size_t>(2, span.last - first);
-    low = 1, high = -1;
-    for (const glm::dvec2 p : span.fit.window) low = std::min(low, p.y), high = std::max(high, p.y);
-    if (low > high) low = high = 0;
+    allowed = second_rolls(span.fit.window);
+    if (allowed.low > allowed.high) allowed = {0, 0};
     first = span.last;
     w.spans.push_back(std::move(span));
     w.tell(static_cast<double>(first) / static_cast<double>(end));
@@ -157,9 +164,7 @@ double middle_of_first(const RollWindow& window, double second) {
 void choose_rolls(Work& w) {
   w.rolls.assign(w.rows.size(), 0);
   if (w.spans.empty()) return;
-  const RollWindow& window = w.spans.back().fit.window;
-  double low = 1, high = -1;
-  for (const glm::dvec2 p : window) low = std::min(low, p.y), high = std::max(high, p.y);
+  const auto [low, high] = second_rolls(w.spans.back().fit.window);
   double roll = w.closed || low > high ? 0 : 0.5 * (low + high);
   w.rolls[w.spans.back().last] = roll;
   for (std::size_t i = w.spans.size(); i-- > 0;) {
@@ -170,13 +175,10 @@ void choose_rolls(Work& w) {
 
 world::Knot knot_of(const FitRow& row, double roll, double in, double out) {
   world::Knot k;
-  const auto handle = [](double length) {
-    return std::clamp(static_cast<float>(length), world::kMinHandle, world::kMaxHandle);
-  };
   k.position = glm::vec3(row.position);
   k.tangent = glm::vec3(row.forward);
   k.up = glm::vec3(curve::perpendicular(row.forward, curve::rotate(row.up, row.forward, roll)));
-  k.in_length = handle(in), k.out_length = handle(out);
+  k.in_length = world::as_handle(in), k.out_length = world::as_handle(out);
   k.joint = k.in_length == k.out_length ? world::JointKind::smooth : world::JointKind::aligned;
   world::orthonormalise(k);
   return k;
@@ -197,10 +199,7 @@ world::Document document_of(const Work& w, Derived& derived) {
   else
     world::append_knot(document,
                        knot_of(w.rows[last.last], w.rolls[last.last], last.fit.in_length, last.fit.in_length));
-  world::Settings settings;
-  settings.evaluation->steps = 1;  // polylines are not needed
-  derived = {};
-  derive(document, settings, {}, derived);
+  derived = shapes_of(document);
   // Whole turns: the rotation of the rows, less the rotation between the knots' frames.
   bool turned = false;
   for (std::size_t i = 0; i < count; ++i) {
@@ -211,7 +210,7 @@ world::Document document_of(const Work& w, Derived& derived) {
         static_cast<std::int32_t>(std::clamp<double>(turns, -world::kMaxTurns, world::kMaxTurns));
     turned = true;
   }
-  if (turned) derive(document, settings, {}, derived);
+  if (turned) derived = shapes_of(document);
   return document;
 }
 

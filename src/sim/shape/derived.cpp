@@ -163,6 +163,14 @@ void derive(const world::Document& document, const world::Settings& settings, co
   update_tree(reordered, reshaped, derived);
 }
 
+Derived shapes_of(const world::Document& document) {
+  world::Settings settings;
+  settings.evaluation->steps = 1;
+  Derived derived;
+  derive(document, settings, {}, derived);
+  return derived;
+}
+
 TrackPlace place_at(const Derived& derived, double distance) {
   COASTER_CHECK(!derived.order.empty(), "a place needs a segment");
   distance = within_lap(distance, derived.length, derived.closed);

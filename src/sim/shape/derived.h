@@ -84,6 +84,9 @@ using Clock = std::function<double()>;
 // Updates `derived`. Costs one key comparison per segment, and a rebuild for each one that changed.
 void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived);
 
+// Derives curves and frames alone: for who needs no polylines.
+Derived shapes_of(const world::Document& document);
+
 // Returns `distance` (m) less whole laps of `length` on a closed track, in [0, length] (rounding can reach the end).
 inline double within_lap(double distance, double length, bool closed) {
   return closed && length > 0 ? distance - length * std::floor(distance / length) : distance;
