@@ -4,10 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "base/names.h"
 #include "curve/cubic.h"

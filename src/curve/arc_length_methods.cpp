@@ -1,7 +1,6 @@
 // The table of arc-length methods to compare, one row each.
 #include <array>
 
-#include "base/check.h"
 #include "curve/arc_length_detail.h"
 #include "curve/quadrature.h"
 

@@ -1,5 +1,4 @@
 // Checks every invariant of document.h, components.h and registry.h. For tests and after loading.
-#include <cmath>
 #include <set>
 
 #include <fmt/format.h>

@@ -44,6 +44,8 @@ class Pool {
     }
     return items_[slot];
   }
+  // Returns an entity's component, a default one if it had none.
+  T& obtain(Entity e) { return contains(e) ? items_[sparse_[e.index]] : put(e, T{}); }
   // O(1); moves the last item into the gap. No effect if absent.
   void erase(Entity e) {
     if (!contains(e)) return;

@@ -1,6 +1,5 @@
 #include "sim/plan/banking.h"
 
-#include <cmath>
 #include <optional>
 
 #include "curve/continuity.h"

@@ -1,7 +1,6 @@
 #include "sim/plan/fit_check.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/check.h"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "base/progress.h"
 #include "sim/plan/fit_span.h"

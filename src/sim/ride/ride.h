@@ -2,7 +2,6 @@
 // Gauss-Legendre in double: the motion depends on neither the display's evaluator nor its resolution.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string_view>
 

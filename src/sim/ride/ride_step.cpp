@@ -1,7 +1,6 @@
 // The ticks of the ride: trains advanced in parts between joints, equipment and losses, and the ends of a ride.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "sim/ride/ride_parts.h"

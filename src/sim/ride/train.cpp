@@ -1,7 +1,6 @@
 #include "sim/ride/train.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace coaster::sim {

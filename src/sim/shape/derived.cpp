@@ -132,32 +132,31 @@ void derive(const world::Document& document, const world::Settings& settings, co
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const world::Entity entity = derived.order[i];
     const ShapeKey key = key_of(document, world::segment(document, entity));
-    SegmentShape* shape = derived.segments.find(entity);
-    if (!shape) shape = &derived.segments.put(entity, SegmentShape{});
-    const bool new_shape = shape->shape_build == 0 || !(shape->key == key);
+    SegmentShape& shape = derived.segments.obtain(entity);
+    const bool new_shape = shape.shape_build == 0 || !(shape.key == key);
     if (new_shape) {
-      build_shape(key, *shape);
-      shape->shape_build = ++derived.last_build;
+      build_shape(key, shape);
+      shape.shape_build = ++derived.last_build;
       reshaped.push_back(i);
     }
     const world::Equipment* const equipment = document.entities.find<world::Equipment>(entity);
-    shape->fitted = equipment ? std::optional(equipment->kind) : std::nullopt;
-    if (new_shape || shape->measured_by != settings.evaluation->arc_length ||
-        shape->measured_steps != settings.evaluation->steps) {
-      shape->measured_length = method.length(key.cubic, settings.evaluation->steps);
-      shape->measured_by = settings.evaluation->arc_length;
-      shape->measured_steps = settings.evaluation->steps;
+    shape.fitted = equipment ? std::optional(equipment->kind) : std::nullopt;
+    if (new_shape || shape.measured_by != settings.evaluation->arc_length ||
+        shape.measured_steps != settings.evaluation->steps) {
+      shape.measured_length = method.length(key.cubic, settings.evaluation->steps);
+      shape.measured_by = settings.evaluation->arc_length;
+      shape.measured_steps = settings.evaluation->steps;
     }
     const bool on_processor = row.evaluated_by == curve::EvaluatedBy::processor;
-    const bool stale = new_shape || (on_processor && !(shape->polyline_key == polyline));
-    if (!on_processor) drop_polyline(*shape);
-    if (on_processor && stale) evaluate_polyline(row, polyline, clock, *shape, derived);
+    const bool stale = new_shape || (on_processor && !(shape.polyline_key == polyline));
+    if (!on_processor) drop_polyline(shape);
+    if (on_processor && stale) evaluate_polyline(row, polyline, clock, shape, derived);
     if (stale) ++derived.rebuilds;
-    derived.starts[i + 1] = derived.starts[i] + shape->arc.length();
-    derived.twists[i + 1] = derived.twists[i] + shape->twist;
-    derived.measured_length += shape->measured_length;
+    derived.starts[i + 1] = derived.starts[i] + shape.arc.length();
+    derived.twists[i + 1] = derived.twists[i] + shape.twist;
+    derived.measured_length += shape.measured_length;
     derived.vertices += settings.evaluation->steps + 1;
-    derived.deviation = std::max(derived.deviation, shape->deviation);
+    derived.deviation = std::max(derived.deviation, shape.deviation);
   }
   derived.length = derived.starts.back();
   update_tree(reordered, reshaped, derived);

@@ -50,10 +50,9 @@ void RailTables::update(const Derived& derived, double heartline) {
   bool changed = closed_ != derived.closed || starts_ != derived.starts || order_ != derived.order;
   for (const world::Entity e : derived.order) {
     const SegmentShape& shape = derived.shape(e);
-    SegmentTable* table = tables_.find(e);
-    if (table && table->build == shape.shape_build && table->heartline == heartline) continue;
-    if (!table) table = &tables_.put(e, SegmentTable{});
-    fill(shape, heartline, *table);
+    SegmentTable& table = tables_.obtain(e);
+    if (table.build == shape.shape_build && table.heartline == heartline) continue;
+    fill(shape, heartline, table);
     changed = true;
   }
   if (!changed) return;

@@ -65,20 +65,19 @@ void Conflicts::take_shapes(const Derived& derived, std::vector<bool>& stale) {
   constexpr double kMostChords = 1000;
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const SegmentShape& shape = derived.shape(derived.order[i]);
-    Entry* entry = entries_.find(derived.order[i]);
-    if (!entry) entry = &entries_.put(derived.order[i], Entry{});
-    entry->index = i;
-    if (entry->build == shape.shape_build) continue;
+    Entry& entry = entries_.obtain(derived.order[i]);
+    entry.index = i;
+    if (entry.build == shape.shape_build) continue;
     stale[i] = true;
-    entry->build = shape.shape_build;
-    entry->box = tight_box(shape.key.cubic);
-    entry->places.clear();
+    entry.build = shape.shape_build;
+    entry.box = tight_box(shape.key.cubic);
+    entry.places.clear();
     const double length = shape.arc.length();
     const int chords = static_cast<int>(std::clamp(std::ceil(length / kConflictStep), 1.0, kMostChords));
     for (int k = 0; k <= chords; ++k) {
       const double s = length * k / chords;
       const Ring ring = ring_at(shape, s);
-      entry->places.push_back({glm::vec3(ring.position), glm::vec3(ring.frame.up), static_cast<float>(s)});
+      entry.places.push_back({glm::vec3(ring.position), glm::vec3(ring.frame.up), static_cast<float>(s)});
     }
   }
 }

@@ -1,6 +1,4 @@
 // The solids of supports.
-#include <algorithm>
-#include <array>
 
 #include "sim/solids/supports.h"
 #include "sim/solids/track_mesh.h"

@@ -1,7 +1,6 @@
 #include "sim/solids/supports.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "sim/solids/support_forms.h"

@@ -2,7 +2,6 @@
 // vertex-buffer cache calls them only if the shape's build number or the equipment changes.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "sim/shape/derived.h"

@@ -1,7 +1,6 @@
 #include "sim/study/advice.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "world/evaluation.h"
 #include "world/topology.h"

@@ -3,7 +3,6 @@
 #include "sim/study/measure.h"
 
 #include <algorithm>
-#include <cstdint>
 
 #include <fmt/format.h>
 

@@ -123,17 +123,16 @@ void round_range(TrackValues& values) {
 void TrackValueMemo::fill_segments(const Derived& derived, const world::Settings& settings) {
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const SegmentShape& shape = derived.shape(derived.order[i]);
-    Entry* entry = entries_.find(derived.order[i]);
-    if (!entry) entry = &entries_.put(derived.order[i], {});
-    if (entry->build != shape.shape_build) {
-      entry->build = shape.shape_build;
-      if (settings.lab->colouring == Colouring::error) fill_error(shape, settings, entry->samples);
+    Entry& entry = entries_.obtain(derived.order[i]);
+    if (entry.build != shape.shape_build) {
+      entry.build = shape.shape_build;
+      if (settings.lab->colouring == Colouring::error) fill_error(shape, settings, entry.samples);
       else
         for (int j = 0; j < kValuesPerSegment; ++j)
-          entry->samples[static_cast<std::size_t>(j)] =
+          entry.samples[static_cast<std::size_t>(j)] =
               settings.lab->colouring == Colouring::height ? height_at(shape, j) : curvature_at(shape, j);
     }
-    std::copy(entry->samples.begin(), entry->samples.end(),
+    std::copy(entry.samples.begin(), entry.samples.end(),
               result_.values.begin() + static_cast<std::ptrdiff_t>(i * kValuesPerSegment));
   }
 }
