@@ -33,7 +33,7 @@ template <int kHalf>
 struct GaussLegendre {
   double tolerance, floor;
   const EmbeddedRule<kHalf>& rule = embedded_rule<kHalf>();
-  LengthEstimate total{};
+  LengthEstimate total{0, 0, 0};
 
   void add(const Hodograph& h, int depth) {
     if (steadiness(h) >= kSteadyEnough) {
@@ -64,7 +64,6 @@ struct GaussLegendre {
 template <int kHalf>
 LengthEstimate gauss_legendre(const Hodograph& h, double tolerance) {
   GaussLegendre<kHalf> rule{tolerance, 0.0};
-  rule.total.error_bound = 0;
   // Most pieces of a track pass at once and need no floor.
   if (steadiness(h) >= kSteadyEnough) {
     const Sampled s = sample(speed_quartic(h), rule.rule);
@@ -84,7 +83,7 @@ LengthEstimate gauss_legendre(const Hodograph& h, double tolerance) {
 
 struct Simpson {
   SpeedQuartic q;
-  LengthEstimate total{};
+  LengthEstimate total{0, 0, 0};
 
   double speed(double u) {
     ++total.evaluations;
@@ -110,7 +109,7 @@ struct Simpson {
 // --- Gravesen -------------------------------------------------------------------------------------------------------
 
 struct Gravesen {
-  LengthEstimate total{};
+  LengthEstimate total{0, 0, 0};
   // 2^14 pieces: about a millisecond. Finer tolerances are not met; the bound says so.
   static constexpr int kDepth = 14;
 
@@ -153,7 +152,6 @@ LengthEstimate adaptive_gauss_legendre(const Hodograph& h, double tolerance) {
 
 LengthEstimate adaptive_simpson(const Hodograph& h, double tolerance) {
   Simpson simpson{speed_quartic(h)};
-  simpson.total.error_bound = 0;
   const double a = simpson.speed(-1), m = simpson.speed(0), b = simpson.speed(1), whole = (a + 4.0 * m + b) / 6.0;
   if (whole > 0.0) simpson.add(-1, 1, a, m, b, whole, tolerance * whole, 0);
   return simpson.total;
@@ -161,7 +159,6 @@ LengthEstimate adaptive_simpson(const Hodograph& h, double tolerance) {
 
 LengthEstimate adaptive_gravesen(const Hodograph& h, double tolerance) {
   Gravesen gravesen;
-  gravesen.total.error_bound = 0;
   gravesen.add(h, tolerance * 0.5 * (chord_length(h) + polygon_length(h)), 0);
   gravesen.total.error_bound += 1e-14 * gravesen.total.length;  // rounding of up to 2^14 sums
   return gravesen.total;

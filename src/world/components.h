@@ -46,8 +46,7 @@ struct Knot {
   float in_length = 5;         // m, from the knot back to the handle before it; kMinHandle..kMaxHandle
   float out_length = 5;        // m, to the handle after it
   JointKind joint = JointKind::smooth;
-  template <class Visit>
-  static constexpr void fields(Visit visit) {
+  static constexpr void fields(auto visit) {
     visit(Field{"position", 0, kMaxCoordinate}, &Knot::position);
     visit(Field{"tangent"}, &Knot::tangent);
     visit(Field{"up"}, &Knot::up);
@@ -63,10 +62,7 @@ struct Segment {
   Entity from, to;
   std::int32_t turns = 0;  // whole turns about the tangent added to the smallest twist between the knots' `up`
   // Not the knots: they follow from the order of travel.
-  template <class Visit>
-  static constexpr void fields(Visit visit) {
-    visit(Field{"turns", -kMaxTurns, kMaxTurns}, &Segment::turns);
-  }
+  static constexpr void fields(auto visit) { visit(Field{"turns", -kMaxTurns, kMaxTurns}, &Segment::turns); }
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
@@ -85,11 +81,9 @@ struct Cart {
   float mass = kCarMass;      // kg of a car with its riders
   // Length for drawing and collisions: cars of one train do not overlap.
   float body() const { return length < spacing ? length : spacing; }
-  double behind() const {
-    return (cars - 1) * double{spacing};
-  }  // m of rail from the first car's centre to the last one's
-  template <class Visit>
-  static constexpr void fields(Visit visit) {
+  // Length of rail from the first car's centre to the last one's, m.
+  double behind() const { return (cars - 1) * double{spacing}; }
+  static constexpr void fields(auto visit) {
     visit(Field{"segment"}, &Cart::segment);
     visit(Field{"fraction", 0, 1}, &Cart::fraction);
     visit(Field{"cars", 1, kMaxCars, InFile::unusual, 1}, &Cart::cars);
@@ -120,8 +114,7 @@ struct Equipment {
   float acceleration = 3;   // m/s^2, above 0, at most kMaxAcceleration
   float hysteresis = 0.5f;  // m/s, brakes and blocks
   float seconds = 5;        // s, stations
-  template <class Visit>
-  static constexpr void fields(Visit visit) {
+  static constexpr void fields(auto visit) {
     visit(Field{"equipment"}, &Equipment::kind);
     visit(Field{"speed", 0, kMaxSpeed, InFile::written}, &Equipment::speed);
     visit(Field{"acceleration", kMinAcceleration, kMaxAcceleration, InFile::written}, &Equipment::acceleration);
@@ -135,8 +128,7 @@ struct Equipment {
 struct Resistance {
   float rolling = 0;  // coefficient of rolling friction; steel coasters 0.02..0.03
   float drag = 0;     // 1/m; about 2e-5
-  template <class Visit>
-  static constexpr void fields(Visit visit) {
+  static constexpr void fields(auto visit) {
     visit(Field{"rolling", 0, kMaxRolling, InFile::unusual, 1}, &Resistance::rolling);
     visit(Field{"drag", 0, kMaxDrag, InFile::unusual, 1}, &Resistance::drag);
   }
@@ -146,10 +138,7 @@ struct Resistance {
 // Members of a file's object that this version does not know, kept for saving: the text of a JSON object.
 struct Extra {
   std::string json;
-  template <class Visit>
-  static constexpr void fields(Visit visit) {
-    visit(Field{}, &Extra::json);
-  }
+  static constexpr void fields(auto visit) { visit(Field{}, &Extra::json); }
   friend bool operator==(const Extra&, const Extra&) = default;
 };
 

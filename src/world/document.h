@@ -32,8 +32,7 @@ struct Document {
   Extra extra;                    // unknown top-level members of the file
   std::array<std::uint32_t, 3> last_number{};  // by Kind: the last number assigned
   // How the track is ridden.
-  template <class Visit>
-  static constexpr void fields(Visit visit) {
+  static constexpr void fields(auto visit) {
     visit(Field{"start_speed", -kMaxSpeed, kMaxSpeed}, &Document::start_speed);
     visit(Field{"datum", -kMaxCoordinate, kMaxCoordinate}, &Document::datum);
     visit(Field{}, &Document::resistance);

@@ -1,8 +1,7 @@
 // What a component says of its fields. Each component lists them once, by a function that calls visit(Field, member)
 // for each in the order of files and hashes:
 //
-//   template <class Visit>
-//   static constexpr void fields(Visit visit) {
+//   static constexpr void fields(auto visit) {
 //     visit(Field{"speed", 0, kMaxSpeed, InFile::written}, &Equipment::speed);
 //   }
 //

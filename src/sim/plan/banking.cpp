@@ -10,18 +10,16 @@ namespace {
 
 using glm::dvec3;
 
-// Returns r'' in 1/m at the start (t = 0) or end (t = 1) of segment `index`.
-dvec3 bend_at(const Derived& derived, std::size_t index, double t) {
-  return curve::curvature_vector(derived.shape(derived.order[index]).key.cubic, t);
-}
-
 // Returns the mean of the curvatures on both sides of knot i.
 dvec3 mean_bend(const Derived& derived, std::size_t i) {
   const std::size_t count = derived.order.size();
+  const auto bend_at = [&](std::size_t index, double t) {
+    return curve::curvature_vector(derived.shape_at(index).key.cubic, t);
+  };
   dvec3 sum(0);
   int sides = 0;
-  if (i > 0 || derived.closed) sum += bend_at(derived, i > 0 ? i - 1 : count - 1, 1.0), ++sides;
-  if (i < count) sum += bend_at(derived, i, 0.0), ++sides;
+  if (i > 0 || derived.closed) sum += bend_at(i > 0 ? i - 1 : count - 1, 1.0), ++sides;
+  if (i < count) sum += bend_at(i, 0.0), ++sides;
   return sides > 0 ? sum / static_cast<double>(sides) : sum;
 }
 

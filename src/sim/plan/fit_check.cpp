@@ -28,7 +28,7 @@ std::vector<FitReport> measure_spans(const Derived& derived, std::span<const Fit
   COASTER_CHECK(ends.size() == derived.order.size() + 1, "every segment covers a span of rows");
   std::vector<FitReport> reports(derived.order.size());
   for (std::size_t i = 0; i < reports.size(); ++i) {
-    const SegmentShape& shape = derived.shape(derived.order[i]);
+    const SegmentShape& shape = derived.shape_at(i);
     const curve::CoefficientsD c = curve::coefficients_d(shape.key.cubic);
     double guess = 0;
     for (std::size_t k = ends[i]; k <= ends[i + 1]; ++k) {

@@ -23,8 +23,8 @@ using RollWindow = std::vector<glm::dvec2>;
 struct SpanFit {
   bool within = false;                   // both bounds can be met; if false, only the handles are set
   double out_length = 0, in_length = 0;  // m, of the first knot's and the second knot's handle
-  double roll =
-      0;  // radians that the rows turn about the curve relative to its rotation-minimising frame, including whole turns
+  // Radians that the rows turn about the curve relative to its rotation-minimising frame, including whole turns.
+  double roll = 0;
   RollWindow window;
 };
 

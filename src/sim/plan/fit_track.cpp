@@ -204,7 +204,7 @@ world::Document document_of(const Work& w, Derived& derived) {
   bool turned = false;
   for (std::size_t i = 0; i < count; ++i) {
     const double wanted = w.spans[i].fit.roll + w.rolls[w.spans[i].last] - w.rolls[w.spans[i].first];
-    const double turns = std::round((wanted - derived.shape(derived.order[i]).twist) / (2 * base::kPi));
+    const double turns = std::round((wanted - derived.shape_at(i).twist) / (2 * base::kPi));
     if (turns == 0) continue;
     document.entities.get<world::Segment>(derived.order[i]).turns =
         static_cast<std::int32_t>(std::clamp<double>(turns, -world::kMaxTurns, world::kMaxTurns));

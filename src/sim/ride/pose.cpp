@@ -32,7 +32,7 @@ double acceleration_of(TrainContext context, double speed) {
 }
 
 Pose pose(const Derived& derived, TrackPlace place, world::FrameMethod method) {
-  const SegmentShape& shape = derived.shape(derived.order[place.index]);
+  const SegmentShape& shape = derived.shape_at(place.index);
   const double length = shape.arc.length(), s = std::fmin(std::fmax(place.s, 0.0), length);
   const TrackFrame at = track_frame(derived, method, place.index, s);
   // A car beyond an open end is on the straight continuation.
@@ -64,7 +64,7 @@ Felt felt(const world::Document& document, const Derived& derived, world::Entity
   // a = s'' h'(s) + s'^2 h''(s) along the heartline h, by central differences over +-step of rail. The stencil stays
   // within the segment: the roll rate may jump at a joint, where the heartline then has a corner and a difference
   // across it gives noise.
-  const SegmentShape& shape = derived.shape(derived.order[place.index]);
+  const SegmentShape& shape = derived.shape_at(place.index);
   const double length = shape.arc.length(), step = std::fmin(0.02, 0.25 * length);
   const double s = std::fmin(std::fmax(place.s, step), length - step);
   const curve::Frame frame = frame_at(shape, s);

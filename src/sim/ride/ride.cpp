@@ -65,7 +65,7 @@ void halt(world::CartMotion& cart) {
 }
 
 void settle_on(const Derived& derived, TrackPlace front, world::CartMotion& cart) {
-  const SegmentShape& shape = derived.shape(derived.order[front.index]);
+  const SegmentShape& shape = derived.shape_at(front.index);
   cart.segment = derived.order[front.index];
   cart.segment_length = shape.arc.length();
   cart.s = std::clamp(front.s, 0.0, cart.segment_length);

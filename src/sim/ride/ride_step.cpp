@@ -47,7 +47,7 @@ bool move_cars(const Derived& derived, double x, bool forward, bool at_joint, st
   bool on_track = true;
   for (std::size_t i = 0; i < places.size(); ++i) {
     TrackPlace& car = places[i];
-    const double length = derived.shape(derived.order[car.index]).arc.length();
+    const double length = derived.shape_at(car.index).arc.length();
     const bool crosses = at_joint && (forward ? car.s <= length && length - car.s <= x + kReached
                                               : car.s >= 0 && car.s <= -x + kReached);
     if (!crosses) {
@@ -62,7 +62,7 @@ bool move_cars(const Derived& derived, double x, bool forward, bool at_joint, st
     }
     if (at_end && i == 0) laps += forward ? 1 : -1;
     car.index = forward ? (car.index + 1) % count : (car.index + count - 1) % count;
-    car.s = forward ? 0.0 : derived.shape(derived.order[car.index]).arc.length();
+    car.s = forward ? 0.0 : derived.shape_at(car.index).arc.length();
   }
   return on_track;
 }

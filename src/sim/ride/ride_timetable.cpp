@@ -77,7 +77,7 @@ double speed_at(const RideInput& input, const TrainLoad& load, const world::Cart
     std::vector<TrackPlace> places;
     place_cars(input.derived, front, load.cars, load.spacing, places);
     for (std::size_t i = 1; i < places.size(); ++i)
-      height += rail_point(input.derived.shape(input.derived.order[places[i].index]), places[i].s).height;
+      height += rail_point(input.derived.shape_at(places[i].index), places[i].s).height;
     height /= load.cars;
   }
   const double kinetic = cart.reference_energy + cart.work - world::kGravity * (height - input.document.datum);
@@ -133,7 +133,7 @@ bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double d
   const double sign = forward ? 1.0 : -1.0;
   std::size_t index = front_place(derived, cart).index;
   for (int n = 0; n < kMostVertices; ++n) {
-    const SegmentShape& shape = derived.shape(derived.order[index]);
+    const SegmentShape& shape = derived.shape_at(index);
     // A GPU evaluator has no polyline here: use as many steps of the exact curve.
     const int count = shape.points.empty() ? derived.steps + 1 : static_cast<int>(shape.points.size());
     const auto vertex = [&](int i) {
@@ -151,7 +151,7 @@ bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double d
       if (at_end && !derived.closed) return false;
       if (at_end) cart.laps += forward ? 1 : -1;
       index = forward ? (index + 1) % derived.order.size() : (index + derived.order.size() - 1) % derived.order.size();
-      settle_on(derived, {index, forward ? 0.0 : derived.shape(derived.order[index]).arc.length()}, cart);
+      settle_on(derived, {index, forward ? 0.0 : derived.shape_at(index).arc.length()}, cart);
       continue;
     }
     const glm::dvec3 a = vertex(here), b = vertex(to);

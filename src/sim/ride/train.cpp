@@ -6,7 +6,16 @@
 namespace coaster::sim {
 namespace {
 
-double length_of(const Derived& derived, std::size_t index) { return derived.shape(derived.order[index]).arc.length(); }
+double length_of(const Derived& derived, std::size_t index) { return derived.shape_at(index).arc.length(); }
+
+double sum_over_cars(const TrainContext& train, double x, double RailPoint::*value) {
+  double sum = 0;
+  for (const TrackPlace& car : train.cars) {
+    const TrackPlace at = train.moved(car, x);
+    sum += rail_point(train.derived.shape_at(at.index), at.s).*value;
+  }
+  return sum;
+}
 
 }  // namespace
 
@@ -59,21 +68,11 @@ void place_cars(const Derived& derived, TrackPlace front, int cars, double spaci
 }
 
 double TrainContext::height(double x) const {
-  double sum = 0;
-  for (const TrackPlace& car : cars) {
-    const TrackPlace at = moved(car, x);
-    sum += rail_point(derived.shape(derived.order[at.index]), at.s).height;
-  }
-  return sum / static_cast<double>(cars.size());
+  return sum_over_cars(*this, x, &RailPoint::height) / static_cast<double>(cars.size());
 }
 
 double TrainContext::gravity(double x) const {
-  double sum = 0;
-  for (const TrackPlace& car : cars) {
-    const TrackPlace at = moved(car, x);
-    sum += rail_point(derived.shape(derived.order[at.index]), at.s).slope;
-  }
-  return -world::kGravity * sum / static_cast<double>(cars.size());
+  return -world::kGravity * sum_over_cars(*this, x, &RailPoint::slope) / static_cast<double>(cars.size());
 }
 
 double joint_ahead(const TrainContext& context) {

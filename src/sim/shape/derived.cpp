@@ -99,7 +99,7 @@ void update_tree(bool reordered, std::span<const std::size_t> reshaped, Derived&
     for (const world::Entity e : derived.order) cubics.push_back(derived.shape(e).key.cubic);
     return build_tree(std::move(cubics), derived.tree);
   }
-  for (const std::size_t i : reshaped) derived.tree.cubics[i] = derived.shape(derived.order[i]).key.cubic;
+  for (const std::size_t i : reshaped) derived.tree.cubics[i] = derived.shape_at(i).key.cubic;
   refit_tree(reshaped, derived.tree);
 }
 

@@ -75,6 +75,7 @@ struct Derived {
   std::uint64_t last_build = 0;
 
   const SegmentShape& shape(world::Entity segment) const { return segments.get(segment); }
+  const SegmentShape& shape_at(std::size_t index) const { return shape(order[index]); }  // index into `order`
 };
 
 // Seconds on a monotonic clock, for measuring; no derived value depends on it. An empty function measures nothing.

@@ -14,11 +14,9 @@ namespace {
 
 using glm::dvec3;
 
-const SegmentShape& shape_of(const Derived& derived, std::size_t index) { return derived.shape(derived.order[index]); }
-
 // Returns the rotation of the knots' frames since the track's start, relative to rotation-minimising frames.
 double turned(const Derived& derived, std::size_t index, double s) {
-  const SegmentShape& shape = shape_of(derived, index);
+  const SegmentShape& shape = derived.shape_at(index);
   const double length = shape.arc.length();
   return derived.twists[index] + (length > 0 ? shape.twist * std::clamp(s / length, 0.0, 1.0) : 0.0);
 }
@@ -29,13 +27,13 @@ curve::Frame rolled(curve::Frame frame, double radians) {
 }
 
 TrackFrame by_knots(const Derived& derived, std::size_t index, double s) {
-  return {frame_at(shape_of(derived, index), s)};
+  return {frame_at(derived.shape_at(index), s)};
 }
 
 TrackFrame minimising(const Derived& derived, std::size_t index, double s) {
   // Double reflection turns a vector rigidly with the frame, so the knots' frame gives all carried frames.
   const double spread = derived.length > 0 ? loop_twist(derived) * (derived.starts[index] + s) / derived.length : 0.0;
-  return {rolled(frame_at(shape_of(derived, index), s), spread - turned(derived, index, s))};
+  return {rolled(frame_at(derived.shape_at(index), s), spread - turned(derived, index, s))};
 }
 
 // The last Frenet normal before a place without one: its angle to the knots' frame there, and that frame's rotation.
@@ -46,7 +44,7 @@ std::optional<LastNormal> last_normal(const Derived& derived, std::size_t index,
   const std::size_t count = derived.order.size();
   double whole_laps = 0;
   for (std::size_t back = 0; back <= std::min<std::size_t>(kFrenetReach, count); ++back) {
-    const SegmentShape& shape = shape_of(derived, index);
+    const SegmentShape& shape = derived.shape_at(index);
     // The current segment is searched finely, those before it coarsely: most are straight from end to end or nowhere.
     const int intervals = back == 0 ? kFrameIntervals : 8;
     for (int i = intervals; i >= 0; --i) {
@@ -67,7 +65,7 @@ std::optional<LastNormal> last_normal(const Derived& derived, std::size_t index,
 }
 
 TrackFrame frenet_serret(const Derived& derived, std::size_t index, double s) {
-  const SegmentShape& shape = shape_of(derived, index);
+  const SegmentShape& shape = derived.shape_at(index);
   const double t = shape.arc.parameter(s);
   if (const auto found = curve::frenet(shape.key.cubic, t)) return {{found->tangent, found->normal}};
   const curve::Frame frame = frame_at(shape, s);
@@ -77,7 +75,7 @@ TrackFrame frenet_serret(const Derived& derived, std::size_t index, double s) {
 }
 
 TrackFrame world_up(const Derived& derived, std::size_t index, double s) {
-  const SegmentShape& shape = shape_of(derived, index);
+  const SegmentShape& shape = derived.shape_at(index);
   const dvec3 forward = curve::unit_tangent(shape.key.cubic, shape.arc.parameter(s));
   const bool vertical = forward.x * forward.x + forward.z * forward.z < 1e-12;
   return {{forward, curve::perpendicular(forward, vertical ? dvec3(1, 0, 0) : dvec3(0, 1, 0))}, !vertical};

@@ -51,7 +51,7 @@ void add_joint(const Derived& derived, std::size_t index, std::vector<FrenetBrea
   if (index == 0 && !derived.closed) return;
   const std::size_t before = index == 0 ? derived.order.size() - 1 : index - 1;
   const world::Entity segment = derived.order[index];
-  const EndNormal from = end_normal(derived.shape(derived.order[before]).key.cubic, false),
+  const EndNormal from = end_normal(derived.shape_at(before).key.cubic, false),
                   to = end_normal(derived.shape(segment).key.cubic, true);
   if (!from.normal || !to.normal) return;
   const double cosine = glm::dot(*from.normal, *to.normal);
@@ -82,7 +82,7 @@ std::vector<FrenetBreak> frenet_breaks(const Derived& derived) {
   std::vector<FrenetBreak> all;
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     add_joint(derived, i, all);
-    const auto found = frenet_breaks(derived.shape(derived.order[i]), derived.order[i]);
+    const auto found = frenet_breaks(derived.shape_at(i), derived.order[i]);
     all.insert(all.end(), found.begin(), found.end());
   }
   return all;

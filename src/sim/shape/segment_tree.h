@@ -31,8 +31,8 @@ struct alignas(64) TreeNode {
   std::int32_t parent = -1, lane = 0;
 };
 
-inline constexpr int kMaxTreeDepth =
-    48;  // largest depth, however the segments lie: for far more segments than a document may have
+// Largest depth, however the segments lie, for far more segments than a document may have.
+inline constexpr int kMaxTreeDepth = 48;
 
 struct SegmentTree {
   std::vector<curve::Cubic> cubics;  // in track order

@@ -64,7 +64,7 @@ void mark_rearranged(const std::vector<world::Entity>& before, const std::vector
 void Conflicts::take_shapes(const Derived& derived, std::vector<bool>& stale) {
   constexpr double kMostChords = 1000;
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
-    const SegmentShape& shape = derived.shape(derived.order[i]);
+    const SegmentShape& shape = derived.shape_at(i);
     Entry& entry = entries_.obtain(derived.order[i]);
     entry.index = i;
     if (entry.build == shape.shape_build) continue;

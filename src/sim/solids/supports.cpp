@@ -99,7 +99,7 @@ void Supports::find_stale(const Derived& derived) {
     if (!entry.stale) continue;
     entry.stale = false;
     ++rebuilds_;
-    const SegmentShape& shape = derived.shape(derived.order[i]);
+    const SegmentShape& shape = derived.shape_at(i);
     SegmentSupports found;
     found.places = entry.count;
     for (int k = 0; k < entry.count; ++k) {

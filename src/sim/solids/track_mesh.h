@@ -16,8 +16,8 @@ inline constexpr double kSpineDrop = 0.62;    // m below the rails' plane
 inline constexpr double kTieSpacing = 1.5;    // m between ties, approximately: a whole number per segment
 inline constexpr int kRailSides = 8, kSpineSides = 12;
 inline constexpr int kMaxRings = 400;  // per segment
-inline constexpr double kSagitta =
-    0.01;  // m, largest deviation of rails from the curve between rings, unless there are kMaxRings
+// m, largest deviation of rails from the curve between rings, unless there are kMaxRings.
+inline constexpr double kSagitta = 0.01;
 
 // Returns the frame at arc length s of a segment. At both ends it is the knot's own: neighbours have the same bits
 // there.

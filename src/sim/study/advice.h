@@ -10,8 +10,8 @@ namespace coaster::sim {
 struct Advice {
   world::Entity knot;
   glm::vec3 direction{0};  // unit, along an axis of the world
-  double before = 0,
-         after = 0;  // g over the limit, summed over the overloads of that kind, now and after a move of kAdviceStep
+  // g over the limit, summed over the overloads of that kind, now and after a move of kAdviceStep.
+  double before = 0, after = 0;
 };
 inline constexpr float kAdviceStep = 0.25f;  // m
 inline constexpr int kAdviceReach = 3;       // knots to try on each side of the span

@@ -31,7 +31,7 @@ float along_axis(const Force& force, ForceAxis axis) {
   switch (axis) {
     case ForceAxis::down: return force.up;
     case ForceAxis::lift: return -force.up;
-    case ForceAxis::side: return std::abs(force.left);
+    case ForceAxis::side: return force.left;
     case ForceAxis::forward: return force.forward;
     case ForceAxis::back: return -force.forward;
   }
@@ -132,7 +132,7 @@ std::vector<float> pressed(const Ghost& ghost, int car, ForceAxis axis, double c
   values.reserve(ghost.forces.size() / cars);
   // Lateral g is low-passed with its sign: a force that changes sides quickly does not last.
   for (std::size_t i = static_cast<std::size_t>(car); i < ghost.forces.size(); i += cars)
-    values.push_back(axis == ForceAxis::side ? ghost.forces[i].left : along_axis(ghost.forces[i], axis));
+    values.push_back(along_axis(ghost.forces[i], axis));
   low_pass(values, kForceRate, cutoff);
   if (axis == ForceAxis::side)
     for (float& value : values) value = std::abs(value);

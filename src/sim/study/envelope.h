@@ -50,9 +50,8 @@ struct RedSpan {
   ForceAxis axis = ForceAxis::down;
   double from = 0, to = 0;                    // s since the start
   double from_distance = 0, to_distance = 0;  // m along the track, of that car
-  double worst = 0,
-         allowed = 0;  // g, at the largest excess: the low-passed value and the limit for its duration
-  double at = 0;       // s, time of the largest excess
+  double worst = 0, allowed = 0;              // g, at the largest excess: low-passed value, limit for its duration
+  double at = 0;                              // s, time of the largest excess
 };
 
 // Returns all overloads of a ride, cars and axes in order. A moment is red if it belongs to an interval in which the

@@ -26,7 +26,7 @@ double steepest_place(const SegmentShape& shape) {
 // Returns the distance in m that a cart moves in kFrozenTicks from rest at `from` on segment `index`, by an integrator;
 // it stops at the segment's ends.
 double way_from_rest(const Derived& derived, std::size_t index, double from, const Integrator& row) {
-  const SegmentShape& shape = derived.shape(derived.order[index]);
+  const SegmentShape& shape = derived.shape_at(index);
   const std::array<TrackPlace, 1> car{TrackPlace{index, from}};
   const TrainContext context{derived, car, 0.0, world::kGravity * rail_point(shape, from).height, {}, 0.0, 0.0};
   TrainState state;
@@ -41,7 +41,7 @@ Erratum frozen(const Derived& derived, std::size_t index) {
   const auto named = [](std::string_view name) -> const Integrator& {
     return base::row_of(*base::value_named<world::IntegratorId>(name));
   };
-  const double from = steepest_place(derived.shape(derived.order[index]));
+  const double from = steepest_place(derived.shape_at(index));
   return {"frozen",
           "The speed follows from the energy, then distance = speed x time.",
           way_from_rest(derived, index, from, named("energy")),
@@ -58,8 +58,8 @@ double curvature_jump(const Derived& derived, std::size_t index) {
   double jump = 0;
   for (const std::size_t at : {index, index + 1}) {
     if (!derived.closed && (at == 0 || at == count)) continue;
-    const curve::Cubic &before = derived.shape(derived.order[(at + count - 1) % count]).key.cubic,
-                       &after = derived.shape(derived.order[at % count]).key.cubic;
+    const curve::Cubic &before = derived.shape_at((at + count - 1) % count).key.cubic,
+                       &after = derived.shape_at(at % count).key.cubic;
     jump = std::max(jump, glm::length(curve::curvature_vector(after, 0.0) - curve::curvature_vector(before, 1.0)));
   }
   return jump;

@@ -76,8 +76,7 @@ Measurement start_measurement(const Derived& derived) {
   Measurement m;
   const std::size_t segments = derived.order.size(), curves = std::min(segments, kMeasuredCurves);
   if (curves == 0) return m;
-  for (std::size_t i = 0; i < curves; ++i)
-    m.curves.push_back(derived.shape(derived.order[i * segments / curves]).curve);
+  for (std::size_t i = 0; i < curves; ++i) m.curves.push_back(derived.shape_at(i * segments / curves).curve);
   const std::span<const curve::Evaluator> table = curve::evaluators();
   for (std::size_t i = 0; i < table.size(); ++i)
     if (table[i].evaluated_by == curve::EvaluatedBy::processor)

@@ -122,7 +122,7 @@ void round_range(TrackValues& values) {
 
 void TrackValueMemo::fill_segments(const Derived& derived, const world::Settings& settings) {
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
-    const SegmentShape& shape = derived.shape(derived.order[i]);
+    const SegmentShape& shape = derived.shape_at(i);
     Entry& entry = entries_.obtain(derived.order[i]);
     if (entry.build != shape.shape_build) {
       entry.build = shape.shape_build;
