@@ -32,7 +32,7 @@ constexpr int kMaxDepth = 30;
 template <int kHalf>
 struct GaussLegendre {
   double tolerance, floor;
-  const EmbeddedRule<kHalf>& rule = embedded_rule<kHalf>();
+  const EmbeddedRule<kHalf>& rule;
   LengthEstimate total{0, 0, 0};
 
   void add(const Hodograph& h, int depth) {
@@ -62,21 +62,21 @@ struct GaussLegendre {
 };
 
 template <int kHalf>
-LengthEstimate gauss_legendre(const Hodograph& h, double tolerance) {
-  GaussLegendre<kHalf> rule{tolerance, 0.0};
+LengthEstimate gauss_legendre(const Hodograph& h, double tolerance, const EmbeddedRule<kHalf>& rule) {
+  GaussLegendre<kHalf> pieces{tolerance, 0.0, rule};
   // Most pieces of a track pass at once and need no floor.
   if (steadiness(h) >= kSteadyEnough) {
-    const Sampled s = sample(speed_quartic(h), rule.rule);
+    const Sampled s = sample(speed_quartic(h), rule);
     const double error = estimated_error(s);
     if (error <= tolerance * s.length) return {s.length, error + 1e-15 * s.length, 2 * kHalf};
-    rule.total.evaluations = 2 * kHalf;
+    pieces.total.evaluations = 2 * kHalf;
   }
-  rule.floor = tolerance * polygon_length(h) / 64.0;
+  pieces.floor = tolerance * polygon_length(h) / 64.0;
   const Halves half = halves(h);
-  rule.add(half.left, 1);
-  rule.add(half.right, 1);
-  rule.total.error_bound += 1e-15 * rule.total.length;  // rounding
-  return rule.total;
+  pieces.add(half.left, 1);
+  pieces.add(half.right, 1);
+  pieces.total.error_bound += 1e-15 * pieces.total.length;  // rounding
+  return pieces.total;
 }
 
 // --- Simpson --------------------------------------------------------------------------------------------------------
@@ -142,12 +142,7 @@ template const EmbeddedRule<10>& embedded_rule<10>();
 template const EmbeddedRule<12>& embedded_rule<12>();
 
 LengthEstimate adaptive_gauss_legendre(const Hodograph& h, double tolerance) {
-  switch (half_nodes_for(tolerance)) {
-    case 5: return gauss_legendre<5>(h, tolerance);
-    case 7: return gauss_legendre<7>(h, tolerance);
-    case 10: return gauss_legendre<10>(h, tolerance);
-    default: return gauss_legendre<12>(h, tolerance);
-  }
+  return with_rule_for(tolerance, [&](const auto& rule) { return gauss_legendre(h, tolerance, rule); });
 }
 
 LengthEstimate adaptive_simpson(const Hodograph& h, double tolerance) {

@@ -104,11 +104,11 @@ COASTER_AVX2 int measure_four(const Cubic* four, const detail::EmbeddedRule<kHal
 }
 
 template <int kHalf>
-COASTER_AVX2 void four_by_four(std::span<const Cubic> cubics, double tolerance, std::span<double> lengths) {
-  const detail::EmbeddedRule<kHalf>& rule = detail::embedded_rule<kHalf>();
+COASTER_AVX2 void four_by_four(std::span<const Cubic> cubics, const detail::EmbeddedRule<kHalf>& rule, double tolerance,
+                               std::span<double> lengths) {
   std::size_t i = 0;
   for (; i + 4 <= cubics.size(); i += 4) {
-    const int met = measure_four<kHalf>(&cubics[i], rule, tolerance, &lengths[i]);
+    const int met = measure_four(&cubics[i], rule, tolerance, &lengths[i]);
     for (std::size_t lane = 0; met != 15 && lane < 4; ++lane)
       if (!(met >> lane & 1)) lengths[i + lane] = arc_length(cubics[i + lane], 0.0, 1.0, tolerance);
   }
@@ -125,14 +125,8 @@ void arc_lengths(std::span<const Cubic> cubics, double relative_tolerance, std::
   COASTER_CHECK(cubics.size() == lengths.size(), "`lengths` has the size of `cubics`");
   const double tolerance = std::clamp(relative_tolerance, kFinestTolerance, 0.1);
 #if COASTER_HAS_AVX2_LANES
-  if (has_avx2()) {
-    switch (detail::half_nodes_for(tolerance)) {
-      case 5: return four_by_four<5>(cubics, tolerance, lengths);
-      case 7: return four_by_four<7>(cubics, tolerance, lengths);
-      case 10: return four_by_four<10>(cubics, tolerance, lengths);
-      default: return four_by_four<12>(cubics, tolerance, lengths);
-    }
-  }
+  if (has_avx2())
+    return detail::with_rule_for(tolerance, [&](const auto& rule) { four_by_four(cubics, rule, tolerance, lengths); });
 #endif
   one_by_one(cubics, tolerance, lengths);
 }

@@ -96,10 +96,13 @@ Sampled sample(const SpeedQuartic& q, const EmbeddedRule<kHalf>& rule) {
   return {sum, std::max({std::abs(even0), std::abs(even1), std::abs(odd0), std::abs(odd1)})};
 }
 
-// Returns half the number of nodes for a relative tolerance: few enough that most pieces of a track pass at once and
-// none is expensive.
-inline int half_nodes_for(double tolerance) {
-  return tolerance >= 1e-4 ? 5 : tolerance >= 1e-7 ? 7 : tolerance >= 1e-10 ? 10 : 12;
+// Returns use(rule) with the rule for a relative tolerance: few enough nodes that most pieces of a track pass at once
+// and none is expensive.
+template <class Use>
+auto with_rule_for(double tolerance, const Use& use) {
+  if (tolerance >= 1e-4) return use(embedded_rule<5>());
+  if (tolerance >= 1e-7) return use(embedded_rule<7>());
+  return tolerance >= 1e-10 ? use(embedded_rule<10>()) : use(embedded_rule<12>());
 }
 
 // The Legendre series of |v| falls like r^k, and the error of n nodes like r^(2n): about the square of the last
