@@ -2,6 +2,8 @@
 // problem is in g2_repair.h.
 #include "curve/g2.h"
 
+#include <numeric>
+
 #include "curve/g2_repair.h"
 
 namespace coaster::curve {
@@ -16,15 +18,9 @@ Point moved(Point x, const Vector& d, double step) {
   return x;
 }
 
-double dot(const Vector& a, const Vector& b) {
-  double sum = 0;
-  for (int i = 0; i < kUnknowns; ++i) sum += a[i] * b[i];
-  return sum;
-}
-double norm(const std::array<double, kMostConditions>& v) {
-  double sum = 0;
-  for (const double x : v) sum += x * x;
-  return std::sqrt(sum);
+template <std::size_t N>
+double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
 }  // namespace
@@ -137,7 +133,7 @@ G2Solution Repair::solve() const {
     for (int i = 0; i < kUnknowns; ++i)
       for (int j = 0; j < kUnknowns; ++j) curved += newton.d[i] * bent[i][j] * newton.d[j];
     if (newton.finite && curved > 1e-3 * dot(newton.d, newton.d)) s = newton;
-    penalty = std::max(penalty, 2.0 * norm(s.multipliers));
+    penalty = std::max(penalty, 2.0 * std::sqrt(dot(s.multipliers, s.multipliers)));
     const double descent = dot(gradient, s.d), before = size_of(now), length = std::sqrt(dot(s.d, s.d));
     if (length < 1e-9 * scale_ && before < 1e-8 * scale_) {
       out.outcome = G2Outcome::solved;

@@ -79,19 +79,15 @@ std::uint64_t hash(const Document& document) {
 
 std::uint64_t hash(const Document& document, const Motion& motion) {
   base::Hasher hasher;
-  hasher.add(motion.state), hasher.add(motion.failure.kind);
-  hasher.add(motion.carts.size());
+  const auto add = [&](const auto&... values) { (hasher.add(values), ...); };
+  add(motion.state, motion.failure.kind, motion.carts.size());
   for (const Entity e : by_number(document, motion.carts.entities())) {
     const CartMotion& cart = motion.carts.get(e);
-    hasher.add(number_of(document, e)), hasher.add(number_of(document, cart.segment));
-    hasher.add(cart.s), hasher.add(cart.speed), hasher.add(cart.segment_length), hasher.add(cart.track_distance);
-    hasher.add(cart.travelled), hasher.add(cart.laps);
-    hasher.add(cart.reference_energy), hasher.add(cart.peak_kinetic), hasher.add(cart.work);
-    hasher.add(cart.furthest), hasher.add(cart.carry), hasher.add(cart.still), hasher.add(cart.dwell),
-        hasher.add(cart.braking);
-    hasher.add(cart.timetable.valid), hasher.add(cart.timetable.front), hasher.add(cart.timetable.speed),
-        hasher.add(cart.timetable.tick);
-    if (cart.timetable.phase != 0) hasher.add(cart.timetable.phase);
+    add(number_of(document, e), number_of(document, cart.segment), cart.s, cart.speed, cart.segment_length);
+    add(cart.track_distance, cart.travelled, cart.laps, cart.reference_energy, cart.peak_kinetic, cart.work);
+    add(cart.furthest, cart.carry, cart.still, cart.dwell, cart.braking);
+    add(cart.timetable.valid, cart.timetable.front, cart.timetable.speed, cart.timetable.tick);
+    if (cart.timetable.phase != 0) add(cart.timetable.phase);
   }
   return hasher.digest();
 }

@@ -78,15 +78,7 @@ std::vector<FrenetBreak> frenet_breaks(const SegmentShape& shape, world::Entity 
   return found;
 }
 
-std::vector<FrenetBreak> frenet_breaks(const Derived& derived) {
-  std::vector<FrenetBreak> all;
-  for (std::size_t i = 0; i < derived.order.size(); ++i) {
-    add_joint(derived, i, all);
-    const auto found = frenet_breaks(derived.shape_at(i), derived.order[i]);
-    all.insert(all.end(), found.begin(), found.end());
-  }
-  return all;
-}
+std::vector<FrenetBreak> frenet_breaks(const Derived& derived) { return FrenetBreaks().update(derived); }
 
 const std::vector<FrenetBreak>& FrenetBreaks::update(const Derived& derived) {
   if (last_build_ == derived.last_build && closed_ == derived.closed && order_ == derived.order) return all_;
