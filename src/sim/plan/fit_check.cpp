@@ -1,8 +1,8 @@
-#include "sim/plan/fit_check.h"
-
+// The distance of a document from the rows it was fitted to, on the curves and frames that the program shows.
 #include <algorithm>
 
 #include "base/check.h"
+#include "sim/plan/fit_track.h"
 
 namespace coaster::sim {
 namespace {

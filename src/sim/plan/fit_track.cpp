@@ -5,7 +5,6 @@
 
 #include "base/check.h"
 #include "base/portable_math.h"
-#include "sim/plan/fit_check.h"
 #include "world/topology.h"
 
 namespace coaster::sim {

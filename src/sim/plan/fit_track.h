@@ -5,7 +5,7 @@
 
 #include "base/progress.h"
 #include "sim/plan/fit_span.h"
-#include "world/document.h"
+#include "sim/shape/derived.h"
 
 namespace coaster::sim {
 
@@ -20,6 +20,12 @@ struct FitReport {
   double frame_error = 0;  // degrees, the largest angle between a row's frame and the track's, except near jumps
   int knots = 0;
 };
+
+// Returns the error of each segment of a track. Segment i covers rows ends[i] to ends[i + 1] (ends.size() is the number
+// of segments + 1; the row after the last is the first). `free` says for each row whether its frame is ignored. `knots`
+// stays 0.
+std::vector<FitReport> measure_spans(const Derived& derived, std::span<const FitRow> rows,
+                                     std::span<const std::size_t> ends, std::span<const char> free);
 
 struct FittedTrack {
   world::Document document;

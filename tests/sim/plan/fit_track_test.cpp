@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/plan/fit_check.h"
 #include "sim/rows_along.h"
 
 namespace coaster::sim {
