@@ -19,6 +19,11 @@ const world::Name* selected(const Act& act) {
   return session.document.entities.find<world::Name>(session.settings.selected);
 }
 
+bool selected_is(const Act& act, world::Kind kind) {
+  const world::Name* const name = selected(act);
+  return name != nullptr && name->kind == kind;
+}
+
 bool rideable(const Act& act) {
   const edit::Session& session = act.ui.session();
   return session.document.entities.pool<world::Cart>().size() > 0 && !session.document.track.segments.empty();
@@ -60,8 +65,8 @@ void run_keys(Act& act, const platform::Events& events) {
       const Action& action = actions()[row];
       const auto chords = act.ui.keys.chords(row);
       if (std::find(chords.begin(), chords.end(), chord) == chords.end()) continue;
-      if (press->repeat && !action.repeats) continue;
-      if (!action.in_drag && (act.tool.dragging() || act.ui.gesture.open)) continue;
+      if (press->repeat && (action.keys & kRepeats) == 0) continue;
+      if ((action.keys & kInDrag) == 0 && (act.tool.dragging() || act.ui.gesture.open)) continue;
       if (action.enabled(act)) action.run(act);
     }
   }

@@ -20,19 +20,21 @@ struct Act {
   CommandPalette& palette;
 };
 
+inline bool always(const Act&) { return true; }
+
 struct Action {
   std::string_view name;  // in the menu
   std::string_view menu;  // "" when it is in none
-  std::string_view keys;  // the first of them, as shown: "Ctrl+Z"
-  platform::Chord chord,
-      other;     // other: a second key, Key::unknown for none; the user's settings may name others (key_map.h)
-  bool repeats;  // while the key is held
-  bool in_drag;  // allowed while the mouse drags something
+  platform::Chord chord;  // its default key; Key::unknown for none (the user's settings may name others: key_map.h)
+  unsigned keys;          // kRepeats while the key is held, kInDrag: allowed while the mouse drags something
   std::string_view help;
-  bool (*enabled)(const Act& act);
-  bool (*checked)(const Act& act);  // null: no mark
   void (*run)(Act& act);
+  bool (*enabled)(const Act& act) = always;
+  bool (*checked)(const Act& act) = nullptr;  // null: no mark
+  platform::Chord other = {};                 // a second default key
 };
+inline constexpr unsigned kRepeats = 1, kInDrag = 2;
+
 std::span<const Action> actions();
 // Their names and default keys, in the order of actions().
 std::vector<KeyRow> key_rows();

@@ -3,8 +3,9 @@
 
 #include <span>
 
+#include "edit/commands/commands_settings.h"
 #include "ui/actions/actions.h"
-#include "world/components.h"
+#include "world/settings_groups.h"
 
 namespace coaster::ui {
 
@@ -16,13 +17,40 @@ std::span<const Action> ride_actions();
 constexpr platform::Chord key(platform::Key k) { return {k, {}}; }
 constexpr platform::Chord ctrl(platform::Key k) { return {k, {.ctrl = true}}; }
 constexpr platform::Chord shift(platform::Key k) { return {k, {.shift = true}}; }
+constexpr platform::Chord ctrl_shift(platform::Key k) { return {k, {.shift = true, .ctrl = true}}; }
 inline constexpr platform::Chord kNoKey{};
 
 // The name of the active knot, segment or cart; null without one.
 const world::Name* selected(const Act& act);
-
-inline bool always(const Act&) { return true; }
 inline bool any_selected(const Act& act) { return selected(act) != nullptr; }
+bool selected_is(const Act& act, world::Kind kind);
 bool rideable(const Act& act);  // carts on a track
+
+template <Want::Kind kind>
+void want(Act& act) {
+  act.ui.want = {kind};
+}
+template <class Command>
+void emit(Act& act) {
+  act.ui.emit(Command{});
+}
+
+// A setting that is on or off, and one that is one of several values.
+template <auto Member>
+bool on(const Act& act) {
+  return world::value_in<Member>(act.ui.session().settings);
+}
+template <auto Member>
+void toggle(Act& act) {
+  act.ui.emit(edit::Set<Member>{!on<Member>(act)});
+}
+template <auto Member, world::ValueOf<Member> value>
+bool is(const Act& act) {
+  return world::value_in<Member>(act.ui.session().settings) == value;
+}
+template <auto Member, world::ValueOf<Member> value>
+void set(Act& act) {
+  act.ui.emit(edit::Set<Member>{value});
+}
 
 }  // namespace coaster::ui

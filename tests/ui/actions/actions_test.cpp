@@ -22,15 +22,6 @@ TEST(action_table, no_key_is_given_twice_and_every_row_is_explained) {
   }
 }
 
-TEST(action_table, shown_keys_are_the_keys) {
-  for (const Action& a : actions()) {
-    if (a.keys.empty()) continue;
-    const auto chord = platform::parse_chord(a.keys);
-    ASSERT_TRUE(chord.has_value()) << a.keys;
-    EXPECT_TRUE(*chord == a.chord) << a.name;
-  }
-}
-
 TEST_F(ActionsTest, tab_gives_the_viewport_the_whole_window_and_back) {
   frames(2);
   ASSERT_LT(host_->view().viewport.width, 700);
