@@ -58,7 +58,7 @@ struct Host::Parts {
   const gfx::Gl& gl;
   float content_scale = 1;
   ImGuiContext* context = nullptr;
-  std::unique_ptr<ImGuiRenderer> renderer;
+  std::optional<ImGuiRenderer> renderer;
   ImGuiInput input;
   float loaded_scale = 0;  // of the fonts
   world::Theme theme = world::Theme::dark;
@@ -214,7 +214,7 @@ base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl, float content_
     ImGui::SetCurrentContext(before);
     return renderer.status();
   }
-  parts->renderer = std::move(*renderer);
+  parts->renderer.emplace(std::move(*renderer));
   return std::unique_ptr<Host>(new Host(std::move(parts)));
 }
 
