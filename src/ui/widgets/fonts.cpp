@@ -3,8 +3,14 @@
 #include <cmath>
 #include <span>
 
-#include "ui/widgets/inter_font.h"
 #include "ui/widgets/theme.h"
+
+#ifdef COASTER_HAS_INTER_FONT
+namespace coaster::embedded {
+extern const unsigned char inter_font[];
+extern const std::size_t inter_font_size;
+}  // namespace coaster::embedded
+#endif
 
 namespace coaster::ui {
 namespace {
@@ -49,6 +55,14 @@ ImFont* add_font(ImFontAtlas& atlas, float pixels, const ImWchar* ranges = kRang
 }
 
 }  // namespace
+
+std::span<const unsigned char> inter_font() {
+#ifdef COASTER_HAS_INTER_FONT
+  return {embedded::inter_font, embedded::inter_font_size};
+#else
+  return {};
+#endif
+}
 
 void load_fonts(float scale) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;

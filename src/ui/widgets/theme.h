@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include <imgui.h>
 
@@ -29,13 +30,15 @@ std::uint32_t ink(std::uint32_t rgb);
 ImVec4 colour(std::uint32_t rgb, float alpha = 1.0f);
 ImU32 packed(std::uint32_t rgb, float alpha = 1.0f);
 
-inline constexpr float kFontPixels = 17.0f;  // line height at scale 1: Inter's em is then 14 px
-
+inline constexpr float kFontPixels = 17.0f;       // line height at scale 1: Inter's em is then 14 px
 inline constexpr float kSmallFontPixels = 14.0f;  // ticks and read-outs of plots, notes
 inline constexpr float kTitleFontPixels = 36.0f;  // of whole pages; ASCII alone
 
 // Colours and sizes of the current ImGui context for `scale`; the palette must outlive it.
 void apply_theme(const Palette& palette, float scale);
+
+// The bytes of the Inter font, embedded at build; empty when the build found no such font.
+std::span<const unsigned char> inter_font();
 
 // Replaces the fonts of the current context by Inter (or the built-in font where Inter was not embedded) at `scale`.
 // Digits all get the width of the widest, so that numbers stand still. Call outside a frame; the font texture has to be

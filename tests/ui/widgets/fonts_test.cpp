@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "ui/widgets/inter_font.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {
