@@ -24,11 +24,6 @@ bool selected_is(const Act& act, world::Kind kind) {
   return name != nullptr && name->kind == kind;
 }
 
-bool rideable(const Act& act) {
-  const edit::Session& session = act.ui.session();
-  return session.document.entities.pool<world::Cart>().size() > 0 && !session.document.track.segments.empty();
-}
-
 std::span<const Action> actions() {
   static const std::vector<Action> kAll = [] {
     std::vector<Action> all;
@@ -61,9 +56,8 @@ void run_keys(Act& act, const platform::Events& events) {
     if (press == nullptr || !press->down || press->key == Key::unknown) continue;
     if (is_fly_key(*press) && act.ui.session().settings.camera_mode == CameraMode::fly) continue;
     const Chord chord{press->key, press->modifiers};
-    for (std::size_t row = 0; row < actions().size(); ++row) {
-      const Action& action = actions()[row];
-      const auto chords = act.ui.keys.chords(row);
+    for (const Action& action : actions()) {
+      const auto chords = act.ui.keys.chords(action.name);
       if (std::find(chords.begin(), chords.end(), chord) == chords.end()) continue;
       if (press->repeat && (action.keys & kRepeats) == 0) continue;
       if ((action.keys & kInDrag) == 0 && (act.tool.dragging() || act.ui.gesture.open)) continue;

@@ -7,7 +7,6 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_session.h"
 #include "ui/actions/actions_parts.h"
-#include "ui/tools/places.h"
 #include "world/selection.h"
 
 namespace coaster::ui {

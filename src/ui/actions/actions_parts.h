@@ -5,6 +5,7 @@
 
 #include "edit/commands/commands_settings.h"
 #include "ui/actions/actions.h"
+#include "ui/tools/places.h"
 #include "world/settings_groups.h"
 
 namespace coaster::ui {
@@ -24,7 +25,7 @@ inline constexpr platform::Chord kNoKey{};
 const world::Name* selected(const Act& act);
 inline bool any_selected(const Act& act) { return selected(act) != nullptr; }
 bool selected_is(const Act& act, world::Kind kind);
-bool rideable(const Act& act);  // carts on a track
+inline bool rideable(const Act& act) { return rideable(act.ui.session()); }
 
 template <Want::Kind kind>
 void want(Act& act) {

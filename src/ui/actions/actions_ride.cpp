@@ -1,7 +1,6 @@
 // The menu Ride.
 #include "edit/commands/commands_ride.h"
 #include "ui/actions/actions_parts.h"
-#include "ui/tools/places.h"
 
 namespace coaster::ui {
 namespace {

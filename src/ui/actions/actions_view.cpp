@@ -5,7 +5,6 @@
 #include "ui/actions/actions_parts.h"
 #include "ui/actions/command_palette.h"
 #include "ui/tools/fly_keys.h"
-#include "ui/tools/places.h"
 
 namespace coaster::ui {
 namespace {

@@ -1,13 +1,12 @@
 #include "ui/actions/command_palette.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 #include "base/words.h"
@@ -15,7 +14,6 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_session.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -93,36 +91,30 @@ int to_end(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
-void draw_row(Act& act, const PaletteLine& entry, bool chosen, bool& pressed) {
-  Ui& ui = act.ui;
+// Returns whether it was clicked.
+bool draw_row(Ui& ui, const PaletteLine& entry, bool chosen) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x;
-  pressed = ImGui::Selectable(("##" + entry.name).c_str(), chosen);
+  const bool pressed = ImGui::Selectable(hidden(entry.name).c_str(), chosen);
   note_item(ui, entry.name, "item", entry.help, true, entry.keys);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float keys = entry.keys.empty() ? 0 : text_size(entry.keys).x + 14 * ui.scale;
   const float name_room = std::min(text_size(entry.name).x, room - keys);
   list.PushClipRect({at.x, at.y}, {at.x + room - keys, at.y + ImGui::GetTextLineHeight() + 2}, true);
-  list.AddText(at, packed(ui::palette().text), entry.name.c_str());
-  list.AddText({std::floor(at.x + name_room + 14 * ui.scale), at.y}, packed(ui::palette().dim), entry.help.data(),
-               entry.help.data() + entry.help.size());
+  draw_text(list, at, palette().text, entry.name);
+  draw_text(list, {at.x + name_room + 14 * ui.scale, at.y}, palette().dim, entry.help);
   list.PopClipRect();
-  if (!entry.keys.empty())
-    list.AddText({std::floor(at.x + room - text_size(entry.keys).x), at.y}, packed(ui::palette().accent),
-                 entry.keys.c_str());
+  draw_text(list, {at.x + room - text_size(entry.keys).x, at.y}, palette().accent, entry.keys);
+  return pressed;
 }
 
 }  // namespace
 
 int match(std::string_view words, std::string_view name, std::string_view help) {
-  const std::string wanted = base::lower(words), in_name = base::lower(name), in_help = base::lower(help);
+  const std::string in_name = base::lower(name), in_help = base::lower(help);
+  std::istringstream wanted(base::lower(words));
   int score = 1;
-  std::size_t at = 0;
-  while (at < wanted.size()) {
-    const std::size_t end = std::min(wanted.find(' ', at), wanted.size());
-    const std::string word = wanted.substr(at, end - at);
-    at = end + 1;
-    if (word.empty()) continue;
+  for (std::string word; wanted >> word;) {
     const std::size_t place = in_name.find(word);
     if (place == 0) score += 20;
     else if (place != std::string::npos) score += in_name[place - 1] == ' ' || in_name[place - 1] == '_' ? 12 : 8;
@@ -143,15 +135,16 @@ void build_palette(Act& act, CommandPalette& palette) {
   Ui& ui = act.ui;
   const float width = std::floor(std::min(620 * ui.scale, ImGui::GetIO().DisplaySize.x - 20)),
               top = act.scene.y + 40 * ui.scale;
-  ImGui::SetNextWindowPos({std::floor(act.scene.x + (act.scene.width - width) * 0.5f), std::floor(top)});
-  ImGui::SetNextWindowSize({width, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * ui.scale, 12 * ui.scale));
+  const ImVec2 at(std::floor(act.scene.x + (act.scene.width - width) * 0.5f), std::floor(top));
+  const Card card{.id = "##palette",
+                  .panel = "Palette",
+                  .at = at,
+                  .width = width,
+                  .padding = {12, 12},
+                  .flags = ImGuiWindowFlags_NoDecoration};
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  constexpr ImGuiWindowFlags kFlags =
-      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
   if (palette.appearing) ImGui::SetNextWindowFocus();
-  if (ImGui::Begin("##palette", nullptr, kFlags)) {
-    ui.panel = "Palette";
+  build_card(ui, card, [&] {
     ImGui::SetNextItemWidth(-1);
     if (palette.appearing || palette.filled)
       ImGui::SetKeyboardFocusHere();  // Enter has left the field; a completed command is typed on
@@ -167,11 +160,9 @@ void build_palette(Act& act, CommandPalette& palette) {
     if (ImGui::IsKeyPressed(ImGuiKey_UpArrow)) --palette.row;
     palette.row = count > 0 ? (palette.row + count) % count : 0;
     const int first = std::clamp(palette.row - kShown + 1, 0, std::max(0, count - kShown));
-    for (int i = first; i < std::min(count, first + kShown); ++i) {
-      bool pressed = false;
-      draw_row(act, list[static_cast<std::size_t>(i)], i == palette.row, pressed);
-      if (pressed) choose(act, palette, list[static_cast<std::size_t>(i)]);
-    }
+    for (int i = first; i < std::min(count, first + kShown); ++i)
+      if (const PaletteLine& line = list[static_cast<std::size_t>(i)]; draw_row(ui, line, i == palette.row))
+        choose(act, palette, line);
     if (count == 0) heading(ui, "No matches.###Nothing is called that.", "");
     if (entered && count > 0) choose(act, palette, list[static_cast<std::size_t>(palette.row)]);
     // Escape, or a click elsewhere.
@@ -179,10 +170,8 @@ void build_palette(Act& act, CommandPalette& palette) {
                            !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
     if (ImGui::IsKeyPressed(ImGuiKey_Escape) || elsewhere) palette.open = false;
     palette.appearing = false;
-    ui.panel.clear();
-  }
-  ImGui::End();
-  ImGui::PopStyleVar(2);
+  });
+  ImGui::PopStyleVar();
 }
 
 }  // namespace coaster::ui

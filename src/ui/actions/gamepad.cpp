@@ -7,7 +7,6 @@
 #include "edit/commands/commands_settings.h"
 #include "ui/tools/fly_keys.h"
 #include "world/aids.h"
-#include "world/camera_feel.h"
 
 namespace coaster::ui {
 namespace {
@@ -19,13 +18,6 @@ constexpr float kPan = 0.9f;               // heights of the picture
 constexpr float kNotches = 9;              // of the mouse wheel: zoom, chase distance
 constexpr float kFly = 20;                 // m
 constexpr double kLongestPadFrame = 0.25;  // s
-
-// The orbit camera as this frame's commands have left it.
-world::Camera camera_now(const Ui& ui) {
-  for (auto command = ui.out.commands.rbegin(); command != ui.out.commands.rend(); ++command)
-    if (const auto* const set = command->as<edit::SetCamera>()) return set->to;
-  return ui.session().settings.camera;
-}
 
 }  // namespace
 
@@ -80,11 +72,9 @@ void Gamepad::move(Ui& ui, const view::Viewport& scene, double seconds) const {
       return ui.emit(edit::SetFly{flown(fly, kFly * glm::vec3(left.x, pull, -left.y))});
     }
     case world::CameraMode::chase:
-      if (pull != 0)
-        ui.emit(edit::Set<&world::CameraFeel::chase_distance>{std::clamp(
-            settings.feel->chase_distance * std::pow(1.12f, -kNotches * pull), world::kMinChase, world::kMaxChase)});
+      if (pull != 0) zoom_chase(ui, kNotches * pull);
       return;
-    case world::CameraMode::ride: return;  // the head is the train's
+    case world::CameraMode::ride: return;  // the camera follows the train
   }
 }
 
@@ -93,7 +83,7 @@ void Gamepad::work(Act& act, const platform::Events& events, bool asking) {
   for (const platform::Event& event : events) {
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) seconds += tick->dt;
     if (const auto* const focus = std::get_if<platform::Focus>(&event)) focused_ = focus->focused, held_ = {};
-    if (!focused_) continue;  // a pad tells every window
+    if (!focused_) continue;  // every window gets a pad's events
     if (const auto* const axes = std::get_if<platform::GamepadAxes>(&event)) held_ = *axes;
     const auto* const press = std::get_if<platform::GamepadButton>(&event);
     if (!press || !press->down || asking) continue;

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "ui/actions/actions.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -39,14 +40,13 @@ void build_recent(Act& act) {
 }
 
 void build_items(Act& act, std::string_view menu) {
-  for (std::size_t row = 0; row < actions().size(); ++row) {
-    const Action& action = actions()[row];
+  for (const Action& action : actions()) {
     if (action.menu != menu) continue;
     const bool enabled = action.enabled(act);
     const bool checked = action.checked != nullptr && action.checked(act);
-    const std::string label(action.name), keys = act.ui.keys.shown(row);
+    const std::string label(action.name), keys = act.ui.keys.shown(action.name);
     const bool pressed = ImGui::MenuItem(label.c_str(), keys.empty() ? nullptr : keys.c_str(), checked, enabled);
-    note_item(act.ui, std::string(menu) + "/" + label, "menu", with_keys(act.ui.keys, action.help, action.name),
+    note_item(act.ui, fmt::format("{}/{}", menu, label), "menu", with_keys(act.ui.keys, action.help, action.name),
               enabled, checked ? "on" : "off");
     if (pressed) action.run(act);
     if (action.name == "Open") build_recent(act);
@@ -60,13 +60,12 @@ void build_file_mark(Ui& ui) {
   const std::string name = session.file.path.empty() ? "no file" : session.file.path.filename().string();
   const bool unsaved = edit::dirty(ui.state.find);
   if (!unsaved && holder.empty()) return;
-  const std::string words = (unsaved ? "\u25CF " : "") + name + (holder.empty() ? "" : " (in use elsewhere)");
+  const std::string words =
+      fmt::format("{}{}{}", unsaved ? "\u25CF " : "", name, holder.empty() ? "" : " (in use elsewhere)");
   const float left = ImGui::GetWindowWidth() - text_size(words).x - std::floor(10 * ui.scale);
   if (left < ImGui::GetCursorPosX()) return;
   ImGui::SetCursorPosX(left);
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().warning));
-  ImGui::TextUnformatted(words.c_str());
-  ImGui::PopStyleColor();
+  tinted_line(words, palette().warning);
   note_item(ui, "Unsaved", "label",
             holder.empty() ? "The track differs from its file." : holder + " edits this file: save under another name.",
             true, words);

@@ -2,7 +2,6 @@
 #include "ui/context/key_map.h"
 
 #include <algorithm>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -12,12 +11,6 @@ namespace coaster::ui {
 namespace {
 
 using platform::Chord;
-
-std::optional<std::size_t> index_of(std::span<const std::string_view> names, std::string_view name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - names.begin());
-}
 
 struct Wanted {
   std::size_t row;
@@ -30,22 +23,19 @@ std::vector<Wanted> readable(std::span<const std::string_view> names, std::span<
   std::vector<Wanted> all;
   const std::vector<std::string> actions(names.begin(), names.end());
   for (const exchange::KeyChoice& choice : choices) {
-    const auto row = index_of(names, choice.action);
-    if (!row) {
+    const auto row = std::find(names.begin(), names.end(), choice.action);
+    if (row == names.end()) {
       problems.push_back(
           fmt::format("no action {}{}", base::quoted(choice.action), base::suggestion(choice.action, actions)));
       continue;
     }
-    Wanted wanted{*row, {}};
+    Wanted wanted{static_cast<std::size_t>(row - names.begin()), {}};
     bool usable = true;
     for (const std::string& text : choice.keys) {
       const auto chord = platform::parse_chord(text);
-      const auto owner =
-          chord ? std::find_if(all.begin(), all.end(),
-                               [&](const Wanted& w) {
-                                 return std::find(w.chords.begin(), w.chords.end(), *chord) != w.chords.end();
-                               })
-                : all.end();
+      const auto owner = std::find_if(all.begin(), all.end(), [&](const Wanted& w) {
+        return chord && std::find(w.chords.begin(), w.chords.end(), *chord) != w.chords.end();
+      });
       if (!chord) problems.push_back(fmt::format("{}: no key {}", choice.action, base::quoted(text)));
       else if (owner != all.end())
         problems.push_back(fmt::format("{} is wanted by {} and {}", text, names[owner->row], choice.action));
@@ -81,25 +71,29 @@ KeyMap KeyMap::make(std::span<const KeyRow> rows, std::span<const exchange::KeyC
   return map;
 }
 
-std::optional<std::size_t> KeyMap::row_of(std::string_view action) const { return index_of(names_, action); }
-
-std::string KeyMap::shown(std::size_t row) const {
-  return rows_[row].empty() ? std::string() : platform::to_text(rows_[row].front());
+std::span<const Chord> KeyMap::chords(std::string_view action) const {
+  const auto row = std::find(names_.begin(), names_.end(), action);
+  if (row == names_.end()) return {};
+  return rows_[static_cast<std::size_t>(row - names_.begin())];
 }
 
 std::string KeyMap::shown(std::string_view action) const {
-  const auto row = row_of(action);
-  return row ? shown(*row) : std::string();
+  return chords(action).empty() ? std::string() : platform::to_text(chords(action).front());
+}
+
+std::string chords_text(std::span<const Chord> chords, std::string_view between) {
+  std::string text;
+  for (const Chord& chord : chords) {
+    if (!text.empty()) text += between;
+    text += platform::to_text(chord);
+  }
+  return text;
 }
 
 std::string with_keys(const KeyMap& keys, std::string_view help, std::string_view action) {
-  const auto row = keys.row_of(action);
-  std::string text(help);
-  if (!row || keys.chords(*row).empty()) return text;
-  text += keys.chords(*row).size() == 1 ? " Key " : " Keys ";
-  for (const Chord& chord : keys.chords(*row))
-    text += (&chord == &keys.chords(*row).front() ? "" : ", ") + platform::to_text(chord);
-  return text + ".";
+  const auto chords = keys.chords(action);
+  if (chords.empty()) return std::string(help);
+  return fmt::format("{} Key{} {}.", help, chords.size() == 1 ? "" : "s", chords_text(chords, ", "));
 }
 
 }  // namespace coaster::ui

@@ -1,7 +1,6 @@
 // Which keys do what: those of the table of actions, changed by the user's settings.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,18 +25,18 @@ class KeyMap {
   static KeyMap make(std::span<const KeyRow> rows, std::span<const exchange::KeyChoice> choices,
                      std::vector<std::string>& problems);
 
-  // The keys of a row: none, one or two.
-  std::span<const platform::Chord> chords(std::size_t row) const { return rows_[row]; }
+  // The keys of an action: none, one or two.
+  std::span<const platform::Chord> chords(std::string_view action) const;
   // The first of them, "" without one.
-  std::string shown(std::size_t row) const;
   std::string shown(std::string_view action) const;
-  // The row of that action.
-  std::optional<std::size_t> row_of(std::string_view action) const;
 
  private:
   std::vector<std::string_view> names_;
   std::vector<std::vector<platform::Chord>> rows_;
 };
+
+// "F Ctrl+Z" for `between` " ".
+std::string chords_text(std::span<const platform::Chord> chords, std::string_view between);
 
 // "HELP Key C.", "HELP Keys Ctrl+Y, Ctrl+Shift+Z.", or the help alone.
 std::string with_keys(const KeyMap& keys, std::string_view help, std::string_view action);

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
-#include "edit/commands/commands_settings.h"
-#include "world/lab_view.h"
+#include "ui/context/setting_rows.h"
 
 namespace coaster::ui {
+namespace {
 
 std::optional<query::Value> value_of(const Ui& ui, std::string_view name, std::string_view argument) {
   const query::Query* row = query::find_query(name);
@@ -19,25 +18,31 @@ std::optional<query::Value> value_of(const Ui& ui, std::string_view name, std::s
   return *result;
 }
 
-void read_query(Ui& ui, std::string_view label, std::string_view name, std::string_view argument,
-                std::string_view tooltip, Shown shown) {
+}  // namespace
+
+std::optional<double> number_of(const Ui& ui, std::string_view name) {
+  const auto value = value_of(ui, name, {});
+  const double* const number = value ? std::get_if<double>(&*value) : nullptr;
+  return number != nullptr ? std::optional(*number) : std::nullopt;
+}
+
+void read_query(Ui& ui, std::string_view label, std::string_view name, std::string_view tooltip, const Shown& shown) {
   const query::Query* row = query::find_query(name);
   const std::string unit = shown.unit != nullptr ? shown.unit : row != nullptr ? std::string(row->unit) : "";
   std::string words = "--";
-  if (!(shown.is_time && ui.state.scripted)) {
-    if (const auto value = value_of(ui, name, argument)) {
-      const double* real = std::get_if<double>(&*value);
-      words = real != nullptr ? fixed(*real * shown.factor, shown.decimals) : query::to_text(*value);
-    }
+  if (const auto value = value_of(ui, name, shown.argument)) {
+    const double* real = std::get_if<double>(&*value);
+    words = real != nullptr ? fixed(*real * shown.factor, shown.decimals) : query::to_text(*value);
   }
   read_out(ui, label, words, unit, tooltip, shown.warns);
 }
 
+exchange::UserSettings& change_kept(Ui& ui) { return ui.out.settings.emplace(ui.state.kept->settings); }
+
 void colouring_box(Ui& ui) {
-  if (const auto to = combo_of(ui, "Colour by", ui.session().settings.lab->colouring,
-                               with_keys(ui.keys, "What the colours of the track show. A legend appears in the view.",
-                                         "Next track colours")))
-    ui.emit(edit::Set<&world::LabView::colouring>{*to});
+  setting_list<&world::LabView::colouring>(
+      ui, "Colour by",
+      with_keys(ui.keys, "What the colours of the track show. A legend appears in the view.", "Next track colours"));
 }
 
 int known_medal(const Ui& ui, const std::filesystem::path& challenge) {

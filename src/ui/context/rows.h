@@ -9,20 +9,23 @@
 
 namespace coaster::ui {
 
-// The value of a query, or nothing.
-std::optional<query::Value> value_of(const Ui& ui, std::string_view query, std::string_view argument = {});
+// The value of a query that is a number, or nothing.
+std::optional<double> number_of(const Ui& ui, std::string_view query);
 
-// A read_out() of a query's value with `decimals`; "--" where it has none or (times) where a script runs. `factor`
+// A read_out() of a query's value with `decimals`; "--" where it has none. `factor`
 // converts units.
 struct Shown {
   int decimals = 2;
   const char* unit = nullptr;  // null: the query's
   double factor = 1;
-  bool is_time = false;
   bool warns = false;
+  std::string_view argument = {};  // of the query
 };
-void read_query(Ui& ui, std::string_view label, std::string_view query, std::string_view argument,
-                std::string_view tooltip, Shown shown = {});
+void read_query(Ui& ui, std::string_view label, std::string_view query, std::string_view tooltip,
+                const Shown& shown = {});
+
+// The user's settings, to be changed and kept. Only where something is kept (state.kept).
+exchange::UserSettings& change_kept(Ui& ui);
 
 // Chooses what the track is coloured by.
 void colouring_box(Ui& ui);

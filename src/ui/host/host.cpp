@@ -4,7 +4,6 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include <algorithm>
 #include <functional>
 #include <utility>
 #include <variant>
@@ -22,13 +21,7 @@
 #include "ui/lab/laboratory.h"
 #include "ui/panels/panels.h"
 #include "ui/screens/dialogs.h"
-#include "ui/screens/foot_line.h"
-#include "ui/screens/hints.h"
-#include "ui/screens/import_bar.h"
-#include "ui/screens/legend.h"
-#include "ui/screens/lesson.h"
-#include "ui/screens/movie_bar.h"
-#include "ui/screens/score_card.h"
+#include "ui/screens/overlays.h"
 #include "ui/screens/start_screen.h"
 #include "ui/screens/toasts.h"
 #include "ui/tools/fly_keys.h"
@@ -70,7 +63,7 @@ struct Host::Parts {
   LabCache lab;
   Dialogs dialogs;
   StartScreen start;
-  std::optional<Widget> lessons_widget;  // that the lesson is about, as last drawn
+  std::optional<Widget> lessons_widget;  // the widget that the lesson is about, as last drawn
   KeyMap keys;
   std::string file;               // in the field Track/File
   std::filesystem::path file_of;  // the session's path it was taken from
@@ -81,7 +74,7 @@ struct Host::Parts {
   double radius = 20;  // in Shape/Radius, m
   view::View view;
   view::Pick hovered;
-  bool frame_next = false;  // show the whole track once the one asked for is there
+  bool frame_next = false;  // frame the track that the last frame's commands loaded
 
   explicit Parts(const gfx::Gl& table) : gl(table) {
     std::vector<std::string> none;
@@ -97,7 +90,6 @@ struct Host::Parts {
   void settle_gesture(Ui& ui);
   void take_files(Ui& ui, const platform::Events& events);
   void take_want(Ui& ui);
-  void count_rest();
   void lay_out(Ui& ui, const platform::Events& events, int width, int height);
 };
 
@@ -146,11 +138,6 @@ void Host::Parts::take_want(Ui& ui) {
   else dialogs.take(ui, want);
 }
 
-void Host::Parts::count_rest() {
-  rest.seconds = rest.next == rest.path ? rest.seconds + ImGui::GetIO().DeltaTime : 0;
-  rest.path = std::exchange(rest.next, {});
-}
-
 void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int height) {
   const edit::Session& session = ui.session();
   const Layout layout = make_layout(width, height, ui.scale, ImGui::GetFrameHeight(),
@@ -176,8 +163,8 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   if (ui.state.lesson == nullptr && !card_shows(session)) draw_hints(ui, layout.scene);
   draw_lesson(ui, layout.scene, lessons_widget ? &*lessons_widget : nullptr);
   draw_score_card(ui, layout.scene);
-  build_import_bar(ui, layout.scene);
-  build_movie_bar(ui, layout.scene);
+  draw_import(ui, layout.scene);
+  draw_movie(ui, layout.scene);
   build_palette(act, palette);
   take_want(ui);
   if (!dialogs.open()) start.build(ui, events, static_cast<float>(width), static_cast<float>(height));
@@ -186,7 +173,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   settle_gesture(ui);
   hovered = tool.update(ui, view);
   if (ui.state.lesson == nullptr || tool.transform().active())
-    draw_foot_line(ui, tool, layout.scene);  // a lesson says itself what to do
+    draw_foot_line(ui, tool, layout.scene);  // a lesson has its own hint
   draw_legend(ui, layout.scene);
   toasts.draw(layout.scene, ui.scale, ui.state.seconds, ui.state.scripted);
   for (const edit::Command& command : ui.out.commands)
@@ -222,7 +209,7 @@ Host::Host(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Host::~Host() = default;
 
 Output Host::build(const platform::Events& events, const State& state, int width, int height) {
-  COASTER_CHECK(width >= 1 && height >= 1, "the UI needs a pixel to stand on");
+  COASTER_CHECK(width >= 1 && height >= 1, "the UI needs at least one pixel");
   Parts& p = *parts_;
   ImGui::SetCurrentContext(p.context);
   const float scale = fitted_scale(width, height, state.session.settings.look->ui_scale, p.content_scale);
@@ -245,7 +232,8 @@ Output Host::build(const platform::Events& events, const State& state, int width
         p.keys,
         p.gl.renderer};
   p.lay_out(ui, events, width, height);
-  p.count_rest();
+  p.rest.seconds = p.rest.next == p.rest.path ? p.rest.seconds + ImGui::GetIO().DeltaTime : 0;
+  p.rest.path = std::exchange(p.rest.next, {});
   ImGui::Render();
   p.list.finish();  // now the order of the windows and which of them were used is settled
   p.lessons_widget.reset();

@@ -1,7 +1,6 @@
 // Feeds a frame's events to Dear ImGui.
 #include "ui/host/imgui_input.h"
 
-#include <cfloat>
 #include <variant>
 
 #include <imgui.h>
@@ -12,13 +11,6 @@ namespace coaster::ui {
 namespace {
 
 using platform::Key;
-
-template <class... F>
-struct Overloaded : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 // ImGui's name for the keys that its text fields use.
 ImGuiKey imgui_key(Key key) {
@@ -92,12 +84,8 @@ void ImGuiInput::feed_key(const platform::KeyPress& event, bool text_has_keyboar
   // The map from ImGui's keys to "native" ones is the identity; a key pressed and released in one frame counts as
   // pressed. A repeat is left to ImGui's own timer.
   io.KeyMap[key] = key;
-  if (down) {
-    io.KeysDown[key] = true;
-    held_[static_cast<std::size_t>(key)] = true;
-  } else {
-    held_[static_cast<std::size_t>(key)] = false;
-  }
+  if (down) io.KeysDown[key] = true;
+  held_[static_cast<std::size_t>(key)] = down;
 #endif
 }
 
@@ -116,43 +104,33 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
   std::array<bool, 3> pressed{};
 #endif
   for (const platform::Event& event : events) {
-    std::visit(Overloaded{
-                   [&](const platform::MouseMove& e) { move_mouse(io, e); },
-                   [&](const platform::MouseButton& e) {
-                     const auto button = static_cast<std::size_t>(e.button);
-                     modifiers_ = e.modifiers;
-                     ctrl = ctrl || e.modifiers.ctrl;
-                     down_[button] = e.down;
+    if (const auto* const tick = std::get_if<platform::Tick>(&event)) seconds += static_cast<float>(tick->dt);
+    else if (const auto* const move = std::get_if<platform::MouseMove>(&event)) move_mouse(io, *move);
+    else if (const auto* const wheel = std::get_if<platform::Wheel>(&event)) turn_wheel(io, *wheel);
+    else if (const auto* const press = std::get_if<platform::MouseButton>(&event)) {
+      const auto button = static_cast<std::size_t>(press->button);
+      modifiers_ = press->modifiers;
+      ctrl = ctrl || press->modifiers.ctrl;
+      down_[button] = press->down;
 #if IMGUI_VERSION_NUM >= 18700
-                     io.AddMouseButtonEvent(static_cast<int>(button), e.down);
+      io.AddMouseButtonEvent(static_cast<int>(button), press->down);
 #else
-                     pressed[button] = pressed[button] || e.down;
+      pressed[button] = pressed[button] || press->down;
 #endif
-                   },
-                   [&](const platform::Wheel& e) { turn_wheel(io, e); },
-                   [&](const platform::KeyPress& e) {
-                     modifiers_ = e.modifiers;
-                     ctrl = ctrl || e.modifiers.ctrl;
-                     feed_key(e, text_has_keyboard);
-                   },
-                   [&](const platform::TextInput& e) {
-                     if (ctrl) {
-                       late_text_ += e.utf8;
-                       return;
-                     }
-                     modifiers_.ctrl = false;  // text never comes with Ctrl: a stale one would make ImGui drop it
-                     io.AddInputCharactersUTF8(e.utf8.c_str());
-                   },
-                   [&](const platform::Focus& e) {
-                     if (e.focused) return;
-                     modifiers_ = {};
-                     down_ = {};
-                     held_ = {};
-                   },
-                   [&](const platform::Tick& e) { seconds += static_cast<float>(e.dt); },
-                   [](const auto&) {},
-               },
-               event);
+    } else if (const auto* const key = std::get_if<platform::KeyPress>(&event)) {
+      modifiers_ = key->modifiers;
+      ctrl = ctrl || key->modifiers.ctrl;
+      feed_key(*key, text_has_keyboard);
+    } else if (const auto* const text = std::get_if<platform::TextInput>(&event); text != nullptr && ctrl) {
+      late_text_ += text->utf8;
+    } else if (text != nullptr) {
+      modifiers_.ctrl = false;  // text never comes with Ctrl: a stale one would make ImGui drop it
+      io.AddInputCharactersUTF8(text->utf8.c_str());
+    } else if (const auto* const focus = std::get_if<platform::Focus>(&event); focus != nullptr && !focus->focused) {
+      modifiers_ = {};
+      down_ = {};
+      held_ = {};
+    }
   }
 #if IMGUI_VERSION_NUM < 18700
   for (std::size_t button = 0; button < down_.size(); ++button) io.MouseDown[button] = down_[button] || pressed[button];

@@ -14,7 +14,6 @@ class ImGuiInput {
   // Before NewFrame. Sets the display's size, the time step (the sum of the ticks), mouse, keys and text of the current
   // context. Tab goes to ImGui only while `text_has_keyboard`: elsewhere it is the program's.
   void feed(const platform::Events& events, int width, int height, bool text_has_keyboard);
-  platform::Modifiers modifiers() const { return modifiers_; }
 
  private:
   void feed_key(const platform::KeyPress& event, bool text_has_keyboard);

@@ -5,14 +5,6 @@
 #include <cmath>
 
 namespace coaster::ui {
-
-float fitted_scale(int width, int height, float ui_scale, float content_scale) {
-  constexpr float kRoomyWidth = 1000, kRoomyHeight = 560, kSmallest = 0.8f;  // 12 px text: still legible
-  const float fit =
-      std::min(static_cast<float>(width) / kRoomyWidth, static_cast<float>(height) / kRoomyHeight) / content_scale;
-  return ui_scale * content_scale * std::clamp(fit, kSmallest, 1.0f);
-}
-
 namespace {
 
 float strip_height(float height, float scale, float bar, float middle, bool open) {
@@ -23,6 +15,13 @@ float strip_height(float height, float scale, float bar, float middle, bool open
 }
 
 }  // namespace
+
+float fitted_scale(int width, int height, float ui_scale, float content_scale) {
+  constexpr float kRoomyWidth = 1000, kRoomyHeight = 560, kSmallest = 0.8f;  // 12 px text: still legible
+  const float fit =
+      std::min(static_cast<float>(width) / kRoomyWidth, static_cast<float>(height) / kRoomyHeight) / content_scale;
+  return ui_scale * content_scale * std::clamp(fit, kSmallest, 1.0f);
+}
 
 Layout make_layout(int width, int height, float scale, float bar, bool show_panels, bool open_strip) {
   constexpr float kLeft = 300, kRight = 320, kLargestPart = 0.59f;

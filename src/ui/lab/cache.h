@@ -25,10 +25,10 @@ struct JointList {
   std::vector<std::size_t> by_jump;  // indices of rows, largest curvature jump first
 };
 
-// Of one segment over its arc length.
+// Bends of one segment by arc length.
 struct BendStudy {
   std::vector<double> s, curvature, torsion;  // m, 1/m, 1/m (NaN where there is no Frenet frame)
-  std::vector<double> flips;                  // m, where the normal turns over
+  std::vector<double> flips;                  // m, where the normal flips
 };
 
 struct BasisStudy {
@@ -49,20 +49,18 @@ struct LengthRow {
   bool track_known = false;
   double track_length = 0, track_error = 0;  // m
 };
-struct LengthStudy {
-  std::vector<LengthRow> rows;
-};
-// Sums over the segments before `next`, by method.
+using LengthStudy = std::vector<LengthRow>;
+// Sums over the first `next` segments, by method.
 struct TrackLengths {
   std::vector<double> lengths, errors;  // m
   std::size_t next = 0;
 };
 
-// The whole ride of the first cart, one value for each of the ghost's forces.
+// The whole simulated ride of one cart; one value for each of its forces.
 inline constexpr int kForceQuantities = 5;
 struct ForceStudy {
-  std::vector<double> way, time;                                     // m, s since the start
-  std::array<std::vector<double>, kForceQuantities> values, beyond;  // g, m/s, m; `beyond`: NaN but in red spans
+  std::vector<double> distance, time;                                // m, s since the start
+  std::array<std::vector<double>, kForceQuantities> values, beyond;  // g, m/s, m; `beyond`: NaN outside red spans
   sim::Ratings ratings;
   std::vector<sim::RedSpan> red;
 };
@@ -70,14 +68,14 @@ struct ForceStudy {
 struct LabCache {
   int degree = 3;  // of the basis shown
   base::Kept<int, BasisStudy> basis;
-  int compared = -1;  // row of the evaluator drawn beside the chosen one; -1: none
+  int compared = -1;  // row of the evaluator to compare with; -1: none
   // By the segment's build, evaluator and steps.
   base::Kept<std::tuple<std::uint64_t, int, int>, ErrorStudy> error, other_error;
   base::Kept<std::tuple<std::uint64_t, int>, LengthStudy> lengths;  // by the segment's build, and steps
   base::Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, int>, TrackLengths>
       track_lengths;  // by the last build, order and steps
   bool lengths_of_track = false;
-  bool show_times = true;
+  bool show_errors = false;  // else times, where there is no room for both
   std::string csv = "measurements.csv";
 
   // By the last build, the order of the segments and whether the track is closed.
@@ -94,9 +92,5 @@ struct LabCache {
   int red_chosen = -1;
   std::string advice;
 };
-
-// Returns the study of the Lengths page: of the probe's segment, and of the track as far as it is done. Each frame adds
-// a slice.
-const LengthStudy& kept_lengths(Ui& ui, const Probe& probe);
 
 }  // namespace coaster::ui

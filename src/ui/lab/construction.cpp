@@ -1,10 +1,7 @@
 // Construction: de Casteljau's triangle at the probe, as a picture in the plane of the control points and as numbers.
-#include <imgui.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "curve/bernstein.h"

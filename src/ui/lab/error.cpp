@@ -1,8 +1,5 @@
 // Error: rounding error of the selected evaluator along the segment, with its bound and a second evaluator.
-#include <imgui.h>
-
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "edit/commands/commands_settings.h"
@@ -47,25 +44,16 @@ void error_plot(Ui& ui, const Probe& probe, const ErrorStudy& one, const ErrorSt
   series.push_back({std::string(base::row_of(settings.evaluation->evaluator).label), one.t, one.mm, row_colour(0),
                     SeriesKind::line, 1.6f});
   const Level bound{"bound", one.bound, row_colour(3)};
-  const auto drag = plot(ui, "Error plot",
-                         {.x = {"t", "", AxisScale::linear, 0, 1},
-                          .y = {"error", "mm", AxisScale::logarithmic},
-                          .series = series,
-                          .levels = {&bound, 1},
-                          .cursor = probe.t,
-                          .height = height},
-                         "Distance of each vertex from the exact point at the same t (de Casteljau in long double): "
-                         "float rounding only. An error of 0 lies on the lower edge. The dashed line is the method's "
-                         "error bound. Drag the cursor to move the probe.");
-  if (drag) move_probe(ui, probe, drag->x);
-}
-
-void comparison(Ui& ui) {
-  std::vector<Choice> choices = choices_of<EvaluatorId>();
-  choices.insert(choices.begin(), {"nothing", "No comparison."});
-  if (const auto to =
-          combo(ui, "Compare with###Beside", choices, ui.lab.compared + 1, "A second evaluator for comparison.", true))
-    ui.lab.compared = *to - 1;
+  plot_over_t(
+      ui, probe, "Error plot",
+      {.x = {},
+       .y = {"error", "mm", AxisScale::logarithmic},
+       .series = series,
+       .levels = {&bound, 1},
+       .height = height},
+      "Distance of each vertex from the exact point at the same t (de Casteljau in long double): float rounding "
+      "only. An error of 0 lies on the lower edge. The dashed line is the method's error bound. Drag the cursor "
+      "to move the probe.");
 }
 
 void side(Ui& ui, const ErrorStudy& one) {
@@ -74,7 +62,11 @@ void side(Ui& ui, const ErrorStudy& one) {
       slider(ui, "Steps", settings.evaluation->steps, curve::kMinSteps, curve::kMaxSteps, true,
              "Steps per segment, 1 to 4096. With forward differences, more steps mean more rounding error.");
   if (steps) ui.emit(edit::Set<&world::Evaluation::steps>{*steps});
-  comparison(ui);
+  std::vector<Choice> choices = choices_of<EvaluatorId>();
+  choices.insert(choices.begin(), {"nothing", "No comparison."});
+  if (const auto to =
+          combo(ui, "Compare with###Beside", choices, ui.lab.compared + 1, "A second evaluator for comparison.", true))
+    ui.lab.compared = *to - 1;
   layer_box(ui, world::Layer::rounding);
   const Number magnification{.value = settings.lab->magnification,
                              .unit = "\u00D7",

@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
 #include "sim/study/ratings.h"
@@ -23,7 +25,7 @@ constexpr sim::ForceAxis kAxesOf[][2] = {{sim::ForceAxis::down, sim::ForceAxis::
                                          {sim::ForceAxis::side, sim::ForceAxis::side},
                                          {sim::ForceAxis::forward, sim::ForceAxis::back}};
 
-// The middle car's, one value for each of the ghost's forces.
+// A quantity for the middle car at one of the ghost's forces.
 double value_at(const sim::Ghost& ghost, const sim::RailTables& tables, std::size_t entry, int quantity,
                 std::size_t& hint) {
   const auto cars = static_cast<std::size_t>(ghost.start.cars);
@@ -50,7 +52,7 @@ ForceStudy study_of(const edit::Findings& found) {
   const std::size_t entries = ghost.forces.size() / static_cast<std::size_t>(ghost.start.cars);
   std::size_t hint = 0;
   for (std::size_t k = 0; k < entries; ++k) {
-    study.way.push_back(ghost.samples[k * sim::kForceEvery].travelled);
+    study.distance.push_back(ghost.samples[k * sim::kForceEvery].travelled);
     study.time.push_back(static_cast<double>(k * sim::kForceEvery) * world::kTick);
   }
   for (int quantity = 0; quantity < kForceQuantities; ++quantity) {
@@ -68,24 +70,24 @@ ForceStudy study_of(const edit::Findings& found) {
   return study;
 }
 
-// How far that cart is into the ghost's ride, m and s; nothing when the ghost does not come by.
+// Distance and time (m, s) of that cart in the ghost's ride; nothing if the ghost does not reach it.
 struct Cursor {
-  double way = 0, time = 0;
+  double distance = 0, time = 0;
 };
 std::optional<Cursor> cursor_of(const edit::Session& session, const sim::Ghost& ghost, const ForceStudy& study) {
   const world::CartMotion* const cart = session.motion.carts.find(edit::chosen_cart(session));
-  if (!cart || study.way.empty()) return std::nullopt;
-  const double way = sim::within_lap(cart->track_distance - ghost.start.front, ghost.track_length, ghost.closed);
-  const auto at = std::lower_bound(study.way.begin(), study.way.end(), way);
-  if (at == study.way.end()) return std::nullopt;
-  return Cursor{way, study.time[static_cast<std::size_t>(at - study.way.begin())]};
+  if (!cart || study.distance.empty()) return std::nullopt;
+  const double distance = sim::within_lap(cart->track_distance - ghost.start.front, ghost.track_length, ghost.closed);
+  const auto at = std::lower_bound(study.distance.begin(), study.distance.end(), distance);
+  if (at == study.distance.end()) return std::nullopt;
+  return Cursor{distance, study.time[static_cast<std::size_t>(at - study.distance.begin())]};
 }
 
 void seek_to(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study, double x) {
   if (ui.lab.forces_over_time) {
     const auto at = std::lower_bound(study.time.begin(), study.time.end(), x);
     if (at == study.time.end()) return;
-    x = study.way[static_cast<std::size_t>(at - study.time.begin())];
+    x = study.distance[static_cast<std::size_t>(at - study.time.begin())];
   }
   ui.emit(edit::RideSeek{ghost.start.front + x});
 }
@@ -94,7 +96,7 @@ void force_plot(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study, int qu
                 float height) {
   const bool over_time = ui.lab.forces_over_time;
   const auto which = static_cast<std::size_t>(quantity);
-  const std::vector<double>& x = over_time ? study.time : study.way;
+  const std::vector<double>& x = over_time ? study.time : study.distance;
   const Series series[] = {
       {"", x, study.values[which], row_colour(which), SeriesKind::line, 1.8f},
       {quantity <= 2 ? "over the limit" : "", x, study.beyond[which], kBadColour, SeriesKind::line, 3.0f}};
@@ -105,7 +107,7 @@ void force_plot(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study, int qu
                .empty = "no ride",
                .width = width,
                .height = height};
-  if (cursor) picture.cursor = over_time ? cursor->time : cursor->way;
+  if (cursor) picture.cursor = over_time ? cursor->time : cursor->distance;
   if (const auto drag = plot(ui, label, picture,
                              "The whole ride over the current track, for riders of the middle car. Drag to move the "
                              "train. Red: overload."))
@@ -119,11 +121,8 @@ void side(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study) {
     ui.lab.force_plots[0] = *to;
   if (const auto to = combo(ui, "Right", choices, ui.lab.force_plots[1], "Quantity of the right plot."))
     ui.lab.force_plots[1] = *to;
-  if (radio(ui, "By distance###Over way", !ui.lab.forces_over_time, "Plot by distance along the track."))
-    ui.lab.forces_over_time = false;
-  ImGui::SameLine();
-  if (radio(ui, "By time###Over time", ui.lab.forces_over_time, "Plot by time since the start."))
-    ui.lab.forces_over_time = true;
+  choose_side(ui, ui.lab.forces_over_time, {"By distance###Over way", "Plot by distance along the track."},
+              {"By time###Over time", "Plot by time since the start."});
   if (button(ui, "Auto-bank", "Bank every knot so that riders feel no lateral g there. One undo step."))
     ui.emit(edit::AutoBank{});
   (void)beside_last(ui, base::row_of(world::Layer::limits).label);
@@ -132,14 +131,14 @@ void side(Ui& ui, const sim::Ghost& ghost, const ForceStudy& study) {
   const sim::Ratings& r = study.ratings;
   read_out(ui, ghost.lap ? "Lap time" : "Ride time", fixed(r.seconds, 2), "s", "Time of the whole simulated ride.");
   read_out(ui, "Top speed", fixed(r.top_speed.value, 2), "m/s", "Highest speed of the ride.");
-  read_out(ui, "Vertical", fixed(r.up_least.value, 2) + " .. " + fixed(r.up_most.value, 2), "g",
+  read_out(ui, "Vertical", fmt::format("{} .. {}", fixed(r.up_least.value, 2), fixed(r.up_most.value, 2)), "g",
            "Smallest and largest, low-pass filtered at 5 Hz, all cars.");
   read_out(ui, "Lateral", fixed(r.side_most.value, 2), "g", "Largest to either side, low-pass filtered.");
   read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "Time with vertical g below 0.");
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
-  read_out(ui, "Excitement", fixed(r.excitement, 2), "", "After OpenRCT2's published rating terms, with real g.");
-  read_out(ui, "Intensity", fixed(r.intensity, 2), "", "After OpenRCT2's published rating terms, with real g.");
-  read_out(ui, "Nausea", fixed(r.nausea, 2), "", "After OpenRCT2's published rating terms, with real g.");
+  for (const auto& [label, value] :
+       {std::pair{"Excitement", r.excitement}, {"Intensity", r.intensity}, {"Nausea", r.nausea}})
+    read_out(ui, label, fixed(value, 2), "", "After OpenRCT2's published rating terms, with real g.");
 }
 
 constexpr TableColumn kRedColumns[] = {
@@ -150,18 +149,17 @@ constexpr TableColumn kRedColumns[] = {
 
 std::string advice_text(const edit::Session& session, const std::optional<sim::Advice>& advice) {
   if (!advice) return "Moving one nearby knot does not help.";
-  constexpr const char* kNames[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
     const float part = advice->direction[axis];
     if (part == 0) continue;
     const double less = advice->before > 0 ? 100 * (1 - advice->after / advice->before) : 0;
-    return "Move " + world::label_of(session.document, advice->knot) + " by " + (part > 0 ? "+" : "-") +
-           fixed(sim::kAdviceStep, 2) + " m in " + kNames[axis] + ": " + fixed(less, 0) + " % less.";
+    return fmt::format("Move {} by {}{} m in {}: {} % less.", world::label_of(session.document, advice->knot),
+                       part > 0 ? "+" : "-", fixed(sim::kAdviceStep, 2), "xyz"[axis], fixed(less, 0));
   }
   return {};
 }
 
-// `brief`: in little room, where a span begins and the force by its short name.
+// `brief`: shows only where a span begins, and the short name of its force.
 void red_table(Ui& ui, const ForceStudy& study, float height, bool brief) {
   const edit::Session& session = ui.session();
   if (ui.lab.red_chosen < static_cast<int>(study.red.size())) {
@@ -178,11 +176,12 @@ void red_table(Ui& ui, const ForceStudy& study, float height, bool brief) {
   for (std::size_t i = 0; i < study.red.size(); ++i) {
     const sim::RedSpan& span = study.red[i];
     const Cell cells[] = {
-        {fixed(span.from_distance, 1) + (brief ? "" : ".." + fixed(span.to_distance, 1))},
+        {brief ? fixed(span.from_distance, 1)
+               : fmt::format("{}..{}", fixed(span.from_distance, 1), fixed(span.to_distance, 1))},
         {std::string(brief ? base::name_of(span.axis) : base::row_of(span.axis).label), kPlainColour, true},
         {fixed(span.worst, 2), kBadColour},
         {fixed(span.allowed, 2)}};
-    if (!table_row(ui, "Span " + std::to_string(i + 1), cells, ui.lab.red_chosen == static_cast<int>(i),
+    if (!table_row(ui, fmt::format("Span {}", i + 1), cells, ui.lab.red_chosen == static_cast<int>(i),
                    fixed(span.worst, 2), "Click to move the train there."))
       continue;
     ui.lab.red_chosen = static_cast<int>(i);
@@ -198,10 +197,7 @@ void forces_page(Ui& ui) {
   if (!need_probe(ui)) return;
   const edit::Session& session = ui.session();
   const sim::Ghost* const ghost = ui.find(edit::Want::ride).ride;
-  if (!ghost) {
-    small_note("No cart: add one in the Track panel.");
-    return;
-  }
+  if (!ghost) return small_note("No cart: add one in the Track panel.");
   const ForceStudy& study = ui.lab.forces.get({ghost->serial, session.limits.serial}, [&] {
     return study_of(ui.find(edit::Want::ratings | edit::Want::overloads));
   });
@@ -211,7 +207,7 @@ void forces_page(Ui& ui) {
   const int parts = room <= 340 * ui.scale ? 1 : study.red.empty() || room <= 560 * ui.scale ? 2 : 3;
   const float width = std::floor((room - gap * static_cast<float>(parts - 1)) / static_cast<float>(parts));
   force_plot(ui, *ghost, study, ui.lab.force_plots[0], "Left plot", width, height);
-  if (parts > (study.red.empty() ? 1 : 2)) {  // where there is little room the table takes the second plot's place
+  if (parts > (study.red.empty() ? 1 : 2)) {  // else the table takes the place of the second plot
     ImGui::SameLine(0, gap);
     force_plot(ui, *ghost, study, ui.lab.force_plots[1], "Right plot", width, height);
   }

@@ -1,19 +1,17 @@
 // Frames: orientation of carts along the track, curvature and torsion of the segment, and where Frenet-Serret fails.
-#include <imgui.h>
-
-#include <cmath>
 #include <limits>
 #include <string>
 
-#include "edit/commands/commands_settings.h"
+#include <fmt/format.h>
+
+#include "base/portable_math.h"
 #include "sim/shape/frame_methods.h"
+#include "ui/context/setting_rows.h"
 #include "ui/lab/cache.h"
 #include "world/layers.h"
 
 namespace coaster::ui {
 namespace {
-
-constexpr double kDegrees = 180 / 3.14159265358979323846;
 
 BendStudy bend_study(const sim::SegmentShape& shape, world::Entity segment) {
   constexpr int kSamples = 192;
@@ -25,9 +23,8 @@ BendStudy bend_study(const sim::SegmentShape& shape, world::Entity segment) {
     study.curvature.push_back(curve::curvature(shape.key.cubic, t));
     study.torsion.push_back(frame ? frame->torsion : std::numeric_limits<double>::quiet_NaN());
   }
-  for (const sim::FrenetBreak& at : sim::frenet_breaks(shape, segment)) {
+  for (const sim::FrenetBreak& at : sim::frenet_breaks(shape, segment))
     if (at.kind == sim::FrenetBreak::Kind::flip && at.t > 0) study.flips.push_back(shape.arc.distance(at.t));
-  }
   return study;
 }
 
@@ -56,17 +53,11 @@ void bend_plot(Ui& ui, const Probe& probe, const BendStudy& study, bool torsion,
   if (drag) move_probe(ui, probe, probe.shape->arc.parameter(drag->x));
 }
 
-void frame_choice(Ui& ui) {
-  const world::FrameMethod current = ui.session().settings.frames;
-  if (const auto to =
-          combo_of(ui, "Frame method###Turned by", current,
-                   "Orients carts and the ride camera along the track. " + std::string(base::row_of(current).formula)))
-    ui.emit(edit::Set<&world::Settings::frames>{*to});
-}
-
 void side(Ui& ui, const Probe& probe) {
   const sim::Derived& derived = ui.session().derived;
-  frame_choice(ui);
+  const auto formula = base::row_of(ui.session().settings.frames).formula;
+  setting_list<&world::Settings::frames>(ui, "Frame method###Turned by",
+                                         fmt::format("Orients carts and the ride camera along the track. {}", formula));
   bool alone = false;
   for (const world::Layer layer :
        {world::Layer::frames, world::Layer::flips, world::Layer::comb, world::Layer::circle}) {
@@ -78,7 +69,7 @@ void side(Ui& ui, const Probe& probe) {
   const auto frame = curve::frenet(probe.shape->key.cubic, probe.t);
   read_out(ui, "Torsion", frame ? fixed(frame->torsion, 5) : "--", "1/m",
            "Torsion at the probe. Undefined where curvature is 0.");
-  const double left_over = sim::loop_twist(derived) * kDegrees;
+  const double left_over = base::degrees(sim::loop_twist(derived));
   read_out(ui, "Closing twist###Twist left over", derived.closed ? fixed(left_over, 2) : "--", "\u00B0",
            "Rotation of a rotation-minimising frame after one lap of a closed track. It is distributed linearly in arc "
            "length.");
@@ -99,12 +90,9 @@ void frames_page(Ui& ui) {
       ui.lab.bend.get(probe->shape->shape_build, [&] { return bend_study(*probe->shape, probe->segment); });
   Page page(ui, 240);
   side(ui, *probe);
-  const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);
-  const bool beside = room > 380 * ui.scale;
-  const float width = beside ? std::floor((room - gap) / 2) : room;
-  bend_plot(ui, *probe, study, false, width, height);
-  if (beside) ImGui::SameLine(0, gap);
-  bend_plot(ui, *probe, study, true, width, height);
+  two_pictures(
+      ui, page, [&](float width, float height) { bend_plot(ui, *probe, study, false, width, height); },
+      [&](float width, float height) { bend_plot(ui, *probe, study, true, width, height); });
 }
 
 }  // namespace coaster::ui

@@ -1,8 +1,5 @@
 // Hodograph: the derivative B'(t) as a curve, and its length by t.
-#include <imgui.h>
-
 #include <array>
-#include <string>
 
 #include "ui/lab/page_parts.h"
 #include "ui/lab/shapes.h"
@@ -61,18 +58,15 @@ void size_plot(Ui& ui, const Probe& probe, const Derivative& d, float width, flo
   const Series series[] = {{"", d.t, d.size, kCurveColour, SeriesKind::line, 2.0f}};
   const Spot spots[] = {{probe.t, glm::length(curve::derivative(probe.shape->key.cubic, probe.t)), kPointColour, ""}};
   const Level mean{"mean", probe.shape->arc.length(), kConstructionColour};
-  const auto drag =
-      plot(ui, "Speed plot",
-           {.x = {"t", "", AxisScale::linear, 0, 1},
-            .y = {"|B'(t)|", "m", AxisScale::linear, 0, {}},
-            .series = series,
-            .levels = {&mean, 1},
-            .spots = spots,
-            .cursor = probe.t,
-            .width = width,
-            .height = height},
-           "Parametric speed |B'(t)|. Its mean over t is the arc length. Drag the cursor to move the probe.");
-  if (drag) move_probe(ui, probe, drag->x);
+  plot_over_t(ui, probe, "Speed plot",
+              {.x = {},
+               .y = {"|B'(t)|", "m", AxisScale::linear, 0, {}},
+               .series = series,
+               .levels = {&mean, 1},
+               .spots = spots,
+               .width = width,
+               .height = height},
+              "Parametric speed |B'(t)|. Its mean over t is the arc length. Drag the cursor to move the probe.");
 }
 
 }  // namespace
@@ -91,12 +85,9 @@ void hodograph_page(Ui& ui) {
   read_out(ui, "|B'(t)|", fixed(glm::length(b), 3), "m", "Metres of track per unit of t at the probe.");
   read_out(ui, "Curvature", fixed(curve::curvature(probe->shape->key.cubic, probe->t), 5), "1/m",
            "|B' \u00D7 B''| / |B'|\u00B3.");
-  const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);
-  const bool beside = room > 380 * ui.scale;
-  const float width = beside ? std::floor((room - gap) / 2) : room;
-  shape_plot(ui, *probe, d, width, height);
-  if (beside) ImGui::SameLine(0, gap);
-  size_plot(ui, *probe, d, width, height);
+  two_pictures(
+      ui, page, [&](float width, float height) { shape_plot(ui, *probe, d, width, height); },
+      [&](float width, float height) { size_plot(ui, *probe, d, width, height); });
 }
 
 }  // namespace coaster::ui

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
+#include <fmt/format.h>
+
+#include "base/portable_math.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_settings.h"
 #include "sim/study/live_errata.h"
@@ -29,29 +33,17 @@ std::vector<JointRow> joints_of(const edit::Session& session) {
   return rows;
 }
 
-std::vector<std::size_t> by_jump(const std::vector<JointRow>& rows) {
-  std::vector<std::size_t> order(rows.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return rows[a].joint.curvature_jump > rows[b].joint.curvature_jump;
-  });
-  return order;
-}
-
 const JointList& kept_joints(Ui& ui) {
   const sim::Derived& derived = ui.session().derived;
   return ui.lab.joints.get({derived.last_build, derived.order, derived.closed}, [&] {
-    JointList list;
-    list.rows = joints_of(ui.session());
-    list.by_jump = by_jump(list.rows);
+    JointList list{joints_of(ui.session()), {}};
+    list.by_jump.resize(list.rows.size());
+    std::iota(list.by_jump.begin(), list.by_jump.end(), std::size_t{0});
+    std::stable_sort(list.by_jump.begin(), list.by_jump.end(), [&](std::size_t a, std::size_t b) {
+      return list.rows[a].joint.curvature_jump > list.rows[b].joint.curvature_jump;
+    });
     return list;
   });
-}
-
-double present_speed(Ui& ui) {
-  const auto value = value_of(ui, "ride.speed");
-  const double* speed = value ? std::get_if<double>(&*value) : nullptr;
-  return speed != nullptr ? std::abs(*speed) : 0;
 }
 
 constexpr TableColumn kJointColumns[] = {
@@ -76,10 +68,10 @@ void row_of(Ui& ui, const JointRow& row, double speed) {
   const std::uint32_t step_tint = step > 1 ? kBadColour : step > 0.3 ? kPolygonColour : kPlainColour;
   const std::string geometric(base::name_of(row.joint.geometric)), parametric(base::name_of(row.joint.parametric));
   const Cell cells[] = {{name, kPlainColour, true},        {geometric, tint, true},
-                        {parametric, kPlainColour, true},  {fixed(row.joint.angle * 180 / 3.14159265358979, 3)},
+                        {parametric, kPlainColour, true},  {fixed(base::degrees(row.joint.angle), 3)},
                         {fixed(row.joint.speed_ratio, 3)}, {fixed(row.joint.curvature_jump, 5)},
                         {fixed(step, 2), step_tint}};
-  if (table_row(ui, "Joint " + name, cells, selected, geometric + " " + parametric + " " + fixed(step, 2) + " g",
+  if (table_row(ui, "Joint " + name, cells, selected, fmt::format("{} {} {} g", geometric, parametric, fixed(step, 2)),
                 "Click to select the knot.") &&
       !selected)
     ui.emit(edit::Select{{row.name}});
@@ -108,25 +100,19 @@ void side(Ui& ui, const JointList& list, double speed) {
   read_out(ui, "Speed", fixed(speed, 2), "m/s", "Current speed of the first cart. The g-steps use it.");
   read_out(ui, "Largest g-step", fixed(sim::g_step(largest, speed), 2), "g",
            "Largest g-step of the track at this speed.");
-  if (radio(ui, "Track order", !ui.lab.joints_by_jump, "List the joints in track order."))
-    ui.lab.joints_by_jump = false;
-  ImGui::SameLine();
-  if (radio(ui, "Largest first###Hardest first", ui.lab.joints_by_jump, "List the joints by g-step, largest first."))
-    ui.lab.joints_by_jump = true;
+  choose_side(ui, ui.lab.joints_by_jump, {"Track order", "List the joints in track order."},
+              {"Largest first###Hardest first", "List the joints by g-step, largest first."});
 }
 
 }  // namespace
 
 void joints_page(Ui& ui) {
   const JointList& list = kept_joints(ui);
-  const double speed = present_speed(ui);
+  const double speed = std::abs(number_of(ui, "ride.speed").value_or(0));
   Page page(ui, 230);
   side(ui, list, speed);
   const float height = page.pictures();
-  if (list.rows.empty()) {
-    small_note("No joints yet. A joint connects two segments.");
-    return;
-  }
+  if (list.rows.empty()) return small_note("No joints yet. A joint connects two segments.");
   if (!begin_table(ui, "Joints table", kJointColumns, height)) return;
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(list.rows.size()));

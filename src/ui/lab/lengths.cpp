@@ -2,9 +2,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "edit/commands/commands_settings.h"
 #include "ui/lab/cache.h"
@@ -16,7 +19,86 @@ namespace coaster::ui {
 namespace {
 
 using curve::ArcLengthMethod;
-using curve::LengthControl;
+using curve::Cubic;
+using curve::LengthDemand;
+
+LengthDemand demand_of(const ArcLengthMethod& method, int steps) { return {steps, method.usual_tolerance}; }
+
+// Seconds of one measurement: the median of three batches, each of as many as fill 50 us, at most 64.
+double seconds_of(const ArcLengthMethod& method, const Cubic& cubic, const LengthDemand& demand,
+                  const sim::Clock& clock) {
+  if (!clock) return 0;
+  std::array<double, 3> batches{};
+  volatile double sink = 0;  // so that no measurement can be left out
+  for (double& batch : batches) {
+    const double began = clock();
+    int runs = 0;
+    double spent = 0;
+    do {
+      sink = sink + method.measure(cubic, demand).length;
+      ++runs;
+      spent = clock() - began;
+    } while (spent < 50e-6 && runs < 64);
+    batch = spent / runs;
+  }
+  std::sort(batches.begin(), batches.end());
+  return batches[1];
+}
+
+LengthStudy study_of(const Cubic& cubic, int steps, const sim::Clock& clock) {
+  const LengthDemand demand{steps, 1e-12};
+  LengthStudy study;
+  for (const curve::LengthComparison& one : curve::compare_lengths(cubic, demand)) {
+    const ArcLengthMethod& method = base::row_of(one.method);
+    study.push_back(
+        {one.length, one.error, one.evaluations, seconds_of(method, cubic, demand_of(method, steps), clock) * 1e6});
+  }
+  for (const curve::Convergence& one : curve::convergence(cubic)) {
+    LengthRow& row = study[static_cast<std::size_t>(one.method)];
+    for (const curve::ConvergencePoint& point : one.points) {
+      row.work.push_back(static_cast<double>(point.evaluations));
+      row.relative_error.push_back(point.relative_error);
+    }
+  }
+  return study;
+}
+
+// Adds some segments to the sums; done when all are in.
+void advance(TrackLengths& track, const sim::Derived& derived, int steps) {
+  constexpr std::size_t kSegmentsAFrame = 32;
+  const std::size_t end = std::min(derived.order.size(), track.next + kSegmentsAFrame);
+  std::vector<Cubic> cubics;
+  for (; track.next < end; ++track.next) cubics.push_back(derived.shape(derived.order[track.next]).key.cubic);
+  track.lengths.resize(curve::arc_length_methods().size());
+  track.errors.resize(track.lengths.size());
+  for (const curve::LengthComparison& one : curve::compare_lengths(cubics, {steps, 1e-12})) {
+    track.lengths[static_cast<std::size_t>(one.method)] += one.length;
+    track.errors[static_cast<std::size_t>(one.method)] += one.error;
+  }
+}
+
+// The study of the probe's segment and of the whole track. Each call adds some segments of the track; its numbers are
+// known after the last one.
+const LengthStudy& kept_lengths(Ui& ui, const Probe& probe) {
+  const edit::Session& session = ui.session();
+  const sim::Derived& derived = session.derived;
+  const int steps = session.settings.evaluation->steps;
+  LabCache& lab = ui.lab;
+  (void)lab.lengths.get({probe.shape->shape_build, steps}, [&] {
+    return study_of(probe.shape->key.cubic, steps, ui.state.scripted ? sim::Clock{} : session.measuring.clock);
+  });
+  (void)lab.track_lengths.get({derived.last_build, derived.order, steps}, [] { return TrackLengths{}; });
+  TrackLengths& track = lab.track_lengths.value;
+  if (track.next < derived.order.size()) advance(track, derived, steps);
+  const bool known = track.next == derived.order.size();
+  for (std::size_t i = 0; i < lab.lengths.value.size(); ++i) {
+    LengthRow& row = lab.lengths.value[i];
+    row.track_known = known;
+    row.track_length = track.lengths[i];
+    row.track_error = track.errors[i];
+  }
+  return lab.lengths.value;
+}
 
 constexpr TableColumn kMethod{
     "Method", "", 3.3f,
@@ -52,7 +134,7 @@ void row_of(Ui& ui, std::size_t i, const LengthRow& row, bool segment, bool trac
   }
   const bool chosen = static_cast<std::size_t>(settings.evaluation->arc_length) == i;
   const std::string value = fixed(row.length, 6) + " m";
-  if (table_row(ui, "Length by " + std::string(method.label), cells, chosen, value, method.formula) && !chosen)
+  if (table_row(ui, fmt::format("Length by {}", method.label), cells, chosen, value, method.formula) && !chosen)
     ui.emit(edit::Set<&world::Evaluation::arc_length>{static_cast<curve::ArcLengthId>(i)});
 }
 
@@ -62,27 +144,24 @@ void lengths_table(Ui& ui, const LengthStudy& study, bool segment, bool track, f
   if (track) columns.insert(columns.end(), std::begin(kOfTrack), std::end(kOfTrack));
   ImGui::BeginChild("##lengths", {width, height}, false, ImGuiWindowFlags_NoNav);
   if (begin_table(ui, "Lengths table", columns, height)) {
-    for (std::size_t i = 0; i < study.rows.size(); ++i) row_of(ui, i, study.rows[i], segment, track);
+    for (std::size_t i = 0; i < study.size(); ++i) row_of(ui, i, study[i], segment, track);
     end_table();
   }
   ImGui::EndChild();
 }
 
-// What the table speaks of, where it has not room for both.
+// Chooses what the table lists where it has no room for both.
 void choose_columns(Ui& ui) {
   ImGui::PushFont(small_font());
-  if (radio(ui, "Segment", !ui.lab.lengths_of_track, "List the segment's length by every method."))
-    ui.lab.lengths_of_track = false;
-  ImGui::SameLine();
-  if (radio(ui, "Track", ui.lab.lengths_of_track, "List the track's length by every method."))
-    ui.lab.lengths_of_track = true;
+  choose_side(ui, ui.lab.lengths_of_track, {"Segment", "List the segment's length by every method."},
+              {"Track", "List the track's length by every method."});
   ImGui::PopFont();
 }
 
 void convergence_plot(Ui& ui, const LengthStudy& study, float width, float height) {
   std::vector<Series> series;
-  for (std::size_t i = 0; i < study.rows.size(); ++i) {
-    const LengthRow& row = study.rows[i];
+  for (std::size_t i = 0; i < study.size(); ++i) {
+    const LengthRow& row = study[i];
     series.push_back({"", row.work, row.relative_error, row_colour(i),
                       row.work.size() > 1 ? SeriesKind::line_and_points : SeriesKind::points, 1.4f});
   }

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "edit/commands/commands_lab.h"
 #include "ui/lab/cache.h"
 #include "ui/lab/table.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 #include "world/evaluation.h"
 
 namespace coaster::ui {
@@ -42,7 +40,6 @@ void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, f
   for (const sim::MeasuredRow& row : m.rows)
     for (const sim::MeasuredCell& cell : row.cells)
       if (cell.rounds > 0) all.add(value_of_cell(cell, time), AxisScale::logarithmic);
-  ImGui::BeginGroup();
   ImGui::BeginChild(time ? "##times" : "##errors", {width, height}, false, ImGuiWindowFlags_NoNav);
   if (begin_table(ui, time ? "Times" : "Errors", columns, height)) {
     for (const sim::MeasuredRow& row : m.rows) {
@@ -65,7 +62,6 @@ void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, f
     end_table();
   }
   ImGui::EndChild();
-  ImGui::EndGroup();
 }
 
 void progress_bar(Ui& ui, double part) {
@@ -104,24 +100,19 @@ void measurements_page(Ui& ui) {
   Page page(ui, 190);
   side(ui);
   const bool beside = page.pictures_width() > 620 * ui.scale;
-  if (!beside && !m.rows.empty()) {
-    if (radio(ui, "Time", ui.lab.show_times, "Show nanoseconds per point.")) ui.lab.show_times = true;
-    ImGui::SameLine();
-    if (radio(ui, "Error", !ui.lab.show_times, "Show the largest error.")) ui.lab.show_times = false;
-  }
+  if (!beside && !m.rows.empty())
+    choose_side(ui, ui.lab.show_errors, {"Time", "Show nanoseconds per point."}, {"Error", "Show the largest error."});
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(14 * ui.scale);
-  if (m.rows.empty()) {
-    small_note(
+  if (m.rows.empty())
+    return small_note(
         "No measurements yet. Press Measure: every evaluator computes the curves of this track at 16 to 4096 steps per "
         "segment. The table shows nanoseconds per point and the largest error of each, on this machine.");
-    return;
-  }
   if (beside) {
     measured_table(ui, m, true, std::floor((room - gap) / 2), height);
     ImGui::SameLine(0, gap);
     measured_table(ui, m, false, std::floor((room - gap) / 2), height);
   } else {
-    measured_table(ui, m, ui.lab.show_times, room, height);
+    measured_table(ui, m, !ui.lab.show_errors, room, height);
   }
 }
 

@@ -8,10 +8,11 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_settings.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 #include "world/lab_view.h"
 #include "world/topology.h"
 
@@ -20,33 +21,33 @@ namespace {
 
 world::Entity segment_for(const edit::Session& session) {
   const world::Entity selected = session.settings.selected;
-  const world::Name* name = session.document.entities.find<world::Name>(selected);
-  if (name != nullptr && name->kind == world::Kind::segment) return selected;
-  if (name != nullptr && name->kind == world::Kind::knot) {
+  if (session.document.entities.find<world::Knot>(selected)) {
     const world::Neighbours at = world::neighbours(session.document, selected);
     return at.after.valid() ? at.after : at.before;
   }
-  if (name != nullptr && name->kind == world::Kind::cart)
-    if (const world::CartMotion* motion = session.motion.carts.find(selected)) return motion->segment;
-  return {};
+  const world::CartMotion* const cart = session.motion.carts.find(selected);
+  return cart ? cart->segment : selected;
+}
+
+// Right edges of three columns of figures.
+float column_edge(const Ui& ui, ImVec2 at, float room, int i) {
+  const float label = std::floor(44 * ui.scale);
+  return at.x + label + (room - label) * static_cast<float>(i + 1) / 3;
 }
 
 }  // namespace
 
-std::optional<Probe> probe_of(const edit::Session& session) {
-  const std::vector<world::Entity>& order = session.derived.order;
-  if (order.empty()) return std::nullopt;
-  const auto found = std::find(order.begin(), order.end(), segment_for(session));
-  const std::size_t index = found == order.end() ? 0 : static_cast<std::size_t>(found - order.begin());
-  const world::Entity segment = order[index];
-  const double t = session.settings.selected == segment ? session.settings.selected_t : 0.5;
-  return Probe{segment, world::name_of(session.document, segment), &session.derived.shape(segment), t, index};
-}
-
 std::optional<Probe> need_probe(Ui& ui) {
-  const auto probe = probe_of(ui.session());
-  if (!probe) paragraph(ui, "No segment", "No segment yet. Click on the ground to place two knots.", palette().dim);
-  return probe;
+  const edit::Session& session = ui.session();
+  const std::vector<world::Entity>& order = session.derived.order;
+  if (order.empty()) {
+    paragraph(ui, "No segment", "No segment yet. Click on the ground to place two knots.", palette().dim);
+    return std::nullopt;
+  }
+  const auto found = std::find(order.begin(), order.end(), segment_for(session));
+  const world::Entity segment = found == order.end() ? order.front() : *found;
+  const double t = session.settings.selected == segment ? session.settings.selected_t : 0.5;
+  return Probe{segment, world::name_of(session.document, segment), &session.derived.shape(segment), t};
 }
 
 void move_probe(Ui& ui, const Probe& probe, double t) { ui.emit(edit::Select{{probe.name}, std::clamp(t, 0.0, 1.0)}); }
@@ -58,12 +59,17 @@ void probe_slider(Ui& ui, const Probe& probe) {
   if (to) move_probe(ui, probe, *to);
 }
 
+void plot_over_t(Ui& ui, const Probe& probe, std::string_view label, Plot picture, std::string_view tooltip) {
+  picture.x = {"t", "", AxisScale::linear, 0, 1};
+  picture.cursor = probe.t;
+  if (const auto drag = plot(ui, label, picture, tooltip)) move_probe(ui, probe, drag->x);
+}
+
 Page::Page(const Ui& ui, float side) : scale_(ui.scale) {
-  constexpr float kLeast = 200, kGap = 14;  // design px
+  constexpr float kLeast = 200, kGap = 14, kRoomy = 210;  // design px
   const float room = ImGui::GetContentRegionAvail().x;
   stacked_ = room < (side + kLeast) * scale_;
   pictures_width_ = stacked_ ? room : room - std::floor(side * scale_) - std::floor(kGap * scale_);
-  constexpr float kRoomy = 210;  // design px
   compact_ = ImGui::GetContentRegionAvail().y < kRoomy * scale_;
   ImGui::BeginChild("##side", {stacked_ ? 0.0f : std::floor(side * scale_), 0}, false, ImGuiWindowFlags_NoNav);
   if (!compact_) return;
@@ -102,13 +108,10 @@ void colour_value(Ui& ui, std::uint32_t rgb, std::string_view path, std::string_
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(),
-              mark = std::floor(10 * ui.scale);
-  const float y = std::floor(at.y + line * 0.5f);
+              mark = std::floor(10 * ui.scale), y = std::floor(at.y + line * 0.5f);
   list.AddRectFilled({at.x, y - 1.5f * ui.scale}, {at.x + mark, y + 1.5f * ui.scale}, packed(ink(rgb)));
-  list.AddText({at.x + mark + std::floor(6 * ui.scale), at.y}, packed(palette().dim), shown.data(),
-               shown.data() + shown.size());
-  list.AddText({std::floor(at.x + room - text_size(value).x), at.y}, packed(palette().text), value.data(),
-               value.data() + value.size());
+  draw_text(list, {at.x + mark + std::floor(6 * ui.scale), at.y}, palette().dim, shown);
+  draw_text(list, {at.x + room - text_size(value).x, at.y}, palette().text, value);
   ImGui::Dummy({room, line});
   note_item(ui, path, "label", tooltip, true, std::string(value));
   ImGui::PopFont();
@@ -122,25 +125,14 @@ void layer_box(Ui& ui, world::Layer layer) {
   ui.panel = panel;
 }
 
-namespace {
-
-// Right edges of three columns of figures.
-float column_edge(ImVec2 at, float room, float label, int i) {
-  return at.x + label + (room - label) * static_cast<float>(i + 1) / 3;
-}
-float triple_label(const Ui& ui) { return std::floor(44 * ui.scale); }
-
-}  // namespace
-
 void triple_heading(Ui& ui, std::string_view unit) {
   ImGui::PushFont(small_font());
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x;
   for (int i = 0; i < 3; ++i) {
-    const std::string words = std::string(1, "xyz"[i]) + (unit.empty() ? "" : " (" + std::string(unit) + ")");
-    ImGui::GetWindowDrawList()->AddText(
-        {std::floor(column_edge(at, room, triple_label(ui), i) - text_size(words).x), at.y}, packed(palette().dim),
-        words.c_str());
+    const std::string words = fmt::format("{} ({})", "xyz"[i], unit);
+    draw_text(*ImGui::GetWindowDrawList(), {column_edge(ui, at, room, i) - text_size(words).x, at.y}, palette().dim,
+              words);
   }
   ImGui::Dummy({room, ImGui::GetTextLineHeight()});
   ImGui::PopFont();
@@ -152,13 +144,12 @@ void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight();
-  list.AddText(at, packed(ink(rgb)), shown.data(), shown.data() + shown.size());
+  draw_text(list, at, ink(rgb), shown);
   std::string words;
   for (int i = 0; i < 3; ++i) {
     const std::string digits = fixed(value[i], decimals);
     words += (i > 0 ? " " : "") + digits;
-    list.AddText({std::floor(column_edge(at, room, triple_label(ui), i) - text_size(digits).x), at.y},
-                 packed(palette().text), digits.c_str());
+    draw_text(list, {column_edge(ui, at, room, i) - text_size(digits).x, at.y}, palette().text, digits);
   }
   if (!unit.empty()) words += " " + std::string(unit);
   ImGui::Dummy({room, line});
@@ -172,17 +163,19 @@ void small_note(std::string_view words) {
   ImGui::PopFont();
 }
 
-void colour_key(Ui& ui, std::uint32_t rgb, std::string_view label, std::string_view tooltip) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float line = ImGui::GetTextLineHeight(), mark = std::floor(10 * ui.scale);
-  const float y = std::floor(at.y + line * 0.5f);
-  ImGui::GetWindowDrawList()->AddRectFilled({at.x, y - mark * 0.3f}, {at.x + mark * 1.6f, y + mark * 0.3f},
-                                            packed(ink(rgb)), 2);
-  ImGui::Dummy({mark * 1.6f, line});
-  ImGui::SameLine(0, std::floor(6 * ui.scale));
-  const std::string_view words = shown(label);
-  ImGui::TextUnformatted(words.data(), words.data() + words.size());
-  note(ui, label, "label", tooltip, true, std::string(words), at, ImGui::GetItemRectMax());
+void choose_side(Ui& ui, bool& second, const Side& off, const Side& on) {
+  if (radio(ui, off.label, !second, off.tooltip)) second = false;
+  ImGui::SameLine();
+  if (radio(ui, on.label, second, on.tooltip)) second = true;
+}
+
+void two_pictures(Ui& ui, Page& page, const Picture& first, const Picture& second) {
+  const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);
+  const bool beside = room > 380 * ui.scale;
+  const float width = beside ? std::floor((room - gap) / 2) : room;
+  first(width, height);
+  if (beside) ImGui::SameLine(0, gap);
+  second(width, height);
 }
 
 std::uint32_t row_colour(std::size_t row) {

@@ -1,11 +1,9 @@
 // Shared parts of the laboratory's pages: the probe, the layout, cached studies and small widgets.
 #pragma once
 
-#include <memory>
+#include <functional>
 #include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "ui/context/ui.h"
 #include "ui/plots/plot.h"
@@ -19,15 +17,14 @@ struct Probe {
   world::Name name;
   const sim::SegmentShape* shape = nullptr;
   double t = 0.5;
-  std::size_t index = 0;  // into the track's order
 };
-std::optional<Probe> probe_of(const edit::Session& session);
-// The same. Without one, draws a line that says how to create a segment.
+// Without one, draws a line that says how to create a segment.
 std::optional<Probe> need_probe(Ui& ui);
 // Puts the probe at t, clamped to [0,1], by selecting the segment.
 void move_probe(Ui& ui, const Probe& probe, double t);
-// A slider over t, labelled "t".
+// A slider over t, labelled "t", and a plot over t, whose cursor is the probe.
 void probe_slider(Ui& ui, const Probe& probe);
+void plot_over_t(Ui& ui, const Probe& probe, std::string_view label, Plot picture, std::string_view tooltip);
 
 // A page in two parts: controls and numbers on the left, `side` design px wide, and pictures on the right; in a narrow
 // strip one below the other, in a low strip with small controls. Construct it before the first part and call pictures()
@@ -64,8 +61,17 @@ void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t
 
 // A line of small, dimmed text, wrapped.
 void small_note(std::string_view words);
-// A square of colour before the next text: the legend of what the view draws.
-void colour_key(Ui& ui, std::uint32_t colour, std::string_view label, std::string_view tooltip);
+
+// Two radio buttons beside each other: whether the second one is on.
+struct Side {
+  std::string_view label, tooltip;
+};
+void choose_side(Ui& ui, bool& second, const Side& off, const Side& on);
+
+// Two pictures beside each other, or where there is little room one below the other. Each is called with its width and
+// height, px.
+using Picture = std::function<void(float width, float height)>;
+void two_pictures(Ui& ui, Page& page, const Picture& first, const Picture& second);
 
 // Colours of the laboratory, the same in the view and in the plots.
 inline constexpr std::uint32_t kCurveColour = 0xFFFFFF, kPolygonColour = 0xF2B84B, kConstructionColour = 0x7FD1B9,

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -24,24 +25,28 @@ void draw_cell(const Ui& ui, const Cell& cell) {
     left += mark + std::floor(5 * ui.scale);
   }
   const float x = cell.left ? left : std::max(left, at.x + room - size.x);
-  list.AddText({std::floor(x), at.y}, packed(ink(cell.colour)), cell.text.c_str());
+  draw_text(list, {x, at.y}, ink(cell.colour), cell.text);
 }
 
 }  // namespace
 
-bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> columns, float height) {
+void push_table_style(const Ui& ui, float gap) {
   ImGui::PushFont(small_font());
-  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(std::floor(6 * ui.scale), std::floor(1.5f * ui.scale)));
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(std::floor(6 * ui.scale), std::floor(gap * ui.scale)));
   ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, colour(palette().raised));
   ImGui::PushStyleColor(ImGuiCol_TableRowBgAlt, colour(palette().raised, 0.35f));
-  const bool open = ImGui::BeginTable(
-      hidden(label).c_str(), static_cast<int>(columns.size()),
-      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX,
-      {0, height});
-  if (!open) {
-    ImGui::PopStyleColor(2);
-    ImGui::PopStyleVar();
-    ImGui::PopFont();
+}
+
+void pop_table_style() {
+  ImGui::PopStyleColor(2);
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+}
+
+bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> columns, float height) {
+  push_table_style(ui, 1.5f);
+  if (!ImGui::BeginTable(hidden(label).c_str(), static_cast<int>(columns.size()), kTableFlags, {0, height})) {
+    pop_table_style();
     return false;
   }
   for (const TableColumn& column : columns)
@@ -51,13 +56,13 @@ bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> co
   for (std::size_t i = 0; i < columns.size(); ++i) {
     ImGui::TableSetColumnIndex(static_cast<int>(i));
     const TableColumn& column = columns[i];
-    const std::string words =
-        std::string(shown(column.title)) + (column.unit.empty() ? "" : " (" + std::string(column.unit) + ")");
+    const std::string words = column.unit.empty() ? std::string(shown(column.title))
+                                                  : fmt::format("{} ({})", shown(column.title), column.unit);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;
     draw_cell(ui, {words, palette().dim, i == 0});
     ImGui::Dummy({room, ImGui::GetTextLineHeight()});
-    note(ui, std::string(label) + "/" + std::string(column.title), "label", column.tooltip, true, words, at,
+    note(ui, fmt::format("{}/{}", label, column.title), "label", column.tooltip, true, words, at,
          {at.x + room, at.y + ImGui::GetTextLineHeight()});
   }
   return true;
@@ -66,30 +71,25 @@ bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> co
 bool table_row(Ui& ui, std::string_view label, std::span<const Cell> cells, bool selected, std::string value,
                std::string_view tooltip) {
   ImGui::TableNextRow();
-  bool clicked = false;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (!ImGui::TableSetColumnIndex(static_cast<int>(i)) && i > 0) continue;
-    if (i == 0) {
-      const ImVec2 at = ImGui::GetCursorPos();
-      ImGui::PushStyleColor(ImGuiCol_Header, colour(palette().accent, 0.35f));
-      clicked = ImGui::Selectable(hidden(label).c_str(), selected, ImGuiSelectableFlags_SpanAllColumns);
-      ImGui::PopStyleColor();
-      // The row is found by its first cell: that is inside the clip rectangle of the column.
-      const ImVec2 low = ImGui::GetItemRectMin();
-      ImGui::SetCursorPos(at);
-      note(ui, label, "item", tooltip, true, std::move(value), low,
-           {ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight()});
-    }
-    draw_cell(ui, cells[i]);
-  }
+  ImGui::TableSetColumnIndex(0);
+  const ImVec2 at = ImGui::GetCursorPos();
+  ImGui::PushStyleColor(ImGuiCol_Header, colour(palette().accent, 0.35f));
+  const bool clicked = ImGui::Selectable(hidden(label).c_str(), selected, ImGuiSelectableFlags_SpanAllColumns);
+  ImGui::PopStyleColor();
+  // The row is found by its first cell: that is inside the clip rectangle of the column.
+  const ImVec2 low = ImGui::GetItemRectMin();
+  ImGui::SetCursorPos(at);
+  note(ui, label, "item", tooltip, true, std::move(value), low,
+       {ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight()});
+  draw_cell(ui, cells[0]);
+  for (std::size_t i = 1; i < cells.size(); ++i)
+    if (ImGui::TableSetColumnIndex(static_cast<int>(i))) draw_cell(ui, cells[i]);
   return clicked;
 }
 
 void end_table() {
   ImGui::EndTable();
-  ImGui::PopStyleColor(2);
-  ImGui::PopStyleVar();
-  ImGui::PopFont();
+  pop_table_style();
 }
 
 }  // namespace coaster::ui

@@ -1,6 +1,8 @@
 // Tables in the small font with fixed headings, units, and rows that scripts can read and click.
 #pragma once
 
+#include <imgui.h>
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -25,6 +27,12 @@ struct Cell {
   std::uint32_t ground = 0;  // 0xRRGGBB behind it; 0: none
   std::uint32_t swatch = 0;  // a square of colour before it: the colour of its curve; 0: none
 };
+
+// What every table is drawn with: the small font and `gap` design px above and below a row.
+inline constexpr ImGuiTableFlags kTableFlags =
+    ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX;
+void push_table_style(const Ui& ui, float gap);
+void pop_table_style();
 
 // Begins a table of `height` px with scrolling rows. Returns false if it is out of sight: do not call end_table() then.
 bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> columns, float height);

@@ -1,8 +1,7 @@
 // Weights: the Bernstein basis, and the weight of each control point at the probe.
-#include <imgui.h>
-
-#include <cmath>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "curve/bernstein.h"
 #include "ui/lab/cache.h"
@@ -12,10 +11,10 @@ namespace {
 
 constexpr int kLargestDegree = 8;
 
-std::string subscript(int digit) {
-  static constexpr const char* kDigits[] = {"\u2080", "\u2081", "\u2082", "\u2083", "\u2084",
-                                            "\u2085", "\u2086", "\u2087", "\u2088", "\u2089"};
-  return kDigits[digit];
+std::string subscript(std::size_t digit) {
+  std::string text = "\u2080";
+  text.back() = static_cast<char>(text.back() + static_cast<char>(digit));
+  return text;
 }
 
 BasisStudy basis_study(int degree) {
@@ -37,20 +36,13 @@ void weights_plot(Ui& ui, const Probe& probe, int degree, const std::vector<doub
   std::vector<Series> series;
   std::vector<Spot> spots;
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    series.push_back(
-        {"B" + subscript(static_cast<int>(i)), study.t, study.y[i], row_colour(i), SeriesKind::line, 2.0f});
+    series.push_back({"B" + subscript(i), study.t, study.y[i], row_colour(i), SeriesKind::line, 2.0f});
     spots.push_back({probe.t, weights[i], row_colour(i), ""});
   }
-  const auto drag = plot(
-      ui, "Weights plot",
-      {.x = {"t", "", AxisScale::linear, 0, 1},
-       .y = {"weight", "", AxisScale::linear, 0, 1},
-       .series = series,
-       .spots = spots,
-       .cursor = probe.t,
-       .height = height},
+  plot_over_t(
+      ui, probe, "Weights plot",
+      {.x = {}, .y = {"weight", "", AxisScale::linear, 0, 1}, .series = series, .spots = spots, .height = height},
       "B_i,n(t) = C(n,i) t^i (1-t)^(n-i): never negative, with sum 1 for every t. Drag the cursor to move the probe.");
-  if (drag) move_probe(ui, probe, drag->x);
 }
 
 }  // namespace
@@ -67,10 +59,10 @@ void weights_page(Ui& ui) {
                              "Degree of the basis, 1 to 8. The track's curves are cubic: n = 3."))
     ui.lab.degree = std::clamp(*to, 1, kLargestDegree);
   for (std::size_t i = 0; i < weights.size(); ++i)
-    colour_value(
-        ui, row_colour(i), "B" + std::to_string(i),
-        "B" + subscript(static_cast<int>(i)) + (degree == 3 ? " weighs p" + subscript(static_cast<int>(i)) : ""),
-        fixed(weights[i], 4), "C(n,i) t^i (1-t)^(n-i) at the probe: the weight of this control point in B(t).");
+    colour_value(ui, row_colour(i), fmt::format("B{}", i),
+                 fmt::format("B{}{}{}", subscript(i), degree == 3 ? " weighs p" : "", degree == 3 ? subscript(i) : ""),
+                 fixed(weights[i], 4),
+                 "C(n,i) t^i (1-t)^(n-i) at the probe: the weight of this control point in B(t).");
   weights_plot(ui, *probe, degree, weights, page.pictures());
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
 #include "query/challenge.h"
@@ -12,7 +14,6 @@
 #include "ui/tools/places.h"
 #include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -34,12 +35,12 @@ void rule_row(Ui& ui, const query::Rule& rule, const exchange::ChallengeRule& wo
   list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + indent, low.y}, packed(palette().text),
                words.text.c_str(), nullptr, room - indent + 1);
   const float y = beside ? low.y : low.y + size.y;
-  list.AddText({std::floor(low.x + room - value), y}, packed(finding.holds ? palette().good : palette().dim),
-               finding.found.c_str());
+  draw_text(list, {low.x + room - value, y}, finding.holds ? palette().good : palette().dim, finding.found);
   const float height = beside ? line : size.y + line;
   ImGui::Dummy({room, height});
-  note(ui, words.text, "label", words.expect + (finding.place ? " (at " + fixed(*finding.place, 1) + " m)" : ""), true,
-       (finding.holds ? "met " : "not met ") + finding.found, low, {low.x + room, low.y + height});
+  const std::string where = finding.place ? fmt::format(" (at {} m)", fixed(*finding.place, 1)) : "";
+  note(ui, words.text, "label", words.expect + where, true, (finding.holds ? "met " : "not met ") + finding.found, low,
+       {low.x + room, low.y + height});
 }
 
 void rules_of(Ui& ui, const std::vector<query::Rule>& rules, std::initializer_list<RuleList> lists) {
@@ -56,11 +57,10 @@ void medals(Ui& ui, const edit::ActiveChallenge& challenge, int best) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (int medal = 1; medal <= 3; ++medal) {
     const float left = low.x + third * static_cast<float>(medal - 1);
-    const std::string name(medal_title(medal));
-    const ImVec2 words = text_size(name);
+    const std::string_view name = medal_title(medal);
     draw_medal(list, {std::floor(left + (third - size) * 0.5f), low.y}, size, medal, best >= medal);
-    list.AddText({std::floor(left + (third - words.x) * 0.5f), low.y + size + 2 * ui.scale},
-                 packed(best >= medal ? palette().text : palette().dim), name.c_str());
+    draw_text(list, {left + (third - text_size(name).x) * 0.5f, low.y + size + 2 * ui.scale},
+              best >= medal ? palette().text : palette().dim, name);
   }
   const float height = size + ImGui::GetTextLineHeight() + std::floor(4 * ui.scale);
   ImGui::Dummy({room, height});
@@ -80,7 +80,7 @@ void medal_rules(Ui& ui, const std::vector<query::Rule>& rules) {
 void buttons(Ui& ui, const edit::ActiveChallenge& challenge) {
   const edit::Session& session = ui.session();
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x, half = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  const bool any = session.document.entities.pool<world::Cart>().size() > 0 && !session.document.track.segments.empty();
+  const bool any = rideable(session);
   const bool by_riding = challenge.file.judged != exchange::Judged::build;
   if (button(ui, "Ride###Ride it",
              by_riding ? "Start the ride. The challenge is judged at its end."
@@ -91,7 +91,7 @@ void buttons(Ui& ui, const edit::ActiveChallenge& challenge) {
   }
   ImGui::SameLine(0, gap);
   const int left = static_cast<int>(challenge.file.hints.size()) - challenge.hints;
-  if (button(ui, "Hint", left > 0 ? std::to_string(left) + " left." : "No more hints.", left > 0, half))
+  if (button(ui, "Hint", left > 0 ? fmt::format("{} left.", left) : "No more hints.", left > 0, half))
     ui.emit(edit::ShowHint{});
   if (button(ui, "Restart###Start over", "Reload the start track.", true, half))
     ui.want = {Want::Kind::challenge, challenge.path};
@@ -124,7 +124,7 @@ void challenge_panel(Ui& ui) {
       show_place(ui, *challenge.last.place);
   }
   for (int i = 0; i < challenge.hints; ++i)
-    paragraph(ui, "Hint " + std::to_string(i + 1), challenge.file.hints[static_cast<std::size_t>(i)], palette().text);
+    paragraph(ui, fmt::format("Hint {}", i + 1), challenge.file.hints[static_cast<std::size_t>(i)], palette().text);
   buttons(ui, challenge);
   if (button(ui, "All challenges", "Choose another challenge.", true, ImGui::GetContentRegionAvail().x))
     ui.want = {Want::Kind::challenges};

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_settings.h"
 #include "ui/context/rows.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 #include "world/aids.h"
 
 namespace coaster::ui {
@@ -44,12 +45,6 @@ void choices(Ui& ui) {
   }
 }
 
-// What a pixel of a drag changes.
-double step_of(const world::ElementParameter& p) {
-  const double range = p.high - p.low;
-  return range > 100 ? 0.1 : range > 20 ? 0.05 : 0.01;
-}
-
 void parameters(Ui& ui) {
   Element element = ui.session().settings.element;
   const world::ElementRow& row = base::row_of(element.kind);
@@ -61,10 +56,10 @@ void parameters(Ui& ui) {
   }
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
     const world::ElementParameter& p = row.parameters[i];
+    const double range = p.high - p.low, step = range > 100 ? 0.1 : range > 20 ? 0.05 : 0.01;
     const Number now{.value = element.values[i],
                      .unit = p.unit.data(),
-                     .decimals = 2,
-                     .step = step_of(p),
+                     .step = step,
                      .low = p.low,
                      .high = p.high,
                      .largest = 1e300};
@@ -74,11 +69,11 @@ void parameters(Ui& ui) {
 }
 
 void outcome(Ui& ui, const sim::ElementPlan& plan) {
-  read_query(ui, "Spans", "element.spans", {}, "Cubic Bézier spans, as few as stay within 1 cm of the ideal curve.",
+  read_query(ui, "Spans", "element.spans", "Cubic Bézier spans, as few as stay within 1 cm of the ideal curve.",
              {.decimals = 0});
-  read_query(ui, "Total length", "element.length", {}, "Length including the transition from the track's end.",
+  read_query(ui, "Total length", "element.length", "Length including the transition from the track's end.",
              {.decimals = 1});
-  read_query(ui, "Fit error", "element.error", {}, "Largest distance between the ideal curve and the spans.",
+  read_query(ui, "Fit error", "element.error", "Largest distance between the ideal curve and the spans.",
              {.decimals = 1, .unit = "mm", .factor = 1000});
   if (plan.lowest < 0)
     read_out(ui, "Below ground###In the ground", fixed(-plan.lowest, 1), "m",
@@ -100,12 +95,9 @@ void elements_panel(Ui& ui) {
   const bool possible = plan.refusal.empty();
   if (possible) outcome(ui, plan);
   else tinted(plan.refusal, palette().warning);
-  if (button(ui, "Place",
-             with_keys(
-                 ui.keys,
-                 "Place the element at the open end of the track. " + ui.keys.shown("Cancel") + " hides the preview.",
-                 "Place element"),
-             possible, ImGui::GetContentRegionAvail().x))
+  const std::string help =
+      fmt::format("Place the element at the open end of the track. {} hides the preview.", ui.keys.shown("Cancel"));
+  if (button(ui, "Place", with_keys(ui.keys, help, "Place element"), possible, ImGui::GetContentRegionAvail().x))
     ui.emit(edit::PlaceElement{session.settings.element});
 }
 

@@ -1,11 +1,11 @@
 // Evaluation: methods, resolution, and the read-outs to compare them.
 #include <imgui.h>
 
-#include "edit/commands/commands_settings.h"
+#include <fmt/format.h>
+
 #include "ui/context/rows.h"
+#include "ui/context/setting_rows.h"
 #include "ui/widgets/theme.h"
-#include "world/evaluation.h"
-#include "world/lab_view.h"
 
 namespace coaster::ui {
 namespace {
@@ -24,17 +24,17 @@ void method(Ui& ui, std::size_t row) {
   const curve::Evaluator& one = curve::evaluators()[row];
   const auto id = static_cast<curve::EvaluatorId>(row);
   const std::string& refusal = ui.state.stats.stage_refusals[static_cast<std::size_t>(one.evaluated_by)];
-  const std::string tooltip = std::string(one.formula) + "\nCost per point: " + std::string(one.cost) +
-                              (refusal.empty() ? "" : "\nNot available: " + refusal);
+  const std::string tooltip = fmt::format("{}\nCost per point: {}{}{}", one.formula, one.cost,
+                                          refusal.empty() ? "" : "\nNot available: ", refusal);
   if (radio(ui, one.label, ui.session().settings.evaluation->evaluator == id, tooltip, refusal.empty()))
     ui.emit(edit::Set<&world::Evaluation::evaluator>{id});
 }
 
-// The rows of a group in small letters, two in a line where they fit.
+// The rows of a group in the small font, two in a line where they fit.
 void methods_of(Ui& ui, Group group, std::string_view title, std::string_view tooltip) {
   ImGui::PushFont(small_font());
   heading(ui, title, tooltip);
-  bool alone = false;  // the last one, in its line
+  bool alone = false;  // the last one is alone in its line
   for (std::size_t i = 0; i < curve::evaluators().size(); ++i) {
     if (group_of(i) != group) continue;
     alone = !(alone && beside_last(ui, curve::evaluators()[i].label));
@@ -62,15 +62,8 @@ void resolution(Ui& ui) {
                       .high = 1e9,
                       .largest = 1e15};
   if (const auto to = number(ui, "Vertex budget", budget,
-                             "Largest number of vertices of all polylines. Commands that need more are rejected.")) {
+                             "Largest number of vertices of all polylines. Commands that need more are rejected."))
     ui.emit(edit::Set<&world::Evaluation::vertex_budget>{static_cast<std::int64_t>(*to)});
-  }
-}
-
-void lengths(Ui& ui) {
-  const auto chosen = combo_of(ui, "Arc length", ui.session().settings.evaluation->arc_length,
-                               "Method of the displayed length. The ride always uses adaptive Gauss-Legendre.");
-  if (chosen) ui.emit(edit::Set<&world::Evaluation::arc_length>{*chosen});
 }
 
 }  // namespace
@@ -78,14 +71,15 @@ void lengths(Ui& ui) {
 void evaluation_panel(Ui& ui) {
   methods(ui);
   resolution(ui);
-  lengths(ui);
+  setting_list<&world::Evaluation::arc_length>(
+      ui, "Arc length", "Method of the displayed length. The ride always uses adaptive Gauss-Legendre.");
   if (const auto on = checkbox(ui, "Show polyline", ui.session().settings.lab->layers.has(world::Layer::polyline),
                                "Draw the evaluated polyline over the track."))
     ui.emit(edit::SetPolyline{*on});
 
   const query::FrameStats& stats = ui.state.stats;
   const bool timed = !ui.state.scripted && stats.evaluated_vertices > 0;
-  read_query(ui, "Vertices", "vertices", {}, "Vertices of all polylines together.", {.decimals = 0});
+  read_query(ui, "Vertices", "vertices", "Vertices of all polylines together.", {.decimals = 0});
   read_out(ui, "Evaluation time", timed ? fixed(stats.evaluation_ms, 3) : "--", "ms",
            "Time of the selected method in the last frame that evaluated. A still frame evaluates nothing.");
   read_out(ui, "Time per point",
@@ -93,7 +87,7 @@ void evaluation_panel(Ui& ui) {
            "Evaluation time per vertex.");
   read_out(ui, "GPU time###Time on the GPU", !ui.state.scripted && stats.gpu_ms > 0 ? fixed(stats.gpu_ms, 3) : "--",
            "ms", "GPU time for the polylines, a few frames ago. Includes evaluation where the method runs on the GPU.");
-  read_query(ui, "GPU memory###Held on the GPU", "polyline_bytes", {},
+  read_query(ui, "GPU memory###Held on the GPU", "polyline_bytes",
              "GPU memory of all polylines: 24 bytes per vertex, or 48 per segment when evaluated on the GPU.",
              {.decimals = 0});
   const std::size_t segments = ui.session().derived.order.size();
@@ -101,7 +95,7 @@ void evaluation_panel(Ui& ui) {
            segments == 0 ? "--" : fixed(static_cast<double>(stats.polyline_bytes) / static_cast<double>(segments), 0),
            "B",
            "Bytes uploaded when a segment moves: its vertices, or its four control points when evaluated on the GPU.");
-  read_query(ui, "Largest deviation", "deviation", {},
+  read_query(ui, "Largest deviation", "deviation",
              "Largest distance of a vertex from the exact point at the same t (de Casteljau in long double): rounding "
              "error only.",
              {.decimals = 6, .unit = "mm", .factor = 1e3});

@@ -1,24 +1,28 @@
 // History: undo and redo steps. A click goes to a step.
 #include <imgui.h>
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "edit/commands/commands_session.h"
 #include "ui/context/ui.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
 
 constexpr std::size_t kMostShown = 200;  // rows on either side of now
 
-void repeat(Ui& ui, bool back, std::size_t steps) {
-  for (std::size_t i = 0; i < steps; ++i) back ? ui.emit(edit::Undo{}) : ui.emit(edit::Redo{});
+template <class Command>
+void repeat(Ui& ui, std::size_t steps) {
+  for (std::size_t i = 0; i < steps; ++i) ui.emit(Command{});
 }
 
 // A step as a line to click; `name` is its path for scripts.
 bool step_row(Ui& ui, const std::string& text, const std::string& name, std::uint32_t tint, std::string_view tooltip) {
   ImGui::PushStyleColor(ImGuiCol_Text, colour(tint));
-  const bool pressed = ImGui::Selectable((text + "##" + name).c_str());
+  const bool pressed = ImGui::Selectable(fmt::format("{}##{}", text, name).c_str());
   ImGui::PopStyleColor();
   note_item(ui, name, "item", tooltip, true, text);
   return pressed;
@@ -28,27 +32,27 @@ bool step_row(Ui& ui, const std::string& text, const std::string& name, std::uin
 
 void history_panel(Ui& ui) {
   const edit::History& history = ui.session().history;
+  const std::size_t undo = history.undo.size(), redo = history.redo.size();
   const double megabytes = static_cast<double>(history.undo_bytes) / (1 << 20);
-  read_out(ui, "Steps", std::to_string(history.undo.size()) + " undo, " + std::to_string(history.redo.size()) + " redo",
-           "", "Steps that can be undone and redone. Camera, panels and selection are not included.");
+  read_out(ui, "Steps", fmt::format("{} undo, {} redo", undo, redo), "",
+           "Steps that can be undone and redone. Camera, panels and selection are not included.");
   read_out(ui, "Memory", fixed(megabytes, 2), "MiB",
            "Memory of the undo steps. Beyond 256 MiB the oldest are dropped.");
-  const std::size_t undo = history.undo.size(), redo = history.redo.size();
   const std::size_t first = undo > kMostShown ? undo - kMostShown : 0;
   if (first == 0 && undo > 0 && step_row(ui, "Start", "Start", palette().dim, "Undo everything."))
-    repeat(ui, true, undo);
+    repeat<edit::Undo>(ui, undo);
   for (std::size_t i = first; i < undo; ++i) {
     const bool now = i + 1 == undo;
-    const std::string number = std::to_string(i + 1);
-    if (step_row(ui, number + "  " + history.undo[i].label, number, now ? palette().accent : palette().text,
-                 now ? "The current step." : "Undo to this step."))
-      repeat(ui, true, undo - 1 - i);
+    if (step_row(ui, fmt::format("{}  {}", i + 1, history.undo[i].label), std::to_string(i + 1),
+                 now ? palette().accent : palette().text, now ? "The current step." : "Undo to this step."))
+      repeat<edit::Undo>(ui, undo - 1 - i);
   }
   // The redo stack has the next step last.
   for (std::size_t k = 0; k < std::min(redo, kMostShown); ++k) {
-    const std::string number = std::to_string(undo + k + 1);
-    if (step_row(ui, number + "  " + history.redo[redo - 1 - k].label, number, palette().dim, "Redo to this step."))
-      repeat(ui, false, k + 1);
+    const std::size_t number = undo + k + 1;
+    if (step_row(ui, fmt::format("{}  {}", number, history.redo[redo - 1 - k].label), std::to_string(number),
+                 palette().dim, "Redo to this step."))
+      repeat<edit::Redo>(ui, k + 1);
   }
 }
 

@@ -1,15 +1,18 @@
 // Inspector: values of the selected knot, segment or cart.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <imgui.h>
 
+#include <fmt/format.h>
+
+#include "base/portable_math.h"
 #include "curve/continuity.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "ui/context/rows.h"
+#include "ui/tools/selecting.h"
 #include "world/selection.h"
 #include "world/topology.h"
 
@@ -22,64 +25,45 @@ using world::Name;
 
 constexpr std::string_view kAxes[] = {"x", "y", "z"};
 
-std::string at_name(Name name) { return "@" + world::to_text(name); }
-
 // Typed numbers may exceed float. The largest float exceeds every limit, so the command clamps it with a notice.
 float to_float(double value) {
   constexpr double kLargest = std::numeric_limits<float>::max();
   return static_cast<float>(std::clamp(value, -kLargest, kLargest));
 }
 
-std::array<Number, 3> components(glm::vec3 v, Number like) {
-  std::array<Number, 3> result{like, like, like};
-  for (int i = 0; i < 3; ++i) result[static_cast<std::size_t>(i)].value = v[i];
-  return result;
+std::optional<Changed> vector_fields(Ui& ui, std::string_view group, glm::vec3 v, Number like,
+                                     std::string_view tooltip) {
+  std::array<Number, 3> fields{like, like, like};
+  for (int i = 0; i < 3; ++i) fields[static_cast<std::size_t>(i)].value = v[i];
+  return numbers(ui, group, kAxes, fields, tooltip);
 }
 
-void shape(Ui& ui, Name name, const world::Knot& knot) {
+std::optional<Changed> position_fields(Ui& ui, const world::Knot& knot, std::string_view tooltip) {
   constexpr double kReach = world::kMaxCoordinate;
-  heading(
-      ui, "Position (m)",
-      "Position of the knot: x, height y, z. Drag it in the viewport; Shift moves it vertically, Ctrl horizontally.");
-  if (const auto c = numbers(ui, "Position", kAxes,
-                             components(knot.position, {.decimals = 3, .step = 0.02, .low = -kReach, .high = kReach}),
-                             "Drag, or click and type a value in metres.")) {
-    glm::vec3 to = knot.position;
-    to[c->index] = to_float(c->value);
-    ui.emit(edit::MoveKnot{{name}, to});
-  }
-  heading(ui, "Direction", "The unit tangent in the direction of travel. Both segments of a joint share it (G1).");
-  if (const auto c = numbers(ui, "Direction", kAxes,
-                             components(knot.tangent, {.decimals = 3, .step = 0.005, .low = -1, .high = 1}),
-                             "Drag, or click and type. The direction is normalised.")) {
-    glm::vec3 to = knot.tangent;
-    to[c->index] = to_float(c->value);
-    ui.emit(edit::SetDirection{{name}, to});
-  }
-  heading(ui, "Handles (m)",
-          "Distances to the control points before (in) and after (out) the knot: a third of the parametric speed.");
+  return vector_fields(ui, "Position", knot.position, {.decimals = 3, .step = 0.02, .low = -kReach, .high = kReach},
+                       tooltip);
+}
+
+// Handles, roll and joint of one knot or several; the fields show those of `knot`. `both`: one length sets both.
+void handle_fields(Ui& ui, const edit::Knots& knots, const world::Knot& knot, bool both, std::string_view tooltip) {
+  constexpr std::string_view kEnds[] = {"in", "out"};
   const Number length{.decimals = 3, .step = 0.02, .low = world::kMinHandle, .high = world::kMaxHandle};
   std::array<Number, 2> lengths{length, length};
   lengths[0].value = knot.in_length;
   lengths[1].value = knot.out_length;
-  constexpr std::string_view kEnds[] = {"in", "out"};
-  if (const auto c = numbers(ui, "Handles", kEnds, lengths,
-                             "Drag, or click and type a value in metres. A smooth joint keeps both equal.")) {
+  if (const auto c = numbers(ui, "Handles", kEnds, lengths, tooltip)) {
     const float to = to_float(c->value);
-    const bool both = knot.joint == world::JointKind::smooth;
-    ui.emit(edit::SetLengths{
-        {name}, both || c->index == 0 ? to : knot.in_length, both || c->index == 1 ? to : knot.out_length});
+    ui.emit(edit::SetLengths{knots, both || c->index == 0 ? to : knot.in_length,
+                             both || c->index == 1 ? to : knot.out_length});
   }
-  const Number roll{.value = world::roll_deg(knot),
-                    .unit = "\u00B0",
-                    .decimals = 2,
-                    .step = 0.25,
-                    .low = -180,
-                    .high = 180,
-                    .largest = 1e300};
-  if (const auto to =
-          number(ui, "Roll", roll, "Bank of the track at the knot, in degrees. Positive to the rider's right."))
-    ui.emit(edit::SetRoll{{name}, *to});
+}
+void roll_field(Ui& ui, const edit::Knots& knots, const world::Knot& knot, std::string_view tooltip) {
+  const Number roll{
+      .value = world::roll_deg(knot), .unit = "\u00B0", .step = 0.25, .low = -180, .high = 180, .largest = 1e300};
+  if (const auto to = number(ui, "Roll", roll, tooltip)) ui.emit(edit::SetRoll{knots, *to});
+}
+void joint_list(Ui& ui, const edit::Knots& knots, const world::Knot& knot, std::string_view tooltip) {
+  if (const auto kind = combo_of(ui, "Joint", knot.joint, tooltip)) ui.emit(edit::SetJoint{knots, *kind});
 }
 
 void continuity(Ui& ui, Entity entity, Name name) {
@@ -90,22 +74,42 @@ void continuity(Ui& ui, Entity entity, Name name) {
     return;
   }
   const curve::Joint joint = curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after));
-  read_query(ui, "Geometric", "geometric", at_name(name),
-             "Geometric continuity. G0: same position, G1: same tangent, G2: same curvature.");
+  const std::string argument = "@" + world::to_text(name);
+  read_query(ui, "Geometric", "geometric",
+             "Geometric continuity. G0: same position, G1: same tangent, G2: same curvature.", {.argument = argument});
   read_query(
-      ui, "Parametric", "parametric", at_name(name),
-      "Parametric continuity. C1: equal first derivatives, C2: equal second derivatives. Stricter than G1 and G2.");
-  read_query(ui, "Gap", "gap", at_name(name), "Distance between the end of one segment and the start of the next.",
-             {.decimals = 3, .unit = "mm", .factor = 1e3});
-  read_out(ui, "Angle", fixed(joint.angle * 180.0 / 3.14159265358979, 3), "\u00B0", "Angle between the two tangents.");
+      ui, "Parametric", "parametric",
+      "Parametric continuity. C1: equal first derivatives, C2: equal second derivatives. Stricter than G1 and G2.",
+      {.argument = argument});
+  read_query(ui, "Gap", "gap", "Distance between the end of one segment and the start of the next.",
+             {.decimals = 3, .unit = "mm", .factor = 1e3, .argument = argument});
+  read_out(ui, "Angle", fixed(base::degrees(joint.angle), 3), "\u00B0", "Angle between the two tangents.");
   read_out(ui, "Speed ratio", fixed(joint.speed_ratio, 3), "", "|C'(0)| / |B'(1)|: 1 for C1.");
 }
 
 void knot_inspector(Ui& ui, Entity entity, Name name) {
   const world::Knot& knot = world::knot(ui.session().document, entity);
-  shape(ui, name, knot);
-  if (const auto kind = combo_of(ui, "Joint", knot.joint, "Continuity between the two segments at this knot."))
-    ui.emit(edit::SetJoint{{name}, *kind});
+  heading(
+      ui, "Position (m)",
+      "Position of the knot: x, height y, z. Drag it in the viewport; Shift moves it vertically, Ctrl horizontally.");
+  if (const auto c = position_fields(ui, knot, "Drag, or click and type a value in metres.")) {
+    glm::vec3 to = knot.position;
+    to[c->index] = to_float(c->value);
+    ui.emit(edit::MoveKnot{{name}, to});
+  }
+  heading(ui, "Direction", "The unit tangent in the direction of travel. Both segments of a joint share it (G1).");
+  if (const auto c = vector_fields(ui, "Direction", knot.tangent, {.decimals = 3, .step = 0.005, .low = -1, .high = 1},
+                                   "Drag, or click and type. The direction is normalised.")) {
+    glm::vec3 to = knot.tangent;
+    to[c->index] = to_float(c->value);
+    ui.emit(edit::SetDirection{{name}, to});
+  }
+  heading(ui, "Handles (m)",
+          "Distances to the control points before (in) and after (out) the knot: a third of the parametric speed.");
+  handle_fields(ui, name, knot, knot.joint == world::JointKind::smooth,
+                "Drag, or click and type a value in metres. A smooth joint keeps both equal.");
+  roll_field(ui, name, knot, "Bank of the track at the knot, in degrees. Positive to the rider's right.");
+  joint_list(ui, name, knot, "Continuity between the two segments at this knot.");
   continuity(ui, entity, name);
 }
 
@@ -113,35 +117,16 @@ void knot_inspector(Ui& ui, Entity entity, Name name) {
 void knots_inspector(Ui& ui, Entity active, const std::vector<Entity>& knots) {
   const world::Document& document = ui.session().document;
   const world::Knot& knot = world::knot(document, active);
-  edit::Knots all;
-  for (const Entity e : knots) all.names.push_back(world::name_of(document, e));
+  const edit::Knots all = named_knots(document, knots);
   read_out(ui, "Active", world::label_of(document, active), "",
            "The values below are those of this knot. A change applies to all selected knots.");
   heading(ui, "Position (m)", "Sets one coordinate of all selected knots. The other two stay.");
-  constexpr double kReach = world::kMaxCoordinate;
-  if (const auto c = numbers(ui, "Position", kAxes,
-                             components(knot.position, {.decimals = 3, .step = 0.02, .low = -kReach, .high = kReach}),
-                             "Set this coordinate of all selected knots."))
+  if (const auto c = position_fields(ui, knot, "Set this coordinate of all selected knots."))
     ui.emit(edit::Align{all, static_cast<world::Axis>(c->index), c->value});
   heading(ui, "Handles (m)", "Handle lengths of all selected knots.");
-  constexpr std::string_view kSides[] = {"in", "out"};
-  const Number length{.decimals = 3, .step = 0.02, .low = world::kMinHandle, .high = world::kMaxHandle};
-  std::array<Number, 2> lengths{length, length};
-  lengths[0].value = knot.in_length, lengths[1].value = knot.out_length;
-  if (const auto c = numbers(ui, "Handles", kSides, lengths, "Set the handle lengths of all selected knots."))
-    ui.emit(edit::SetLengths{all, c->index == 0 ? to_float(c->value) : knot.in_length,
-                             c->index == 1 ? to_float(c->value) : knot.out_length});
-  const Number roll{.value = world::roll_deg(knot),
-                    .unit = "\u00B0",
-                    .decimals = 2,
-                    .step = 0.2,
-                    .low = -180,
-                    .high = 180,
-                    .largest = 1e6};
-  if (const auto to = number(ui, "Roll", roll, "Bank of all selected knots, in degrees."))
-    ui.emit(edit::SetRoll{all, *to});
-  if (const auto kind = combo_of(ui, "Joint", knot.joint, "Joint type of all selected knots."))
-    ui.emit(edit::SetJoint{all, *kind});
+  handle_fields(ui, all, knot, false, "Set the handle lengths of all selected knots.");
+  roll_field(ui, all, knot, "Bank of all selected knots, in degrees.");
+  joint_list(ui, all, knot, "Joint type of all selected knots.");
 }
 
 bool is_longest(const sim::Derived& derived, Entity entity) {
@@ -176,13 +161,13 @@ void segment_inspector(Ui& ui, Entity entity, Name name) {
   read_out(ui, "Height here###Height there", fixed(at.y, 3), "m", "Height at position t.");
   read_out(ui, "Curvature here###Curvature there", fixed(curve::curvature(shape->key.cubic, t), 5), "1/m",
            "Curvature at position t: |B' \u00D7 B''| / |B'|\u00B3.");
-  read_out(ui, "Twist", fixed(shape->twist * 180.0 / 3.14159265358979, 2), "\u00B0",
+  read_out(ui, "Twist", fixed(base::degrees(shape->twist), 2), "\u00B0",
            "Roll between the frames of the two knots, linear in arc length.");
   read_out(ui, "Longest", is_longest(session.derived, entity) ? "yes" : "no", "",
            "Add curve splits the longest segment.");
 }
 
-void cart_inspector(Ui& ui, Entity entity, Name) {
+void cart_inspector(Ui& ui, Entity entity) {
   const edit::Session& session = ui.session();
   const world::Cart* cart = session.document.entities.find<world::Cart>(entity);
   if (cart != nullptr) {
@@ -219,20 +204,20 @@ void inspector_panel(Ui& ui) {
   constexpr const char* kKinds[] = {"Knot", "Segment", "Cart"};
   if (const std::vector<Entity> knots = world::selected_knots(session.document, session.settings); knots.size() > 1) {
     read_out(ui, "Selected", std::to_string(knots.size()) + " knots", "",
-             "Shift+click adds or removes a knot, " + ui.keys.shown("Box select") + " draws a box.");
+             fmt::format("Shift+click adds or removes a knot, {} draws a box.", ui.keys.shown("Box select")));
     ImGui::PushID("several");
     knots_inspector(ui, selected, knots);
     ImGui::PopID();
     return;
   }
-  read_out(ui, "Selected", std::string(kKinds[static_cast<std::size_t>(name->kind)]) + " " + world::to_text(*name), "",
-           "The selected object. Scripts write @ before its name.");
+  read_out(ui, "Selected", fmt::format("{} {}", kKinds[static_cast<std::size_t>(name->kind)], world::to_text(*name)),
+           "", "The selected object. Scripts write @ before its name.");
   // Fields of another entity are other fields: what is typed in one never lands in the next.
   ImGui::PushID(static_cast<int>(name->kind) * 0x1000000 + static_cast<int>(name->number));
   switch (name->kind) {
     case Kind::knot: knot_inspector(ui, selected, *name); break;
     case Kind::segment: segment_inspector(ui, selected, *name); break;
-    case Kind::cart: cart_inspector(ui, selected, *name); break;
+    case Kind::cart: cart_inspector(ui, selected); break;
   }
   ImGui::PopID();
 }

@@ -1,8 +1,5 @@
 // Operation: equipment on the selected segment, the train, losses, and what ends the ride.
-#include <array>
-
 #include "edit/commands/commands_operation.h"
-#include "sim/study/ratings.h"
 #include "ui/context/ui.h"
 
 namespace coaster::ui {
@@ -16,26 +13,28 @@ world::Entity chosen_segment(const edit::Session& session) {
   return document.entities.find<world::Knot>(selected) ? world::neighbours(document, selected).after : world::kNone;
 }
 
+edit::SetEquipment equipping(world::Name segment, world::EquipmentKind kind, const world::Equipment& e) {
+  return {{segment}, kind, e.speed, e.acceleration, e.hysteresis, e.seconds};
+}
+
 void equipment_values(Ui& ui, world::Name name, const world::Equipment& now) {
-  edit::SetEquipment set{{name}, now.kind, now.speed, now.acceleration, now.hysteresis, now.seconds};
-  bool changed = false;
+  edit::SetEquipment set = equipping(name, now.kind, now);
   const auto field = [&](const char* label, float& value, const char* unit, double low, double high,
                          const char* tooltip) {
-    if (const auto to = number(
-            ui, label, {.value = value, .unit = unit, .decimals = 2, .step = 0.05, .low = low, .high = high}, tooltip))
-      value = static_cast<float>(*to), changed = true;
+    const auto to = number(ui, label, {.value = value, .unit = unit, .low = low, .high = high}, tooltip);
+    if (!to) return;
+    value = static_cast<float>(*to);
+    ui.emit(set);
   };
-  const bool brakes = now.kind == world::EquipmentKind::brake || now.kind == world::EquipmentKind::block;
   field("Speed", set.speed, "m/s", 0, world::kMaxSpeed,
         "Target speed of a lift, launch or brake, and exit speed of a station.");
   field("Acceleration", set.acceleration, "m/s\u00B2", world::kMinAcceleration, world::kMaxAcceleration,
         "Largest acceleration or deceleration.");
-  if (brakes)
+  if (now.kind == world::EquipmentKind::brake || now.kind == world::EquipmentKind::block)
     field("Hysteresis", set.hysteresis, "m/s", 0, world::kMaxSpeed,
           "The brake switches on above speed + hysteresis and off below speed - hysteresis.");
   if (now.kind == world::EquipmentKind::station)
     field("Wait", set.seconds, "s", 0, world::kMaxDwell, "Time that a train waits in the station.");
-  if (changed) ui.emit(set);
 }
 
 void equipment(Ui& ui) {
@@ -53,15 +52,7 @@ void equipment(Ui& ui) {
   if (const auto to = combo(ui, "Equipment", kinds, now ? static_cast<int>(now->kind) + 1 : 0,
                             "Equipment on the selected segment.")) {
     if (*to == 0 && now) ui.emit(edit::RemoveEquipment{{name}});
-    if (*to > 0) {
-      const world::Equipment base = now ? *now : world::Equipment{};
-      ui.emit(edit::SetEquipment{{name},
-                                 static_cast<world::EquipmentKind>(*to - 1),
-                                 base.speed,
-                                 base.acceleration,
-                                 base.hysteresis,
-                                 base.seconds});
-    }
+    if (*to > 0) ui.emit(equipping(name, static_cast<world::EquipmentKind>(*to - 1), now ? *now : world::Equipment{}));
   }
   if (now) equipment_values(ui, name, *now);
 }
@@ -72,43 +63,32 @@ void train(Ui& ui) {
   const world::Cart* const design = session.document.entities.find<world::Cart>(cart);
   if (!design) return;
   const world::Name name = world::name_of(session.document, cart);
-  if (const auto to = number(ui, "Cars",
-                             {.value = static_cast<double>(design->cars),
-                              .decimals = 0,
-                              .step = 0.05,
-                              .low = 1,
-                              .high = world::kMaxCars,
-                              .largest = 1e9},
-                             "Number of cars. They move as one."))
+  const Number cars{
+      .value = static_cast<double>(design->cars), .decimals = 0, .low = 1, .high = world::kMaxCars, .largest = 1e9};
+  if (const auto to = number(ui, "Cars", cars, "Number of cars. They move as one."))
     ui.emit(edit::SetTrain{{name}, static_cast<int>(*to)});
-  if (const auto to = number(ui, "Spacing",
-                             {.value = design->spacing,
-                              .unit = "m",
-                              .decimals = 2,
-                              .step = 0.02,
-                              .low = world::kMinSpacing,
-                              .high = world::kMaxSpacing},
-                             "Distance between the centres of neighbouring cars."))
-    ui.emit(edit::SetTrain{.cart = {name}, .cars = design->cars, .spacing = static_cast<float>(*to)});
-  if (const auto to = number(ui, "Car length",
-                             {.value = design->length,
-                              .unit = "m",
-                              .decimals = 2,
-                              .step = 0.02,
-                              .low = world::kMinCarLength,
-                              .high = world::kMaxCarLength},
-                             "Length of a car's body. Trains collide where bodies touch. At most the spacing."))
-    ui.emit(edit::SetTrain{.cart = {name}, .cars = design->cars, .length = static_cast<float>(*to)});
-  if (const auto to = number(ui, "Car mass",
-                             {.value = design->mass,
-                              .unit = "kg",
-                              .decimals = 0,
-                              .step = 0.5,
-                              .low = world::kMinCarMass,
-                              .high = world::kMaxCarMass,
-                              .largest = 1e6},
-                             "Mass including riders. Drag is given for 500 kg; heavier cars slow down less."))
-    ui.emit(edit::SetTrain{.cart = {name}, .cars = design->cars, .mass = static_cast<float>(*to)});
+  const auto field = [&](const char* label, const Number& value, float edit::SetTrain::*part, const char* tooltip) {
+    const auto to = number(ui, label, value, tooltip);
+    if (!to) return;
+    edit::SetTrain set{{name}, design->cars};
+    set.*part = static_cast<float>(*to);
+    ui.emit(set);
+  };
+  field("Spacing",
+        {.value = design->spacing, .unit = "m", .step = 0.02, .low = world::kMinSpacing, .high = world::kMaxSpacing},
+        &edit::SetTrain::spacing, "Distance between the centres of neighbouring cars.");
+  field("Car length",
+        {.value = design->length, .unit = "m", .step = 0.02, .low = world::kMinCarLength, .high = world::kMaxCarLength},
+        &edit::SetTrain::length, "Length of a car's body. Trains collide where bodies touch. At most the spacing.");
+  field("Car mass",
+        {.value = design->mass,
+         .unit = "kg",
+         .decimals = 0,
+         .step = 0.5,
+         .low = world::kMinCarMass,
+         .high = world::kMaxCarMass,
+         .largest = 1e6},
+        &edit::SetTrain::mass, "Mass including riders. Drag is given for 500 kg; heavier cars slow down less.");
 }
 
 void losses(Ui& ui) {
@@ -123,14 +103,12 @@ void losses(Ui& ui) {
                  {.value = now.drag, .unit = "1/m", .decimals = 6, .step = 0.000002, .low = 0, .high = world::kMaxDrag},
                  "Drag coefficient: deceleration divided by v\u00B2. About 0.00002."))
     ui.emit(edit::SetLosses{now.rolling, static_cast<float>(*to)});
-  if (const auto to = number(ui, "Heartline",
-                             {.value = document.heartline,
-                              .unit = "m",
-                              .decimals = 2,
-                              .step = 0.01,
-                              .low = -world::kMaxHeartline,
-                              .high = world::kMaxHeartline},
-                             "Height above the rails at which forces are computed."))
+  const Number heartline{.value = document.heartline,
+                         .unit = "m",
+                         .step = 0.01,
+                         .low = -world::kMaxHeartline,
+                         .high = world::kMaxHeartline};
+  if (const auto to = number(ui, "Heartline", heartline, "Height above the rails at which forces are computed."))
     ui.emit(edit::SetHeartline{*to});
   if (const auto on = checkbox(ui, "Rollback ends the ride", document.rollback_fails,
                                "The ride fails when a train rolls back 2 m."))

@@ -43,12 +43,7 @@ std::span<const Panel> panels() {
 
 void build_column(Ui& ui, Column column, const view::Viewport& area) {
   if (area.width < 1 || area.height < 1) return;
-  ImGui::SetNextWindowPos({area.x, area.y});
-  ImGui::SetNextWindowSize({area.width, area.height});
-  constexpr ImGuiWindowFlags kFixed =
-      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
-      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
-  if (ImGui::Begin(column == Column::left ? "##left" : "##right", nullptr, kFixed)) {
+  if (begin_area(column == Column::left ? "##left" : "##right", {area.x, area.y}, {area.width, area.height}, 0)) {
     for (const Panel& panel : panels()) {
       if (panel.column != column || (panel.shown != nullptr && !panel.shown(ui))) continue;
       ui.panel = panel.name;

@@ -2,9 +2,10 @@
 #include <imgui.h>
 
 #include "edit/commands/commands_ride.h"
-#include "edit/commands/commands_settings.h"
 #include "sim/shape/frame_methods.h"
 #include "ui/context/rows.h"
+#include "ui/context/setting_rows.h"
+#include "ui/tools/places.h"
 #include "ui/widgets/icons.h"
 
 namespace coaster::ui {
@@ -12,63 +13,56 @@ namespace {
 
 void controls(Ui& ui) {
   const edit::Session& session = ui.session();
-  const bool any = session.document.entities.pool<world::Cart>().size() > 0 && !session.document.track.segments.empty();
+  const bool any = rideable(session);
   const world::RideState state = session.motion.state;
   const bool running = state == world::RideState::running;
-  const float width = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemInnerSpacing.x) / 4;
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  if (icon_button(ui, kPlayIcon, "Play", with_keys(ui.keys, "Start or resume the ride.", "Play or pause"),
-                  any && !running, width))
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x, width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
+  const auto control = [&](const Icon& icon, std::string_view label, std::string_view help, std::string_view action,
+                           bool enabled) {
+    if (&icon != &kPlayIcon) ImGui::SameLine(0, gap);
+    return icon_button(ui, icon, label, with_keys(ui.keys, help, action), enabled, width);
+  };
+  if (control(kPlayIcon, "Play", "Start or resume the ride.", "Play or pause", any && !running))
     ui.emit(edit::RideStart{});
-  ImGui::SameLine(0, gap);
-  if (icon_button(ui, kPauseIcon, "Pause", with_keys(ui.keys, "Pause the ride.", "Play or pause"), any && running,
-                  width))
-    ui.emit(edit::RidePause{});
-  ImGui::SameLine(0, gap);
+  if (control(kPauseIcon, "Pause", "Pause the ride.", "Play or pause", any && running)) ui.emit(edit::RidePause{});
   const bool steppable = any && (state == world::RideState::paused || state == world::RideState::stopped);
-  if (icon_button(ui, kStepIcon, "Step",
-                  with_keys(ui.keys, "Advance a paused ride by one tick of 1/120 s.", "Single step"), steppable, width))
+  if (control(kStepIcon, "Step", "Advance a paused ride by one tick of 1/120 s.", "Single step", steppable))
     ui.emit(edit::RideStep{1});
-  ImGui::SameLine(0, gap);
-  if (icon_button(ui, kResetIcon, "Reset", with_keys(ui.keys, "Return the carts to their start.", "Reset"), any, width))
-    ui.emit(edit::RideStop{});
+  if (control(kResetIcon, "Reset", "Return the carts to their start.", "Reset", any)) ui.emit(edit::RideStop{});
 }
 
 void read_outs(Ui& ui) {
-  read_query(ui, "State", "ride.state", {}, "Stopped at the start, running, paused, ended at an open end, or failed.");
+  read_query(ui, "State", "ride.state", "Stopped at the start, running, paused, ended at an open end, or failed.");
   if (ui.session().motion.failure.kind != world::FailureKind::none)
-    read_query(ui, "Reason###Because it", "ride.fail", {}, "Why the ride ended.");
-  read_query(ui, "Speed", "ride.speed", {}, "Speed of the first cart along the track.", {.decimals = 2});
-  read_query(ui, "Height", "ride.height", {}, "Height of the first cart above the ground.", {.decimals = 2});
-  read_query(ui, "Distance", "ride.distance", {}, "Distance of the first cart from the start of the track.",
-             {.decimals = 2});
-  read_query(ui, "Lap", "ride.lap", {}, "Laps completed since the start.", {.decimals = 0});
-  read_query(ui, "Energy", "ride.energy", {}, "v\u00B2/2 + g (y - datum), per kilogram.", {.decimals = 3});
-  read_query(ui, "Energy drift", "ride.energy_drift", {},
+    read_query(ui, "Reason###Because it", "ride.fail", "Why the ride ended.");
+  read_query(ui, "Speed", "ride.speed", "Speed of the first cart along the track.");
+  read_query(ui, "Height", "ride.height", "Height of the first cart above the ground.");
+  read_query(ui, "Distance", "ride.distance", "Distance of the first cart from the start of the track.");
+  read_query(ui, "Lap", "ride.lap", "Laps completed since the start.", {.decimals = 0});
+  read_query(ui, "Energy", "ride.energy", "v\u00B2/2 + g (y - datum), per kilogram.", {.decimals = 3});
+  read_query(ui, "Energy drift", "ride.energy_drift",
              "Change of energy since the start, relative to peak kinetic energy: the integrator's error.",
              {.decimals = 4, .unit = "ppm", .factor = 1e6});
   // Scripts and pictures show no times.
   const double cost = ui.session().measuring.ride_cost.ns_per_tick;
   read_out(ui, "Cost per tick", !ui.state.scripted && cost > 0 ? fixed(cost, 0) : "--", "ns",
            "Average time of a tick on this machine, for all carts, with the selected integrator.");
-  read_query(ui, "g up", "ride.g_up", {}, "Felt acceleration towards the rider's head. 1 at rest on level track.",
-             {.decimals = 2, .unit = "g"});
-  read_query(ui, "g side", "ride.g_side", {}, "Felt acceleration to the side.", {.decimals = 2, .unit = "g"});
-  read_query(ui, "g forward", "ride.g_forward", {}, "Felt acceleration forwards.", {.decimals = 2, .unit = "g"});
+  read_query(ui, "g up", "ride.g_up", "Felt acceleration towards the rider's head. 1 at rest on level track.",
+             {.unit = "g"});
+  read_query(ui, "g side", "ride.g_side", "Felt acceleration to the side.", {.unit = "g"});
+  read_query(ui, "g forward", "ride.g_forward", "Felt acceleration forwards.", {.unit = "g"});
 }
 
 void ride_methods(Ui& ui) {
-  const world::Settings& settings = ui.session().settings;
   heading(ui, "Frame method", "Frames that orient carts and the ride camera. The knots define the bank of the track.");
   const auto rows = sim::frame_methods();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto method = static_cast<world::FrameMethod>(i);
-    if (radio(ui, std::string(rows[i].label), settings.frames == method, std::string(rows[i].formula)))
+    if (radio(ui, rows[i].label, ui.session().settings.frames == method, rows[i].formula))
       ui.emit(edit::Set<&world::Settings::frames>{method});
   }
-  const auto chosen =
-      combo_of(ui, "Integrator", settings.integrator, "Integration method of speed and position, per tick of 1/120 s.");
-  if (chosen) ui.emit(edit::Set<&world::Settings::integrator>{*chosen});
+  setting_list<&world::Settings::integrator>(ui, "Integrator",
+                                             "Integration method of speed and position, per tick of 1/120 s.");
 }
 
 }  // namespace

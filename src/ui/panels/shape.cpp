@@ -5,10 +5,12 @@
 
 #include <imgui.h>
 
+#include <fmt/format.h>
+
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "ui/context/ui.h"
-#include "ui/widgets/widget_parts.h"
+#include "ui/tools/selecting.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -17,9 +19,7 @@ namespace {
 // The selected knots (both of a selected segment), or all of them.
 edit::Knots shaped_knots(const edit::Session& session) {
   const world::Document& document = session.document;
-  edit::Knots knots;
-  for (const world::Entity e : world::selected_knots(document, session.settings))
-    knots.names.push_back(world::name_of(document, e));
+  edit::Knots knots = named_knots(document, world::selected_knots(document, session.settings));
   if (const world::Segment* const segment = document.entities.find<world::Segment>(session.settings.selected))
     knots.names = {world::name_of(document, segment->from), world::name_of(document, segment->to)};
   if (knots.names.empty() || knots.names.size() == document.track.knots.size()) return edit::Knots::Which::all;
@@ -44,6 +44,7 @@ struct Buttons {
   Ui& ui;
   int columns;
   int placed = 0;
+  float width = 0;
   bool operator()(std::string_view label, std::string_view tooltip, bool enabled = true) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     if (placed++ % columns != 0) ImGui::SameLine();
@@ -51,14 +52,14 @@ struct Buttons {
       width = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
     return button(ui, label, tooltip, enabled, std::floor(width));
   }
-  float width = 0;
 };
 
 void snapping(Ui& ui) {
   const world::Snapping& now = ui.session().settings.snapping;
   if (const auto to = combo_of(ui, "Snap to", now.to,
-                               "Dragged knots snap to this. " + ui.keys.shown("Next snapping") +
-                                   " selects the next. Hold Ctrl while dragging to invert snapping."))
+                               fmt::format("Dragged knots snap to this. {} selects the next. Hold Ctrl while dragging "
+                                           "to invert snapping.",
+                                           ui.keys.shown("Next snapping"))))
     ui.emit(edit::SetSnapping{*to, now.step, now.angle});
   if (const auto to =
           number(ui, "Step", {.value = now.step, .unit = "m", .decimals = 3, .step = 0.01, .low = 0.001, .high = 1000},
@@ -91,18 +92,16 @@ void whole_track(Ui& ui) {
 void shape_panel(Ui& ui) {
   const edit::Session& session = ui.session();
   const edit::Knots knots = shaped_knots(session);
-  const bool any = !session.document.track.knots.empty();
-  const std::size_t count =
-      knots.which == edit::Knots::Which::all ? session.document.track.knots.size() : knots.names.size();
-  read_out(ui, "Acts on",
-           (knots.which == edit::Knots::Which::all ? "all " : "") + std::to_string(count) +
-               (count == 1 ? " knot" : " knots"),
-           "",
-           "The selected knots, or all when none is selected. Shift+click adds a knot, Ctrl+click adds all up to it, " +
-               ui.keys.shown("Box select") + " draws a box, " + ui.keys.shown("Select all") + " selects all.");
+  const std::size_t on_track = session.document.track.knots.size();
+  const bool any = on_track > 0, all = knots.which == edit::Knots::Which::all;
+  const std::size_t count = all ? on_track : knots.names.size();
+  read_out(ui, "Acts on", fmt::format("{}{} {}", all ? "all " : "", count, count == 1 ? "knot" : "knots"), "",
+           fmt::format("The selected knots, or all when none is selected. Shift+click adds a knot, Ctrl+click adds all "
+                       "up to it, {} draws a box, {} selects all.",
+                       ui.keys.shown("Box select"), ui.keys.shown("Select all")));
   Buttons next{ui, 2};
   if (next("Smooth", "Fit the natural C2 spline through the knots: curvature is continuous at every joint.",
-           any && session.document.track.knots.size() > 1))
+           on_track > 1))
     ui.emit(edit::Smooth{knots});
   if (next("Equalise handles", "Set both handles to their average length (C1).", any)) ui.emit(edit::Equalise{knots});
   if (next("Straighten", "Move neighbouring knots onto the line from the first to the last.", any && count > 1))
@@ -117,12 +116,11 @@ void shape_panel(Ui& ui) {
       across[i] = 1;
       ui.emit(edit::Mirror{knots, across, middle_of(session, knots)});
     }
-  if (const auto to =
-          number(ui, "Radius", {.value = ui.radius, .unit = "m", .decimals = 2, .step = 0.1, .low = 0.1, .high = 1e5},
-                 "Radius of curvature for Set radius."))
+  if (const auto to = number(ui, "Radius", {.value = ui.radius, .unit = "m", .step = 0.1, .low = 0.1, .high = 1e5},
+                             "Radius of curvature for Set radius."))
     ui.radius = *to;
   if (button(ui, "Set radius", "Give the knots this radius of curvature by changing their handle lengths.",
-             any && count < session.document.track.knots.size(), -1))
+             any && count < on_track, -1))
     ui.emit(edit::SetRadius{knots, ui.radius});
   whole_track(ui);
   snapping(ui);

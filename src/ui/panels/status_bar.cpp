@@ -4,11 +4,12 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/utf8.h"
 #include "ui/context/rows.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -20,9 +21,8 @@ struct Part {
 };
 
 std::string real(const Ui& ui, std::string_view name, int decimals, const char* unit) {
-  const auto value = value_of(ui, name);
-  const double* number = value ? std::get_if<double>(&*value) : nullptr;
-  return number == nullptr ? "--" : fixed(*number, decimals) + " " + unit;
+  const auto number = number_of(ui, name);
+  return number ? fmt::format("{} {}", fixed(*number, decimals), unit) : "--";
 }
 
 std::vector<Part> parts(const Ui& ui) {
@@ -47,14 +47,9 @@ std::string shortened(std::string words, float room) {
 
 void build_status_bar(Ui& ui, const view::Viewport& area) {
   if (area.width < 1 || area.height < 1) return;
-  ImGui::SetNextWindowPos({area.x, area.y});
-  ImGui::SetNextWindowSize({area.width, area.height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
-  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                                      ImGuiWindowFlags_NoNav;
-  if (ImGui::Begin("##status", nullptr, kFixed)) {
+  if (begin_area("##status", {area.x, area.y}, {area.width, area.height})) {
     ui.panel = "Status";
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float pad = std::floor(10 * ui.scale), gap = std::floor(6 * ui.scale), between = std::floor(18 * ui.scale);
@@ -63,7 +58,7 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
     float x = area.x + pad;
     const bool unsaved = edit::dirty(ui.state.find);
     const auto draw = [&](const std::string& words, std::uint32_t tint, float at) {
-      list.AddText({std::floor(at), top}, packed(tint), words.c_str());
+      draw_text(list, {at, top}, tint, words);
     };
     const auto place = [&](std::string_view label, std::string_view kind_tooltip, std::string value, float from,
                            float to) {

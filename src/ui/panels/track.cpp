@@ -3,23 +3,19 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "edit/commands/commands_document.h"
-#include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "sim/ride/equipment.h"
 #include "ui/context/rows.h"
+#include "ui/context/setting_rows.h"
 #include "ui/tools/places.h"
-#include "ui/widgets/widget_parts.h"
-#include "world/aids.h"
 
 namespace coaster::ui {
 namespace {
 
 using world::Kind;
-
-const world::Name* selected_name(const edit::Session& session) {
-  return session.document.entities.find<world::Name>(session.settings.selected);
-}
 
 // Buttons of a pair stand side by side where the longest label finds room, else one below the other.
 float pair_width() {
@@ -57,15 +53,15 @@ edit::AddCart free_place(const edit::Session& session, world::Entity first) {
 }
 
 void size(Ui& ui) {
-  read_query(ui, "Length", "length", {}, "Length of the track, by the method selected in Evaluation.", {.decimals = 3});
-  read_query(ui, "Segments", "segments", {}, "Cubic Bézier segments.", {.decimals = 0});
-  read_query(ui, "Knots", "knots", {}, "Points that the track passes through.", {.decimals = 0});
+  read_query(ui, "Length", "length", "Length of the track, by the method selected in Evaluation.", {.decimals = 3});
+  read_query(ui, "Segments", "segments", "Cubic Bézier segments.", {.decimals = 0});
+  read_query(ui, "Knots", "knots", "Points that the track passes through.", {.decimals = 0});
   colouring_box(ui);
 }
 
 void conflicts(Ui& ui) {
   if (ui.find(edit::Want::conflicts).conflicts.empty()) return;
-  read_query(ui, "Conflicts", "conflicts", {}, "Places where the track lacks clearance from itself.",
+  read_query(ui, "Conflicts", "conflicts", "Places where the track lacks clearance from itself.",
              {.decimals = 0, .warns = true});
   if (button(ui, "Next conflict", "Go to the next place where the track lacks clearance from itself.", true,
              ImGui::GetContentRegionAvail().x))
@@ -83,7 +79,7 @@ edit::Command closing(const edit::Session& session) {
 
 void building(Ui& ui) {
   const edit::Session& session = ui.session();
-  const world::Name* selected = selected_name(session);
+  const world::Name* selected = session.document.entities.find<world::Name>(session.settings.selected);
   const bool on_segment = selected != nullptr && selected->kind == Kind::segment;
   const bool removable = selected != nullptr && selected->kind != Kind::segment;
   const std::size_t knots = session.document.track.knots.size();
@@ -94,12 +90,9 @@ void building(Ui& ui) {
                    "Join the last knot to the first, or open the circuit there. Ends that meet become one knot.",
                    closed || knots >= 2))
     ui.emit(*to ? closing(session) : edit::SetClosed{false});
-  if (const auto on = checkbox(
-          ui, "Append points", session.settings.aids->append_mode,
-          with_keys(ui.keys,
-                    "Click on the ground to append a knot to an open track. " + ui.keys.shown("Cancel") + " ends it.",
-                    "Append points")))
-    ui.emit(edit::Set<&world::Aids::append_mode>{*on});
+  const std::string help =
+      fmt::format("Click on the ground to append a knot to an open track. {} ends it.", ui.keys.shown("Cancel"));
+  setting_box<&world::Aids::append_mode>(ui, "Append points", with_keys(ui.keys, help, "Append points"));
 
   const float width = pair_width();
   if (button(ui, "Add curve",
@@ -120,43 +113,35 @@ void building(Ui& ui) {
   const auto& segments = session.document.track.segments;
   if (button(ui, "Add cart",
              "Add a cart at the first free place from the start of the selected segment, or of the track.",
-             !segments.empty(), width)) {
+             !segments.empty(), width))
     ui.emit(free_place(session, on_segment ? session.settings.selected : segments.front()));
-  }
 }
 
 void start(Ui& ui) {
   const world::Document& document = ui.session().document;
-  const Number speed{.value = document.start_speed,
-                     .unit = "m/s",
-                     .decimals = 2,
-                     .step = 0.05,
-                     .low = -world::kMaxSpeed,
-                     .high = world::kMaxSpeed,
-                     .largest = 1e300};
-  if (const auto to = number(ui, "Start speed", speed, "Start speed of the carts. Negative: backwards."))
+  Number now{.value = document.start_speed,
+             .unit = "m/s",
+             .low = -world::kMaxSpeed,
+             .high = world::kMaxSpeed,
+             .largest = 1e300};
+  if (const auto to = number(ui, "Start speed", now, "Start speed of the carts. Negative: backwards."))
     ui.emit(edit::SetStartSpeed{*to});
-  const Number datum{.value = document.datum,
-                     .unit = "m",
-                     .decimals = 2,
-                     .step = 0.05,
-                     .low = -world::kMaxCoordinate,
-                     .high = world::kMaxCoordinate,
-                     .largest = 1e300};
-  if (const auto to = number(ui, "Datum", datum, "Height of zero potential energy.")) ui.emit(edit::SetDatum{*to});
+  now.value = document.datum, now.unit = "m", now.low = -world::kMaxCoordinate, now.high = world::kMaxCoordinate;
+  if (const auto to = number(ui, "Datum", now, "Height of zero potential energy.")) ui.emit(edit::SetDatum{*to});
 }
 
 void file(Ui& ui) {
-  if (auto path = text(ui, "File", ui.file, std::string("The track's file. Type another path to open it.\n") + ui.file))
+  if (auto path = text(ui, "File", ui.file, "The track's file. Type another path to open it.\n" + ui.file))
     ui.want = {Want::Kind::load, std::move(*path)};
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-  if (button(ui, "New", with_keys(ui.keys, "Start an empty track.", "New"), true, width)) ui.want = {Want::Kind::fresh};
+  const auto choice = [&](std::string_view label, std::string_view help, Want::Kind kind) {
+    if (button(ui, label, with_keys(ui.keys, help, label), true, width)) ui.want = {kind};
+  };
+  choice("New", "Start an empty track.", Want::Kind::fresh);
   ImGui::SameLine();
-  if (button(ui, "Open", with_keys(ui.keys, "Choose a track file to open.", "Open"), true, width))
-    ui.want = {Want::Kind::browse};
+  choice("Open", "Choose a track file to open.", Want::Kind::browse);
   ImGui::SameLine();
-  if (button(ui, "Save", with_keys(ui.keys, "Save the track to its file.", "Save"), true, width))
-    ui.want = {Want::Kind::save};
+  choice("Save", "Save the track to its file.", Want::Kind::save);
 }
 
 }  // namespace

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "ui/plots/plot_area.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
+#include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
 namespace {
@@ -28,8 +30,7 @@ Data extent_of(const Plot& p) {
     }
     if (s.kind == SeriesKind::bars) data.y.add(0, p.y.scale);
   }
-  const bool any = !data.x.empty();
-  if (any)
+  if (!data.x.empty())
     for (const Level& level : p.levels) data.y.add(level.y, p.y.scale);
   for (const Spot& spot : p.spots) {
     data.x.add(spot.x, p.x.scale);
@@ -67,13 +68,12 @@ int most_ticks(float room, float each) { return std::max(2, static_cast<int>(roo
 PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 low, ImVec2 high) {
   PlotArea area;
   area.scale = ui.scale;
-  area.text_px = small_text_px(ui);
+  area.text_px = small_font()->FontSize;
   area.pretty = ImGui::GetFont()->FindGlyphNoFallback(0x207B) != nullptr;
   area.x = range_of(p.x, data.x, p.square ? 0.08 : 0);
   area.y = range_of(p.y, data.y, p.square ? 0.08 : 0.06);
   const float line = area.text_px, gap = std::floor(4 * ui.scale);
-  const float x_title =
-      p.square ? 0 : small_size(area, axis_title(p.x)).x;  // one title speaks for both axes of a shape
+  const float x_title = p.square ? 0 : small_size(axis_title(p.x)).x;  // one title speaks for both axes of a shape
   area.title_beside = x_title <= 4 * line;
   const float above = axis_title(p.y).empty() ? line * 0.5f : line + gap,
               below = line + gap + (area.title_beside ? 0 : line);
@@ -85,7 +85,7 @@ PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 
   area.y_ticks = ticks(area.y, most_ticks(area.high.y - area.low.y, 1.9f * line));
   float widest = 0;
   for (const double tick : area.y_ticks.major)
-    widest = std::max(widest, small_size(area, tick_text(area.y, area.y_ticks, tick, area.pretty)).x);
+    widest = std::max(widest, small_size(tick_text(area.y, area.y_ticks, tick, area.pretty)).x);
   area.low.x = std::min(std::floor(low.x + widest + 2 * gap), area.high.x - 1);
   if (p.square) {
     make_square(area);
@@ -101,12 +101,8 @@ double snapped(const PlotArea& area, float mouse_x) {
   const double value = value_at(area.x, part);
   if (area.x.scale == AxisScale::logarithmic) return value;
   const double pixel = (area.x.high - area.x.low) / std::max(1.0f, area.high.x - area.low.x);
-  double step = std::pow(10.0, std::floor(std::log10(pixel)));
-  for (const double factor : {5.0, 2.0})
-    if (factor * step <= pixel) {
-      step *= factor;
-      break;
-    }
+  const double power = std::pow(10.0, std::floor(std::log10(pixel)));
+  const double step = power * (5 * power <= pixel ? 5 : 2 * power <= pixel ? 2 : 1);
   // Multiplying by the count of steps in one has fewer decimals than multiplying by the step.
   const double steps = std::round(value / step), inverse = std::round(1 / step);
   const double rounded = inverse >= 1 ? steps / inverse : steps * step;
@@ -123,12 +119,6 @@ void draw_cursor(ImDrawList& list, const PlotArea& area, double x, bool hot) {
                          packed(palette().accent));
 }
 
-void draw_empty(ImDrawList& list, const PlotArea& area, std::string_view words) {
-  const ImVec2 size = small_size(area, words);
-  small_text(list, area, {(area.low.x + area.high.x - size.x) / 2, (area.low.y + area.high.y - size.y) / 2},
-             palette().dim, words);
-}
-
 void draw_all(ImDrawList& list, const PlotArea& area, const Plot& p, ImVec2 outer_low, bool any) {
   draw_grid(list, area, p, outer_low);
   list.PushClipRect({area.low.x - 1, area.low.y - 1}, {area.high.x + 1, area.high.y + 1}, true);
@@ -136,7 +126,9 @@ void draw_all(ImDrawList& list, const PlotArea& area, const Plot& p, ImVec2 oute
     for (const Series& s : p.series) draw_series(list, area, s);
     draw_levels_and_spots(list, area, p);
   } else {
-    draw_empty(list, area, p.empty);
+    const ImVec2 size = small_size(p.empty);
+    draw_small(list, {(area.low.x + area.high.x - size.x) / 2, (area.low.y + area.high.y - size.y) / 2},
+               ink(palette().dim), p.empty);
   }
   list.PopClipRect();
   if (any) draw_legend(list, area, p, outer_low);
@@ -146,7 +138,7 @@ void draw_all(ImDrawList& list, const PlotArea& area, const Plot& p, ImVec2 oute
 
 std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot& p, std::string_view tooltip) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  const float least = 4 * small_text_px(ui);
+  const float least = 4 * small_font()->FontSize;
   const ImVec2 size(std::max(least, p.width > 0 ? p.width : room.x), std::max(least, p.height > 0 ? p.height : room.y));
   const ImVec2 high(low.x + size.x, low.y + size.y);
   const Data data = extent_of(p);
@@ -174,7 +166,7 @@ std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot
                             : any            ? ""
                                              : std::string(p.empty);
   note(ui, label, "plot", any ? "" : tooltip, true, value, area.low, area.high);
-  note(ui, std::string(label) + "/axes", "label", tooltip, true, axis_title(p.y), low, {high.x, area.low.y});
+  note(ui, fmt::format("{}/axes", label), "label", tooltip, true, axis_title(p.y), low, {high.x, area.low.y});
   if (!held || !any) return std::nullopt;
   const double up = (area.high.y - mouse.y) / (area.high.y - area.low.y);
   const PlotDrag wanted{

@@ -18,13 +18,7 @@ struct PlotArea {
 
   // NaN where a value has no place.
   ImVec2 at(double x_value, double y_value) const;
-  bool holds(ImVec2 p) const { return p.x >= low.x && p.y >= low.y && p.x < high.x && p.y < high.y; }
 };
-
-float small_text_px(const WidgetFrame& ui);
-ImVec2 small_size(const PlotArea& area, std::string_view text);
-// Text of small size with its top left at `at`, rounded to pixels.
-void small_text(ImDrawList& list, const PlotArea& area, ImVec2 at, std::uint32_t colour, std::string_view text);
 
 std::string axis_title(const PlotAxis& axis);  // "title (unit)"
 void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 outer_low);

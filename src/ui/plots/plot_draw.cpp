@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "ui/plots/plot_area.h"
 #include "ui/widgets/theme.h"
 
@@ -16,27 +18,20 @@ ImVec2 PlotArea::at(double x_value, double y_value) const {
           high.y - static_cast<float>(place(part_of(y, y_value))) * (high.y - low.y)};
 }
 
-float small_text_px(const WidgetFrame& ui) { return std::max(13.0f, std::round(kSmallFontPixels * ui.scale)); }
-
-ImVec2 small_size(const PlotArea& area, std::string_view text) {
-  return small_font()->CalcTextSizeA(area.text_px, 1e9f, 0, text.data(), text.data() + text.size());
-}
-
-void small_text(ImDrawList& list, const PlotArea& area, ImVec2 at, std::uint32_t rgb, std::string_view text) {
-  list.AddText(small_font(), area.text_px, {std::floor(at.x), std::floor(at.y)}, packed(ink(rgb)), text.data(),
-               text.data() + text.size());
-}
-
 std::string axis_title(const PlotAxis& axis) {
-  return axis.unit.empty() ? axis.title : axis.title + " (" + axis.unit + ")";
+  return axis.unit.empty() ? axis.title : fmt::format("{} ({})", axis.title, axis.unit);
 }
 
 namespace {
 
+void draw_ink(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text) {
+  draw_small(list, at, ink(rgb), text);
+}
+
 bool drawable(ImVec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 // The points of one unbroken piece. Of several in one pixel column, the first, lowest, highest and last remain.
-std::vector<ImVec2> thinned(std::vector<ImVec2> points, float width) {
+std::vector<ImVec2> thinned(const std::vector<ImVec2>& points, float width) {
   if (static_cast<float>(points.size()) < 5 * width) return points;
   std::vector<ImVec2> kept;
   for (std::size_t i = 0; i < points.size();) {
@@ -45,7 +40,7 @@ std::vector<ImVec2> thinned(std::vector<ImVec2> points, float width) {
       if (points[end].y > points[lowest].y) lowest = end;
       if (points[end].y < points[highest].y) highest = end;
     }
-    std::size_t chosen[] = {i, std::min(lowest, highest), std::max(lowest, highest), end - 1};
+    const std::size_t chosen[] = {i, std::min(lowest, highest), std::max(lowest, highest), end - 1};
     for (std::size_t k = 0; k < 4; ++k)
       if (k == 0 || chosen[k] != chosen[k - 1]) kept.push_back(points[chosen[k]]);
     i = end;
@@ -53,14 +48,11 @@ std::vector<ImVec2> thinned(std::vector<ImVec2> points, float width) {
   return kept;
 }
 
-void draw_piece(ImDrawList& list, const PlotArea& area, const Series& series, std::vector<ImVec2> piece) {
-  if (piece.empty()) return;
-  if (piece.size() == 1) {  // a sample between two gaps
-    if (series.kind == SeriesKind::line)
-      list.AddCircleFilled(piece[0], series.width * area.scale, packed(ink(series.colour)));
-    return;
-  }
-  const std::vector<ImVec2> points = thinned(std::move(piece), area.high.x - area.low.x);
+void draw_piece(ImDrawList& list, const PlotArea& area, const Series& series, const std::vector<ImVec2>& piece) {
+  if (piece.size() == 1 && series.kind == SeriesKind::line)  // a sample between two gaps
+    list.AddCircleFilled(piece[0], series.width * area.scale, packed(ink(series.colour)));
+  if (piece.size() < 2) return;
+  const std::vector<ImVec2> points = thinned(piece, area.high.x - area.low.x);
   list.AddPolyline(points.data(), static_cast<int>(points.size()), packed(ink(series.colour)), ImDrawFlags_None,
                    series.width * area.scale);
 }
@@ -73,10 +65,10 @@ void draw_lines(ImDrawList& list, const PlotArea& area, const Series& series, st
       piece.push_back(p);
       continue;
     }
-    draw_piece(list, area, series, std::move(piece));
+    draw_piece(list, area, series, piece);
     piece.clear();
   }
-  draw_piece(list, area, series, std::move(piece));
+  draw_piece(list, area, series, piece);
 }
 
 void draw_bars(ImDrawList& list, const PlotArea& area, const Series& series, std::size_t count) {
@@ -90,106 +82,6 @@ void draw_bars(ImDrawList& list, const PlotArea& area, const Series& series, std
                          packed(ink(series.colour), 0.85f));
   }
 }
-
-}  // namespace
-
-void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 outer_low) {
-  const float line = area.text_px, gap = std::floor(4 * area.scale);
-  const ImU32 major = packed(palette().border, 0.9f), minor = packed(palette().border, 0.4f);
-  list.AddRectFilled(area.low, area.high, packed(palette().plot));
-  const auto row = [&](double value, ImU32 tint) {
-    const float y = std::floor(area.at(area.x.low, value).y) + 0.5f;
-    if (y >= area.low.y - 1 && y <= area.high.y + 1) list.AddLine({area.low.x, y}, {area.high.x, y}, tint);
-  };
-  const auto column = [&](double value, ImU32 tint) {
-    const float x = std::floor(area.at(value, area.y.high).x) + 0.5f;
-    if (x >= area.low.x - 1 && x <= area.high.x + 1) list.AddLine({x, area.low.y}, {x, area.high.y}, tint);
-  };
-  for (const double v : area.y_ticks.minor) row(v, minor);
-  for (const double v : area.x_ticks.minor) column(v, minor);
-  for (const double v : area.y_ticks.major) {
-    row(v, v == 0 ? packed(palette().dim, 0.7f) : major);
-    const std::string text = tick_text(area.y, area.y_ticks, v, area.pretty);
-    const ImVec2 size = small_size(area, text);
-    const float y =
-        std::clamp(area.at(area.x.low, v).y - size.y * 0.5f, area.low.y - size.y * 0.15f, area.high.y - size.y * 0.6f);
-    small_text(list, area, {area.low.x - size.x - gap, y}, palette().dim, text);
-  }
-  for (const double v : area.x_ticks.major) {
-    column(v, v == 0 && plot.square ? packed(palette().dim, 0.7f) : major);
-    const std::string text = tick_text(area.x, area.x_ticks, v, area.pretty);
-    const ImVec2 size = small_size(area, text);
-    small_text(list, area, {std::max(outer_low.x, area.at(v, area.y.low).x - size.x * 0.5f), area.high.y + gap * 0.5f},
-               palette().dim, text);
-  }
-  small_text(list, area, outer_low, palette().text, axis_title(plot.y));
-  if (plot.square) return;
-  const std::string title = axis_title(plot.x);
-  const ImVec2 size = small_size(area, title);
-  const float below = area.high.y + gap * 0.5f;
-  if (area.title_beside) small_text(list, area, {area.high.x + line, below}, palette().text, title);
-  else small_text(list, area, {(area.low.x + area.high.x - size.x) * 0.5f, below + line}, palette().text, title);
-}
-
-void draw_series(ImDrawList& list, const PlotArea& area, const Series& series) {
-  const std::size_t count = std::min(series.x.size(), series.y.size());
-  if (series.kind == SeriesKind::bars) return draw_bars(list, area, series, count);
-  if (series.kind != SeriesKind::points) draw_lines(list, area, series, count);
-  if (series.kind == SeriesKind::line) return;
-  for (std::size_t i = 0; i < count; ++i) {
-    const ImVec2 p = area.at(series.x[i], series.y[i]);
-    if (drawable(p)) list.AddCircleFilled(p, (series.width + 1) * area.scale, packed(ink(series.colour)));
-  }
-}
-
-void draw_levels_and_spots(ImDrawList& list, const PlotArea& area, const Plot& plot) {
-  for (const Level& level : plot.levels) {
-    const float y = std::floor(area.at(area.x.low, level.y).y) + 0.5f;
-    if (!std::isfinite(y)) continue;
-    const float dash = 7 * area.scale;
-    for (float x = area.low.x; x < area.high.x; x += 1.7f * dash)
-      list.AddLine({x, y}, {std::min(x + dash, area.high.x), y}, packed(ink(level.colour)),
-                   std::max(1.0f, 1.5f * area.scale));
-    const ImVec2 size = small_size(area, level.label);
-    const float above = y - size.y - 1, top = above >= area.low.y ? above : y + 2;
-    small_text(list, area, {area.high.x - size.x - 4 * area.scale, top}, level.colour, level.label);
-  }
-  for (const Spot& spot : plot.spots) {
-    const ImVec2 p = area.at(spot.x, spot.y);
-    if (!drawable(p)) continue;
-    list.AddCircleFilled(p, 4.5f * area.scale, packed(palette().plot));
-    list.AddCircleFilled(p, 3.5f * area.scale, packed(ink(spot.colour)));
-    if (spot.label.empty()) continue;
-    const ImVec2 size = small_size(area, spot.label);
-    const float gap = 6 * area.scale;
-    const float x = p.x + gap + size.x <= area.high.x ? p.x + gap : p.x - gap - size.x;
-    const float y = std::clamp(p.y - size.y - 1, area.low.y, std::max(area.low.y, area.high.y - size.y));
-    small_text(list, area, {x, y}, spot.colour, spot.label);
-  }
-}
-
-// In the row of the y axis' title, from the right.
-void draw_legend(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 outer_low) {
-  const float gap = 5 * area.scale, mark = 12 * area.scale;
-  const float left = outer_low.x + small_size(area, axis_title(plot.y)).x + 2 * gap;
-  float total = 0;
-  for (const Series& s : plot.series)
-    if (!s.label.empty()) total += mark + gap + small_size(area, s.label).x + 2 * gap;
-  float x = std::max(left, area.high.x - total + 2 * gap);
-  for (const Series& s : plot.series) {
-    if (s.label.empty()) continue;
-    const float width = mark + gap + small_size(area, s.label).x, y = std::floor(outer_low.y + area.text_px * 0.5f);
-    if (x + width > area.high.x + 1) break;
-    if (s.kind == SeriesKind::points) list.AddCircleFilled({x + mark / 2, y}, 3 * area.scale, packed(ink(s.colour)));
-    else
-      list.AddLine({x, y}, {x + mark, y}, packed(ink(s.colour)),
-                   s.kind == SeriesKind::bars ? 8 * area.scale : 2 * area.scale);
-    small_text(list, area, {x + mark + gap, outer_low.y}, palette().dim, s.label);
-    x += width + 2 * gap;
-  }
-}
-
-namespace {
 
 struct Nearest {
   const Series* series = nullptr;
@@ -212,6 +104,102 @@ Nearest nearest(const PlotArea& area, const Series& s, ImVec2 mouse, bool by_x) 
 
 }  // namespace
 
+void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 outer_low) {
+  const float line = area.text_px, gap = std::floor(4 * area.scale);
+  const ImU32 major = packed(palette().border, 0.9f), minor = packed(palette().border, 0.4f);
+  list.AddRectFilled(area.low, area.high, packed(palette().plot));
+  const auto row = [&](double value, ImU32 tint) {
+    const float y = std::floor(area.at(area.x.low, value).y) + 0.5f;
+    if (y >= area.low.y - 1 && y <= area.high.y + 1) list.AddLine({area.low.x, y}, {area.high.x, y}, tint);
+  };
+  const auto column = [&](double value, ImU32 tint) {
+    const float x = std::floor(area.at(value, area.y.high).x) + 0.5f;
+    if (x >= area.low.x - 1 && x <= area.high.x + 1) list.AddLine({x, area.low.y}, {x, area.high.y}, tint);
+  };
+  for (const double v : area.y_ticks.minor) row(v, minor);
+  for (const double v : area.x_ticks.minor) column(v, minor);
+  for (const double v : area.y_ticks.major) {
+    row(v, v == 0 ? packed(palette().dim, 0.7f) : major);
+    const std::string text = tick_text(area.y, area.y_ticks, v, area.pretty);
+    const ImVec2 size = small_size(text);
+    const float y =
+        std::clamp(area.at(area.x.low, v).y - size.y * 0.5f, area.low.y - size.y * 0.15f, area.high.y - size.y * 0.6f);
+    draw_ink(list, {area.low.x - size.x - gap, y}, palette().dim, text);
+  }
+  for (const double v : area.x_ticks.major) {
+    column(v, v == 0 && plot.square ? packed(palette().dim, 0.7f) : major);
+    const std::string text = tick_text(area.x, area.x_ticks, v, area.pretty);
+    const ImVec2 size = small_size(text);
+    draw_ink(list, {std::max(outer_low.x, area.at(v, area.y.low).x - size.x * 0.5f), area.high.y + gap * 0.5f},
+             palette().dim, text);
+  }
+  draw_ink(list, outer_low, palette().text, axis_title(plot.y));
+  if (plot.square) return;
+  const std::string title = axis_title(plot.x);
+  const ImVec2 size = small_size(title);
+  const float below = area.high.y + gap * 0.5f;
+  if (area.title_beside) draw_ink(list, {area.high.x + line, below}, palette().text, title);
+  else draw_ink(list, {(area.low.x + area.high.x - size.x) * 0.5f, below + line}, palette().text, title);
+}
+
+void draw_series(ImDrawList& list, const PlotArea& area, const Series& series) {
+  const std::size_t count = std::min(series.x.size(), series.y.size());
+  if (series.kind == SeriesKind::bars) return draw_bars(list, area, series, count);
+  if (series.kind != SeriesKind::points) draw_lines(list, area, series, count);
+  if (series.kind == SeriesKind::line) return;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ImVec2 p = area.at(series.x[i], series.y[i]);
+    if (drawable(p)) list.AddCircleFilled(p, (series.width + 1) * area.scale, packed(ink(series.colour)));
+  }
+}
+
+void draw_levels_and_spots(ImDrawList& list, const PlotArea& area, const Plot& plot) {
+  for (const Level& level : plot.levels) {
+    const float y = std::floor(area.at(area.x.low, level.y).y) + 0.5f;
+    if (!std::isfinite(y)) continue;
+    const float dash = 7 * area.scale;
+    for (float x = area.low.x; x < area.high.x; x += 1.7f * dash)
+      list.AddLine({x, y}, {std::min(x + dash, area.high.x), y}, packed(ink(level.colour)),
+                   std::max(1.0f, 1.5f * area.scale));
+    const ImVec2 size = small_size(level.label);
+    const float above = y - size.y - 1, top = above >= area.low.y ? above : y + 2;
+    draw_ink(list, {area.high.x - size.x - 4 * area.scale, top}, level.colour, level.label);
+  }
+  for (const Spot& spot : plot.spots) {
+    const ImVec2 p = area.at(spot.x, spot.y);
+    if (!drawable(p)) continue;
+    list.AddCircleFilled(p, 4.5f * area.scale, packed(palette().plot));
+    list.AddCircleFilled(p, 3.5f * area.scale, packed(ink(spot.colour)));
+    if (spot.label.empty()) continue;
+    const ImVec2 size = small_size(spot.label);
+    const float gap = 6 * area.scale;
+    const float x = p.x + gap + size.x <= area.high.x ? p.x + gap : p.x - gap - size.x;
+    const float y = std::clamp(p.y - size.y - 1, area.low.y, std::max(area.low.y, area.high.y - size.y));
+    draw_ink(list, {x, y}, spot.colour, spot.label);
+  }
+}
+
+// In the row of the y axis' title, from the right.
+void draw_legend(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 outer_low) {
+  const float gap = 5 * area.scale, mark = 12 * area.scale;
+  const float left = outer_low.x + small_size(axis_title(plot.y)).x + 2 * gap;
+  float total = 0;
+  for (const Series& s : plot.series)
+    if (!s.label.empty()) total += mark + gap + small_size(s.label).x + 2 * gap;
+  float x = std::max(left, area.high.x - total + 2 * gap);
+  for (const Series& s : plot.series) {
+    if (s.label.empty()) continue;
+    const float width = mark + gap + small_size(s.label).x, y = std::floor(outer_low.y + area.text_px * 0.5f);
+    if (x + width > area.high.x + 1) break;
+    if (s.kind == SeriesKind::points) list.AddCircleFilled({x + mark / 2, y}, 3 * area.scale, packed(ink(s.colour)));
+    else
+      list.AddLine({x, y}, {x + mark, y}, packed(ink(s.colour)),
+                   s.kind == SeriesKind::bars ? 8 * area.scale : 2 * area.scale);
+    draw_ink(list, {x + mark + gap, outer_low.y}, palette().dim, s.label);
+    x += width + 2 * gap;
+  }
+}
+
 void draw_readout(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 mouse) {
   mouse.x = std::clamp(mouse.x, area.low.x, area.high.x);
   std::vector<Nearest> found;
@@ -225,29 +213,27 @@ void draw_readout(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVe
   std::stable_sort(found.begin(), found.end(),
                    [](const Nearest& a, const Nearest& b) { return a.distance < b.distance; });
   if (found.size() > kMost) found.resize(kMost);
-  const auto unit = [](const PlotAxis& axis) { return axis.unit.empty() ? "" : " " + axis.unit; };
+  const auto words = [&](const std::string& name, double value, const PlotAxis& axis) {
+    return fmt::format("{} {}{}{}", name, significant(value, 4, area.pretty), axis.unit.empty() ? "" : " ", axis.unit);
+  };
   std::vector<std::pair<std::uint32_t, std::string>> lines;
-  const Series& first = *found[0].series;
-  lines.emplace_back(palette().text,
-                     plot.x.title + " " + significant(first.x[found[0].index], 4, area.pretty) + unit(plot.x));
+  const Nearest& first = found.front();
+  lines.emplace_back(palette().text, words(plot.x.title, first.series->x[first.index], plot.x));
   for (const Nearest& one : found) {
-    const std::string name = one.series->label.empty() ? plot.y.title : one.series->label;
-    lines.emplace_back(one.series->colour,
-                       name + " " + significant(one.series->y[one.index], 4, area.pretty) + unit(plot.y));
-    list.AddCircleFilled(one.place, 3 * area.scale, packed(ink(one.series->colour)));
+    const Series& s = *one.series;
+    lines.emplace_back(s.colour, words(s.label.empty() ? plot.y.title : s.label, s.y[one.index], plot.y));
+    list.AddCircleFilled(one.place, 3 * area.scale, packed(ink(s.colour)));
   }
   float width = 0;
-  for (const auto& [tint, text] : lines) width = std::max(width, small_size(area, text).x);
+  for (const auto& [tint, text] : lines) width = std::max(width, small_size(text).x);
   const float pad = 5 * area.scale, height = area.text_px * static_cast<float>(lines.size());
-  const float x = mouse.x + 12 * area.scale + width + 2 * pad <= area.high.x
-                      ? mouse.x + 12 * area.scale
-                      : mouse.x - 12 * area.scale - width - 2 * pad;
+  const float beside = 12 * area.scale, wide = width + 2 * pad;
+  const float x = mouse.x + beside + wide <= area.high.x ? mouse.x + beside : mouse.x - beside - wide;
   const float y =
       std::clamp(mouse.y - height * 0.5f, area.low.y + pad, std::max(area.low.y + pad, area.high.y - height - pad));
-  list.AddRectFilled({x, y - pad}, {x + width + 2 * pad, y + height + pad}, packed(palette().raised, 0.95f),
-                     4 * area.scale);
+  list.AddRectFilled({x, y - pad}, {x + wide, y + height + pad}, packed(palette().raised, 0.95f), 4 * area.scale);
   for (std::size_t i = 0; i < lines.size(); ++i)
-    small_text(list, area, {x + pad, y + static_cast<float>(i) * area.text_px}, lines[i].first, lines[i].second);
+    draw_ink(list, {x + pad, y + static_cast<float>(i) * area.text_px}, lines[i].first, lines[i].second);
 }
 
 }  // namespace coaster::ui

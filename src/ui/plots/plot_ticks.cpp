@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -11,12 +11,6 @@ namespace coaster::ui {
 namespace {
 
 constexpr double kLargest = 1e300;  // beyond it, spans of ranges would overflow
-
-std::string print(const char* format, int digits, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, digits, value);
-  return text;
-}
 
 std::string superscript(int exponent) {
   static constexpr const char* kDigits[] = {"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074",
@@ -28,7 +22,7 @@ std::string superscript(int exponent) {
 
 // mantissa x 10^exponent, of a finite value that is not zero.
 std::string scientific(double value, int digits, bool pretty) {
-  const std::string plain = print("%.*e", digits - 1, value);
+  const std::string plain = fmt::format("{:.{}e}", value, digits - 1);
   const std::size_t e = plain.find('e');
   std::string mantissa = plain.substr(0, e);
   if (mantissa.find('.') != std::string::npos) {
@@ -105,10 +99,6 @@ void Extent::add(double value, AxisScale scale) {
   high = std::max(high, value);
 }
 
-void Extent::add(std::span<const double> values, AxisScale scale) {
-  for (const double value : values) add(value, scale);
-}
-
 AxisRange fit(const Extent& extent, AxisScale scale, double margin) {
   if (scale == AxisScale::logarithmic) {
     if (extent.empty()) return {0.1, 1, scale};
@@ -147,9 +137,8 @@ Ticks ticks(const AxisRange& axis, int most) {
 std::string tick_text(const AxisRange& axis, const Ticks& all, double value, bool pretty) {
   if (value == 0) return "0";
   const double size = std::abs(value);
-  if (axis.scale == AxisScale::logarithmic) {
+  if (axis.scale == AxisScale::logarithmic)
     return size >= 0.00999 && size <= 1000.1 ? significant(value, 1, pretty) : scientific(value, 1, pretty);
-  }
   const double largest = std::max(std::abs(axis.low), std::abs(axis.high));
   if (largest >= 1e6 || all.step < 1e-4) {
     const int digits =
@@ -157,7 +146,7 @@ std::string tick_text(const AxisRange& axis, const Ticks& all, double value, boo
         std::max(0, static_cast<int>(std::floor(std::log10(size) + 1e-9) - std::floor(std::log10(all.step) + 1e-9)));
     return scientific(value, std::min(digits, 17), pretty);
   }
-  return print("%.*f", std::max(0, -static_cast<int>(std::floor(std::log10(all.step) + 1e-9))), value);
+  return fmt::format("{:.{}f}", value, std::max(0, -static_cast<int>(std::floor(std::log10(all.step) + 1e-9))));
 }
 
 std::string significant(double value, int digits, bool pretty) {
@@ -167,7 +156,7 @@ std::string significant(double value, int digits, bool pretty) {
   const double size = std::abs(value);
   if (size < 1e-4 || size >= 1e6) return scientific(value, digits, pretty);
   const int leading = static_cast<int>(std::floor(std::log10(size)));
-  return print("%.*f", std::max(0, digits - 1 - leading), value);
+  return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - leading));
 }
 
 }  // namespace coaster::ui

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <limits>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -22,7 +21,6 @@ struct AxisRange {
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   void add(double value, AxisScale scale);
-  void add(std::span<const double> values, AxisScale scale);
   bool empty() const { return !(low <= high); }
 };
 

@@ -8,12 +8,10 @@
 
 #include "base/folders.h"
 #include "exchange/challenge_file.h"
-#include "exchange/own/progress_file.h"
 #include "query/challenge.h"
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -41,45 +39,44 @@ void draw_row(const Ui& ui, const ChallengeEntry& entry, int medal, ImVec2 low, 
   list.AddRectFilled(low, high, packed(hovered ? palette().field : palette().raised), 4 * ui.scale);
   if (current) list.AddRect(low, high, packed(palette().accent), 4 * ui.scale, 0, std::max(1.0f, 1.5f * ui.scale));
   draw_medal(list, {low.x + pad, low.y + pad}, size, std::max(medal, 1), medal > 0);
-  list.AddText({left, low.y + pad * 0.75f}, packed(entry.problem.empty() ? palette().text : palette().error),
-               entry.name.c_str());
-  const std::string& words = entry.problem.empty() ? entry.teaches : entry.problem;
+  draw_text(list, {left, low.y + pad * 0.75f}, entry.problem.empty() ? palette().text : palette().error, entry.name);
   const float line = ImGui::GetTextLineHeight();
   const float top = std::floor(low.y + pad * 0.75f + line + 2 * ui.scale);
   const ImVec4 clip(left, low.y, high.x - pad, top + 2 * small_font()->FontSize);  // two lines
-  list.AddText(small_font(), small_font()->FontSize, {left, top}, packed(palette().dim), words.c_str(), nullptr,
+  list.AddText(small_font(), small_font()->FontSize, {left, top}, packed(palette().dim), entry.help().c_str(), nullptr,
                high.x - pad - left, &clip);
 }
 
 }  // namespace
 
-void ChallengeShelf::read(const std::filesystem::path& users) {
-  entries_.clear();
-  const std::filesystem::path data = base::data_folder();
-  for (const std::filesystem::path& folder : {data.empty() ? data : data / "challenges", users}) {
-    if (folder.empty()) continue;
-    const auto files = base::list_folder(folder);
-    if (!files) continue;  // the user's need not be there
-    for (const base::FolderEntry& file : *files)
-      if (!file.folder && file.name.ends_with(".json")) entries_.push_back(entry_of(folder / file.name));
-  }
+std::vector<std::filesystem::path> json_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  if (const auto entries = base::list_folder(folder))
+    for (const base::FolderEntry& entry : *entries)
+      if (!entry.folder && entry.name.ends_with(".json")) files.push_back(folder / entry.name);
+  return files;
 }
 
-std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, const ChallengeShelf& shelf, int& current,
-                                                         float height) {
+std::vector<ChallengeEntry> read_challenges(const Ui& ui) {
+  std::vector<ChallengeEntry> found;
+  const std::filesystem::path data = base::data_folder();
+  if (!data.empty())
+    for (const std::filesystem::path& file : json_files(data / "challenges")) found.push_back(entry_of(file));
+  if (ui.state.kept != nullptr && !ui.state.kept->challenges.empty())  // it need not be there
+    for (const std::filesystem::path& file : json_files(ui.state.kept->challenges)) found.push_back(entry_of(file));
+  return found;
+}
+
+std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, std::span<const ChallengeEntry> challenges,
+                                                         int& current, float height) {
   std::optional<std::filesystem::path> chosen;
-  const int count = static_cast<int>(shelf.entries().size());
-  int step = 0;
-  if (ImGui::IsKeyPressed(ImGuiKey_DownArrow)) step = 1;
-  if (ImGui::IsKeyPressed(ImGuiKey_UpArrow)) step = -1;
+  const int count = static_cast<int>(challenges.size());
+  const int step = ImGui::IsKeyPressed(ImGuiKey_UpArrow) ? -1 : ImGui::IsKeyPressed(ImGuiKey_DownArrow) ? 1 : 0;
   if (count > 0) current = std::clamp(current + step, 0, count - 1);
-  if (!ImGui::BeginChild("##challenges", {0, height})) {
-    ImGui::EndChild();
-    return chosen;
-  }
-  if (count == 0) ImGui::TextUnformatted("No challenges found.");
-  for (int i = 0; i < count; ++i) {
-    const ChallengeEntry& entry = shelf.entries()[static_cast<std::size_t>(i)];
+  const bool seen = ImGui::BeginChild("##challenges", {0, height});
+  if (seen && count == 0) ImGui::TextUnformatted("No challenges found.");
+  for (int i = 0; seen && i < count; ++i) {
+    const ChallengeEntry& entry = challenges[static_cast<std::size_t>(i)];
     const int medal = known_medal(ui, entry.path);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, tall = std::floor(62 * ui.scale);
@@ -89,8 +86,8 @@ std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, const Challenge
     ImGui::PopID();
     draw_row(ui, entry, medal, low, {low.x + width, low.y + tall}, i == current, hovered);
     if (i == current && step != 0) ImGui::SetScrollHereY();
-    note(ui, entry.name, "button", entry.problem.empty() ? entry.teaches : entry.problem, entry.problem.empty(),
-         std::string(medal_title(medal)), low, {low.x + width, low.y + tall});
+    note(ui, entry.name, "button", entry.help(), entry.problem.empty(), std::string(medal_title(medal)), low,
+         {low.x + width, low.y + tall});
     if (pressed) current = i;
     const bool by_key =
         i == current && (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(kKeypadEnter, false));

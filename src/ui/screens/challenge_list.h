@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,23 +16,18 @@ struct ChallengeEntry {
   std::string name, teaches;
   std::filesystem::path track;  // its start track's file; empty when that is in the challenge itself
   std::string problem;          // why it cannot be begun; empty when it can
+  const std::string& help() const { return problem.empty() ? teaches : problem; }
 };
 
-// What is in the folders, read when they are asked for; kept until the next time.
-class ChallengeShelf {
- public:
-  // The program's own (base::data_folder()), then the user's: files that end in .json, by name.
-  void read(const std::filesystem::path& users);
-  bool empty() const { return entries_.empty(); }
-  const std::vector<ChallengeEntry>& entries() const { return entries_; }
+// The files of a folder that end in .json, by name; none where there is no such folder.
+std::vector<std::filesystem::path> json_files(const std::filesystem::path& folder);
 
- private:
-  std::vector<ChallengeEntry> entries_;
-};
+// The program's own challenges (base::data_folder()), then the user's, each by file name. Reads the files.
+std::vector<ChallengeEntry> read_challenges(const Ui& ui);
 
 // A row for each challenge in `height` px, scrolling; ui.panel names the widgets. What was clicked, or chosen by the
 // arrow keys and Enter. `current`: the row that the keys are at.
-std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, const ChallengeShelf& shelf, int& current,
-                                                         float height);
+std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, std::span<const ChallengeEntry> challenges,
+                                                         int& current, float height);
 
 }  // namespace coaster::ui

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/file_lock.h"
 #include "ui/screens/dialogs.h"
 #include "ui/widgets/theme.h"
@@ -12,14 +14,6 @@ namespace {
 
 using platform::Key;
 
-bool pressed(const platform::Events& events, Key a, Key b = Key::unknown) {
-  return std::any_of(events.begin(), events.end(), [&](const platform::Event& event) {
-    const auto* press = std::get_if<platform::KeyPress>(&event);
-    return press != nullptr && press->down && !press->repeat &&
-           (press->key == a || (b != Key::unknown && press->key == b));
-  });
-}
-
 void title(std::string_view words) {
   tinted(words, palette().accent);
   ImGui::Separator();
@@ -27,13 +21,21 @@ void title(std::string_view words) {
 
 }  // namespace
 
+bool pressed(const platform::Events& events, Key a, Key b) {
+  return std::any_of(events.begin(), events.end(), [&](const platform::Event& event) {
+    const auto* press = std::get_if<platform::KeyPress>(&event);
+    return press != nullptr && press->down && !press->repeat && press->key != Key::unknown &&
+           (press->key == a || press->key == b);
+  });
+}
+
 void Dialogs::build_unsaved(Ui& ui, const platform::Events& events) {
   ui.panel = "Unsaved changes";
   title("Unsaved changes");
   const std::string& name = ui.session().document.name;
   paragraph(ui, "Question",
-            (name.empty() ? std::string("This track") : "\u201C" + name + "\u201D") +
-                " has unsaved changes. They will be lost unless you save.",
+            fmt::format("{} has unsaved changes. They will be lost unless you save.",
+                        name.empty() ? "This track" : fmt::format("\u201C{}\u201D", name)),
             palette().text);
   const bool enter = pressed(events, Key::enter, Key::keypad_enter);
   const bool save_now = button(ui, "Save", "Save, then continue. Key Enter.") || enter;
@@ -73,8 +75,8 @@ void Dialogs::build_overwrite(Ui& ui, const platform::Events& events) {
   ui.panel = "Overwrite";
   title("Overwrite?");
   paragraph(ui, "Question",
-            chosen_.string() + " already exists, changed on " + base::local_time(base::change_time(chosen_)) +
-                ". Its content will be lost.",
+            fmt::format("{} already exists, changed on {}. Its content will be lost.", chosen_.string(),
+                        base::local_time(base::change_time(chosen_))),
             palette().text);
   const bool yes = button(ui, "Overwrite", "Replace the file.");
   ImGui::SameLine();
@@ -104,9 +106,9 @@ void Dialogs::build_recovery(Ui& ui) {
   ui.panel = "Recovery";
   title("Recover unsaved work?");
   const RecoveryOffer& offer = ui.state.kept->recoveries.front();
-  paragraph(
-      ui, "Question",
-      "coaster closed unexpectedly. Unsaved changes to \u201C" + offer.name + "\u201D were recovered:", palette().text);
+  paragraph(ui, "Question",
+            fmt::format("coaster closed unexpectedly. Unsaved changes to \u201C{}\u201D were recovered:", offer.name),
+            palette().text);
   read_out(ui, "File", offer.original.empty() ? "none: never saved" : offer.original, "",
            "File that the changes belong to.");
   read_out(ui, "File saved", offer.file_time != 0 ? base::local_time(offer.file_time) : "--", "",
@@ -114,7 +116,7 @@ void Dialogs::build_recovery(Ui& ui) {
   read_out(ui, "Autosaved", base::local_time(offer.time), "", "Time of the autosave.");
   if (offer.file_time > offer.time) paragraph(ui, "Newer", "The file is newer than the autosave.", palette().text);
   const std::size_t more = ui.state.kept->recoveries.size() - 1;
-  if (more > 0) paragraph(ui, "More", std::to_string(more) + " more after this one.", palette().text);
+  if (more > 0) paragraph(ui, "More", fmt::format("{} more after this one.", more), palette().text);
   const auto answer = [&](Recovery what) { ui.out.recovery = what, dialog_ = Dialog::none; };
   if (button(ui, "Recover", "Open the unsaved changes. The file stays as it is until you save."))
     answer(Recovery::recover);
@@ -128,9 +130,9 @@ void Dialogs::build_recovery(Ui& ui) {
 void Dialogs::build_challenges(Ui& ui) {
   ui.panel = "Challenges";
   title("Challenges");
-  const bool opened_now = !std::exchange(shelf_is_read_, true);  // by a key, perhaps, which is no answer yet
-  if (opened_now) shelf_.read(ui.state.kept != nullptr ? ui.state.kept->challenges : std::filesystem::path());
-  const auto chosen = draw_challenge_list(ui, shelf_, challenge_,
+  const bool opened_now = !challenges_;  // perhaps by a key, which is no answer
+  if (opened_now) challenges_ = read_challenges(ui);
+  const auto chosen = draw_challenge_list(ui, *challenges_, challenge_,
                                           ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing());
   const bool cancel =
       button(ui, "Cancel", "Back to the track. Key Escape.") || ImGui::IsKeyPressed(ImGuiKey_Escape, false);

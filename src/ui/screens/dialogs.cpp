@@ -14,7 +14,7 @@
 namespace coaster::ui {
 namespace {
 
-// Where a file is looked for first: beside the document, else beside the file used last.
+// The folder shown first: the document's, else that of the file used last.
 std::filesystem::path first_folder(const Ui& ui) {
   const edit::Session& session = ui.session();
   if (!session.file.path.empty()) return base::canonical_path(session.file.path).parent_path();
@@ -22,8 +22,6 @@ std::filesystem::path first_folder(const Ui& ui) {
     return std::filesystem::path(ui.state.kept->settings.recent.front()).parent_path();
   return ".";
 }
-
-bool held_by_other(const Ui& ui) { return ui.state.kept != nullptr && !ui.state.kept->holder.empty(); }
 
 }  // namespace
 
@@ -70,12 +68,11 @@ void Dialogs::perform(Ui& ui, const Want& want) {
     case Want::Kind::save: save(ui); break;
     case Want::Kind::save_as: browse(ui, FileBrowser::Mode::save); break;
     case Want::Kind::settings: dialog_ = Dialog::settings; break;
-    case Want::Kind::challenges: dialog_ = Dialog::challenges, shelf_is_read_ = false; break;
+    case Want::Kind::challenges: dialog_ = Dialog::challenges, challenges_.reset(); break;
   }
 }
 
-// The save was carried out after the frame that asked for it: the document is clean now, or a notice says why not and
-// everything stays.
+// The save ran after the frame that asked for it. If the document is still unsaved, a notice says why.
 void Dialogs::follow_save(Ui& ui) {
   if (!std::exchange(saving_, false)) return;
   if (edit::dirty(ui.state.find)) abandon();
@@ -93,8 +90,8 @@ void Dialogs::browse(Ui& ui, FileBrowser::Mode mode) {
 
 void Dialogs::save(Ui& ui) {
   if (ui.session().file.path.empty()) return browse(ui, FileBrowser::Mode::save);
-  if (held_by_other(ui)) {
-    ui.warn(ui.state.kept->holder + " edits this file: save under another name.");
+  if (const UserState* const kept = ui.state.kept; kept != nullptr && !kept->holder.empty()) {
+    ui.warn(kept->holder + " edits this file: save under another name.");
     return browse(ui, FileBrowser::Mode::save);
   }
   ui.emit(edit::Save{ui.session().file.path.string()});
@@ -117,7 +114,7 @@ void Dialogs::take_file(Ui& ui, std::filesystem::path path, bool asked) {
     return;
   }
   ui.emit(edit::Save{chosen_.string()});
-  // Exporting saves nothing: what was to follow waits for an answer again.
+  // An export saves nothing: follow_save() then drops what was to follow.
   saving_ = want_.kind != Want::Kind::nothing;
   dialog_ = Dialog::none;
 }
@@ -127,10 +124,8 @@ void Dialogs::take_system(Ui& ui) {
   system_ = false;
   const std::string answer = *ui.state.kept->system.answer;
   if (answer.empty() || dialog_ != Dialog::browse) return;
-  take_file(
-      ui,
-      exchange::format_of(answer) == nullptr && browser_.mode() == FileBrowser::Mode::save ? answer + ".json" : answer,
-      exchange::format_of(answer) != nullptr);
+  const bool known = exchange::format_of(answer) != nullptr, save = browser_.mode() == FileBrowser::Mode::save;
+  take_file(ui, save && !known ? answer + ".json" : answer, known);
 }
 
 std::pair<float, float> Dialogs::wanted_size() const {
@@ -151,15 +146,14 @@ void Dialogs::build(Ui& ui, const platform::Events& events, bool text_had_keyboa
     dialog_ = Dialog::recovery;
   if (dialog_ == Dialog::recovery && (kept == nullptr || kept->recoveries.empty())) dialog_ = Dialog::none;
   const platform::Events none;
-  const bool changed = std::exchange(shown_, dialog_) != dialog_;  // what brought it here is not its answer, too
+  const bool changed = std::exchange(shown_, dialog_) != dialog_;  // the key that opened it is not its answer
   constexpr const char* kId = "##dialog";
   if (shown_ != Dialog::none && !ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
   const auto [design_width, design_height] = wanted_size();
   const bool fits = design_height < 0;  // itself to what is in it
   const float wide = std::floor(std::min(design_width * ui.scale, width - 16)),
               high = std::floor(std::min(std::abs(design_height) * ui.scale, height - 16));
-  // Where the top is does not depend on the height, which is known some frames later alone: nothing moves under the
-  // mouse.
+  // The height is known only some frames later. The top does not depend on it, so that nothing moves under the mouse.
   constexpr float kTop = 0.28f;
   const float top = fits ? std::min(height * kTop, height - high - 8) : (height - high) * 0.5f;
   ImGui::SetNextWindowPos({std::floor((width - wide) * 0.5f), std::floor(top)});

@@ -50,12 +50,14 @@ class Dialogs {
   bool asked_later_ = false;  // about recovery
   bool system_ = false;       // the system's dialog is awaited
   FileBrowser browser_;
-  ChallengeShelf shelf_;
-  bool shelf_is_read_ = false;
-  int challenge_ = 0;  // the row that the keys are at
+  std::optional<std::vector<ChallengeEntry>> challenges_;  // read when the dialog is built first
+  int challenge_ = 0;                                      // the row that the keys are at
   std::filesystem::path chosen_;
   std::string folder_name_;
 };
+
+// Whether one of the keys was pressed; repeats do not count.
+bool pressed(const platform::Events& events, platform::Key a, platform::Key b = platform::Key::unknown);
 
 // The name of the file that a track of this name is first saved to.
 std::string file_name_for(const std::string& track);

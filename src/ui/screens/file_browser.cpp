@@ -7,10 +7,11 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <fmt/format.h>
+
 #include "base/words.h"
 #include "exchange/formats.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -51,8 +52,8 @@ void FileBrowser::go(std::filesystem::path folder) {
 }
 
 void FileBrowser::up() {
-  const std::string from = folder_.filename().string();
   if (folder_ == folder_.root_path()) return;
+  const std::string from = folder_.filename().string();
   go(folder_.parent_path());
   marked_ = from;
   scroll_ = by_key_ = true;
@@ -61,13 +62,9 @@ void FileBrowser::up() {
 void FileBrowser::refresh(double seconds) {
   if (read_at_ >= 0 && seconds - read_at_ < kReadAgain && seconds >= read_at_) return;
   read_at_ = seconds;
-  problem_.clear();
-  if (auto read = base::list_folder(folder_, all_)) {
-    entries_ = std::move(*read);
-  } else {
-    entries_.clear();
-    problem_ = read.status().message;
-  }
+  auto read = base::list_folder(folder_, all_);
+  problem_ = read ? "" : read.status().message;
+  entries_ = read ? std::move(*read) : std::vector<base::FolderEntry>();
 }
 
 bool FileBrowser::knows(const base::FolderEntry& entry) const {
@@ -95,19 +92,18 @@ FileBrowser::Answer FileBrowser::choose_path(std::filesystem::path path) {
   return Answer::chosen;
 }
 
-FileBrowser::Answer FileBrowser::choose(const base::FolderEntry& entry) { return choose_path(folder_ / entry.name); }
-
 // What Enter and the button of the right name mean.
 FileBrowser::Answer FileBrowser::confirm(const Entries& entries) {
   const auto at =
       std::find_if(entries.begin(), entries.end(), [&](const base::FolderEntry* e) { return e->name == marked_; });
   if (mode_ == Mode::save) {
-    if (by_key_ && at != entries.end() && (*at)->folder) return choose(**at);
+    if (by_key_ && at != entries.end() && (*at)->folder) return choose_path(folder_ / (*at)->name);
     return words_.empty() ? Answer::none : choose_path(expanded(words_, folder_));
   }
   if (is_path(words_)) return choose_path(expanded(words_, folder_));
-  if (at != entries.end()) return choose(**at);
-  return entries.size() == 1 || (!words_.empty() && !entries.empty()) ? choose(*entries.front()) : Answer::none;
+  if (at != entries.end()) return choose_path(folder_ / (*at)->name);
+  return entries.size() == 1 || (!words_.empty() && !entries.empty()) ? choose_path(folder_ / entries.front()->name)
+                                                                      : Answer::none;
 }
 
 void FileBrowser::draw_path(Ui& ui) {
@@ -138,7 +134,7 @@ void FileBrowser::draw_path(Ui& ui) {
   if (!to.empty()) go(to);
 }
 
-// True when it was clicked twice.
+// Returns whether it was double-clicked.
 bool FileBrowser::draw_row(Ui& ui, const base::FolderEntry& entry) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(),
@@ -163,38 +159,32 @@ bool FileBrowser::draw_row(Ui& ui, const base::FolderEntry& entry) {
     list.AddRectFilled({at.x, at.y + line * 0.1f}, {at.x + icon, at.y + line * 0.6f}, packed(palette().warning), 2);
   }
   list.PushClipRect(low, {name_right, low.y + line}, true);
-  list.AddText({low.x + 2 * pad + icon, low.y}, packed(entry.folder || knows(entry) ? palette().text : palette().dim),
-               entry.name.c_str());
+  draw_text(list, {low.x + 2 * pad + icon, low.y}, entry.folder || knows(entry) ? palette().text : palette().dim,
+            entry.name);
   list.PopClipRect();
-  list.AddText({std::floor(size_right - text_size(size).x), low.y}, packed(palette().dim), size.c_str());
-  list.AddText({std::floor(low.x + width - time_width - pad), low.y}, packed(palette().dim), time.c_str());
+  draw_text(list, {size_right - text_size(size).x, low.y}, palette().dim, size);
+  draw_text(list, {low.x + width - time_width - pad, low.y}, palette().dim, time);
   if (marked && scroll_) ImGui::SetScrollHereY(), scroll_ = false;
   return pressed && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
 }
 
 FileBrowser::Answer FileBrowser::draw_list(Ui& ui, const Entries& entries, float height) {
-  Answer answer = Answer::none;
   const base::FolderEntry* twice = nullptr;
   ImGui::PushStyleColor(ImGuiCol_ChildBg, colour(palette().background));
   if (ImGui::BeginChild("##files", {0, height}, true)) {
     for (std::size_t i = 0; i < std::min(entries.size(), kMostRows); ++i)
       if (draw_row(ui, *entries[i])) twice = entries[i];
-    const std::string words =
-        !problem_.empty()            ? problem_
-        : entries.size() > kMostRows ? std::to_string(entries.size() - kMostRows) + " more: type part of the name"
-        : entries.empty()
-            ? (words_.empty() || mode_ == Mode::save ? "No folders and no readable files here." : "No matches.")
-            : "";
-    if (!words.empty()) {
-      ImGui::PushTextWrapPos(0);
-      ImGui::TextDisabled("%s", words.c_str());
-      ImGui::PopTextWrapPos();
-    }
+    const bool searched = mode_ == Mode::open && !words_.empty();
+    const std::string words = !problem_.empty() ? problem_
+                              : entries.size() > kMostRows
+                                  ? fmt::format("{} more: type part of the name", entries.size() - kMostRows)
+                              : entries.empty() ? (searched ? "No matches." : "No folders and no readable files here.")
+                                                : "";
+    if (!words.empty()) tinted(words, palette().dim);
   }
   ImGui::EndChild();
   ImGui::PopStyleColor();
-  if (twice != nullptr) answer = choose(*twice);
-  return answer;
+  return twice != nullptr ? choose_path(folder_ / twice->name) : Answer::none;
 }
 
 FileBrowser::Answer FileBrowser::draw_buttons(Ui& ui, const Entries& entries, bool system) {

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/folders.h"
@@ -27,7 +26,7 @@ class FileBrowser {
   Mode mode() const { return mode_; }
   const std::filesystem::path& folder() const { return folder_; }
   std::filesystem::path chosen() const { return chosen_; }
-  // Shows another folder, or this one anew.
+  // Shows a folder, or reads the same one again.
   void go(std::filesystem::path folder);
 
  private:
@@ -43,7 +42,6 @@ class FileBrowser {
   Answer take_key(platform::Key key, const Entries& entries);
   void take_text(const std::string& utf8);
   Answer confirm(const Entries& entries);
-  Answer choose(const base::FolderEntry& entry);
   Answer choose_path(std::filesystem::path path);
   void up();
   void mark(const Entries& entries, std::ptrdiff_t index);
@@ -55,7 +53,7 @@ class FileBrowser {
   bool by_key_ = false;    // marked by an arrow: Enter then means the mark, not the name
   bool scroll_ = false;    // to the mark
   bool all_ = false;       // also files that no format is known for
-  bool untouched_ = true;  // the name is the one it began with: what is typed replaces it
+  bool untouched_ = true;  // typing replaces the name
   double read_at_ = -1;    // s, of State::seconds
   std::string problem_;    // why the folder cannot be shown
   std::vector<base::FolderEntry> entries_;

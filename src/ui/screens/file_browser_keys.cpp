@@ -7,15 +7,7 @@
 #include "ui/screens/file_browser.h"
 
 namespace coaster::ui {
-namespace {
-
 using platform::Key;
-
-void pop_character(std::string& text) {
-  if (!text.empty()) text.resize(base::utf8_start(text, text.size() - 1).size());
-}
-
-}  // namespace
 
 void FileBrowser::mark(const Entries& entries, std::ptrdiff_t index) {
   if (entries.empty()) return;
@@ -46,9 +38,8 @@ FileBrowser::Answer FileBrowser::take_key(Key key, const Entries& entries) {
     case Key::home: to(0); break;
     case Key::end: to(count - 1); break;
     case Key::backspace:
-      if (mode_ == Mode::open && words_.empty()) up();
-      else if (mode_ == Mode::save && (untouched_ || words_.empty())) up();
-      else pop_character(words_);
+      if (words_.empty() || (mode_ == Mode::save && untouched_)) up();
+      else words_.resize(base::utf8_start(words_, words_.size() - 1).size());
       break;
     default: break;
   }

@@ -1,35 +1,47 @@
-// The first steps: a card in the viewport of who has not seen it yet, until it is dismissed.
-#include "ui/screens/hints.h"
+// The first steps, shown until they are dismissed, and the hint at the bottom of the viewport.
+#include "ui/screens/overlays.h"
 
 #include <imgui.h>
 
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "edit/commands/commands_settings.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 #include "world/aids.h"
 
 namespace coaster::ui {
 namespace {
 
-struct Hint {
-  std::string key, text;
-};
-
-// With the keys as the user has them.
-std::array<Hint, 8> first_steps(const KeyMap& keys) {
+// Keys as the user has them, and what they do.
+std::array<std::pair<std::string, std::string>, 8> first_steps(const KeyMap& keys) {
   const auto k = [&](std::string_view action) { return keys.shown(action); };
-  return {Hint{"Drag", "orbit; wheel zooms, " + k("Frame all") + " frames all"},
-          Hint{"Click", "select a knot, then drag it or its handles"},
-          Hint{k("Move") + " " + k("Rotate") + " " + k("Scale"), "move, rotate, scale; then X, Y, Z or a number"},
-          Hint{k("Append points"), "append knots by clicking; " + k("Add curve") + " adds a curve"},
-          Hint{k("Play or pause"), "ride; " + k("Ride camera") + " rider's view, " + k("Orbit camera") + " orbit view"},
-          Hint{k("Laboratory"), "the laboratory: curves, errors, forces"},
-          Hint{k("Undo"), "undo, any number of steps"},
-          Hint{k("Command palette"), "find any action or command"}};
+  return {
+      {{"Drag", fmt::format("orbit; wheel zooms, {} frames all", k("Frame all"))},
+       {"Click", "select a knot, then drag it or its handles"},
+       {fmt::format("{} {} {}", k("Move"), k("Rotate"), k("Scale")), "move, rotate, scale; then X, Y, Z or a number"},
+       {k("Append points"), fmt::format("append knots by clicking; {} adds a curve", k("Add curve"))},
+       {k("Play or pause"), fmt::format("ride; {} rider's view, {} orbit view", k("Ride camera"), k("Orbit camera"))},
+       {k("Laboratory"), "the laboratory: curves, errors, forces"},
+       {k("Undo"), "undo, any number of steps"},
+       {k("Command palette"), "find any action or command"}}};
+}
+
+std::string foot_text(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys) {
+  if (tool.transform().active())
+    return fmt::format("{}     X Y Z axis \u00B7 Shift plane \u00B7 digits \u00B7 Enter \u00B7 {}",
+                       tool.transform().status(), keys.shown("Cancel"));
+  if (tool.box_waits())
+    return fmt::format("Drag a box around knots. Shift adds, Ctrl removes, {} cancels.", keys.shown("Cancel"));
+  if (session.document.track.knots.empty()) return "Click on the ground to place the first knot";
+  if (session.settings.aids->append_mode && !session.document.track.closed)
+    return fmt::format("Click on the ground to append knots; {} or {} ends it", keys.shown("Append points"),
+                       keys.shown("Cancel"));
+  return {};
 }
 
 }  // namespace
@@ -39,32 +51,34 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
   const float width = std::floor(384 * ui.scale), margin = std::floor(14 * ui.scale);
   if (scene.width < width + 2 * margin || scene.height < 300 * ui.scale) return;
   // Below the track, clear of the notices at the foot.
-  ImGui::SetNextWindowPos({std::floor(scene.x + margin), std::floor(scene.y + scene.height - 58 * ui.scale)},
-                          ImGuiCond_Always, {0, 1});
-  ImGui::SetNextWindowSize({width, 0});
-  ImGui::SetNextWindowBgAlpha(0.88f);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * ui.scale, 10 * ui.scale));
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
-  if (ImGui::Begin("##hints", nullptr, kFlags)) {
-    ui.panel = "Hints";
+  const ImVec2 foot(std::floor(scene.x + margin), std::floor(scene.y + scene.height - 58 * ui.scale));
+  const Card card{.id = "##hints", .panel = "Hints", .at = foot, .pivot = {0, 1}, .width = width, .alpha = 0.88f};
+  build_card(ui, card, [&] {
     ImGui::TextUnformatted("First steps");
-    for (const Hint& hint : first_steps(ui.keys)) {
+    for (const auto& [key, text] : first_steps(ui.keys)) {
       const float start = ImGui::GetCursorPosX();
-      ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().accent));
-      ImGui::TextUnformatted(hint.key.c_str());
-      ImGui::PopStyleColor();
+      tinted_line(key, palette().accent);
       ImGui::SameLine(start + std::floor(58 * ui.scale));
-      ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
-      ImGui::TextUnformatted(hint.text.c_str());
-      ImGui::PopStyleColor();
+      tinted_line(text, palette().dim);
     }
     if (button(ui, "Got it", "Hide the first steps. View/First steps shows them again."))
       ui.emit(edit::Set<&world::Aids::show_hints>{false});
-    ui.panel.clear();
-  }
-  ImGui::End();
-  ImGui::PopStyleVar();
+  });
+}
+
+void draw_foot_line(const Ui& ui, const ViewportTool& tool, const view::Viewport& scene) {
+  const std::string hint = foot_text(tool, ui.session(), ui.keys);
+  if (hint.empty()) return;
+  const bool empty = ui.session().document.track.knots.empty();
+  const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
+  // Above the notices.
+  const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f),
+                  std::floor(empty ? scene.y + scene.height * 0.62f : scene.y + scene.height - 5.6f * size.y));
+  const ImVec2 pad(size.y * 0.9f, size.y * 0.5f);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y},
+                     packed(palette().background, 0.78f), size.y);
+  draw_text(list, at, palette().text, hint);
 }
 
 }  // namespace coaster::ui

@@ -1,8 +1,10 @@
-#include "ui/screens/legend.h"
+#include "ui/screens/overlays.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "ui/plots/plot_ticks.h"
 #include "ui/widgets/theme.h"
@@ -33,7 +35,7 @@ void draw_legend(Ui& ui, const view::Viewport& scene) {
   const world::ColouringRow& row = base::row_of(settings.lab->colouring);
   const float scale = ui.scale, margin = std::floor(14 * scale), pad = std::floor(10 * scale),
               bar = std::floor(11 * scale);
-  const float text = std::max(13.0f, std::round(kSmallFontPixels * scale));
+  const float text = small_font()->FontSize;
   const float width = std::min(std::floor(240 * scale), scene.width - 2 * (margin + pad)),
               height = 2 * text + bar + std::floor(10 * scale);
   if (width < 120 * scale || scene.height < height + 2 * (margin + pad)) return;
@@ -41,11 +43,7 @@ void draw_legend(Ui& ui, const view::Viewport& scene) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + height + pad},
                      packed(palette().background, 0.82f), std::floor(6 * scale));
-  const std::string title = std::string(row.label) + " (" + std::string(row.unit) + ")";
-  const auto words = [&](ImVec2 at, std::uint32_t rgb, const std::string& value) {
-    list.AddText(small_font(), text, {std::floor(at.x), std::floor(at.y)}, packed(rgb), value.c_str());
-  };
-  words(low, palette().text, title);
+  draw_small(list, low, palette().text, fmt::format("{} ({})", row.label, row.unit));
   const ImVec2 bar_at(low.x, low.y + text + std::floor(5 * scale));
   draw_bar(list, bar_at, width, bar);
   const AxisRange axis{ui.state.stats.colour_low, ui.state.stats.colour_high};
@@ -54,11 +52,11 @@ void draw_legend(Ui& ui, const view::Viewport& scene) {
   for (const double value : marks.major) {
     const float x = std::floor(low.x + width * static_cast<float>(part_of(axis, value)));
     const std::string number = tick_text(axis, marks, value, true);
-    const float wide = small_font()->CalcTextSizeA(text, 1e9f, 0, number.c_str()).x;
+    const float wide = small_size(number).x;
     list.AddLine({x, bar_at.y + bar}, {x, bar_at.y + bar + 4 * scale}, packed(palette().dim));
     const float left = std::clamp(x - wide * 0.5f, low.x, low.x + width - wide);
     if (left < free_from) continue;
-    words({left, bar_at.y + bar + std::floor(5 * scale)}, palette().dim, number);
+    draw_small(list, {left, bar_at.y + bar + std::floor(5 * scale)}, palette().dim, number);
     free_from = left + wide + std::floor(6 * scale);
   }
 }

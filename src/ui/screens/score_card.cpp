@@ -1,17 +1,17 @@
-#include "ui/screens/score_card.h"
+#include "ui/screens/overlays.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
-#include "query/challenge.h"
 #include "ui/tools/places.h"
 #include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 #include "world/aids.h"
 
 namespace coaster::ui {
@@ -34,12 +34,12 @@ void rating(Ui& ui, const char* name, double value, std::uint32_t rgb, std::stri
               y = std::floor(low.y + (line - bar) * 0.5f + 1);
   constexpr double kFull = 10;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddText(low, packed(palette().dim), name);
+  draw_text(list, low, palette().dim, name);
   list.AddRectFilled({left, y}, {right, y + bar}, packed(palette().field), bar * 0.5f);
   const float filled = left + (right - left) * static_cast<float>(std::clamp(value / kFull, 0.0, 1.0));
   if (filled > left + bar) list.AddRectFilled({left, y}, {filled, y + bar}, packed(ink(rgb)), bar * 0.5f);
   const std::string number = fixed(value, 2);
-  list.AddText({std::floor(low.x + room - text_size(number).x), low.y}, packed(palette().text), number.c_str());
+  draw_text(list, {low.x + room - text_size(number).x, low.y}, palette().text, number);
   ImGui::Dummy({room, line});
   note(ui, name, "label", tooltip, true, number, low, {low.x + room, low.y + line});
 }
@@ -52,9 +52,9 @@ void numbers(Ui& ui, const edit::RideResult& result) {
   read_out(ui, "Length", fixed(r.length, 1), "m", "Length of the track.");
   read_out(ui, "Top speed", fixed(r.top_speed.value, 1), "m/s", "Highest speed of the ride.");
   read_out(ui, "Highest drop", fixed(r.highest_drop, 1), "m",
-           "Largest of " + std::to_string(r.drops) + " descents of 3 m or more.");
+           fmt::format("Largest of {} descents of 3 m or more.", r.drops));
   read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "Time with vertical g below 0.");
-  read_out(ui, "Vertical g", fixed(r.up_least.value, 2) + " .. " + fixed(r.up_most.value, 2), "g",
+  read_out(ui, "Vertical g", fmt::format("{} .. {}", fixed(r.up_least.value, 2), fixed(r.up_most.value, 2)), "g",
            "Smallest and largest, low-pass filtered, all cars.");
   read_out(ui, "Lateral g", fixed(r.side_most.value, 2), "g", "Largest to either side, low-pass filtered.");
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
@@ -70,14 +70,14 @@ void verdict(Ui& ui, const edit::Verdict& verdict) {
               room = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_medal(list, low, size, std::max(1, verdict.medal), verdict.medal > 0);
-  const std::string words = verdict.medal > 0 ? std::string(medal_title(verdict.medal)) + " medal" : "Not passed yet";
+  const std::string words = verdict.medal > 0 ? fmt::format("{} medal", medal_title(verdict.medal)) : "Not passed yet";
   const edit::Session& session = ui.session();
   const std::string name = session.game.challenge && session.game.challenge->file.name != session.document.name
                                ? session.game.challenge->file.name
                                : std::string();
   const float x = low.x + size + std::floor(10 * ui.scale),
               y = std::floor(low.y + (size - (name.empty() ? 1 : 2) * line) * 0.5f);
-  list.AddText({x, y}, packed(verdict.medal > 0 ? palette().good : palette().warning), words.c_str());
+  draw_text(list, {x, y}, verdict.medal > 0 ? palette().good : palette().warning, words);
   const ImVec4 clip(x, low.y, low.x + room, low.y + size);
   list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y + line}, packed(palette().dim), name.c_str(), nullptr, 0,
                &clip);
@@ -104,9 +104,7 @@ void buttons(Ui& ui, const edit::Session& session) {
 
 void build(Ui& ui, const edit::Session& session) {
   const edit::RideResult& result = *session.game.result;
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().accent));
-  ImGui::TextUnformatted(session.document.name.empty() ? "The ride" : session.document.name.c_str());
-  ImGui::PopStyleColor();
+  tinted_line(session.document.name.empty() ? "The ride" : session.document.name, palette().accent);
   note_item(ui, "Track", "label", "", true, session.document.name);
   const bool failed = result.end == RideEnd::failed;
   paragraph(ui, "Title", std::string(base::row_of(result.end).label), failed ? palette().error : palette().text);
@@ -135,22 +133,12 @@ void draw_score_card(Ui& ui, const view::Viewport& scene) {
   if (!card_shows(session)) return;
   const float width = std::floor(288 * ui.scale), margin = std::floor(14 * ui.scale);
   if (scene.width < width + 2 * margin || scene.height < 240 * ui.scale) return;
-  ImGui::SetNextWindowPos({std::floor(scene.x + scene.width - margin), std::floor(scene.y + margin)}, ImGuiCond_Always,
-                          {1, 0});
+  const ImVec2 corner(std::floor(scene.x + scene.width - margin), std::floor(scene.y + margin));
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height - 2 * margin});
-  ImGui::SetNextWindowSize({width, 0});
-  ImGui::SetNextWindowBgAlpha(0.92f);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * ui.scale, 10 * ui.scale));
-  constexpr ImGuiWindowFlags kFlags =
-      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
-      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
-  if (ImGui::Begin("##score", nullptr, kFlags)) {
-    ui.panel = "Score";
-    build(ui, session);
-    ui.panel.clear();
-  }
-  ImGui::End();
-  ImGui::PopStyleVar();
+  Card card{.id = "##score", .panel = "Score", .at = corner, .pivot = {1, 0}, .width = width, .alpha = 0.92f};
+  card.flags &= ~ImGuiWindowFlags_NoScrollbar;
+  card.flags |= ImGuiWindowFlags_NoNav;
+  build_card(ui, card, [&] { build(ui, session); });
 }
 
 }  // namespace coaster::ui

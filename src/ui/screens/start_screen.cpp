@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <variant>
+
+#include <fmt/format.h>
 
 #include "base/folders.h"
+#include "ui/screens/dialogs.h"
 #include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -31,25 +32,7 @@ void draw_emblem(ImVec2 at, float size) {
   list.AddBezierCubic(p(0.62f, 0.86f), p(0.8f, 0.86f), p(0.86f, 0.7f), p(1.0f, 0.7f), colour, thick);
 }
 
-std::vector<std::filesystem::path> sample_tracks() {
-  std::vector<std::filesystem::path> files;
-  const std::filesystem::path folder = base::data_folder() / "tracks";
-  if (const auto entries = base::list_folder(folder))
-    for (const base::FolderEntry& entry : *entries)
-      if (!entry.folder && entry.name.ends_with(".json")) files.push_back(folder / entry.name);
-  return files;
-}
-
-bool escaped(const platform::Events& events) {
-  return std::any_of(events.begin(), events.end(), [](const platform::Event& event) {
-    const auto* press = std::get_if<platform::KeyPress>(&event);
-    return press != nullptr && press->down && !press->repeat && press->key == platform::Key::escape;
-  });
-}
-
 }  // namespace
-
-void StartScreen::load(Ui& ui, const std::filesystem::path& file) { ui.want = {Want::Kind::load, file.string()}; }
 
 void StartScreen::build_choices(Ui& ui, float width) {
   const float size = std::floor(64 * ui.scale);
@@ -58,9 +41,7 @@ void StartScreen::build_choices(Ui& ui, float width) {
   ImGui::PushFont(title_font());
   ImGui::TextUnformatted("coaster");
   ImGui::PopFont();
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
-  ImGui::TextUnformatted("Build it, measure it, ride it.");
-  ImGui::PopStyleColor();
+  tinted_line("Build it, measure it, ride it.", palette().dim);
   ImGui::Dummy({0, std::floor(8 * ui.scale)});
   ui.panel = "Start";
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(8 * ui.scale, 8 * ui.scale));
@@ -68,30 +49,25 @@ void StartScreen::build_choices(Ui& ui, float width) {
   std::error_code ignored;
   const std::filesystem::path last =
       kept != nullptr && !kept->settings.recent.empty() ? kept->settings.recent.front() : "";
-  if (button(ui, "Continue", last.empty() ? "No recent track." : "Open " + last.string() + ", the most recent track.",
+  const auto choice = [&](std::string_view label, std::string_view help, std::string_view action, Want::Kind kind) {
+    if (button(ui, label, with_keys(ui.keys, help, action), true, width)) ui.want = {kind};
+  };
+  if (button(ui, "Continue",
+             last.empty() ? "No recent track." : fmt::format("Open {}, the most recent track.", last.string()),
              !last.empty() && std::filesystem::exists(last, ignored), width))
-    load(ui, last);
-  if (button(ui, "New track", with_keys(ui.keys, "Start an empty track. Click on the ground to place knots.", "New"),
-             true, width))
-    ui.want = {Want::Kind::fresh};
-  if (button(ui, "Open or import",
-             with_keys(ui.keys, "Open a coaster track, or import one of NoLimits (.csv, .nltrack, .nl2elem).", "Open"),
-             true, width))
-    ui.want = {Want::Kind::browse};
-  if (button(ui, "Tutorial", "Build and ride your first coaster, step by step.", true, width))
-    ui.want = {Want::Kind::tutorial};
-  if (button(ui, "Challenges",
-             with_keys(ui.keys, "Tracks to improve, each with a goal and three medals.", "Challenges"), true, width))
-    ui.want = {Want::Kind::challenges};
+    ui.want = {Want::Kind::load, last.string()};
+  choice("New track", "Start an empty track. Click on the ground to place knots.", "New", Want::Kind::fresh);
+  choice("Open or import", "Open a coaster track, or import one of NoLimits (.csv, .nltrack, .nl2elem).", "Open",
+         Want::Kind::browse);
+  choice("Tutorial", "Build and ride your first coaster, step by step.", "", Want::Kind::tutorial);
+  choice("Challenges", "Tracks to improve, each with a goal and three medals.", "Challenges", Want::Kind::challenges);
   if (button(ui, "Back to the track###Build on", "Close this page. Key Escape.", true, width)) open_ = false;
-  if (button(ui, "Quit", with_keys(ui.keys, "Quit coaster.", "Quit"), true, width)) ui.want = {Want::Kind::quit};
+  choice("Quit", "Quit coaster.", "Quit", Want::Kind::quit);
   ImGui::PopStyleVar();
   if (kept != nullptr)
     if (const auto on = checkbox(ui, "Show at start", kept->settings.start_screen,
-                                 "Show this page at start when no track is given.")) {
-      ui.out.settings = kept->settings;
-      ui.out.settings->start_screen = *on;
-    }
+                                 "Show this page at start when no track is given."))
+      change_kept(ui).start_screen = *on;
 }
 
 bool StartScreen::draw(Ui& ui, const Card& card, float width) {
@@ -120,29 +96,27 @@ bool StartScreen::draw(Ui& ui, const Card& card, float width) {
       card.name.empty() && picture != nullptr && picture->length > 0 ? fixed(picture->length, 0) + " m" : "";
   const float foot = high.y + 0.2f * line, room = text_size(length).x;
   list.PushClipRect(low, {high.x - room - 4 * ui.scale, high.y + 1.4f * line}, true);
-  list.AddText({low.x + 2, foot}, packed(palette().text), name.c_str());
+  draw_text(list, {low.x + 2, foot}, palette().text, name);
   list.PopClipRect();
-  list.AddText({high.x - room - 2, foot}, packed(palette().dim), length.c_str());
+  draw_text(list, {high.x - room - 2, foot}, palette().dim, length);
   ImGui::PopFont();
   return clicked;
 }
 
 void StartScreen::build_challenges(Ui& ui, float width, float gap) {
-  if (shelf_.empty()) shelf_.read(ui.state.kept != nullptr ? ui.state.kept->challenges : std::filesystem::path());
+  if (challenges_.empty()) challenges_ = read_challenges(ui);
   heading(ui, "Challenges", "Tracks to improve, each with a goal and three medals.");
   int place = 0;
-  for (const ChallengeEntry& entry : shelf_.entries()) {
+  for (const ChallengeEntry& entry : challenges_) {
     if (place++ % static_cast<int>(kCardsInARow) != 0) ImGui::SameLine(0, gap);
-    const std::string help = entry.problem.empty() ? entry.teaches : entry.problem;
-    if (draw(ui, {"Challenges/" + entry.name, entry.track.string(), help, entry.name, known_medal(ui, entry.path)},
-             width) &&
-        entry.problem.empty())
-      ui.want = {Want::Kind::challenge, entry.path.string()};
+    const Card card{"Challenges/" + entry.name, entry.track.string(), entry.help(), entry.name,
+                    known_medal(ui, entry.path)};
+    if (draw(ui, card, width) && entry.problem.empty()) ui.want = {Want::Kind::challenge, entry.path.string()};
   }
 }
 
 void StartScreen::build_tracks(Ui& ui) {
-  if (samples_.empty()) samples_ = sample_tracks();
+  if (samples_.empty()) samples_ = json_files(base::data_folder() / "tracks");
   const float gap = std::floor(12 * ui.scale);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - (kCardsInARow - 1) * gap) / kCardsInARow);
   const auto grid = [&](std::string_view group, const std::vector<std::filesystem::path>& files) {
@@ -153,8 +127,8 @@ void StartScreen::build_tracks(Ui& ui) {
           files.begin(), files.end(), [&](const std::filesystem::path& other) { return other.stem() == file.stem(); });
       const std::string name =
           namesakes > 1 ? (file.parent_path().filename() / file.stem()).string() : file.stem().string();
-      if (draw(ui, {std::string(group) + "/" + name, file.string(), "Open " + file.string() + ".", {}, 0}, width))
-        load(ui, file);
+      const Card card{fmt::format("{}/{}", group, name), file.string(), fmt::format("Open {}.", file.string()), {}, 0};
+      if (draw(ui, card, width)) ui.want = {Want::Kind::load, file.string()};
     }
   };
   std::vector<std::filesystem::path> recent;
@@ -202,7 +176,7 @@ void StartScreen::build(Ui& ui, const platform::Events& events, float width, flo
   ImGui::PopStyleVar();
   ui.panel.clear();
   ImGui::End();
-  if (escaped(events)) open_ = false;
+  if (pressed(events, platform::Key::escape)) open_ = false;
 }
 
 }  // namespace coaster::ui

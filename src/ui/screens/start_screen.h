@@ -13,7 +13,7 @@ namespace coaster::ui {
 class StartScreen {
  public:
   bool open() const { return open_; }
-  void show() { open_ = true, samples_.clear(), shelf_ = {}; }
+  void show() { open_ = true, samples_.clear(), challenges_.clear(); }
   void hide() { open_ = false; }
 
   // width, height: of the window, px. Nothing is drawn while it is closed.
@@ -30,11 +30,10 @@ class StartScreen {
     int medal = 0;                     // drawn over the picture
   };
   bool draw(Ui& ui, const Card& card, float width);
-  void load(Ui& ui, const std::filesystem::path& file);
 
   bool open_ = false;
   std::vector<std::filesystem::path> samples_;  // found when it was opened, and the challenges, too
-  ChallengeShelf shelf_;
+  std::vector<ChallengeEntry> challenges_;
 };
 
 }  // namespace coaster::ui

@@ -2,9 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edit/commands/commands_settings.h"
 #include "ui/tools/viewport_tool.h"
+#include "world/camera_feel.h"
 
 namespace coaster::ui {
+
+constexpr float kPerNotch = 1.12f;  // of the wheel, for distances
 
 world::Camera orbited(world::Camera camera, glm::vec2 pixels, float scale) {
   constexpr float kDegreesPerPixel = 0.3f;
@@ -25,9 +29,14 @@ world::Camera panned(world::Camera camera, const view::View& view, glm::vec2 pix
 }
 
 world::Camera zoomed(world::Camera camera, float notches) {
-  constexpr float kPerNotch = 1.12f, kNearest = 0.5f, kFarthest = 20'000.0f;
+  constexpr float kNearest = 0.5f, kFarthest = 20'000.0f;
   camera.distance = std::clamp(camera.distance * std::pow(kPerNotch, -notches), kNearest, kFarthest);
   return camera;
+}
+
+void zoom_chase(Ui& ui, float notches) {
+  const float distance = ui.session().settings.feel->chase_distance * std::pow(kPerNotch, -notches);
+  ui.emit(edit::Set<&world::CameraFeel::chase_distance>{std::clamp(distance, world::kMinChase, world::kMaxChase)});
 }
 
 }  // namespace coaster::ui

@@ -26,6 +26,13 @@ constexpr std::array<Row, 6> kRows{{{Key::w, {0, 0, 1}},
 constexpr float kSpeed = 12, kFaster = 4;  // m/s
 constexpr double kLongestFrame = 0.25;     // s
 
+template <class Command, class Camera>
+Camera last_set(const Ui& ui, const Camera& before) {
+  for (auto command = ui.out.commands.rbegin(); command != ui.out.commands.rend(); ++command)
+    if (const auto* const set = command->template as<Command>()) return set->to;
+  return before;
+}
+
 }  // namespace
 
 bool is_fly_key(const platform::KeyPress& press) {
@@ -60,11 +67,8 @@ void FlyKeys::fly(Ui& ui, const platform::Events& events, bool text_has_keyboard
   if (to != now) ui.emit(edit::SetFly{to});
 }
 
-world::FlyCamera fly_now(const Ui& ui) {
-  for (auto command = ui.out.commands.rbegin(); command != ui.out.commands.rend(); ++command)
-    if (const auto* const set = command->as<edit::SetFly>()) return set->to;
-  return ui.session().settings.fly;
-}
+world::Camera camera_now(const Ui& ui) { return last_set<edit::SetCamera>(ui, ui.session().settings.camera); }
+world::FlyCamera fly_now(const Ui& ui) { return last_set<edit::SetFly>(ui, ui.session().settings.fly); }
 
 world::FlyCamera flown(world::FlyCamera fly, glm::vec3 by) {
   const float yaw = glm::radians(fly.yaw_deg), pitch = glm::radians(fly.pitch_deg);

@@ -23,7 +23,8 @@ class FlyKeys {
 // Whether the key belongs to the free camera while that is chosen.
 bool is_fly_key(const platform::KeyPress& press);
 
-// The free camera as this frame's commands have left it.
+// The cameras as this frame's commands have left them.
+world::Camera camera_now(const Ui& ui);
 world::FlyCamera fly_now(const Ui& ui);
 
 // Moved by `by` (right, up, forward; m) seen from it: up is the world's. Stays over the ground and within coordinates.

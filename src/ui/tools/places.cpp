@@ -32,6 +32,10 @@ void look_at(Ui& ui, double distance, glm::vec3 target, float near, float far) {
 
 }  // namespace
 
+bool rideable(const edit::Session& session) {
+  return session.document.entities.pool<world::Cart>().size() > 0 && !session.document.track.segments.empty();
+}
+
 bool card_shows(const edit::Session& session) {
   return session.settings.aids->show_card && session.game.show_result && session.game.result;
 }

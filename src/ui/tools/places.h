@@ -7,6 +7,8 @@
 
 namespace coaster::ui {
 
+// Whether there are carts on a track.
+bool rideable(const edit::Session& session);
 // Whether the score card of the last ride is open.
 bool card_shows(const edit::Session& session);
 // Where the last ride or its challenge failed, m along the track; nothing where neither has a place.

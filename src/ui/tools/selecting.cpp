@@ -1,32 +1,27 @@
 #include "ui/tools/selecting.h"
 
-#include <algorithm>
-
 #include "edit/commands/commands_settings.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
-namespace {
 
 using world::Entity;
 
-void take_out(std::vector<Entity>& from, Entity e) { from.erase(std::remove(from.begin(), from.end(), e), from.end()); }
-
-}  // namespace
+edit::Knots named_knots(const world::Document& document, const std::vector<Entity>& knots) {
+  edit::Knots named;
+  for (const Entity e : knots) named.names.push_back(world::name_of(document, e));
+  return named;
+}
 
 edit::Command selection_of(const world::Document& document, const std::vector<Entity>& knots) {
   if (knots.empty()) return edit::Select{};
   if (knots.size() == 1) return edit::Select{{world::name_of(document, knots[0])}};
-  edit::Knots named;
-  for (const Entity e : knots) named.names.push_back(world::name_of(document, e));
-  return edit::SelectKnots{std::move(named)};
+  return edit::SelectKnots{named_knots(document, knots)};
 }
 
 edit::Command toggled(const edit::Session& session, Entity knot) {
   std::vector<Entity> knots = world::selected_knots(session.document, session.settings);
-  const bool was = std::find(knots.begin(), knots.end(), knot) != knots.end();
-  take_out(knots, knot);
-  if (!was) knots.push_back(knot);
+  if (std::erase(knots, knot) == 0) knots.push_back(knot);
   return selection_of(session.document, knots);
 }
 
@@ -40,7 +35,7 @@ edit::Command up_to(const edit::Session& session, Entity knot) {
   const std::size_t steps = back ? count - forward : forward;
   for (std::size_t i = 0; i <= steps; ++i) {
     const Entity e = track.knots[(*from + (back ? count - i : i)) % count];
-    take_out(knots, e);
+    std::erase(knots, e);
     knots.push_back(e);
   }
   return selection_of(session.document, knots);
@@ -54,7 +49,7 @@ std::optional<edit::Command> boxed(const edit::Session& session, const view::Vie
   for (const Entity e : session.document.track.knots) {
     const auto at = view::project(view, world::knot(session.document, e).position);
     if (!at || std::abs(at->z) > 1 || at->x < low.x || at->y < low.y || at->x > high.x || at->y > high.y) continue;
-    if (mode == BoxMode::remove) take_out(knots, e);
+    if (mode == BoxMode::remove) std::erase(knots, e);
     else if (mode == BoxMode::replace || !world::is_selected(session.settings, e)) knots.push_back(e);
   }
   if (knots == before) return std::nullopt;

@@ -11,6 +11,9 @@ namespace coaster::ui {
 
 enum class BoxMode : std::uint8_t { replace, add, remove };
 
+// The knots by name, for a command.
+edit::Knots named_knots(const world::Document& document, const std::vector<world::Entity>& knots);
+
 // The command that selects these knots, the last one active; none selects nothing.
 edit::Command selection_of(const world::Document& document, const std::vector<world::Entity>& knots);
 

@@ -1,7 +1,6 @@
 #include "ui/tools/transform_math.h"
 
 #include <cmath>
-#include <limits>
 
 #include "world/look.h"
 #include "world/selection.h"

@@ -19,20 +19,18 @@ struct Constraint {
   bool allows(int component) const { return kind == Kind::free || (kind == Kind::axis) == (component == axis); }
 };
 
-// Where the ray through a pixel is, as seen from `pivot`, within the constraint; nothing where it runs along the axis
-// or the plane.
+// Returns the point of the constraint through `pivot` that the ray through a pixel meets; nothing if the ray is
+// parallel to the axis or the plane.
 std::optional<glm::dvec3> meet(const view::View& view, glm::vec2 pixel, glm::vec3 pivot, const Constraint& constraint);
 
-// Angle (radians, -pi..pi) by which the way from the pivot to the cursor has turned on the screen, right-handed about
-// `axis`.
+// Returns the angle (radians, -pi..pi) from `from` to `to` about the pivot on the screen, right-handed about `axis`.
 double turned_angle(const view::View& view, glm::vec2 from, glm::vec2 to, glm::vec3 pivot, glm::vec3 axis);
 
 // The axis of a rotation: that of the constraint, or the line of sight.
 glm::vec3 rotation_axis(const view::View& view, const Constraint& constraint);
 
-// `position` (m) as snapping would have it. Components that the constraint does not allow stay those of `start`. For
-// `knots`, the knot under the cursor that is not among those that move, if one is within 12 px times the scale; for
-// `ground`, where the ray meets it.
+// Returns the snapped `position` (m). Components that the constraint excludes keep the value of `start`. `knots` snaps
+// to the nearest unselected knot within 12 px times the scale of the cursor, `ground` to where the ray meets it.
 struct SnapScene {
   const world::Document& document;
   const world::Settings& settings;

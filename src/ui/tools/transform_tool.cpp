@@ -5,10 +5,13 @@
 #include <cmath>
 #include <variant>
 
+#include <fmt/format.h>
+
 #include "base/portable_math.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_shape.h"
+#include "ui/tools/selecting.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -30,8 +33,6 @@ char digit_of(Key key) {
   return 0;
 }
 
-std::string number_text(double value) { return fixed(value, 3); }
-
 // Snapping is the other way round while Ctrl is held: on becomes off, off becomes the grid.
 world::SnapTo snap_now(const world::Settings& settings) {
   if (!ImGui::GetIO().KeyCtrl) return settings.snapping.to;
@@ -49,11 +50,9 @@ void TransformTool::begin(Ui& ui, TransformKind kind, Constraint constraint, std
   *this = {};
   active_ = true;
   kind_ = kind, constraint_ = constraint, button_ = button;
+  knots_ = named_knots(session.document, knots);
   glm::dvec3 sum(0);
-  for (const world::Entity e : knots) {
-    knots_.names.push_back(world::name_of(session.document, e));
-    sum += glm::dvec3(world::knot(session.document, e).position);
-  }
+  for (const world::Entity e : knots) sum += glm::dvec3(world::knot(session.document, e).position);
   pivot_ = glm::vec3(sum / static_cast<double>(knots.size()));
   active_start_ = world::knot(session.document, knots.back()).position;
   start_ = last_ = mouse_position();
@@ -119,15 +118,15 @@ glm::vec3 TransformTool::movement(const Ui& ui, const view::View& view) {
 edit::Command TransformTool::command(const Ui& ui, const view::View& view) {
   const world::Settings& settings = ui.session().settings;
   const glm::vec2 mouse = mouse_position();
-  const std::string along =
-      constraint_.kind == CKind::axis ? std::string(" along ") + kAxisNames[static_cast<std::size_t>(constraint_.axis)]
-      : constraint_.kind == CKind::plane ? std::string(" in ") + kPlanes[static_cast<std::size_t>(constraint_.axis)]
-                                         : "";
+  const auto axis_index = static_cast<std::size_t>(constraint_.axis);
+  const std::string along = constraint_.kind == CKind::axis    ? fmt::format(" along {}", kAxisNames[axis_index])
+                            : constraint_.kind == CKind::plane ? fmt::format(" in {}", kPlanes[axis_index])
+                                                               : "";
   if (kind_ == TransformKind::move) {
     const glm::vec3 by = movement(ui, view);
-    shown_ = "Move" + along + ":";
+    shown_ = fmt::format("Move{}:", along);
     for (int i = 0; i < 3; ++i)
-      if (constraint_.allows(i)) shown_ += " " + number_text(by[i]);
+      if (constraint_.allows(i)) shown_ += " " + fixed(by[i], 3);
     shown_ += " m";
     return edit::Translate{knots_, by, true};
   }
@@ -138,27 +137,24 @@ edit::Command TransformTool::command(const Ui& ui, const view::View& view) {
     double degrees = base::degrees(angle_);
     if (snap_now(settings) != world::SnapTo::off) degrees = rounded_to(degrees, settings.snapping.angle);
     degrees = typed(0).value_or(degrees);
-    shown_ = "Rotate" +
-             (constraint_.kind == CKind::free
-                  ? std::string()
-                  : std::string(" about ") + kAxisNames[static_cast<std::size_t>(constraint_.axis)]) +
-             ": " + fixed(degrees, 2) + "\u00B0";
+    const std::string about = constraint_.kind == CKind::free ? "" : fmt::format(" about {}", kAxisNames[axis_index]);
+    shown_ = fmt::format("Rotate{}: {}\u00B0", about, fixed(degrees, 2));
     return edit::Rotate{knots_, degrees, pivot_, axis, true};
   }
   const auto middle = view::project(view, pivot_);
-  const double from = middle ? glm::length(start_ - glm::vec2(middle->x, middle->y)) : 1,
-               to = middle ? glm::length(mouse - glm::vec2(middle->x, middle->y)) : 1;
+  const double from = middle ? glm::length(start_ - glm::vec2(*middle)) : 1,
+               to = middle ? glm::length(mouse - glm::vec2(*middle)) : 1;
   double factor = from > 2 ? to / from : 1 + (to - from) / 100;
   if (snap_now(settings) != world::SnapTo::off) factor = std::max(0.1, rounded_to(factor, 0.1));
   factor = std::max(factor, 1e-3);
   glm::vec3 by(1);
   std::size_t field = 0;
-  shown_ = "Scale" + along + ":";
+  shown_ = fmt::format("Scale{}:", along);
   for (int i = 0; i < 3; ++i) {
     if (!constraint_.allows(i)) continue;
     const double value = any_typed() ? typed(constraint_.kind == CKind::free ? 0 : field++).value_or(1) : factor;
     by[i] = static_cast<float>(value);
-    if (i == 0 || constraint_.kind != CKind::free) shown_ += " " + number_text(value);
+    if (i == 0 || constraint_.kind != CKind::free) shown_ += " " + fixed(value, 3);
   }
   return edit::Scale{knots_, by, pivot_, true};
 }
@@ -203,9 +199,7 @@ bool TransformTool::cancel(Ui& ui) {
 
 std::string TransformTool::status() const {
   if (!active_) return {};
-  std::string text = shown_;
-  if (!text_[field_].empty()) text += "   [" + text_[field_] + "_]";
-  return text;
+  return text_[field_].empty() ? shown_ : fmt::format("{}   [{}_]", shown_, text_[field_]);
 }
 
 }  // namespace coaster::ui

@@ -15,19 +15,17 @@ class TransformTool {
  public:
   bool active() const { return active_; }
 
-  // Begins on the selected knots; without any it does nothing. With a mouse button it ends when that is let go, else
-  // with Enter or a click.
+  // Begins on the selected knots; no-op without any. Ends when `button` is released; without one, on Enter or a click.
   void begin(Ui& ui, TransformKind kind, Constraint constraint, std::optional<int> button);
-  // X Y Z, Shift+axis, digits, Tab, Backspace, Enter, G R S; what is not for it is left alone. Escape comes through
-  // cancel().
+  // Handles X Y Z, Shift+axis, digits, Tab, Backspace, Enter and G R S. Escape comes through cancel().
   void take_keys(const platform::Events& events);
   // Once a frame, after the keys: follows the mouse, emits at most one command; ends on a click or the button's
   // release.
   void update(Ui& ui, const view::View& view);
-  // Puts everything back. False when nothing was under way.
+  // Reverts the transform. Returns false if none is active.
   bool cancel(Ui& ui);
 
-  // "Move along X: 2.50 m", for the viewport's foot; empty when nothing is under way.
+  // "Move along X: 2.50 m"; empty when inactive.
   std::string status() const;
 
  private:

@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "edit/commands/commands_document.h"
@@ -15,7 +14,6 @@
 #include "ui/widgets/theme.h"
 #include "view/gizmo.h"
 #include "world/aids.h"
-#include "world/camera_feel.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -55,9 +53,10 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
 
   const bool over = view.viewport.contains(mouse) && !io.WantCaptureMouse;
   view::Pick under;
-  if (over && !dragging())
+  if (over && !dragging()) {
     under = view::pick(session.document, session.derived, session.motion, session.settings, view, mouse);
-  if (over && !dragging()) press(ui, view, under);
+    press(ui, under);
+  }
   if (over && io.MouseWheel != 0) turn_wheel(ui, io.MouseWheel);
   if (!dragging()) return under;
 
@@ -68,15 +67,12 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
 }
 
 void ViewportTool::turn_wheel(Ui& ui, float notches) {
-  constexpr float kMetres = 2, kPerNotch = 1.12f;
+  constexpr float kMetres = 2;
   const world::Settings& settings = ui.session().settings;
   switch (shown_camera(ui)) {
     case world::CameraMode::orbit: ui.emit(edit::SetCamera{zoomed(settings.camera, notches)}); break;
     case world::CameraMode::fly: ui.emit(edit::SetFly{flown(fly_now(ui), {0, 0, kMetres * notches})}); break;
-    case world::CameraMode::chase:
-      ui.emit(edit::Set<&world::CameraFeel::chase_distance>{std::clamp(
-          settings.feel->chase_distance * std::pow(kPerNotch, -notches), world::kMinChase, world::kMaxChase)});
-      break;
+    case world::CameraMode::chase: zoom_chase(ui, notches); break;
     case world::CameraMode::ride: break;
   }
 }
@@ -90,7 +86,7 @@ bool ViewportTool::cancel(Ui& ui) {
   return true;
 }
 
-void ViewportTool::press(Ui& ui, const view::View&, const view::Pick& under) {
+void ViewportTool::press(Ui& ui, const view::Pick& under) {
   const ImGuiIO& io = ImGui::GetIO();
   const auto begin = [&](What what, int button) {
     drag_ = {};
@@ -234,9 +230,7 @@ void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
 // All selected knots as far as the one that is dragged.
 void ViewportTool::move_knots(Ui& ui, glm::vec3 to) {
   const edit::Session& session = ui.session();
-  edit::Knots knots;
-  for (const world::Entity e : world::selected_knots(session.document, session.settings))
-    knots.names.push_back(world::name_of(session.document, e));
+  edit::Knots knots = named_knots(session.document, world::selected_knots(session.document, session.settings));
   const world::Document& start = session.history.in_gesture ? session.history.gesture_start : session.document;
   const glm::dvec3 from(world::knot(start, drag_.pick.entity).position);
   ui.emit(edit::Translate{std::move(knots), glm::vec3(glm::dvec3(to) - from), true});

@@ -17,32 +17,32 @@ class ViewportTool {
   bool dragging() const { return drag_.what != What::nothing || transform_.active(); }
   TransformTool& transform() { return transform_; }
   const TransformTool& transform() const { return transform_; }
-  // The next drag of the left button draws a box that selects the knots in it.
+  // The next left drag draws a box that selects the knots in it.
   void wait_for_box() { box_waits_ = true; }
   bool box_waits() const { return box_waits_ || drag_.what == What::box; }
-  // Ends the drag; one that has moved something is cancelled, which puts the document back. False when there was none.
+  // Cancels the drag and what it changed. Returns false if there was none.
   bool cancel(Ui& ui);
 
  private:
   enum class What : std::uint8_t { nothing, item, place, cart, orbit, pan, box };
-  enum class Along : std::uint8_t { screen, vertical, ground };  // what the cursor's ray is met with
+  enum class Along : std::uint8_t { screen, vertical, ground };  // where a dragged item moves
   struct Drag {
     What what = What::nothing;
     int button = 0;
     view::Pick pick;
     glm::vec2 start{0}, last{0};       // px
     bool moved = false;                // 3 px or more: else it is a click
-    bool click_acts = false;           // a click on empty ground appends or deselects
-    bool shift = false, ctrl = false;  // held when it was pressed
+    bool click_acts = false;           // pressed on empty ground: a click appends or deselects
+    bool shift = false, ctrl = false;  // held at the press
     BoxMode box = BoxMode::replace;
     bool gesture = false;  // BeginGesture was emitted
     Along along = Along::screen;
     bool grabbed = false;
-    glm::vec3 anchor{0}, offset{0};  // m: the item when grabbed, and from the ray's hit to it
-    glm::vec3 sent{0};
+    glm::vec3 anchor{0}, offset{0};  // m: the item when grabbed, and its distance from the ray's hit
+    glm::vec3 sent{0};               // m: the position of the last command
   };
 
-  void press(Ui& ui, const view::View& view, const view::Pick& under);
+  void press(Ui& ui, const view::Pick& under);
   void press_left(Ui& ui, const view::Pick& under);
   void move(Ui& ui, const view::View& view, glm::vec2 mouse);
   void move_item(Ui& ui, const view::View& view, glm::vec2 mouse);
@@ -57,9 +57,12 @@ class ViewportTool {
   bool box_waits_ = false;
 };
 
-// The camera after the mouse moved by `pixels`: about its target, and with it. The scene follows the mouse.
+// Return the camera after a drag by `pixels`, rotated about its target or moved with it, and after a turn of the wheel.
+// The scene follows the mouse.
 world::Camera orbited(world::Camera camera, glm::vec2 pixels, float scale);
 world::Camera panned(world::Camera camera, const view::View& view, glm::vec2 pixels);
 world::Camera zoomed(world::Camera camera, float notches);
+// Sets the distance of the chase camera.
+void zoom_chase(Ui& ui, float notches);
 
 }  // namespace coaster::ui

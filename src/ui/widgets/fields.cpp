@@ -1,28 +1,22 @@
 // Fields to type in: numbers, sliders, text. A typed number is returned once, when it is complete, and is never inf or
 // NaN.
-#include <imgui.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
+
+#include <fmt/format.h>
 
 #include "base/text.h"
+#include "base/utf8.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
 namespace {
 
 enum class Typing { no, open, complete };
-
-void copy(std::array<char, 1024>& to, const std::string& from) {
-  const std::size_t length = std::min(from.size(), to.size() - 1);
-  std::memcpy(to.data(), from.data(), length);
-  to[length] = 0;
-}
 
 // An InputText whose text is in ui.entry while it is typed. With `begin` it takes the keyboard at once, as if clicked.
 // Complete on Enter, or when it loses focus with the text changed; Escape discards the text.
@@ -31,13 +25,12 @@ Typing typed(WidgetFrame& ui, const char* key, const std::string& initial, bool 
   Entry& entry = ui.entry;
   const bool mine = entry.id == id;
   std::array<char, 1024> shown;
-  if (!mine) copy(shown, initial);
+  if (!mine) shown[initial.copy(shown.data(), shown.size() - 1)] = 0;
   std::array<char, 1024>& buffer = mine ? entry.text : shown;
   ImGuiIO& io = ImGui::GetIO();
   const bool clicked = io.MouseClicked[0];
-  if (begin)
-    io.MouseClicked[0] =
-        true;  // ImGui gives the keyboard to a field that is clicked; by SetKeyboardFocusHere it is frames late
+  // ImGui gives the keyboard to a field that is clicked; by SetKeyboardFocusHere it is frames late.
+  io.MouseClicked[0] = clicked || begin;
   const bool enter = ImGui::InputText(key, buffer.data(), buffer.size(),
                                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   io.MouseClicked[0] = clicked;
@@ -62,8 +55,8 @@ std::optional<double> parse(WidgetFrame& ui, std::string_view label, double larg
   char* end = nullptr;
   const double value = std::strtod(begin, &end);
   if (end == begin || std::isnan(value)) {
-    ui.warn(ui.panel + "/" + std::string(shown(label)) + ": \"" + begin +
-            "\" is not a number within the limits; nothing changed.");
+    ui.warn(fmt::format("{}/{}: \"{}\" is not a number within the limits; nothing changed.", ui.panel, shown(label),
+                        begin));
     return std::nullopt;
   }
   return std::clamp(value, -largest, largest);
@@ -111,7 +104,7 @@ void draw_number(const WidgetFrame& ui, const Number& n, std::string_view name, 
 std::optional<double> drag(WidgetFrame& ui, const Number& n, ImGuiID id) {
   double value = n.value;
   const bool bounded = n.low < n.high;
-  const std::string format = "%." + std::to_string(n.decimals) + "f";
+  const std::string format = fmt::format("%.{}f", n.decimals);
   ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));  // draw_number() shows it
   const bool changed = ImGui::DragScalar("##drag", ImGuiDataType_Double, &value, static_cast<float>(n.step),
                                          bounded ? &n.low : nullptr, bounded ? &n.high : nullptr, format.c_str(),
@@ -152,7 +145,7 @@ std::optional<double> field(WidgetFrame& ui, std::string_view label, const Numbe
 
 std::optional<double> number(WidgetFrame& ui, std::string_view label, const Number& n, std::string_view tooltip,
                              bool enabled) {
-  begin_row(ui, label);
+  begin_row(label);
   return field(ui, label, n, {}, 0, ImGui::CalcItemWidth(), tooltip, enabled);
 }
 
@@ -165,23 +158,20 @@ std::optional<Changed> numbers(WidgetFrame& ui, std::string_view group, std::spa
     if (i > 0) ImGui::SameLine(0, gap);
     const std::uint32_t tint = names.size() == 3 ? palette().axis[i] : palette().dim;
     const auto value =
-        field(ui, std::string(group) + "/" + std::string(names[i]), values[i], names[i], tint, width, tooltip, true);
+        field(ui, fmt::format("{}/{}", group, names[i]), values[i], names[i], tint, width, tooltip, true);
     if (value) changed = Changed{static_cast<int>(i), *value};
   }
   return changed;
 }
 
-namespace {
-
-// A bar from low to high whose value is shown with `decimals`, and rounded to them while it is dragged.
-std::optional<double> slide(WidgetFrame& ui, std::string_view label, double value, double low, double high,
-                            bool logarithmic, int decimals, std::string_view tooltip) {
-  begin_row(ui, label);
+std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
+                                  int decimals, std::string_view tooltip, bool logarithmic) {
+  begin_row(label);
   const float width = ImGui::CalcItemWidth();
   ImGui::PushID(label.data(), label.data() + label.size());
   const ImVec2 from = ImGui::GetCursorScreenPos(), to(from.x + width, from.y + ImGui::GetFrameHeight());
   const bool begin = ui.entry.id != ImGui::GetID("##type") && wants_typing(0, from, to, false);
-  const std::string digits = fixed(value, decimals), format = "%." + std::to_string(decimals) + "f";
+  const std::string digits = fixed(value, decimals), format = fmt::format("%.{}f", decimals);
   std::optional<double> result;
   if (begin) ImGui::ClearActiveID();
   ImGui::SetNextItemWidth(width);
@@ -199,32 +189,24 @@ std::optional<double> slide(WidgetFrame& ui, std::string_view label, double valu
     const double part =
         logarithmic && low > 0 ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
     const float pad = std::floor(8 * ui.scale), left = part > 0.5 ? from.x + pad : to.x - pad - text_size(digits).x;
-    ImGui::GetWindowDrawList()->AddText(
-        {std::floor(left), std::floor((from.y + to.y - ImGui::GetTextLineHeight()) * 0.5f)}, packed(palette().text),
-        digits.c_str());
+    draw_text(*ImGui::GetWindowDrawList(), {left, (from.y + to.y - ImGui::GetTextLineHeight()) * 0.5f}, palette().text,
+              digits);
   }
   ImGui::PopID();
   note(ui, label, "slider", tooltip, true, digits, from, to);
   return result;
 }
 
-}  // namespace
-
 std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, int low, int high, bool logarithmic,
                           std::string_view tooltip) {
-  const auto to = slide(ui, label, value, low, high, logarithmic, 0, tooltip);
+  const auto to = real_slider(ui, label, value, low, high, 0, tooltip, logarithmic);
   const auto whole = to ? std::optional(static_cast<int>(std::lround(*to))) : std::nullopt;
   return whole != value ? whole : std::nullopt;
 }
 
-std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
-                                  int decimals, std::string_view tooltip) {
-  return slide(ui, label, value, low, high, false, decimals, tooltip);
-}
-
 std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const std::string& value,
                                 std::string_view tooltip) {
-  begin_row(ui, label);
+  begin_row(label);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float pad = ImGui::GetStyle().FramePadding.x, room = ImGui::CalcItemWidth() - 2 * pad;
   // A text too long for its field shows its end (a path's file name) until it is typed in.
@@ -234,14 +216,11 @@ std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const s
   if (ends_only) {
     ImGui::PopStyleColor();
     std::size_t from = 0;
-    while (from < value.size() && text_size("\u2026" + value.substr(from)).x > room) {
-      do ++from;
-      while (from < value.size() &&
-             (static_cast<unsigned char>(value[from]) & 0xC0) == 0x80);  // within a UTF-8 character
-    }
+    while (from < value.size() && text_size("\u2026" + value.substr(from)).x > room)
+      from += std::max<std::size_t>(1, base::utf8_length(std::string_view(value).substr(from)));
     const std::string shown = "\u2026" + value.substr(from);
-    ImGui::GetWindowDrawList()->AddText({at.x + pad, at.y + ImGui::GetStyle().FramePadding.y}, packed(palette().text),
-                                        shown.c_str());
+    draw_text(*ImGui::GetWindowDrawList(), {at.x + pad, at.y + ImGui::GetStyle().FramePadding.y}, palette().text,
+              shown);
   }
   note_item(ui, label, "text", tooltip, true, typing == Typing::open ? ui.entry.text.data() : value);
   if (typing != Typing::complete) return std::nullopt;

@@ -4,11 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
-#include <string>
 
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
@@ -51,13 +48,7 @@ constexpr Icon kElementIcons[] = {{kStraight}, {kCurve},     {kHelix}, {kClimb},
                                   {kDive},     {kCamelback}, {kLoop},  {kCorkscrew}};
 static_assert(std::size(kElementIcons) == world::elements().size());
 
-}  // namespace
-
-const Icon kPlayIcon{{}, kPlayArrow}, kPauseIcon{{}, {}, kPauseBars}, kStepIcon{{}, kStepArrow, kStepBar},
-    kResetIcon{kReset};
-
-const Icon& icon_of(world::ElementKind kind) { return kElementIcons[static_cast<std::size_t>(kind)]; }
-
+// Into the square of `size` px whose top left is `low`.
 void draw_icon(ImDrawList& list, const Icon& icon, ImVec2 low, float size, ImU32 colour) {
   const auto at = [&](Place p) { return ImVec2(low.x + p.x * size, low.y + p.y * size); };
   const float thick = std::max(1.25f, size * 0.1f);
@@ -65,6 +56,13 @@ void draw_icon(ImDrawList& list, const Icon& icon, ImVec2 low, float size, ImU32
   if (!icon.arrow.empty()) list.AddTriangleFilled(at(icon.arrow[0]), at(icon.arrow[1]), at(icon.arrow[2]), colour);
   for (const Icon::Bar& bar : icon.bars) list.AddRectFilled(at(bar.low), at(bar.high), colour);
 }
+
+}  // namespace
+
+const Icon kPlayIcon{{}, kPlayArrow}, kPauseIcon{{}, {}, kPauseBars}, kStepIcon{{}, kStepArrow, kStepBar},
+    kResetIcon{kReset};
+
+const Icon& icon_of(world::ElementKind kind) { return kElementIcons[static_cast<std::size_t>(kind)]; }
 
 bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std::string_view tooltip, bool enabled,
                  float width, bool above) {
@@ -80,15 +78,13 @@ bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std:
   const ImU32 colour = ImGui::GetColorU32(ImGuiCol_Text);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(low, {low.x + width, low.y + height}, true);
-  if (above) {
-    draw_icon(list, icon, {std::floor(low.x + (width - size) / 2), std::floor(low.y + padding.y)}, size, colour);
-    list.AddText({std::floor(low.x + std::max(2.0f, (width - words.x) / 2)), low.y + padding.y + size + gap}, colour,
-                 name.data(), name.data() + name.size());
-  } else {
-    const float left = std::floor(low.x + std::max(2.0f, (width - words.x - gap - size) / 2));
-    draw_icon(list, icon, {left, std::floor(low.y + (height - size) / 2)}, size, colour);
-    list.AddText({left + size + gap, low.y + padding.y}, colour, name.data(), name.data() + name.size());
-  }
+  const float inside = above ? words.x : words.x + gap + size, left = low.x + std::max(2.0f, (width - inside) / 2);
+  const ImVec2 icon_at =
+      above ? ImVec2(low.x + (width - size) / 2, low.y + padding.y) : ImVec2(left, low.y + (height - size) / 2);
+  const ImVec2 words_at =
+      above ? ImVec2(left, low.y + padding.y + size + gap) : ImVec2(std::floor(left) + size + gap, low.y + padding.y);
+  draw_icon(list, icon, {std::floor(icon_at.x), std::floor(icon_at.y)}, size, colour);
+  list.AddText(words_at, colour, name.data(), name.data() + name.size());
   list.PopClipRect();
   ImGui::EndDisabled();
   if (above) ImGui::PopFont();

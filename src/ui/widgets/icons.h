@@ -4,8 +4,6 @@
 #include <span>
 #include <string_view>
 
-#include <imgui.h>
-
 #include "world/element.h"
 
 namespace coaster::ui {
@@ -29,9 +27,6 @@ struct Icon {
 };
 extern const Icon kPlayIcon, kPauseIcon, kStepIcon, kResetIcon;
 const Icon& icon_of(world::ElementKind kind);
-
-// Into the square of `size` px whose top left is `low`.
-void draw_icon(ImDrawList& list, const Icon& icon, ImVec2 low, float size, ImU32 colour);
 
 // A button as in widgets.h with an icon before its label, or above it, in the small font. width: px.
 bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std::string_view tooltip, bool enabled,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/portable_math.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {
@@ -18,7 +19,7 @@ constexpr std::array<Metal, 3> kMetals{Metal{0xCB8A57, 0x8F5A32, 0xF0C7A4}, Meta
 
 // A star of five points about its middle, one of them up.
 void draw_star(ImDrawList& list, ImVec2 middle, float radius, ImU32 colour) {
-  constexpr float kTurn = 6.2831853f / 10, kInner = 0.42f;
+  constexpr float kTurn = static_cast<float>(base::kPi / 5), kInner = 0.42f;
   std::array<ImVec2, 10> points;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const float angle = kTurn * static_cast<float>(i), r = i % 2 == 0 ? radius : radius * kInner;

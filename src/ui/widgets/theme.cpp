@@ -29,7 +29,7 @@ constexpr Palette kLight{.background = 0xF3F4F6,
                          .axis = {0xC0322B, 0x2A7F4F, 0x1F6FD6},
                          .plot = 0xFCFCFD,
                          .light = true};
-// Text on ground 21 : 1, everything that tells something at least 7 : 1 (WCAG 2.1, level AAA); edges are drawn.
+// Contrast of text 21 : 1, of other marks at least 7 : 1 (WCAG 2.1, level AAA). Edges are drawn.
 constexpr Palette kHighContrast{.background = 0x000000,
                                 .raised = 0x101010,
                                 .field = 0x1E1E1E,
@@ -80,7 +80,6 @@ void set_colours(const Palette& p, ImVec4* c) {
   if (!p.light) return;
   c[ImGuiCol_FrameBgHovered] = colour(p.raised);
   c[ImGuiCol_Button] = colour(0xD3D8E0);
-  c[ImGuiCol_ButtonHovered] = colour(p.border);
   c[ImGuiCol_HeaderHovered] = colour(0xD3D8E0);
   c[ImGuiCol_SliderGrabActive] = colour(0x174F99);
 }
@@ -88,12 +87,9 @@ void set_colours(const Palette& p, ImVec4* c) {
 }  // namespace
 
 const Palette& palette_of(world::Theme theme) {
-  switch (theme) {
-    case world::Theme::dark: return kDark;
-    case world::Theme::light: return kLight;
-    case world::Theme::high_contrast: return kHighContrast;
-  }
-  return kDark;
+  static constexpr const Palette* kPalettes[] = {&kDark, &kLight, &kHighContrast};
+  static_assert(std::size(kPalettes) == base::count_of<world::Theme>());
+  return *kPalettes[static_cast<std::size_t>(theme)];
 }
 
 const Palette& palette() {

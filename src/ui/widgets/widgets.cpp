@@ -1,14 +1,14 @@
 // Rows, buttons, switches, choices and read-outs. Fields to type in are in fields.cpp.
 #include "ui/widgets/widgets.h"
 
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widget_parts.h"
 
 namespace coaster::ui {
 namespace {
@@ -25,20 +25,27 @@ void show_tooltip(std::string_view text, float scale) {
   ImGui::PopStyleVar();
 }
 
+// A radio button or a checkbox, lower than a button. `draw` returns whether it was pressed.
+template <class Draw>
+bool toggle_item(WidgetFrame& ui, std::string_view label, std::string_view kind, bool on, std::string_view tooltip,
+                 bool enabled, Draw draw) {
+  ImGui::BeginDisabled(!enabled);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, std::floor(2 * ui.scale)));
+  const bool pressed = draw(std::string(label).c_str());
+  ImGui::PopStyleVar();
+  ImGui::EndDisabled();
+  note_item(ui, label, kind, tooltip, enabled, on ? "on" : "off");
+  return pressed && enabled;
+}
+
 }  // namespace
 
 glm::vec2 mouse_position() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
-std::string path_of(const WidgetFrame& ui, std::string_view label) {
-  return label.empty() ? ui.panel : ui.panel + "/" + std::string(label);
-}
-
 void note(WidgetFrame& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
           std::string value, ImVec2 low, ImVec2 high) {
-  std::string path = path_of(ui, label);
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const bool over =
-      ImGui::IsWindowHovered() && mouse.x >= low.x && mouse.y >= low.y && mouse.x < high.x && mouse.y < high.y;
+  const std::string path = label.empty() ? ui.panel : fmt::format("{}/{}", ui.panel, label);
+  const bool over = ImGui::IsWindowHovered() && ImRect(low, high).Contains(ImGui::GetIO().MousePos);
   if (over && !tooltip.empty() && !ImGui::IsAnyMouseDown()) {
     ui.rest.next = path;
     if (ui.rest.path == path && ui.rest.seconds > kTooltipRest) show_tooltip(tooltip, ui.scale);
@@ -55,7 +62,43 @@ std::string hidden(std::string_view label) { return "##" + std::string(label); }
 
 ImVec2 text_size(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()); }
 
-void begin_row(WidgetFrame&, std::string_view label, float needed) {
+void draw_text(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text) {
+  if (!text.empty()) list.AddText(at, packed(rgb), text.data(), text.data() + text.size());
+}
+
+void draw_small(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text) {
+  if (!text.empty())
+    list.AddText(small_font(), small_font()->FontSize, at, packed(rgb), text.data(), text.data() + text.size());
+}
+
+ImVec2 small_size(std::string_view text) {
+  return small_font()->CalcTextSizeA(small_font()->FontSize, 1e9f, 0, text.data(), text.data() + text.size());
+}
+
+bool begin_area(const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags more) {
+  ImGui::SetNextWindowPos(at);
+  ImGui::SetNextWindowSize(size);
+  return ImGui::Begin(id, nullptr,
+                      more | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                          ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
+}
+
+void build_card(WidgetFrame& ui, const Card& card, const std::function<void()>& content) {
+  ImGui::SetNextWindowPos(card.at, ImGuiCond_Always, card.pivot);
+  ImGui::SetNextWindowSize({card.width, 0});
+  ImGui::SetNextWindowBgAlpha(card.alpha);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(card.padding.x * ui.scale, card.padding.y * ui.scale));
+  if (ImGui::Begin(card.id, nullptr, card.flags | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+    ui.panel = card.panel;
+    content();
+    ui.panel.clear();
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+void begin_row(std::string_view label, float needed) {
   label = shown(label);
   constexpr float kLabelPart = 0.47f;  // of the row, for the label beside a control
   const float start = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
@@ -63,36 +106,34 @@ void begin_row(WidgetFrame&, std::string_view label, float needed) {
   const bool beside =
       text_size(label).x + ImGui::GetStyle().ItemInnerSpacing.x <= label_room && needed <= room - label_room;
   if (beside) ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
-  ImGui::TextUnformatted(label.data(), label.data() + label.size());
-  ImGui::PopStyleColor();
+  tinted_line(label, palette().dim);
   if (beside) ImGui::SameLine(start + label_room);
   ImGui::SetNextItemWidth(beside ? room - label_room : room);
 }
 
 bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool at_first) {
-  const std::string label(name);
   if (ImGui::GetCursorPosY() > 2 * ImGui::GetStyle().WindowPadding.y)
     ImGui::Dummy({0, std::floor(3 * ui.scale)});  // not before the first
-  const bool open = ImGui::CollapsingHeader(label.c_str(), at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-  note(ui, "", "header", tooltip, true, open ? "open" : "closed", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  const bool open = ImGui::CollapsingHeader(std::string(name).c_str(), at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  note_item(ui, "", "header", tooltip, true, open ? "open" : "closed");
   return open;
 }
 
 void heading(WidgetFrame& ui, std::string_view label, std::string_view tooltip) {
-  const std::string_view words = shown(label);
-  ImGui::PushStyleColor(ImGuiCol_Text, colour(palette().dim));
-  ImGui::TextUnformatted(words.data(), words.data() + words.size());
-  ImGui::PopStyleColor();
+  tinted_line(shown(label), palette().dim);
   note_item(ui, label, "label", tooltip, true);
 }
 
-void tinted(std::string_view words, std::uint32_t rgb) {
+void tinted_line(std::string_view words, std::uint32_t rgb) {
   ImGui::PushStyleColor(ImGuiCol_Text, colour(rgb));
-  ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(words.data(), words.data() + words.size());
-  ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
+}
+
+void tinted(std::string_view words, std::uint32_t rgb) {
+  ImGui::PushTextWrapPos(0);
+  tinted_line(words, rgb);
+  ImGui::PopTextWrapPos();
 }
 
 void paragraph(WidgetFrame& ui, std::string_view label, std::string_view words, std::uint32_t rgb) {
@@ -109,13 +150,14 @@ bool button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, b
 }
 
 bool radio(WidgetFrame& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled) {
-  ImGui::BeginDisabled(!enabled);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, std::floor(2 * ui.scale)));
-  const bool pressed = ImGui::RadioButton(std::string(label).c_str(), on);
-  ImGui::PopStyleVar();
-  ImGui::EndDisabled();
-  note_item(ui, label, "radio", tooltip, enabled, on ? "on" : "off");
-  return pressed && enabled && !on;
+  const auto draw = [&](const char* text) { return ImGui::RadioButton(text, on); };
+  return toggle_item(ui, label, "radio", on, tooltip, enabled, draw) && !on;
+}
+
+std::optional<bool> checkbox(WidgetFrame& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled) {
+  bool wanted = on;
+  const auto draw = [&](const char* text) { return ImGui::Checkbox(text, &wanted); };
+  return toggle_item(ui, label, "checkbox", on, tooltip, enabled, draw) ? std::optional(wanted) : std::nullopt;
 }
 
 bool beside_last(WidgetFrame& ui, std::string_view label) {
@@ -129,23 +171,11 @@ bool beside_last(WidgetFrame& ui, std::string_view label) {
   return true;
 }
 
-std::optional<bool> checkbox(WidgetFrame& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled) {
-  bool wanted = on;
-  ImGui::BeginDisabled(!enabled);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, std::floor(2 * ui.scale)));
-  const bool pressed = ImGui::Checkbox(std::string(label).c_str(), &wanted);
-  ImGui::PopStyleVar();
-  ImGui::EndDisabled();
-  note_item(ui, label, "checkbox", tooltip, enabled, on ? "on" : "off");
-  if (!pressed || !enabled) return std::nullopt;
-  return wanted;
-}
-
 std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<const Choice> choices, int current,
                          std::string_view tooltip, bool may_cut) {
   float widest = 0;
   for (const Choice& choice : choices) widest = std::max(widest, text_size(shown(choice.label)).x);
-  begin_row(ui, label, may_cut ? 0 : widest + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight());
+  begin_row(label, may_cut ? 0 : widest + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight());
   const std::string preview(current >= 0 && current < static_cast<int>(choices.size())
                                 ? shown(choices[static_cast<std::size_t>(current)].label)
                                 : "");
@@ -159,7 +189,7 @@ std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<cons
     for (std::size_t i = 0; i < choices.size(); ++i) {
       const bool on = static_cast<int>(i) == current;
       if (ImGui::Selectable(choices[i].label.c_str(), on) && !on) chosen = static_cast<int>(i);
-      note_item(ui, std::string(label) + "/" + choices[i].label, "item", choices[i].tooltip, true, on ? "on" : "off");
+      note_item(ui, fmt::format("{}/{}", label, choices[i].label), "item", choices[i].tooltip, true, on ? "on" : "off");
     }
     ImGui::PopStyleColor();
     ImGui::EndCombo();
@@ -174,38 +204,35 @@ void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, s
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, gap = std::floor(5 * ui.scale),
               line = ImGui::GetTextLineHeight();
-  const float value_width = text_size(value).x + (unit.empty() ? 0 : gap + text_size(unit).x);
+  const float digits = text_size(value).x, unit_width = text_size(unit).x;
+  const float value_width = digits + (unit.empty() ? 0 : gap + unit_width);
   // Units share one column, so that the numbers before them end on one edge.
-  const float unit_room = unit.empty() ? 0 : std::max(text_size(unit).x, std::floor(38 * ui.scale)) + gap;
+  const float unit_room = unit.empty() ? 0 : std::max(unit_width, std::floor(38 * ui.scale)) + gap;
   const bool stacked = text_size(words).x + gap + value_width > room;
-  const bool column = !stacked && text_size(words).x + gap + text_size(value).x + unit_room <= room;
+  const bool column = !stacked && text_size(words).x + gap + digits + unit_room <= room;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImU32 ink = packed(warns ? palette().warning : palette().text);
-  list.AddText(start, packed(palette().dim), words.data(), words.data() + words.size());
+  const std::uint32_t tint = warns ? palette().warning : palette().text;
+  draw_text(list, start, palette().dim, words);
   const float top = start.y + (stacked ? line : 0);
   const float right = start.x + room;
-  const float edge = unit.empty() ? right : column ? right - unit_room : right - text_size(unit).x - gap;
+  const float edge = unit.empty() ? right : column ? right - unit_room : right - unit_width - gap;
+  float height = stacked ? 2 * line : line;
   if (value_width > room) {  // too long for any line: wrapped below its label
-    const ImVec2 block = ImGui::CalcTextSize(value.data(), value.data() + value.size(), false, room);
-    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {start.x, top}, ink, value.data(), value.data() + value.size(),
-                 room);
-    ImGui::Dummy({room, line + block.y});
-    note_item(ui, label, "label", tooltip, true, std::string(value));
-    return;
+    height = line + ImGui::CalcTextSize(value.data(), value.data() + value.size(), false, room).y;
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {start.x, top}, packed(tint), value.data(),
+                 value.data() + value.size(), room);
+    unit = {};
+  } else {
+    draw_text(list, {edge - digits, top}, tint, value);
+    draw_text(list, {edge + gap, top}, palette().dim, unit);
   }
-  list.AddText({std::floor(edge - text_size(value).x), top}, ink, value.data(), value.data() + value.size());
-  if (!unit.empty())
-    list.AddText({std::floor(edge + gap), top}, packed(palette().dim), unit.data(), unit.data() + unit.size());
-  ImGui::Dummy({room, stacked ? 2 * line : line});
-  note_item(ui, label, "label", tooltip, true, std::string(value) + (unit.empty() ? "" : " " + std::string(unit)));
+  ImGui::Dummy({room, height});
+  note_item(ui, label, "label", tooltip, true, fmt::format("{}{}{}", value, unit.empty() ? "" : " ", unit));
 }
 
 std::string fixed(double value, int decimals) {
-  char text[352];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  bool zero = true;
-  for (const char* c = text; *c != 0; ++c) zero = zero && (*c == '-' || *c == '0' || *c == '.');
-  return zero && text[0] == '-' ? text + 1 : text;
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  return text.find_first_not_of("-0.") == std::string::npos && text[0] == '-' ? text.substr(1) : text;
 }
 
 }  // namespace coaster::ui

@@ -3,6 +3,8 @@
 // no state.
 #pragma once
 
+#include <imgui.h>
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -46,17 +48,45 @@ struct WidgetFrame {
   std::string panel;                                         // first part of the paths
 };
 
-glm::vec2 mouse_position();  // px
+glm::vec2 mouse_position();                  // px
+std::string hidden(std::string_view label);  // "##label": an id without a drawn label
+ImVec2 text_size(std::string_view text);
+// Text with its top left at `at`, and the same in the small font.
+void draw_text(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text);
+void draw_small(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text);
+ImVec2 small_size(std::string_view text);
 
-// Registers ImGui's last item and shows its tooltip while the mouse rests on it.
+// Registers a rectangle of the current window as a widget and shows its tooltip while the mouse rests on it; the second
+// one registers ImGui's last item.
+void note(WidgetFrame& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
+          std::string value, ImVec2 low, ImVec2 high);
 void note_item(WidgetFrame& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
                std::string value = {});
+// Draws the label and sets the next item's place and width: beside the label, or below it when the label is long for
+// the row or the control needs more than the `needed` px that are left there.
+void begin_row(std::string_view label, float needed = 0);
+
+// Begins a window that cannot be moved and stays behind others; ImGui::End() ends it.
+bool begin_area(const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags more = ImGuiWindowFlags_NoScrollbar);
+
+// A window over the scene that cannot be moved, as high as its content; `panel` names its widgets.
+struct Card {
+  const char* id;
+  std::string_view panel;
+  ImVec2 at, pivot = {0, 0};  // px; which part of the window is there: {0.5f, 0} is the middle of its upper edge
+  float width = 0;            // px
+  ImVec2 padding = {12, 10};  // design px
+  float alpha = 1;
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoFocusOnAppearing;
+};
+void build_card(WidgetFrame& ui, const Card& card, const std::function<void()>& content);
 
 // Labels may be "Shown###Id" (widget_list.h).
 // True while open; `open`: at first.
 bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool open = true);
 void heading(WidgetFrame& ui, std::string_view label, std::string_view tooltip);
-// Wrapped text of a colour 0xRRGGBB; paragraph() also registers it.
+// Text of a colour 0xRRGGBB: one line, wrapped, or wrapped and registered.
+void tinted_line(std::string_view words, std::uint32_t rgb);
 void tinted(std::string_view words, std::uint32_t rgb);
 void paragraph(WidgetFrame& ui, std::string_view label, std::string_view words, std::uint32_t rgb);
 bool button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, bool enabled = true, float width = 0);
@@ -85,8 +115,9 @@ std::vector<Choice> choices_of() {
   return choices;
 }
 template <base::Named E>
-std::optional<E> combo_of(WidgetFrame& ui, std::string_view label, E current, std::string_view tooltip) {
-  const auto chosen = combo(ui, label, choices_of<E>(), static_cast<int>(current), tooltip);
+std::optional<E> combo_of(WidgetFrame& ui, std::string_view label, E current, std::string_view tooltip,
+                          bool may_cut = false) {
+  const auto chosen = combo(ui, label, choices_of<E>(), static_cast<int>(current), tooltip, may_cut);
   if (!chosen) return std::nullopt;
   return static_cast<E>(*chosen);
 }
@@ -114,7 +145,7 @@ std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, in
                           std::string_view tooltip);
 // The same for a real number, shown with and rounded to `decimals`.
 std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
-                                  int decimals, std::string_view tooltip);
+                                  int decimals, std::string_view tooltip, bool logarithmic = false);
 // A text field. Returns the text on Enter, or when it loses focus changed.
 std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const std::string& value,
                                 std::string_view tooltip);

@@ -98,7 +98,7 @@ TEST(plot_ticks, any_data_gives_a_valid_range_and_few_ticks) {
   for (const auto& set : sets) {
     for (const AxisScale scale : {AxisScale::linear, AxisScale::logarithmic}) {
       Extent extent;
-      extent.add(set, scale);
+      for (const double value : set) extent.add(value, scale);
       const AxisRange range = fit(extent, scale, 0.05);
       ASSERT_TRUE(std::isfinite(range.low) && std::isfinite(range.high));
       ASSERT_LT(range.low, range.high);

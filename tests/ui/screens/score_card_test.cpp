@@ -1,11 +1,10 @@
-#include "ui/screens/score_card.h"
-
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_settings.h"
 #include "ui/stage.h"
 #include "ui/tools/places.h"
 #include "ui/widgets/medals.h"
+#include "ui/widgets/widgets.h"
 #include "world/aids.h"
 
 namespace coaster::ui {

@@ -1,0 +1,30 @@
+// Rows that show a setting and set it. Its member pointer says where it is kept and what its limits are.
+#pragma once
+
+#include "edit/commands/commands_settings.h"
+#include "ui/context/ui.h"
+#include "world/settings_groups.h"
+
+namespace coaster::ui {
+
+template <auto Member>
+void setting_box(Ui& ui, std::string_view label, std::string_view tooltip) {
+  if (const auto on = checkbox(ui, label, world::value_in<Member>(ui.session().settings), tooltip))
+    ui.emit(edit::Set<Member>{*on});
+}
+
+template <auto Member>
+void setting_list(Ui& ui, std::string_view label, std::string_view tooltip) {
+  if (const auto to = combo_of(ui, label, world::value_in<Member>(ui.session().settings), tooltip))
+    ui.emit(edit::Set<Member>{*to});
+}
+
+template <auto Member>
+void setting_slider(Ui& ui, std::string_view label, int decimals, std::string_view tooltip) {
+  constexpr world::SettingRow kRow = world::setting_row<Member>();
+  const double now = world::value_in<Member>(ui.session().settings);
+  if (const auto to = real_slider(ui, label, now, kRow.low, kRow.high, decimals, tooltip))
+    ui.emit(edit::Set<Member>{static_cast<world::ValueOf<Member>>(*to)});
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,25 @@
+// What lies over the scene. Each is drawn only while it has something to show and the viewport has room for it.
+#pragma once
+
+#include "ui/context/ui.h"
+#include "ui/tools/viewport_tool.h"
+
+namespace coaster::ui {
+
+// The hint at the bottom: the current transform, or what to click next. Drawn behind all windows.
+void draw_foot_line(const Ui& ui, const ViewportTool& tool, const view::Viewport& scene);
+// The first steps, in the lower left corner while Aids::show_hints.
+void draw_hints(Ui& ui, const view::Viewport& scene);
+// The legend of the track's colours, in the upper left corner. Drawn behind all windows.
+void draw_legend(Ui& ui, const view::Viewport& scene);
+// A lesson of the tutorial: a card, and a ring around the widget it is about. `marked` is that widget as last drawn;
+// null when the lesson names none, or it does not show.
+void draw_lesson(Ui& ui, const view::Viewport& scene, const Widget* marked);
+// The score card at the end of a ride: results, the challenge's verdict, and why the ride failed. Upper right corner.
+void draw_score_card(Ui& ui, const view::Viewport& scene);
+// Progress of a file import, with a cancel button. Escape cancels, too.
+void draw_import(Ui& ui, const view::Viewport& scene);
+// Progress of the movie being recorded, with a stop button. Not in the movie.
+void draw_movie(Ui& ui, const view::Viewport& scene);
+
+}  // namespace coaster::ui
