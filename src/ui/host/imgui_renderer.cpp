@@ -32,8 +32,7 @@ const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(byt
 }  // namespace
 
 base::Result<ImGuiRenderer> ImGuiRenderer::make(const gfx::Gl& gl) {
-  auto program =
-      gfx::make_program(gl, {.name = "panels", .common = "", .vertex = kVertexShader, .fragment = kFragmentShader});
+  auto program = gfx::make_program(gl, {.name = "panels", .vertex = kVertexShader, .fragment = kFragmentShader});
   if (!program) return program.status();
   return ImGuiRenderer(gl, std::move(*program));
 }
@@ -59,11 +58,7 @@ void ImGuiRenderer::upload_fonts() {
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
   atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
-  if (font_.id() == 0) {
-    GLuint id = 0;
-    gl_->GenTextures(1, &id);
-    font_ = gfx::Object(*gl_, id, [](const gfx::Gl& gl, GLuint old) { gl.DeleteTextures(1, &old); });
-  }
+  if (font_.id() == 0) font_ = gfx::generate<&gfx::Gl::GenTextures, &gfx::Gl::DeleteTextures>(*gl_);
   gl_->BindTexture(GL_TEXTURE_2D, font_.id());
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
