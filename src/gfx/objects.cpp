@@ -29,9 +29,9 @@ struct Stage {
 base::Result<Object> compile(const Gl& gl, std::string_view name, std::string_view header, std::string_view common,
                              const Stage& stage) {
   Object shader(gl, gl.CreateShader(stage.kind), [](const Gl& g, GLuint id) { g.DeleteShader(id); });
-  const char* parts[] = {header.data(), common.data(), "\n#line 1\n", stage.source.data()};
-  const GLint sizes[] = {GLint(header.size()), GLint(common.size()), 9, GLint(stage.source.size())};
-  gl.ShaderSource(shader.id(), 4, parts, sizes);
+  const std::string text = fmt::format("{}{}\n#line 1\n{}", header, common, stage.source);
+  const char* const whole = text.c_str();
+  gl.ShaderSource(shader.id(), 1, &whole, nullptr);
   gl.CompileShader(shader.id());
   GLint ok = GL_FALSE;
   gl.GetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);

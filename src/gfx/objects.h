@@ -81,7 +81,7 @@ struct Program {
 
 // A program's stages; empty ones are left out. `captured` are the outputs that transform feedback writes, interleaved.
 struct ProgramSources {
-  std::string_view name, common = "", vertex, tessellation_control, tessellation_evaluation, geometry, fragment;
+  std::string_view name, common, vertex, tessellation_control, tessellation_evaluation, geometry, fragment;
   std::span<const char* const> captured;
 };
 
