@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 #include "query/rows.h"
 
@@ -66,10 +67,8 @@ std::optional<double> place_of_joint(const edit::Finder& find, std::string_view 
 std::string shown(const Query& query, const Value& value) {
   const double* const number = std::get_if<double>(&value);
   if (number == nullptr) return to_text(value);
-  char text[64];
   const bool whole = *number == std::round(*number) && std::abs(*number) < 1e9 && query.unit.empty();
-  std::snprintf(text, sizeof text, whole ? "%.0f" : "%.2f", *number);
-  return query.unit.empty() ? text : std::string(text) + " " + std::string(query.unit);
+  return fmt::format("{:.{}f}{}{}", *number, whole ? 0 : 2, query.unit.empty() ? "" : " ", query.unit);
 }
 
 // Checks that an expression's operands can be compared; any value of the query shows this.
@@ -81,12 +80,8 @@ base::Status comparable(const Rule& rule, const edit::Finder& empty) {
 }
 
 base::Status at_rule(std::string_view path, RuleList list, std::size_t index, int column, const std::string& message) {
-  return {base::Code::bad_file, std::string(path) + ": error: " + std::string(base::name_of(list)) + "[" +
-                                    std::to_string(index) + "].expect:" + std::to_string(column) + ": " + message};
-}
-
-bool in(RuleList list, std::initializer_list<RuleList> lists) {
-  return std::find(lists.begin(), lists.end(), list) != lists.end();
+  return {base::Code::bad_file,
+          fmt::format("{}: error: {}[{}].expect:{}: {}", path, base::name_of(list), index, column, message)};
 }
 
 std::optional<bool> less_is_better(const Condition& condition) {
@@ -97,23 +92,21 @@ std::optional<bool> less_is_better(const Condition& condition) {
 }
 
 std::string full_name(const Rule& rule) {
-  return std::string(rule.query->name) + (rule.condition.argument.empty() ? "" : " " + rule.condition.argument);
+  const std::string& argument = rule.condition.argument;
+  return fmt::format("{}{}{}", rule.query->name, argument.empty() ? "" : " ", argument);
 }
 
 // Returns the value found, where, and the wanted one; for an overload, its kind and duration.
 std::string words_of(const edit::Finder& find, const Rule& rule, const Finding& finding) {
-  char words[160];
   const auto overloads =
       rule.query->name == "ride.envelope" ? find(edit::Want::overloads).overloads : std::span<const sim::RedSpan>();
   if (!overloads.empty()) {
     const sim::RedSpan& span = overloads.front();
-    std::snprintf(words, sizeof words, "%.2f g %s at %.1f m, limit %.2f g for that duration", span.worst,
-                  std::string(base::row_of(span.axis).label).c_str(), span.from_distance, span.allowed);
-    return words;
+    return fmt::format("{:.2f} g {} at {:.1f} m, limit {:.2f} g for that duration", span.worst,
+                       base::row_of(span.axis).label, span.from_distance, span.allowed);
   }
-  char at[32] = "";
-  if (finding.place) std::snprintf(at, sizeof at, " at %.1f m", *finding.place);
-  return finding.found + at + ", " + wanted(rule);
+  return fmt::format("{}{}, {}", finding.found, finding.place ? fmt::format(" at {:.1f} m", *finding.place) : "",
+                     wanted(rule));
 }
 
 // Returns why the ride itself does not count; empty if it does.
@@ -198,8 +191,8 @@ std::string wanted(const Rule& rule) {
   const std::string full = full_name(rule), &text = rule.condition.text;
   std::string rest = text.size() > full.size() ? text.substr(text.find(rule.condition.query) + full.size()) : " on";
   const bool unit = !rule.query->unit.empty() && rule.condition.op.has_value();
-  return std::string(rule.condition.negated ? "wanted not" : "wanted") + rest +
-         (unit ? " " + std::string(rule.query->unit) : "");
+  return fmt::format("{}{}{}{}", rule.condition.negated ? "wanted not" : "wanted", rest, unit ? " " : "",
+                     unit ? rule.query->unit : "");
 }
 
 edit::Verdict judge(edit::Session& session, const edit::RideResult* result) {
@@ -222,11 +215,11 @@ edit::Verdict judge(edit::Session& session, const edit::RideResult* result) {
     if (finding.value && better && !known) verdict.values.push_back({full_name(rule), *finding.value, *better});
     if (finding.holds) continue;
     if (rule.list == RuleList::silver) silver = false;
-    if (in(rule.list, {RuleList::silver, RuleList::gold})) {
+    if (!must_hold(rule)) {
       gold = false;
     } else if (verdict.reason.empty()) {
-      verdict.reason = challenge.file.rules[static_cast<std::size_t>(rule.list)][rule.index].text + ": " +
-                       words_of(session, rule, finding);
+      verdict.reason =
+          fmt::format("{}: {}", challenge.file.list(rule.list)[rule.index].text, words_of(session, rule, finding));
       verdict.place = finding.place;
     }
   }

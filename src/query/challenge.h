@@ -23,6 +23,11 @@ struct Rule {
   const Query* query = nullptr;
 };
 
+// True for rules that every medal needs.
+inline bool must_hold(const Rule& rule) {
+  return rule.list != exchange::RuleList::silver && rule.list != exchange::RuleList::gold;
+}
+
 // Parses all rules in the order of exchange::RuleList. Code::bad_file with "PATH: error: goals[1].expect:5: ..."
 // (columns count from 1) for the first rule that cannot be parsed or uses a query that may not judge.
 base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challenge, std::string_view path);

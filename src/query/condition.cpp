@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace coaster::query {
 namespace {
 
@@ -55,13 +57,6 @@ bool parse_tolerance(Words& words, Condition& condition) {
   if (condition.tolerance && !(*condition.tolerance >= 0))
     return words.fail(word->column, "expected a tolerance of 0 or more");
   return condition.tolerance.has_value();
-}
-
-std::vector<std::string> query_names() {
-  std::vector<std::string> names;
-  for (const Query& q : queries())
-    if (std::find(names.begin(), names.end(), q.name) == names.end()) names.emplace_back(q.name);
-  return names;
 }
 
 std::string joined(const std::vector<base::Token>& values) {
@@ -128,7 +123,7 @@ base::Result<bool> holds_ranked(const Condition& c, const Ranked& found) {
   const std::string wanted = joined(c.values);
   if (*c.op == Op::contains) return lower(found.text).find(lower(wanted)) != std::string::npos;
   const std::optional<int> rank = rank_of(c.query, wanted);
-  if (!rank) return mismatch("expected a value such as " + found.text + ", found " + base::quoted(wanted));
+  if (!rank) return mismatch(fmt::format("expected a value such as {}, found {}", found.text, base::quoted(wanted)));
   return ordered(*c.op, found.rank, *rank, 0, true);
 }
 
@@ -166,14 +161,14 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
   condition.text = name->text;
   const Query* const query = find_query(name->text);
   if (!query)
-    return words.fail(name->column,
-                      "no query " + base::quoted(name->text) + base::suggestion(name->text, query_names()));
+    return words.fail(name->column, fmt::format("no query {}{}", base::quoted(name->text),
+                                                base::suggestion(name->text, base::names_in(queries()))));
   if (!query->argument.empty()) {
     const base::Token* const argument = words.take(query->argument);
     if (!argument) return false;
     if (op_of(*argument))
       return words.fail(argument->column,
-                        "expected " + std::string(query->argument) + ", found " + base::quoted(argument->text));
+                        fmt::format("expected {}, found {}", query->argument, base::quoted(argument->text)));
     condition.argument = argument->text;
     condition.text += " " + argument->text;
   }
@@ -214,9 +209,8 @@ base::Result<bool> holds(const Condition& condition, const Value& value) {
 }
 
 std::string describe(const Query& query, const Value& value) {
-  const std::string text =
-      std::holds_alternative<std::string>(value) ? base::quoted(query::to_text(value)) : query::to_text(value);
-  return query.unit.empty() ? text : text + " " + std::string(query.unit);
+  const std::string text = std::holds_alternative<std::string>(value) ? base::quoted(to_text(value)) : to_text(value);
+  return fmt::format("{}{}{}", text, query.unit.empty() ? "" : " ", query.unit);
 }
 
 }  // namespace coaster::query

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "base/words.h"
 #include "query/rows.h"
 
@@ -15,7 +17,7 @@ std::string to_text(const Value& value) {
     std::string operator()(const std::string& v) const { return v; }
     std::string operator()(const Ranked& v) const { return v.text; }
     std::string operator()(glm::dvec3 v) const {
-      return base::to_text(v.x) + " " + base::to_text(v.y) + " " + base::to_text(v.z);
+      return fmt::format("{} {} {}", base::to_text(v.x), base::to_text(v.y), base::to_text(v.z));
     }
   };
   return std::visit(Visitor{}, value);
@@ -67,9 +69,15 @@ base::Result<world::Entity> entity_of(const Context& context, std::string_view a
   std::vector<std::string> names;
   for (const world::Name& other : document.entities.pool<world::Name>().items())
     if (other.kind == kind) names.push_back("@" + world::to_text(other));
-  const std::string wanted = "@" + std::string(word);
+  const std::string wanted = fmt::format("@{}", word);
   return base::Status{base::Code::usage,
-                      "no " + std::string(base::name_of(kind)) + " " + wanted + base::suggestion(wanted, names)};
+                      fmt::format("no {} {}{}", base::name_of(kind), wanted, base::suggestion(wanted, names))};
+}
+
+curve::Joint joint_at(const world::Document& document, world::Entity knot) {
+  const world::Neighbours at = world::neighbours(document, knot);
+  if (!at.before.valid() || !at.after.valid()) return {.speed_ratio = 1};
+  return curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after));
 }
 
 }  // namespace coaster::query

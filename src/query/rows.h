@@ -1,6 +1,8 @@
 // The parts of the table of queries, and helpers of their rows.
 #pragma once
 
+#include <type_traits>
+
 #include "curve/continuity.h"
 #include "query/query.h"
 #include "world/topology.h"
@@ -34,15 +36,47 @@ Value number(Number n) {
 }
 inline Value text(std::string_view t) { return std::string(t); }
 
-// Returns `function` of the joint at a knot; `at_an_end` for an end of an open track, which has no joint.
-template <class Function>
-Answer of_joint(const Context& context, View argument, const Value& at_an_end, Function function) {
-  const auto entity = entity_of(context, argument, world::Kind::knot);
-  if (!entity) return entity.status();
-  const world::Document& document = context.session.document;
-  const world::Neighbours at = world::neighbours(document, *entity);
-  if (!at.before.valid() || !at.after.valid()) return at_an_end;
-  return function(curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after)));
+// Returns a switch as on or off, an enumerator by name, a level of continuity as ranked, any other value as it is.
+template <class T>
+Value value_of(const T& value) {
+  if constexpr (std::is_same_v<T, bool>) return yes_no(value);
+  else if constexpr (std::is_same_v<T, curve::Geometric> || std::is_same_v<T, curve::Parametric>)
+    return Ranked{static_cast<int>(value) - 1, std::string(base::name_of(value))};
+  else if constexpr (base::Named<T>) return text(base::name_of(value));
+  else if constexpr (std::is_arithmetic_v<T>) return number(value);
+  else if constexpr (std::is_same_v<T, glm::vec3>) return glm::dvec3(value);
+  else return value;
+}
+
+// Returns the member at the end of a path of members.
+template <class T>
+const T& member_at(const T& object) {
+  return object;
+}
+template <class T, class Member, class... Path>
+const auto& member_at(const T& object, Member member, Path... path) {
+  return member_at(object.*member, path...);
+}
+
+// Row of a member of the session's document or of the last frame's numbers: of_document<&world::Document::datum>.
+template <auto... path>
+Answer of_document(const Context& c, View) {
+  return value_of(member_at(c.session.document, path...));
+}
+template <auto... path>
+Answer of_stats(const Context& c, View) {
+  return value_of(member_at(c.stats, path...));
+}
+
+// Returns the joint at a knot; at an end of an open track one without continuity, jumps and curvature.
+curve::Joint joint_at(const world::Document& document, world::Entity knot);
+
+// Row of a member of the joint at a knot.
+template <auto member>
+Answer of_joint(const Context& c, View argument) {
+  const auto knot = entity_of(c, argument, world::Kind::knot);
+  if (!knot) return knot.status();
+  return value_of(joint_at(c.session.document, *knot).*member);
 }
 
 }  // namespace coaster::query

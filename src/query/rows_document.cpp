@@ -4,23 +4,16 @@
 
 #include "base/hash.h"
 #include "base/portable_math.h"
-#include "curve/continuity.h"
 #include "query/rows.h"
-#include "world/topology.h"
 
 namespace coaster::query {
 namespace {
 
 // --- the whole track
-// --------------------------------------------------------------------------------------------------
 Answer knots(const Context& c, View) { return number(c.session.document.track.knots.size()); }
 Answer segments(const Context& c, View) { return number(c.session.document.track.segments.size()); }
-Answer closed(const Context& c, View) { return yes_no(c.session.document.track.closed); }
 Answer length(const Context& c, View) { return number(c.session.derived.measured_length); }
 Answer exact_length(const Context& c, View) { return number(c.session.derived.length); }
-Answer name(const Context& c, View) { return text(c.session.document.name); }
-Answer start_speed(const Context& c, View) { return number(c.session.document.start_speed); }
-Answer datum(const Context& c, View) { return number(c.session.document.datum); }
 
 Answer longest(const Context& c, View) {
   const sim::Derived& derived = c.session.derived;
@@ -31,7 +24,7 @@ Answer longest(const Context& c, View) {
   return text(found.valid() ? world::label_of(c.session.document, found) : "none");
 }
 
-// --- conflicts ----------------------------------------------------------------------------------------------------
+// --- conflicts
 const sim::Conflict* worst_conflict(const Context& c) {
   const auto found = c.find(edit::Want::conflicts).conflicts;
   const auto worst =
@@ -55,99 +48,58 @@ Answer hash(const Context& c, View argument) {
   return base::Status{base::Code::usage, "expected document or motion, found " + base::quoted(argument)};
 }
 
-// --- fit of an imported track -------------------------------------------------------------------------------------
-exchange::ImportReport import_of(const Context& c) { return c.session.file.import.value_or(exchange::ImportReport{}); }
-Answer import_max_error(const Context& c, View) { return number(import_of(c).max_error); }
-Answer import_frame_error(const Context& c, View) { return number(import_of(c).frame_error); }
-Answer import_knots(const Context& c, View) { return number(import_of(c).knots); }
+// --- fit of an imported track
+template <auto member>
+Answer of_import(const Context& c, View) {
+  return value_of(c.session.file.import.value_or(exchange::ImportReport{}).*member);
+}
 
 // --- knots
-// ------------------------------------------------------------------------------------------------------------
-template <class Function>
-Answer of_knot(const Context& context, View argument, Function function) {
-  const auto entity = entity_of(context, argument, world::Kind::knot);
-  if (!entity) return entity.status();
-  return function(world::knot(context.session.document, *entity));
-}
-Answer position(const Context& c, View argument) {
-  return of_knot(c, argument, [](const world::Knot& k) -> Value { return glm::dvec3(k.position); });
-}
-Answer tangent(const Context& c, View argument) {
-  return of_knot(c, argument, [](const world::Knot& k) -> Value { return glm::dvec3(k.tangent); });
-}
-Answer up(const Context& c, View argument) {
-  return of_knot(c, argument, [](const world::Knot& k) -> Value { return glm::dvec3(k.up); });
+template <auto member>
+Answer of_knot(const Context& c, View argument) {
+  const auto knot = entity_of(c, argument, world::Kind::knot);
+  if (!knot) return knot.status();
+  return value_of(world::knot(c.session.document, *knot).*member);
 }
 Answer roll(const Context& c, View argument) {
-  return of_knot(c, argument, [](const world::Knot& k) { return number(world::roll_deg(k)); });
-}
-Answer in_length(const Context& c, View argument) {
-  return of_knot(c, argument, [](const world::Knot& k) { return number(k.in_length); });
-}
-Answer out_length(const Context& c, View argument) {
-  return of_knot(c, argument, [](const world::Knot& k) { return number(k.out_length); });
-}
-Answer joint(const Context& c, View argument) {
-  return of_knot(c, argument, [](const world::Knot& k) { return text(base::name_of(k.joint)); });
-}
-
-template <class Continuity>
-Value ranked(Continuity found) {
-  return Ranked{static_cast<int>(found) - 1, std::string(base::name_of(found))};
-}
-Answer geometric(const Context& c, View argument) {
-  return of_joint(c, argument, ranked(curve::Geometric::broken),
-                  [](const curve::Joint& j) { return ranked(j.geometric); });
-}
-Answer parametric(const Context& c, View argument) {
-  return of_joint(c, argument, ranked(curve::Parametric::broken),
-                  [](const curve::Joint& j) { return ranked(j.parametric); });
-}
-Answer gap(const Context& c, View argument) {
-  return of_joint(c, argument, 0.0, [](const curve::Joint& j) { return number(j.gap); });
-}
-Answer speed_ratio(const Context& c, View argument) {
-  return of_joint(c, argument, 1.0, [](const curve::Joint& j) { return number(j.speed_ratio); });
-}
-Answer curvature_jump(const Context& c, View argument) {
-  return of_joint(c, argument, 0.0, [](const curve::Joint& j) { return number(j.curvature_jump); });
+  const auto knot = entity_of(c, argument, world::Kind::knot);
+  if (!knot) return knot.status();
+  return number(world::roll_deg(world::knot(c.session.document, *knot)));
 }
 
 // --- segments
-// ---------------------------------------------------------------------------------------------------------
+template <class Function>
+Answer of_segment(const Context& c, View argument, Function function) {
+  const auto segment = entity_of(c, argument, world::Kind::segment);
+  if (!segment) return segment.status();
+  return number(function(*segment));
+}
 Answer turns(const Context& c, View argument) {
-  const auto entity = entity_of(c, argument, world::Kind::segment);
-  if (!entity) return entity.status();
-  return number(world::segment(c.session.document, *entity).turns);
+  return of_segment(c, argument, [&](world::Entity e) { return world::segment(c.session.document, e).turns; });
 }
 Answer segment_length(const Context& c, View argument) {
-  const auto entity = entity_of(c, argument, world::Kind::segment);
-  if (!entity) return entity.status();
-  return number(c.session.derived.shape(*entity).measured_length);
+  return of_segment(c, argument, [&](world::Entity e) { return c.session.derived.shape(e).measured_length; });
 }
 Answer twist(const Context& c, View argument) {
-  const auto entity = entity_of(c, argument, world::Kind::segment);
-  if (!entity) return entity.status();
-  return number(base::degrees(c.session.derived.shape(*entity).twist));
+  return of_segment(c, argument, [&](world::Entity e) { return base::degrees(c.session.derived.shape(e).twist); });
 }
 
 // --- evaluation
-// -------------------------------------------------------------------------------------------------------
 Answer vertices(const Context& c, View) { return number(c.session.derived.vertices); }
 
 constexpr std::array kDocumentRows{
     Query{"knots", "", "", "Number of knots.", knots},
     Query{"segments", "", "", "Number of segments.", segments},
-    Query{"closed", "", "", "on if the track is closed.", closed},
+    Query{"closed", "", "", "on if the track is closed.", of_document<&world::Document::track, &world::Track::closed>},
     Query{"length", "", "m", "Length of the track by the chosen arc-length method.", length},
     Query{"exact_length", "", "m", "Length of the track by adaptive Gauss-Legendre.", exact_length},
-    Query{"name", "", "", "The track's name.", name},
-    Query{"start_speed", "", "m/s", "Start speed of trains.", start_speed},
-    Query{"datum", "", "m", "Height at which potential energy is zero.", datum},
+    Query{"name", "", "", "The track's name.", of_document<&world::Document::name>},
+    Query{"start_speed", "", "m/s", "Start speed of trains.", of_document<&world::Document::start_speed>},
+    Query{"datum", "", "m", "Height at which potential energy is zero.", of_document<&world::Document::datum>},
     Query{"longest", "", "", "The longest segment; none without a segment.", longest},
     Query{"conflicts", "", "",
-          "Places where the track is in its own way: a train on one stretch has too little room beside, under or over "
-          "another.",
+          "Places where the track lacks clearance from itself: a train has too little room beside, under or over "
+          "another stretch.",
           conflicts},
     Query{"conflict.missing", "", "m", "Clearance missing at the worst conflict; 0 if there is none.",
           conflict_missing},
@@ -156,30 +108,34 @@ constexpr std::array kDocumentRows{
     Query{"conflict.other", "", "m", "Distance of its other stretch along the track; none if there is none.",
           conflict_place<&sim::Conflict::other>},
     Query{"hash", "document|motion", "", "Hash of the document or of the motion, 16 hexadecimal digits.", hash},
-    Query{"position", "@knot", "m", "A knot's position.", position},
-    Query{"tangent", "@knot", "", "A knot's direction of travel, a unit vector.", tangent},
-    Query{"up", "@knot", "", "Direction of riders' heads at a knot, a unit vector.", up},
+    Query{"position", "@knot", "m", "A knot's position.", of_knot<&world::Knot::position>},
+    Query{"tangent", "@knot", "", "A knot's direction of travel, a unit vector.", of_knot<&world::Knot::tangent>},
+    Query{"up", "@knot", "", "Direction of riders' heads at a knot, a unit vector.", of_knot<&world::Knot::up>},
     Query{"roll", "@knot", "deg", "A knot's roll from the horizon, positive to the rider's right.", roll},
-    Query{"in_length", "@knot", "m", "Length of a knot's incoming handle.", in_length},
-    Query{"out_length", "@knot", "m", "Length of a knot's outgoing handle.", out_length},
-    Query{"joint", "@knot", "", "A knot's kind of joint: smooth, aligned or automatic.", joint},
-    Query{"geometric", "@knot", "", "Geometric continuity: G0 < G1 < G2; none at the end of an open track.", geometric},
+    Query{"in_length", "@knot", "m", "Length of a knot's incoming handle.", of_knot<&world::Knot::in_length>},
+    Query{"out_length", "@knot", "m", "Length of a knot's outgoing handle.", of_knot<&world::Knot::out_length>},
+    Query{"joint", "@knot", "", "A knot's kind of joint: smooth, aligned or automatic.", of_knot<&world::Knot::joint>},
+    Query{"geometric", "@knot", "", "Geometric continuity: G0 < G1 < G2; none at the end of an open track.",
+          of_joint<&curve::Joint::geometric>},
     Query{"parametric", "@knot", "", "Parametric continuity: C0 < C1 < C2; none at the end of an open track.",
-          parametric},
-    Query{"gap", "@knot", "m", "Distance between the ends of the segments at a knot.", gap},
-    Query{"speed_ratio", "@knot", "", "|C'(0)| / |B'(1)| of the segments at a knot.", speed_ratio},
+          of_joint<&curve::Joint::parametric>},
+    Query{"gap", "@knot", "m", "Distance between the ends of the segments at a knot.", of_joint<&curve::Joint::gap>},
+    Query{"speed_ratio", "@knot", "", "|C'(0)| / |B'(1)| of the segments at a knot.",
+          of_joint<&curve::Joint::speed_ratio>},
     Query{"curvature_jump", "@knot", "1/m", "Length of the difference of the curvature vectors at a knot.",
-          curvature_jump},
+          of_joint<&curve::Joint::curvature_jump>},
     Query{"turns", "@segment", "", "Whole turns of roll within a segment.", turns},
     Query{"segment_length", "@segment", "m", "A segment's length by the chosen arc-length method.", segment_length},
     Query{"twist", "@segment", "deg", "Roll spread over a segment, relative to its rotation-minimising frame.", twist},
     Query{"import.max_error", "", "m",
-          "Largest distance of an imported file's rows from the fitted track; 0 without an import.", import_max_error},
+          "Largest distance of an imported file's rows from the fitted track; 0 without an import.",
+          of_import<&exchange::ImportReport::max_error>},
     Query{"import.frame_error", "", "deg",
           "Largest angle between a row's frame and the fitted track's, but within 0.5 m of where rows jump; 0 without "
           "an import.",
-          import_frame_error},
-    Query{"import.knots", "", "", "Number of knots of the fitted track; 0 without an import.", import_knots},
+          of_import<&exchange::ImportReport::frame_error>},
+    Query{"import.knots", "", "", "Number of knots of the fitted track; 0 without an import.",
+          of_import<&exchange::ImportReport::knots>},
     Query{"vertices", "", "", "Number of vertices of all polylines.", vertices},
 };
 

@@ -1,6 +1,8 @@
 // Queries of the palette's element at its present position at the track's open end.
 #include <array>
 
+#include <fmt/format.h>
+
 #include "base/portable_math.h"
 #include "query/rows.h"
 
@@ -25,8 +27,8 @@ Answer value(const Context& c, View argument) {
   for (const world::ElementRow& other : world::elements())
     for (const world::ElementParameter& p : other.parameters)
       if (p.name == argument) return text("none");
-  return base::Status{base::Code::usage, "a " + std::string(row.name) + " has no " + base::quoted(argument) +
-                                             base::suggestion(argument, names)};
+  return base::Status{base::Code::usage, fmt::format("a {} has no {}{}", row.name, base::quoted(argument),
+                                                     base::suggestion(argument, names))};
 }
 Answer error(const Context& c, View) { return number(plan(c).fit.error); }
 Answer roll_error(const Context& c, View) { return number(base::degrees(plan(c).fit.roll_error)); }

@@ -9,10 +9,6 @@
 namespace coaster::query {
 namespace {
 
-bool must_hold(const Rule& rule) {
-  return rule.list != exchange::RuleList::silver && rule.list != exchange::RuleList::gold;
-}
-
 Answer active(const Context& c, View) { return yes_no(c.session.game.challenge.has_value()); }
 Answer challenge_name(const Context& c, View) {
   return text(c.session.game.challenge ? c.session.game.challenge->file.name : "");

@@ -3,64 +3,27 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "query/rows.h"
-#include "sim/study/ratings.h"
 
 namespace coaster::query {
 namespace {
 
 const sim::Ghost* ghost_of(const Context& c) { return c.find(edit::Want::ride).ride; }
 
-template <class Function>
-Answer of_ride(const Context& c, Function function) {
-  return number(function(*c.find(edit::Want::ratings).ratings));
+template <auto member>
+Answer rating(const Context& c, View) {
+  return value_of((*c.find(edit::Want::ratings).ratings).*member);
+}
+template <sim::Extreme sim::Ratings::*member>
+Answer extreme(const Context& c, View) {
+  return number(((*c.find(edit::Want::ratings).ratings).*member).value);
 }
 
 Answer lap_time(const Context& c, View) {
   const sim::Ghost* const ghost = ghost_of(c);
   return number(ghost && ghost->lap ? ghost->lap_time : 0.0);
-}
-Answer g_up_max(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.up_most.value; });
-}
-Answer g_up_min(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.up_least.value; });
-}
-Answer g_side_max(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.side_most.value; });
-}
-Answer g_forward_max(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.forward_most.value; });
-}
-Answer g_back_max(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.back_most.value; });
-}
-Answer speed_max(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.top_speed.value; });
-}
-Answer excitement(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.excitement; });
-}
-Answer intensity(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.intensity; });
-}
-Answer nausea(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.nausea; });
-}
-Answer airtime(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.airtime; });
-}
-Answer drops(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.drops; });
-}
-Answer drop_max(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.highest_drop; });
-}
-Answer height_max(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.highest.value; });
-}
-Answer inversions(const Context& c, View) {
-  return of_ride(c, [](const sim::Ratings& r) { return r.inversions; });
 }
 Answer envelope(const Context& c, View) { return number(c.find(edit::Want::overloads).overloads.size()); }
 Answer envelope_name(const Context& c, View) { return text(c.session.limits.name); }
@@ -70,9 +33,6 @@ Answer ghost_end(const Context& c, View) {
   const sim::Ghost* const ghost = ghost_of(c);
   return text(base::name_of(ghost ? ghost->end : world::FailureKind::none));
 }
-Answer rolling(const Context& c, View) { return number(c.session.document.resistance.rolling); }
-Answer drag(const Context& c, View) { return number(c.session.document.resistance.drag); }
-Answer heartline(const Context& c, View) { return number(c.session.document.heartline); }
 template <auto member>
 Answer of_cart(const Context& c, View argument) {
   const auto cart = entity_of(c, argument, world::Kind::cart);
@@ -90,39 +50,46 @@ Answer equipment(const Context& c, View argument) {
 Answer equipped(const Context& c, View argument) {
   const auto kind = base::value_named<world::EquipmentKind>(argument);
   if (!kind)
-    return base::Status{base::Code::usage, "expected " + base::alternatives_of<world::EquipmentKind>() + ", found " +
-                                               base::quoted(argument)};
+    return base::Status{
+        base::Code::usage,
+        fmt::format("expected {}, found {}", base::alternatives_of<world::EquipmentKind>(), base::quoted(argument))};
   const auto& all = c.session.document.entities.pool<world::Equipment>().items();
   return number(std::count_if(all.begin(), all.end(), [&](const world::Equipment& e) { return e.kind == *kind; }));
 }
 
 constexpr std::array kGhostRows{
     Query{"ride.lap_time", "", "s", "Lap time of the ghost; 0 if it does not complete the lap.", lap_time},
-    Query{"ride.g_up_max", "", "g", "Largest vertical g of the whole ride, low-passed, of all cars.", g_up_max},
-    Query{"ride.g_up_min", "", "g", "Smallest vertical g of the whole ride.", g_up_min},
-    Query{"ride.g_side_max", "", "g", "Largest lateral g of the whole ride, to either side.", g_side_max},
-    Query{"ride.g_forward_max", "", "g", "Largest g forwards of the whole ride.", g_forward_max},
-    Query{"ride.g_back_max", "", "g", "Largest g backwards of the whole ride.", g_back_max},
-    Query{"ride.speed_max", "", "m/s", "Largest speed of the whole ride.", speed_max},
+    Query{"ride.g_up_max", "", "g", "Largest vertical g of the whole ride, low-passed, of all cars.",
+          extreme<&sim::Ratings::up_most>},
+    Query{"ride.g_up_min", "", "g", "Smallest vertical g of the whole ride.", extreme<&sim::Ratings::up_least>},
+    Query{"ride.g_side_max", "", "g", "Largest lateral g of the whole ride, to either side.",
+          extreme<&sim::Ratings::side_most>},
+    Query{"ride.g_forward_max", "", "g", "Largest g forwards of the whole ride.", extreme<&sim::Ratings::forward_most>},
+    Query{"ride.g_back_max", "", "g", "Largest g backwards of the whole ride.", extreme<&sim::Ratings::back_most>},
+    Query{"ride.speed_max", "", "m/s", "Largest speed of the whole ride.", extreme<&sim::Ratings::top_speed>},
     Query{"ride.envelope", "", "", "Number of overloads: stretches where a g exceeds its limit for too long.",
           envelope},
     Query{"envelope", "", "", "Name of the force limits: data to edit, not a compliance check.", envelope_name},
-    Query{"ride.excitement", "", "", "Excitement by OpenRCT2's terms of g and drops.", excitement},
-    Query{"ride.intensity", "", "", "Intensity by OpenRCT2's terms of g and drops.", intensity},
-    Query{"ride.nausea", "", "", "Nausea by OpenRCT2's terms of g and drops.", nausea},
-    Query{"ride.airtime", "", "s", "Time of the whole ride with vertical g below 0.", airtime},
-    Query{"ride.drops", "", "", "Number of descents of 3 m or more in the whole ride.", drops},
-    Query{"ride.drop_max", "", "m", "Height of the highest of these descents.", drop_max},
-    Query{"ride.height_max", "", "m", "Largest height of the rails in the whole ride.", height_max},
-    Query{"ride.inversions", "", "", "Number of inversions in the whole ride.", inversions},
+    Query{"ride.excitement", "", "", "Excitement by OpenRCT2's terms of g and drops.",
+          rating<&sim::Ratings::excitement>},
+    Query{"ride.intensity", "", "", "Intensity by OpenRCT2's terms of g and drops.", rating<&sim::Ratings::intensity>},
+    Query{"ride.nausea", "", "", "Nausea by OpenRCT2's terms of g and drops.", rating<&sim::Ratings::nausea>},
+    Query{"ride.airtime", "", "s", "Time of the whole ride with vertical g below 0.", rating<&sim::Ratings::airtime>},
+    Query{"ride.drops", "", "", "Number of descents of 3 m or more in the whole ride.", rating<&sim::Ratings::drops>},
+    Query{"ride.drop_max", "", "m", "Height of the highest of these descents.", rating<&sim::Ratings::highest_drop>},
+    Query{"ride.height_max", "", "m", "Largest height of the rails in the whole ride.",
+          extreme<&sim::Ratings::highest>},
+    Query{"ride.inversions", "", "", "Number of inversions in the whole ride.", rating<&sim::Ratings::inversions>},
     Query{"ride.ghost_end", "", "",
           "Why the ghost does not complete the lap: none, stalled, rolled back, ran off the open end.", ghost_end},
     Query{"ride.fail", "", "",
           "Why the ride stopped by itself: none, stalled, rolled back, ran off the open end, collided.", fail},
     Query{"ride.fail_distance", "", "m", "Distance along the track where it stopped.", fail_distance},
-    Query{"rolling", "", "", "Rolling friction, as a fraction of the weight.", rolling},
-    Query{"drag", "", "1/m", "Drag.", drag},
-    Query{"heartline", "", "m", "Height above the rails for which forces are given.", heartline},
+    Query{"rolling", "", "", "Rolling friction, as a fraction of the weight.",
+          of_document<&world::Document::resistance, &world::Resistance::rolling>},
+    Query{"drag", "", "1/m", "Drag.", of_document<&world::Document::resistance, &world::Resistance::drag>},
+    Query{"heartline", "", "m", "Height above the rails for which forces are given.",
+          of_document<&world::Document::heartline>},
     Query{"cars", "@cart", "", "Number of cars of a train.", of_cart<&world::Cart::cars>},
     Query{"car_length", "@cart", "m", "Length of a car's body.", of_cart<&world::Cart::length>},
     Query{"car_mass", "@cart", "kg", "Mass of a car with its riders.", of_cart<&world::Cart::mass>},

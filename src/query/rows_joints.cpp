@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "base/portable_math.h"
-#include "curve/continuity.h"
 #include "query/rows.h"
 #include "sim/shape/frame_methods.h"
 #include "sim/study/live_errata.h"
 #include "world/evaluation.h"
-#include "world/topology.h"
 
 namespace coaster::query {
 namespace {
@@ -20,23 +20,28 @@ double present_speed(const edit::Session& session) {
 }
 
 // --- joints
-// -----------------------------------------------------------------------------------------------------------
 Answer joint_angle(const Context& c, View argument) {
-  return of_joint(c, argument, 0.0, [](const curve::Joint& j) { return number(base::degrees(j.angle)); });
-}
-Answer curvature_before(const Context& c, View argument) {
-  return of_joint(c, argument, glm::dvec3(0), [](const curve::Joint& j) -> Value { return j.curvature_before; });
-}
-Answer curvature_after(const Context& c, View argument) {
-  return of_joint(c, argument, glm::dvec3(0), [](const curve::Joint& j) -> Value { return j.curvature_after; });
-}
-Answer second_jump(const Context& c, View argument) {
-  return of_joint(c, argument, 0.0, [](const curve::Joint& j) { return number(j.second_jump); });
+  const auto knot = entity_of(c, argument, world::Kind::knot);
+  if (!knot) return knot.status();
+  return number(base::degrees(joint_at(c.session.document, *knot).angle));
 }
 Answer g_step(const Context& c, View argument) {
-  return of_joint(c, argument, 0.0, [&](const curve::Joint& j) {
-    return number(sim::g_step(j.curvature_jump, present_speed(c.session)));
-  });
+  const auto knot = entity_of(c, argument, world::Kind::knot);
+  if (!knot) return knot.status();
+  return number(sim::g_step(joint_at(c.session.document, *knot).curvature_jump, present_speed(c.session)));
+}
+
+// Calls visit(knot, before, after) for each joint of the track, with the cubics that meet there.
+template <class Visit>
+void for_each_joint(const edit::Session& session, Visit visit) {
+  const sim::Derived& derived = session.derived;
+  const std::size_t count = derived.order.size();
+  for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i)
+    visit(session.document.track.knots[i], derived.shape(derived.order[(i + count - 1) % count]).key.cubic,
+          derived.shape(derived.order[i]).key.cubic);
+}
+std::string label_or_none(const Context& c, world::Entity knot) {
+  return knot.valid() ? world::label_of(c.session.document, knot) : "none";
 }
 
 // The largest jump of curvature of the track and the knot where it is.
@@ -45,51 +50,40 @@ struct Roughest {
   world::Entity knot;
 };
 Roughest roughest(const edit::Session& session) {
-  const sim::Derived& derived = session.derived;
-  const std::size_t count = derived.order.size();
   Roughest found;
-  for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i) {
-    const curve::Cubic &before = derived.shape(derived.order[(i + count - 1) % count]).key.cubic,
-                       &after = derived.shape(derived.order[i]).key.cubic;
+  for_each_joint(session, [&](world::Entity knot, const curve::Cubic& before, const curve::Cubic& after) {
     const double jump = glm::length(curve::curvature_vector(after, 0.0) - curve::curvature_vector(before, 1.0));
-    if (jump > found.jump) found = {jump, session.document.track.knots[i]};
-  }
+    if (jump > found.jump) found = {jump, knot};
+  });
   return found;
 }
 Answer g_step_max(const Context& c, View) {
   return number(sim::g_step(roughest(c.session).jump, present_speed(c.session)));
 }
-Answer roughest_joint(const Context& c, View) {
-  const world::Entity knot = roughest(c.session).knot;
-  return text(knot.valid() ? world::label_of(c.session.document, knot) : "none");
-}
-// Returns the joint of least continuity, the first of several; none without a joint.
+Answer roughest_joint(const Context& c, View) { return text(label_or_none(c, roughest(c.session).knot)); }
+
+// The joint of least continuity, the first of several; no knot without a joint.
 template <class Level>
 struct Weakest {
   Level level{};
   world::Entity knot;
 };
-template <class Level, Level curve::Joint::*member>
-Weakest<Level> weakest(const edit::Session& session) {
-  const sim::Derived& derived = session.derived;
-  const std::size_t count = derived.order.size();
+template <class Level>
+Weakest<Level> weakest(const edit::Session& session, Level curve::Joint::*member) {
   Weakest<Level> found;
-  for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i) {
-    const curve::Joint joint = curve::joint(derived.shape(derived.order[(i + count - 1) % count]).key.cubic,
-                                            derived.shape(derived.order[i]).key.cubic);
-    if (!found.knot.valid() || joint.*member < found.level) found = {joint.*member, session.document.track.knots[i]};
-  }
+  for_each_joint(session, [&](world::Entity knot, const curve::Cubic& before, const curve::Cubic& after) {
+    const Level level = curve::joint(before, after).*member;
+    if (!found.knot.valid() || level < found.level) found = {level, knot};
+  });
   return found;
 }
-template <class Level, Level curve::Joint::*member>
+template <auto member>
 Answer weakest_level(const Context& c, View) {
-  const Level level = weakest<Level, member>(c.session).level;
-  return Value(Ranked{static_cast<int>(level) - 1, std::string(base::name_of(level))});
+  return value_of(weakest(c.session, member).level);
 }
-template <class Level, Level curve::Joint::*member>
+template <auto member>
 Answer weakest_knot(const Context& c, View) {
-  const world::Entity knot = weakest<Level, member>(c.session).knot;
-  return text(knot.valid() ? world::label_of(c.session.document, knot) : "none");
+  return text(label_or_none(c, weakest(c.session, member).knot));
 }
 Answer roll_max(const Context& c, View) {
   double most = 0;
@@ -98,17 +92,14 @@ Answer roll_max(const Context& c, View) {
   return number(most);
 }
 Answer joints_g2(const Context& c, View) {
-  const sim::Derived& derived = c.session.derived;
-  const std::size_t count = derived.order.size();
   int smooth = 0;
-  for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i)
-    smooth += curve::joint(derived.shape(derived.order[(i + count - 1) % count]).key.cubic,
-                           derived.shape(derived.order[i]).key.cubic)
-                  .geometric == curve::Geometric::g2;
+  for_each_joint(c.session, [&](world::Entity, const curve::Cubic& before, const curve::Cubic& after) {
+    smooth += curve::joint(before, after).geometric == curve::Geometric::g2;
+  });
   return number(smooth);
 }
 
-// --- the selected position ----------------------------------------------------------------------------------------
+// --- the selected position
 struct Place {
   const sim::SegmentShape* shape;
   double t;
@@ -144,7 +135,6 @@ Answer torsion(const Context& c, View) {
 Answer frenet(const Context& c, View) { return yes_no(frenet_there(c.session).has_value()); }
 
 // --- frames along the track
-// ---------------------------------------------------------------------------------------------
 Answer loop_twist(const Context& c, View) { return number(base::degrees(sim::loop_twist(c.session.derived))); }
 Answer frenet_flips(const Context& c, View) { return number(sim::frenet_breaks(c.session.derived).size()); }
 Answer cart_up(const Context& c, View) {
@@ -155,13 +145,13 @@ Answer cart_up(const Context& c, View) {
 }
 
 // --- errata
-// ----------------------------------------------------------------------------------------------------------- Of the
-// selected segment, else of the first one.
+// Of the selected segment, else of the first one.
 Answer of_erratum(const Context& c, View name, double sim::Erratum::*number_of) {
   const sim::Derived& derived = c.session.derived;
   std::vector<std::string> names(sim::kErrata.begin(), sim::kErrata.end());
   if (std::find(names.begin(), names.end(), name) == names.end())
-    return base::Status{base::Code::usage, "no erratum " + base::quoted(name) + base::suggestion(name, names)};
+    return base::Status{base::Code::usage,
+                        fmt::format("no erratum {}{}", base::quoted(name), base::suggestion(name, names))};
   if (derived.order.empty()) return number(0);
   const world::Entity selected = c.session.settings.selected,
                       segment = derived.segments.find(selected) ? selected : derived.order.front();
@@ -177,23 +167,26 @@ constexpr View kErratumNames = "gravesen|line|frozen|g_step|frenet_flip|pen";
 constexpr std::array kJointRows{
     Query{"joint_angle", "@knot", "deg", "Angle between the tangents of the segments at a knot.", joint_angle},
     Query{"curvature_before", "@knot", "1/m",
-          "Curvature vector at the end of the segment before a knot, towards the centre.", curvature_before},
+          "Curvature vector at the end of the segment before a knot, towards the centre.",
+          of_joint<&curve::Joint::curvature_before>},
     Query{"curvature_after", "@knot", "1/m",
-          "Curvature vector at the start of the segment after a knot, towards the centre.", curvature_after},
-    Query{"second_jump", "@knot", "m", "Length of C''(0) - B''(1) at a knot; 0 for C2.", second_jump},
+          "Curvature vector at the start of the segment after a knot, towards the centre.",
+          of_joint<&curve::Joint::curvature_after>},
+    Query{"second_jump", "@knot", "m", "Length of C''(0) - B''(1) at a knot; 0 for C2.",
+          of_joint<&curve::Joint::second_jump>},
     Query{"g_step", "@knot", "g", "Jump of the force at a knot, v^2 |dK| / g, at the present speed of the first train.",
           g_step},
     Query{"g_step_max", "", "g", "The largest such jump of the track.", g_step_max},
     Query{"roughest_joint", "", "", "The knot with the largest jump of curvature; none if there is no jump.",
           roughest_joint},
     Query{"geometric_min", "", "", "Lowest geometric continuity of all joints: G0 < G1 < G2; none without a joint.",
-          weakest_level<curve::Geometric, &curve::Joint::geometric>},
+          weakest_level<&curve::Joint::geometric>},
     Query{"parametric_min", "", "", "Lowest parametric continuity of all joints: C0 < C1 < C2; none without a joint.",
-          weakest_level<curve::Parametric, &curve::Joint::parametric>},
+          weakest_level<&curve::Joint::parametric>},
     Query{"weakest_geometric", "", "", "The first knot with that geometric continuity; none without a joint.",
-          weakest_knot<curve::Geometric, &curve::Joint::geometric>},
+          weakest_knot<&curve::Joint::geometric>},
     Query{"weakest_parametric", "", "", "The first knot with that parametric continuity; none without a joint.",
-          weakest_knot<curve::Parametric, &curve::Joint::parametric>},
+          weakest_knot<&curve::Joint::parametric>},
     Query{"roll_max", "", "deg", "Largest roll of a knot, to either side.", roll_max},
     Query{"joints_g2", "", "", "Number of joints that are G2.", joints_g2},
     Query{"curvature", "", "1/m", "Curvature at the selected position: on a segment, at a knot or a train.", curvature},

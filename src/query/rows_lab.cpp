@@ -1,6 +1,8 @@
 // Queries of the laboratory: its layers and pages, the probe's construction, rounding, and the table of measurements.
 #include <array>
 
+#include <fmt/format.h>
+
 #include "query/rows.h"
 #include "sim/study/rounding.h"
 #include "world/evaluation.h"
@@ -14,8 +16,8 @@ namespace {
 template <base::Named E>
 base::Result<E> named(View word, std::string_view what) {
   if (const auto value = base::value_named<E>(word)) return *value;
-  return base::Status{base::Code::usage, "no " + std::string(what) + " " + base::quoted(word) +
-                                             base::suggestion(word, base::names_of<E>())};
+  return base::Status{base::Code::usage,
+                      fmt::format("no {} {}{}", what, base::quoted(word), base::suggestion(word, base::names_of<E>()))};
 }
 
 Answer shown(const Context& c, View word) {
@@ -24,33 +26,21 @@ Answer shown(const Context& c, View word) {
   return yes_no(c.session.settings.lab->layers.has(*layer));
 }
 
-base::Result<const sim::SegmentShape*> selected_shape(const Context& c) {
-  const sim::SegmentShape* const shape = c.session.derived.segments.find(c.session.settings.selected);
-  if (shape == nullptr) return base::Status{base::Code::refused, "no segment is selected"};
-  return shape;
+const sim::SegmentShape* selected_shape(const Context& c) {
+  return c.session.derived.segments.find(c.session.settings.selected);
 }
-
 Answer construction_point(const Context& c, View) {
-  const auto shape = selected_shape(c);
-  if (!shape) return Value(glm::dvec3(0));
-  return Value(curve::point((*shape)->key.cubic, c.session.settings.selected_t));
+  const sim::SegmentShape* const shape = selected_shape(c);
+  return Value(shape ? curve::point(shape->key.cubic, c.session.settings.selected_t) : glm::dvec3(0));
 }
 
-base::Result<sim::Rounding> rounding_of_selected(const Context& c) {
-  const auto shape = selected_shape(c);
-  if (!shape) return shape.status();
-  return sim::rounding((*shape)->curve, base::row_of(c.session.settings.evaluation->evaluator),
-                       c.session.settings.evaluation->steps);
-}
+// sim::largest or sim::seam of the selected segment's rounding.
+template <auto figure>
 Answer rounding(const Context& c, View) {
-  const auto r = rounding_of_selected(c);
-  if (!r) return number(0);
-  return number(sim::largest(*r));
-}
-Answer seam(const Context& c, View) {
-  const auto r = rounding_of_selected(c);
-  if (!r) return number(0);
-  return number(sim::seam(*r));
+  const sim::SegmentShape* const shape = selected_shape(c);
+  const world::Evaluation& evaluation = *c.session.settings.evaluation;
+  return number(shape ? figure(sim::rounding(shape->curve, base::row_of(evaluation.evaluator), evaluation.steps))
+                      : 0.0);
 }
 
 Answer measuring(const Context& c, View) { return yes_no(c.session.measuring.measurement.running); }
@@ -89,8 +79,10 @@ constexpr std::array kLabRows{
           "on if a layer of the laboratory is drawn.", shown},
     Query{"construction_point", "", "m",
           "Point at the picked position of the selected segment; 0 0 0 if none is selected.", construction_point},
-    Query{"rounding", "", "m", "Largest rounding error of the evaluator's vertices on the selected segment.", rounding},
-    Query{"seam", "", "m", "Rounding error of the last vertex before the selected segment's exact end.", seam},
+    Query{"rounding", "", "m", "Largest rounding error of the evaluator's vertices on the selected segment.",
+          rounding<sim::largest>},
+    Query{"seam", "", "m", "Rounding error of the last vertex before the selected segment's exact end.",
+          rounding<sim::seam>},
     Query{"measuring", "", "", "on during the measurement of evaluators.", measuring},
     Query{"measure.progress", "", "", "Progress of the measurement, 0 to 1.", measure_progress},
     Query{"measure.rows", "", "", "Number of evaluators measured; 0 before the first measurement.", measure_rows},

@@ -26,76 +26,59 @@ Answer of_cart(const Context& context, Function function) {
   return number(there ? function(riding.entity, *riding.motion) : 0.0);
 }
 
-Answer state(const Context& c, std::string_view) {
+Answer state(const Context& c, View) {
   return text(cart_of(c.session).motion ? base::name_of(c.session.motion.state) : "none");
 }
-Answer speed(const Context& c, std::string_view) {
-  return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return cart.speed; });
+template <auto member>
+Answer of_motion(const Context& c, View) {
+  return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return static_cast<double>(cart.*member); });
 }
-Answer cart_height(const Context& c, std::string_view) {
+Answer cart_height(const Context& c, View) {
   return of_cart(c, [&](world::Entity, const world::CartMotion& cart) {
     return sim::rail_point(c.session.derived.shape(cart.segment), cart.s).height;
   });
 }
-Answer distance(const Context& c, std::string_view) {
-  return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return cart.track_distance; });
-}
-Answer travelled(const Context& c, std::string_view) {
-  return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return cart.travelled; });
-}
-Answer lap(const Context& c, std::string_view) {
-  return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return static_cast<double>(cart.laps); });
-}
-Answer energy(const Context& c, std::string_view) {
+// sim::energy or sim::energy_drift.
+template <auto function>
+Answer energy(const Context& c, View) {
   return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
-    return sim::energy(c.session.document, c.session.derived, e, cart);
+    return function(c.session.document, c.session.derived, e, cart);
   });
 }
-Answer energy_drift(const Context& c, std::string_view) {
+template <double sim::Felt::*axis>
+Answer felt(const Context& c, View) {
   return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
-    return sim::energy_drift(c.session.document, c.session.derived, e, cart);
+    return sim::felt(c.session.document, c.session.derived, e, cart).*axis;
   });
 }
-Answer g_up(const Context& c, std::string_view) {
-  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
-    return sim::felt(c.session.document, c.session.derived, e, cart).up;
-  });
-}
-Answer g_side(const Context& c, std::string_view) {
-  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
-    return sim::felt(c.session.document, c.session.derived, e, cart).left;
-  });
-}
-Answer g_forward(const Context& c, std::string_view) {
-  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
-    return sim::felt(c.session.document, c.session.derived, e, cart).forward;
-  });
-}
-Answer cost(const Context& c, std::string_view) { return number(c.session.measuring.ride_cost.ns_per_tick); }
-Answer segment(const Context& c, std::string_view) {
+Answer cost(const Context& c, View) { return number(c.session.measuring.ride_cost.ns_per_tick); }
+Answer segment(const Context& c, View) {
   const world::CartMotion* const cart = cart_of(c.session).motion;
   return text(cart ? world::label_of(c.session.document, cart->segment) : "none");
 }
-Answer carts(const Context& c, std::string_view) {
-  return number(c.session.document.entities.pool<world::Cart>().size());
-}
+Answer carts(const Context& c, View) { return number(c.session.document.entities.pool<world::Cart>().size()); }
 
 constexpr std::array kRideRows{
     Query{"carts", "", "", "Number of trains.", carts},
     Query{"ride.state", "", "", "stopped, running, paused, ended or failed; none without a train.", state},
-    Query{"ride.speed", "", "m/s", "Speed along the track, negative backwards.", speed},
+    Query{"ride.speed", "", "m/s", "Speed along the track, negative backwards.", of_motion<&world::CartMotion::speed>},
     Query{"ride.height", "", "m", "Height (y) of the rails under the train.", cart_height},
-    Query{"ride.distance", "", "m", "Distance of the train along the track.", distance},
-    Query{"ride.travelled", "", "m", "Distance travelled since the start; backwards counts negative.", travelled},
-    Query{"ride.lap", "", "", "Whole laps since the start; backwards counts negative.", lap},
+    Query{"ride.distance", "", "m", "Distance of the train along the track.",
+          of_motion<&world::CartMotion::track_distance>},
+    Query{"ride.travelled", "", "m", "Distance travelled since the start; backwards counts negative.",
+          of_motion<&world::CartMotion::travelled>},
+    Query{"ride.lap", "", "", "Whole laps since the start; backwards counts negative.",
+          of_motion<&world::CartMotion::laps>},
     Query{"ride.segment", "", "", "Segment under the train.", segment},
-    Query{"ride.energy", "", "J/kg", "v^2/2 + g (y - datum).", energy},
+    Query{"ride.energy", "", "J/kg", "v^2/2 + g (y - datum).", energy<sim::energy>},
     Query{"ride.cost", "", "ns",
           "Time of a tick of the live ride on this machine, all trains together; 0 before the first tick.", cost},
-    Query{"ride.energy_drift", "", "", "|energy - energy at the start| / largest kinetic energy.", energy_drift},
-    Query{"ride.g_up", "", "g", "Felt acceleration towards the rider's head; 1 at rest on level track.", g_up},
-    Query{"ride.g_side", "", "g", "Felt acceleration to the rider's left.", g_side},
-    Query{"ride.g_forward", "", "g", "Felt acceleration forwards.", g_forward},
+    Query{"ride.energy_drift", "", "", "|energy - energy at the start| / largest kinetic energy.",
+          energy<sim::energy_drift>},
+    Query{"ride.g_up", "", "g", "Felt acceleration towards the rider's head; 1 at rest on level track.",
+          felt<&sim::Felt::up>},
+    Query{"ride.g_side", "", "g", "Felt acceleration to the rider's left.", felt<&sim::Felt::left>},
+    Query{"ride.g_forward", "", "g", "Felt acceleration forwards.", felt<&sim::Felt::forward>},
 };
 
 }  // namespace

@@ -30,22 +30,13 @@ Answer toast(const Context& c, View) { return text(c.toast); }
 Answer title(const Context& c, View) { return text(c.title); }
 Answer polyline(const Context& c, View) { return yes_no(c.session.settings.lab->layers.has(world::Layer::polyline)); }
 Answer file(const Context& c, View) { return text(c.session.file.path.filename().string()); }
-Answer locked_by(const Context& c, View) { return text(c.stats.keeping.holder); }
-Answer recoverable(const Context& c, View) { return number(c.stats.keeping.recoverable); }
-Answer autosaves(const Context& c, View) { return number(c.stats.keeping.autosaves); }
-Answer quits(const Context& c, View) { return yes_no(c.stats.keeping.quits); }
 
-Answer camera_shown(const Context& c, View) { return text(base::name_of(c.stats.camera_shown)); }
-Answer camera_eye(const Context& c, View) { return Value(c.stats.eye); }
 Answer camera_height(const Context& c, View) { return number(c.stats.eye.y); }
-Answer camera_forward(const Context& c, View) { return Value(c.stats.eye_forward); }
-Answer camera_up(const Context& c, View) { return Value(c.stats.eye_up); }
 Answer camera_tilt(const Context& c, View) {
   // Roll of the picture's horizontal against the ground, clockwise as the rider tilts to the right.
   const double right = glm::cross(c.stats.eye_forward, c.stats.eye_up).y;
   return number(glm::degrees(std::atan2(-right, c.stats.eye_up.y)));
 }
-Answer camera_field_of_view(const Context& c, View) { return number(c.stats.field_of_view_deg); }
 Answer camera_target(const Context& c, View) { return Value(glm::dvec3(c.session.settings.camera.target)); }
 Answer camera_distance(const Context& c, View) { return number(c.session.settings.camera.distance); }
 Answer camera_yaw(const Context& c, View) { return number(c.session.settings.camera.yaw_deg); }
@@ -67,17 +58,23 @@ constexpr std::array kSessionRows{
     Query{"title", "", "", "The window's title.", title},
     Query{"polyline", "", "", "on if the evaluated polyline is shown.", polyline},
     Query{"track_file", "", "", "Name of the track's file without its folder, empty if it has none.", file},
-    Query{"locked_by", "", "", "Other process that has the track's file open, empty if none.", locked_by},
-    Query{"recoverable", "", "", "Number of autosaves of other runs that can be recovered.", recoverable},
-    Query{"autosaves", "", "", "Number of autosaves written since the start.", autosaves},
-    Query{"quits", "", "", "on if the program was asked to quit: a window closes then, a script continues.", quits},
-    Query{"camera_shown", "", "", "The camera of the last frame: orbit if there is no train to follow.", camera_shown},
-    Query{"camera_eye", "", "m", "Position of the last frame's camera.", camera_eye},
+    Query{"locked_by", "", "", "Other process that has the track's file open, empty if none.",
+          of_stats<&FrameStats::keeping, &Keeping::holder>},
+    Query{"recoverable", "", "", "Number of autosaves of other runs that can be recovered.",
+          of_stats<&FrameStats::keeping, &Keeping::recoverable>},
+    Query{"autosaves", "", "", "Number of autosaves written since the start.",
+          of_stats<&FrameStats::keeping, &Keeping::autosaves>},
+    Query{"quits", "", "", "on if the program was asked to quit: a window closes then, a script continues.",
+          of_stats<&FrameStats::keeping, &Keeping::quits>},
+    Query{"camera_shown", "", "", "The camera of the last frame: orbit if there is no train to follow.",
+          of_stats<&FrameStats::camera_shown>},
+    Query{"camera_eye", "", "m", "Position of the last frame's camera.", of_stats<&FrameStats::eye>},
     Query{"camera_height", "", "m", "Height of the last frame's camera above the ground.", camera_height},
-    Query{"camera_forward", "", "", "Direction of the last frame's view.", camera_forward},
-    Query{"camera_up", "", "", "Up vector of the last frame's camera.", camera_up},
+    Query{"camera_forward", "", "", "Direction of the last frame's view.", of_stats<&FrameStats::eye_forward>},
+    Query{"camera_up", "", "", "Up vector of the last frame's camera.", of_stats<&FrameStats::eye_up>},
     Query{"camera_tilt", "", "deg", "Roll of the last frame's view, positive to the right.", camera_tilt},
-    Query{"camera_field_of_view", "", "deg", "Vertical field of view of the last frame.", camera_field_of_view},
+    Query{"camera_field_of_view", "", "deg", "Vertical field of view of the last frame.",
+          of_stats<&FrameStats::field_of_view_deg>},
     Query{"camera_target", "", "m", "Target of the camera.", camera_target},
     Query{"camera_distance", "", "m", "Distance of the camera from its target.", camera_distance},
     Query{"camera_yaw", "", "deg", "Yaw of the camera; 0 looks along -Z.", camera_yaw},

@@ -1,8 +1,6 @@
 // Queries about the settings that have a row: one each, made from it.
-#include <type_traits>
 #include <vector>
 
-#include "base/names.h"
 #include "query/rows.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/frame_methods.h"
@@ -13,11 +11,7 @@ namespace {
 
 template <auto Member>
 Answer setting(const Context& c, View) {
-  const auto value = world::value_in<Member>(c.session.settings);
-  using T = world::ValueOf<Member>;
-  if constexpr (std::is_enum_v<T>) return text(base::name_of(value));
-  else if constexpr (std::is_same_v<T, bool>) return yes_no(value);
-  else return number(value);
+  return value_of(world::value_in<Member>(c.session.settings));
 }
 
 }  // namespace
