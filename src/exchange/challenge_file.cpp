@@ -42,11 +42,9 @@ bool read_challenge_head(ChallengeParse& parse, Fields& fields) {
 bool read_rules(ChallengeParse& parse, Fields& fields, RuleList which) {
   const std::string_view name = base::name_of(which);
   if (which != RuleList::goals && !fields.has(name)) return true;
-  const Json* const list = fields.list(name);
+  const Json* const list = fields.list(name, kMaxChallengeRules);
   if (!list) return false;
   if (which == RuleList::goals && list->empty()) return fields.fail(name, "expected one goal at least");
-  if (list->size() > kMaxChallengeRules)
-    return fields.fail(name, fmt::format("more than the limit of {}", kMaxChallengeRules));
   for (std::size_t i = 0; i < list->size(); ++i) {
     Fields entry((*list)[i], {name, i}, parse.error);
     ChallengeRule rule;
@@ -59,10 +57,8 @@ bool read_rules(ChallengeParse& parse, Fields& fields, RuleList which) {
 
 bool read_hints(ChallengeParse& parse, Fields& fields) {
   if (!fields.has("hints")) return true;
-  const Json* const list = fields.list("hints");
+  const Json* const list = fields.list("hints", kMaxChallengeHints);
   if (!list) return false;
-  if (list->size() > kMaxChallengeHints)
-    return fields.fail("hints", fmt::format("more than the limit of {}", kMaxChallengeHints));
   for (std::size_t i = 0; i < list->size(); ++i) {
     const Json& hint = (*list)[i];
     const bool fits = hint.is_string() && !hint.get_ref<const std::string&>().empty() &&
@@ -81,8 +77,7 @@ bool read_track(ChallengeParse& parse, Fields& fields, const Json& tree, const s
   const auto inside = tree.find("track");
   base::Result<LoadedTrack> track = base::Status{base::Code::bad_file, "no track"};
   if (inside != tree.end() && inside->is_object()) {
-    (void)fields.value("track");
-    track = parse_track(json_line(*inside), "track");
+    track = parse_track(json_line(*fields.object("track")), "track");
   } else {
     if (!read_text(fields, "track", to.track)) return false;
     const std::filesystem::path path = folder / to.track;
@@ -115,20 +110,13 @@ base::Result<LoadedChallenge> parse_challenge(std::string_view text, std::string
   const base::Result<Json> tree = read_json(text, name);
   if (!tree) return tree.status();
   ChallengeParse parse;
-  if (!read_all(parse, *tree, folder, files))
-    return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, parse.error)};
-  for (std::string& warning : parse.loaded.warnings) {
-    constexpr std::string_view kKept = " is kept";  // as for tracks; a challenge is never written
-    if (warning.ends_with(kKept)) warning.replace(warning.size() - kKept.size(), kKept.size(), " is ignored");
-    warning = fmt::format("{}: warning: {}", name, warning);
-  }
+  if (!read_all(parse, *tree, folder, files)) return bad_file(name, parse.error);
+  name_ignored(parse.loaded.warnings, name);
   return std::move(parse.loaded);
 }
 
 base::Result<LoadedChallenge> load_challenge(base::Files& files, const std::filesystem::path& path) {
-  if (path.extension() != ".json")
-    return base::Status{base::Code::bad_file, path.string() + ": error: expected a file ending in .json"};
-  const base::Result<std::string> text = files.read(path);
+  const base::Result<std::string> text = read_json_file(files, path);
   if (!text) return text.status();
   return parse_challenge(*text, path.string(), path.parent_path(), files);
 }

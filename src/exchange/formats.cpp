@@ -16,14 +16,16 @@
 namespace coaster::exchange {
 namespace {
 
+base::Result<LoadedTrack> parse_rows(std::string_view bytes, std::string_view name) {
+  return parse_nl2_csv(bytes, name);
+}
 std::string print_rows(const world::Document& document) { return print_nl2_csv(document, kNl2Spacing); }
 base::Status check_rows(const world::Document& document) { return check_nl2_csv(document, kNl2Spacing); }
 
 constexpr std::array kFormats{
     Format{".json", "coaster track", parse_track, print_track, false, true},
     Format{".nltrack", "NoLimits 1 track", parse_nltrack, nullptr, true, false},
-    Format{".csv", "NoLimits 2 track spline", parse_nl2_csv, print_rows, false, false, check_rows,
-           parse_nl2_csv_watched},
+    Format{".csv", "NoLimits 2 track spline", parse_rows, print_rows, false, false, check_rows, parse_nl2_csv},
     Format{".nl2elem", "NoLimits 2 element", parse_nl2elem, print_nl2elem, false, false, check_nl2elem},
     Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false},
     Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false},
@@ -32,11 +34,10 @@ constexpr std::array kFormats{
 
 // Returns "a.txt: error: expected a file ending in .json"; names a format that works only in the other direction.
 std::string unfit_ending(const std::filesystem::path& path, const Format* format, Direction direction) {
-  std::string text = path.string() + ": error: ";
-  if (format)
-    text += fmt::format("{} ({}) can only be {}; ", format->ending, format->label,
-                        direction == Direction::read ? "written" : "read");
-  return fmt::format("{}expected a file ending in {}", text, known_endings(direction));
+  const std::string_view other = direction == Direction::read ? "written" : "read";
+  return fmt::format("{}: error: {}expected a file ending in {}", path.string(),
+                     format ? fmt::format("{} ({}) can only be {}; ", format->ending, format->label, other) : "",
+                     known_endings(direction));
 }
 
 }  // namespace
@@ -51,13 +52,10 @@ const Format* format_of(const std::filesystem::path& path) {
 }
 
 std::string known_endings(Direction direction) {
-  std::vector<std::string_view> endings;
+  std::vector<std::string> endings;
   for (const Format& f : kFormats)
-    if (direction == Direction::read ? f.parse != nullptr : f.print != nullptr) endings.push_back(f.ending);
-  std::string text;
-  for (std::size_t i = 0; i < endings.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < endings.size() ? ", " : " or ") + std::string(endings[i]);
-  return text;
+    if (direction == Direction::read ? f.parse != nullptr : f.print != nullptr) endings.emplace_back(f.ending);
+  return base::alternatives(endings);
 }
 
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, base::Progress* progress) {

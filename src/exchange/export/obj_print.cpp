@@ -1,7 +1,7 @@
 // A track's solid as Wavefront OBJ.
-#include "base/text.h"
-
 #include <fmt/format.h>
+
+#include "base/text.h"
 #include "exchange/export/track_shapes.h"
 #include "exchange/export/track_solid.h"
 
@@ -25,7 +25,7 @@ std::string one_line(std::string text) {
 
 std::string print_obj(const world::Document& document) {
   const TrackSolid solid = track_solid(document);
-  std::string out = "# Track in metres, Y up\no " + one_line(document.name) + "\n";
+  std::string out = fmt::format("# Track in metres, Y up\no {}\n", one_line(document.name));
   std::size_t before = 1;  // indices count from 1, over all groups
   for (const SolidPart& part : solid.parts) {
     if (part.indices.empty()) continue;

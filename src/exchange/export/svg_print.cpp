@@ -97,7 +97,7 @@ std::string print_drawing(const Drawing& drawing, const std::vector<curve::Cubic
       fmt::format("<text{}{}{}>{}</text>\n", attribute("x", x), attribute("y", top + style.text), font, drawing.label);
   out += fmt::format("<g id=\"{}\" transform=\"translate({} {})\" fill=\"none\" stroke=\"#1f4e79\"{}>\n", drawing.id,
                      base::to_text(x - e.left), base::to_text(y - e.top), attribute("stroke-width", style.line));
-  if (!cubics.empty()) out += "<path d=\"" + path(cubics, drawing.project, closed) + "\"/>\n";
+  if (!cubics.empty()) out += fmt::format("<path d=\"{}\"/>\n", path(cubics, drawing.project, closed));
   out += "</g>\n";
   out += fmt::format("<path id=\"{}-bar\" d=\"M{} {} h{}\" stroke=\"black\"{}/>\n", drawing.id, base::to_text(x),
                      base::to_text(below), base::to_text(bar), attribute("stroke-width", 2 * style.line));

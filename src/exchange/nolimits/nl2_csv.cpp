@@ -17,13 +17,13 @@ namespace {
 using glm::dvec3;
 
 constexpr auto& kColumns = kNl2Columns;
+using Cells = std::array<std::string_view, kColumns.size()>;
 constexpr double kSquare = 0.01;     // tolerance for unit and perpendicular frames
 constexpr double kSamePlace = 2e-6;  // m: rounding of printed positions
 
 std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  return text.substr(0, text.find_last_not_of(' ') + 1);
 }
 
 // Iterates over the lines of a text, numbered from 1, without line endings.
@@ -53,7 +53,7 @@ class Lines {
 };
 
 // Splits a line into cells; returns at most one more than there are columns.
-std::size_t split(std::string_view line, std::array<std::string_view, kColumns.size()>& cells) {
+std::size_t split(std::string_view line, Cells& cells) {
   std::size_t count = 0;
   for (;;) {
     const std::size_t end = line.find('\t');
@@ -84,7 +84,6 @@ struct Reader {
     error = fmt::format("{}:{}: error: expected {}, found {}", name, lines.number(), expected, found);
     return false;
   }
-  std::string place() const { return fmt::format("{}:{}", name, lines.number()); }
 };
 
 bool read_header(Reader& r) {
@@ -93,7 +92,7 @@ bool read_header(Reader& r) {
     r.error = std::string(r.name) + ":1: error: expected the header \"No.\" \"PosX\" ..., found an empty file";
     return false;
   }
-  std::array<std::string_view, kColumns.size()> cells;
+  Cells cells;
   const std::size_t count = split(line, cells);
   for (std::size_t i = 0; i < kColumns.size() && i < count; ++i) {
     std::string_view cell = cells[i];
@@ -109,8 +108,7 @@ bool read_header(Reader& r) {
   return true;
 }
 
-bool read_vector(Reader& r, const std::array<std::string_view, kColumns.size()>& cells, std::size_t first, double limit,
-                 dvec3& v) {
+bool read_vector(Reader& r, const Cells& cells, std::size_t first, double limit, dvec3& v) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t i = first + static_cast<std::size_t>(axis);
     const auto number = base::parse_double(cells[i]);
@@ -125,21 +123,21 @@ bool read_vector(Reader& r, const std::array<std::string_view, kColumns.size()>&
 
 // Reads a frame that is nearly right-handed, unit and perpendicular, and makes it exactly so; Front keeps its
 // direction.
-bool read_frame(Reader& r, const std::array<std::string_view, kColumns.size()>& cells, sim::FitRow& row) {
+bool read_frame(Reader& r, const Cells& cells, sim::FitRow& row) {
   dvec3 front, left, up;
   if (!read_vector(r, cells, 4, 2, front) || !read_vector(r, cells, 7, 2, left) || !read_vector(r, cells, 10, 2, up))
     return false;
   const auto unit = [&](dvec3 v, std::string_view which) {
     const double length = glm::length(v);
     return std::abs(length - 1) <= kSquare ||
-           r.fail(std::string(which) + " to be a unit vector", "one of length " + base::to_text(length));
+           r.fail(fmt::format("{} to be a unit vector", which), "one of length " + base::to_text(length));
   };
   if (!unit(front, "Front") || !unit(left, "Left") || !unit(up, "Up")) return false;
   const double cosine = glm::dot(front, up);
   if (std::abs(cosine) > kSquare)
-    return r.fail("Up perpendicular to Front", "a cosine of " + base::to_text(cosine) + " between them");
+    return r.fail("Up perpendicular to Front", fmt::format("a cosine of {} between them", base::to_text(cosine)));
   const double off = glm::distance(glm::cross(front, left), up);
-  if (off > 2 * kSquare) return r.fail("Up = Front x Left", "a vector that is " + base::to_text(off) + " off");
+  if (off > 2 * kSquare) return r.fail("Up = Front x Left", fmt::format("a vector that is {} off", base::to_text(off)));
   row.forward = glm::normalize(front);
   row.up = curve::perpendicular(row.forward, up);
   return true;
@@ -147,7 +145,7 @@ bool read_frame(Reader& r, const std::array<std::string_view, kColumns.size()>& 
 
 // Detects a file that was truncated within its last number: the number is valid, but has fewer than the format's six
 // decimals.
-bool check_cut(Reader& r, const std::array<std::string_view, kColumns.size()>& cells) {
+bool check_cut(Reader& r, const Cells& cells) {
   if (r.data_rows == 0) {
     r.first_decimals = decimals(cells[1]);
     for (std::size_t i = 2; i + 1 < cells.size(); ++i)
@@ -158,7 +156,7 @@ bool check_cut(Reader& r, const std::array<std::string_view, kColumns.size()>& c
 }
 
 bool read_row(Reader& r, std::string_view line) {
-  std::array<std::string_view, kColumns.size()> cells;
+  Cells cells;
   const std::size_t count = split(line, cells);
   if (count != kColumns.size())
     return r.fail("13 columns, separated by tabs", count > kColumns.size() ? "more" : std::to_string(count));
@@ -174,7 +172,8 @@ bool read_row(Reader& r, std::string_view line) {
   ++r.data_rows;
   if (!r.rows.empty() && glm::distance(r.rows.back().position, row.position) <= kSamePlace) {
     if (r.warnings.size() < 20)
-      r.warnings.push_back(r.place() + ": warning: the row repeats the previous position; left out");
+      r.warnings.push_back(
+          fmt::format("{}:{}: warning: the row repeats the previous position; left out", r.name, r.lines.number()));
     return true;
   }
   r.rows.push_back(row);
@@ -192,12 +191,7 @@ bool read_rows(Reader& r) {
 
 }  // namespace
 
-base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name) {
-  return parse_nl2_csv_watched(text, name, nullptr);
-}
-
-base::Result<LoadedTrack> parse_nl2_csv_watched(std::string_view text, std::string_view name,
-                                                base::Progress* progress) {
+base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name, base::Progress* progress) {
   Reader r{name, Lines(text), {}, {}, 0, 0, {}};
   if (!read_rows(r)) return base::Status{base::Code::bad_file, r.error};
   const bool repeated =

@@ -21,9 +21,9 @@ inline constexpr double kNl2Spacing = 0.05;  // m between saved rows; the same a
 // other columns, row numbers that do not count up from 1, NaN, infinities, positions beyond world::kMaxCoordinate,
 // frames that are not unit, perpendicular and right-handed to 1 % (better ones are made exact), fewer than 2 rows, more
 // than kMaxNl2Rows, and a truncated last number. Leaves out rows at the position of the previous row, with a warning.
-base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name);
-// The same with progress; refused once it is cancelled.
-base::Result<LoadedTrack> parse_nl2_csv_watched(std::string_view text, std::string_view name, base::Progress* progress);
+// Reports `progress`, and is refused once it is cancelled.
+base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name,
+                                        base::Progress* progress = nullptr);
 
 // Checks that the track can be written: it has a segment and at most kMaxNl2Rows rows. `spacing` in m, above 0.
 base::Status check_nl2_csv(const world::Document& document, double spacing);

@@ -6,7 +6,7 @@
 #include "base/check.h"
 #include "base/text.h"
 #include "exchange/nolimits/nl2_csv.h"
-#include "sim/shape/derived.h"
+#include "exchange/nolimits/nl2_spline.h"
 
 namespace coaster::exchange {
 namespace {
@@ -40,12 +40,10 @@ std::string print_nl2_csv(const world::Document& document, double spacing) {
   std::string out;
   for (const std::string_view column : kNl2Columns) out += fmt::format("{}{}\"", out.empty() ? "\"" : "\t\"", column);
   out += '\n';
-  std::size_t index = 0, number = 0;
+  std::size_t number = 0;
   const auto row_at = [&](double s) {
-    while (index + 1 < derived.order.size() && s >= derived.starts[index + 1]) ++index;
-    const sim::SegmentShape& shape = derived.shape(derived.order[index]);
-    const double within = std::min(s - derived.starts[index], shape.arc.length());
-    print_row(out, ++number, curve::point(shape.key.cubic, shape.arc.parameter(within)), sim::frame_at(shape, within));
+    const PlaceOnTrack at = place_on(derived, s);
+    print_row(out, ++number, at.position, at.frame);
   };
   // A remainder that would print as the same position gets no row.
   constexpr double kShortest = 1e-5;  // m

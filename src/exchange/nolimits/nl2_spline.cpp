@@ -35,4 +35,11 @@ std::array<dvec3, 4> UniformSpline::span(std::size_t i) const {
   return {(a + 4.0 * b + c) / 6.0, (2.0 * b + c) / 3.0, (b + 2.0 * c) / 3.0, (b + 4.0 * c + d) / 6.0};
 }
 
+PlaceOnTrack place_on(const sim::Derived& derived, double distance) {
+  const sim::TrackPlace at = sim::place_at(derived, distance);
+  const sim::SegmentShape& shape = derived.shape(derived.order[at.index]);
+  const double within = std::min(at.s, shape.arc.length());
+  return {curve::point(shape.key.cubic, shape.arc.parameter(within)), sim::frame_at(shape, within)};
+}
+
 }  // namespace coaster::exchange

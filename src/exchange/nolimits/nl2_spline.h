@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include "curve/cubic.h"
+#include "sim/shape/derived.h"
 
 namespace coaster::exchange {
 
@@ -37,5 +38,12 @@ class UniformSpline {
 inline curve::Cubic in_float(const std::array<glm::dvec3, 4>& c) {
   return {glm::vec3(c[0]), glm::vec3(c[1]), glm::vec3(c[2]), glm::vec3(c[3])};
 }
+
+// The rails at a distance along the track, for both files of NoLimits 2.
+struct PlaceOnTrack {
+  glm::dvec3 position;
+  curve::Frame frame;
+};
+PlaceOnTrack place_on(const sim::Derived& derived, double distance);
 
 }  // namespace coaster::exchange

@@ -1,7 +1,6 @@
 // Parses and checks the XML of a NoLimits 2 element: vertices and rolls. nl2elem_track.cpp makes the track.
 #include "exchange/nolimits/nl2elem.h"
 
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -41,7 +40,7 @@ std::string_view text_of(const XMLElement& element) {
 
 bool read_number(XmlReader& r, const XMLElement& parent, const char* tag, double limit, double& value) {
   const XMLElement* const element = parent.FirstChildElement(tag);
-  const std::string what = std::string("<") + tag + ">";
+  const std::string what = fmt::format("<{}>", tag);
   if (!element) return r.fail(parent.GetLineNum(), fmt::format("{} in <{}>", what, parent.Name()), "none");
   if (const XMLElement* const second = element->NextSiblingElement(tag))
     return r.fail(second->GetLineNum(), "one " + what, "a second one");
@@ -53,6 +52,13 @@ bool read_number(XmlReader& r, const XMLElement& parent, const char* tag, double
     return r.fail(element->GetLineNum(), fmt::format("a number within {} in {}", base::to_text(limit), what),
                   base::quoted_start(text));
   value = *number;
+  return true;
+}
+
+// Reads "ux", "uy" and "uz" for the prefix "u".
+bool read_vector(XmlReader& r, const XMLElement& parent, std::string_view prefix, double limit, dvec3& v) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!read_number(r, parent, fmt::format("{}{}", prefix, "xyz"[axis]).c_str(), limit, v[axis])) return false;
   return true;
 }
 
@@ -70,9 +76,7 @@ bool read_vertex(XmlReader& r, const XMLElement& element, ElementFile& file) {
   if (file.vertices.size() >= world::kMaxKnots)
     return r.fail(element.GetLineNum(), fmt::format("at most {} vertices", world::kMaxKnots), "more");
   SplineVertex v;
-  constexpr double kLimit = world::kMaxCoordinate;
-  if (!read_number(r, element, "x", kLimit, v.position.x) || !read_number(r, element, "y", kLimit, v.position.y) ||
-      !read_number(r, element, "z", kLimit, v.position.z) || !read_strict(r, element, v.strict))
+  if (!read_vector(r, element, "", world::kMaxCoordinate, v.position) || !read_strict(r, element, v.strict))
     return false;
   file.vertices.push_back(v);
   file.lines.push_back(element.GetLineNum());
@@ -84,17 +88,10 @@ bool read_roll(XmlReader& r, const XMLElement& element, ElementFile& file) {
     return r.fail(element.GetLineNum(), fmt::format("at most {} rolls", world::kMaxKnots), "more");
   ElementRoll roll;
   dvec3 right(0);
-  constexpr double kLimit = 2;
-  const std::array<std::pair<const char*, double*>, 6> numbers{{{"ux", &roll.up.x},
-                                                                {"uy", &roll.up.y},
-                                                                {"uz", &roll.up.z},
-                                                                {"rx", &right.x},
-                                                                {"ry", &right.y},
-                                                                {"rz", &right.z}}};
-  for (const auto& [tag, value] : numbers)
-    if (!read_number(r, element, tag, kLimit, *value)) return false;
   bool strict = false;
-  if (!read_number(r, element, "coord", 1, roll.coord) || !read_strict(r, element, strict)) return false;
+  if (!read_vector(r, element, "u", 2, roll.up) || !read_vector(r, element, "r", 2, right) ||
+      !read_number(r, element, "coord", 1, roll.coord) || !read_strict(r, element, strict))
+    return false;
   if (roll.coord < 0) return r.fail(element.GetLineNum(), "a <coord> from 0 to 1", base::to_text(roll.coord));
   for (const dvec3& v : {roll.up, right})
     if (std::abs(glm::length(v) - 1) > kElementSquare)

@@ -8,24 +8,11 @@
 #include "base/text.h"
 #include "exchange/nolimits/nl2_spline.h"
 #include "exchange/nolimits/nl2elem.h"
-#include "sim/shape/derived.h"
 
 namespace coaster::exchange {
 namespace {
 
 using glm::dvec3;
-
-struct PlaceOnTrack {
-  dvec3 position;
-  curve::Frame frame;
-};
-
-PlaceOnTrack place_on(const sim::Derived& derived, double s) {
-  const sim::TrackPlace at = sim::place_at(derived, s);
-  const sim::SegmentShape& shape = derived.shape(derived.order[at.index]);
-  const double within = std::min(at.s, shape.arc.length());
-  return {curve::point(shape.key.cubic, shape.arc.parameter(within)), sim::frame_at(shape, within)};
-}
 
 // True if the spline is close to the track at the same fraction of the length, has the same direction there, and the
 // roll is linear between the vertices.
@@ -55,26 +42,27 @@ std::vector<SplineVertex> vertices_of(const sim::Derived& derived, std::size_t s
   return vertices;
 }
 
-void print_line(std::string& out, int depth, const char* tag, const std::string& value) {
+void print_line(std::string& out, int depth, std::string_view tag, const std::string& value) {
   out.append(static_cast<std::size_t>(depth), '\t');
   out += fmt::format("<{}>{}</{}>\r\n", tag, value, tag);
 }
 
+void print_vector(std::string& out, std::string_view prefix, dvec3 v) {
+  for (int axis = 0; axis < 3; ++axis)
+    print_line(out, 3, fmt::format("{}{}", prefix, "xyz"[axis]), base::to_text(v[axis]));
+}
+
 void print_vertex(std::string& out, dvec3 p) {
   out += "\t\t<vertex>\r\n";
-  print_line(out, 3, "x", base::to_text(p.x)), print_line(out, 3, "y", base::to_text(p.y)),
-      print_line(out, 3, "z", base::to_text(p.z));
+  print_vector(out, "", p);
   print_line(out, 3, "strict", "true");
   out += "\t\t</vertex>\r\n";
 }
 
 void print_roll(std::string& out, const curve::Frame& frame, double coord) {
-  const dvec3 up = frame.up, right = -frame.left();
   out += "\t\t<roll>\r\n";
-  print_line(out, 3, "ux", base::to_text(up.x)), print_line(out, 3, "uy", base::to_text(up.y)),
-      print_line(out, 3, "uz", base::to_text(up.z));
-  print_line(out, 3, "rx", base::to_text(right.x)), print_line(out, 3, "ry", base::to_text(right.y)),
-      print_line(out, 3, "rz", base::to_text(right.z));
+  print_vector(out, "u", frame.up);
+  print_vector(out, "r", -frame.left());
   print_line(out, 3, "coord", base::to_text(std::min(coord, 1.0)));
   print_line(out, 3, "strict", "true");
   out += "\t\t</roll>\r\n";

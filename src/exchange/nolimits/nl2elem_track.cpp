@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/portable_math.h"
-#include "sim/shape/derived.h"
 #include "world/topology.h"
 
 namespace coaster::exchange {
@@ -162,9 +161,8 @@ ImportReport report_of(const world::Document& document, const std::vector<Piece>
           report.max_error, glm::distance(wanted, curve::point(derived.shape(derived.order[i]).key.cubic, k / 16.0)));
     }
   for (const ElementRoll& roll : file.rolls) {
-    const sim::TrackPlace place =
-        sim::place_at(derived, std::min(roll.coord, derived.closed ? 1 - 1e-12 : 1.0) * derived.length);
-    const curve::Frame frame = sim::frame_at(derived.shape(derived.order[place.index]), place.s);
+    const double fraction = std::min(roll.coord, derived.closed ? 1 - 1e-12 : 1.0);
+    const curve::Frame frame = place_on(derived, fraction * derived.length).frame;
     const dvec3 wanted = curve::perpendicular(frame.forward, roll.up);
     report.frame_error =
         std::max(report.frame_error, base::degrees(std::abs(curve::signed_angle(frame.up, wanted, frame.forward))));

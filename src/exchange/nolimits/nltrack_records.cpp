@@ -83,16 +83,16 @@ base::Result<std::size_t> closed_byte(const ChunkReader& reader, std::size_t fro
   return chunk->payload + 4;
 }
 
+std::string number_or_none(float value) { return std::isfinite(value) ? base::to_text(value) : "no finite number"; }
+
 base::Result<glm::vec3> read_point(const ChunkReader& reader, std::size_t at, const char* what) {
   glm::vec3 value(0);
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t place = at + 4u * static_cast<std::size_t>(axis);
     value[axis] = reader.number(place);
     if (!(std::abs(value[axis]) <= world::kMaxCoordinate))
-      return reader.fail(place,
-                         fmt::format("expected a coordinate of the {} within {} m, found {}", what,
-                                     base::to_text(world::kMaxCoordinate),
-                                     std::isfinite(value[axis]) ? base::to_text(value[axis]) : "no finite number"));
+      return reader.fail(place, fmt::format("expected a coordinate of the {} within {} m, found {}", what,
+                                            base::to_text(world::kMaxCoordinate), number_or_none(value[axis])));
   }
   return value;
 }
@@ -120,8 +120,7 @@ base::Result<std::vector<NltrackKnot>> read_records(const ChunkReader& reader, c
     constexpr double kMostRoll = 2.0 * base::kPi * 1e4;
     if (!(std::abs(record.roll) <= kMostRoll))
       return reader.fail(
-          at, "expected a roll in radians within 10000 turns, found " +
-                  (std::isfinite(record.roll) ? base::to_text(record.roll) : std::string("no finite number")));
+          at, fmt::format("expected a roll in radians within 10000 turns, found {}", number_or_none(record.roll)));
     records.push_back(record);
   }
   return records;

@@ -41,35 +41,31 @@ std::string stem_of(const std::filesystem::path& info) {
 base::Result<AutosaveInfo> parse_autosave_info(std::string_view text, std::string_view name) {
   const base::Result<Json> tree = read_json(text, name);
   if (!tree) return tree.status();
-  std::string error, format, track;
-  std::int64_t version = 0, pid = 0;
+  std::string error, track;
+  std::int64_t pid = 0;
   AutosaveInfo info;
   Fields fields(*tree, {}, error);
   constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / 2;
-  const bool read = fields.text("format", format) &&
-                    (format == kAutosaveFormat || fields.reject("format", fmt::format("\"{}\"", kAutosaveFormat))) &&
-                    fields.whole("version", version, 1, kAutosaveVersion) && fields.text("track", track) &&
+  const bool read = fields.head(kAutosaveFormat, kAutosaveVersion) && fields.text("track", track) &&
                     fields.text("original", info.original) && fields.text("name", info.name) &&
                     fields.whole("time", info.time, 0, kMost) &&
                     fields.whole("pid", pid, 0, std::numeric_limits<int>::max()) && fields.text("hash", info.hash);
   if (read && std::filesystem::path(track).filename() != track) fields.reject("track", "a name without a folder");
-  if (!error.empty()) return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, error)};
+  if (!error.empty()) return bad_file(name, error);
   info.track = track;
   info.pid = static_cast<int>(pid);
   return info;
 }
 
 std::string print_autosave_info(const AutosaveInfo& info) {
-  Json tree = Json::object();
-  tree["format"] = kAutosaveFormat;
-  tree["version"] = kAutosaveVersion;
-  tree["track"] = info.track.filename().string();
-  tree["original"] = info.original;
-  tree["name"] = info.name;
-  tree["time"] = info.time;
-  tree["pid"] = info.pid;
-  tree["hash"] = info.hash;
-  return json_file(tree);
+  return json_file({{"format", kAutosaveFormat},
+                    {"version", kAutosaveVersion},
+                    {"track", info.track.filename().string()},
+                    {"original", info.original},
+                    {"name", info.name},
+                    {"time", info.time},
+                    {"pid", info.pid},
+                    {"hash", info.hash}});
 }
 
 base::Status Autosave::write(base::Files& files, const std::filesystem::path& folder, const world::Document& document,

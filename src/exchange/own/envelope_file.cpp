@@ -33,7 +33,8 @@ bool read_point(EnvelopeParse& parse, const Json& value, std::string_view axis, 
       !fields.number("g", point.g, 0, kMaxEnvelopeG))
     return false;
   if (!curve.empty() && !(point.seconds > curve.back().seconds))
-    return fields.reject("seconds", "more than " + base::to_text(curve.back().seconds) + " (durations ascend)");
+    return fields.reject("seconds",
+                         fmt::format("more than {} (durations ascend)", base::to_text(curve.back().seconds)));
   fields.unknown(parse.loaded.warnings);
   curve.push_back(point);
   return true;
@@ -42,10 +43,8 @@ bool read_point(EnvelopeParse& parse, const Json& value, std::string_view axis, 
 bool read_curves(EnvelopeParse& parse, Fields& fields) {
   for (std::size_t axis = 0; axis < sim::kForceAxes; ++axis) {
     const std::string_view name = base::name_of(static_cast<sim::ForceAxis>(axis));
-    const Json* const list = fields.list(name);
+    const Json* const list = fields.list(name, kMaxEnvelopePoints);
     if (!list) return false;
-    if (list->size() > kMaxEnvelopePoints)
-      return fields.fail(name, fmt::format("more than the limit of {} points", kMaxEnvelopePoints));
     for (std::size_t i = 0; i < list->size(); ++i)
       if (!read_point(parse, (*list)[i], name, i, parse.loaded.envelope.curves[axis])) return false;
   }
@@ -61,26 +60,23 @@ base::Result<LoadedEnvelope> parse_envelope(std::string_view text, std::string_v
   EnvelopeParse parse;
   Fields fields(*tree, {}, parse.error);
   if (parse.error.empty() && read_envelope_head(parse, fields)) read_curves(parse, fields);
-  if (!parse.error.empty()) return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, parse.error)};
-  for (std::string& warning : parse.loaded.warnings) {
-    constexpr std::string_view kKept = " is kept";  // as for tracks; an envelope is never rewritten
-    if (warning.ends_with(kKept)) warning.replace(warning.size() - kKept.size(), kKept.size(), " is ignored");
-    warning = fmt::format("{}: warning: {}", name, warning);
-  }
+  if (!parse.error.empty()) return bad_file(name, parse.error);
+  name_ignored(parse.loaded.warnings, name);
   return std::move(parse.loaded);
 }
 
 std::string print_envelope(const sim::Envelope& envelope, std::string_view name) {
-  std::string out =
-      "{\n  \"format\": " + json_string(kEnvelopeFormat) + ",\n  \"version\": " + std::to_string(kEnvelopeVersion) +
-      ",\n  \"name\": " + json_string(name) + ",\n  \"note\": " + json_string(kEnvelopeNote) +
-      ",\n  \"shortest\": " + base::to_text(envelope.shortest) + ",\n  \"cutoff\": " + base::to_text(envelope.cutoff);
+  std::string out = fmt::format(
+      "{{\n  \"format\": {},\n  \"version\": {},\n  \"name\": {},\n  \"note\": {},\n  \"shortest\": {},\n  \"cutoff\": "
+      "{}",
+      json_string(kEnvelopeFormat), kEnvelopeVersion, json_string(name), json_string(kEnvelopeNote),
+      base::to_text(envelope.shortest), base::to_text(envelope.cutoff));
   for (std::size_t axis = 0; axis < sim::kForceAxes; ++axis) {
-    out += ",\n  " + json_string(base::name_of(static_cast<sim::ForceAxis>(axis))) + ": [";
+    out += fmt::format(",\n  {}: [", json_string(base::name_of(static_cast<sim::ForceAxis>(axis))));
     const char* before = "\n";
     for (const sim::EnvelopePoint& point : envelope.curves[axis]) {
-      out +=
-          before + ("    {\"seconds\": " + base::to_text(point.seconds)) + ", \"g\": " + base::to_text(point.g) + "}";
+      out += fmt::format("{}    {{\"seconds\": {}, \"g\": {}}}", before, base::to_text(point.seconds),
+                         base::to_text(point.g));
       before = ",\n";
     }
     out += envelope.curves[axis].empty() ? "]" : "\n  ]";
@@ -89,9 +85,7 @@ std::string print_envelope(const sim::Envelope& envelope, std::string_view name)
 }
 
 base::Result<LoadedEnvelope> load_envelope(base::Files& files, const std::filesystem::path& path) {
-  if (path.extension() != ".json")
-    return base::Status{base::Code::bad_file, path.string() + ": error: expected a file ending in .json"};
-  const base::Result<std::string> text = files.read(path);
+  const base::Result<std::string> text = read_json_file(files, path);
   if (!text) return text.status();
   return parse_envelope(*text, path.string());
 }

@@ -54,47 +54,42 @@ bool Fields::head(std::string_view format, std::int32_t newest) {
          fail("version", fmt::format("version {} is newer than this program supports ({})", version, newest));
 }
 
-const Json* Fields::member(std::string_view name, std::string_view expected) {
+const Json* Fields::member(std::string_view name, std::string_view expected, Kind kind) {
   if (!object_) return nullptr;
   known_.push_back(name);
   const auto it = object_->find(std::string(name));
-  if (it != object_->end()) return &*it;
-  fail(name, "missing; expected " + std::string(expected));
+  if (it == object_->end()) fail(name, fmt::format("missing; expected {}", expected));
+  else if (!((*it).*kind)()) reject(name, expected);
+  else return &*it;
   return nullptr;
 }
 
 bool Fields::has(std::string_view name) const { return object_ && object_->contains(std::string(name)); }
 
 bool Fields::text(std::string_view name, std::string& value) {
-  const Json* const m = member(name, "a text");
-  if (!m) return false;
-  if (!m->is_string()) return reject(name, "a text");
-  value = m->get_ref<const std::string&>();
-  return true;
+  const Json* const m = member(name, "a text", &Json::is_string);
+  if (m) value = m->get_ref<const std::string&>();
+  return m != nullptr;
 }
 
 bool Fields::flag(std::string_view name, bool& value) {
-  const Json* const m = member(name, "true or false");
-  if (!m) return false;
-  if (!m->is_boolean()) return reject(name, "true or false");
-  value = m->get<bool>();
-  return true;
+  const Json* const m = member(name, "true or false", &Json::is_boolean);
+  if (m) value = m->get<bool>();
+  return m != nullptr;
 }
 
 bool Fields::number(std::string_view name, double& value, double low, double high) {
   const std::string expected = fmt::format("a number from {} to {}", limit_text(low), limit_text(high));
-  const Json* const m = member(name, expected);
+  const Json* const m = member(name, expected, &Json::is_number);
   if (!m) return false;
-  if (!m->is_number()) return reject(name, expected);
   value = m->get<double>();
   return (value >= low && value <= high) || reject(name, expected);
 }
 
 bool Fields::length(std::string_view name, float& value, float low, float high) {
   const std::string expected = fmt::format("a length from {} to {} m", limit_text(low), limit_text(high));
-  const Json* const m = member(name, expected);
+  const Json* const m = member(name, expected, &Json::is_number);
   if (!m) return false;
-  if (!m->is_number()) return reject(name, expected);
   // Compared as float: 0.01 in the file means the value of 0.01f.
   const double wide = m->get<double>();
   if (!(wide >= 0 && wide <= 2 * double{high})) return reject(name, expected);
@@ -104,9 +99,8 @@ bool Fields::length(std::string_view name, float& value, float low, float high) 
 
 bool Fields::whole(std::string_view name, std::int64_t& value, std::int64_t low, std::int64_t high) {
   const std::string expected = fmt::format("a whole number from {} to {}", low, high);
-  const Json* const m = member(name, expected);
+  const Json* const m = member(name, expected, &Json::is_number_integer);
   if (!m) return false;
-  if (!m->is_number_integer()) return reject(name, expected);
   // Unsigned values beyond the signed range would become negative.
   if (m->is_number_unsigned() && m->get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX))
     return reject(name, expected);
@@ -115,9 +109,9 @@ bool Fields::whole(std::string_view name, std::int64_t& value, std::int64_t low,
 }
 
 bool Fields::vector(std::string_view name, glm::dvec3& value, double limit) {
-  const Json* const m = member(name, "3 finite numbers");
+  const Json* const m = member(name, "3 finite numbers", &Json::is_array);
   if (!m) return false;
-  if (!m->is_array() || m->size() != 3) return reject(name, "3 finite numbers");
+  if (m->size() != 3) return reject(name, "3 finite numbers");
   for (int axis = 0; axis < 3; ++axis) {
     const Json& component = (*m)[static_cast<std::size_t>(axis)];
     const std::string at = fmt::format("{}[{}]", name, axis);
@@ -130,13 +124,12 @@ bool Fields::vector(std::string_view name, glm::dvec3& value, double limit) {
   return true;
 }
 
-const Json* Fields::value(std::string_view name) { return member(name, "a value"); }
+const Json* Fields::object(std::string_view name) { return member(name, "an object", &Json::is_object); }
 
-const Json* Fields::list(std::string_view name) {
-  const Json* const m = member(name, "an array");
-  if (!m) return nullptr;
-  if (m->is_array()) return m;
-  reject(name, "an array");
+const Json* Fields::list(std::string_view name, std::size_t most) {
+  const Json* const m = member(name, "an array", &Json::is_array);
+  if (!m || m->size() <= most) return m;
+  fail(name, fmt::format("more than the limit of {}", most));
   return nullptr;
 }
 
@@ -152,6 +145,23 @@ std::string Fields::unknown(std::vector<std::string>& warnings) const {
         fmt::format("{}{}unknown member {} is kept", where, where.empty() ? "" : ": ", describe(Json(key))));
   }
   return members.empty() ? std::string() : json_line(extra);
+}
+
+base::Status bad_file(std::string_view name, std::string_view message) {
+  return {base::Code::bad_file, fmt::format("{}: error: {}", name, message)};
+}
+
+void name_ignored(std::vector<std::string>& warnings, std::string_view name) {
+  constexpr std::string_view kKept = " is kept";
+  for (std::string& warning : warnings) {
+    if (warning.ends_with(kKept)) warning.replace(warning.size() - kKept.size(), kKept.size(), " is ignored");
+    warning = fmt::format("{}: warning: {}", name, warning);
+  }
+}
+
+base::Result<std::string> read_json_file(base::Files& files, const std::filesystem::path& path) {
+  if (path.extension() != ".json") return bad_file(path.string(), "expected a file ending in .json");
+  return files.read(path);
 }
 
 }  // namespace coaster::exchange

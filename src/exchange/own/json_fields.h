@@ -2,12 +2,14 @@
 // to this room.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <glm/glm.hpp>
 
+#include "base/files.h"
 #include "exchange/own/json_reader.h"
 
 namespace coaster::exchange {
@@ -34,10 +36,10 @@ class Fields {
   bool vector(std::string_view member, glm::dvec3& value, double limit);  // |component| <= limit
   // Reads the first two members of every file of ours: "format", which must match, and "version", 1 to `newest`.
   bool head(std::string_view format, std::int32_t newest);
-  // Returns any value of that name, or null after a failure.
-  const Json* value(std::string_view member);
-  // Returns the array of that name, or null after a failure.
-  const Json* list(std::string_view member);
+  // Returns the object of that name, or null after a failure.
+  const Json* object(std::string_view member);
+  // Returns the array of that name, or null after a failure. More than `most` entries are one.
+  const Json* list(std::string_view member, std::size_t most = std::numeric_limits<std::size_t>::max());
 
   bool fail(std::string_view member, std::string_view message);
   // Fails with "expected WHAT, found ..." for a member that was read.
@@ -48,12 +50,22 @@ class Fields {
   std::string unknown(std::vector<std::string>& warnings) const;
 
  private:
-  const Json* member(std::string_view member, std::string_view expected);
+  using Kind = bool (Json::*)() const noexcept;  // &Json::is_string
+  const Json* member(std::string_view member, std::string_view expected, Kind kind);
 
   const Json* object_ = nullptr;  // null if the value is not an object: every getter fails
   Place place_;
   std::string& error_;
   std::vector<std::string_view> known_;
 };
+
+// Returns Code::bad_file with "NAME: error: MESSAGE".
+base::Status bad_file(std::string_view name, std::string_view message);
+
+// Puts "NAME: warning: " before each warning of a file that is never written again, so its unknown members are ignored.
+void name_ignored(std::vector<std::string>& warnings, std::string_view name);
+
+// Reads a file with the extension ".json".
+base::Result<std::string> read_json_file(base::Files& files, const std::filesystem::path& path);
 
 }  // namespace coaster::exchange

@@ -34,10 +34,8 @@ bool read_entry(const Json& value, std::size_t index, Progress& progress, std::s
   if (!fields.text("challenge", entry.challenge) || !fields.whole("medal", medal, 0, kMostMedals)) return false;
   entry.medal = static_cast<int>(medal);
   if (entry.challenge.empty() || find(progress, entry.challenge)) return fields.reject("challenge", "a unique name");
-  const Json* const best = fields.list("best");
+  const Json* const best = fields.list("best", kMaxProgressValues);
   if (!best) return false;
-  if (best->size() > kMaxProgressValues)
-    return fields.fail("best", fmt::format("more than the limit of {}", kMaxProgressValues));
   const std::string place = fmt::format("challenges[{}].best", index);
   if (!read_values(*best, place, entry, error)) return false;
   progress.challenges.push_back(std::move(entry));
@@ -47,10 +45,8 @@ bool read_entry(const Json& value, std::size_t index, Progress& progress, std::s
 bool read_all(const Json& tree, Progress& progress, std::string& error) {
   Fields fields(tree, {}, error);
   if (!error.empty() || !fields.head(kProgressFormat, kProgressVersion)) return false;
-  const Json* const list = fields.list("challenges");
+  const Json* const list = fields.list("challenges", kMaxProgressEntries);
   if (!list) return false;
-  if (list->size() > kMaxProgressEntries)
-    return fields.fail("challenges", fmt::format("more than the limit of {}", kMaxProgressEntries));
   for (std::size_t i = 0; i < list->size(); ++i)
     if (!read_entry((*list)[i], i, progress, error)) return false;
   return true;
@@ -63,8 +59,7 @@ base::Result<Progress> parse_progress(std::string_view text, std::string_view na
   if (!tree) return tree.status();
   Progress progress;
   std::string error;
-  if (!read_all(*tree, progress, error))
-    return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, error)};
+  if (!read_all(*tree, progress, error)) return bad_file(name, error);
   return progress;
 }
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "exchange/own/json_reader.h"
+#include "exchange/own/json_fields.h"
 #include "world/settings_groups.h"
 
 namespace coaster::exchange {
@@ -70,7 +70,7 @@ Member kept_member() {
     member.read = [](const Json& value, UserSettings& to) { return read(value, world::value_in<Setting>(to.session)); };
     member.print = [](const UserSettings& s) { return Json(world::value_in<Setting>(s.session)); };
   } else {
-    member.expected = "a number from " + base::to_text(kRow.low) + " to " + base::to_text(kRow.high);
+    member.expected = fmt::format("a number from {} to {}", base::to_text(kRow.low), base::to_text(kRow.high));
     member.read = [](const Json& value, UserSettings& to) {
       double number = 0;
       if (!read(value, kRow.low, kRow.high, number)) return false;
@@ -83,17 +83,6 @@ Member kept_member() {
   }
   return member;
 }
-
-bool read_autosave(const Json& value, UserSettings& to) {
-  return read(value, kMinAutosave, kMaxAutosave, to.autosave_seconds);
-}
-Json print_autosave(const UserSettings& s) { return numbers(s.autosave_seconds); }
-
-bool read_recent(const Json& value, UserSettings& to) { return read(value, to.recent, kMaxRecent); }
-Json print_recent(const UserSettings& s) { return Json(s.recent); }
-
-bool read_start_screen(const Json& value, UserSettings& to) { return read(value, to.start_screen); }
-Json print_start_screen(const UserSettings& s) { return Json(s.start_screen); }
 
 bool read_window(const Json& value, UserSettings& to) {
   constexpr double kFarthest = 1e6, kLargest = 65536;
@@ -151,9 +140,15 @@ const std::vector<Member>& members() {
     std::vector<Member> made;
     const auto add_group = [&]<class Group>(std::type_identity<Group>) {
       if constexpr (std::is_same_v<Group, world::Aids>) {
-        made.push_back({"autosave_seconds", "a number from 5 to 3600", read_autosave, print_autosave});
+        made.push_back({"autosave_seconds", "a number from 5 to 3600",
+                        [](const Json& value, UserSettings& to) {
+                          return read(value, kMinAutosave, kMaxAutosave, to.autosave_seconds);
+                        },
+                        [](const UserSettings& s) { return numbers(s.autosave_seconds); }});
         made.push_back({"window", "x, y, width and height", read_window, print_window});
-        made.push_back({"recent", "a list of at most 10 files", read_recent, print_recent});
+        made.push_back({"recent", "a list of at most 10 files",
+                        [](const Json& value, UserSettings& to) { return read(value, to.recent, kMaxRecent); },
+                        [](const UserSettings& s) { return Json(s.recent); }});
       }
       world::for_each_setting_of<Group>([&]<auto Setting>() {
         if constexpr (!world::setting_row<Setting>().kept_as.empty()) made.push_back(kept_member<Setting>());
@@ -162,7 +157,9 @@ const std::vector<Member>& members() {
     [&]<class... Groups>(world::GroupList<Groups...>) {
       (add_group(std::type_identity<Groups>()), ...);
     }(world::SettingGroups());
-    made.push_back({"start_screen", std::string(kSwitch), read_start_screen, print_start_screen});
+    made.push_back({"start_screen", std::string(kSwitch),
+                    [](const Json& value, UserSettings& to) { return read(value, to.start_screen); },
+                    [](const UserSettings& s) { return Json(s.start_screen); }});
     made.push_back({"keys", "names of actions with a key, or a list of two", read_keys, print_keys});
     return made;
   }();
@@ -185,13 +182,10 @@ UserSettings::UserSettings() {
 base::Result<LoadedSettings> parse_settings(std::string_view text, std::string_view name) {
   const base::Result<Json> tree = read_json(text, name);
   if (!tree) return tree.status();
-  const auto bad = [&](const std::string& what) {
-    return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, what)};
-  };
-  if (!tree->is_object()) return bad("expected an object, found " + describe(*tree));
+  if (!tree->is_object()) return bad_file(name, "expected an object, found " + describe(*tree));
   if (const auto format = tree->find("format"); format == tree->end() || *format != kSettingsFormat)
-    return bad(fmt::format("format: expected \"{}\", found {}", kSettingsFormat,
-                           format == tree->end() ? "none" : describe(*format)));
+    return bad_file(name, fmt::format("format: expected \"{}\", found {}", kSettingsFormat,
+                                      format == tree->end() ? "none" : describe(*format)));
   LoadedSettings loaded;
   for (const Member& member : members()) {
     const auto found = tree->find(std::string(member.name));

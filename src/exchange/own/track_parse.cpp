@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "base/utf8.h"
 #include "exchange/own/json_fields.h"
 #include "exchange/own/track_file.h"
 #include "world/topology.h"
@@ -33,7 +34,7 @@ struct TrackParse {
 };
 
 std::string quoted_id(Kind kind, std::uint32_t number) {
-  return "\"" + world::to_text(world::Name{kind, number}) + "\"";
+  return fmt::format("\"{}\"", world::to_text(world::Name{kind, number}));
 }
 
 // Reads a member that names an entity: "k3".
@@ -211,11 +212,9 @@ bool read_track_head(TrackParse& parse, Fields& fields) {
 }
 
 bool read_lists(TrackParse& parse, Fields& fields) {
-  const Json *const knots = fields.list("knots"), *const segments = fields.list("segments"),
+  const Json *const knots = fields.list("knots", world::kMaxKnots), *const segments = fields.list("segments"),
                     *const carts = fields.list("carts");
   if (!knots || !segments || !carts) return false;
-  if (knots->size() > world::kMaxKnots)
-    return fields.fail("knots", fmt::format("more than the limit of {}", world::kMaxKnots));
   const bool closed = parse.document.track.closed;
   if (closed && knots->size() < 2) return fields.fail("closed", "a closed track has at least 2 knots");
   const std::size_t expected = closed ? knots->size() : knots->empty() ? 0 : knots->size() - 1;
@@ -252,10 +251,15 @@ base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view na
     world::settle_joints(parse.document);
     if (const auto broken = world::broken_invariant(parse.document)) parse.error = *broken;
   }
-  if (!parse.error.empty()) return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, parse.error)};
+  if (!parse.error.empty()) return bad_file(name, parse.error);
   shorten(parse.warnings);
   for (std::string& warning : parse.warnings) warning = fmt::format("{}: warning: {}", name, warning);
   return LoadedTrack{std::move(parse.document), std::move(parse.warnings)};
+}
+
+std::string name_of_file(std::string_view path) {
+  const std::string printable = base::printable_utf8(std::filesystem::path(path).stem().string());
+  return std::string(base::utf8_start(printable, world::kMaxNameBytes));
 }
 
 }  // namespace coaster::exchange

@@ -51,7 +51,7 @@ std::string value_text(const Document& document, Entity e) { return id(document,
 std::string value_text(const Document&, bool value) { return value ? "true" : "false"; }
 template <class T>
 std::string value_text(const Document&, T value) {
-  if constexpr (base::Named<T>) return "\"" + std::string(base::name_of(value)) + "\"";
+  if constexpr (base::Named<T>) return fmt::format("\"{}\"", base::name_of(value));
   else if constexpr (std::is_integral_v<T>) return std::to_string(value);
   else return number(value);
 }
@@ -65,19 +65,20 @@ std::string members(const Document& document, const T& component, std::string_vi
     const auto& value = component.*member;
     if constexpr (world::HasFields<std::remove_cvref_t<decltype(value)>>) text += members(document, value, separator);
     else if (field.in_file != world::InFile::unusual || !(value == usual.*member))
-      text += std::string(separator) + "\"" + std::string(field.name) + "\": " + value_text(document, value);
+      text += fmt::format("{}\"{}\": {}", separator, field.name, value_text(document, value));
   });
   return text;
 }
 
 std::string knot_line(const Document& document, Entity e) {
-  return "{\"id\": " + id(document, e) + members(document, world::knot(document, e)) + extra_members(document, e);
+  return fmt::format("{{\"id\": {}{}{}", id(document, e), members(document, world::knot(document, e)),
+                     extra_members(document, e));
 }
 
 std::string segment_line(const Document& document, Entity e) {
   const world::Segment& s = world::segment(document, e);
-  std::string text = "{\"id\": " + id(document, e) + ", \"from\": " + id(document, s.from) +
-                     ", \"to\": " + id(document, s.to) + members(document, s);
+  std::string text = fmt::format("{{\"id\": {}, \"from\": {}, \"to\": {}{}", id(document, e), id(document, s.from),
+                                 id(document, s.to), members(document, s));
   world::Fittings::for_each([&]<class T>() {
     if (const T* const fitting = document.entities.find<T>(e)) text += members(document, *fitting);
   });
@@ -85,8 +86,8 @@ std::string segment_line(const Document& document, Entity e) {
 }
 
 std::string cart_line(const Document& document, Entity e) {
-  return "{\"id\": " + id(document, e) + members(document, document.entities.get<world::Cart>(e)) +
-         extra_members(document, e);
+  return fmt::format("{{\"id\": {}{}{}", id(document, e), members(document, document.entities.get<world::Cart>(e)),
+                     extra_members(document, e));
 }
 
 // ,\n  "key": [ one line each ]
@@ -102,11 +103,9 @@ void print_list(std::string& out, std::string_view key, const Document& document
 }  // namespace
 
 std::string print_track(const Document& document) {
-  std::string out =
-      "{\n  \"format\": \"" + std::string(kTrackFormat) + "\",\n  \"version\": " + std::to_string(kTrackVersion);
-  out += ",\n  \"name\": " + json_string(document.name);
-  out += std::string(",\n  \"closed\": ") + (document.track.closed ? "true" : "false");
-  out += members(document, document, ",\n  ");
+  std::string out = fmt::format("{{\n  \"format\": \"{}\",\n  \"version\": {},\n  \"name\": {},\n  \"closed\": {}{}",
+                                kTrackFormat, kTrackVersion, json_string(document.name), document.track.closed,
+                                members(document, document, ",\n  "));
   print_list(out, "knots", document, document.track.knots, knot_line);
   print_list(out, "segments", document, document.track.segments, segment_line);
   std::vector<Entity> carts = document.entities.pool<world::Cart>().entities();

@@ -263,12 +263,12 @@ RC_GTEST_PROP(nl2_csv, random_tracks_come_back_within_the_bounds, ()) {
 TEST(nl2_csv, a_cancelled_import_is_refused_and_one_that_is_watched_is_the_same) {
   const std::string text = rows(40);
   base::Progress progress;
-  const auto watched = parse_nl2_csv_watched(text, "t.csv", &progress);
+  const auto watched = parse_nl2_csv(text, "t.csv", &progress);
   ASSERT_TRUE(watched.ok());
   EXPECT_TRUE(watched->document == parse_nl2_csv(text, "t.csv")->document);
   EXPECT_EQ(progress.done, 1.0);
   progress.cancelled = true;
-  const auto cancelled = parse_nl2_csv_watched(text, "t.csv", &progress);
+  const auto cancelled = parse_nl2_csv(text, "t.csv", &progress);
   EXPECT_EQ(cancelled.status().code, base::Code::refused);
   EXPECT_EQ(cancelled.status().message, "t.csv: the import was cancelled");
 }
