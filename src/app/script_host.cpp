@@ -7,7 +7,7 @@
 
 #include "app/frame.h"
 #include "app/pictures.h"
-#include "base/text.h"
+#include "base/portable_math.h"
 #include "edit/commands/commands_settings.h"
 #include "platform/signals.h"
 #include "view/camera.h"
@@ -55,34 +55,18 @@ std::vector<script::WidgetState> widgets(const Program& program) {
   return states;
 }
 
-view::PickKind kind_of(AimPoint::Kind kind) {
-  switch (kind) {
-    case AimPoint::Kind::knot: return view::PickKind::knot;
-    case AimPoint::Kind::handle_in: return view::PickKind::handle_in;
-    case AimPoint::Kind::handle_out: return view::PickKind::handle_out;
-    case AimPoint::Kind::curve: return view::PickKind::curve;
-    case AimPoint::Kind::cart: return view::PickKind::cart;
-    case AimPoint::Kind::gizmo:
-    case AimPoint::Kind::ground:
-    case AimPoint::Kind::world: break;
-  }
-  return view::PickKind::none;
-}
-
 base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim) {
   const edit::Session& session = program.session;
-  if (aim.kind == AimPoint::Kind::world) return aim.position;
-  if (aim.kind == AimPoint::Kind::ground) return glm::vec3(aim.position.x, 0, aim.position.z);
-  if (aim.kind == AimPoint::Kind::gizmo) {
+  if (aim.kind == view::PickKind::none) return aim.position;
+  if (view::is_gizmo(aim.kind)) {
     const auto gizmo = view::gizmo_of(session.document, session.settings, program.picture.view);
     if (!gizmo) return base::Status{base::Code::refused, "there is no gizmo: select a knot"};
-    return view::gizmo_place(*gizmo, session.settings.look->ui_scale, aim.part);
+    return view::gizmo_place(*gizmo, session.settings.look->ui_scale, aim.kind);
   }
   const world::Entity entity = world::find(session.document, aim.name);
   const std::string label = "@" + world::to_text(aim.name);
   if (!entity.valid()) return base::Status{base::Code::refused, "there is no " + label};
-  const auto position =
-      view::position_of(session.document, session.derived, session.motion, kind_of(aim.kind), entity, aim.t);
+  const auto position = view::position_of(session.document, session.derived, session.motion, aim.kind, entity, aim.t);
   if (!position) return base::Status{base::Code::refused, label + " has no place on the screen"};
   return *position;
 }
@@ -99,7 +83,7 @@ glm::vec2 uncovered(const Program& program, const AimPoint& aim, glm::vec2 middl
   if (is_cart(middle)) return middle;
   for (int radius = kStep; radius <= kReach; radius += kStep)
     for (int i = 0; i < kDirections; ++i) {
-      const float angle = 6.2831853f * static_cast<float>(i) / kDirections;
+      const float angle = static_cast<float>(2 * base::kPi) * static_cast<float>(i) / kDirections;
       const glm::vec2 at = middle + static_cast<float>(radius) * glm::vec2(std::sin(angle), -std::cos(angle));
       if (is_cart(at)) return at;
     }
@@ -115,7 +99,7 @@ base::Result<glm::vec2> pixel_of(const Program& program, const AimPoint& aim) {
   if (!pixel || !view.viewport.contains({pixel->x, pixel->y}))
     return base::Status{base::Code::expectation, "the target is not on the screen (camera all shows the whole track)"};
   const glm::vec2 at(pixel->x, pixel->y);
-  return aim.kind == AimPoint::Kind::cart ? uncovered(program, aim, at) : at;
+  return aim.kind == view::PickKind::cart ? uncovered(program, aim, at) : at;
 }
 
 // A line that is updated in place, only on terminals.

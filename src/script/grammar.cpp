@@ -29,14 +29,15 @@ class Parser {
     Block body;
   };
 
-  void line(int source, int number, const std::string& text);
-  void statement(int source, int number, std::span<const base::Token> tokens);
-  void header(int source, int number, std::span<const base::Token> tokens);
-  void include(int source, int number, std::span<const base::Token> tokens);
-  void close(int source, int number, std::span<const base::Token> tokens);
-  void error(int source, int number, int column, const std::string& message) {
-    out_.errors.push_back(
-        describe_error(out_.script.sources[static_cast<std::size_t>(source)], number, column, message));
+  using Tokens = std::span<const base::Token>;
+  void line(const std::string& text);
+  void statement(Tokens tokens);
+  void header(Tokens tokens);
+  void include(Tokens tokens);
+  void close(Tokens tokens);
+  const Source& source() const { return out_.script.sources[static_cast<std::size_t>(source_)]; }
+  void error(int column, const std::string& message) {
+    out_.errors.push_back(describe_error(source(), line_, column, message));
   }
   void add(Statement statement) { (open_.empty() ? *block_ : open_.back().body).push_back(std::move(statement)); }
 
@@ -45,35 +46,34 @@ class Parser {
   std::vector<std::filesystem::path> including_;  // the files being parsed, outermost first
   std::vector<Open> open_;
   Block* block_ = nullptr;
+  int source_ = 0, line_ = 0;                          // the line being parsed
   bool header_seen_ = false, header_required_ = true;  // an included file may have the header
 
   friend ParsedScript coaster::script::parse_script(std::string_view, const std::string&, const std::filesystem::path&,
                                                     base::Files&);
 };
 
-void Parser::header(int source, int number, std::span<const base::Token> tokens) {
+void Parser::header(Tokens tokens) {
   const auto version = tokens.size() == 2 ? base::parse_int(tokens[1].text) : std::nullopt;
   const int column = tokens.size() > 1 ? tokens[1].column : tokens[0].column;
-  if (!version) return error(source, number, column, "expected \"coaster-script 1\"");
+  if (!version) return error(column, "expected \"coaster-script 1\"");
   if (*version > kScriptVersion)
-    return error(source, number, column,
-                 fmt::format("the script needs version {}; this program supports version 1", *version));
-  if (*version < 1) error(source, number, column, "expected version 1");
+    return error(column, fmt::format("the script needs version {}; this program supports version 1", *version));
+  if (*version < 1) error(column, "expected version 1");
 }
 
-void Parser::include(int source, int number, std::span<const base::Token> tokens) {
-  if (tokens.size() != 2) return error(source, number, tokens[0].column, "expected include \"FILE\"");
-  const std::filesystem::path path =
-      find_input(out_.script.sources[static_cast<std::size_t>(source)].folder, tokens[1].text, {});
+void Parser::include(Tokens tokens) {
+  if (tokens.size() != 2) return error(tokens[0].column, "expected include \"FILE\"");
+  const std::filesystem::path path = find_input(source().folder, tokens[1].text, {});
   std::error_code ignored;
   const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ignored);
   if (std::find(including_.begin(), including_.end(), canonical) != including_.end())
-    return error(source, number, tokens[1].column, "the file " + base::quoted(tokens[1].text) + " includes itself");
+    return error(tokens[1].column, fmt::format("the file {} includes itself", base::quoted(tokens[1].text)));
   if (static_cast<int>(including_.size()) > kMaxIncludeDepth)
-    return error(source, number, tokens[1].column, "includes are nested too deeply");
+    return error(tokens[1].column, "includes are nested too deeply");
   const auto text = files_.read(path);
-  if (!text) return error(source, number, tokens[1].column, text.status().message);
-  Statement statement{source, number, tokens[0].column, {}};
+  if (!text) return error(tokens[1].column, text.status().message);
+  Statement statement{source_, line_, tokens[0].column, {}};
   Include included;
   including_.push_back(canonical);
   Parser inner(out_, files_);
@@ -84,10 +84,9 @@ void Parser::include(int source, int number, std::span<const base::Token> tokens
   add(std::move(statement));
 }
 
-void Parser::close(int source, int number, std::span<const base::Token> tokens) {
-  if (tokens.size() > 1)
-    error(source, number, tokens[1].column, "unexpected " + base::quoted(tokens[1].text) + " after end");
-  if (open_.empty()) return error(source, number, tokens[0].column, "\"end\" without repeat, gesture or lesson");
+void Parser::close(Tokens tokens) {
+  if (tokens.size() > 1) error(tokens[1].column, fmt::format("unexpected {} after end", base::quoted(tokens[1].text)));
+  if (open_.empty()) return error(tokens[0].column, "\"end\" without repeat, gesture or lesson");
   Open closed = std::move(open_.back());
   open_.pop_back();
   if (Repeat* const repeat = std::get_if<Repeat>(&closed.opener.action)) repeat->body = std::move(closed.body);
@@ -96,55 +95,49 @@ void Parser::close(int source, int number, std::span<const base::Token> tokens) 
   add(std::move(closed.opener));
 }
 
-void Parser::statement(int source, int number, std::span<const base::Token> tokens) {
+void Parser::statement(Tokens tokens) {
   const base::Token& first = tokens.front();
-  Statement made{source, number, first.column, {}};
+  Statement made{source_, line_, first.column, {}};
   base::TextError problem;
   base::Words words(tokens, problem);
   words.take("a statement");
-  if (first.text == "end") return close(source, number, tokens);
-  if (first.text == "include") return include(source, number, tokens);
+  if (first.text == "end") return close(tokens);
+  if (first.text == "include") return include(tokens);
   if (first.text == "repeat" || first.text == "gesture" || first.text == "lesson") {
-    if (first.text == "lesson") {
-      if (!parse_lesson(words, made.action)) return error(source, number, problem.column, problem.message);
-    } else if (first.text == "repeat") {
-      const auto count = words.whole("a count", 0, 1'000'000);
-      made.action = Repeat{count.value_or(1), {}};
-    } else {
-      made.action = Gesture{};
-    }
-    if (!words.end()) error(source, number, problem.column, problem.message);
-    if (static_cast<int>(open_.size()) >= kMaxBlockDepth)
-      return error(source, number, first.column, "blocks are nested too deeply");
+    if (first.text == "repeat") made.action = Repeat{words.whole("a count", 0, 1'000'000).value_or(1), {}};
+    else if (first.text == "gesture") made.action = Gesture{};
+    else if (!parse_lesson(words, made.action)) return error(problem.column, problem.message);
+    if (!words.end()) error(problem.column, problem.message);
+    if (static_cast<int>(open_.size()) >= kMaxBlockDepth) return error(first.column, "blocks are nested too deeply");
     open_.push_back({std::move(made), {}});
     return;
   }
-  if (!parse_line(tokens, problem, made.action)) return error(source, number, problem.column, problem.message);
+  if (!parse_line(tokens, problem, made.action)) return error(problem.column, problem.message);
   add(std::move(made));
 }
 
-void Parser::line(int source, int number, const std::string& text) {
+void Parser::line(const std::string& text) {
   std::vector<base::Token> tokens;
   base::TextError problem;
-  if (!base::tokenise(text, tokens, problem)) return error(source, number, problem.column, problem.message);
+  if (!base::tokenise(text, tokens, problem)) return error(problem.column, problem.message);
   if (tokens.empty()) return;
   if (tokens[0].text == "coaster-script") {
-    if (header_seen_) return error(source, number, tokens[0].column, "a second \"coaster-script\" line");
+    if (header_seen_) return error(tokens[0].column, "a second \"coaster-script\" line");
     header_seen_ = true;
-    return header(source, number, tokens);
+    return header(tokens);
   }
   if (!header_seen_ && header_required_) {
     header_seen_ = true;
-    error(source, number, tokens[0].column, "expected \"coaster-script 1\" before the first statement");
+    error(tokens[0].column, "expected \"coaster-script 1\" before the first statement");
   }
-  statement(source, number, tokens);
+  statement(tokens);
 }
 
 void Parser::file(std::string_view text, const std::string& name, const std::filesystem::path& folder,
                   bool header_required, Block& block) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  const int source = static_cast<int>(out_.script.sources.size());
+  source_ = static_cast<int>(out_.script.sources.size());
   Source made{name, folder, {}};
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -154,14 +147,14 @@ void Parser::file(std::string_view text, const std::string& name, const std::fil
     made.lines.push_back(std::move(one));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
+  const std::vector<std::string> lines = made.lines;  // an include adds to the sources
   out_.script.sources.push_back(std::move(made));
   block_ = &block;
   header_required_ = header_required;
-  const std::size_t count = out_.script.sources.back().lines.size();
-  for (std::size_t i = 0; i < count; ++i)
-    line(source, static_cast<int>(i) + 1, std::string(out_.script.sources[static_cast<std::size_t>(source)].lines[i]));
-  if (header_required && !header_seen_) error(source, 1, 1, "expected \"coaster-script 1\"");
-  for (const Open& open : open_) error(source, open.opener.line, open.opener.column, "no \"end\" for this block");
+  for (const std::string& one : lines) ++line_, line(one);
+  line_ = 1;
+  if (header_required && !header_seen_) error(1, "expected \"coaster-script 1\"");
+  for (const Open& open : open_) line_ = open.opener.line, error(open.opener.column, "no \"end\" for this block");
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ constexpr std::array kOutput{
 
 template <class Rows>
 void section(std::string& out, std::string_view title, const Rows& rows) {
-  out += std::string(title) + "\n";
+  out += fmt::format("{}\n", title);
   for (const HelpRow& row : rows) out += fmt::format("  {}\n      {}\n", row.usage, row.text);
   out += "\n";
 }
@@ -106,14 +106,13 @@ std::string help() {
     out += fmt::format("  {}\n      {}\n", row.usage, row.info.help);
   out += "\nQueries\n";
   for (const query::Query& query : query::queries()) {
-    out += fmt::format("  {}{}", query.name, query.argument.empty() ? "" : " " + std::string(query.argument));
-    if (!query.unit.empty()) out += fmt::format(" ({})", query.unit);
-    out += fmt::format("\n      {}\n", query.text);
+    const std::string unit = query.unit.empty() ? "" : fmt::format(" ({})", query.unit);
+    out += fmt::format("  {}{}{}{}\n      {}\n", query.name, query.argument.empty() ? "" : " ", query.argument, unit,
+                       query.text);
   }
   return out +
-         "\nExit codes: 0 success, 1 failed expectation, 2 usage or script error, 3 bad file, 4 no graphics, 5 input "
-         "or "
-         "output, 6 timeout.\n";
+         "\nExit codes: 0 success, 1 failed expectation, 2 usage or script error, 3 bad file, 4 no graphics, "
+         "5 input or output, 6 timeout.\n";
 }
 
 }  // namespace coaster::script

@@ -28,11 +28,10 @@ struct WidgetState {
 
 // A target in the viewport, which the app projects to a pixel.
 struct AimPoint {
-  enum class Kind { knot, handle_in, handle_out, curve, cart, ground, world, gizmo } kind = Kind::ground;
+  view::PickKind kind = view::PickKind::none;  // none: a position of the world
   world::Name name;
-  double t = 0;
-  glm::vec3 position{0};  // for ground (y = 0) and world
-  view::PickKind part{};  // of the gizmo
+  double t = 0;           // on a curve
+  glm::vec3 position{0};  // of none
 };
 
 // Session-wide settings of the env line.

@@ -2,12 +2,10 @@
 #include "script/lines.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include <fmt/format.h>
 
-#include "base/words.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_settings.h"
 #include "query/condition.h"
@@ -90,22 +88,20 @@ bool parse_wait(Words& words, Action& action) {
 bool parse_fault(Words& words, Action& action) {
   static const std::vector<std::string> kOperations = [] {
     std::vector<std::string> names;
-    for (const std::string_view name : base::kIoOperationNames) names.push_back("io." + std::string(name));
+    for (const std::string_view name : base::kIoOperationNames) names.push_back(fmt::format("io.{}", name));
     names.emplace_back("import");
     return names;
   }();
   const auto operation = words.one_of("an operation such as io.fsync, or import", kOperations);
   if (!operation) return false;
   if (static_cast<std::size_t>(*operation) + 1 == kOperations.size()) {
-    if (!words.accept("slow"))
-      return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected \"slow\"");
+    if (!words.accept("slow")) return words.fail(next_column(words), "expected \"slow\"");
     const auto frames = words.whole("a number of frames", 1, 10'000);
     if (!frames) return false;
     action = SlowImport{static_cast<int>(*frames)};
     return words.end();
   }
-  if (!words.accept("fail"))
-    return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected \"fail\"");
+  if (!words.accept("fail")) return words.fail(next_column(words), "expected \"fail\"");
   const auto nth =
       words.at_end() ? std::optional<std::int64_t>(1) : words.whole("the number of the call that fails", 0, 1'000'000);
   if (!nth) return false;
@@ -116,12 +112,11 @@ bool parse_fault(Words& words, Action& action) {
 bool parse_camera(Words& words, Action& action) {
   static const std::vector<std::string> kNames{"target",    "yaw",   "pitch", "distance", "all", "fit",
                                                "selection", "orbit", "ride",  "chase",    "fly"};
-  if (words.at_end())
-    return words.fail(words.end_column(),
-                      "expected target, yaw, pitch, distance, all, selection, orbit, ride, chase or fly");
+  constexpr std::string_view kWanted = "target, yaw, pitch, distance, all, selection, orbit, ride, chase or fly";
+  if (words.at_end()) return words.fail(words.end_column(), fmt::format("expected {}", kWanted));
   MoveCamera camera;
   while (!words.at_end()) {
-    const auto name = words.one_of("target, yaw, pitch, distance, all, selection, orbit, ride, chase or fly", kNames);
+    const auto name = words.one_of(kWanted, kNames);
     if (!name) return false;
     if (*name >= 7) {
       action = RunCommand{edit::Set<&world::Settings::camera_mode>{static_cast<world::CameraMode>(*name - 7)}};
@@ -143,59 +138,24 @@ bool parse_camera(Words& words, Action& action) {
   return words.end();
 }
 
-struct LineRow {
-  std::string_view word;
-  bool (*parse)(Words& words, Action& action);
-};
-constexpr std::array kRows{LineRow{"env", parse_env},
-                           LineRow{"frames", parse_frames},
-                           LineRow{"ticks", parse_ticks},
-                           LineRow{"wait", parse_wait},
-                           LineRow{"expect", parse_expect},
-                           LineRow{"snap", parse_snap},
-                           LineRow{"shot", parse_shot},
-                           LineRow{"sheet", parse_sheet},
-                           LineRow{"dump", parse_dump},
-                           LineRow{"movie.start", parse_movie_start},
-                           LineRow{"movie.stop", parse_movie_stop},
-                           LineRow{"log", parse_log},
-                           LineRow{"fault", parse_fault},
-                           LineRow{"camera", parse_camera},
-                           LineRow{"key", parse_key},
-                           LineRow{"text", parse_text},
-                           LineRow{"wheel", parse_wheel},
-                           LineRow{"drop", parse_drop},
-                           LineRow{"pad", parse_pad},
-                           LineRow{"focus", parse_focus},
-                           LineRow{"resize", parse_resize},
-                           LineRow{"minimise", parse_minimise},
-                           LineRow{"minimize", parse_minimise},
-                           LineRow{"raw.move", parse_raw_move},
-                           LineRow{"raw.press", parse_raw_press},
-                           LineRow{"raw.release", parse_raw_release},
-                           LineRow{"raw.key", parse_raw_key},
-                           LineRow{"raw.wheel", parse_wheel},
-                           LineRow{"raw.text", parse_text},
-                           LineRow{"ui.click", parse_ui_click},
-                           LineRow{"ui.doubleclick", parse_ui_doubleclick},
-                           LineRow{"ui.hover", parse_ui_hover},
-                           LineRow{"ui.check", parse_ui_check},
-                           LineRow{"ui.type", parse_ui_type},
-                           LineRow{"ui.drag", parse_ui_drag},
-                           LineRow{"ui.open", parse_ui_open},
-                           LineRow{"ui.close", parse_ui_close},
-                           LineRow{"ui.menu", parse_ui_menu},
-                           LineRow{"ui.scroll", parse_ui_scroll},
-                           LineRow{"aim.click", parse_aim_click},
-                           LineRow{"aim.doubleclick", parse_aim_doubleclick},
-                           LineRow{"aim.hover", parse_aim_hover},
-                           LineRow{"aim.drag", parse_aim_drag}};
+constexpr LineRow kTimeLines[]{
+    {"env", parse_env}, {"frames", parse_frames}, {"ticks", parse_ticks}, {"wait", parse_wait}};
+constexpr LineRow kOtherLines[]{{"fault", parse_fault}, {"camera", parse_camera}};
+
+// Calls visit(row) for each row of all tables.
+template <class Visit>
+void for_each_line(Visit visit) {
+  for (const std::span<const LineRow> part :
+       {std::span<const LineRow>(kTimeLines), expect_lines(), output_lines(), std::span<const LineRow>(kOtherLines),
+        input_lines(), ui_lines(), aim_lines()})
+    for (const LineRow& row : part) visit(row);
+}
 
 }  // namespace
 
 std::vector<std::string> line_words() {
   std::vector<std::string> words;
-  for (const LineRow& row : kRows) words.emplace_back(row.word);
+  for_each_line([&](const LineRow& row) { words.emplace_back(row.word); });
   for (const edit::CommandHelp& row : edit::command_table())
     if (std::find(words.begin(), words.end(), row.info.name) == words.end()) words.emplace_back(row.info.name);
   return words;
@@ -203,11 +163,14 @@ std::vector<std::string> line_words() {
 
 bool parse_line(std::span<const base::Token> line, base::TextError& error, Action& action) {
   const base::Token& first = line.front();
-  for (const LineRow& row : kRows) {
-    if (row.word != first.text || first.quoted) continue;
+  const LineRow* found = nullptr;
+  for_each_line([&](const LineRow& row) {
+    if (row.word == first.text && !first.quoted) found = &row;
+  });
+  if (found) {
     Words words(line, error);
     words.take("a statement");
-    return row.parse(words, action) && !words.failed();
+    return found->parse(words, action) && !words.failed();
   }
   if (!edit::is_command(first.text)) {
     error = {first.column,

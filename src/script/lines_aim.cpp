@@ -9,7 +9,7 @@
 namespace coaster::script {
 namespace {
 
-using Kind = AimPoint::Kind;
+using view::PickKind;
 using AimVerb = AimAction::Verb;
 constexpr std::string_view kTargets =
     "@k3, @k3.in, @k3.out, @s2:0.4, @c1, gizmo.x .. gizmo.xy, ground X Y Z or world X Y Z";
@@ -32,12 +32,12 @@ bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
   if (!name) return refuse(words, word);
   point.name = *name;
   if (name->kind == world::Kind::knot && place.empty() && (handle.empty() || handle == "in" || handle == "out")) {
-    point.kind = handle.empty() ? Kind::knot : handle == "in" ? Kind::handle_in : Kind::handle_out;
+    point.kind = handle.empty() ? PickKind::knot : handle == "in" ? PickKind::handle_in : PickKind::handle_out;
     return true;
   }
-  if (name->kind == world::Kind::cart && place.empty() && handle.empty()) return point.kind = Kind::cart, true;
+  if (name->kind == world::Kind::cart && place.empty() && handle.empty()) return point.kind = PickKind::cart, true;
   if (name->kind != world::Kind::segment || !handle.empty()) return refuse(words, word);
-  point.kind = Kind::curve;
+  point.kind = PickKind::curve;
   point.t = 0.5;
   if (place.empty()) return true;
   const auto t = base::parse_double(place);
@@ -53,8 +53,7 @@ bool parse_gizmo(Words& words, const base::Token& word, AimPoint& point) {
   const auto part =
       std::find(kParts.begin(), kParts.end(), std::string_view(word.text).substr(std::string_view("gizmo.").size()));
   if (part == kParts.end()) return refuse(words, word);
-  point.kind = Kind::gizmo;
-  point.part = static_cast<view::PickKind>(static_cast<int>(view::PickKind::axis_x) + (part - kParts.begin()));
+  point.kind = static_cast<PickKind>(static_cast<int>(PickKind::axis_x) + (part - kParts.begin()));
   return true;
 }
 
@@ -64,20 +63,10 @@ bool parse_point(Words& words, AimPoint& point, std::string& text, int& column) 
   text = word->text, column = word->column;
   if (word->text.starts_with("gizmo.")) return parse_gizmo(words, *word, point);
   if (word->text != "ground" && word->text != "world") return parse_entity(words, *word, point);
-  point.kind = word->text == "ground" ? Kind::ground : Kind::world;
   const auto position = words.vector("a coordinate (m)");
-  if (!position) return false;
-  point.position = *position;
-  return true;
-}
-
-void take_modifiers(Words& words, platform::Modifiers& modifiers) {
-  for (;;) {
-    if (words.accept("+shift")) modifiers.shift = true;
-    else if (words.accept("+ctrl")) modifiers.ctrl = true;
-    else if (words.accept("+alt")) modifiers.alt = true;
-    else return;
-  }
+  if (position) point.position = *position;
+  if (word->text == "ground") point.position.y = 0;
+  return position.has_value();
 }
 
 bool begin(Words& words, AimVerb verb, AimAction& aim) {
@@ -88,7 +77,8 @@ bool begin(Words& words, AimVerb verb, AimAction& aim) {
   return true;
 }
 
-bool target_alone(Words& words, Action& action, AimVerb verb) {
+template <AimVerb verb>
+bool target_alone(Words& words, Action& action) {
   AimAction aim;
   if (!begin(words, verb, aim)) return false;
   action = std::move(aim);
@@ -100,7 +90,6 @@ bool parse_destination(Words& words, AimAction& aim) {
   const base::Token* const next = words.peek();
   AimPoint to;
   if (next && base::parse_double(next->text)) {
-    to.kind = Kind::world;
     const auto position = words.vector("a coordinate (m)");
     if (!position) return false;
     to.position = *position;
@@ -113,13 +102,7 @@ bool parse_destination(Words& words, AimAction& aim) {
   return true;
 }
 
-}  // namespace
-
-bool parse_aim_click(Words& words, Action& action) { return target_alone(words, action, AimVerb::click); }
-bool parse_aim_doubleclick(Words& words, Action& action) { return target_alone(words, action, AimVerb::doubleclick); }
-bool parse_aim_hover(Words& words, Action& action) { return target_alone(words, action, AimVerb::hover); }
-
-bool parse_aim_drag(Words& words, Action& action) {
+bool parse_drag(Words& words, Action& action) {
   AimAction aim;
   if (!begin(words, AimVerb::drag, aim)) return false;
   if (words.accept("to")) {
@@ -128,11 +111,20 @@ bool parse_aim_drag(Words& words, Action& action) {
     aim.by = words.vector("a distance (m)");
     if (!aim.by) return false;
   } else {
-    return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected by X Y Z or to TARGET");
+    return words.fail(next_column(words), "expected by X Y Z or to TARGET");
   }
   take_modifiers(words, aim.modifiers);
   action = std::move(aim);
   return words.end();
 }
+
+constexpr LineRow kAimLines[]{{"aim.click", target_alone<AimVerb::click>},
+                              {"aim.doubleclick", target_alone<AimVerb::doubleclick>},
+                              {"aim.hover", target_alone<AimVerb::hover>},
+                              {"aim.drag", parse_drag}};
+
+}  // namespace
+
+std::span<const LineRow> aim_lines() { return kAimLines; }
 
 }  // namespace coaster::script

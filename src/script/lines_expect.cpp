@@ -75,8 +75,6 @@ bool parse_error(Words& words, Action& action) {
   return true;
 }
 
-}  // namespace
-
 bool parse_expect(Words& words, Action& action) {
   const bool negated = words.accept("not");
   if (words.accept("visible")) return parse_widget(words, ExpectWidget::What::visible, negated, action);
@@ -92,6 +90,12 @@ bool parse_expect(Words& words, Action& action) {
   return words.end();
 }
 
+constexpr LineRow kExpectLines[]{{"expect", parse_expect}};
+
+}  // namespace
+
+std::span<const LineRow> expect_lines() { return kExpectLines; }
+
 bool parse_lesson(Words& words, Action& action) {
   Lesson lesson;
   const base::Token* const text = words.take("a text");
@@ -102,8 +106,7 @@ bool parse_lesson(Words& words, Action& action) {
     if (!widget) return false;
     lesson.widget = *widget;
   }
-  if (!words.accept("until"))
-    return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected at or until");
+  if (!words.accept("until")) return words.fail(next_column(words), "expected at or until");
   if (!parse_condition(words, lesson.until)) return false;
   action = std::move(lesson);
   return words.end();

@@ -1,8 +1,6 @@
 // Parses input: keys, text, wheel, dropped files, focus, size, and raw events.
 #include "script/lines_parts.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 namespace coaster::script {
@@ -29,20 +27,14 @@ std::optional<platform::Button> take_button(Words& words) {
   return static_cast<platform::Button>(*button);
 }
 
-bool raw_button(Words& words, Action& action, bool down) {
+template <bool down>
+bool parse_raw_button(Words& words, Action& action) {
   const auto button = take_button(words);
   if (!button) return false;
   platform::Modifiers modifiers;
-  while (!words.at_end()) {
-    if (words.accept("+shift")) modifiers.shift = true;
-    else if (words.accept("+ctrl")) modifiers.ctrl = true;
-    else if (words.accept("+alt")) modifiers.alt = true;
-    else return words.end();
-  }
+  take_modifiers(words, modifiers);
   return finish(words, action, {{{platform::MouseButton{*button, down, modifiers}}}});
 }
-
-}  // namespace
 
 bool parse_key(Words& words, Action& action) {
   const auto chord = take_chord(words);
@@ -88,10 +80,10 @@ bool parse_pad(Words& words, Action& action) {
   }();
   constexpr const char* kWanted = "left, right, triggers, rest, a, b, x or y";
   constexpr std::size_t kButtons = 4;
-  if (words.at_end()) return words.fail(words.end_column(), std::string("expected ") + kWanted);
+  if (words.at_end()) return words.fail(words.end_column(), fmt::format("expected {}", kWanted));
   platform::GamepadAxes axes;
   const auto within = [&](const char* what, double low) -> std::optional<float> {
-    const int column = words.at_end() ? words.end_column() : words.peek()->column;
+    const int column = next_column(words);
     const auto value = words.number(what);
     if (!value) return std::nullopt;
     if (!(*value >= low && *value <= 1)) {
@@ -130,12 +122,12 @@ bool parse_focus(Words& words, Action& action) {
 bool parse_resize(Words& words, Action& action) {
   const base::Token* const first = words.take("WIDTHxHEIGHT");
   if (!first) return false;
-  int width = 0, height = 0;
   std::string text = first->text;
   if (!words.at_end()) text += "x" + words.take("a height")->text;
-  if (!base::parse_size(text, width, height))
+  platform::Resize size;
+  if (!base::parse_size(text, size.width, size.height))
     return words.fail(first->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(text));
-  return finish(words, action, {{{platform::Resize{width, height}}}});
+  return finish(words, action, {{{size}}});
 }
 
 bool parse_minimise(Words& words, Action& action) { return finish(words, action, {{{platform::Resize{0, 0}}}}); }
@@ -146,9 +138,6 @@ bool parse_raw_move(Words& words, Action& action) {
   return finish(words, action, {{{platform::MouseMove{static_cast<float>(*x), static_cast<float>(*y)}}}});
 }
 
-bool parse_raw_press(Words& words, Action& action) { return raw_button(words, action, true); }
-bool parse_raw_release(Words& words, Action& action) { return raw_button(words, action, false); }
-
 bool parse_raw_key(Words& words, Action& action) {
   static const std::vector<std::string> kWays{"down", "up"};
   const auto chord = take_chord(words);
@@ -158,6 +147,35 @@ bool parse_raw_key(Words& words, Action& action) {
   const bool down = *way == 0;
   return finish(words, action,
                 {{{platform::KeyPress{chord->key, down, false, down ? chord->modifiers : platform::Modifiers{}}}}});
+}
+
+constexpr LineRow kInputLines[]{{"key", parse_key},
+                                {"text", parse_text},
+                                {"wheel", parse_wheel},
+                                {"drop", parse_drop},
+                                {"pad", parse_pad},
+                                {"focus", parse_focus},
+                                {"resize", parse_resize},
+                                {"minimise", parse_minimise},
+                                {"minimize", parse_minimise},
+                                {"raw.move", parse_raw_move},
+                                {"raw.press", parse_raw_button<true>},
+                                {"raw.release", parse_raw_button<false>},
+                                {"raw.key", parse_raw_key},
+                                {"raw.wheel", parse_wheel},
+                                {"raw.text", parse_text}};
+
+}  // namespace
+
+std::span<const LineRow> input_lines() { return kInputLines; }
+
+void take_modifiers(Words& words, platform::Modifiers& modifiers) {
+  for (;;) {
+    if (words.accept("+shift")) modifiers.shift = true;
+    else if (words.accept("+ctrl")) modifiers.ctrl = true;
+    else if (words.accept("+alt")) modifiers.alt = true;
+    else return;
+  }
 }
 
 }  // namespace coaster::script

@@ -2,15 +2,13 @@
 #include "script/lines_parts.h"
 
 #include <algorithm>
-#include <array>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "query/condition.h"
-#include "script/grammar.h"
 
 namespace coaster::script {
+namespace {
 
 bool parse_snap(Words& words, Action& action) {
   const base::Token* const name = words.take("a name");
@@ -86,7 +84,7 @@ bool parse_movie_start(Words& words, Action& action) {
   if (!folder) return false;
   StartMovie start{*folder};
   if (words.accept("fps")) {
-    const int column = words.at_end() ? words.end_column() : words.peek()->column;
+    const int column = next_column(words);
     const auto fps = words.whole("pictures a second", 1, world::kTicksPerSecond);
     if (!fps) return false;
     if (!is_movie_rate(*fps))
@@ -102,5 +100,17 @@ bool parse_movie_stop(Words& words, Action& action) {
   action = StopMovie{};
   return words.end();
 }
+
+constexpr LineRow kOutputLines[]{{"snap", parse_snap},
+                                 {"shot", parse_shot},
+                                 {"sheet", parse_sheet},
+                                 {"dump", parse_dump},
+                                 {"movie.start", parse_movie_start},
+                                 {"movie.stop", parse_movie_stop},
+                                 {"log", parse_log}};
+
+}  // namespace
+
+std::span<const LineRow> output_lines() { return kOutputLines; }
 
 }  // namespace coaster::script

@@ -19,22 +19,14 @@ std::optional<UiAction> take_path(Words& words, UiVerb verb) {
   return ui;
 }
 
-bool path_alone(Words& words, Action& action, UiVerb verb) {
+template <UiVerb verb>
+bool path_alone(Words& words, Action& action) {
   auto ui = take_path(words, verb);
   if (ui) action = *std::move(ui);
   return words.end();
 }
 
-}  // namespace
-
-bool parse_ui_click(Words& words, Action& action) { return path_alone(words, action, UiVerb::click); }
-bool parse_ui_doubleclick(Words& words, Action& action) { return path_alone(words, action, UiVerb::doubleclick); }
-bool parse_ui_hover(Words& words, Action& action) { return path_alone(words, action, UiVerb::hover); }
-bool parse_ui_open(Words& words, Action& action) { return path_alone(words, action, UiVerb::open); }
-bool parse_ui_close(Words& words, Action& action) { return path_alone(words, action, UiVerb::close); }
-bool parse_ui_menu(Words& words, Action& action) { return path_alone(words, action, UiVerb::menu); }
-
-bool parse_ui_check(Words& words, Action& action) {
+bool parse_check(Words& words, Action& action) {
   auto ui = take_path(words, UiVerb::check);
   if (!ui) return false;
   if (!words.at_end()) {
@@ -46,7 +38,7 @@ bool parse_ui_check(Words& words, Action& action) {
   return words.end();
 }
 
-bool parse_ui_type(Words& words, Action& action) {
+bool parse_type(Words& words, Action& action) {
   auto ui = take_path(words, UiVerb::type);
   if (!ui) return false;
   const base::Token* const text = words.take("the text to type");
@@ -56,7 +48,7 @@ bool parse_ui_type(Words& words, Action& action) {
   return words.end();
 }
 
-bool parse_ui_drag(Words& words, Action& action) {
+bool parse_drag(Words& words, Action& action) {
   auto ui = take_path(words, UiVerb::drag_by);
   if (!ui) return false;
   if (words.accept("to")) {
@@ -77,7 +69,7 @@ bool parse_ui_drag(Words& words, Action& action) {
   return words.end();
 }
 
-bool parse_ui_scroll(Words& words, Action& action) {
+bool parse_scroll(Words& words, Action& action) {
   auto ui = take_path(words, UiVerb::scroll);
   if (!ui) return false;
   words.accept("by");
@@ -87,5 +79,20 @@ bool parse_ui_scroll(Words& words, Action& action) {
   action = *std::move(ui);
   return words.end();
 }
+
+constexpr LineRow kUiLines[]{{"ui.click", path_alone<UiVerb::click>},
+                             {"ui.doubleclick", path_alone<UiVerb::doubleclick>},
+                             {"ui.hover", path_alone<UiVerb::hover>},
+                             {"ui.check", parse_check},
+                             {"ui.type", parse_type},
+                             {"ui.drag", parse_drag},
+                             {"ui.open", path_alone<UiVerb::open>},
+                             {"ui.close", path_alone<UiVerb::close>},
+                             {"ui.menu", path_alone<UiVerb::menu>},
+                             {"ui.scroll", parse_scroll}};
+
+}  // namespace
+
+std::span<const LineRow> ui_lines() { return kUiLines; }
 
 }  // namespace coaster::script

@@ -95,7 +95,7 @@ base::Status Recorder::snapshot(const edit::Session& session) {
   std::filesystem::path track = path_;
   ++snapshots_;
   track.replace_filename(
-      fmt::format("{}{}.json", path_.stem().string(), snapshots_ > 1 ? "-" + std::to_string(snapshots_) : ""));
+      fmt::format("{}{}.json", path_.stem().string(), snapshots_ > 1 ? fmt::format("-{}", snapshots_) : ""));
   drop_link(files_, track);
   if (const base::Status saved = exchange::save_track(files_, track, session.document); !saved) return saved;
   return line("load " + base::quoted(track.filename().string()));

@@ -13,6 +13,18 @@
 #include "view/camera.h"
 
 namespace coaster::script {
+namespace {
+
+// Returns the file that a command opens, or null.
+std::string* opened_path(edit::Command& command) {
+  if (auto* const load = command.as<edit::Load>()) return &load->path;
+  if (auto* const recover = command.as<edit::RecoverTrack>()) return &recover->path;
+  if (auto* const limits = command.as<edit::LoadEnvelope>()) return &limits->path;
+  if (auto* const challenge = command.as<edit::StartChallenge>()) return &challenge->path;
+  return nullptr;
+}
+
+}  // namespace
 
 base::Status run_script(const Script& script, Host& host, const RunOptions& options) {
   return Runner(script, host, options).run();
@@ -58,27 +70,13 @@ std::filesystem::path Runner::input(std::string_view written) const {
 
 Failure Runner::perform(const RunCommand& run) {
   edit::Command command = run.command;
-  if (edit::Load* const load = command.as<edit::Load>()) {
-    load->path = input(load->path).string();
+  if (std::string* const path = opened_path(command)) {
+    *path = input(*path).string();
+    if (auto* const recover = command.as<edit::RecoverTrack>(); recover && !recover->original.empty())
+      recover->original = input(recover->original).string();
     // A file that cannot be opened counts as a bad file: the exit code gives the kind of error, not the reason.
-    const base::Status loaded = frames_.apply(command);
-    return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
-  }
-  if (edit::RecoverTrack* const recover = command.as<edit::RecoverTrack>()) {
-    recover->path = input(recover->path).string();
-    if (!recover->original.empty()) recover->original = input(recover->original).string();
-    const base::Status recovered = frames_.apply(command);
-    return recovered ? Failure{} : Failure{base::Code::bad_file, recovered.message};
-  }
-  if (edit::LoadEnvelope* const limits = command.as<edit::LoadEnvelope>()) {
-    limits->path = input(limits->path).string();
-    const base::Status loaded = frames_.apply(command);
-    return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
-  }
-  if (edit::StartChallenge* const challenge = command.as<edit::StartChallenge>()) {
-    challenge->path = input(challenge->path).string();
-    const base::Status loaded = frames_.apply(command);
-    return loaded ? Failure{} : Failure{base::Code::bad_file, loaded.message};
+    const base::Status opened = frames_.apply(command);
+    return opened ? Failure{} : Failure{base::Code::bad_file, opened.message};
   }
   if (const std::string* const written = edit::output_path(command)) {
     const auto path = find_output(*written, files_.root());

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "script/runner.h"
+#include "view/gizmo.h"
 
 namespace coaster::script {
 namespace {
@@ -15,20 +16,6 @@ using platform::MouseMove;
 
 constexpr int kDragSteps = 6;
 
-view::PickKind pick_kind(const AimPoint& point) {
-  switch (point.kind) {
-    case AimPoint::Kind::knot: return view::PickKind::knot;
-    case AimPoint::Kind::handle_in: return view::PickKind::handle_in;
-    case AimPoint::Kind::handle_out: return view::PickKind::handle_out;
-    case AimPoint::Kind::curve: return view::PickKind::curve;
-    case AimPoint::Kind::cart: return view::PickKind::cart;
-    case AimPoint::Kind::gizmo: return point.part;
-    case AimPoint::Kind::ground:
-    case AimPoint::Kind::world: break;
-  }
-  return view::PickKind::none;
-}
-
 std::string name_of(const world::Document& document, const view::Pick& pick) {
   const std::string label = "@" + world::label_of(document, pick.entity);
   switch (pick.kind) {
@@ -36,32 +23,22 @@ std::string name_of(const world::Document& document, const view::Pick& pick) {
     case view::PickKind::handle_in: return label + ".in";
     case view::PickKind::handle_out: return label + ".out";
     case view::PickKind::curve: return fmt::format("{}:{}", label, base::to_text(static_cast<float>(pick.t)));
-    case view::PickKind::knot:
-    case view::PickKind::cart: break;
-    case view::PickKind::axis_x:
-    case view::PickKind::axis_y:
-    case view::PickKind::axis_z:
-    case view::PickKind::plane_x:
-    case view::PickKind::plane_y:
-    case view::PickKind::plane_z: return "the gizmo";
+    default: return view::is_gizmo(pick.kind) ? "the gizmo" : label;
   }
-  return label;
 }
 
 // The hovered entity must be the target. Ground and world points may be covered by anything except panels.
 Failure check_hover(FrameDriver& frames, const AimAction& aim) {
-  const view::PickKind wanted = pick_kind(aim.target);
+  const view::PickKind wanted = aim.target.kind;
   if (wanted == view::PickKind::none || !frames.host().hovered) return {};
   const view::Pick found = frames.host().hovered();
   const query::Context context = frames.host().context();
   const world::Document& document = context.session.document;
-  if (found.kind == wanted &&
-      (aim.target.kind == AimPoint::Kind::gizmo || found.entity == world::find(document, aim.target.name)))
+  if (found.kind == wanted && (view::is_gizmo(wanted) || found.entity == world::find(document, aim.target.name)))
     return {};
-  const std::string what = name_of(document, found);
   if (found.kind == view::PickKind::none)
-    return failed("nothing can be picked at " + aim.target_text + ": something covers it", aim.target_column);
-  return failed(fmt::format("{} is covered by {}", aim.target_text, what), aim.target_column);
+    return failed(fmt::format("nothing can be picked at {}: something covers it", aim.target_text), aim.target_column);
+  return failed(fmt::format("{} is covered by {}", aim.target_text, name_of(document, found)), aim.target_column);
 }
 
 }  // namespace
@@ -79,7 +56,6 @@ Failure Runner::perform(const AimAction& aim) {
     } else {
       const base::Result<glm::vec3> from = frames_.host().position_of(aim.target);
       if (!from) return at_target(from.status());
-      destination.kind = AimPoint::Kind::world;
       destination.position = *from + aim.by.value_or(glm::vec3(0));
     }
     const base::Result<glm::vec2> to = frames_.host().pixel_of(destination);

@@ -7,7 +7,6 @@
 #include "exchange/own/json_text.h"
 #include "exchange/own/track_file.h"
 #include "query/condition.h"
-#include "script/output.h"
 #include "script/paths.h"
 #include "script/runner.h"
 
@@ -44,8 +43,7 @@ std::vector<std::string> arguments_of(std::string_view argument, const world::Do
   return names;
 }
 
-}  // namespace
-
+// Returns a JSON object of all queries; queries with an argument appear once per entity (document and motion for hash).
 std::string state_json(const query::Context& context) {
   constexpr std::size_t kMostKnots = 1000;  // values of single knots are left out of larger tracks
   Json all = Json::object();
@@ -65,6 +63,7 @@ std::string state_json(const query::Context& context) {
   return exchange::json_file(all);
 }
 
+// Returns one line per widget: path, kind, position, size, value, state.
 std::string widgets_text(std::span<const WidgetState> widgets) {
   std::string text;
   for (const WidgetState& w : widgets) {
@@ -78,6 +77,8 @@ std::string widgets_text(std::span<const WidgetState> widgets) {
   }
   return text;
 }
+
+}  // namespace
 
 std::string Runner::write_evidence() {
   Host& host = frames_.host();
@@ -97,9 +98,13 @@ Failure Runner::perform(const Snap& snap) {
   return failure(frames_.host().snap(snap.name, golden, options_.out, options_.update_goldens));
 }
 
+base::Result<std::filesystem::path> Runner::below_out(std::string_view written) const {
+  return find_output(written.starts_with("$OUT") ? std::string(written) : fmt::format("$OUT/{}", written),
+                     files_.root());
+}
+
 Failure Runner::perform(const Shot& shot) {
-  const auto path =
-      find_output(shot.path.text.starts_with("$OUT") ? shot.path.text : "$OUT/" + shot.path.text, files_.root());
+  const auto path = below_out(shot.path.text);
   if (!path) return failure(path.status(), shot.path.column);
   if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
   return failure(frames_.host().screenshot(*path));
@@ -107,14 +112,11 @@ Failure Runner::perform(const Shot& shot) {
 
 Failure Runner::perform(const Sheet& sheet) {
   if (!frames_.host().sheet) return wrong("this run has no pictures");
-  const auto below_out = [&](const base::Token& token) {
-    return find_output(token.text.starts_with("$OUT") ? token.text : "$OUT/" + token.text, files_.root());
-  };
-  const auto path = below_out(sheet.path);
+  const auto path = below_out(sheet.path.text);
   if (!path) return failure(path.status(), sheet.path.column);
   std::vector<std::filesystem::path> pictures;
   for (const base::Token& token : sheet.pictures) {
-    const auto picture = below_out(token);
+    const auto picture = below_out(token.text);
     if (!picture) return failure(picture.status(), token.column);
     pictures.push_back(*picture);
   }

@@ -40,16 +40,12 @@ Failure UiDriver::refusal(const WidgetState& widget) const {
   return {};
 }
 
-Failure UiDriver::click_widget(const WidgetState& widget) {
-  if (Failure moved = frame({middle(widget)}); !moved) return moved;
-  return press_and_release({});
-}
-
 Failure UiDriver::open_one(WidgetState widget) {
   const std::string path = widget.path;
   if (Failure sight = bring_into_sight(path, widget); !sight) return sight;
   if (Failure refused = refusal(widget); !refused) return refused;
-  if (Failure clicked = click_widget(widget); !clicked) return clicked;
+  if (Failure moved = frame({middle(widget)}); !moved) return moved;
+  if (Failure clicked = press_and_release({}); !clicked) return clicked;
   return failure(frames_.settle_panels());
 }
 
@@ -58,13 +54,11 @@ Failure UiDriver::open_way_to(std::string_view path) {
   const auto missing = [&] { return find_widgets(frames_.host().widgets(), path).empty(); };
   for (std::size_t slash = path.find('/'); slash != std::string_view::npos && missing();
        slash = path.find('/', slash + 1)) {
-    widgets_ = frames_.host().widgets();
-    const auto found = find_widget(widgets_, path.substr(0, slash));
-    if (!found) continue;
-    const WidgetState parent = widgets_[*found];
-    const bool opens = is_closed_header(parent) || parent.kind == "combo" || (parent.kind == "menu" && !is_on(parent));
+    const WidgetState* const parent = now(path.substr(0, slash));
+    const bool opens =
+        parent && (is_closed_header(*parent) || parent->kind == "combo" || (parent->kind == "menu" && !is_on(*parent)));
     if (!opens) continue;
-    if (Failure opened = open_one(parent); !opened) return opened;
+    if (Failure opened = open_one(*parent); !opened) return opened;
   }
   const std::string panel(panel_of(path));
   std::vector<std::string> tried;
@@ -111,8 +105,7 @@ Failure UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
           other.kind == "item")
         continue;
       if (x < other.x || x > other.x + other.width) continue;
-      const bool better = !over || kinship(other.path, widget.path) > kinship(over->path, widget.path);
-      if (better) over = &other;
+      if (!over || kinship(other.path, widget.path) > kinship(over->path, widget.path)) over = &other;
     }
     if (!over) break;
     const MouseMove at{x, middle(*over).y};

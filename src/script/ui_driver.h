@@ -1,7 +1,6 @@
 // Operates widgets like a user: moves there, presses, releases, one frame each; scrolls and opens what hides them.
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "script/frame_driver.h"
@@ -40,7 +39,6 @@ class UiDriver {
   Failure find(std::string_view path, WidgetState& widget);
   Failure open_way_to(std::string_view path);
   Failure open_one(WidgetState widget);
-  Failure click_widget(const WidgetState& widget);
   Failure bring_into_sight(std::string_view path, WidgetState& widget);
   // Returns why a widget that is out of sight, covered or disabled cannot be used.
   Failure refusal(const WidgetState& widget) const;

@@ -77,7 +77,7 @@ struct FakeHost {
   }
 
   base::Result<glm::vec3> position_of(const AimPoint& aim) const {
-    if (aim.kind == AimPoint::Kind::ground || aim.kind == AimPoint::Kind::world) return aim.position;
+    if (aim.kind == view::PickKind::none) return aim.position;
     const world::Entity e = world::find(session.document, aim.name);
     if (!e.valid()) return base::Status{base::Code::refused, "there is no such entity"};
     return world::knot(session.document, e).position;
