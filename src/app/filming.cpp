@@ -15,8 +15,6 @@
 namespace coaster::app {
 namespace {
 
-bool recording(const Program& program) { return program.filming && program.filming->movie; }
-
 gfx::Image picture(Program& program) {
   Filming& filming = *program.filming;
   if (!filming.scene_alone) {
@@ -45,19 +43,6 @@ void take_picture(Program& program) {
   (void)stop_movie(program);
 }
 
-// Returns a folder with the track's name and the first unused number: "red-comet-movie-1".
-std::filesystem::path free_folder(const Program& program) {
-  constexpr int kMostNumbers = 10'000;
-  const std::filesystem::path folder = movie_folder(program);
-  std::filesystem::path path;
-  std::error_code failed;
-  for (int i = 1; i < kMostNumbers; ++i)
-    if (path = folder / (file_stem(program.session.document.name) + "-movie-" + std::to_string(i));
-        !std::filesystem::exists(std::filesystem::symlink_status(path, failed)))
-      break;
-  return path;
-}
-
 // Of the first train, which defines the lap.
 std::int64_t ticks_of_lap(edit::Session& session) {
   const sim::Ghost* const ghost =
@@ -74,7 +59,7 @@ base::Status begin_lap(Program& program) {
 void start_by_hand(Program& program) {
   base::Status begun = begin_lap(program);
   if (begun)
-    begun = start_movie(program, {free_folder(program), script::kUsualMovieRate, false, program.files.root()}, true);
+    begun = start_movie(program, {movie_folder(program), script::kUsualMovieRate, false, program.files.root()}, true);
   if (!begun) return edit::notify(program.session, edit::NoticeKind::error, begun.message);
   program.filming->by_hand = true;
   program.filming->lap_ticks = ticks_of_lap(program.session);
@@ -87,6 +72,8 @@ void show_progress(const Program& program, const char* what) {
 }
 
 }  // namespace
+
+bool recording(const Program& program) { return program.filming && program.filming->movie; }
 
 bool lap_is_done(const edit::Session& session) {
   if (session.motion.state != world::RideState::running) return true;
@@ -178,14 +165,14 @@ void follow_movie(Program& program, ui::MovieWish wish) {
 
 base::Status film_ride(Program& program, const MovieOrder& order, std::optional<std::int64_t> pictures,
                        RideSummary& summary) {
-  constexpr std::int64_t kMostTicks = 120 * world::kTicksPerSecond;
   if (const base::Status begun = begin_lap(program); !begun) return begun;
   if (const base::Status started = start_movie(program, order, true); !started) return started;
   Filming& filming = *program.filming;
   filming.lap_ticks =
-      pictures ? *pictures * filming.movie->ticks_a_frame() : std::min(kMostTicks, ticks_of_lap(program.session));
+      pictures ? *pictures * filming.movie->ticks_a_frame() : std::min(kMostRideTicks, ticks_of_lap(program.session));
   const auto over = [&] {
-    return pictures ? filming.shown.frames >= *pictures : summary.ticks >= kMostTicks || lap_is_done(program.session);
+    return pictures ? filming.shown.frames >= *pictures
+                    : summary.ticks >= kMostRideTicks || lap_is_done(program.session);
   };
   const auto tick = [&](int ticks) {
     for (int i = 0; i < ticks; ++i) {

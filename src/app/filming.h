@@ -8,7 +8,8 @@
 #include "app/movie.h"
 #include "app/ride_summary.h"
 #include "base/status.h"
-#include "ui/host/host.h"
+#include "ui/context/output.h"
+#include "ui/context/state.h"
 
 namespace coaster::app {
 
@@ -49,6 +50,9 @@ void follow_movie(Program& program, ui::MovieWish wish);
 // for the movie file.
 base::Status film_ride(Program& program, const MovieOrder& order, std::optional<std::int64_t> pictures,
                        RideSummary& summary);
+
+// True while a movie's pictures are taken.
+bool recording(const Program& program);
 
 // True if the first train has completed the lap, or the ride has ended.
 bool lap_is_done(const edit::Session& session);

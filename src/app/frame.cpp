@@ -40,7 +40,7 @@ void ask_for_tutorial(Program& program) {
     program.tutorial.wanted = true;
   else
     edit::notify(program.session, edit::NoticeKind::warning,
-                 "the tutorial needs a window, and a player whom no script holds by the hand");
+                 "The tutorial needs a window and cannot run during a script.");
 }
 
 // The commands are what edit::apply brings the document, the derived data and the ride in line with.
@@ -161,8 +161,7 @@ void play_frame(Program& program) {
   platform::Events events;
   program.surface->poll(events);
   // While a movie is recorded, time advances with its pictures, however long each takes.
-  const bool filmed = program.filming && program.filming->movie;
-  film(program, filmed ? program.filming->movie->ticks_a_frame() : take_ticks(time, events), [&](int some) {
+  film(program, recording(program) ? program.filming->movie->ticks_a_frame() : take_ticks(time, events), [&](int some) {
     run_frame(program, events, some);
     events.clear();
   });

@@ -3,11 +3,12 @@
 
 #include <ctime>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 
-#include "app/keeper_progress.h"
+#include <fmt/format.h>
+
 #include "app/program.h"
-#include "base/text.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "world/settings_groups.h"
@@ -17,47 +18,74 @@ namespace {
 
 using edit::NoticeKind;
 
-std::filesystem::path settings_file(const Keeper& keeper) {
-  return keeper.folders.config.empty() ? std::filesystem::path() : keeper.folders.config / "settings.json";
+// Returns a file below one of the user's folders; empty without that folder.
+std::filesystem::path below(const std::filesystem::path& folder, const char* name) {
+  return folder.empty() ? folder : folder / name;
 }
-std::filesystem::path recovery_folder(const Keeper& keeper) {
-  return keeper.folders.state.empty() ? std::filesystem::path() : keeper.folders.state / "recovery";
-}
+std::filesystem::path settings_file(const Keeper& keeper) { return below(keeper.folders.config, "settings.json"); }
+std::filesystem::path progress_file(const Keeper& keeper) { return below(keeper.folders.state, "progress.json"); }
+std::filesystem::path recovery_folder(const Keeper& keeper) { return below(keeper.folders.state, "recovery"); }
 
-std::string joined(const std::vector<std::string>& lines) {
-  std::string all;
-  for (const std::string& line : lines) all += (all.empty() ? "" : "; ") + line;
-  return all;
-}
-
-// A missing file reads as "".
-base::Result<std::string> read_settings(Keeper& keeper, const std::filesystem::path& file) {
+// Reads one of the user's files; nothing if it is missing, empty or invalid. Renames an invalid one to "NAME.bad". Adds
+// errors to `problems`. `what`: what is not kept if the file could be neither read nor renamed.
+template <class Parse>
+auto read_kept(Keeper& keeper, const std::filesystem::path& file, Parse parse, const char* what, bool& may_write,
+               std::vector<std::string>& problems) -> std::optional<std::remove_cvref_t<decltype(*parse("", ""))>> {
   std::error_code ignored;
-  if (file.empty() || !std::filesystem::exists(file, ignored)) return std::string();
-  return keeper.files.read(file);
+  if (!file.empty()) (void)keeper.files.remove_leftovers(file);
+  if (file.empty() || !std::filesystem::exists(file, ignored)) return std::nullopt;
+  const base::Result<std::string> text = keeper.files.read(file);
+  if (text && text->empty()) return std::nullopt;
+  const std::string name = file.filename().string(), bad = name + ".bad";
+  base::Status problem = text.status();
+  if (text) {
+    auto parsed = parse(*text, name);
+    if (parsed) return std::move(*parsed);
+    problem = parsed.status();
+  }
+  may_write = text && keeper.files.rename(file, bad);
+  problems.push_back(may_write ? fmt::format("{}; set aside as {}", problem.message, bad)
+                               : fmt::format("{}; it stays as it is, and {} are not kept", problem.message, what));
+  return std::nullopt;
 }
 
-// Returns the settings; adds errors to `problems`.
+// Writes one of the user's files. Reports the first of several errors.
+bool write_kept(Program& program, const std::filesystem::path& file, const std::string& text, const char* what,
+                bool& failed) {
+  base::Files& files = program.keeper->files;
+  base::Status status = files.root().make_folders(file.parent_path(), 0700);
+  if (status) status = files.write_atomic(file, text);
+  if (!status && !failed)
+    edit::notify(program.session, NoticeKind::warning, fmt::format("{} are not kept: {}", what, status.message));
+  failed = !status;
+  return status.ok();
+}
+
 exchange::UserSettings load_settings(Keeper& keeper, std::vector<std::string>& problems) {
-  const std::filesystem::path file = settings_file(keeper);
-  (void)keeper.files.remove_leftovers(file);
-  const base::Result<std::string> text = read_settings(keeper, file);
-  if (!text) {
-    problems.push_back(text.status().message + "; it stays as it is, and this run's settings are not kept");
-    keeper.may_write = false;
-    return {};
-  }
-  if (text->empty()) return {};
-  auto loaded = exchange::parse_settings(*text, file.filename().string());
-  if (loaded) {
-    problems = std::move(loaded->warnings);
-    return std::move(loaded->settings);
-  }
-  keeper.may_write = keeper.files.rename(file, file.filename().string() + ".bad");
-  problems.push_back(loaded.status().message + (!keeper.may_write
-                                                    ? "; it stays as it is, and this run's settings are not kept"
-                                                    : "; set aside as settings.json.bad"));
-  return {};
+  auto loaded = read_kept(keeper, settings_file(keeper), exchange::parse_settings, "this run's settings",
+                          keeper.may_write, problems);
+  if (!loaded) return {};
+  problems = std::move(loaded->warnings);
+  return std::move(loaded->settings);
+}
+
+void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& problems) {
+  if (!keeper.folders.config.empty()) keeper.state.challenges = keeper.folders.config / "challenges";
+  program.session.game.earned = {};
+  if (auto loaded = read_kept(keeper, progress_file(keeper), exchange::parse_progress, "medals of this run",
+                              keeper.may_write_progress, problems))
+    keeper.state.progress = keeper.progress_written = std::move(*loaded);
+}
+
+// Writes what has been earned since. After an error the next success tries again.
+void watch_progress(Program& program, Keeper& keeper) {
+  for (const exchange::ChallengeProgress& success : program.session.game.earned.challenges)
+    (void)exchange::merge(keeper.state.progress, success);
+  if (!keeper.may_write_progress || keeper.folders.state.empty() || keeper.state.progress == keeper.progress_written)
+    return;
+  (void)write_kept(program, progress_file(keeper), exchange::print_progress(keeper.state.progress), "medals",
+                   keeper.progress_failed);
+  keeper.progress_written = keeper.state.progress;
 }
 
 // visit.template operator()<&Group::member>() for each setting that is kept.
@@ -88,15 +116,9 @@ void follow_session(const Program& program, exchange::UserSettings& settings) {
 
 void write_settings(Program& program, Keeper& keeper) {
   if (!keeper.may_write || keeper.folders.config.empty() || keeper.state.settings == keeper.written) return;
-  base::Status status = keeper.files.root().make_folders(keeper.folders.config, 0700);
-  if (status)
-    status = keeper.files.write_atomic(settings_file(keeper), exchange::print_settings(keeper.state.settings));
-  if (status) {
+  if (write_kept(program, settings_file(keeper), exchange::print_settings(keeper.state.settings), "settings",
+                 keeper.settings_failed))
     keeper.written = keeper.state.settings;
-    keeper.settings_failed = false;
-  } else if (!std::exchange(keeper.settings_failed, true)) {
-    edit::notify(program.session, NoticeKind::warning, "settings are not kept: " + status.message);
-  }
 }
 
 // Writes a second after the last change: a dragged slider is written once.
@@ -171,7 +193,7 @@ void take_output(Program& program, Keeper& keeper, const ui::Output& output) {
     keeper.state.settings = *output.settings;
     if (keys)
       if (const auto problems = program.ui->set_keys(keeper.state.settings.keys); !problems.empty())
-        edit::notify(program.session, NoticeKind::warning, "keys: " + joined(problems));
+        edit::notify(program.session, NoticeKind::warning, fmt::format("keys: {}", fmt::join(problems, "; ")));
   }
   if (output.recovery) answer(program, keeper, *output.recovery);
   ui::SystemDialog& system = keeper.state.system;
@@ -209,7 +231,8 @@ void start_keeping(Program& program, const base::UserFolders& folders, const bas
   offer(keeper);
   program.keeper = std::move(made);
   show(program, settings);
-  if (!problems.empty()) edit::notify(program.session, NoticeKind::warning, "settings: " + joined(problems));
+  if (!problems.empty())
+    edit::notify(program.session, NoticeKind::warning, fmt::format("settings: {}", fmt::join(problems, "; ")));
 }
 
 void stop_keeping(Program& program, bool clean) {
@@ -235,7 +258,7 @@ base::Status autosave_now(Program& program) {
     ++program.stats.keeping.autosaves;
   } else if (!std::exchange(keeper.autosave_failed, true)) {
     edit::notify(program.session, NoticeKind::error,
-                 "autosave: " + wrote.message + "; save by hand (Save, in the menu File)");
+                 fmt::format("The autosave failed: {}. Save by hand (Save, in the menu File).", wrote.message));
   }
   return wrote;
 }

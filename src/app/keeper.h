@@ -10,7 +10,8 @@
 #include "base/file_lock.h"
 #include "base/folders.h"
 #include "exchange/own/autosave.h"
-#include "ui/host/host.h"
+#include "ui/context/output.h"
+#include "ui/context/state.h"
 
 namespace coaster::app {
 
@@ -49,6 +50,11 @@ void stop_keeping(Program& program, bool clean);
 void answer_keeping(Program& program, const ui::Output& output);
 // At the end of each frame: settings and medals that changed, the autosave when it is time.
 void keep(Program& program);
+
+// The lock on the document's file (keeper_lock.cpp). Before a command: refuses to save to a file that another program
+// has open. After it: moves the lock to the document's file, and updates recent files.
+base::Status before_command(Program& program, const edit::Command& command);
+void after_command(Program& program, const edit::Command& command, const base::Status& applied);
 
 // Autosaves unsaved changes now. Ok if there are none, or nothing is kept.
 base::Status autosave_now(Program& program);

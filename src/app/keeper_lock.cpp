@@ -1,8 +1,8 @@
-#include "app/keeper_lock.h"
-
+// The lock on the document's file: taken when a file is opened, moved when it is saved under another name.
 #include <utility>
 
-#include "app/keeper.h"
+#include <fmt/format.h>
+
 #include "app/program.h"
 #include "edit/commands/commands_session.h"
 #include "exchange/formats.h"
@@ -22,25 +22,21 @@ bool holds_everything(const std::filesystem::path& path) {
 void follow_file(Program& program, Keeper& keeper) {
   const std::filesystem::path& path = program.session.file.path;
   const base::Root& root = program.files.root();
-  const bool locked =
-      !path.empty() && root.contains(path);  // a script leaves nothing beside a file outside of its folder
-  if (!locked || keeper.lock.covers(path)) {
-    if (!locked) keeper.lock.release();
-    keeper.state.holder.clear();
-    return;
-  }
+  const bool locked = !path.empty() && root.contains(path);  // a script leaves nothing outside its folder
   keeper.state.holder.clear();
+  if (!locked) keeper.lock.release();
+  if (!locked || keeper.lock.covers(path)) return;
   base::LockAttempt attempt = base::try_lock(path, root);
   keeper.lock = std::move(attempt.lock);
   if (attempt.outcome == Outcome::held) {
-    keeper.state.holder = "another coaster (" + attempt.holder + ")";
+    keeper.state.holder = fmt::format("another coaster ({})", attempt.holder);
     edit::notify(program.session, NoticeKind::warning,
-                 path.filename().string() + " is open in " + keeper.state.holder +
-                     ": what you change here can be saved under another name.");
+                 fmt::format("{} is open in {}. Save your changes under another name.", path.filename().string(),
+                             keeper.state.holder));
   } else if (attempt.outcome == Outcome::impossible && !keeper.unasked) {
     edit::notify(program.session, NoticeKind::info,
-                 path.filename().string() + " is opened without a lock (" + attempt.reason +
-                     "): nothing keeps another program from changing it.");
+                 fmt::format("{} is opened without a lock ({}). Other programs can change it.",
+                             path.filename().string(), attempt.reason));
   }
 }
 
@@ -53,7 +49,7 @@ base::Status before_command(Program& program, const edit::Command& command) {
   base::LockAttempt attempt = base::try_lock(save->path, program.files.root());
   if (attempt.outcome == Outcome::held)
     return {base::Code::refused,
-            "save: " + save->path + " is open in another coaster (" + attempt.holder + "): save under another name"};
+            fmt::format("{} is open in another coaster ({}). Save under another name.", save->path, attempt.holder)};
   program.keeper->next_lock = std::move(attempt.lock);
   return {};
 }
@@ -64,8 +60,7 @@ void after_command(Program& program, const edit::Command& command, const base::S
   base::FileLock next = std::move(keeper.next_lock);
   if (!applied) return;
   if (!edit::dirty(program.session))
-    keeper.autosave
-        .remove();  // saved, or another document: at once, so that a crash before the next frame does not offer it
+    keeper.autosave.remove();  // at once, so that a crash before the next frame does not offer it
   std::vector<std::string>& recent = keeper.state.settings.recent;
   if (const auto* const save = command.as<edit::Save>(); save != nullptr && holds_everything(save->path)) {
     if (next.held() || !keeper.lock.covers(save->path)) keeper.lock = std::move(next);

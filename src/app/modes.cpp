@@ -2,9 +2,12 @@
 #include "app/modes.h"
 
 #include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "app/frame.h"
 #include "app/pictures.h"
@@ -42,9 +45,7 @@ base::Result<script::Script> read_script(const std::string& path) {
   auto parsed = script::parse_script_file(path, files);
   if (!parsed) return parsed.status();
   if (parsed->errors.empty()) return std::move(parsed->script);
-  std::string all;
-  for (const std::string& error : parsed->errors) all += (all.empty() ? "" : "\n") + error;
-  return base::Status{base::Code::usage, all};
+  return base::Status{base::Code::usage, fmt::format("{}", fmt::join(parsed->errors, "\n"))};
 }
 
 // Checks that a challenge's start track does not pass it, without a picture.
@@ -63,8 +64,9 @@ base::Status validate_challenge(const std::string& path) {
     if (session.game.challenge->judged == 0) verdict.reason = "its ride does not end";
   }
   if (verdict.medal > 0)
-    return {base::Code::bad_file, path + ": error: its start track passes it already (" +
-                                      std::string(query::medal_name(verdict.medal)) + "): expected one that does not"};
+    return {base::Code::bad_file,
+            fmt::format("{}: error: its start track passes it already ({}): expected one that does not", path,
+                        query::medal_name(verdict.medal))};
   std::printf("%s: the start track does not pass, as it must: %s\n", path.c_str(), verdict.reason.c_str());
   return {};
 }
@@ -112,6 +114,22 @@ base::Status start_recording(Program& program) {
   if (!recorder) return {base::Code::io, recorder.status().message};
   program.recorder = std::move(*recorder);
   return {};
+}
+
+constexpr int kSamples = 4;  // per pixel
+
+// The track that the options name, else the default one.
+std::filesystem::path track_of(const Options& options) {
+  return options.file.empty() ? default_track() : std::filesystem::path(options.file);
+}
+
+// The size that the options name, else that of windows and of pictures without one.
+platform::Size size_of(const Options& options) {
+  return options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
+}
+
+void print_summary(const Options& options, const RideSummary& summary) {
+  std::fputs((options.json ? to_json(summary) : to_text(summary)).c_str(), stdout);
 }
 
 MovieOrder movie_order(const Options& options) { return {options.movie, options.fps, options.gif}; }
@@ -169,7 +187,6 @@ int run_script(const Options& options) {
 // With --frames: draws that many frames. Else rides a lap (two minutes at most) without drawing, and takes one picture
 // in its middle.
 base::Status ride(Program& program, RideSummary& summary) {
-  constexpr std::int64_t kMostTicks = 120 * world::kTicksPerSecond;
   const auto tick = [&] {
     advance(program, 1);
     measure(program.session, summary);
@@ -182,7 +199,7 @@ base::Status ride(Program& program, RideSummary& summary) {
       draw();
     }
   } else {
-    while (summary.ticks < kMostTicks && !lap_is_done(program.session)) tick();
+    while (summary.ticks < kMostRideTicks && !lap_is_done(program.session)) tick();
     if (const base::Status again = apply(program, edit::RideStop{}); !again) return again;
     if (const base::Status again = apply(program, edit::RideStart{}); !again) return again;
     advance(program, static_cast<int>(summary.ticks / 2));
@@ -195,8 +212,7 @@ base::Status ride(Program& program, RideSummary& summary) {
 int run_report(const Options& options) {
   base::Files files;
   edit::Session session = edit::make_session({});
-  const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);
-  if (const base::Status opened = edit::apply(session, files, edit::Load{track.string()}); !opened)
+  if (const base::Status opened = edit::apply(session, files, edit::Load{track_of(options).string()}); !opened)
     return finish({base::Code::bad_file, opened.message});
   if (const base::Status limits = open_envelope(session, files, options); !limits) return finish(limits);
   const auto report = edit::ride_report(session);
@@ -213,17 +229,13 @@ base::Status film_lap(Program& program, RideSummary& summary) {
 }
 
 int run_headless(const Options& options) {
-  const platform::Size size =
-      options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
   const std::filesystem::path out = options.out.empty() ? "out" : options.out;
   const auto root = options.movie.empty() ? base::Root().open(out) : base::Result<base::Root>(base::Root());
   if (!root) return finish(root.status());
-  constexpr int kSamples = 4;
-  auto program = make_program(options, size, kSamples);
+  auto program = make_program(options, size_of(options), kSamples);
   if (!program) return finish(program.status());
   (*program)->files = base::Files(*root);
-  const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);
-  if (const base::Status opened = open_track(**program, track); !opened) return finish(opened);
+  if (const base::Status opened = open_track(**program, track_of(options)); !opened) return finish(opened);
   if (const base::Status limits = open_envelope((*program)->session, (*program)->files, options); !limits)
     return finish(limits);
   if (const base::Status started = start_recording(**program); !started) return finish(started);
@@ -231,7 +243,7 @@ int run_headless(const Options& options) {
   RideSummary summary = begin_summary((*program)->session);
   if (!options.movie.empty()) {
     if (const base::Status filmed = film_lap(**program, summary); !filmed) return finish(filmed);
-    std::fputs((options.json ? to_json(summary) : to_text(summary)).c_str(), stdout);
+    print_summary(options, summary);
     return finish({});
   }
   if (const base::Status chosen = choose_camera(**program, options.camera); !chosen) return finish(chosen);
@@ -242,15 +254,12 @@ int run_headless(const Options& options) {
       run_frame(**program, {platform::Tick{2 * world::kTick}}, 2);
     if (options.frames.value_or(2) == 0) run_frame(**program, {platform::Tick{0}}, 0);
   }
-  std::fputs((options.json ? to_json(summary) : to_text(summary)).c_str(), stdout);
+  print_summary(options, summary);
   return finish(write_picture(**program, out / "ride.png"));
 }
 
 int run_window(const Options& options) {
-  const platform::Size size =
-      options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
-  constexpr int kSamples = 4;
-  auto program = make_program(options, size, kSamples);
+  auto program = make_program(options, size_of(options), kSamples);
   if (!program) return finish(program.status());
   Program& p = **program;
   const base::UserFolders folders =
@@ -258,8 +267,7 @@ int run_window(const Options& options) {
   start_keeping(p, folders, {}, options.reset_layout);
   platform::watch_signals();
   p.keeper->unasked = options.file.empty();
-  const std::filesystem::path track = options.file.empty() ? default_track() : std::filesystem::path(options.file);
-  if (const base::Status opened = open_track(p, track); !opened) return finish(opened);
+  if (const base::Status opened = open_track(p, track_of(options)); !opened) return finish(opened);
   p.keeper->unasked = false;
   if (const base::Status limits = open_envelope(p.session, p.files, options); !limits) return finish(limits);
   if (const base::Status chosen = choose_camera(p, options.camera); !chosen) return finish(chosen);

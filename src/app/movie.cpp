@@ -9,6 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/files.h"
 #include "gfx/image.h"
 #include "script/movie_rates.h"
@@ -31,9 +33,10 @@ base::Status remove_pictures(base::Files& files, const std::filesystem::path& fo
   std::vector<std::filesystem::path> old;
   for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
     if (is_picture_name(at->path().filename().string())) old.push_back(at->path());
-  if (error) return {base::Code::io, folder.string() + ": " + error.message()};
+  if (error) return {base::Code::io, fmt::format("{}: {}", folder.string(), error.message())};
   for (const std::filesystem::path& path : old)
-    if (!files.remove(path)) return {base::Code::io, path.string() + ": cannot be removed: " + std::strerror(errno)};
+    if (!files.remove(path))
+      return {base::Code::io, fmt::format("{}: cannot be removed: {}", path.string(), std::strerror(errno))};
   return {};
 }
 
@@ -49,10 +52,11 @@ std::vector<std::string> arguments(const std::string& program, const MovieOrder&
     // whole movie.
     const int fps = std::min(order.fps, 25);
     words.push_back(std::to_string(std::max(1, frames * fps / order.fps)));
-    words.insert(words.end(),
-                 {"-filter_complex", "fps=" + std::to_string(fps) +
-                                         ",scale='min(640,iw)':-2:flags=lanczos,split[a][b];[a]palettegen=stats_mode="
-                                         "diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4"});
+    words.insert(
+        words.end(),
+        {"-filter_complex", fmt::format("fps={},scale='min(640,iw)':-2:flags=lanczos,split[a][b];"
+                                        "[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4",
+                                        fps)});
   } else {
     words.push_back(std::to_string(frames));
     // For compatibility with all players: 4:2:0 with even sides.
@@ -65,11 +69,7 @@ std::vector<std::string> arguments(const std::string& program, const MovieOrder&
 
 }  // namespace
 
-std::string Movie::picture_name(int number) {
-  std::string digits = std::to_string(number);
-  if (digits.size() < kDigits) digits.insert(0, kDigits - digits.size(), '0');
-  return std::string(kBefore) + digits + std::string(kAfter);
-}
+std::string Movie::picture_name(int number) { return fmt::format("{}{:0{}}{}", kBefore, number, kDigits, kAfter); }
 
 Movie::Movie(const MovieOrder& order)
     : order_(order), most_writers_(std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostWriters)) {}
@@ -98,12 +98,11 @@ base::Status Movie::add(gfx::Image picture) {
   constexpr int kMost = 100'000;  // limited by the digits of the names
   COASTER_CHECK(wait_ == 0, "no picture is due");
   if (frames_ == 0) width_ = picture.width, height_ = picture.height;
-  const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
   if (failed_ && (picture.width != width_ || picture.height != height_))
-    failed_ = {base::Code::refused, "a movie's pictures have one size: " + size(width_, height_) + " became " +
-                                        size(picture.width, picture.height)};
+    failed_ = {base::Code::refused, fmt::format("a movie's pictures have one size: {}x{} became {}x{}", width_, height_,
+                                                picture.width, picture.height)};
   if (failed_ && frames_ >= kMost)
-    failed_ = {base::Code::refused, "a movie has at most " + std::to_string(kMost) + " pictures"};
+    failed_ = {base::Code::refused, fmt::format("a movie has at most {} pictures", kMost)};
   if (!failed_) return failed_;
   collect(most_writers_ - 1);
   writers_.push_back(std::async(std::launch::async, [root = order_.root, path = order_.folder / picture_name(frames_),
@@ -167,8 +166,8 @@ void MovieEncoder::read_progress() {
 
 std::optional<std::string> MovieEncoder::poll() {
   const std::string pictures =
-      std::to_string(frames_) + (frames_ == 1 ? " picture in " : " pictures in ") + order_.folder.string();
-  if (program_.empty()) return "movie: " + pictures + "; install ffmpeg for a movie file";
+      fmt::format("{} picture{} in {}", frames_, frames_ == 1 ? "" : "s", order_.folder.string());
+  if (program_.empty()) return fmt::format("movie: {}; install ffmpeg for a movie file", pictures);
   if (frames_ < 1) return "movie: no pictures: no time went by";
   if (process_.running()) {
     const std::optional<int> status = process_.poll();
@@ -185,16 +184,15 @@ std::optional<std::string> MovieEncoder::poll() {
     } else {
       if (error_.empty())
         error_ =
-            *status > 128 ? "ended by signal " + std::to_string(*status - 128) : "exit code " + std::to_string(*status);
-      error_ = "ffmpeg made no " + files_.front() + ": " + error_;
+            *status > 128 ? fmt::format("ended by signal {}", *status - 128) : fmt::format("exit code {}", *status);
+      error_ = fmt::format("ffmpeg made no {}: {}", files_.front(), error_);
       files_.clear();
     }
     if (process_.running()) return std::nullopt;
   }
   done_ = 1;
-  std::string line = "movie: " + pictures;
-  for (const std::string& name : made_) line += ", " + name;
-  return error_.empty() ? line : line + "; " + error_;
+  return fmt::format("movie: {}{}{}{}{}", pictures, made_.empty() ? "" : ", ", fmt::join(made_, ", "),
+                     error_.empty() ? "" : "; ", error_);
 }
 
 }  // namespace coaster::app

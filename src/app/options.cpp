@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
+#include <type_traits>
+
+#include <fmt/format.h>
 
 #include "app/manual.h"
 #include "app/version.h"
@@ -31,8 +33,7 @@ constexpr OptionRow kRows[] = {
      &Options::camera},
     {"--movie", "DIR", Word::folder,
      "Record the script, or one lap of FILE, as numbered pictures in this folder, and movie.mp4 if ffmpeg is "
-     "installed; "
-     "needs --headless",
+     "installed; needs --headless",
      &Options::movie},
     {"--fps", "N", Word::rate, "Pictures per second of the movie: 10, 12, 15, 20, 24, 30, 40, 60 or 120; default 30",
      &Options::fps},
@@ -62,27 +63,20 @@ constexpr ExitCodeRow kExitCodes[] = {{"0", "success"},  {"1", "failed expectati
 std::string exit_code_line() {
   std::string line = "Exit codes:";
   for (const ExitCodeRow& row : kExitCodes)
-    line += (row.code == "0" ? " " : ", ") + std::string(row.code) + " " + std::string(row.meaning);
+    line += fmt::format("{} {} {}", row.code == "0" ? "" : ",", row.code, row.meaning);
   return line + ".";
 }
 
 void add(CLI::App& cli, const OptionRow& row, Options& options) {
   const std::string name(row.name), help(row.help);
-  struct Visitor {
-    CLI::App& cli;
-    const std::string &name, &help;
-    Options& options;
-    CLI::Option* operator()(bool Options::*member) const { return cli.add_flag(name, options.*member, help); }
-    CLI::Option* operator()(std::string Options::*member) const { return cli.add_option(name, options.*member, help); }
-    CLI::Option* operator()(int Options::*member) const { return cli.add_option(name, options.*member, help); }
-    CLI::Option* operator()(std::uint64_t Options::*member) const {
-      return cli.add_option(name, options.*member, help);
-    }
-    CLI::Option* operator()(std::optional<std::int64_t> Options::*member) const {
-      return cli.add_option(name, options.*member, help)->check(CLI::NonNegativeNumber);
-    }
-  };
-  CLI::Option* const option = std::visit(Visitor{cli, name, help, options}, row.member);
+  CLI::Option* const option = std::visit(
+      [&]<class T>(T Options::*member) {
+        if constexpr (std::is_same_v<T, bool>) return cli.add_flag(name, options.*member, help);
+        else if constexpr (!std::is_same_v<T, std::optional<std::int64_t>>)
+          return cli.add_option(name, options.*member, help);
+        else return cli.add_option(name, options.*member, help)->check(CLI::NonNegativeNumber);
+      },
+      row.member);
   if (!row.value.empty()) option->option_text(std::string(row.value));
 }
 
@@ -91,10 +85,9 @@ std::string trouble(Options& o) {
   if (!o.size.empty() && !base::parse_size(o.size, o.width, o.height))
     return "--size: expected WIDTHxHEIGHT such as 1280x720, found " + o.size;
   if (o.validate && o.file.empty() && o.script.empty()) return "--validate needs a FILE or a --script";
-  if (!script::is_movie_rate(o.fps))
-    return "--fps: expected " + std::string(script::kMovieRateWords) + ", found " + std::to_string(o.fps);
+  if (!script::is_movie_rate(o.fps)) return fmt::format("--fps: expected {}, found {}", script::kMovieRateWords, o.fps);
   if (!o.camera.empty() && !base::value_named<world::CameraMode>(o.camera))
-    return "--camera: expected " + base::alternatives_of<world::CameraMode>() + ", found " + o.camera;
+    return fmt::format("--camera: expected {}, found {}", base::alternatives_of<world::CameraMode>(), o.camera);
   if (!o.movie.empty() && !o.headless) return "--movie needs --headless; in a window use File/Record movie";
   return {};
 }
@@ -105,8 +98,8 @@ std::span<const OptionRow> option_rows() { return kRows; }
 std::span<const ExitCodeRow> exit_code_rows() { return kExitCodes; }
 
 std::string version_text() {
-  return std::string("coaster ") + kVersion + "\nwindow: " + std::string(platform::window_library()) +
-         "; sound: " + std::string(platform::sound_library()) + "\n";
+  return fmt::format("coaster {}\nwindow: {}; sound: {}\n", kVersion, platform::window_library(),
+                     platform::sound_library());
 }
 
 ParsedOptions parse_options(int argc, const char* const* argv) {
@@ -131,7 +124,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   else if (o.help_man) print(manual_page());
   else if (o.help_completion) print(bash_completion());
   else if (const std::string wrong = trouble(o); !wrong.empty())
-    out.exit_code = 2, out.text = "coaster: " + wrong + "\n";
+    out.exit_code = 2, out.text = fmt::format("coaster: {}\n", wrong);
   return out;
 }
 

@@ -4,7 +4,10 @@
 #include <cstdlib>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "app/scene.h"
+#include "base/words.h"
 #include "gfx/image.h"
 
 namespace coaster::app {
@@ -27,22 +30,11 @@ base::Status write_golden(const std::string& name, const std::filesystem::path& 
 }
 
 std::string page(const std::string& file) {
-  std::string html = "<!doctype html><meta charset=\"utf-8\"><title>" + file + "</title>\n";
+  std::string html = fmt::format("<!doctype html><meta charset=\"utf-8\"><title>{}</title>\n", file);
   for (const char* const kind : {"new", "reference", "difference"})
-    html += "<figure><figcaption>" + std::string(kind) + "</figcaption><img src=\"" + file + "." + kind +
-            ".png\"></figure>\n";
+    html += fmt::format("<figure><figcaption>{0}</figcaption><img src=\"{1}.{0}.png\"></figure>\n", kind, file);
   return html;
 }
-
-}  // namespace
-
-base::Status write_picture(Program& program, const std::filesystem::path& path) {
-  if (program.stats.frame == 0) return {base::Code::refused, "no frame has been drawn"};
-  draw_pixels(program);
-  return write(program.files.root(), path, program.renderer->read_pixels());
-}
-
-namespace {
 
 // Returns a folder of the user by its variable, or below the home folder if it exists there; empty if neither.
 std::filesystem::path user_folder(const char* variable, const char* name) {
@@ -61,38 +53,51 @@ std::filesystem::path picture_folder(const Program& program) {
   return folder.empty() ? "." : folder;
 }
 
-}  // namespace
-
-std::filesystem::path movie_folder(const Program& program) {
-  if (program.files.root().limited()) return program.files.root().folder();
-  const std::filesystem::path folder = user_folder("XDG_VIDEOS_DIR", "Videos");
-  return folder.empty() ? picture_folder(program) : folder;
-}
-
-std::string file_stem(const std::string& name) {
+// Returns letters and digits of a track's name in lower case, joined by "-".
+std::string file_stem(std::string_view name) {
   std::string stem;
-  for (const char c : name) {
-    const bool word = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    if (word) stem += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  for (const char c : base::lower(name)) {
+    if ((c >= '0' && c <= '9') || (c >= 'a' && c <= 'z')) stem += c;
     else if (!stem.empty() && stem.back() != '-') stem += '-';
   }
   while (stem.ends_with('-')) stem.pop_back();
   return stem.empty() ? "track" : stem;
 }
 
-void take_photo(Program& program) {
+// Returns "red-comet-movie-1" for the kind "-movie": the track's name with the first unused number.
+std::filesystem::path free_path(const Program& program, const std::filesystem::path& folder, const char* kind,
+                                const char* ending) {
   constexpr int kMostNumbers = 10'000;
-  const std::filesystem::path folder = picture_folder(program);
   const std::string stem = file_stem(program.session.document.name);
   std::filesystem::path path;
   std::error_code failed;
   for (int i = 1; i < kMostNumbers; ++i)
-    if (path = folder / (stem + "-" + std::to_string(i) + ".png");
+    if (path = folder / fmt::format("{}{}-{}{}", stem, kind, i, ending);
         !std::filesystem::exists(std::filesystem::symlink_status(path, failed)))
       break;
+  return path;
+}
+
+}  // namespace
+
+base::Status write_picture(Program& program, const std::filesystem::path& path) {
+  if (program.stats.frame == 0) return {base::Code::refused, "no frame has been drawn"};
+  draw_pixels(program);
+  return write(program.files.root(), path, program.renderer->read_pixels());
+}
+
+std::filesystem::path movie_folder(const Program& program) {
+  const base::Root& root = program.files.root();
+  std::filesystem::path folder = root.limited() ? root.folder() : user_folder("XDG_VIDEOS_DIR", "Videos");
+  if (folder.empty()) folder = picture_folder(program);
+  return free_path(program, folder, "-movie", "");
+}
+
+void take_photo(Program& program) {
+  const std::filesystem::path path = free_path(program, picture_folder(program), "", ".png");
   const base::Status wrote = write_picture(program, path);
   edit::notify(program.session, wrote ? edit::NoticeKind::info : edit::NoticeKind::error,
-               wrote ? "saved " + path.string() : wrote.message);
+               wrote ? fmt::format("Saved {}", path.string()) : wrote.message);
 }
 
 base::Status write_sheet(const base::Root& root, const std::filesystem::path& path, int columns, bool half,
@@ -118,12 +123,12 @@ base::Status compare_picture(Program& program, const std::string& name, const st
   if (update) return write_golden(name, golden, picture);
   const base::Root& root = program.files.root();
   base::Files files(root);
-  const auto at = [&](const char* kind) { return folder / (name + "." + kind); };
+  const auto at = [&](const char* kind) { return folder / fmt::format("{}.{}", name, kind); };
   const auto bytes = files.read(golden);
   if (!bytes) {
     if (const base::Status wrote = write(root, at("new.png"), picture); !wrote) return wrote;
-    return {base::Code::expectation, "no golden picture " + golden.string() +
-                                         " (--update-goldens makes it); the picture is " + at("new.png").string()};
+    return {base::Code::expectation, fmt::format("no golden picture {} (--update-goldens makes it); the picture is {}",
+                                                 golden.string(), at("new.png").string())};
   }
   const auto reference = gfx::decode_png(*bytes, golden.string());
   if (!reference) return reference.status();
@@ -137,12 +142,11 @@ base::Status compare_picture(Program& program, const std::string& name, const st
       !wrote)
     return wrote;
   if (!difference.same_size)
-    return {base::Code::expectation, "the picture is " + std::to_string(picture.width) + "x" +
-                                         std::to_string(picture.height) + ", the golden one " +
-                                         std::to_string(reference->width) + "x" + std::to_string(reference->height)};
+    return {base::Code::expectation, fmt::format("the picture is {}x{}, the golden one {}x{}", picture.width,
+                                                 picture.height, reference->width, reference->height)};
   return {base::Code::expectation,
-          "the picture differs from " + golden.string() + " in " + std::to_string(difference.pixels) +
-              " pixels, at most " + std::to_string(difference.worst_block) + " in a block; see " + at("html").string()};
+          fmt::format("the picture differs from {} in {} pixels, at most {} in a block; see {}", golden.string(),
+                      difference.pixels, difference.worst_block, at("html").string())};
 }
 
 }  // namespace coaster::app

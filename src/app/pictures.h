@@ -20,12 +20,9 @@ void take_photo(Program& program);
 base::Status write_sheet(const base::Root& root, const std::filesystem::path& path, int columns, bool half,
                          std::span<const std::filesystem::path> pictures);
 
-// Returns the folder for movies: the user's video folder ($XDG_VIDEOS_DIR, else ~/Videos, else that of pictures), a
-// script's $OUT.
+// Returns a new folder for a movie, "red-comet-movie-1": in the user's video folder ($XDG_VIDEOS_DIR, else ~/Videos,
+// else that of pictures), in a script's $OUT.
 std::filesystem::path movie_folder(const Program& program);
-
-// Returns letters and digits of a track's name in lower case, joined by "-".
-std::string file_stem(const std::string& name);
 
 // By the rule of gfx/image.h. Writes NAME.new.png, NAME.reference.png, NAME.difference.png and NAME.html into `folder`
 // when they differ. `update`: writes the golden instead, SCRIPTS/golden/NAME.png, below the folder SCRIPTS.

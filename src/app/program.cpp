@@ -5,7 +5,6 @@
 #include <fstream>
 #include <system_error>
 
-#include "app/keeper_lock.h"
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/text.h"

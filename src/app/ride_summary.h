@@ -7,6 +7,8 @@
 
 namespace coaster::app {
 
+inline constexpr std::int64_t kMostRideTicks = 120 * world::kTicksPerSecond;  // of a ride without a window
+
 struct RideSummary {
   std::string name;
   std::size_t knots = 0, segments = 0;

@@ -25,9 +25,9 @@ void keep_sounding(Program& program) {
     }
   }
   if (!sounds.device) return;
-  const bool filmed = program.filming && program.filming->movie;
-  const view::RideNoise noise =
-      filmed ? view::RideNoise{} : view::ride_noise(session.document, session.derived, session.motion, volume);
+  const view::RideNoise noise = recording(program)
+                                    ? view::RideNoise{}
+                                    : view::ride_noise(session.document, session.derived, session.motion, volume);
   sounds.device->feed(
       [&](std::span<float> block) { view::synthesise(sounds.voice, noise, platform::kSoundRate, block); });
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/process.h"
-#include "ui/host/host.h"
+#include "ui/context/output.h"
 
 namespace coaster::app {
 

@@ -9,7 +9,7 @@
 
 #include "gfx/objects.h"
 #include "gfx/renderer.h"
-#include "ui/host/host.h"
+#include "ui/context/state.h"
 
 namespace coaster::app {
 

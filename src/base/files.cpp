@@ -5,8 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 #include <cstring>
 #include <utility>
@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "base/hash.h"
+#include "base/text.h"
 
 namespace coaster::base {
 namespace {
@@ -30,7 +31,7 @@ Code code_of_open(int error) {
 std::string host_mark() {
   Hasher host;
   host.add(host_name());
-  return "." + hex16(host.digest()).substr(0, 8) + ".";
+  return fmt::format(".{:.8}.", hex16(host.digest()));
 }
 
 // Returns ".loop.json.1f2e3d4c." for "loop.json": the start of its temporary files' names on this machine. Process
@@ -46,21 +47,12 @@ std::string temporary_stem(const std::string& name) {
 Descriptor open_temporary(const Place& place, std::string& name) {
   const std::string stem = fmt::format("{}{}.", temporary_stem(place.name), ::getpid());
   for (int i = 0; i < 1000; ++i) {
-    name = stem + std::to_string(i);
+    name = fmt::format("{}{}", stem, i);
     const int fd =
         ::openat(place.folder.get(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (fd >= 0 || errno != EEXIST) return Descriptor(fd);
   }
   return Descriptor();
-}
-
-// Removes and returns the number that a text starts with.
-std::optional<int> take_number(std::string_view& text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{}) return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return number;
 }
 
 // True if a name is that of a temporary file whose process has ended: host_mark() and "PID.NUMBER" at the end.
@@ -69,10 +61,9 @@ bool is_leftover(std::string_view name) {
   const std::size_t at = name.rfind(mark);
   if (!name.starts_with('.') || at == std::string_view::npos) return false;
   name.remove_prefix(at + mark.size());
-  const auto pid = take_number(name);
-  if (!pid || !name.starts_with('.')) return false;
-  name.remove_prefix(1);
-  return take_number(name) && name.empty() && !process_runs(*pid);
+  const std::size_t dot = name.find('.');
+  const auto pid = parse_int(name.substr(0, dot));
+  return pid && dot != std::string_view::npos && parse_int(name.substr(dot + 1)) && !process_runs(*pid);
 }
 
 // Returns the names in an open folder.
@@ -109,10 +100,27 @@ bool remove_from(int folder, const std::string& name) {
   return ::unlinkat(folder, name.c_str(), AT_REMOVEDIR) == 0;
 }
 
+// Returns the place of a path whose last name is not followed either.
+Result<Place> place_itself(const Root& root, const std::filesystem::path& path) {
+  if (root.limited()) return root.locate(path);
+  Result<Place> place = root.locate(path.parent_path() / ".");
+  if (place) place->name = path.filename().string();
+  return place;
+}
+
 }  // namespace
 
 NewFile::~NewFile() {
   if (!placed_ && place_.folder.valid()) ::unlinkat(folder(), temporary_.c_str(), 0);
+}
+
+bool NewFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t wrote = ::write(file_.get(), bytes.data(), bytes.size());
+    if (wrote < 0 && errno != EINTR) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(wrote, 0)));
+  }
+  return true;
 }
 
 bool NewFile::put_in_place() {
@@ -188,13 +196,7 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
   if (!made) return made.status();
   Descriptor& file = made->file();
   // From here on every error removes the temporary file and leaves the old one unchanged.
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t wrote =
-        fails(IoOperation::write) ? -1 : ::write(file.get(), bytes.data() + done, bytes.size() - done);
-    if (wrote < 0 && errno == EINTR) continue;
-    if (wrote < 0) return failure(Code::io, path, "write", errno);
-    done += static_cast<std::size_t>(wrote);
-  }
+  if (fails(IoOperation::write) || !made->write(bytes)) return failure(Code::io, path, "write", errno);
   if (fails(IoOperation::fsync) || ::fsync(file.get()) != 0) return failure(Code::io, path, "fsync", errno);
   if (fails(IoOperation::close) || file.close() != 0) return failure(Code::io, path, "close", errno);
   if (fails(IoOperation::rename) || !made->put_in_place()) return failure(Code::io, path, "rename", errno);
@@ -204,18 +206,6 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
     return failure(Code::io, path, "fsync of the folder", errno);
   return {};
 }
-
-namespace {
-
-// Returns the place of a path whose last name is not followed either.
-Result<Place> place_itself(const Root& root, const std::filesystem::path& path) {
-  if (root.limited()) return root.locate(path);
-  Result<Place> place = root.locate(path.parent_path() / ".");
-  if (place) place->name = path.filename().string();
-  return place;
-}
-
-}  // namespace
 
 bool Files::remove(const std::filesystem::path& path) {
   const Result<Place> place = place_itself(root_, path);
@@ -248,6 +238,8 @@ std::string host_name() {
   return name;
 }
 
-bool process_runs(int pid) { return pid > 0 && (::kill(pid, 0) == 0 || errno == EPERM); }
+bool process_runs(std::int64_t pid) {
+  return pid > 0 && std::in_range<pid_t>(pid) && (::kill(static_cast<pid_t>(pid), 0) == 0 || errno == EPERM);
+}
 
 }  // namespace coaster::base

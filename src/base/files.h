@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -33,6 +34,8 @@ class NewFile {
   Descriptor& file() { return file_; }
   int folder() const { return place_.folder.get(); }
   const std::string& temporary() const { return temporary_; }  // its name in the folder
+  // Appends bytes. Returns false with errno.
+  bool write(std::string_view bytes);
   // Renames it over the target name, whose old file is never opened. Returns false with errno.
   bool put_in_place();
 
@@ -92,7 +95,7 @@ class Files {
 };
 
 // True if a process of this machine is running (or has not been waited for), also one of another user.
-bool process_runs(int pid);
+bool process_runs(std::int64_t pid);
 std::string host_name();  // of this machine; empty if it has none
 
 }  // namespace coaster::base

@@ -60,7 +60,7 @@ double arc_tangent(double y, double x) {
   const double c = x / radius, s = y / radius;
   // A first guess within 0.005 rad in the octant, then Newton on sin(guess - angle), which cubes the error each time.
   const double small = std::min(std::abs(c), std::abs(s)) / std::max(std::abs(c), std::abs(s));
-  double angle = small * (0.7853981633974483 + 0.273 * (1.0 - small));
+  double angle = small * (kPi / 4 + 0.273 * (1.0 - small));
   if (std::abs(s) > std::abs(c)) angle = kPi / 2 - angle;
   if (c < 0) angle = kPi - angle;
   if (s < 0) angle = -angle;

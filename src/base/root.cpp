@@ -10,6 +10,8 @@
 #include <cstring>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/folders.h"
 
 namespace coaster::base {
@@ -18,7 +20,7 @@ namespace {
 constexpr int kOpenFolder = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
 
 Status failure(const std::filesystem::path& path, std::string_view what, int error) {
-  return {Code::io, path.string() + ": " + std::string(what) + ": " + std::strerror(error)};
+  return {Code::io, fmt::format("{}: {}: {}", path.string(), what, std::strerror(error))};
 }
 
 // Returns an absolute path without ".", ".." and a slash at the end. Uses only the text.
@@ -108,7 +110,12 @@ std::optional<std::filesystem::path> Root::below(const std::filesystem::path& pa
 }
 
 Status Root::link_refused(const std::filesystem::path& path) const {
-  return {Code::refused, path.string() + ": is a symbolic link; this run writes only below " + folder().string()};
+  return {Code::refused,
+          fmt::format("{}: is a symbolic link; this run writes only below {}", path.string(), folder().string())};
+}
+
+Status Root::outside(const std::filesystem::path& path) const {
+  return {Code::refused, fmt::format("{}: this run writes only below {}", path.string(), folder().string())};
 }
 
 // Opens each folder relative to the previous one, and never through a link. `make`: creates missing ones with that
@@ -131,7 +138,7 @@ Result<Descriptor> Root::walk(const std::filesystem::path& relative, std::option
 Result<Place> Root::locate(const std::filesystem::path& path) const {
   if (!limited()) return locate_anywhere(path);
   const auto relative = below(path);
-  if (!relative) return Status{Code::refused, path.string() + ": this run writes only below " + folder().string()};
+  if (!relative) return outside(path);
   Result<Descriptor> opened = walk(relative->parent_path(), std::nullopt);
   if (!opened) return opened.status();
   return Place{std::move(*opened), relative->empty() ? "." : relative->filename().string()};
@@ -140,7 +147,7 @@ Result<Place> Root::locate(const std::filesystem::path& path) const {
 Status Root::make_folders(const std::filesystem::path& folder, unsigned mode) const {
   if (!limited()) return base::make_folders(folder, mode);
   const auto relative = below(folder);
-  if (!relative) return {Code::refused, folder.string() + ": this run writes only below " + this->folder().string()};
+  if (!relative) return outside(folder);
   return walk(*relative, mode).status();
 }
 

@@ -60,6 +60,7 @@ class Root {
 
  private:
   struct Held;
+  Status outside(const std::filesystem::path& path) const;
   std::optional<std::filesystem::path> below(const std::filesystem::path& path) const;
   Result<Descriptor> walk(const std::filesystem::path& relative, std::optional<unsigned> make) const;
 

@@ -1,6 +1,7 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -37,7 +38,7 @@ bool read_quoted(std::string_view line, std::size_t& i, Token& token, TextError&
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
     std::size_t diagonal = row[0];
     row[0] = i;
@@ -54,6 +55,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& error) {
   tokens.clear();
+  const auto fail = [&](std::size_t i, const char* message) {
+    error = {static_cast<int>(i) + 1, message};
+    return false;
+  };
   for (std::size_t i = 0; i < line.size();) {
     if (is_blank(line[i])) {
       ++i;
@@ -64,22 +69,14 @@ bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& erro
     token.column = static_cast<int>(i) + 1;
     if (line[i] == '"') {
       if (!read_quoted(line, i, token, error)) return false;
-      if (i < line.size() && !is_blank(line[i])) {
-        error = {static_cast<int>(i) + 1, "expected a blank behind the quote"};
-        return false;
-      }
+      if (i < line.size() && !is_blank(line[i])) return fail(i, "expected a blank behind the quote");
     } else {
       while (i < line.size() && !is_blank(line[i]) && line[i] != '#' && line[i] != '"') {
-        if (static_cast<unsigned char>(line[i]) < 0x20 || line[i] == 0x7f) {
-          error = {static_cast<int>(i) + 1, "control character in the line"};
-          return false;
-        }
+        if (static_cast<unsigned char>(line[i]) < 0x20 || line[i] == 0x7f)
+          return fail(i, "control character in the line");
         token.text += line[i++];
       }
-      if (i < line.size() && line[i] == '"') {
-        error = {static_cast<int>(i) + 1, "expected a blank before the quote"};
-        return false;
-      }
+      if (i < line.size() && line[i] == '"') return fail(i, "expected a blank before the quote");
     }
     tokens.push_back(std::move(token));
   }
@@ -94,12 +91,8 @@ std::string quoted_start(std::string_view text) {
 std::string quoted(std::string_view text) {
   std::string out = "\"";
   for (char c : text) {
-    if (c == '\n') {
-      out += "\\n";
-      continue;
-    }
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
+    if (c == '"' || c == '\\' || c == '\n') out += '\\';
+    out += c == '\n' ? 'n' : c;
   }
   return out + '"';
 }
@@ -120,7 +113,7 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
 
 std::string suggestion(std::string_view word, std::span<const std::string> candidates) {
   const auto found = nearest(word, candidates);
-  return found ? " did you mean \"" + *found + "\"?" : "";
+  return found ? fmt::format(" did you mean \"{}\"?", *found) : "";
 }
 
 std::string at_place(std::string_view file, int line, int column, std::string_view message) {

@@ -23,13 +23,8 @@ Answer deviation(const Context& c, View) {
   return number(derived.evaluated_by == curve::EvaluatedBy::processor ? derived.deviation : c.stats.deviation);
 }
 Answer drawn_by(const Context& c, View) {
-  switch (c.stats.drawn_by) {
-    case curve::EvaluatedBy::processor: return text("processor");
-    case curve::EvaluatedBy::vertex_shader: return text("vertex_shader");
-    case curve::EvaluatedBy::geometry_shader: return text("geometry_shader");
-    case curve::EvaluatedBy::tessellation_shader: return text("tessellation_shader");
-  }
-  return text("");
+  constexpr std::array<View, 4> kNames{"processor", "vertex_shader", "geometry_shader", "tessellation_shader"};
+  return text(kNames[static_cast<std::size_t>(c.stats.drawn_by)]);
 }
 Answer ns_per_point(const Context& c, View) {
   return number(c.stats.evaluated_vertices > 0

@@ -24,19 +24,22 @@ Answer goals(const Context& c, View) { return count(c, must_hold); }
 Answer met(const Context& c, View) {
   return count(c, [&](const Rule& rule) { return must_hold(rule) && look_at(c.find, rule).holds; });
 }
-Answer medal(const Context& c, View) { return number(c.session.game.challenge ? c.session.game.challenge->medal : 0); }
 Answer passed(const Context& c, View) {
   return yes_no(c.session.game.challenge && c.session.game.challenge->medal > 0);
-}
-Answer judged(const Context& c, View) {
-  return number(c.session.game.challenge ? c.session.game.challenge->judged : 0);
 }
 Answer failure(const Context& c, View) {
   return text(c.session.game.challenge ? c.session.game.challenge->last.reason : "");
 }
-Answer challenge_hints(const Context& c, View) {
-  return number(c.session.game.challenge ? c.session.game.challenge->hints : 0);
+// A member of an optional value of the game: what it is at first without one.
+template <auto optional, auto member>
+Answer of_game(const Context& c, View) {
+  const auto& object = c.session.game.*optional;
+  return object ? value_of((*object).*member) : value_of(std::remove_cvref_t<decltype((*object).*member)>());
 }
+template <auto member>
+constexpr auto of_challenge = of_game<&edit::Game::challenge, member>;
+template <auto member>
+constexpr auto of_card = of_game<&edit::Game::result, member>;
 Answer challenge_deviation(const Context& c, View) {
   constexpr double kNothingThere = 1e9;  // m, if there is no track
   return number(std::min(c.find(edit::Want::deviation).deviation, kNothingThere));
@@ -48,31 +51,28 @@ Answer card_shows(const Context& c, View) {
 Answer card_end(const Context& c, View) {
   return text(c.session.game.result ? base::name_of(c.session.game.result->end) : "none");
 }
-Answer card_reason(const Context& c, View) { return text(c.session.game.result ? c.session.game.result->reason : ""); }
-Answer card_rides(const Context& c, View) { return number(c.session.game.result ? c.session.game.result->serial : 0); }
-Answer card_seconds(const Context& c, View) {
-  return number(c.session.game.result ? c.session.game.result->seconds : 0.0);
-}
-
 constexpr std::array kGameRows{
     Query{"challenge.active", "", "", "on during a challenge.", active},
     Query{"challenge.name", "", "", "Name of the challenge, empty without one.", challenge_name},
     Query{"challenge.goals", "", "", "Number of goals and limits of the challenge.", goals},
     Query{"challenge.met", "", "", "Number of them that hold now; rules about the ride use the ghost.", met},
     Query{"challenge.passed", "", "", "on if the challenge has been passed since it was started.", passed},
-    Query{"challenge.medal", "", "", "Best medal since it was started: 0 none, 1 bronze, 2 silver, 3 gold.", medal},
-    Query{"challenge.judged", "", "", "Number of judgements since it was started.", judged},
+    Query{"challenge.medal", "", "", "Best medal since it was started: 0 none, 1 bronze, 2 silver, 3 gold.",
+          of_challenge<&edit::ActiveChallenge::medal>},
+    Query{"challenge.judged", "", "", "Number of judgements since it was started.",
+          of_challenge<&edit::ActiveChallenge::judged>},
     Query{"challenge.failure", "", "", "Why the last judgement failed; empty if it passed or there was none.", failure},
-    Query{"challenge.hints", "", "", "Number of hints shown.", challenge_hints},
+    Query{"challenge.hints", "", "", "Number of hints shown.", of_challenge<&edit::ActiveChallenge::hints>},
     Query{"challenge.deviation", "", "m",
           "How far the track and the challenge's start track are apart at most, whatever their knots; 0 without a "
           "challenge.",
           challenge_deviation},
     Query{"card.shows", "", "", "on while a score card is shown.", card_shows},
     Query{"card.end", "", "", "How the last ride ended: lap, open end, time, failed; none before the first.", card_end},
-    Query{"card.reason", "", "", "Why it ended, if not with a lap.", card_reason},
-    Query{"card.seconds", "", "s", "Duration of the last ride.", card_seconds},
-    Query{"card.rides", "", "", "Number of rides that ended since the track was opened.", card_rides},
+    Query{"card.reason", "", "", "Why it ended, if not with a lap.", of_card<&edit::RideResult::reason>},
+    Query{"card.seconds", "", "s", "Duration of the last ride.", of_card<&edit::RideResult::seconds>},
+    Query{"card.rides", "", "", "Number of rides that ended since the track was opened.",
+          of_card<&edit::RideResult::serial>},
 };
 
 }  // namespace

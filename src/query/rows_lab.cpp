@@ -53,25 +53,20 @@ base::Result<sim::MeasuredCell> cell_of(const Context& c, View word) {
   const auto row = named<curve::EvaluatorId>(word.substr(0, slash), "evaluator");
   if (!row) return row.status();
   const auto steps = slash == View::npos ? std::nullopt : base::parse_int(word.substr(slash + 1));
-  const sim::MeasuredRow* const measured = sim::row_of(c.session.measuring.measurement, *row);
+  const sim::MeasuredRow* const row_measured = sim::row_of(c.session.measuring.measurement, *row);
   for (std::size_t i = 0; i < sim::kMeasuredSteps.size(); ++i) {
     if (!steps || *steps != sim::kMeasuredSteps[i]) continue;
-    if (measured == nullptr || measured->cells[i].rounds == 0)
+    if (row_measured == nullptr || row_measured->cells[i].rounds == 0)
       return base::Status{base::Code::refused, std::string(word) + " has not been measured"};
-    return measured->cells[i];
+    return row_measured->cells[i];
   }
   return base::Status{base::Code::usage,
                       "expected EVALUATOR/STEPS with 16, 64, 256, 1024 or 4096 steps, found " + base::quoted(word)};
 }
-Answer measure_error(const Context& c, View word) {
+template <auto member>
+Answer measured(const Context& c, View word) {
   const auto cell = cell_of(c, word);
-  if (!cell) return cell.status();
-  return number(cell->worst_error);
-}
-Answer measure_time(const Context& c, View word) {
-  const auto cell = cell_of(c, word);
-  if (!cell) return cell.status();
-  return number(cell->ns_per_point);
+  return cell ? Answer(value_of((*cell).*member)) : cell.status();
 }
 
 constexpr std::array kLabRows{
@@ -86,8 +81,10 @@ constexpr std::array kLabRows{
     Query{"measuring", "", "", "on during the measurement of evaluators.", measuring},
     Query{"measure.progress", "", "", "Progress of the measurement, 0 to 1.", measure_progress},
     Query{"measure.rows", "", "", "Number of evaluators measured; 0 before the first measurement.", measure_rows},
-    Query{"measure.error", "EVALUATOR/STEPS", "m", "Measured largest error, for example of horner/64.", measure_error},
-    Query{"measure.time", "EVALUATOR/STEPS", "ns", "Measured time per point, for example of horner/64.", measure_time},
+    Query{"measure.error", "EVALUATOR/STEPS", "m", "Measured largest error, for example of horner/64.",
+          measured<&sim::MeasuredCell::worst_error>},
+    Query{"measure.time", "EVALUATOR/STEPS", "ns", "Measured time per point, for example of horner/64.",
+          measured<&sim::MeasuredCell::ns_per_point>},
 };
 
 }  // namespace

@@ -8,7 +8,6 @@
 
 #include "base/words.h"
 #include "script/lines.h"
-#include "script/lines_parts.h"
 #include "script/paths.h"
 
 namespace coaster::script {

@@ -10,7 +10,6 @@
 #include "edit/commands/commands_settings.h"
 #include "query/condition.h"
 #include "script/grammar.h"
-#include "script/lines_parts.h"
 
 namespace coaster::script {
 namespace {
@@ -40,9 +39,7 @@ bool parse_env(Words& words, Action& action) {
       if (!scale) return false;
       env.scale = static_cast<float>(*scale);
     } else if (*name == 4) {
-      const base::Token* const home = words.take("a folder below $OUT");
-      if (!home) return false;
-      env.home = *home;
+      if (!take(words, "a folder below $OUT", env.home.emplace())) return false;
     } else {
       const auto samples = words.whole("a number of samples", 0, 64);
       if (!samples) return false;

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "script/lines_parts.h"
+#include "script/lines.h"
 
 namespace coaster::script {
 namespace {

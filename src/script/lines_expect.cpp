@@ -2,7 +2,6 @@
 #include "query/condition.h"
 #include "script/grammar.h"
 #include "script/lines.h"
-#include "script/lines_parts.h"
 
 #include <algorithm>
 
@@ -12,23 +11,21 @@ namespace coaster::script {
 namespace {
 
 bool parse_widget(Words& words, ExpectWidget::What what, bool negated, Action& action) {
-  const base::Token* const path = words.take("a widget's path");
-  if (!path) return false;
+  ExpectWidget expect{{}, what, negated};
+  if (!take(words, "a widget's path", expect.path)) return false;
   if (!words.at_end()) {  // "expect visible "path" off"
     const auto on = words.on_off();
     if (!on) return false;
-    negated = negated == *on;
+    expect.negated = negated == *on;
   }
-  action = ExpectWidget{*path, what, negated};
+  action = std::move(expect);
   return words.end();
 }
 
 bool parse_file(Words& words, bool negated, Action& action) {
   ExpectFile expect;
   expect.negated = negated;
-  const base::Token* const path = words.take("a file");
-  if (!path) return false;
-  expect.path = *path;
+  if (!take(words, "a file", expect.path)) return false;
   if (words.accept("not")) expect.negated = !expect.negated;
   if (words.at_end() || words.accept("exists")) {
     action = expect;
@@ -37,9 +34,7 @@ bool parse_file(Words& words, bool negated, Action& action) {
   if (!words.accept("same") && !words.accept("=="))
     return words.fail(words.peek()->column, "expected same or exists, found " + base::quoted(words.peek()->text));
   words.accept("as");
-  const base::Token* const other = words.take("the file to compare with");
-  if (!other) return false;
-  expect.same_as = *other;
+  if (!take(words, "the file to compare with", expect.same_as.emplace())) return false;
   action = expect;
   return words.end();
 }
@@ -101,11 +96,7 @@ bool parse_lesson(Words& words, Action& action) {
   const base::Token* const text = words.take("a text");
   if (!text) return false;
   lesson.text = text->text;
-  if (words.accept("at")) {
-    const base::Token* const widget = words.take("a widget's path");
-    if (!widget) return false;
-    lesson.widget = *widget;
-  }
+  if (words.accept("at") && !take(words, "a widget's path", lesson.widget.emplace())) return false;
   if (!words.accept("until")) return words.fail(next_column(words), "expected at or until");
   if (!parse_condition(words, lesson.until)) return false;
   action = std::move(lesson);

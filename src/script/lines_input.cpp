@@ -1,5 +1,5 @@
 // Parses input: keys, text, wheel, dropped files, focus, size, and raw events.
-#include "script/lines_parts.h"
+#include "script/lines.h"
 
 #include <fmt/format.h>
 

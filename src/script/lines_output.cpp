@@ -1,5 +1,5 @@
 // Parses the statements that write something: snap, shot, sheet, dump, log, movie.
-#include "script/lines_parts.h"
+#include "script/lines.h"
 
 #include <algorithm>
 
@@ -20,16 +20,15 @@ bool parse_snap(Words& words, Action& action) {
 }
 
 bool parse_shot(Words& words, Action& action) {
-  const base::Token* const path = words.take("a file below $OUT");
-  if (path) action = Shot{*path};
-  return path && words.end();
+  Shot shot;
+  if (!take(words, "a file below $OUT", shot.path)) return false;
+  action = std::move(shot);
+  return words.end();
 }
 
 bool parse_sheet(Words& words, Action& action) {
   Sheet sheet;
-  const base::Token* const path = words.take("a file below $OUT");
-  if (!path) return false;
-  sheet.path = *path;
+  if (!take(words, "a file below $OUT", sheet.path)) return false;
   if (words.accept("columns")) {
     const auto columns = words.whole("a number of columns", 1, 100);
     if (!columns) return false;
@@ -37,9 +36,7 @@ bool parse_sheet(Words& words, Action& action) {
   }
   sheet.half = words.accept("half");
   do {
-    const base::Token* const picture = words.take("a picture's file");
-    if (!picture) return false;
-    sheet.pictures.push_back(*picture);
+    if (!take(words, "a picture's file", sheet.pictures.emplace_back())) return false;
   } while (!words.at_end());
   action = std::move(sheet);
   return true;
@@ -80,9 +77,8 @@ bool parse_log(Words& words, Action& action) {
 }
 
 bool parse_movie_start(Words& words, Action& action) {
-  const base::Token* const folder = words.take("a folder below $OUT");
-  if (!folder) return false;
-  StartMovie start{*folder};
+  StartMovie start;
+  if (!take(words, "a folder below $OUT", start.folder)) return false;
   if (words.accept("fps")) {
     const int column = next_column(words);
     const auto fps = words.whole("pictures a second", 1, world::kTicksPerSecond);

@@ -1,5 +1,5 @@
 // Parses ui.*: a widget's path and the action.
-#include "script/lines_parts.h"
+#include "script/lines.h"
 
 namespace coaster::script {
 namespace {
@@ -7,16 +7,11 @@ namespace {
 using UiVerb = UiAction::Verb;
 
 std::optional<UiAction> take_path(Words& words, UiVerb verb) {
-  const base::Token* const path = words.take("a widget's path such as \"Track/Insert point\"");
-  if (!path) return std::nullopt;
-  if (path->text.empty()) {
-    words.fail(path->column, "expected a widget's path, found \"\"");
-    return std::nullopt;
-  }
-  UiAction ui;
-  ui.verb = verb;
-  ui.path = *path;
-  return ui;
+  UiAction ui{.verb = verb};
+  if (!take(words, "a widget's path such as \"Track/Insert point\"", ui.path)) return std::nullopt;
+  if (!ui.path.text.empty()) return ui;
+  words.fail(ui.path.column, "expected a widget's path, found \"\"");
+  return std::nullopt;
 }
 
 template <UiVerb verb>

@@ -1,9 +1,6 @@
 // Recording. Each line is flushed, so a crash loses at most the last second of ticks.
 #include "script/recorder.h"
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -74,14 +71,8 @@ base::Result<std::unique_ptr<Recorder>> Recorder::start(const base::Files& files
 Recorder::~Recorder() { (void)write_ticks(); }
 
 base::Status Recorder::line(const std::string& text) {
-  const std::string bytes = text + '\n';
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t wrote = ::write(out_.file().get(), bytes.data() + done, bytes.size() - done);
-    if (wrote < 0 && errno == EINTR) continue;
-    if (wrote < 0) return {base::Code::io, path_.string() + ": the recording cannot be written"};
-    done += static_cast<std::size_t>(wrote);
-  }
-  return {};
+  if (out_.write(text + '\n')) return {};
+  return {base::Code::io, path_.string() + ": the recording cannot be written"};
 }
 
 base::Status Recorder::write_ticks() {
