@@ -44,14 +44,9 @@ void finish_import(Program& program) {
   const std::unique_ptr<ImportJob> job = std::move(program.import);
   base::Result<exchange::LoadedTrack> read = job->result.get();
   // A cancelled import is dropped, even if the reader was faster.
-  if (job->progress.cancelled) {
-    edit::notify(program.session, edit::NoticeKind::info, job->path + ": the import was cancelled");
-    return;
-  }
-  if (!read) {
-    edit::notify(program.session, edit::NoticeKind::error, read.status().message);
-    return;
-  }
+  if (job->progress.cancelled)
+    return edit::notify(program.session, edit::NoticeKind::info, job->path + ": the import was cancelled");
+  if (!read) return edit::notify(program.session, edit::NoticeKind::error, read.status().message);
   program.session.file.read_ahead = edit::ReadAhead{job->path, std::move(*read)};
   (void)apply(program, edit::Load{job->path});
 }

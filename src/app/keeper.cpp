@@ -182,11 +182,6 @@ void answer(Program& program, Keeper& keeper, ui::Recovery what) {
   offer(keeper);
 }
 
-void make_folder(Program& program, const std::string& folder) {
-  const base::Status made = program.files.root().make_folders(folder, 0700);
-  if (!made) edit::notify(program.session, NoticeKind::error, made.message);
-}
-
 void take_output(Program& program, Keeper& keeper, const ui::Output& output) {
   if (output.settings) {
     const bool keys = keeper.state.settings.keys != output.settings->keys;
@@ -264,7 +259,9 @@ base::Status autosave_now(Program& program) {
 }
 
 void answer_keeping(Program& program, const ui::Output& output) {
-  if (output.new_folder) make_folder(program, *output.new_folder);
+  if (output.new_folder)
+    if (const base::Status made = program.files.root().make_folders(*output.new_folder, 0700); !made)
+      edit::notify(program.session, NoticeKind::error, made.message);
   if (program.keeper) take_output(program, *program.keeper, output);
 }
 

@@ -1,5 +1,4 @@
-#include "app/manual.h"
-
+// The manual page and the bash completion, from the table of options.
 #include <vector>
 
 #include <fmt/format.h>

@@ -14,7 +14,6 @@
 #include "app/program.h"
 #include "app/ride_summary.h"
 #include "app/script_host.h"
-#include "app/tutorial.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
@@ -116,7 +115,7 @@ base::Status start_recording(Program& program) {
   return {};
 }
 
-constexpr int kSamples = 4;  // per pixel
+constexpr int kWindowSamples = 4;  // per pixel
 
 // The track that the options name, else the default one.
 std::filesystem::path track_of(const Options& options) {
@@ -162,25 +161,25 @@ int run_script(const Options& options) {
   const platform::Size size{run.environment.width, run.environment.height};
   auto program = make_program(options, size, 0);
   if (!program) return finish(program.status());
-  (*program)->stats.hide_times = true;
-  (*program)->files = base::Files(*out);
+  Program& p = **program;
+  p.stats.hide_times = true;
+  p.files = base::Files(*out);
   if (!options.config.empty()) {
-    start_keeping(**program, {options.config, options.config}, {}, options.reset_layout);  // the user named it
+    start_keeping(p, {options.config, options.config}, {}, options.reset_layout);  // the user named it
     platform::watch_signals();
-    run.environment.scale = (*program)->session.settings.look->ui_scale;  // until the script changes it
+    run.environment.scale = p.session.settings.look->ui_scale;  // until the script changes it
   }
   if (!options.file.empty())
-    if (const base::Status opened = open_track(**program, options.file); !opened) return finish(opened);
-  if (const base::Status limits = open_envelope((*program)->session, (*program)->files, options); !limits)
-    return finish(limits);
-  if (const base::Status started = start_recording(**program); !started) return finish(started);
+    if (const base::Status opened = open_track(p, options.file); !opened) return finish(opened);
+  if (const base::Status limits = open_envelope(p.session, p.files, options); !limits) return finish(limits);
+  if (const base::Status started = start_recording(p); !started) return finish(started);
   if (!options.movie.empty())
-    if (const base::Status filming = start_movie(**program, movie_order(options)); !filming) return finish(filming);
-  script::Host host = make_script_host(**program);
+    if (const base::Status filming = start_movie(p, movie_order(options)); !filming) return finish(filming);
+  script::Host host = make_script_host(p);
   base::Status ran = script::run_script(*script, host, run);
-  if (const base::Status filmed = finish_movie(**program); ran && !filmed) ran = filmed;
-  if (const int signal = platform::pending_signal()) return leave_by(**program, signal);
-  stop_keeping(**program, (*program)->quit);
+  if (const base::Status filmed = finish_movie(p); ran && !filmed) ran = filmed;
+  if (const int signal = platform::pending_signal()) return leave_by(p, signal);
+  stop_keeping(p, p.quit);
   return finish(ran);
 }
 
@@ -232,34 +231,34 @@ int run_headless(const Options& options) {
   const std::filesystem::path out = options.out.empty() ? "out" : options.out;
   const auto root = options.movie.empty() ? base::Root().open(out) : base::Result<base::Root>(base::Root());
   if (!root) return finish(root.status());
-  auto program = make_program(options, size_of(options), kSamples);
+  auto program = make_program(options, size_of(options), kWindowSamples);
   if (!program) return finish(program.status());
-  (*program)->files = base::Files(*root);
-  if (const base::Status opened = open_track(**program, track_of(options)); !opened) return finish(opened);
-  if (const base::Status limits = open_envelope((*program)->session, (*program)->files, options); !limits)
-    return finish(limits);
-  if (const base::Status started = start_recording(**program); !started) return finish(started);
-  (*program)->stats.hide_times = true;
-  RideSummary summary = begin_summary((*program)->session);
+  Program& p = **program;
+  p.files = base::Files(*root);
+  if (const base::Status opened = open_track(p, track_of(options)); !opened) return finish(opened);
+  if (const base::Status limits = open_envelope(p.session, p.files, options); !limits) return finish(limits);
+  if (const base::Status started = start_recording(p); !started) return finish(started);
+  p.stats.hide_times = true;
+  RideSummary summary = begin_summary(p.session);
   if (!options.movie.empty()) {
-    if (const base::Status filmed = film_lap(**program, summary); !filmed) return finish(filmed);
+    if (const base::Status filmed = film_lap(p, summary); !filmed) return finish(filmed);
     print_summary(options, summary);
     return finish({});
   }
-  if (const base::Status chosen = choose_camera(**program, options.camera); !chosen) return finish(chosen);
-  if (summary.segments > 0 && (*program)->session.motion.carts.size() > 0) {
-    if (const base::Status rode = ride(**program, summary); !rode) return finish(rode);
+  if (const base::Status chosen = choose_camera(p, options.camera); !chosen) return finish(chosen);
+  if (summary.segments > 0 && p.session.motion.carts.size() > 0) {
+    if (const base::Status rode = ride(p, summary); !rode) return finish(rode);
   } else {
     for (std::int64_t frame = 0; frame < options.frames.value_or(2); ++frame)
-      run_frame(**program, {platform::Tick{2 * world::kTick}}, 2);
-    if (options.frames.value_or(2) == 0) run_frame(**program, {platform::Tick{0}}, 0);
+      run_frame(p, {platform::Tick{2 * world::kTick}}, 2);
+    if (options.frames.value_or(2) == 0) run_frame(p, {platform::Tick{0}}, 0);
   }
   print_summary(options, summary);
-  return finish(write_picture(**program, out / "ride.png"));
+  return finish(write_picture(p, out / "ride.png"));
 }
 
 int run_window(const Options& options) {
-  auto program = make_program(options, size_of(options), kSamples);
+  auto program = make_program(options, size_of(options), kWindowSamples);
   if (!program) return finish(program.status());
   Program& p = **program;
   const base::UserFolders folders =

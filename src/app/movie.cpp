@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "base/files.h"
+#include "base/text.h"
 #include "gfx/image.h"
 #include "script/movie_rates.h"
 
@@ -22,10 +22,9 @@ constexpr std::string_view kBefore = "frame-", kAfter = ".png";
 constexpr std::size_t kDigits = 5;
 
 bool is_picture_name(const std::string& name) {
-  if (name.size() != kBefore.size() + kDigits + kAfter.size() || !name.starts_with(kBefore) || !name.ends_with(kAfter))
-    return false;
-  return std::all_of(name.begin() + kBefore.size(), name.begin() + kBefore.size() + kDigits,
-                     [](unsigned char c) { return std::isdigit(c) != 0; });
+  if (name.size() <= kBefore.size()) return false;
+  const auto number = base::parse_int(name.substr(kBefore.size(), kDigits));
+  return number && *number >= 0 && name == Movie::picture_name(static_cast<int>(*number));
 }
 
 base::Status remove_pictures(base::Files& files, const std::filesystem::path& folder) {

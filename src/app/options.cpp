@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "app/manual.h"
 #include "app/version.h"
 #include "base/words.h"
 #include "platform/sound.h"

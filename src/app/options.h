@@ -60,6 +60,11 @@ struct ParsedOptions {
   std::string text;              // text to print then: to stdout for exit code 0, else to stderr
 };
 
+// Return the manual page, roff with the macros of man(7), section 6 (games), and a file for bash-completion: options,
+// file names by extension, names of cameras and rates (manual.cpp).
+std::string manual_page();
+std::string bash_completion();
+
 // Parses the command line. Unknown arguments are errors: exit code 2.
 ParsedOptions parse_options(int argc, const char* const* argv);
 

@@ -6,26 +6,26 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <utility>
+
+#include <fmt/format.h>
 
 extern char** environ;
 
 namespace coaster::app {
 
 std::string find_program(const char* name) {
-  const char* const folders = std::getenv("PATH");
-  const std::string all = folders != nullptr ? folders : "";
-  for (std::size_t from = 0; from <= all.size();) {
-    const std::size_t to = std::min(all.find(':', from), all.size());
-    const std::filesystem::path file = std::filesystem::path(all.substr(from, to - from)) / name;
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::filesystem::path file = std::filesystem::path(folder) / name;
     std::error_code failed;
     if (file.is_absolute() && ::access(file.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(file, failed))
       return file.string();
-    from = to + 1;
   }
   return {};
 }
@@ -55,7 +55,7 @@ base::Status Process::start(std::vector<std::string> words, int folder, bool err
   ::close(ends[1]);
   if (failed != 0) {
     ::close(ends[0]);
-    return {base::Code::io, words[0] + ": cannot be started: " + std::strerror(failed)};
+    return {base::Code::io, fmt::format("{}: cannot be started: {}", words[0], std::strerror(failed))};
   }
   pid_ = pid;
   pipe_ = ends[0];

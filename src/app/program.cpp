@@ -5,6 +5,8 @@
 #include <fstream>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/text.h"
@@ -16,7 +18,6 @@
 #include "world/evaluation.h"
 
 namespace coaster::app {
-
 namespace {
 
 #if defined(__clang__)
@@ -35,7 +36,37 @@ std::string machine_line() {
     model = line.substr(colon + 2);
     break;
   }
-  return model + "; compiled by " + kCompiler;
+  return fmt::format("{}; compiled by {}", model, kCompiler);
+}
+
+// Applies and records one command.
+base::Status apply_one(Program& program, const edit::Command& command) {
+  if (const std::string* const path = edit::output_path(command); path && !program.files.root().contains(*path)) {
+    const base::Status refused{base::Code::refused, fmt::format("{}: scripts write only below $OUT, found {}",
+                                                                edit::info(command).name, base::quoted(*path))};
+    edit::notify(program.session, edit::NoticeKind::error, refused.message);
+    return refused;
+  }
+  if (const base::Status allowed = before_command(program, command); !allowed) {
+    edit::notify(program.session, edit::NoticeKind::error, allowed.message);
+    return allowed;
+  }
+  const std::uint64_t builds = program.session.derived.last_build;
+  const base::Status applied = edit::apply(program.session, program.files, command);
+  after_command(program, command, applied);
+  if (program.session.derived.last_build != builds) program.rebuilds += program.session.derived.rebuilds;
+  if (applied && command.is<edit::Set<&world::Evaluation::evaluator>>())
+    if (const std::string reason = program.renderer->refusal(program.session.derived.evaluated_by); !reason.empty())
+      edit::notify(program.session, edit::NoticeKind::warning, "drawn by the vertex shader instead: " + reason);
+  view::follow(program.picture.rig, watched(program), 0);
+  ++program.commands;
+  if (!applied || !program.recorder) return applied;
+  const base::Status recorded = program.recorder->command(command, program.session);
+  if (!recorded) {
+    edit::notify(program.session, edit::NoticeKind::error, recorded.message);
+    program.recorder.reset();
+  }
+  return {};
 }
 
 }  // namespace
@@ -71,41 +102,6 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   view::follow(program->picture.rig, watched(*program), 0);
   return program;
 }
-
-namespace {
-
-// Applies and records one command.
-base::Status apply_one(Program& program, const edit::Command& command) {
-  if (const std::string* const path = edit::output_path(command); path && !program.files.root().contains(*path)) {
-    const base::Status refused{
-        base::Code::refused,
-        std::string(edit::info(command).name) + ": scripts write only below $OUT, found " + base::quoted(*path)};
-    edit::notify(program.session, edit::NoticeKind::error, refused.message);
-    return refused;
-  }
-  if (const base::Status allowed = before_command(program, command); !allowed) {
-    edit::notify(program.session, edit::NoticeKind::error, allowed.message);
-    return allowed;
-  }
-  const std::uint64_t builds = program.session.derived.last_build;
-  const base::Status applied = edit::apply(program.session, program.files, command);
-  after_command(program, command, applied);
-  if (program.session.derived.last_build != builds) program.rebuilds += program.session.derived.rebuilds;
-  if (applied && command.is<edit::Set<&world::Evaluation::evaluator>>())
-    if (const std::string reason = program.renderer->refusal(program.session.derived.evaluated_by); !reason.empty())
-      edit::notify(program.session, edit::NoticeKind::warning, "drawn by the vertex shader instead: " + reason);
-  view::follow(program.picture.rig, watched(program), 0);
-  ++program.commands;
-  if (!applied || !program.recorder) return applied;
-  const base::Status recorded = program.recorder->command(command, program.session);
-  if (!recorded) {
-    edit::notify(program.session, edit::NoticeKind::error, recorded.message);
-    program.recorder.reset();
-  }
-  return {};
-}
-
-}  // namespace
 
 base::Status apply(Program& program, const edit::Command& command) {
   const std::uint64_t notices = program.session.notices.serial;
@@ -146,7 +142,7 @@ query::Context context_of(Program& program) {
 }
 
 std::string title_of(const edit::Finder& find) {
-  return find.session().document.name + (edit::dirty(find) ? "*" : "") + " - coaster";
+  return fmt::format("{}{} - coaster", find.session().document.name, edit::dirty(find) ? "*" : "");
 }
 
 std::filesystem::path default_track() {

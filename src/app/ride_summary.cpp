@@ -29,7 +29,8 @@ void measure(const edit::Session& session, RideSummary& summary) {
   if (session.motion.carts.size() == 0) return;
   const world::CartMotion& cart = session.motion.carts.items()[0];
   const double height = sim::pose(session.derived, cart, world::FrameMethod::knots).position.y;
-  const sim::Felt felt = sim::felt(session.document, session.derived, session.motion.carts.entities()[0], cart);
+  const world::Entity train = session.motion.carts.entities()[0];
+  const sim::Felt felt = sim::felt(session.document, session.derived, train, cart);
   summary.laps = cart.laps;
   summary.distance = cart.travelled;
   summary.top_speed = std::max(summary.top_speed, std::abs(cart.speed));
@@ -38,8 +39,8 @@ void measure(const edit::Session& session, RideSummary& summary) {
   summary.most_up = std::max(summary.most_up, felt.up);
   summary.least_up = std::min(summary.least_up, felt.up);
   summary.most_side = std::max(summary.most_side, std::abs(felt.left));
-  summary.worst_drift = std::max(summary.worst_drift, sim::energy_drift(session.document, session.derived,
-                                                                        session.motion.carts.entities()[0], cart));
+  summary.worst_drift =
+      std::max(summary.worst_drift, sim::energy_drift(session.document, session.derived, train, cart));
 }
 
 std::string to_text(const RideSummary& s) {

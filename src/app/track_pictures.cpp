@@ -10,14 +10,10 @@
 #include "view/camera.h"
 
 namespace coaster::app {
-namespace {
-
-constexpr int kWidth = 480, kHeight = 270, kSamples = 4;
-
-}  // namespace
 
 ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& scenes, const std::string& path,
                                      world::Style style) {
+  constexpr int kWidth = 480, kHeight = 270, kSamples = 4;
   ui::TrackPicture picture;
   edit::Session session = edit::make_session({});
   base::Files files;

@@ -1,6 +1,4 @@
 // A script host whose frames are the player's.
-#include "app/tutorial.h"
-
 #include <utility>
 
 #include "app/frame.h"

@@ -68,15 +68,22 @@ Answer of_stats(const Context& c, View) {
   return value_of(member_at(c.stats, path...));
 }
 
+// Returns the value of `function` for the entity that the argument names.
+template <class Function>
+Answer of_entity(const Context& c, View argument, world::Kind kind, Function function) {
+  const auto entity = entity_of(c, argument, kind);
+  if (!entity) return entity.status();
+  return value_of(function(*entity));
+}
+
 // Returns the joint at a knot; at an end of an open track one without continuity, jumps and curvature.
 curve::Joint joint_at(const world::Document& document, world::Entity knot);
 
 // Row of a member of the joint at a knot.
 template <auto member>
 Answer of_joint(const Context& c, View argument) {
-  const auto knot = entity_of(c, argument, world::Kind::knot);
-  if (!knot) return knot.status();
-  return value_of(joint_at(c.session.document, *knot).*member);
+  return of_entity(c, argument, world::Kind::knot,
+                   [&](world::Entity e) { return joint_at(c.session.document, e).*member; });
 }
 
 }  // namespace coaster::query

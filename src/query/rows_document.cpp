@@ -57,31 +57,26 @@ Answer of_import(const Context& c, View) {
 // --- knots
 template <auto member>
 Answer of_knot(const Context& c, View argument) {
-  const auto knot = entity_of(c, argument, world::Kind::knot);
-  if (!knot) return knot.status();
-  return value_of(world::knot(c.session.document, *knot).*member);
+  return of_entity(c, argument, world::Kind::knot,
+                   [&](world::Entity e) { return world::knot(c.session.document, e).*member; });
 }
 Answer roll(const Context& c, View argument) {
-  const auto knot = entity_of(c, argument, world::Kind::knot);
-  if (!knot) return knot.status();
-  return number(world::roll_deg(world::knot(c.session.document, *knot)));
+  return of_entity(c, argument, world::Kind::knot,
+                   [&](world::Entity e) { return world::roll_deg(world::knot(c.session.document, e)); });
 }
 
 // --- segments
-template <class Function>
-Answer of_segment(const Context& c, View argument, Function function) {
-  const auto segment = entity_of(c, argument, world::Kind::segment);
-  if (!segment) return segment.status();
-  return number(function(*segment));
-}
 Answer turns(const Context& c, View argument) {
-  return of_segment(c, argument, [&](world::Entity e) { return world::segment(c.session.document, e).turns; });
+  return of_entity(c, argument, world::Kind::segment,
+                   [&](world::Entity e) { return world::segment(c.session.document, e).turns; });
 }
 Answer segment_length(const Context& c, View argument) {
-  return of_segment(c, argument, [&](world::Entity e) { return c.session.derived.shape(e).measured_length; });
+  return of_entity(c, argument, world::Kind::segment,
+                   [&](world::Entity e) { return c.session.derived.shape(e).measured_length; });
 }
 Answer twist(const Context& c, View argument) {
-  return of_segment(c, argument, [&](world::Entity e) { return base::degrees(c.session.derived.shape(e).twist); });
+  return of_entity(c, argument, world::Kind::segment,
+                   [&](world::Entity e) { return base::degrees(c.session.derived.shape(e).twist); });
 }
 
 // --- evaluation

@@ -35,9 +35,8 @@ Answer ghost_end(const Context& c, View) {
 }
 template <auto member>
 Answer of_cart(const Context& c, View argument) {
-  const auto cart = entity_of(c, argument, world::Kind::cart);
-  if (!cart) return cart.status();
-  return number(c.session.document.entities.get<world::Cart>(*cart).*member);
+  return of_entity(c, argument, world::Kind::cart,
+                   [&](world::Entity e) { return c.session.document.entities.get<world::Cart>(e).*member; });
 }
 Answer equipment(const Context& c, View argument) {
   const auto segment = entity_of(c, argument, world::Kind::segment);

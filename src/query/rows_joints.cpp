@@ -21,14 +21,13 @@ double present_speed(const edit::Session& session) {
 
 // --- joints
 Answer joint_angle(const Context& c, View argument) {
-  const auto knot = entity_of(c, argument, world::Kind::knot);
-  if (!knot) return knot.status();
-  return number(base::degrees(joint_at(c.session.document, *knot).angle));
+  return of_entity(c, argument, world::Kind::knot,
+                   [&](world::Entity e) { return base::degrees(joint_at(c.session.document, e).angle); });
 }
 Answer g_step(const Context& c, View argument) {
-  const auto knot = entity_of(c, argument, world::Kind::knot);
-  if (!knot) return knot.status();
-  return number(sim::g_step(joint_at(c.session.document, *knot).curvature_jump, present_speed(c.session)));
+  return of_entity(c, argument, world::Kind::knot, [&](world::Entity e) {
+    return sim::g_step(joint_at(c.session.document, e).curvature_jump, present_speed(c.session));
+  });
 }
 
 // Calls visit(knot, before, after) for each joint of the track, with the cubics that meet there.
@@ -44,42 +43,40 @@ std::string label_or_none(const Context& c, world::Entity knot) {
   return knot.valid() ? world::label_of(c.session.document, knot) : "none";
 }
 
-// The largest jump of curvature of the track and the knot where it is.
-struct Roughest {
-  double jump = 0;
+// An extreme of the joints and the knot where it is; no knot without one.
+template <class Figure>
+struct AtJoint {
+  Figure figure{};
   world::Entity knot;
 };
-Roughest roughest(const edit::Session& session) {
-  Roughest found;
+
+// Returns the largest jump of curvature.
+AtJoint<double> roughest(const edit::Session& session) {
+  AtJoint<double> found;
   for_each_joint(session, [&](world::Entity knot, const curve::Cubic& before, const curve::Cubic& after) {
     const double jump = glm::length(curve::curvature_vector(after, 0.0) - curve::curvature_vector(before, 1.0));
-    if (jump > found.jump) found = {jump, knot};
+    if (jump > found.figure) found = {jump, knot};
   });
   return found;
 }
 Answer g_step_max(const Context& c, View) {
-  return number(sim::g_step(roughest(c.session).jump, present_speed(c.session)));
+  return number(sim::g_step(roughest(c.session).figure, present_speed(c.session)));
 }
 Answer roughest_joint(const Context& c, View) { return text(label_or_none(c, roughest(c.session).knot)); }
 
-// The joint of least continuity, the first of several; no knot without a joint.
+// Returns the least continuity, at the first of several joints.
 template <class Level>
-struct Weakest {
-  Level level{};
-  world::Entity knot;
-};
-template <class Level>
-Weakest<Level> weakest(const edit::Session& session, Level curve::Joint::*member) {
-  Weakest<Level> found;
+AtJoint<Level> weakest(const edit::Session& session, Level curve::Joint::*member) {
+  AtJoint<Level> found;
   for_each_joint(session, [&](world::Entity knot, const curve::Cubic& before, const curve::Cubic& after) {
     const Level level = curve::joint(before, after).*member;
-    if (!found.knot.valid() || level < found.level) found = {level, knot};
+    if (!found.knot.valid() || level < found.figure) found = {level, knot};
   });
   return found;
 }
 template <auto member>
 Answer weakest_level(const Context& c, View) {
-  return value_of(weakest(c.session, member).level);
+  return value_of(weakest(c.session, member).figure);
 }
 template <auto member>
 Answer weakest_knot(const Context& c, View) {

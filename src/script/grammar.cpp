@@ -16,7 +16,9 @@ namespace {
 // Parses files into one script; continues after an error.
 class Parser {
  public:
-  Parser(ParsedScript& out, base::Files& files) : out_(out), files_(files) {}
+  // `including`: the files being parsed, outermost first, with this one last.
+  Parser(ParsedScript& out, base::Files& files, std::vector<std::filesystem::path> including)
+      : out_(out), files_(files), including_(std::move(including)) {}
 
   void file(std::string_view text, const std::string& name, const std::filesystem::path& folder, bool header_required,
             Block& block);
@@ -42,14 +44,11 @@ class Parser {
 
   ParsedScript& out_;
   base::Files& files_;
-  std::vector<std::filesystem::path> including_;  // the files being parsed, outermost first
+  std::vector<std::filesystem::path> including_;
   std::vector<Open> open_;
   Block* block_ = nullptr;
   int source_ = 0, line_ = 0;                          // the line being parsed
   bool header_seen_ = false, header_required_ = true;  // an included file may have the header
-
-  friend ParsedScript coaster::script::parse_script(std::string_view, const std::string&, const std::filesystem::path&,
-                                                    base::Files&);
 };
 
 void Parser::header(Tokens tokens) {
@@ -74,11 +73,9 @@ void Parser::include(Tokens tokens) {
   if (!text) return error(tokens[1].column, text.status().message);
   Statement statement{source_, line_, tokens[0].column, {}};
   Include included;
-  including_.push_back(canonical);
-  Parser inner(out_, files_);
-  inner.including_ = including_;
-  inner.file(*text, path.string(), path.parent_path(), false, included.body);
-  including_.pop_back();
+  std::vector<std::filesystem::path> including = including_;
+  including.push_back(canonical);
+  Parser(out_, files_, std::move(including)).file(*text, path.string(), path.parent_path(), false, included.body);
   statement.action = std::move(included);
   add(std::move(statement));
 }
@@ -171,11 +168,10 @@ const std::vector<std::string>& statement_words() {
 ParsedScript parse_script(std::string_view text, const std::string& name, const std::filesystem::path& folder,
                           base::Files& files) {
   ParsedScript out;
-  Parser parser(out, files);
   std::error_code ignored;
-  parser.including_.push_back(
-      std::filesystem::weakly_canonical(folder / std::filesystem::path(name).filename(), ignored));
-  parser.file(text, name, folder, true, out.script.statements);
+  const std::filesystem::path file = folder / std::filesystem::path(name).filename();
+  Parser(out, files, {std::filesystem::weakly_canonical(file, ignored)})
+      .file(text, name, folder, true, out.script.statements);
   return out;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -50,16 +51,12 @@ bool parse_env(Words& words, Action& action) {
   return true;
 }
 
-bool parse_frames(Words& words, Action& action) {
-  const auto count =
-      words.at_end() ? std::optional<std::int64_t>(1) : words.whole("a number of frames", 0, kMostFrames);
-  if (count) action = Frames{*count};
-  return count && words.end();
-}
-
-bool parse_ticks(Words& words, Action& action) {
-  const auto count = words.at_end() ? std::optional<std::int64_t>(1) : words.whole("a number of ticks", 0, kMostFrames);
-  if (count) action = Ticks{*count};
+// Frames or Ticks; one without a number.
+template <class Count>
+bool parse_count(Words& words, Action& action) {
+  constexpr std::string_view kWhat = std::is_same_v<Count, Frames> ? "a number of frames" : "a number of ticks";
+  const auto count = words.at_end() ? std::optional<std::int64_t>(1) : words.whole(kWhat, 0, kMostFrames);
+  if (count) action = Count{*count};
   return count && words.end();
 }
 
@@ -135,16 +132,14 @@ bool parse_camera(Words& words, Action& action) {
   return words.end();
 }
 
-constexpr LineRow kTimeLines[]{
-    {"env", parse_env}, {"frames", parse_frames}, {"ticks", parse_ticks}, {"wait", parse_wait}};
-constexpr LineRow kOtherLines[]{{"fault", parse_fault}, {"camera", parse_camera}};
+constexpr LineRow kSessionLines[]{{"env", parse_env},   {"frames", parse_count<Frames>}, {"ticks", parse_count<Ticks>},
+                                  {"wait", parse_wait}, {"fault", parse_fault},          {"camera", parse_camera}};
 
 // Calls visit(row) for each row of all tables.
 template <class Visit>
 void for_each_line(Visit visit) {
-  for (const std::span<const LineRow> part :
-       {std::span<const LineRow>(kTimeLines), expect_lines(), output_lines(), std::span<const LineRow>(kOtherLines),
-        input_lines(), ui_lines(), aim_lines()})
+  for (const std::span<const LineRow> part : {std::span<const LineRow>(kSessionLines), expect_lines(), output_lines(),
+                                              input_lines(), ui_lines(), aim_lines()})
     for (const LineRow& row : part) visit(row);
 }
 

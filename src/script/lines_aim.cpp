@@ -102,7 +102,7 @@ bool parse_destination(Words& words, AimAction& aim) {
   return true;
 }
 
-bool parse_drag(Words& words, Action& action) {
+bool parse_aim_drag(Words& words, Action& action) {
   AimAction aim;
   if (!begin(words, AimVerb::drag, aim)) return false;
   if (words.accept("to")) {
@@ -121,7 +121,7 @@ bool parse_drag(Words& words, Action& action) {
 constexpr LineRow kAimLines[]{{"aim.click", target_alone<AimVerb::click>},
                               {"aim.doubleclick", target_alone<AimVerb::doubleclick>},
                               {"aim.hover", target_alone<AimVerb::hover>},
-                              {"aim.drag", parse_drag}};
+                              {"aim.drag", parse_aim_drag}};
 
 }  // namespace
 

@@ -21,7 +21,7 @@ bool path_alone(Words& words, Action& action) {
   return words.end();
 }
 
-bool parse_check(Words& words, Action& action) {
+bool parse_ui_check(Words& words, Action& action) {
   auto ui = take_path(words, UiVerb::check);
   if (!ui) return false;
   if (!words.at_end()) {
@@ -33,7 +33,7 @@ bool parse_check(Words& words, Action& action) {
   return words.end();
 }
 
-bool parse_type(Words& words, Action& action) {
+bool parse_ui_type(Words& words, Action& action) {
   auto ui = take_path(words, UiVerb::type);
   if (!ui) return false;
   const base::Token* const text = words.take("the text to type");
@@ -43,7 +43,7 @@ bool parse_type(Words& words, Action& action) {
   return words.end();
 }
 
-bool parse_drag(Words& words, Action& action) {
+bool parse_ui_drag(Words& words, Action& action) {
   auto ui = take_path(words, UiVerb::drag_by);
   if (!ui) return false;
   if (words.accept("to")) {
@@ -64,7 +64,7 @@ bool parse_drag(Words& words, Action& action) {
   return words.end();
 }
 
-bool parse_scroll(Words& words, Action& action) {
+bool parse_ui_scroll(Words& words, Action& action) {
   auto ui = take_path(words, UiVerb::scroll);
   if (!ui) return false;
   words.accept("by");
@@ -78,13 +78,13 @@ bool parse_scroll(Words& words, Action& action) {
 constexpr LineRow kUiLines[]{{"ui.click", path_alone<UiVerb::click>},
                              {"ui.doubleclick", path_alone<UiVerb::doubleclick>},
                              {"ui.hover", path_alone<UiVerb::hover>},
-                             {"ui.check", parse_check},
-                             {"ui.type", parse_type},
-                             {"ui.drag", parse_drag},
+                             {"ui.check", parse_ui_check},
+                             {"ui.type", parse_ui_type},
+                             {"ui.drag", parse_ui_drag},
                              {"ui.open", path_alone<UiVerb::open>},
                              {"ui.close", path_alone<UiVerb::close>},
                              {"ui.menu", path_alone<UiVerb::menu>},
-                             {"ui.scroll", parse_scroll}};
+                             {"ui.scroll", parse_ui_scroll}};
 
 }  // namespace
 

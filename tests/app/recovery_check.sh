@@ -132,7 +132,7 @@ rm -rf "$OUT/home/recovery"
 script unwritable 'env size 64x36
 load "$OUT/own.json"
 move @k2 to 3 3 3
-wait toast ~ "autosave:" max 400 frames
+wait toast ~ "The autosave failed" max 400 frames
 frames 340
 expect autosaves == 0
 expect dirty == on
