@@ -83,7 +83,7 @@ void watch_progress(Program& program, Keeper& keeper) {
     (void)exchange::merge(keeper.state.progress, success);
   if (!keeper.may_write_progress || keeper.folders.state.empty() || keeper.state.progress == keeper.progress_written)
     return;
-  (void)write_kept(program, progress_file(keeper), exchange::print_progress(keeper.state.progress), "medals",
+  (void)write_kept(program, progress_file(keeper), exchange::print_progress(keeper.state.progress), "Medals",
                    keeper.progress_failed);
   keeper.progress_written = keeper.state.progress;
 }
@@ -116,7 +116,7 @@ void follow_session(const Program& program, exchange::UserSettings& settings) {
 
 void write_settings(Program& program, Keeper& keeper) {
   if (!keeper.may_write || keeper.folders.config.empty() || keeper.state.settings == keeper.written) return;
-  if (write_kept(program, settings_file(keeper), exchange::print_settings(keeper.state.settings), "settings",
+  if (write_kept(program, settings_file(keeper), exchange::print_settings(keeper.state.settings), "Settings",
                  keeper.settings_failed))
     keeper.written = keeper.state.settings;
 }
@@ -188,7 +188,7 @@ void take_output(Program& program, Keeper& keeper, const ui::Output& output) {
     keeper.state.settings = *output.settings;
     if (keys)
       if (const auto problems = program.ui->set_keys(keeper.state.settings.keys); !problems.empty())
-        edit::notify(program.session, NoticeKind::warning, fmt::format("keys: {}", fmt::join(problems, "; ")));
+        edit::notify(program.session, NoticeKind::warning, fmt::format("Keys: {}", fmt::join(problems, "; ")));
   }
   if (output.recovery) answer(program, keeper, *output.recovery);
   ui::SystemDialog& system = keeper.state.system;
@@ -227,7 +227,7 @@ void start_keeping(Program& program, const base::UserFolders& folders, const bas
   program.keeper = std::move(made);
   show(program, settings);
   if (!problems.empty())
-    edit::notify(program.session, NoticeKind::warning, fmt::format("settings: {}", fmt::join(problems, "; ")));
+    edit::notify(program.session, NoticeKind::warning, fmt::format("Settings: {}", fmt::join(problems, "; ")));
 }
 
 void stop_keeping(Program& program, bool clean) {

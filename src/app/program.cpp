@@ -57,7 +57,7 @@ base::Status apply_one(Program& program, const edit::Command& command) {
   if (program.session.derived.last_build != builds) program.rebuilds += program.session.derived.rebuilds;
   if (applied && command.is<edit::Set<&world::Evaluation::evaluator>>())
     if (const std::string reason = program.renderer->refusal(program.session.derived.evaluated_by); !reason.empty())
-      edit::notify(program.session, edit::NoticeKind::warning, "drawn by the vertex shader instead: " + reason);
+      edit::notify(program.session, edit::NoticeKind::warning, "The vertex shader draws instead: " + reason);
   view::follow(program.picture.rig, watched(program), 0);
   ++program.commands;
   if (!applied || !program.recorder) return applied;

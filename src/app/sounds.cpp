@@ -21,7 +21,7 @@ void keep_sounding(Program& program) {
     } else {
       sounds.refused = true;
       if (sounds.refusals++ > 0)
-        edit::notify(program.session, edit::NoticeKind::info, "no sound: " + device.status().message);
+        edit::notify(program.session, edit::NoticeKind::info, "No sound: " + device.status().message);
     }
   }
   if (!sounds.device) return;

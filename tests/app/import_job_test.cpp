@@ -83,7 +83,7 @@ TEST_F(Importing, a_cancelled_one_changes_nothing_however_quick_the_reader_was) 
   finish_import(*program_);
   EXPECT_FALSE(program_->import) << "it does not wait for its frames any more";
   EXPECT_EQ(world::hash(program_->session.document), before);
-  EXPECT_EQ(last_notice(*program_), file("rows.csv") + ": the import was cancelled");
+  EXPECT_EQ(last_notice(*program_), "Cancelled the import of " + file("rows.csv"));
 }
 
 TEST_F(Importing, says_why_a_file_cannot_be_read) {
