@@ -36,14 +36,13 @@ void write(const Cubic& cubic, Points points, Points tangents, Point point, Tang
 
 // Barrett 2012, section 2.1, term by term.
 void bernstein(const PreparedCubic& curve, Points points, Points tangents) {
-  const auto& [p0, p1, p2, p3] = curve.cubic;
-  const auto point = [&](float t) {
+  const auto point = [&c = curve.cubic](float t) {
     const float s = 1.0f - t;
-    return s * s * s * p0 + 3.0f * t * s * s * p1 + 3.0f * t * t * s * p2 + t * t * t * p3;
+    return s * s * s * c.p0 + 3.0f * t * s * s * c.p1 + 3.0f * t * t * s * c.p2 + t * t * t * c.p3;
   };
-  const auto tangent = [&](float t) {
+  const auto tangent = [&c = curve.cubic](float t) {
     const float s = 1.0f - t;
-    return 3.0f * s * s * (p1 - p0) + 6.0f * t * s * (p2 - p1) + 3.0f * t * t * (p3 - p2);
+    return 3.0f * s * s * (c.p1 - c.p0) + 6.0f * t * s * (c.p2 - c.p1) + 3.0f * t * t * (c.p3 - c.p2);
   };
   write(curve.cubic, points, tangents, point, tangent);
 }
