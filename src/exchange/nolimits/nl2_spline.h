@@ -1,8 +1,9 @@
-// The spline of NoLimits 2 elements: a uniform cubic B-spline that passes through its strict vertices; the others are
-// control vertices.
+// The curve of a NoLimits 2 element as cubic Béziers: runs of vertices between strict ones are clamped uniform cubic
+// B-splines.
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -14,30 +15,30 @@ namespace coaster::exchange {
 
 struct SplineVertex {
   glm::dvec3 position{0};  // m
-  bool strict = false;     // the curve passes through it
+  bool strict = false;     // ends a run of vertices: the curve passes through it
 };
 
-class UniformSpline {
- public:
-  // Needs 2 vertices, 3 if closed. An open spline starts at the first vertex and ends at the last one, with curvature 0
-  // there; a closed one continues from the last vertex to the first.
-  UniformSpline(const std::vector<SplineVertex>& vertices, bool closed);
+using Bezier = std::array<glm::dvec3, 4>;  // control points, m
 
-  std::size_t spans() const { return closed_ ? controls_.size() : controls_.size() - 1; }
-  // Returns the Bézier control points of the curve between two neighbouring vertices, exact to rounding: (V0 + 4 V1 +
-  // V2)/6, (2 V1 + V2)/3, (V1 + 2 V2)/3, (V1 + 4 V2 + V3)/6.
-  std::array<glm::dvec3, 4> span(std::size_t i) const;
+glm::dvec3 point(const Bezier& b, double t);
+glm::dvec3 slope(const Bezier& b, double t);  // the derivative
+// Returns the part between two parameters, 0 <= from < to <= 1. Keeps the bits of an end that is not cut.
+Bezier part(const Bezier& b, double from, double to);
+// Return the unit direction of travel at the start and at the end; zero if the control points are within 0.1 mm.
+glm::dvec3 start_direction(const Bezier& b);
+glm::dvec3 end_direction(const Bezier& b);
+// Returns the curve as a cubic of the document, rounded to float.
+curve::Cubic in_float(const Bezier& b);
 
- private:
-  glm::dvec3 control(std::ptrdiff_t i) const;  // also one before the first and one after the last
-  std::vector<glm::dvec3> controls_;
-  bool closed_;
+struct SplinePiece {
+  Bezier curve;
+  std::size_t vertex = 0;  // the vertex at or near the start, for messages
 };
 
-// Returns a span as a cubic of the document, rounded to float.
-inline curve::Cubic in_float(const std::array<glm::dvec3, 4>& c) {
-  return {glm::vec3(c[0]), glm::vec3(c[1]), glm::vec3(c[2]), glm::vec3(c[3])};
-}
+// Returns the curve in the order of travel, exact to rounding in double. A run of vertices goes from one strict vertex
+// to the next; the first and the last vertex always end one. A run of n vertices is a uniform B-spline of degree
+// min(3, n - 1) with clamped ends: two vertices are a straight line, three a parabola, four a Bézier. Needs 2 vertices.
+std::vector<SplinePiece> spline_pieces(std::span<const SplineVertex> vertices);
 
 // The rails at a distance along the track, for both files of NoLimits 2.
 struct PlaceOnTrack {

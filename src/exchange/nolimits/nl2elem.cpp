@@ -8,6 +8,7 @@
 #include <tinyxml2.h>
 
 #include "base/text.h"
+#include "base/words.h"
 #include "exchange/nolimits/nl2elem_track.h"
 
 namespace coaster::exchange {
@@ -72,11 +73,25 @@ bool read_strict(XmlReader& r, const XMLElement& parent, bool& strict) {
          r.fail(element->GetLineNum(), "true or false in <strict>", base::quoted_start(text));
 }
 
+// Vertices of NoLimits 2 can have a weight, but no public source names its tag: any tag that may be one is rejected
+// unless it is 1, what a vertex without weight has.
+bool check_weight(XmlReader& r, const XMLElement& vertex) {
+  for (const XMLElement* e = vertex.FirstChildElement(); e; e = e->NextSiblingElement()) {
+    const std::string tag = base::lower(e->Name());
+    if (tag != "w" && tag.find("weight") == std::string::npos) continue;
+    if (base::parse_double(text_of(*e)) != 1.0)
+      return r.fail(e->GetLineNum(), "vertices without weights",
+                    fmt::format("<{}> of {}", e->Name(), base::quoted_start(text_of(*e))));
+  }
+  return true;
+}
+
 bool read_vertex(XmlReader& r, const XMLElement& element, ElementFile& file) {
   if (file.vertices.size() >= world::kMaxKnots)
     return r.fail(element.GetLineNum(), fmt::format("at most {} vertices", world::kMaxKnots), "more");
   SplineVertex v;
-  if (!read_vector(r, element, "", world::kMaxCoordinate, v.position) || !read_strict(r, element, v.strict))
+  if (!read_vector(r, element, "", world::kMaxCoordinate, v.position) || !read_strict(r, element, v.strict) ||
+      !check_weight(r, element))
     return false;
   file.vertices.push_back(v);
   file.lines.push_back(element.GetLineNum());
@@ -114,7 +129,6 @@ bool read_element(XmlReader& r, const XMLElement& element, ElementFile& file) {
   if (file.vertices.size() < 2) return r.fail(line, "at least 2 vertices", std::to_string(file.vertices.size()));
   file.closed = file.vertices.size() > 3 &&
                 glm::distance(file.vertices.front().position, file.vertices.back().position) <= kSameVertex;
-  if (file.closed) file.vertices.pop_back();
   return true;
 }
 
@@ -141,13 +155,15 @@ base::Result<LoadedTrack> parse_nl2elem(std::string_view text, std::string_view 
   LoadedTrack loaded;
   if (text.empty()) r.fail(1, "XML", "an empty file");
   else if (read_file(r, text, file, loaded.warnings)) {
-    const ElementTrack track = track_of(file);
-    if (track.pathless) {
-      r.fail(file.lines[*track.pathless], "a direction from vertex to vertex", "none at this one");
+    ElementTrack track = track_of(file);
+    if (track.error) {
+      r.fail(file.lines[track.error->vertex], track.error->expected, track.error->found);
     } else {
-      loaded.document = track.document;
+      loaded.document = std::move(track.document);
       loaded.import = track.report;
       loaded.document.name = name_of_file(r.name);
+      for (const auto& [vertex, warning] : track.warnings)
+        loaded.warnings.push_back(fmt::format("{}:{}: warning: {}", r.name, file.lines[vertex], warning));
       return loaded;
     }
   }

@@ -1,0 +1,79 @@
+#include "exchange/nolimits/nl2_corners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/portable_math.h"
+#include "curve/arc_length.h"
+#include "curve/frames.h"
+
+namespace coaster::exchange {
+namespace {
+
+using glm::dvec3;
+
+struct Fillet {
+  double leaves = 1, joins = 0;  // parameters of the piece before and the piece after
+  Bezier curve;
+  double off = 0;  // m
+};
+
+// Returns the fillet that starts `reach` m before the corner and ends as far behind it.
+Fillet fillet_of(const Bezier& before, const Bezier& after, const curve::ArcLengthMap& arc_before,
+                 const curve::ArcLengthMap& arc_after, double reach) {
+  const auto leaves = [&](double m) { return arc_before.parameter(arc_before.length() - m); };
+  Fillet fillet{leaves(reach), arc_after.parameter(reach), {}, 0};
+  const Bezier in = part(before, 0, fillet.leaves), out = part(after, fillet.joins, 1);
+  const double handle = 2 * reach / 3;
+  fillet.curve = {in[3], in[3] + handle * end_direction(in), out[0] - handle * start_direction(out), out[0]};
+  constexpr int kSamples = 8;
+  for (int k = 1; k < kSamples; ++k) {
+    const double t = static_cast<double>(k) / kSamples, beyond = (2 * t - 1) * reach;
+    const dvec3 old = beyond < 0 ? point(before, leaves(-beyond)) : point(after, arc_after.parameter(beyond));
+    fillet.off = std::max(fillet.off, glm::distance(old, point(fillet.curve, t)));
+  }
+  return fillet;
+}
+
+Fillet round_corner(const Bezier& before, const Bezier& after, double angle) {
+  constexpr double kShare = 0.45, kShorter = 0.8;
+  constexpr int kTries = 40;
+  const curve::ArcLengthMap arc_before(in_float(before)), arc_after(in_float(after));
+  // Between straight lines the fillet is reach sin(angle / 2) / 2 off.
+  double reach = std::min(
+      {2 * kCornerOff / base::sin_cos(angle / 2).sin, kShare * arc_before.length(), kShare * arc_after.length()});
+  Fillet fillet = fillet_of(before, after, arc_before, arc_after, reach);
+  for (int tries = 0; fillet.off > 1.000001 * kCornerOff && tries < kTries; ++tries)
+    fillet = fillet_of(before, after, arc_before, arc_after, reach *= kShorter);
+  return fillet;
+}
+
+bool is_corner(const Bezier& before, const Bezier& after, double angle) {
+  // A handle turned by half the angle moves its end by that much, and the curve by at most 4/9 of it.
+  const double handle = std::max(glm::distance(before[2], before[3]), glm::distance(after[0], after[1]));
+  return 4.0 / 9 * handle * angle / 2 > kTurnedOff || angle > base::radians(kSharpest);
+}
+
+}  // namespace
+
+std::vector<SplinePiece> round_corners(const std::vector<SplinePiece>& pieces, bool closed,
+                                       std::vector<Corner>& corners) {
+  std::vector<std::optional<Fillet>> fillets(pieces.size());  // at the start of each piece
+  for (std::size_t i = closed ? 0 : 1; i < pieces.size(); ++i) {
+    const Bezier &before = pieces[i > 0 ? i - 1 : pieces.size() - 1].curve, &after = pieces[i].curve;
+    const double angle = curve::angle_between(end_direction(before), start_direction(after));
+    if (!is_corner(before, after, angle)) continue;
+    if (angle <= base::radians(kSharpest) + 1e-6) fillets[i] = round_corner(before, after, angle);
+    corners.push_back({pieces[i].vertex, angle, fillets[i] ? fillets[i]->off : 0});
+  }
+  std::vector<SplinePiece> rounded;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto &start = fillets[i], &end = i + 1 < pieces.size() ? fillets[i + 1] : fillets[0];
+    rounded.push_back({part(pieces[i].curve, start ? start->joins : 0, end ? end->leaves : 1), pieces[i].vertex});
+    if (end) rounded.push_back({end->curve, pieces[i + 1 < pieces.size() ? i + 1 : 0].vertex});
+  }
+  return rounded;
+}
+
+}  // namespace coaster::exchange

@@ -1,0 +1,24 @@
+// Rounds the corners of a NoLimits 2 element: a track of the document has one direction at every knot.
+#pragma once
+
+#include "exchange/nolimits/nl2_spline.h"
+
+namespace coaster::exchange {
+
+inline constexpr double kCornerOff = 0.03;    // m, the largest distance of a fillet from the corner it replaces
+inline constexpr double kSharpest = 90;       // degrees; sharper corners are rejected
+inline constexpr double kTurnedOff = 0.0001;  // m; handles are turned where that moves the curve by no more
+
+struct Corner {
+  std::size_t vertex = 0;
+  double angle = 0;  // rad between the directions before and after it
+  double off = 0;    // m, the largest distance of the fillet from the curve before
+};
+
+// Replaces each corner by a fillet, a cubic with the directions of its two ends. It takes at most 45 % of the length of
+// either neighbour. On a closed track the joint of the last piece and the first is one, too. Adds the corners to
+// `corners`; ones beyond kSharpest stay as they are.
+std::vector<SplinePiece> round_corners(const std::vector<SplinePiece>& pieces, bool closed,
+                                       std::vector<Corner>& corners);
+
+}  // namespace coaster::exchange

@@ -1,0 +1,102 @@
+// What NoLimits 2 makes of an element's vertices and rolls, written from the rule alone (docs/track-format.md) with the
+// recurrence of Cox and de Boor in long double: the oracle for the reader and the writer, with no code of theirs.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace coaster::test {
+
+struct RuleVertex {
+  glm::dvec3 p{0};
+  bool strict = false;
+};
+
+struct RuleRoll {
+  double coord = 0;
+  glm::dvec3 up{0, 1, 0};
+};
+
+// The knots of a clamped uniform B-spline of `count` control points: 0 (degree + 1 times), 1, 2, ...
+inline long double rule_knot(int j, int degree, int count) {
+  return static_cast<long double>(std::clamp(j - degree, 0, count - degree));
+}
+
+inline long double rule_basis(int i, int degree, int of_degree, int count, long double x) {
+  const auto t = [&](int j) { return rule_knot(j, of_degree, count); };
+  if (degree == 0) return x >= t(i) && x < t(i + 1) ? 1 : 0;
+  const auto share = [](long double a, long double b) { return b > 0 ? a / b : 0; };
+  return share(x - t(i), t(i + degree) - t(i)) * rule_basis(i, degree - 1, of_degree, count, x) +
+         share(t(i + degree + 1) - x, t(i + degree + 1) - t(i + 1)) *
+             rule_basis(i + 1, degree - 1, of_degree, count, x);
+}
+
+// One polynomial piece of the curve: the span of a run's B-spline from knot `span` to the next.
+struct RuleSpan {
+  std::vector<glm::dvec3> run;
+  int span = 0;
+  glm::dvec3 at(double t) const {
+    const int count = static_cast<int>(run.size()), degree = std::min(3, count - 1);
+    const long double x = span + std::min(static_cast<long double>(t), 1 - 1e-15L);
+    long double sum[3] = {0, 0, 0};
+    for (int i = 0; i < count; ++i) {
+      const long double weight = rule_basis(i, degree, degree, count, x);
+      for (int axis = 0; axis < 3; ++axis) sum[axis] += weight * run[static_cast<std::size_t>(i)][axis];
+    }
+    return {static_cast<double>(sum[0]), static_cast<double>(sum[1]), static_cast<double>(sum[2])};
+  }
+};
+
+inline std::vector<RuleSpan> rule_spans(const std::vector<RuleVertex>& vertices) {
+  std::vector<RuleSpan> spans;
+  std::vector<glm::dvec3> run;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    run.push_back(vertices[i].p);
+    if (i == 0 || (!vertices[i].strict && i + 1 < vertices.size())) continue;
+    const int count = static_cast<int>(run.size()), pieces = count - std::min(3, count - 1);
+    for (int k = 0; k < pieces; ++k) spans.push_back({run, k});
+    run = {vertices[i].p};
+  }
+  return spans;
+}
+
+// The rates of the cubic spline through (s, angle) with rate 0 at both ends, by Gauss-Seidel.
+inline std::vector<double> rule_rates(const std::vector<double>& s, const std::vector<double>& angle) {
+  std::vector<double> rate(s.size(), 0.0);
+  for (int sweep = 0; sweep < 200; ++sweep)
+    for (std::size_t i = 1; i + 1 < s.size(); ++i) {
+      const double a = s[i] - s[i - 1], b = s[i + 1] - s[i];
+      rate[i] = (3 * (angle[i] - angle[i - 1]) / (a * a) + 3 * (angle[i + 1] - angle[i]) / (b * b) - rate[i - 1] / a -
+                 rate[i + 1] / b) /
+                (2 / a + 2 / b);
+    }
+  return rate;
+}
+
+// The number in a tag after `from`, which moves behind it.
+inline double rule_number(const std::string& text, const std::string& tag, std::size_t& from) {
+  from = text.find("<" + tag + ">", from) + tag.size() + 2;
+  return std::stod(text.substr(from));
+}
+
+// The vertices and rolls of a file that the program wrote.
+inline void read_by_rule(const std::string& text, std::vector<RuleVertex>& vertices, std::vector<RuleRoll>& rolls) {
+  for (std::size_t at = text.find("<vertex>"); at != std::string::npos; at = text.find("<vertex>", at)) {
+    RuleVertex v;
+    v.p.x = rule_number(text, "x", at), v.p.y = rule_number(text, "y", at), v.p.z = rule_number(text, "z", at);
+    v.strict = text.compare(text.find("<strict>", at) + 8, 4, "true") == 0;
+    vertices.push_back(v);
+  }
+  for (std::size_t at = text.find("<roll>"); at != std::string::npos; at = text.find("<roll>", at)) {
+    RuleRoll r;
+    r.up.x = rule_number(text, "ux", at), r.up.y = rule_number(text, "uy", at), r.up.z = rule_number(text, "uz", at);
+    r.coord = rule_number(text, "coord", at);
+    rolls.push_back(r);
+  }
+}
+
+}  // namespace coaster::test
