@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -97,6 +99,33 @@ inline void read_by_rule(const std::string& text, std::vector<RuleVertex>& verti
     r.coord = rule_number(text, "coord", at);
     rolls.push_back(r);
   }
+}
+
+// As NoLimits 2 writes on Windows: CRLF, exponents of three digits.
+inline std::string rule_text(double x) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.9e", x);
+  std::string out = text;
+  out.insert(out.find('e') + 2, "0");
+  return out;
+}
+
+inline std::string encode(const std::vector<RuleVertex>& vertices,
+                          const std::vector<std::pair<double, glm::dvec3>>& rolls = {}) {
+  std::string out =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"no\" ?>\r\n<root>\r\n<element>\r\n<description>made by "
+      "hand</description>\r\n";
+  for (const RuleVertex& v : vertices)
+    out += "<vertex><x>" + rule_text(v.p.x) + "</x><y>" + rule_text(v.p.y) + "</y>\r\n<z> " + rule_text(v.p.z) +
+           " </z>" + (v.strict ? "<strict>true</strict>" : "") + "</vertex>\r\n";
+  for (const auto& [coord, up] : rolls) {
+    const glm::dvec3 right =
+        glm::normalize(glm::cross(std::abs(up.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), up));
+    out += "<roll><ux>" + rule_text(up.x) + "</ux><uy>" + rule_text(up.y) + "</uy><uz>" + rule_text(up.z) +
+           "</uz><rx>" + rule_text(right.x) + "</rx><ry>" + rule_text(right.y) + "</ry><rz>" + rule_text(right.z) +
+           "</rz>\r\n<coord>" + rule_text(coord) + "</coord><strict>false</strict></roll>\r\n";
+  }
+  return out + "</element>\r\n</root>\r\n";
 }
 
 }  // namespace coaster::test

@@ -11,31 +11,7 @@ namespace nl2elem_test {
 using glm::dvec3;
 
 using Vertex = test::RuleVertex;
-
-// As NoLimits 2 writes on Windows: CRLF, exponents of three digits.
-std::string number(double x) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.9e", x);
-  std::string out = text;
-  out.insert(out.find('e') + 2, "0");
-  return out;
-}
-
-std::string encode(const std::vector<Vertex>& vertices, const std::vector<std::pair<double, dvec3>>& rolls = {}) {
-  std::string out =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"no\" ?>\r\n<root>\r\n<element>\r\n<description>made by "
-      "hand</description>\r\n";
-  for (const Vertex& v : vertices)
-    out += "<vertex><x>" + number(v.p.x) + "</x><y>" + number(v.p.y) + "</y>\r\n<z> " + number(v.p.z) + " </z>" +
-           (v.strict ? "<strict>true</strict>" : "") + "</vertex>\r\n";
-  for (const auto& [coord, up] : rolls) {
-    const dvec3 right = glm::normalize(glm::cross(std::abs(up.x) < 0.9 ? dvec3(1, 0, 0) : dvec3(0, 1, 0), up));
-    out += "<roll><ux>" + number(up.x) + "</ux><uy>" + number(up.y) + "</uy><uz>" + number(up.z) + "</uz><rx>" +
-           number(right.x) + "</rx><ry>" + number(right.y) + "</ry><rz>" + number(right.z) + "</rz>\r\n<coord>" +
-           number(coord) + "</coord><strict>false</strict></roll>\r\n";
-  }
-  return out + "</element>\r\n</root>\r\n";
-}
+using test::encode;
 
 std::vector<Vertex> wandering(std::mt19937& bits, std::size_t count, double strict_share) {
   const auto uniform = [&](double low, double high) { return low + (high - low) * (bits() / 4294967296.0); };
@@ -128,74 +104,6 @@ TEST(nl2elem, a_last_vertex_on_the_first_closes_the_track) {
   EXPECT_TRUE(bean->document.track.closed);
   EXPECT_EQ(bean->warnings.size(), 1u);
   EXPECT_EQ(bean->document.track.knots.size(), 4u);
-}
-
-// Two legs of 20 m that turn by `degrees` at the vertex between them.
-std::vector<Vertex> corner(double degrees) {
-  const double a = degrees * M_PI / 180;
-  const dvec3 at(3.3, 7.1, -4.7);
-  return {{at - 20.0 * dvec3(0.6, 0, 0.8)},
-          {at, true},
-          {at + 20.0 * (std::cos(a) * dvec3(0.6, 0, 0.8) + std::sin(a) * dvec3(0, 1, 0))}};
-}
-
-TEST(nl2elem, a_corner_becomes_a_fillet_within_3_cm_and_is_reported) {
-  for (const double degrees : {0.01, 0.1, 1.0, 7.0, 30.0, 60.0, 89.0, 90.0}) {
-    const std::vector<Vertex> vertices = corner(degrees);
-    const auto loaded = parse_nl2elem(encode(vertices), "x");
-    ASSERT_TRUE(loaded) << degrees << loaded.status().message;
-    ASSERT_EQ(loaded->warnings.size(), 1u) << degrees;
-    EXPECT_NE(loaded->warnings[0].find("at vertex 2 was rounded"), std::string::npos) << loaded->warnings[0];
-    const world::Document& d = loaded->document;
-    ASSERT_EQ(d.track.segments.size(), 3u);
-    double off = 0;  // of the document from the two legs, and of the corner from the document
-    double missed = 1e9;
-    for (const world::Entity e : d.track.segments) {
-      const curve::Cubic cubic = world::cubic_of(d, e);
-      for (int k = 0; k <= 100; ++k) {
-        const dvec3 here = curve::point(cubic, k / 100.0);
-        const auto from_leg = [&](dvec3 a, dvec3 b) {
-          const double t = std::clamp(glm::dot(here - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
-          return glm::distance(here, a + t * (b - a));
-        };
-        off = std::max(off, std::min(from_leg(vertices[0].p, vertices[1].p), from_leg(vertices[1].p, vertices[2].p)));
-        missed = std::min(missed, glm::distance(here, vertices[1].p));
-      }
-    }
-    EXPECT_LT(off, 0.03) << degrees;
-    EXPECT_LT(missed, 0.0301) << degrees;
-    EXPECT_NEAR(loaded->import->max_error, missed, 1e-3 * missed + 2e-5) << degrees;
-    // As wide as the distance allows, up to 45 % of the legs.
-    if (degrees < 0.2) EXPECT_LT(missed, 0.01);
-    else EXPECT_GT(missed, 0.0299) << degrees;
-  }
-  // Handles that turn by less than the rounding of a file's decimals are turned.
-  const auto hardly = parse_nl2elem(encode(corner(1e-4)), "x");
-  ASSERT_TRUE(hardly);
-  EXPECT_TRUE(hardly->warnings.empty());
-  EXPECT_EQ(hardly->document.track.segments.size(), 2u);
-  EXPECT_LT(hardly->import->max_error, 1e-4);
-}
-
-TEST(nl2elem, corners_beyond_90_degrees_are_refused_with_their_vertex) {
-  for (const double degrees : {90.1, 120.0, 180.0}) {
-    const auto loaded = parse_nl2elem(encode(corner(degrees)), "x");
-    ASSERT_FALSE(loaded.ok()) << degrees;
-    EXPECT_NE(loaded.status().message.find("expected corners of at most 90 degrees, found one of "), std::string::npos)
-        << loaded.status().message;
-    EXPECT_NE(loaded.status().message.find(" degrees at vertex 2"), std::string::npos) << loaded.status().message;
-  }
-}
-
-TEST(nl2elem, a_polygon_of_strict_vertices_gets_a_fillet_at_each_and_20_warnings) {
-  std::vector<Vertex> polygon;
-  for (int i = 0; i < 40; ++i) polygon.push_back({{7.0 * i, 5 + (i % 2), 0.1 * i}, true});
-  const auto loaded = parse_nl2elem(encode(polygon), "x");
-  ASSERT_TRUE(loaded) << loaded.status().message;
-  EXPECT_EQ(loaded->document.track.segments.size(), 39u + 38u);
-  ASSERT_EQ(loaded->warnings.size(), 21u);
-  EXPECT_NE(loaded->warnings.back().find("18 more corners"), std::string::npos) << loaded->warnings.back();
-  EXPECT_LT(loaded->import->max_error, 0.0301);
 }
 
 TEST(nl2elem, handles_out_of_bounds_are_lengthened_or_the_segment_is_halved) {
