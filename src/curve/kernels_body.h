@@ -95,7 +95,8 @@ struct Starts {
   alignas(32) float w[24], first2[24], first3[24], second3[24];
   constexpr Starts() : w(), first2(), first3(), second3() {
     for (int i = 0; i < 24; ++i) {
-      const float x = static_cast<float>(i / W) * (W / 24.0f);
+      const int vertex = i / W;
+      const float x = static_cast<float>(vertex) * (W / 24.0f);
       w[i] = x;
       first2[i] = 2 * x + 1;
       first3[i] = 3 * x * x + 3 * x + 1;
@@ -130,13 +131,13 @@ inline void put(float* p, V8 v) {
 // Writes groups by Horner's rule, starting at vertex `first`.
 template <int W, bool S>
 inline void horner_groups(const Pattern& p, int first, int groups, float* out) {
-  constexpr float h = 24 / W;
+  constexpr int a_group = 24 / W;
   V8 u[3];
   for (int k = 0; k < 3; ++k) u[k] = vertex_numbers<W>(k) + all(static_cast<float>(first));
   for (int g = 0; g < groups; ++g, out += 24)
     for (int k = 0; k < 3; ++k) {
       put<S>(out + 8 * k, horner(p.c[k], u[k]));
-      u[k] = u[k] + all(h);
+      u[k] = u[k] + all(static_cast<float>(a_group));
     }
 }
 

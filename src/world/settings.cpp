@@ -15,7 +15,7 @@ template <class T>
 Box<T>::Box(const Box& other) : value_(new T(*other.value_)) {}
 template <class T>
 Box<T>& Box<T>::operator=(const Box& other) {
-  *value_ = *other.value_;
+  if (this != &other) *value_ = *other.value_;
   return *this;
 }
 template <class T>
