@@ -55,7 +55,11 @@ TrackSolid track_solid(const world::Document& document) {
   sim::Mesh mesh;
   for (const world::Entity segment : document.track.segments) {
     const sim::SegmentShape& shape = derived.shape(segment);
-    sim::sweep_track(shape, mesh);
+    // Neighbours meet bit for bit: caps between them would be inside the tubes.
+    const bool open = !document.track.closed;
+    sim::sweep_track(
+        shape, mesh,
+        {open && segment == document.track.segments.front(), open && segment == document.track.segments.back()});
     if (shape.fitted) sim::add_fittings(shape, *shape.fitted, mesh);
     add_mesh(mesh, solid);
     if (const sim::SegmentSupports* const held = supports.of(segment)) {

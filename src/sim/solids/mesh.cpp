@@ -28,17 +28,18 @@ std::vector<dvec2> circle(int sides) {
   return out;
 }
 
-// Adds the sides between rings of `count` vertices, of which every `step`-th is used, and a fan over each end.
-void add_sides(std::span<const std::uint32_t> rings, std::uint32_t count, std::uint32_t step, Indices& out) {
+// Adds the sides between rings of `count` vertices, of which every `step`-th is used, and a fan over each closed end.
+void add_sides(std::span<const std::uint32_t> rings, std::uint32_t count, std::uint32_t step, Caps caps, Indices& out) {
   for (std::size_t ring = 0; ring + 1 < rings.size(); ++ring)
     for (std::uint32_t k = 0; k < count; k += step) {
       const std::uint32_t next = (k + step) % count, a = rings[ring] + k, b = rings[ring] + next,
                           c = rings[ring + 1] + k, d = rings[ring + 1] + next;
       out.insert(out.end(), {a, b, c, b, d, c});
     }
-  for (std::uint32_t k = step; k + step < count; k += step)
-    out.insert(out.end(), {rings.front(), rings.front() + k + step, rings.front() + k, rings.back(), rings.back() + k,
-                           rings.back() + k + step});
+  for (std::uint32_t k = step; k + step < count; k += step) {
+    if (caps.first) out.insert(out.end(), {rings.front(), rings.front() + k + step, rings.front() + k});
+    if (caps.last) out.insert(out.end(), {rings.back(), rings.back() + k, rings.back() + k + step});
+  }
 }
 
 }  // namespace
@@ -59,8 +60,8 @@ void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh) {
     }
   }
   const auto sides = static_cast<std::uint32_t>(tube.sides);
-  add_sides(all, sides, 1, mesh.indices);
-  add_sides(every_other, sides, sides / static_cast<std::uint32_t>(tube.coarse_sides), mesh.coarse);
+  add_sides(all, sides, 1, tube.caps, mesh.indices);
+  add_sides(every_other, sides, sides / static_cast<std::uint32_t>(tube.coarse_sides), tube.caps, mesh.coarse);
 }
 
 void add_face(std::span<const dvec3> corners, Part part, float along, bool from_afar, Mesh& mesh) {

@@ -64,13 +64,19 @@ struct Ring {
   glm::dvec3 place(glm::dvec2 offset) const { return place(offset.x, offset.y); }
 };
 
-// A tube about the line at `offset` (left, up) from the rings' middle, closed by a fan at both ends; smooth normals.
-// For distant views it has `coarse_sides` sides, a divisor of `sides`, and every other ring.
+// The ends of a tube that are closed by a fan. A tube that continues in another one needs none there.
+struct Caps {
+  bool first = true, last = true;
+};
+
+// A tube about the line at `offset` (left, up) from the rings' middle, closed at `caps`; smooth normals. For distant
+// views it has `coarse_sides` sides, a divisor of `sides`, and every other ring.
 struct Tube {
   glm::dvec2 offset{0};
   double radius = 0.1;
   int sides = 8, coarse_sides = 4;
   Part part{};
+  Caps caps{};
 };
 void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh);
 

@@ -99,12 +99,12 @@ std::vector<Ring> spaced_rings(const SegmentShape& shape, double spacing) {
   return rings;
 }
 
-void sweep_track(const SegmentShape& shape, Mesh& mesh) {
+void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps) {
   mesh.clear();
   const std::vector<Ring> rings = rings_of(shape);
-  add_tube(rings, {{0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail}, mesh);
-  add_tube(rings, {{-0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail}, mesh);
-  add_tube(rings, {{0, -kSpineDrop}, kSpineRadius, kSpineSides, kSpineSides / 3, Part::spine}, mesh);
+  add_tube(rings, {{0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail, caps}, mesh);
+  add_tube(rings, {{-0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail, caps}, mesh);
+  add_tube(rings, {{0, -kSpineDrop}, kSpineRadius, kSpineSides, kSpineSides / 3, Part::spine, caps}, mesh);
   if (!(shape.arc.length() > kShortestWithTie)) return;
   for (const Ring& at : spaced_rings(shape, kTieSpacing)) add_arm(at, 1.0, mesh), add_arm(at, -1.0, mesh);
 }

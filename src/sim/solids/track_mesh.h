@@ -32,9 +32,9 @@ std::vector<Ring> rings_of(const SegmentShape& shape);
 std::vector<Ring> spaced_rings(const SegmentShape& shape, double spacing);
 
 // Builds rails, spine and ties. The rings at both ends depend on the knots alone, so neighbours meet bit for bit. Tubes
-// have smooth normals and are closed at both ends. Replaces the contents of `mesh`. A segment of zero length gives
-// tubes of zero length, never NaN.
-void sweep_track(const SegmentShape& shape, Mesh& mesh);
+// have smooth normals and are closed at `caps`. Replaces the contents of `mesh`. A segment of zero length gives tubes
+// of zero length, never NaN.
+void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps = {});
 
 // Adds the solids of a kind of equipment: a chain and a walkway with a handrail on a lift, rows of fins on brakes and
 // blocks, blocks of a linear motor on a launch, platforms beside the track in a station. Walkways and platforms are

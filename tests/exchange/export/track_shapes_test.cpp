@@ -78,6 +78,56 @@ Obj read_obj(const std::string& text) {
   return obj;
 }
 
+// Of two rails and a spine, at one end: a fan over n corners has n - 2 triangles.
+constexpr std::size_t kCapTriangles = 2 * (sim::kRailSides - 2) + sim::kSpineSides - 2;
+
+// The triangles of a tube's cap are the flat faces across the track: counts those at each place of a segment's end.
+// Corners of sides lie in two rings.
+std::size_t caps_of(const Obj& obj, const char* group, const world::Document& d) {
+  std::size_t caps = 0;
+  const std::vector<std::uint32_t>& faces = obj.faces.at(group);
+  for (const world::Entity e : d.track.knots) {
+    const world::Knot& knot = world::knot(d, e);
+    for (std::size_t i = 0; i < faces.size(); i += 3) {
+      bool across = true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 off = glm::dvec3(obj.v.at(faces[i + k])) - glm::dvec3(knot.position);
+        across = across && glm::length(off) < 1.2 && std::abs(glm::dot(off, glm::dvec3(knot.tangent))) < 1e-4;
+      }
+      caps += across;
+    }
+  }
+  return caps;
+}
+
+// Edges that lie not in two triangles, once each way. Corners are the same where their positions are, bit for bit.
+std::size_t open_edges(const Obj& obj, const char* group) {
+  using Point = std::array<float, 3>;
+  std::map<std::pair<Point, Point>, int> ways;
+  const std::vector<std::uint32_t>& faces = obj.faces.at(group);
+  const auto point = [&](std::size_t i) {
+    const glm::vec3 p = obj.v.at(faces[i]);
+    return Point{p.x, p.y, p.z};
+  };
+  for (std::size_t i = 0; i < faces.size(); i += 3)
+    for (std::size_t k = 0; k < 3; ++k) ++ways[{point(i + k), point(i + (k + 1) % 3)}];
+  return static_cast<std::size_t>(std::ranges::count_if(ways, [&](const auto& way) {
+    const auto back = ways.find({way.first.second, way.first.first});
+    return way.second != 1 || back == ways.end() || back->second != 1;
+  }));
+}
+
+TEST(Obj, tubes_have_caps_at_the_ends_of_open_track_alone_and_every_edge_twice) {
+  for (const world::Document& d : {test::sample_document(), closed_document()}) {
+    const Obj obj = read_obj(print_obj(d));
+    const std::size_t ends = d.track.closed ? 0 : 2;
+    EXPECT_EQ(caps_of(obj, "rails", d), 2 * ends * (sim::kRailSides - 2));
+    EXPECT_EQ(caps_of(obj, "spine", d), ends * (sim::kSpineSides - 2));
+    EXPECT_EQ(open_edges(obj, "rails"), 0u);
+    EXPECT_EQ(open_edges(obj, "spine"), 0u);
+  }
+}
+
 TEST(Obj, has_the_swept_track_and_the_centre_line) {
   for (const world::Document& d : {test::sample_document(), closed_document()}) {
     const Obj obj = read_obj(print_obj(d));
@@ -89,6 +139,7 @@ TEST(Obj, has_the_swept_track_and_the_centre_line) {
       sim::sweep_track(derived.shape(s), mesh);
       triangles += mesh.indices.size(), vertices += mesh.vertices.size();
     }
+    triangles -= 3 * kCapTriangles * 2 * (d.track.segments.size() - (d.track.closed ? 0 : 1));
     sim::Supports supports;
     supports.update(derived);
     for (const world::Entity s : d.track.segments) {
