@@ -50,12 +50,6 @@ std::int64_t ticks_of_lap(edit::Session& session) {
   return ghost && ghost->samples.size() > 1 ? static_cast<std::int64_t>(ghost->samples.size() - 1) : 0;
 }
 
-// Starts at the ride's start, so that the lap is complete.
-base::Status begin_lap(Program& program) {
-  if (const base::Status stopped = apply(program, edit::RideStop{}); !stopped) return stopped;
-  return apply(program, edit::RideStart{});
-}
-
 void start_by_hand(Program& program) {
   base::Status begun = begin_lap(program);
   if (begun)
@@ -74,6 +68,11 @@ void show_progress(const Program& program, const char* what) {
 }  // namespace
 
 bool recording(const Program& program) { return program.filming && program.filming->movie; }
+
+base::Status begin_lap(Program& program) {
+  if (const base::Status stopped = apply(program, edit::RideStop{}); !stopped) return stopped;
+  return apply(program, edit::RideStart{});
+}
 
 bool lap_is_done(const edit::Session& session) {
   if (session.motion.state != world::RideState::running) return true;
@@ -184,6 +183,7 @@ base::Status film_ride(Program& program, const MovieOrder& order, std::optional<
     film(program, 1, tick);
     if (filming.movie && filming.movie->wait() == 0) show_progress(program, "movie");
   }
+  summary.end = end_of_ride(program.session, summary);
   return finish_movie(program);
 }
 

@@ -54,6 +54,9 @@ base::Status film_ride(Program& program, const MovieOrder& order, std::optional<
 // True while a movie's pictures are taken.
 bool recording(const Program& program);
 
+// Starts the ride at its start, so that the lap is complete.
+base::Status begin_lap(Program& program);
+
 // True if the first train has completed the lap, or the ride has ended.
 bool lap_is_done(const edit::Session& session);
 

@@ -47,13 +47,18 @@ base::Result<script::Script> read_script(const std::string& path) {
   return base::Status{base::Code::usage, fmt::format("{}", fmt::join(parsed->errors, "\n"))};
 }
 
+// Prints the notices of a file that was opened: without a window nobody sees them.
+void print_notices(const edit::Session& session) {
+  for (const edit::Notice& notice : session.notices.list) std::fprintf(stderr, "%s\n", notice.text.c_str());
+}
+
 // Checks that a challenge's start track does not pass it, without a picture.
 base::Status validate_challenge(const std::string& path) {
   base::Files files;
   edit::Session session = edit::make_session({});
   session.game.referee = query::referee();
   if (const base::Status begun = edit::apply(session, files, edit::StartChallenge{path}); !begun) return begun;
-  for (const edit::Notice& notice : session.notices.list) std::fprintf(stderr, "%s\n", notice.text.c_str());
+  print_notices(session);
   edit::Verdict verdict = session.game.referee.judge(session, nullptr);
   if (session.game.challenge->file.judged != exchange::Judged::build &&
       edit::apply(session, files, edit::RideStart{})) {
@@ -104,6 +109,7 @@ base::Status open_track(Program& program, const std::filesystem::path& path) {
   run_frame(program, {platform::Tick{0}}, 0);
   if (path.empty()) return apply(program, edit::NewTrack{});
   const base::Status loaded = apply(program, edit::Load{path.string()});
+  if (loaded && !program.surface->is_window()) print_notices(program.session);
   return loaded ? loaded : base::Status{base::Code::bad_file, loaded.message};
 }
 
@@ -193,14 +199,12 @@ base::Status ride(Program& program, RideSummary& summary) {
   const auto draw = [&] { run_frame(program, {platform::Tick{2 * world::kTick}}, 0); };
   if (const base::Status started = apply(program, edit::RideStart{}); !started) return started;
   if (program.options.frames) {
-    for (std::int64_t frame = 0; frame < *program.options.frames; ++frame) {
-      tick(), tick();
-      draw();
-    }
+    for (std::int64_t frame = 0; frame < *program.options.frames; ++frame) tick(), tick(), draw();
+    summary.end = end_of_ride(program.session, summary);
   } else {
     while (summary.ticks < kMostRideTicks && !lap_is_done(program.session)) tick();
-    if (const base::Status again = apply(program, edit::RideStop{}); !again) return again;
-    if (const base::Status again = apply(program, edit::RideStart{}); !again) return again;
+    summary.end = end_of_ride(program.session, summary);
+    if (const base::Status again = begin_lap(program); !again) return again;
     advance(program, static_cast<int>(summary.ticks / 2));
   }
   draw(), draw();  // the second frame shows values of the first
@@ -213,6 +217,7 @@ int run_report(const Options& options) {
   edit::Session session = edit::make_session({});
   if (const base::Status opened = edit::apply(session, files, edit::Load{track_of(options).string()}); !opened)
     return finish({base::Code::bad_file, opened.message});
+  print_notices(session);
   if (const base::Status limits = open_envelope(session, files, options); !limits) return finish(limits);
   const auto report = edit::ride_report(session);
   if (!report) return finish({base::Code::refused, "the track has no cart, so there is no ride to report"});

@@ -43,25 +43,45 @@ void measure(const edit::Session& session, RideSummary& summary) {
       std::max(summary.worst_drift, sim::energy_drift(session.document, session.derived, train, cart));
 }
 
+std::string end_of_ride(const edit::Session& session, const RideSummary& summary) {
+  if (const std::string failure = edit::failure_text(session); !failure.empty()) return failure;
+  const world::CartMotion& cart = session.motion.carts.items()[0];
+  if (cart.laps != 0) return "The train completed the lap.";
+  if (session.motion.state == world::RideState::ended) return "The train reached the end of the track.";
+  return fmt::format("Stopped after {:.0f} s at {:.1f} m ({:.1f} m/s), before the end of the ride.",
+                     static_cast<double>(summary.ticks) * world::kTick, cart.travelled, cart.speed);
+}
+
 std::string to_text(const RideSummary& s) {
   return fmt::format(
       "{}: {} knots, {} segments, {}, {:.2f} m\n"
       "rode {:.2f} m in {:.2f} s, {} laps\n"
       "top speed {:.2f} m/s, heights {:.2f}..{:.2f} m\n"
       "up {:.2f}..{:.2f} g, sideways at most {:.2f} g\n"
-      "energy drift at most {:.1e}\n",
+      "energy drift at most {:.1e}\n"
+      "{}\n",
       s.name, s.knots, s.segments, s.closed ? "closed" : "open", s.length, s.distance,
       static_cast<double>(s.ticks) * world::kTick, s.laps, s.top_speed, s.lowest, s.highest, s.least_up, s.most_up,
-      s.most_side, s.worst_drift);
+      s.most_side, s.worst_drift, s.end);
 }
 
 std::string to_json(const RideSummary& s) {
-  const exchange::Json json{
-      {"name", s.name},           {"knots", s.knots},           {"segments", s.segments},
-      {"closed", s.closed},       {"length_m", s.length},       {"time_s", static_cast<double>(s.ticks) * world::kTick},
-      {"laps", s.laps},           {"distance_m", s.distance},   {"top_speed_m_s", s.top_speed},
-      {"highest_m", s.highest},   {"lowest_m", s.lowest},       {"most_up_g", s.most_up},
-      {"least_up_g", s.least_up}, {"most_side_g", s.most_side}, {"energy_drift", s.worst_drift}};
+  const exchange::Json json{{"name", s.name},
+                            {"knots", s.knots},
+                            {"segments", s.segments},
+                            {"closed", s.closed},
+                            {"length_m", s.length},
+                            {"time_s", static_cast<double>(s.ticks) * world::kTick},
+                            {"laps", s.laps},
+                            {"distance_m", s.distance},
+                            {"top_speed_m_s", s.top_speed},
+                            {"highest_m", s.highest},
+                            {"lowest_m", s.lowest},
+                            {"most_up_g", s.most_up},
+                            {"least_up_g", s.least_up},
+                            {"most_side_g", s.most_side},
+                            {"energy_drift", s.worst_drift},
+                            {"end", s.end}};
   return exchange::json_file(json);
 }
 

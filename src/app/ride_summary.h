@@ -20,11 +20,16 @@ struct RideSummary {
   double highest = 0, lowest = 0;                   // m
   double most_up = 1, least_up = 1, most_side = 0;  // g
   double worst_drift = 0;                           // of the energy, relative
+  std::string end = "The track has no train.";      // why the ride stopped
 };
 
 RideSummary begin_summary(const edit::Session& session);
 // Adds the state after a tick.
 void measure(const edit::Session& session, RideSummary& summary);
+
+// Returns why the ride of the first train has stopped, or, if it still runs, that it was stopped after the summary's
+// time. There must be a train.
+std::string end_of_ride(const edit::Session& session, const RideSummary& summary);
 
 std::string to_text(const RideSummary& summary);
 std::string to_json(const RideSummary& summary);

@@ -7,11 +7,14 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "base/words.h"
 #include "exchange/export/track_shapes.h"
 #include "exchange/nolimits/nl2_csv.h"
 #include "exchange/nolimits/nl2elem.h"
 #include "exchange/nolimits/nltrack.h"
+#include "sim/ride/start_speed.h"
+#include "world/topology.h"
 
 namespace coaster::exchange {
 namespace {
@@ -40,6 +43,20 @@ std::string unfit_ending(const std::filesystem::path& path, const Format* format
                      known_endings(direction));
 }
 
+// Makes a track that comes without trains and speeds ready to ride.
+void equip(LoadedTrack& loaded) {
+  world::Document& document = loaded.document;
+  if (document.track.segments.empty()) return;
+  if (!world::first_cart(document).valid()) world::add_cart(document, document.track.segments[0], 0);
+  if (const auto speed = sim::completing_speed(document)) {
+    document.start_speed = *speed;
+    loaded.note = fmt::format("The train completes the ride with a start speed of {} m/s.", base::to_text(*speed));
+  } else {
+    loaded.warnings.push_back(
+        fmt::format("No start speed up to {} m/s completes the ride.", base::to_text(world::kMaxSpeed)));
+  }
+}
+
 }  // namespace
 
 std::span<const Format> formats() { return kFormats; }
@@ -63,8 +80,11 @@ base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::
   if (!format || !format->parse) return base::Status{base::Code::bad_file, unfit_ending(path, format, Direction::read)};
   const base::Result<std::string> bytes = files.read(path);
   if (!bytes) return bytes.status();
-  return progress && format->parse_watched ? format->parse_watched(*bytes, path.string(), progress)
-                                           : format->parse(*bytes, path.string());
+  base::Result<LoadedTrack> loaded = progress && format->parse_watched
+                                         ? format->parse_watched(*bytes, path.string(), progress)
+                                         : format->parse(*bytes, path.string());
+  if (loaded && !format->whole) equip(*loaded);
+  return loaded;
 }
 
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document) {

@@ -78,6 +78,10 @@ expect_code 0 --headless "$SOURCE/tests/tracks/two_knots.json" --size 320x180 --
 expect_text stdout '"top_speed_m_s"'
 expect_code 0 --headless "$SOURCE/tests/tracks/two_knots.json" --size 320x180 --out "$OUT/ride" --frames 3
 expect_text stdout "Two knots"
+expect_text stdout "Stopped after 0 s"
+expect_code 0 --headless "$SOURCE/tests/tracks/ring.nltrack" --size 320x180 --out "$OUT/ride"
+expect_text stdout "The train completed the lap."
+expect_text stderr "The train completes the ride with a start speed of "
 env -u DISPLAY -u WAYLAND_DISPLAY "$COASTER" "$SOURCE/tracks/loop.json" >"$OUT/stdout" 2>"$OUT/stderr"
 [ $? = 4 ] || fail "no display: expected exit code 4"
 expect_text stderr "--headless"

@@ -44,5 +44,19 @@ TEST_F(RideSummaries, heights_are_those_of_the_hills) {
   EXPECT_NEAR(s.lowest, 21.7 - 4.3, 0.05);
 }
 
+TEST_F(RideSummaries, say_why_the_ride_stopped) {
+  world::Document d = test::ring_document(24, 40.7, 4.3);
+  start_on(d);
+  EXPECT_EQ(begin_summary(session).end, "The track has no train.");
+  d.start_speed = 16.3;
+  world::add_cart(d, d.track.segments[0], 0.2);
+  const RideSummary early = ride(d, 120 * 3);
+  EXPECT_TRUE(end_of_ride(session, early).starts_with("Stopped after 3 s at 4")) << end_of_ride(session, early);
+  EXPECT_EQ(end_of_ride(session, ride(d, 120 * 20)), "The train completed the lap.");
+  d.start_speed = 1;
+  const RideSummary slow = ride(d, 120 * 20);
+  EXPECT_TRUE(end_of_ride(session, slow).starts_with("Train c1 rolled back at ")) << end_of_ride(session, slow);
+}
+
 }  // namespace ride_summary_test
 }  // namespace coaster::app

@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "world/sample_documents.h"
+#include "base/scratch_folder.h"
+#include "sim/tracks.h"
 
 namespace coaster::exchange {
 namespace formats_test {
@@ -60,6 +61,34 @@ TEST(formats, what_a_format_prints_and_reads_is_the_same_track) {
       EXPECT_EQ(world::hash(d), world::hash(sample)) << format.ending;
     }
   }
+}
+
+TEST(formats, an_import_gets_a_train_and_a_start_speed_that_completes_its_ride) {
+  const test::ScratchFolder scratch;
+  base::Files files;
+  world::Document circle = test::circle_document(7.5, {3.1, 2.2, -1.7}, {1, 0, 0.3});
+  world::add_cart(circle, circle.track.segments[3], 0.2);
+  circle.start_speed = 17.25;
+  for (const std::string name : {"own.json", "rows.csv", "element.nl2elem"}) {
+    const std::filesystem::path path = scratch.path() / name;
+    ASSERT_TRUE(save_track(files, path, circle).ok());
+    const auto loaded = load_track(files, path);
+    ASSERT_TRUE(loaded) << loaded.status().message;
+    const bool own = name == "own.json";
+    EXPECT_TRUE(world::first_cart(loaded->document).valid()) << name;
+    // From the bottom over the top, 15 m higher: 17.2 m/s at the least.
+    EXPECT_EQ(loaded->document.start_speed, own ? 17.25 : 19.0) << name;
+    EXPECT_EQ(loaded->note, own ? "" : "The train completes the ride with a start speed of 19 m/s.") << name;
+  }
+  const auto ring = load_track(files, std::string(COASTER_SOURCE_DIR) + "/tests/tracks/ring.nltrack");
+  ASSERT_TRUE(ring) << ring.status().message;
+  EXPECT_TRUE(world::first_cart(ring->document).valid());
+  EXPECT_FALSE(ring->note.empty());
+  const std::filesystem::path high = scratch.path() / "high.csv";
+  ASSERT_TRUE(save_track(files, high, test::straight_document({0, 0, 0}, {90, 1160, 0}, 40)).ok());
+  const auto loaded = load_track(files, high);
+  ASSERT_TRUE(loaded) << loaded.status().message;
+  EXPECT_EQ(loaded->warnings, std::vector<std::string>{"No start speed up to 150 m/s completes the ride."});
 }
 
 }  // namespace formats_test

@@ -56,6 +56,7 @@ Status perform(Session& session, Change& change, const Load& command) {
              exchange::format_of(command.path)->whole ? command.path : std::string());
   session.file.import = loaded->import;
   warn(session, loaded->warnings);
+  change.note = std::move(loaded->note);
   return {};
 }
 Status perform(Session& session, Change& change, const Save& command) {

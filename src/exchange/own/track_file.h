@@ -20,16 +20,17 @@ inline constexpr int kTrackVersion = 1;
 // The errors of a track that was fitted to a file's rows (sim/plan/fit_track.h), measured at every row on the document
 // itself.
 struct ImportReport {
-  double max_error = 0;  // m, the largest distance of a row from the curve
-  double frame_error =
-      0;  // degrees between a row's frame and the track's, but within 0.5 m of where the rows themselves jump
+  double max_error = 0;    // m, the largest distance of a row from the curve
+  double frame_error = 0;  // degrees between a row's frame and the track's, except within 0.5 m of jumps of the rows
   int knots = 0;
+  double jump_error = 0;  // degrees, as frame_error, at the rows that it excepts
   friend bool operator==(const ImportReport&, const ImportReport&) = default;
 };
 
 struct LoadedTrack {
   world::Document document;
   std::vector<std::string> warnings;   // one line each: unknown members, which are kept; rows that were left out
+  std::string note;                    // a line for the user: the start speed of an import
   std::optional<ImportReport> import;  // for formats that a track is fitted to
 };
 
