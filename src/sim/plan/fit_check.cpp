@@ -39,9 +39,9 @@ std::vector<FitReport> measure_spans(const Derived& derived, std::span<const Fit
       const curve::NearestPoint near = nearest_from(shape.key.cubic, c, rows[r].position, start);
       guess = near.t;
       reports[i].max_error = std::max(reports[i].max_error, near.distance);
-      if (free[r]) continue;
       const curve::Frame frame = frame_at(shape, shape.arc.distance(near.t));
-      reports[i].frame_error = std::max(reports[i].frame_error, frame_angle_deg(frame, {rows[r].forward, rows[r].up}));
+      double& worst = free[r] ? reports[i].jump_error : reports[i].frame_error;
+      worst = std::max(worst, frame_angle_deg(frame, {rows[r].forward, rows[r].up}));
     }
   }
   return reports;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "base/portable_math.h"
 
@@ -16,6 +17,42 @@ double frame_angle_deg(const curve::Frame& a, const curve::Frame& b) {
   return base::degrees(2 * base::arc_tangent(sine, std::sqrt(1 - sine * sine)));
 }
 
+double jump_deg(const FitRow& a, const FitRow& b) {
+  const double angle = frame_angle_deg({a.forward, a.up}, {b.forward, b.up});
+  return angle > kJumpAngle && angle > kJumpRate * glm::distance(a.position, b.position) ? angle : 0;
+}
+
+std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed) {
+  const auto count = static_cast<std::ptrdiff_t>(rows.size()), steps = closed ? count : count - 1;
+  std::vector<double> starts{0}, bends, limits;
+  for (std::ptrdiff_t i = 0; i < steps; ++i) {
+    const FitRow &a = rows[i], &b = rows[(i + 1) % count];
+    const double length = std::max(glm::distance(a.position, b.position), 1e-9);
+    starts.push_back(starts.back() + length);
+    bends.push_back(base::arc_tangent(glm::length(glm::cross(a.forward, b.forward)), glm::dot(a.forward, b.forward)) /
+                    length);
+  }
+  const double whole = starts.back();
+  // Of steps before the first and after the last, on a closed track.
+  const auto lap = [&](std::ptrdiff_t i) { return i < 0 ? -1 : i >= steps ? 1 : 0; };
+  const auto start = [&](std::ptrdiff_t i) { return starts[i - lap(i) * steps] + lap(i) * whole; };
+  const auto bend = [&](std::ptrdiff_t i) { return bends[i - lap(i) * steps]; };
+  const std::ptrdiff_t least = closed ? -steps : 0, most = closed ? 2 * steps : steps;
+  // The steps that are near every place of step i, with falling curvatures: the first has the largest.
+  std::deque<std::ptrdiff_t> near;
+  std::ptrdiff_t next = 0;
+  while (next > least && start(next) >= starts[1] - kBendReach) --next;
+  for (std::ptrdiff_t i = 0; i < steps; ++i) {
+    for (; next < most && start(next) <= start(i) + kBendReach; ++next) {
+      while (!near.empty() && bend(near.back()) <= bend(next)) near.pop_back();
+      near.push_back(next);
+    }
+    while (near.front() < i && start(near.front() + 1) < start(i + 1) - kBendReach) near.pop_front();
+    limits.push_back(kBendShare * bend(near.front()) + kBendSpare);
+  }
+  return limits;
+}
+
 std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double reach) {
   const std::size_t count = rows.size();
   std::vector<char> near(count, 0), jumps(count, 0);  // jumps: from row i to the next
@@ -23,8 +60,7 @@ std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double r
   for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
     const FitRow &a = rows[i], &b = rows[(i + 1) % count];
     steps[i] = glm::distance(a.position, b.position);
-    const double angle = frame_angle_deg({a.forward, a.up}, {b.forward, b.up});
-    jumps[i] = angle > kJumpAngle && angle > kJumpRate * steps[i] ? 1 : 0;
+    jumps[i] = jump_deg(a, b) > 0 ? 1 : 0;
   }
   // The distance to the last jump, in a forward pass, then to the next, in a backward pass; from the middle of its
   // step. A closed track needs two rounds: the second knows the jumps of the first.

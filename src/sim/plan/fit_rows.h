@@ -22,9 +22,20 @@ inline constexpr double kJumpRate = 100.0;  // degrees per m
 // Returns the angle of the rotation from one frame to the other, degrees.
 double frame_angle_deg(const curve::Frame& a, const curve::Frame& b);
 
+// Returns the angle by which the frame jumps from one row to the next, degrees; 0 if it does not jump.
+double jump_deg(const FitRow& a, const FitRow& b);
+
 // True if the last row leads back to the first: a step that is no longer than the others, ahead and in about the same
 // direction.
 bool rows_close(std::span<const FitRow> rows);
+
+// Returns for each step from a row to the next the largest curvature (1/m) that a fitted curve may have there:
+// kBendShare times the rows' largest within kBendReach along them, plus kBendSpare. The rows' curvature is the angle
+// between the directions at both ends of a step over its length.
+inline constexpr double kBendReach = 2.0;    // m
+inline constexpr double kBendShare = 1.5;    // of the rows' own
+inline constexpr double kBendSpare = 0.005;  // 1/m
+std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed);
 
 // Returns for each row whether it is within `reach` m of a jump.
 std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double reach);

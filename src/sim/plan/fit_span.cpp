@@ -14,9 +14,18 @@ using glm::dvec2, glm::dvec3;
 
 constexpr std::size_t kFittedRows = 40;  // rows that handle lengths are fitted to; all rows are checked
 constexpr int kIterations = 12;
+constexpr double kBendMargin = 0.98;   // of the limit: bends are checked at places
+constexpr double kLeastBent = 0.1;     // of the length: the shortest handles that are tried against bends
+constexpr double kMostHandle = 0.495;  // of the rows' length: a little less than half the curve's
 constexpr double kMostFitRoll = 2 * base::kPi * (world::kMaxTurns - 1);
 
 using Curve = curve::CoefficientsD;
+
+// Returns the curvature, 1/m.
+double bend_of(const Curve& c, double t) {
+  const double speed = c.speed(t);
+  return glm::length(glm::cross(c.derivative(t), c.second_derivative(t))) / std::max(speed * speed * speed, 1e-30);
+}
 
 struct Ends {
   dvec3 p0, t0, p3, t3;
@@ -55,8 +64,10 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
   for (std::size_t k = 0; k < inner + 2; ++k)
     parameters[k] = stations[k] = (distances[row_of(k)] - distances[first]) / length;
   const double low = std::max(0.02 * length, double{world::kMinHandle}),
-               high = std::clamp(2.0 * length, low, double{world::kMaxHandle});
-  Handles h{std::clamp(length / 3, low, high), std::clamp(length / 3, low, high)};
+               high = std::clamp(kMostHandle * length, low, double{world::kMaxHandle});
+  // Without rows between them: those of a circle through both.
+  const double third = inner > 0 ? length / 3 : length / (1.5 + 0.75 * glm::length(ends.t0 + ends.t3));
+  Handles h{std::clamp(third, low, high), std::clamp(third, low, high)};
   for (int iteration = 0; iteration < kIterations && inner > 0; ++iteration) {
     const Curve c = curve_of(ends, h.out, h.in);
     double a00 = 0, a01 = 0, a11 = 0, x0 = 0, x1 = 0, weight = 0;
@@ -75,10 +86,39 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
     a00 += damping, a11 += damping;
     const double determinant = a00 * a11 - a01 * a01;
     const double limit = 0.2 * length;
-    const double out = std::clamp((a11 * x0 - a01 * x1) / determinant, -limit, limit),
-                 in = std::clamp((a00 * x1 - a01 * x0) / determinant, -limit, limit);
-    h = {std::clamp(h.out + out, low, high), std::clamp(h.in + in, low, high)};
+    const auto held = [&](double from, double by) {
+      return std::clamp(from + std::clamp(by, -limit, limit), low, high) - from;
+    };
+    // A handle that is held at its bound leaves the other one to fit the rows.
+    double out = held(h.out, (a11 * x0 - a01 * x1) / determinant);
+    const double in = held(h.in, (x1 - a01 * out) / a11);
+    out = held(h.out, (x0 - a01 * in) / a00);
+    h = {h.out + out, h.in + in};
     if (std::max(std::abs(out), std::abs(in)) < 1e-4 * length) break;
+  }
+  return h;
+}
+
+// Returns the handles with which a span between neighbouring rows bends least, searched from `h` in falling steps.
+Handles least_bent(const Ends& ends, double length, Handles h) {
+  const auto bend = [&](Handles at) {
+    constexpr int kPlaces = 16;
+    const Curve c = curve_of(ends, at.out, at.in);
+    double most = 0;
+    for (int i = 0; i <= kPlaces; ++i) most = std::max(most, bend_of(c, static_cast<double>(i) / kPlaces));
+    return most;
+  };
+  const double low = std::max(kLeastBent * length, double{world::kMinHandle}),
+               high = std::clamp(kMostHandle * length, low, double{world::kMaxHandle});
+  double best = bend(h);
+  for (double step = 0.08 * length; step > 0.002 * length;) {
+    const Handles before = h;
+    for (const dvec2 way : {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1), dvec2(1, 1), dvec2(-1, -1)}) {
+      const Handles tried{std::clamp(before.out + step * way.x, low, high),
+                          std::clamp(before.in + step * way.y, low, high)};
+      if (const double bent = bend(tried); bent < best) best = bent, h = tried;
+    }
+    if (h.out == before.out && h.in == before.in) step /= 2;
   }
   return h;
 }
@@ -103,12 +143,14 @@ class Carrier {
  public:
   Carrier(const Curve& c, const curve::Frame& start) : c_(c), frame_(start), place_(c.point(0)), speed_(c.speed(0)) {}
   void go_to(double t) {
+    bend_ = bend_of(c_, t_);
     const int steps = std::max(1, static_cast<int>(std::ceil((t - t_) * 32)));
     const double from = t_;
     for (int i = 1; i <= steps && t > from; ++i) step(from + (t - from) * i / steps);
   }
   const curve::Frame& frame() const { return frame_; }
   double length() const { return length_; }
+  double bend() const { return bend_; }  // the largest curvature of the last go_to(), 1/m
 
  private:
   void step(double t) {
@@ -117,15 +159,16 @@ class Carrier {
     length_ += (t - t_) / 6 * (speed_ + 4 * c_.speed(0.5 * (t + t_)) + speed);  // Simpson
     if (speed > 1e-12) frame_ = curve::transport(frame_, place_, place, d / speed);
     t_ = t, place_ = place, speed_ = speed;
+    bend_ = std::max(bend_, bend_of(c_, t));
   }
   const Curve& c_;
   curve::Frame frame_;
   dvec3 place_;
-  double speed_, t_ = 0, length_ = 0;
+  double speed_, t_ = 0, length_ = 0, bend_ = 0;
 };
 
-// Follows all rows along the curve. Returns false if one is too far off or has another direction. Fills rolls,
-// fractions of the length, and squared sines between the directions, by row from `first`.
+// Follows all rows along the curve. Returns false if one is too far off or has another direction, or if the curve bends
+// too much. Fills rolls, fractions of the length, and squared sines between the directions, by row from `first`.
 bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
                  const Curve& c, const Ends& ends, const SpanBounds& bounds, SpanScratch& s) {
   const std::size_t count = last - first + 1;
@@ -154,6 +197,7 @@ bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances
     const dvec3 up = curve::perpendicular(frame.forward, row.up);
     const double roll = curve::signed_angle(frame.up, up, frame.forward);
     s.rolls[i] = s.rolls[i - 1] + std::remainder(roll - s.rolls[i - 1], 2 * base::kPi);
+    if (carrier.bend() > kBendMargin * bounds.bends[first + i - 1]) return false;
   }
   const double whole = std::max(carrier.length(), 1e-12);
   for (double& share : s.shares) share /= whole;
@@ -166,11 +210,14 @@ SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances
                  double roll_low, double roll_high, const SpanBounds& bounds, SpanScratch& s) {
   const FitRow &from = rows[first], &to = rows[last];
   const Ends ends{dvec3(glm::vec3(from.position)), from.forward, dvec3(glm::vec3(to.position)), to.forward};
-  const Handles h = fit_handles(rows, distances, first, last, ends, s.parameters, s.stations);
+  Handles h = fit_handles(rows, distances, first, last, ends, s.parameters, s.stations);
   SpanFit fit;
+  bool near = follow_rows(rows, distances, first, last, curve_of(ends, h.out, h.in), ends, bounds, s);
+  if (!near && last == first + 1) {
+    h = least_bent(ends, distances[last] - distances[first], h);
+    near = follow_rows(rows, distances, first, last, curve_of(ends, h.out, h.in), ends, bounds, s);
+  }
   fit.out_length = h.out, fit.in_length = h.in;
-  const Curve c = curve_of(ends, h.out, h.in);
-  const bool near = follow_rows(rows, distances, first, last, c, ends, bounds, s);
   fit.roll = s.rolls.empty() ? 0 : s.rolls.back();
   if (!near && last > first + 1) return fit;
   const double most = bounds.angle;

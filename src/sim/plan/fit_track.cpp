@@ -40,6 +40,7 @@ struct Work {
   std::vector<FitRow> rows;
   std::vector<double> distances;
   std::vector<char> free;
+  std::vector<double> bends;
   bool closed = false;
   double scale = 1;  // relative to the bounds
   SpanScratch scratch;
@@ -58,7 +59,7 @@ struct Work {
   SpanBounds bounds() const {
     SpanBounds b;
     b.distance *= scale, b.angle *= scale;
-    b.free = free;
+    b.free = free, b.bends = bends;
     return b;
   }
   SpanFit fit(std::size_t first, std::size_t last, double low, double high) {
@@ -227,6 +228,7 @@ Work prepare(std::span<const FitRow> rows, bool closed) {
   w.closed = closed;
   w.rows.assign(rows.begin(), rows.end());
   w.free = near_jumps(rows, closed, kInnerReach);
+  w.bends = bend_limits(rows, closed);
   if (closed) w.rows.push_back(rows[0]), w.free.push_back(w.free[0]);
   w.distances.resize(w.rows.size());
   for (std::size_t i = 1; i < w.rows.size(); ++i)
@@ -258,11 +260,12 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress*
     for (const Span& span : w.spans) ends.push_back(span.first);
     ends.push_back(w.spans.back().last);
     const std::vector<FitReport> reports = measure_spans(derived, rows, ends, free);
-    fitted.report = {0, 0, static_cast<int>(fitted.document.track.knots.size())};
+    fitted.report = {0, 0, 0, static_cast<int>(fitted.document.track.knots.size())};
     std::vector<Span> next;
     for (std::size_t i = 0; i < reports.size(); ++i) {
       fitted.report.max_error = std::max(fitted.report.max_error, reports[i].max_error);
       fitted.report.frame_error = std::max(fitted.report.frame_error, reports[i].frame_error);
+      fitted.report.jump_error = std::max(fitted.report.jump_error, reports[i].jump_error);
       const bool missed = reports[i].max_error > kFitDistance || reports[i].frame_error > kFitAngle;
       if (missed && w.spans[i].last > w.spans[i].first + 1) halve(w, w.spans[i], next);
       else next.push_back(w.spans[i]);

@@ -18,12 +18,13 @@ inline constexpr double kFitAngle = 0.5;      // degrees
 struct FitReport {
   double max_error = 0;    // m, the largest distance of a row from the curve
   double frame_error = 0;  // degrees, the largest angle between a row's frame and the track's, except near jumps
+  double jump_error = 0;   // degrees, the same near jumps, where frames do not count
   int knots = 0;
 };
 
 // Returns the error of each segment of a track. Segment i covers rows ends[i] to ends[i + 1] (ends.size() is the number
-// of segments + 1; the row after the last is the first). `free` says for each row whether its frame is ignored. `knots`
-// stays 0.
+// of segments + 1; the row after the last is the first). `free` says for each row whether its frame counts in
+// `jump_error`. `knots` stays 0.
 std::vector<FitReport> measure_spans(const Derived& derived, std::span<const FitRow> rows,
                                      std::span<const std::size_t> ends, std::span<const char> free);
 

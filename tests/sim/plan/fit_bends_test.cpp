@@ -1,0 +1,106 @@
+// Fits neither fold nor bend more than their rows, at any spacing of them.
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "sim/bends_of.h"
+#include "sim/plan/fit_track.h"
+#include "sim/rows_along.h"
+
+namespace coaster::sim {
+namespace fit_bends_test {
+
+using glm::dvec3;
+
+using Rate = std::function<double(double)>;
+double none(double) { return 0; }
+// Rises from 0 to 1 between two places.
+double ramp(double s, double from, double to) { return std::clamp((s - from) / (to - from), 0.0, 1.0); }
+
+// Curvatures upwards and to the left (1/m), and the roll (radians) of a track of some length.
+struct Shape {
+  const char* name;
+  double length;
+  Rate pitch, yaw, roll;
+};
+
+double printed(double x) { return std::round(x * 1e6) / 1e6; }
+dvec3 printed(dvec3 v) { return {printed(v.x), printed(v.y), printed(v.z)}; }
+
+// Rows with six decimals, integrated in steps of 1 mm.
+std::vector<FitRow> rows_of(const Shape& shape, double spacing) {
+  std::vector<FitRow> rows;
+  dvec3 position(113.7, 31.3, -47.9), forward = glm::normalize(dvec3(1, 0.1, 0.3)),
+                                      up = curve::perpendicular(forward, {0, 1, 0});
+  const double h = 0.001;
+  for (int i = 0; i * h <= shape.length; ++i) {
+    const double s = i * h;
+    if (s >= spacing * static_cast<double>(rows.size()) - 1e-9) {
+      const dvec3 front = glm::normalize(printed(forward));
+      rows.push_back(
+          {printed(position), front, curve::perpendicular(front, printed(curve::rotate(up, forward, shape.roll(s))))});
+    }
+    const dvec3 turn = shape.pitch(s + h / 2) * up + shape.yaw(s + h / 2) * glm::cross(up, forward);
+    position += h * glm::normalize(forward + h / 2 * turn);
+    forward = glm::normalize(forward + h * turn);
+    up = curve::perpendicular(forward, up);
+  }
+  return rows;
+}
+
+const Shape kShapes[] = {
+    {"circle", 62, none, [](double) { return 1 / 9.7; }, none},
+    {"clothoid loop", 110, [](double s) { return (ramp(s, 20, 45) - ramp(s, 55, 80)) / 7; },
+     [](double) { return 0.01; }, none},
+    {"rolled straight", 80, none, none,
+     [](double s) { return 2 * M_PI * std::pow(ramp(s, 20, 60), 2) * (3 - 2 * ramp(s, 20, 60)); }},
+    {"hills", 150, [](double s) { return 0.08 * std::sin(s / 6); }, [](double s) { return 0.05 * std::sin(s / 11); },
+     [](double s) { return 0.6 * std::sin(s / 11); }},
+    {"banked bend", 60, none, [](double s) { return s > 20 && s < 35 ? 0.1 : 0.0; },
+     [](double s) { return 0.8 * (ramp(s, 18, 22) - ramp(s, 33, 37)); }},
+};
+
+TEST(fit_bends, tracks_bend_little_more_than_their_rows_at_any_spacing) {
+  for (const Shape& shape : kShapes)
+    for (const double spacing : {0.05, 0.5, 1.0, 1.5, 2.0, 4.0, 5.0}) {
+      SCOPED_TRACE(std::string(shape.name) + ", rows every " + std::to_string(spacing) + " m");
+      const std::vector<FitRow> rows = rows_of(shape, spacing);
+      const FittedTrack fitted = fit_track(rows, false);
+      const test::Bends bends = test::bends_of(fitted.document, rows);
+      EXPECT_EQ(bends.folds, 0);
+      EXPECT_LE(bends.excess, 1) << bends.at;
+      EXPECT_LE(bends.handle, 0.5);
+      const test::Misses misses = test::misses_of(fitted.document, rows);
+      EXPECT_LE(misses.distance, kFitDistance);
+      EXPECT_LE(misses.angle_deg, kFitAngle);
+    }
+}
+
+TEST(fit_bends, limits_are_those_of_the_largest_bend_within_two_metres) {
+  const Shape& bend = kShapes[4];
+  const std::vector<double> limits = bend_limits(rows_of(bend, 0.25), false);
+  ASSERT_EQ(limits.size(), 240u);
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double s = 0.25 * static_cast<double>(i);
+    // A step may bend as the bend does if all of it is within 2 m of it.
+    if (s > 18.01 && s < 36.74) {
+      EXPECT_NEAR(limits[i], 1.5 * 0.1 + 0.005, 1e-4) << s;
+    } else if (s < 17.74 || s > 37.01) {
+      EXPECT_NEAR(limits[i], 0.005, 1e-4) << s;
+    }
+  }
+  // Once round a ring: the bend is near its seam on both sides.
+  std::vector<FitRow> ring;
+  for (int i = 0; i < 100; ++i) {
+    const double a = 2 * M_PI * i / 100, r = 10.5 / M_PI;
+    ring.push_back({{r * std::cos(a), 0, r * std::sin(a)}, {-std::sin(a), 0, std::cos(a)}, {0, 1, 0}});
+  }
+  ring[0].forward = glm::normalize(ring[0].forward + dvec3(0, 0.02, 0));
+  const std::vector<double> round = bend_limits(ring, true);
+  const double sharp = round[0];
+  EXPECT_GT(sharp, round[50]);
+  for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(round[i] == sharp, i <= 9 || i >= 90) << i;
+}
+
+}  // namespace fit_bends_test
+}  // namespace coaster::sim
