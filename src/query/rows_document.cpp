@@ -129,6 +129,8 @@ constexpr std::array kDocumentRows{
           "Largest angle between a row's frame and the fitted track's, but within 0.5 m of where rows jump; 0 without "
           "an import.",
           of_import<&exchange::ImportReport::frame_error>},
+    Query{"import.jump_error", "", "deg", "As import.frame_error, within 0.5 m of where rows jump; 0 without a jump.",
+          of_import<&exchange::ImportReport::jump_error>},
     Query{"import.knots", "", "", "Number of knots of the fitted track; 0 without an import.",
           of_import<&exchange::ImportReport::knots>},
     Query{"vertices", "", "", "Number of vertices of all polylines.", vertices},

@@ -1,6 +1,7 @@
 // Parses and checks the rows of a NoLimits 2 CSV, and fits a track to them.
 #include "exchange/nolimits/nl2_csv.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -20,6 +21,8 @@ constexpr auto& kColumns = kNl2Columns;
 using Cells = std::array<std::string_view, kColumns.size()>;
 constexpr double kSquare = 0.01;     // tolerance for unit and perpendicular frames
 constexpr double kSamePlace = 2e-6;  // m: rounding of printed positions
+constexpr double kReversed = 0.75;   // of the steps against Front: the rows are reversed
+constexpr double kGap = 3;           // times the usual spacing: longer steps are reported
 
 std::string_view trimmed(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
@@ -52,11 +55,17 @@ class Lines {
   bool ended_ = false;
 };
 
+struct Separator {
+  char mark;
+  std::string_view name;
+};
+constexpr Separator kSeparators[]{{'\t', "tabs"}, {',', "commas"}, {';', "semicolons"}};
+
 // Splits a line into cells; returns at most one more than there are columns.
-std::size_t split(std::string_view line, Cells& cells) {
+std::size_t split(std::string_view line, char separator, Cells& cells) {
   std::size_t count = 0;
   for (;;) {
-    const std::size_t end = line.find('\t');
+    const std::size_t end = line.find(separator);
     if (count < cells.size()) cells[count] = trimmed(line.substr(0, end));
     ++count;
     if (end == std::string_view::npos || count > cells.size()) return count;
@@ -75,7 +84,10 @@ struct Reader {
   std::string_view name;
   Lines lines;
   std::vector<sim::FitRow> rows;
+  std::vector<int> row_lines;  // of each row
   std::vector<std::string> warnings;
+  std::size_t more_warnings = 0;  // that were left out
+  Separator separator = kSeparators[0];
   std::size_t data_rows = 0;
   std::size_t first_decimals = 0;  // the fewest decimals of the first row's numbers
   std::string error;
@@ -83,6 +95,11 @@ struct Reader {
   bool fail(std::string_view expected, std::string_view found) {
     error = fmt::format("{}:{}: error: expected {}, found {}", name, lines.number(), expected, found);
     return false;
+  }
+  void warn(int line, std::string_view what) {
+    constexpr std::size_t kMost = 20;
+    if (warnings.size() < kMost) warnings.push_back(fmt::format("{}:{}: warning: {}", name, line, what));
+    else ++more_warnings;
   }
 };
 
@@ -92,8 +109,13 @@ bool read_header(Reader& r) {
     r.error = std::string(r.name) + ":1: error: expected the header \"No.\" \"PosX\" ..., found an empty file";
     return false;
   }
+  // Column names hold no separators, so the one that the header has is the file's.
+  std::size_t kinds = 0;
+  for (const Separator& s : kSeparators)
+    if (line.find(s.mark) != std::string_view::npos) r.separator = s, ++kinds;
+  if (kinds != 1) return r.fail("a header of 13 columns, separated by tabs", kinds > 1 ? "several separators" : "1");
   Cells cells;
-  const std::size_t count = split(line, cells);
+  const std::size_t count = split(line, r.separator.mark, cells);
   for (std::size_t i = 0; i < kColumns.size() && i < count; ++i) {
     std::string_view cell = cells[i];
     if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = trimmed(cell.substr(1, cell.size() - 2));
@@ -103,7 +125,7 @@ bool read_header(Reader& r) {
                     base::quoted_start(cells[i]));
   }
   if (count != kColumns.size())
-    return r.fail("a header of 13 columns, separated by tabs",
+    return r.fail(fmt::format("a header of 13 columns, separated by {}", r.separator.name),
                   count > kColumns.size() ? "more" : std::to_string(count));
   return true;
 }
@@ -157,9 +179,10 @@ bool check_cut(Reader& r, const Cells& cells) {
 
 bool read_row(Reader& r, std::string_view line) {
   Cells cells;
-  const std::size_t count = split(line, cells);
+  const std::size_t count = split(line, r.separator.mark, cells);
   if (count != kColumns.size())
-    return r.fail("13 columns, separated by tabs", count > kColumns.size() ? "more" : std::to_string(count));
+    return r.fail(fmt::format("13 columns, separated by {}", r.separator.name),
+                  count > kColumns.size() ? "more" : std::to_string(count));
   if (r.data_rows >= kMaxNl2Rows) return r.fail(fmt::format("at most {} rows", kMaxNl2Rows), "more");
   const auto number = base::parse_int(cells[0]);
   const auto expected = static_cast<std::int64_t>(r.data_rows + 1);
@@ -171,12 +194,42 @@ bool read_row(Reader& r, std::string_view line) {
     return false;
   ++r.data_rows;
   if (!r.rows.empty() && glm::distance(r.rows.back().position, row.position) <= kSamePlace) {
-    if (r.warnings.size() < 20)
-      r.warnings.push_back(
-          fmt::format("{}:{}: warning: the row repeats the previous position; left out", r.name, r.lines.number()));
+    r.warn(r.lines.number(), "the row repeats the previous position; left out");
     return true;
   }
   r.rows.push_back(row);
+  r.row_lines.push_back(r.lines.number());
+  return true;
+}
+
+// Checks that rows follow each other in the direction of Front; warns of steps that do not, of gaps and of jumps.
+bool check_steps(Reader& r) {
+  std::vector<double> lengths;
+  std::vector<std::size_t> against;  // rows whose step from the previous one is against both directions
+  for (std::size_t i = 1; i < r.rows.size(); ++i) {
+    const dvec3 step = r.rows[i].position - r.rows[i - 1].position;
+    lengths.push_back(glm::length(step));
+    if (glm::dot(step, r.rows[i].forward) < 0 && glm::dot(step, r.rows[i - 1].forward) < 0) against.push_back(i);
+  }
+  if (against.size() > kReversed * static_cast<double>(lengths.size())) {
+    r.error = fmt::format(
+        "{}:{}: error: expected rows in the direction of Front, found {} of {} steps against it: reverse the order of "
+        "the rows, or Front and Left",
+        r.name, r.row_lines[against[0]], against.size(), lengths.size());
+    return false;
+  }
+  for (const std::size_t i : against) r.warn(r.row_lines[i], "the step from the previous row is against Front");
+  std::vector<double> sorted = lengths;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  for (std::size_t i = 1; i < r.rows.size(); ++i) {
+    if (lengths[i - 1] > kGap * *middle)
+      r.warn(r.row_lines[i], fmt::format("a gap of {:.3f} m from the previous row; the usual spacing is {:.3f} m",
+                                         lengths[i - 1], *middle));
+    if (const double jump = sim::jump_deg(r.rows[i - 1], r.rows[i]); jump > 0)
+      r.warn(r.row_lines[i], fmt::format("the frame jumps by {:.2f} degrees from the previous row, over {:.3f} m", jump,
+                                         lengths[i - 1]));
+  }
   return true;
 }
 
@@ -186,13 +239,13 @@ bool read_rows(Reader& r) {
   while (!r.lines.only_blanks_left() && r.lines.next(line))
     if (!read_row(r, line)) return false;
   if (r.rows.size() < 2) return r.fail("at least 2 rows at different positions", std::to_string(r.rows.size()));
-  return true;
+  return check_steps(r);
 }
 
 }  // namespace
 
 base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name, base::Progress* progress) {
-  Reader r{name, Lines(text), {}, {}, 0, 0, {}};
+  Reader r{.name = name, .lines = Lines(text)};
   if (!read_rows(r)) return base::Status{base::Code::bad_file, r.error};
   const bool repeated =
       r.rows.size() > 4 && glm::distance(r.rows.front().position, r.rows.back().position) <= kSamePlace;
@@ -205,7 +258,9 @@ base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view 
   loaded.document.name = name_of_file(name);
   world::add_cart(loaded.document, loaded.document.track.segments[0], 0);
   loaded.warnings = std::move(r.warnings);
-  loaded.import = ImportReport{fitted.report.max_error, fitted.report.frame_error, fitted.report.knots};
+  if (r.more_warnings > 0) loaded.warnings.push_back(fmt::format("{}: {} more warnings", name, r.more_warnings));
+  loaded.import =
+      ImportReport{fitted.report.max_error, fitted.report.frame_error, fitted.report.knots, fitted.report.jump_error};
   return loaded;
 }
 

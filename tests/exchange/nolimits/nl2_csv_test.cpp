@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/text.h"
+#include "sim/bends_of.h"
 #include "sim/rows_along.h"
 #include "sim/tracks.h"
 
@@ -152,6 +153,61 @@ TEST(nl2_csv, rows_at_the_place_of_the_one_before_are_left_out_with_a_warning) {
                "t.csv:3: error: expected at least 2 rows at different positions, found 1");
 }
 
+TEST(nl2_csv, commas_and_semicolons_separate_as_tabs_do) {
+  const std::string text = rows(5);
+  const std::uint64_t expected = world::hash(parse_nl2_csv(text, "t.csv")->document);
+  for (const std::string mark : {",", ";", " , ", "; "}) {
+    const auto loaded = parse_nl2_csv(replaced(text, "\t", mark), "t.csv");
+    ASSERT_TRUE(loaded.ok()) << loaded.status().message;
+    EXPECT_EQ(world::hash(loaded->document), expected) << mark;
+  }
+  expect_error(replaced(rows(2), "\t", " "),
+               "t.csv:1: error: expected a header of 13 columns, separated by tabs, found 1");
+  expect_error(replaced(rows(2), "\t\"PosY\"", ",\"PosY\""),
+               "t.csv:1: error: expected a header of 13 columns, separated by tabs, found several separators");
+  expect_error(replaced(rows(2), "\t", ";") + "3\t1\t2\n",
+               "t.csv:4: error: expected 13 columns, separated by semicolons, found 1");
+}
+
+std::string rows_at(const std::vector<double>& places, const std::string& rest) {
+  std::string text(kHeader);
+  for (std::size_t i = 0; i < places.size(); ++i) text += row(static_cast<int>(i) + 1, places[i], rest);
+  return text;
+}
+const std::string kAhead = "1\t0\t0\t0\t0\t-1\t0\t1\t0", kBack = "-1\t0\t0\t0\t0\t1\t0\t1\t0";
+
+TEST(nl2_csv, rows_against_front_are_refused_and_single_steps_reported) {
+  const std::vector<double> places{1, 1.5, 2, 2.5, 3, 3.5};
+  EXPECT_TRUE(parse_nl2_csv(rows_at(places, kAhead), "t.csv")->warnings.empty());
+  expect_error(rows_at(places, kBack),
+               "t.csv:3: error: expected rows in the direction of Front, found 5 of 5 steps against it: reverse the "
+               "order of the rows, or Front and Left");
+  const auto loaded = parse_nl2_csv(rows_at({1, 1.5, 2, 1.9, 2.4, 2.9}, kAhead), "t.csv");
+  ASSERT_TRUE(loaded.ok()) << loaded.status().message;
+  EXPECT_EQ(loaded->warnings,
+            std::vector<std::string>{"t.csv:5: warning: the step from the previous row is against Front"});
+}
+
+TEST(nl2_csv, gaps_and_jumps_of_the_frame_are_reported_with_their_lines) {
+  const auto gap = parse_nl2_csv(rows_at({1, 1.5, 2, 3.4, 3.9, 5.41, 5.9}, kAhead), "t.csv");
+  ASSERT_TRUE(gap.ok()) << gap.status().message;
+  EXPECT_EQ(gap->warnings,
+            std::vector<std::string>{"t.csv:7: warning: a gap of 1.510 m from the previous row; the usual spacing is "
+                                     "0.500 m"});
+  EXPECT_EQ(gap->import->jump_error, 0);
+  // Leans by 30 degrees from row 21 on: halfway over a metre, so that the frames there are off.
+  std::string text(kHeader);
+  for (int i = 0; i < 40; ++i)
+    text += row(i + 1, 0.05 * i, i < 20 ? kAhead : "1\t0\t0\t0\t0.5\t-0.866025\t0\t0.866025\t0.5");
+  const auto jump = parse_nl2_csv(text, "t.csv");
+  ASSERT_TRUE(jump.ok()) << jump.status().message;
+  EXPECT_EQ(jump->warnings, std::vector<std::string>{"t.csv:22: warning: the frame jumps by 30.00 degrees from the "
+                                                     "previous row, over 0.050 m"});
+  EXPECT_LE(jump->import->frame_error, 0.5);
+  EXPECT_GT(jump->import->jump_error, 5);
+  EXPECT_LE(jump->import->jump_error, 30);
+}
+
 TEST(nl2_csv, a_file_that_is_cut_within_a_row_is_refused) {
   const std::string text = rows(4);
   std::size_t whole = 0;
@@ -210,6 +266,12 @@ void expect_round_trip(const world::Document& document, double spacing, double m
   EXPECT_LE(misses.angle_deg, 0.5);
   EXPECT_LE(loaded->import->max_error, 0.01);
   EXPECT_LE(loaded->import->frame_error, 0.5);
+  const test::Bends bends = test::bends_of(loaded->document, rows_of(text));
+  EXPECT_EQ(bends.folds, 0);
+  if (spacing < 3) {  // further apart, curvature changes within a step
+    EXPECT_LE(bends.excess, 1) << bends.at;
+  }
+  EXPECT_LE(bends.handle, 0.5);
   const double length = world::exact_length(document);
   EXPECT_NEAR(world::exact_length(loaded->document), length, 0.001 * length);
   EXPECT_LE(loaded->import->knots, 2 + most_knots_per_m * length);
