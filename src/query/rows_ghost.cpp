@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "query/rows.h"
+#include "world/losses.h"
 
 namespace coaster::query {
 namespace {
@@ -32,6 +33,10 @@ Answer fail_distance(const Context& c, View) { return number(c.session.motion.fa
 Answer ghost_end(const Context& c, View) {
   const sim::Ghost* const ghost = ghost_of(c);
   return text(base::name_of(ghost ? ghost->end : world::FailureKind::none));
+}
+Answer losses(const Context& c, View) {
+  const auto set = world::loss_set_of(c.session.document.resistance);
+  return text(set ? base::name_of(*set) : "own");
 }
 template <auto member>
 Answer of_cart(const Context& c, View argument) {
@@ -87,6 +92,7 @@ constexpr std::array kGhostRows{
     Query{"rolling", "", "", "Rolling friction, as a fraction of the weight.",
           of_document<&world::Document::resistance, &world::Resistance::rolling>},
     Query{"drag", "", "1/m", "Drag.", of_document<&world::Document::resistance, &world::Resistance::drag>},
+    Query{"losses", "", "", "Named set of losses: frictionless, openfvd, kexedit, or own for other numbers.", losses},
     Query{"heartline", "", "m", "Height above the rails for which forces are given.",
           of_document<&world::Document::heartline>},
     Query{"cars", "@cart", "", "Number of cars of a train.", of_cart<&world::Cart::cars>},

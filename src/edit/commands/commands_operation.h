@@ -5,6 +5,7 @@
 
 #include "edit/commands/command_fields.h"
 #include "world/components.h"
+#include "world/losses.h"
 
 namespace coaster::edit {
 
@@ -42,6 +43,11 @@ struct SetLosses {
                   Effect::document);
   COASTER_FIELDS(visit("rolling", self.rolling), visit("drag", self.drag))
 };
+struct SetLossSet {
+  world::LossSet to{};
+  COASTER_COMMAND(SetLossSet, "losses.set", "Set rolling friction and drag to those of a named set.", Effect::document);
+  COASTER_FIELDS(visit("", self.to))
+};
 struct SetHeartline {
   double to = 1.1;
   COASTER_COMMAND(SetHeartline, "heartline", "Set how far over the rails forces are told for (m).", Effect::document);
@@ -76,7 +82,7 @@ struct AutoBank {
   COASTER_FIELDS()
 };
 
-using OperationCommands = CommandList<SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetHeartline,
+using OperationCommands = CommandList<SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetLossSet, SetHeartline,
                                       SetRollbackFails, SaveReport, LoadEnvelope, AutoBank>;
 
 }  // namespace coaster::edit

@@ -67,6 +67,11 @@ Status perform(Session& session, Change& change, const SetLosses& command) {
   return {};
 }
 
+Status perform(Session& session, Change&, const SetLossSet& command) {
+  session.document.resistance = base::row_of(command.to).losses;
+  return {};
+}
+
 Status perform(Session& session, Change& change, const SetHeartline& command) {
   if (!std::isfinite(command.to)) return refused("expected a finite height");
   session.document.heartline = change.clamp("heartline", command.to, -world::kMaxHeartline, world::kMaxHeartline, "m");

@@ -91,9 +91,19 @@ void train(Ui& ui) {
         &edit::SetTrain::mass, "Mass including riders. Drag is given for 500 kg; heavier cars slow down less.");
 }
 
+void loss_set(Ui& ui) {
+  std::vector<Choice> sets = choices_of<world::LossSet>();
+  const auto now = world::loss_set_of(ui.session().document.resistance);
+  const int shown = now ? static_cast<int>(*now) : static_cast<int>(sets.size());
+  if (!now) sets.push_back({"Own", "The numbers below."});
+  if (const auto to = combo(ui, "Losses", sets, shown, "Sets rolling friction and drag together."))
+    ui.emit(edit::SetLossSet{static_cast<world::LossSet>(*to)});
+}
+
 void losses(Ui& ui) {
   const world::Document& document = ui.session().document;
   const world::Resistance& now = document.resistance;
+  loss_set(ui);
   if (const auto to = number(
           ui, "Rolling", {.value = now.rolling, .decimals = 4, .step = 0.0002, .low = 0, .high = world::kMaxRolling},
           "Rolling friction coefficient. Steel coasters: 0.02 to 0.03. 0: none."))
