@@ -53,7 +53,7 @@ TEST_F(RideSummaries, say_why_the_ride_stopped) {
   const RideSummary early = ride(d, 120 * 3);
   EXPECT_TRUE(end_of_ride(session, early).starts_with("Stopped after 3 s at 4")) << end_of_ride(session, early);
   EXPECT_EQ(end_of_ride(session, ride(d, 120 * 20)), "The train completed the lap.");
-  d.start_speed = 1;
+  d.start_speed = 4, d.rollback_fails = true;  // over 2 m up the hill, and back
   const RideSummary slow = ride(d, 120 * 20);
   EXPECT_TRUE(end_of_ride(session, slow).starts_with("Train c1 rolled back at ")) << end_of_ride(session, slow);
 }
