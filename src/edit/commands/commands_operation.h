@@ -50,7 +50,8 @@ struct SetLossSet {
 };
 struct SetHeartline {
   double to = 1.1;
-  COASTER_COMMAND(SetHeartline, "heartline", "Set how far over the rails forces are told for (m).", Effect::document);
+  COASTER_COMMAND(SetHeartline, "heartline", "Set the height above the rails at which forces are computed (m).",
+                  Effect::document);
   COASTER_FIELDS(visit("", self.to))
 };
 struct SetRollbackFails {

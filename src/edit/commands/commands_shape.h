@@ -15,7 +15,7 @@ struct Translate {
   glm::vec3 by{0};
   bool anew = false;
   COASTER_COMMAND(Translate, "translate",
-                  "Move knots by a distance (m); anew on: from where they were when the gesture began.",
+                  "Move knots by a distance (m). With anew on, from where they were when the gesture began.",
                   Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("anew?", self.anew))
 };
