@@ -41,11 +41,16 @@ std::optional<double> place_of(const edit::Finder& find, std::string_view query)
     std::string_view query;
     sim::Extreme sim::Ratings::*extreme;
   };
-  constexpr std::array kRows{
-      Row{"ride.g_up_max", &sim::Ratings::up_most},     Row{"ride.g_up_min", &sim::Ratings::up_least},
-      Row{"ride.g_side_max", &sim::Ratings::side_most}, Row{"ride.g_forward_max", &sim::Ratings::forward_most},
-      Row{"ride.g_back_max", &sim::Ratings::back_most}, Row{"ride.speed_max", &sim::Ratings::top_speed},
-      Row{"ride.height_max", &sim::Ratings::highest}};
+  constexpr std::array kRows{Row{"ride.g_up_max", &sim::Ratings::up_most},
+                             Row{"ride.g_up_min", &sim::Ratings::up_least},
+                             Row{"ride.g_side_max", &sim::Ratings::side_most},
+                             Row{"ride.g_forward_max", &sim::Ratings::forward_most},
+                             Row{"ride.g_back_max", &sim::Ratings::back_most},
+                             Row{"ride.road_load_max", &sim::Ratings::road_most},
+                             Row{"ride.up_stop_load_max", &sim::Ratings::up_stop_most},
+                             Row{"ride.side_load_max", &sim::Ratings::side_load_most},
+                             Row{"ride.speed_max", &sim::Ratings::top_speed},
+                             Row{"ride.height_max", &sim::Ratings::highest}};
   if (find(edit::Want::ride).ride == nullptr) return std::nullopt;
   for (const Row& row : kRows)
     if (row.query == query) return (find(edit::Want::ratings).ratings->*row.extreme).distance;

@@ -3,6 +3,8 @@
 
 #include <type_traits>
 
+#include <fmt/format.h>
+
 #include "curve/continuity.h"
 #include "query/query.h"
 #include "world/topology.h"
@@ -66,6 +68,14 @@ Answer of_document(const Context& c, View) {
 template <auto... path>
 Answer of_stats(const Context& c, View) {
   return value_of(member_at(c.stats, path...));
+}
+
+// Returns the value of an enumeration that the argument names.
+template <base::Named E>
+base::Result<E> enumerator(View argument) {
+  if (const auto value = base::value_named<E>(argument)) return *value;
+  return base::Status{base::Code::usage,
+                      fmt::format("expected {}, found {}", base::alternatives_of<E>(), base::quoted(argument))};
 }
 
 // Returns the value of `function` for the entity that the argument names.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include <fmt/format.h>
-
 #include "query/rows.h"
 #include "world/losses.h"
 
@@ -52,11 +50,8 @@ Answer equipment(const Context& c, View argument) {
 
 // Returns the number of segments with that equipment.
 Answer equipped(const Context& c, View argument) {
-  const auto kind = base::value_named<world::EquipmentKind>(argument);
-  if (!kind)
-    return base::Status{
-        base::Code::usage,
-        fmt::format("expected {}, found {}", base::alternatives_of<world::EquipmentKind>(), base::quoted(argument))};
+  const auto kind = enumerator<world::EquipmentKind>(argument);
+  if (!kind) return kind.status();
   const auto& all = c.session.document.entities.pool<world::Equipment>().items();
   return number(std::count_if(all.begin(), all.end(), [&](const world::Equipment& e) { return e.kind == *kind; }));
 }
@@ -70,6 +65,12 @@ constexpr std::array kGhostRows{
           extreme<&sim::Ratings::side_most>},
     Query{"ride.g_forward_max", "", "g", "Largest g forwards of the whole ride.", extreme<&sim::Ratings::forward_most>},
     Query{"ride.g_back_max", "", "g", "Largest g backwards of the whole ride.", extreme<&sim::Ratings::back_most>},
+    Query{"ride.road_load_max", "", "kN", "Largest load of a car's road wheels in the whole ride, low-passed.",
+          extreme<&sim::Ratings::road_most>},
+    Query{"ride.up_stop_load_max", "", "kN", "Largest load of a car's up-stop wheels in the whole ride.",
+          extreme<&sim::Ratings::up_stop_most>},
+    Query{"ride.side_load_max", "", "kN", "Largest load of a car's side wheels in the whole ride.",
+          extreme<&sim::Ratings::side_load_most>},
     Query{"ride.speed_max", "", "m/s", "Largest speed of the whole ride.", extreme<&sim::Ratings::top_speed>},
     Query{"ride.envelope", "", "", "Number of overloads: stretches where a g exceeds its limit for too long.",
           envelope},

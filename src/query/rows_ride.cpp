@@ -2,6 +2,7 @@
 #include <array>
 
 #include "query/rows.h"
+#include "sim/study/wheel_loads.h"
 
 namespace coaster::query {
 namespace {
@@ -51,12 +52,22 @@ Answer felt(const Context& c, View) {
     return sim::felt(c.session.document, c.session.derived, e, cart).*axis;
   });
 }
+template <double sim::Wheels::*kind>
+Answer wheels(const Context& c, View argument) {
+  const auto set = enumerator<sim::WheelSet>(argument);
+  if (!set) return set.status();
+  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
+    return sim::wheel_loads(c.session.document, c.session.derived, e, cart).of(*set).*kind;
+  });
+}
 Answer cost(const Context& c, View) { return number(c.session.measuring.ride_cost.ns_per_tick); }
 Answer segment(const Context& c, View) {
   const world::CartMotion* const cart = cart_of(c.session).motion;
   return text(cart ? world::label_of(c.session.document, cart->segment) : "none");
 }
 Answer carts(const Context& c, View) { return number(c.session.document.entities.pool<world::Cart>().size()); }
+
+constexpr std::string_view kWheelSetWords = "car|front|rear|left|right|front_left|front_right|rear_left|rear_right";
 
 constexpr std::array kRideRows{
     Query{"carts", "", "", "Number of trains.", carts},
@@ -79,6 +90,12 @@ constexpr std::array kRideRows{
           felt<&sim::Felt::up>},
     Query{"ride.g_side", "", "g", "Felt acceleration to the rider's left.", felt<&sim::Felt::left>},
     Query{"ride.g_forward", "", "g", "Felt acceleration forwards.", felt<&sim::Felt::forward>},
+    Query{"wheels.road", kWheelSetWords, "kN", "Load of the first car's road wheels: the rails push them up.",
+          wheels<&sim::Wheels::road>},
+    Query{"wheels.up_stop", kWheelSetWords, "kN", "Load of the first car's up-stop wheels: the rails push them down.",
+          wheels<&sim::Wheels::up_stop>},
+    Query{"wheels.side", kWheelSetWords, "kN", "Load of the first car's side wheels: the rails push them outwards.",
+          wheels<&sim::Wheels::side>},
 };
 
 }  // namespace

@@ -11,7 +11,17 @@
 namespace coaster::world {
 
 // The colouring of the track.
-enum class Colouring : std::uint8_t { plain, speed, height, vertical, lateral, longitudinal, curvature, error };
+enum class Colouring : std::uint8_t {
+  plain,
+  speed,
+  height,
+  vertical,
+  lateral,
+  longitudinal,
+  up_stop,
+  curvature,
+  error
+};
 
 struct ColouringRow {
   std::string_view name;   // in scripts and recordings: "colour speed"
@@ -27,6 +37,7 @@ inline constexpr ColouringRow kColourings[] = {
     {"vertical", "Vertical g", "g", "Presses riders into the seat. 1 at rest, below 0 in airtime.", true},
     {"lateral", "Lateral g", "g", "Pushes riders sideways.", true},
     {"longitudinal", "Longitudinal g", "g", "Pushes riders into the backrest. Below 0 into the lap bar.", true},
+    {"up_stop", "Up-stop load", "kN", "Load of a car's up-stop wheels. Above 0 where riders are lifted.", true},
     {"curvature", "Curvature", "1/m", "1 / radius of the osculating circle."},
     {"error", "Evaluator error", "mm", "Distance of the selected evaluator's vertices from the exact curve."},
 };

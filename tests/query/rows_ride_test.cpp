@@ -12,8 +12,8 @@ constexpr double kRadius = 20.3, kSpeed = 11.7;
 
 class RideRows : public test::SessionTest {
  protected:
-  double number(std::string_view name) {
-    return std::get<double>(*find_query(name)->evaluate({session, stats, "", ""}, {}));
+  double number(std::string_view name, std::string_view argument = {}) {
+    return std::get<double>(*find_query(name)->evaluate({session, stats, "", ""}, argument));
   }
   FrameStats stats;
   void start_on_a_circle(bool to_the_right) {
@@ -34,6 +34,22 @@ TEST_F(RideRows, forces_on_a_level_circle_are_the_closed_form_in_both_directions
     EXPECT_NEAR(number("ride.g_forward"), 0, 1e-3);
     EXPECT_NEAR(number("ride.speed"), kSpeed, 1e-9);
   }
+}
+
+TEST_F(RideRows, wheels_on_a_level_circle_push_the_train_inwards_and_carry_more_outside) {
+  for (const bool to_the_right : {false, true}) {
+    start_on_a_circle(to_the_right);
+    const double inward = 0.5 * kSpeed * kSpeed / kRadius, weight = 0.5 * 9.81;  // kN on 500 kg
+    const std::string_view inner = to_the_right ? "right" : "left", outer = to_the_right ? "left" : "right";
+    EXPECT_NEAR(number("wheels.side", inner), inward, 0.03);
+    EXPECT_NEAR(number("wheels.side", outer), 0, 1e-9);
+    EXPECT_NEAR(number("wheels.road", outer), weight / 2 + inward * 1.1 / 1.2, 0.03);
+    EXPECT_NEAR(number("wheels.road", "car") - number("wheels.up_stop", "car"), weight, 0.01);
+    EXPECT_NEAR(number("wheels.road", "front"), number("wheels.road", "rear"), 0.02);
+  }
+  const auto wrong = find_query("wheels.road")->evaluate({session, stats, "", ""}, "middle");
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.status().message.find("front_left"), std::string::npos);
 }
 
 TEST_F(RideRows, a_second_on_a_level_circle_is_as_far_as_the_speed_says) {

@@ -95,7 +95,7 @@ class Simulation {
     std::vector<GhostSample> samples = std::move(ghost.samples);
     std::vector<Force> forces = std::move(ghost.forces);
     samples.clear(), forces.clear();
-    ghost = Ghost{start_, rails_.length, rails_.closed, std::move(samples), std::move(forces)};
+    ghost = Ghost{start_, rails_.length, rails_.closed, document_.heartline, std::move(samples), std::move(forces)};
     const auto most = static_cast<std::size_t>(std::max(0.0, limits.seconds) * world::kTicksPerSecond);
     const std::size_t usual = std::min<std::size_t>(most + 1, 20'000);
     ghost.samples.reserve(usual), ghost.forces.reserve(usual / kForceEvery * static_cast<std::size_t>(start_.cars));

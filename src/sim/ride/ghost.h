@@ -42,6 +42,7 @@ struct Ghost {
   GhostStart start;
   double track_length = 0;
   bool closed = false;
+  double heartline = 0;                               // m above the rails, of the riders
   std::vector<GhostSample> samples;                   // one per tick of 1/120 s, the first at the start
   std::vector<Force> forces;                          // entry k of car c at [k * cars + c], at tick k * kForceEvery
   world::FailureKind end = world::FailureKind::none;  // none: a whole lap, or the time limit

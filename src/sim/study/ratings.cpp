@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/study/wheel_loads.h"
+
 namespace coaster::sim {
 namespace {
 
@@ -29,6 +31,23 @@ void take_forces(const Ghost& ghost, double cutoff, Ratings& r) {
   const std::vector<float> lifted = pressed(ghost, ghost.start.cars / 2, ForceAxis::lift, cutoff);
   r.airtime = static_cast<double>(std::count_if(lifted.begin(), lifted.end(), [](float v) { return v > 0; })) *
               kForceEvery * world::kTick;
+}
+
+// The sums over a car's wheels depend on neither the side nor the direction of what is felt.
+void take_wheels(const Ghost& ghost, double cutoff, Ratings& r) {
+  const CarBody body{ghost.start.mass, ghost.start.length, ghost.heartline};
+  for (int car = 0; car < ghost.start.cars; ++car) {
+    const std::vector<float> up = pressed(ghost, car, ForceAxis::down, cutoff),
+                             side = pressed(ghost, car, ForceAxis::side, cutoff),
+                             forward = pressed(ghost, car, ForceAxis::forward, cutoff);
+    for (std::size_t i = 0; i < up.size(); ++i) {
+      const Wheels all = wheel_loads(Felt{up[i], side[i], forward[i]}, body).of(WheelSet::car);
+      const bool first = car == 0 && i == 0;
+      take(r.road_most, all.road, first, true, i * kForceEvery, car, ghost);
+      take(r.up_stop_most, all.up_stop, first, true, i * kForceEvery, car, ghost);
+      take(r.side_load_most, all.side, first, true, i * kForceEvery, car, ghost);
+    }
+  }
 }
 
 // Heights under the first car: extremes, and descents from a top to the next bottom.
@@ -81,6 +100,7 @@ Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff) {
   if (tables.size() == 0 || ghost.samples.empty()) return r;
   take_heights(ghost, tables, r);
   take_forces(ghost, cutoff, r);
+  take_wheels(ghost, cutoff, r);
   count_inversions(ghost, tables, r);
   double way = 0;
   for (std::size_t i = 1; i < ghost.samples.size(); ++i)

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/study/ratings.h"
+#include "sim/study/wheel_loads.h"
 
 namespace coaster::sim {
 namespace {
@@ -39,6 +40,9 @@ std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Re
   add_extreme(out, "most lateral", r.side_most, "g");
   add_extreme(out, "most forwards", r.forward_most, "g");
   add_extreme(out, "most backwards", r.back_most, "g");
+  add_extreme(out, "most on road wheels", r.road_most, "kN");
+  add_extreme(out, "most on up-stops", r.up_stop_most, "kN");
+  add_extreme(out, "most on side wheels", r.side_load_most, "kN");
   add(out, "  {:<22} {:8.2f} s\n", "airtime", r.airtime);
   add(out, "  {:<22} {:8}, highest {:.2f} m\n", "drops", r.drops, r.highest_drop);
   add(out, "  {:<22} {:8}\n", "inversions", r.inversions);
@@ -54,7 +58,11 @@ std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Re
 
 std::string report_csv(const Ghost& ghost, const RailTables& tables) {
   std::string out = "time_s,distance_m,speed_m_s,height_m,acceleration_m_s2";
-  for (int car = 1; car <= ghost.start.cars; ++car) add(out, ",up_{}_g,left_{}_g,forward_{}_g", car, car, car);
+  for (int car = 1; car <= ghost.start.cars; ++car)
+    add(out,
+        ",up_{0}_g,left_{0}_g,forward_{0}_g,road_front_{0}_kN,road_rear_{0}_kN,up_stop_front_{0}_kN,"
+        "up_stop_rear_{0}_kN,side_left_{0}_kN,side_right_{0}_kN",
+        car);
   out += '\n';
   std::size_t hint = 0;
   const auto cars = static_cast<std::size_t>(ghost.start.cars);
@@ -70,7 +78,10 @@ std::string report_csv(const Ghost& ghost, const RailTables& tables) {
         ghost.samples[sample].speed, height, ghost.samples[sample].acceleration);
     for (std::size_t car = 0; car < cars; ++car) {
       const Force& f = ghost.forces[k * cars + car];
-      add(out, ",{:.4f},{:.4f},{:.4f}", f.up, f.left, f.forward);
+      const WheelLoads loads = wheel_loads(ghost, k, static_cast<int>(car));
+      const Wheels front = loads.of(WheelSet::front), rear = loads.of(WheelSet::rear);
+      add(out, ",{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}", f.up, f.left, f.forward, front.road,
+          rear.road, front.up_stop, rear.up_stop, loads.of(WheelSet::left).side, loads.of(WheelSet::right).side);
     }
     out += '\n';
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/study/rounding.h"
+#include "sim/study/wheel_loads.h"
 #include "world/evaluation.h"
 #include "world/lab_view.h"
 
@@ -50,6 +51,7 @@ double value_of(const Ghost& ghost, std::size_t entry, Colouring colouring) {
     case Colouring::vertical: return static_cast<double>(force.up);
     case Colouring::lateral: return std::abs(static_cast<double>(force.left));
     case Colouring::longitudinal: return static_cast<double>(force.forward);
+    case Colouring::up_stop: return wheel_loads(ghost, entry, ghost.start.cars / 2).of(WheelSet::car).up_stop;
     default: return std::abs(ghost.samples[entry * kForceEvery].speed);
   }
 }
@@ -108,7 +110,7 @@ void round_range(TrackValues& values) {
   if (low > high) low = 0, high = 1;
   if (low > 0 && low < 0.5 * high) low = 0;
   const bool fine = values.colouring == Colouring::curvature || values.colouring == Colouring::error;
-  const double least = fine ? 1e-6 : 0.5;  // m/s, g or m
+  const double least = fine ? 1e-6 : 0.5;  // m/s, g, kN or m
   const double span = std::max(high - low, std::max(least, 1e-3 * std::max(std::abs(low), std::abs(high))));
   const double power = std::pow(10.0, std::floor(std::log10(span / 5)));
   const double part = span / 5 / power;

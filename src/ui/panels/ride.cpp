@@ -1,12 +1,19 @@
 // Ride: running the carts, their motion, and g.
 #include <imgui.h>
 
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "edit/commands/commands_ride.h"
 #include "sim/shape/frame_methods.h"
+#include "sim/study/wheel_loads.h"
 #include "ui/context/rows.h"
 #include "ui/context/setting_rows.h"
 #include "ui/tools/places.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/theme.h"
 
 namespace coaster::ui {
 namespace {
@@ -53,6 +60,39 @@ void read_outs(Ui& ui) {
   read_query(ui, "g forward", "ride.g_forward", "Felt acceleration forwards.", {.unit = "g"});
 }
 
+// Words at the right edge of the next cell.
+void right_cell(std::string_view words, std::uint32_t rgb) {
+  ImGui::TableNextColumn();
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(ImGui::GetContentRegionAvail().x - text_size(words).x, 0.0f));
+  tinted_line(words, rgb);
+}
+
+// The loads of the first car's wheels: a row for each side of a bogie.
+void wheel_table(Ui& ui) {
+  using sim::WheelSet;
+  const edit::Session& session = ui.session();
+  const world::Entity train = edit::chosen_cart(session);
+  const world::CartMotion* const motion = session.motion.carts.find(train);
+  if (motion == nullptr || !session.derived.segments.contains(motion->segment)) return;
+  const sim::WheelLoads loads = sim::wheel_loads(session.document, session.derived, train, *motion);
+  heading(ui, "Wheel loads (kN)",
+          "Loads of the first car's wheels. Up-stop wheels run under the rails and carry where riders are lifted.");
+  if (!ImGui::BeginTable("##wheels", 4, ImGuiTableFlags_SizingStretchProp)) return;
+  ImGui::TableNextColumn();
+  for (const std::string_view kind : {"Road", "Up-stop", "Side"}) right_cell(kind, palette().dim);
+  for (const WheelSet set : {WheelSet::front_left, WheelSet::front_right, WheelSet::rear_left, WheelSet::rear_right}) {
+    const std::string_view label = base::row_of(set).label;
+    const sim::Wheels wheels = loads.of(set);
+    ImGui::TableNextColumn();
+    tinted_line(label, palette().dim);
+    const std::string words[] = {fixed(wheels.road, 1), fixed(wheels.up_stop, 1), fixed(wheels.side, 1)};
+    note_item(ui, label, "label", "Load of the road wheels, up-stop wheels and side wheels.", true,
+              fmt::format("{}", fmt::join(words, " ")));
+    for (const std::string& load : words) right_cell(load, palette().text);
+  }
+  ImGui::EndTable();
+}
+
 void ride_methods(Ui& ui) {
   heading(ui, "Frame method", "Frames that orient carts and the ride camera. The knots define the bank of the track.");
   const auto rows = sim::frame_methods();
@@ -70,6 +110,7 @@ void ride_methods(Ui& ui) {
 void ride_panel(Ui& ui) {
   controls(ui);
   read_outs(ui);
+  wheel_table(ui);
   ride_methods(ui);
 }
 

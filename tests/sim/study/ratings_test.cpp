@@ -38,6 +38,9 @@ TEST(ratings, a_flat_circle_at_constant_speed_has_constant_g) {
   EXPECT_NEAR(r.mean_speed, speed, 1e-3);
   EXPECT_NEAR(r.seconds, 2 * M_PI * radius / speed, 1e-3);
   EXPECT_NEAR(r.length, 2 * M_PI * radius, 1e-3);
+  EXPECT_NEAR(r.road_most.value, 0.5 * kG, 0.01);  // the mass is at the rails: nothing tilts the car
+  EXPECT_NEAR(r.side_load_most.value, 0.5 * speed * speed / radius, 0.03);
+  EXPECT_NEAR(r.up_stop_most.value, 0, 1e-6);
   EXPECT_EQ(r.airtime, 0);
   EXPECT_EQ(r.drops, 0);
   EXPECT_EQ(r.inversions, 0);
@@ -69,6 +72,7 @@ TEST(ratings, airtime_is_the_time_on_a_parabola_that_is_taken_too_fast) {
   EXPECT_TRUE(r.complete);  // to the end of an open track
   EXPECT_NEAR(r.airtime, fast.ghost().seconds(), 0.05);
   EXPECT_NEAR(r.up_least.value, -more * speed * speed / (speed * speed * std::pow(std::cos(angle), 2)), 0.02);
+  EXPECT_NEAR(r.up_stop_most.value, -r.up_least.value * 0.5 * kG, 1e-6);
   const Ratings slow = Rated(parabola(speed, angle), speed * 0.98, 0.0).rate();
   EXPECT_EQ(slow.airtime, 0);
   EXPECT_GT(slow.up_least.value, 0);

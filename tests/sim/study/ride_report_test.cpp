@@ -52,6 +52,9 @@ TEST(ride_report, tells_the_ratings_of_the_ride) {
   EXPECT_NEAR(number_of(report, "top speed"), ride.ratings.top_speed.value, 0.01);
   EXPECT_NEAR(number_of(report, "highest") - number_of(report, "lowest"), 8.6, 0.05);
   EXPECT_NEAR(number_of(report, "most lateral"), ride.ratings.side_most.value, 0.01);
+  EXPECT_NEAR(number_of(report, "most on road wheels"), ride.ratings.road_most.value, 0.01);
+  EXPECT_NEAR(number_of(report, "most on up-stops"), ride.ratings.up_stop_most.value, 0.01);
+  EXPECT_NEAR(number_of(report, "most on side wheels"), ride.ratings.side_load_most.value, 0.01);
   EXPECT_NEAR(number_of(report, "drops"), ride.ratings.drops, 0);
   EXPECT_NEAR(number_of(report, "overloads"), static_cast<double>(ride.red.size()), 0);
   EXPECT_NE(report.find("not a compliance check"), std::string::npos);
@@ -79,9 +82,10 @@ TEST(ride_report, the_values_by_time_are_a_table_of_the_ghost) {
   const std::vector<std::string> lines = split(report_csv(*ride.ghost, ride.tables()), '\n');
   ASSERT_EQ(lines.size(), 1 + (ride.ghost->samples.size() + kForceEvery - 1) / kForceEvery);
   const std::vector<std::string> head = split(lines[0], ',');
-  ASSERT_EQ(head.size(), 5u + 3 * 3);
+  ASSERT_EQ(head.size(), 5u + 9 * 3);
   EXPECT_EQ(head[0], "time_s");
-  EXPECT_EQ(head[8], "up_2_g");
+  EXPECT_EQ(head[14], "up_2_g");
+  EXPECT_EQ(head[22], "side_right_2_kN");
   for (const std::size_t k : {std::size_t{0}, std::size_t{17}, lines.size() - 2}) {
     const std::vector<std::string> row = split(lines[k + 1], ',');
     ASSERT_EQ(row.size(), head.size());
@@ -89,7 +93,12 @@ TEST(ride_report, the_values_by_time_are_a_table_of_the_ghost) {
     EXPECT_NEAR(std::stod(row[0]), static_cast<double>(k * kForceEvery) * world::kTick, 1e-5);
     EXPECT_NEAR(std::stod(row[1]), ride.ghost->distance(k * kForceEvery), 1e-3);
     EXPECT_NEAR(std::stod(row[2]), sample.speed, 1e-3);
-    EXPECT_NEAR(std::stod(row[8]), ride.ghost->forces[k * 3 + 1].up, 1e-3);
+    EXPECT_NEAR(std::stod(row[14]), ride.ghost->forces[k * 3 + 1].up, 1e-3);
+    // The wheels of the second car give 500 kg what it feels.
+    const auto cell = [&](std::size_t column) { return std::stod(row[column]); };
+    const double weight = 0.5 * 9.81;  // kN
+    EXPECT_NEAR(cell(17) + cell(18) - cell(19) - cell(20), weight * cell(14), 2e-3);
+    EXPECT_NEAR(cell(21) - cell(22), weight * cell(15), 2e-3);
     // Energy: no losses.
     EXPECT_NEAR(0.5 * sample.speed * sample.speed + 9.81 * std::stod(row[3]),
                 0.5 * 16.3 * 16.3 + 9.81 * std::stod(split(lines[1], ',')[3]), 8.0);

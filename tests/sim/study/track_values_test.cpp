@@ -107,6 +107,17 @@ TEST(track_values, a_moved_knot_changes_the_heights_of_two_segments) {
   }
 }
 
+// At constant height and speed riders feel 1 g upside down everywhere: the up-stops carry the weight.
+TEST(track_values, up_stops_carry_the_weight_upside_down_and_nothing_upright) {
+  for (const bool inverted : {false, true}) {
+    world::Document document = test::straight_document({1.1f, 9.3f, 2.7f}, {61.1f, 9.3f, 22.7f}, 3);
+    for (const world::Entity k : document.track.knots)
+      if (inverted) document.entities.get<world::Knot>(k).up *= -1.0f;
+    Coloured track(document);
+    for (const float value : track.by(Colouring::up_stop).of(1)) EXPECT_NEAR(value, inverted ? 0.5 * 9.81 : 0, 1e-3);
+  }
+}
+
 TEST(track_values, the_legend_is_round_and_holds_every_value) {
   Coloured track(test::ring_document(9, 41.3));
   for (std::size_t row = 1; row < std::size(world::kColourings); ++row) {

@@ -1,0 +1,35 @@
+// The wheel loads in the Ride panel.
+#include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_session.h"
+#include "ui/panels/panels.h"
+#include "ui/stage.h"
+
+namespace coaster::ui {
+namespace panel_ride_test {
+
+constexpr const char* kRows[] = {"Ride/Front left", "Ride/Front right", "Ride/Rear left", "Ride/Rear right"};
+
+struct PanelRideTest : Stage {
+  // Road, up-stop and side wheels, kN.
+  std::string loads(const char* row) {
+    frames(2);
+    const Widget* const found = find(row);
+    return found ? found->value : "no row";
+  }
+};
+
+TEST_F(PanelRideTest, wheels_of_a_train_at_rest_on_the_flat_carry_a_quarter_of_its_weight_each) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}).ok());
+  EXPECT_EQ(loads(kRows[0]), "no row");
+  for (const glm::vec3 place : {glm::vec3(0, 4, 0), glm::vec3(30, 4, 0)})
+    ASSERT_TRUE(edit::apply(session_, files_, edit::AppendKnot{place}).ok());
+  const world::Name train = world::name_of(session_.document, world::first_cart(session_.document));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetTrain{{train}, 1, 0, 0, 2000}).ok());
+  for (const char* const row : kRows) {
+    EXPECT_EQ(loads(row), "4.9 0.0 0.0");
+    EXPECT_TRUE(reach(row)) << row;
+  }
+}
+
+}  // namespace panel_ride_test
+}  // namespace coaster::ui
