@@ -1,23 +1,17 @@
 #include "exchange/nolimits/nl2_csv.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
-#include <fstream>
-#include <sstream>
+#include <random>
 
 #include "base/text.h"
-#include "sim/bends_of.h"
-#include "sim/rows_along.h"
-#include "sim/tracks.h"
+#include "curve/frames.h"
+#include "exchange/nolimits/nl2_header.h"
 
 namespace coaster::exchange {
 namespace nl2_csv_test {
 
-constexpr std::string_view kHeader =
-    "\"No."
-    "\"\t\"PosX\"\t\"PosY\"\t\"PosZ\"\t\"FrontX\"\t\"FrontY\"\t\"FrontZ\"\t\"LeftX\"\t\"LeftY\"\t\"LeftZ\"\t\"UpX\"\t\""
-    "UpY\"\t\"UpZ\"\n";
+using test::kNl2Header;
 
 // Straight along X: Left is Up x Front.
 std::string row(int number, double x,
@@ -26,7 +20,7 @@ std::string row(int number, double x,
   return std::to_string(number) + "\t" + std::to_string(x) + "\t12.345678\t-9.876543\t" + rest + "\n";
 }
 std::string rows(int count) {
-  std::string text(kHeader);
+  std::string text(kNl2Header);
   for (int i = 0; i < count; ++i) text += row(i + 1, 3.25 + 0.5 * i);
   return text;
 }
@@ -40,35 +34,6 @@ void expect_error(const std::string& text, const std::string& expected) {
   ASSERT_FALSE(loaded.ok()) << expected;
   EXPECT_EQ(loaded.status().code, base::Code::bad_file);
   EXPECT_EQ(loaded.status().message, expected);
-}
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-// The rows of a text, read by the standard library.
-std::vector<sim::FitRow> rows_of(const std::string& text) {
-  std::istringstream in(text.substr(text.find('\n') + 1));
-  std::vector<sim::FitRow> found;
-  glm::dvec3 left;
-  for (sim::FitRow r;
-       in.ignore(20, '\t') && in >> r.position.x >> r.position.y >> r.position.z >> r.forward.x >> r.forward.y >>
-                                  r.forward.z >> left.x >> left.y >> left.z >> r.up.x >> r.up.y >> r.up.z;
-       found.push_back(r)) {
-    EXPECT_NEAR(glm::distance(glm::cross(r.forward, left), r.up), 0, 3e-6);
-    r.forward = glm::normalize(r.forward);
-    r.up = glm::normalize(r.up - glm::dot(r.up, r.forward) * r.forward);
-  }
-  return found;
-}
-world::Document sample(const std::string& name) {
-  std::ifstream in(std::string(COASTER_SOURCE_DIR) + "/tracks/" + name);
-  std::ostringstream text;
-  text << in.rdbuf();
-  auto loaded = parse_track(text.str(), name);
-  EXPECT_TRUE(loaded.ok());
-  return loaded->document;
 }
 
 TEST(nl2_csv, two_rows_are_a_straight_with_a_cart_on_it) {
@@ -100,7 +65,7 @@ TEST(nl2_csv, line_ends_marks_blank_lines_and_quotes_make_no_difference) {
 }
 
 TEST(nl2_csv, errors_name_the_line_what_was_expected_and_what_was_found) {
-  const std::string head(kHeader), two = rows(2);
+  const std::string head(kNl2Header), two = rows(2);
   expect_error("", "t.csv:1: error: expected the header \"No.\" \"PosX\" ..., found an empty file");
   expect_error(head, "t.csv:1: error: expected at least 2 rows at different positions, found 0");
   expect_error(rows(1), "t.csv:2: error: expected at least 2 rows at different positions, found 1");
@@ -135,7 +100,7 @@ TEST(nl2_csv, errors_name_the_line_what_was_expected_and_what_was_found) {
 }
 
 TEST(nl2_csv, frames_that_are_a_little_off_are_made_exact) {
-  const auto loaded = parse_nl2_csv(std::string(kHeader) + row(1, 1, "1.004\t0\t0\t0\t0\t-1\t0.006\t0.996\t0") +
+  const auto loaded = parse_nl2_csv(std::string(kNl2Header) + row(1, 1, "1.004\t0\t0\t0\t0\t-1\t0.006\t0.996\t0") +
                                         row(2, 1.5, "1\t0\t0\t0\t0\t-1\t0\t1\t0"),
                                     "t.csv");
   ASSERT_TRUE(loaded.ok()) << loaded.status().message;
@@ -144,12 +109,12 @@ TEST(nl2_csv, frames_that_are_a_little_off_are_made_exact) {
 }
 
 TEST(nl2_csv, rows_at_the_place_of_the_one_before_are_left_out_with_a_warning) {
-  const std::string text = std::string(kHeader) + row(1, 1) + row(2, 1) + row(3, 2) + row(4, 3);
+  const std::string text = std::string(kNl2Header) + row(1, 1) + row(2, 1) + row(3, 2) + row(4, 3);
   const auto loaded = parse_nl2_csv(text, "t.csv");
   ASSERT_TRUE(loaded.ok()) << loaded.status().message;
   ASSERT_EQ(loaded->warnings.size(), 1u);
   EXPECT_EQ(loaded->warnings[0], "t.csv:3: warning: the row repeats the previous position; left out");
-  expect_error(std::string(kHeader) + row(1, 1) + row(2, 1),
+  expect_error(std::string(kNl2Header) + row(1, 1) + row(2, 1),
                "t.csv:3: error: expected at least 2 rows at different positions, found 1");
 }
 
@@ -170,7 +135,7 @@ TEST(nl2_csv, commas_and_semicolons_separate_as_tabs_do) {
 }
 
 std::string rows_at(const std::vector<double>& places, const std::string& rest) {
-  std::string text(kHeader);
+  std::string text(kNl2Header);
   for (std::size_t i = 0; i < places.size(); ++i) text += row(static_cast<int>(i) + 1, places[i], rest);
   return text;
 }
@@ -196,7 +161,7 @@ TEST(nl2_csv, gaps_and_jumps_of_the_frame_are_reported_with_their_lines) {
                                      "0.500 m"});
   EXPECT_EQ(gap->import->jump_error, 0);
   // Leans by 30 degrees from row 21 on: halfway over a metre, so that the frames there are off.
-  std::string text(kHeader);
+  std::string text(kNl2Header);
   for (int i = 0; i < 40; ++i)
     text += row(i + 1, 0.05 * i, i < 20 ? kAhead : "1\t0\t0\t0\t0.5\t-0.866025\t0\t0.866025\t0.5");
   const auto jump = parse_nl2_csv(text, "t.csv");
@@ -224,63 +189,10 @@ TEST(nl2_csv, a_file_that_is_cut_within_a_row_is_refused) {
   EXPECT_GT(whole, 2u);
 }
 
-TEST(nl2_csv, rows_are_printed_in_the_columns_and_digits_of_the_format) {
-  const world::Document d = test::straight_document({1, 2, 3}, {2.5f, 2, 3});
-  const std::vector<std::string> lines = lines_of(print_nl2_csv(d, 0.4));
-  ASSERT_EQ(lines.size(), 6u);  // 0, 0.4, 0.8, 1.2 and the end
-  EXPECT_EQ(lines[0] + "\n", kHeader);
-  EXPECT_EQ(lines[1],
-            "1\t1.000000\t2.000000\t3.000000\t1.000000\t0.000000\t0.000000\t0.000000\t0.000000\t-1.000000\t0.000000\t1."
-            "000000\t0.000000");
-  EXPECT_TRUE(lines[5].starts_with("5\t2.500000\t2.000000\t3.000000\t")) << lines[5];
-  EXPECT_EQ(lines_of(print_nl2_csv(d, 0.5)).size(), 5u);  // the end is a row already
-  EXPECT_EQ(lines_of(print_nl2_csv(d, 7.0)).size(), 3u);
-}
-
-TEST(nl2_csv, a_closed_track_ends_a_remainder_before_its_first_row) {
-  const world::Document d = test::ring_document(12, 17.3);
-  const std::vector<sim::FitRow> found = rows_of(print_nl2_csv(d, 0.05));
-  const double length = world::exact_length(d), remainder = length - 0.05 * static_cast<double>(found.size() - 1);
-  EXPECT_GT(remainder, 0);
-  EXPECT_LE(remainder, 0.05 + 1e-9);
-  EXPECT_NEAR(glm::distance(found.front().position, found.back().position), remainder, 2e-5);
-}
-
-TEST(nl2_csv, what_has_no_segment_or_too_many_rows_is_not_written) {
-  EXPECT_EQ(check_nl2_csv({}, 0.05).code, base::Code::refused);
-  const world::Document longest = test::straight_document({-90'000, 0, 0}, {90'000, 0, 0}, 40);
-  EXPECT_EQ(check_nl2_csv(longest, 0.05).code, base::Code::refused);
-  EXPECT_TRUE(check_nl2_csv(longest, 5).ok());
-}
-
-// Exported and imported: every row by the test's own measure.
-void expect_round_trip(const world::Document& document, double spacing, double most_knots_per_m) {
-  const std::string text = print_nl2_csv(document, spacing);
-  EXPECT_EQ(text, print_nl2_csv(document, spacing));
-  const auto loaded = parse_nl2_csv(text, "t.csv");
-  ASSERT_TRUE(loaded.ok()) << loaded.status().message;
-  EXPECT_EQ(world::broken_invariant(loaded->document), std::nullopt);
-  EXPECT_EQ(loaded->document.track.closed, document.track.closed);
-  const test::Misses misses = test::misses_of(loaded->document, rows_of(text));
-  EXPECT_LE(misses.distance, 0.01);
-  EXPECT_LE(misses.angle_deg, 0.5);
-  EXPECT_LE(loaded->import->max_error, 0.01);
-  EXPECT_LE(loaded->import->frame_error, 0.5);
-  const test::Bends bends = test::bends_of(loaded->document, rows_of(text));
-  EXPECT_EQ(bends.folds, 0);
-  if (spacing < 3) {  // further apart, curvature changes within a step
-    EXPECT_LE(bends.excess, 1) << bends.at;
-  }
-  EXPECT_LE(bends.handle, 0.5);
-  const double length = world::exact_length(document);
-  EXPECT_NEAR(world::exact_length(loaded->document), length, 0.001 * length);
-  EXPECT_LE(loaded->import->knots, 2 + most_knots_per_m * length);
-}
-
 TEST(nl2_csv, rows_without_sense_give_a_valid_track_through_all_of_them) {
   std::mt19937 bits(7);
   const auto uniform = [&](double reach) { return reach * (bits() / 2147483648.0 - 1); };
-  std::string text(kHeader);
+  std::string text(kNl2Header);
   for (int i = 0; i < 300; ++i) {
     const glm::dvec3 front = glm::normalize(glm::dvec3(uniform(1), uniform(1), uniform(1) + 0.01)),
                      up = curve::perpendicular(front, {uniform(1), uniform(1), 0.3});
@@ -295,31 +207,6 @@ TEST(nl2_csv, rows_without_sense_give_a_valid_track_through_all_of_them) {
   EXPECT_EQ(world::broken_invariant(loaded->document), std::nullopt);
   EXPECT_LE(loaded->import->max_error, 0.01);
   EXPECT_GE(loaded->import->knots, 290);
-}
-
-TEST(nl2_csv, the_sample_tracks_come_back_with_a_knot_every_ten_metres_or_less_often) {
-  for (const char* name : {"gentle.json", "helix.json", "loop.json"}) {
-    SCOPED_TRACE(name);
-    expect_round_trip(sample(name), 0.25, 0.1);
-  }
-  expect_round_trip(sample("loop.json"), 3.3, 0.4);  // rows further apart
-}
-
-RC_GTEST_PROP(nl2_csv, random_tracks_come_back_within_the_bounds, ()) {
-  const auto seed = *rc::gen::inRange<std::uint32_t>(0, 1'000'000);
-  std::mt19937 bits(seed);
-  const auto uniform = [&](double low, double high) { return low + (high - low) * (bits() / 4294967296.0); };
-  world::Document d = test::ring_document(5 + static_cast<int>(bits() % 6), uniform(12, 30), uniform(0, 7));
-  for (const world::Entity e : d.track.knots) {
-    world::Knot& k = d.entities.get<world::Knot>(e);
-    world::set_roll(k, uniform(-180, 180));
-    k.joint = world::JointKind::aligned;
-    k.in_length *= static_cast<float>(uniform(0.7, 1.4)), k.out_length *= static_cast<float>(uniform(0.7, 1.4));
-  }
-  d.entities.get<world::Segment>(d.track.segments[1]).turns = static_cast<int>(bits() % 3) - 1;
-  if (bits() % 2) world::set_closed(d, false);
-  expect_round_trip(d, 0.25, 0.4);
-  RC_ASSERT(!testing::Test::HasFailure());
 }
 
 TEST(nl2_csv, a_cancelled_import_is_refused_and_one_that_is_watched_is_the_same) {

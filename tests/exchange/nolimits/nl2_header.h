@@ -1,0 +1,13 @@
+// The first line of NoLimits 2's rows, as NoLimits 2 writes it.
+#pragma once
+
+#include <string_view>
+
+namespace coaster::test {
+
+inline constexpr std::string_view kNl2Header =
+    "\"No."
+    "\"\t\"PosX\"\t\"PosY\"\t\"PosZ\"\t\"FrontX\"\t\"FrontY\"\t\"FrontZ\"\t\"LeftX\"\t\"LeftY\"\t\"LeftZ\"\t\"UpX\"\t\""
+    "UpY\"\t\"UpZ\"\n";
+
+}  // namespace coaster::test
