@@ -1,108 +1,26 @@
 // The program's modes and the order in which each starts up.
 #include "app/modes.h"
 
-#include <unistd.h>
-
-#include <algorithm>
 #include <cstdio>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "app/frame.h"
+#include "app/mode_parts.h"
 #include "app/pictures.h"
 #include "app/program.h"
 #include "app/ride_summary.h"
 #include "app/script_host.h"
-#include "edit/commands/commands_challenge.h"
-#include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
-#include "edit/perform/apply.h"
-#include "exchange/challenge_file.h"
-#include "exchange/formats.h"
 #include "platform/signals.h"
-#include "query/challenge.h"
-#include "script/grammar.h"
 #include "script/runner.h"
 #include "world/look.h"
 
 namespace coaster::app {
 namespace {
-
-int finish(const base::Status& status) {
-  std::fflush(stdout);
-  if (status) return 0;
-  if (isatty(STDERR_FILENO)) std::fputs("\r", stderr);
-  std::fprintf(stderr, "%s\n", status.message.c_str());
-  return base::exit_code(status.code);
-}
-
-base::Result<script::Script> read_script(const std::string& path) {
-  base::Files files;
-  auto parsed = script::parse_script_file(path, files);
-  if (!parsed) return parsed.status();
-  if (parsed->errors.empty()) return std::move(parsed->script);
-  return base::Status{base::Code::usage, fmt::format("{}", fmt::join(parsed->errors, "\n"))};
-}
-
-// Prints the notices of a file that was opened: without a window nobody sees them.
-void print_notices(const edit::Session& session) {
-  for (const edit::Notice& notice : session.notices.list) std::fprintf(stderr, "%s\n", notice.text.c_str());
-}
-
-// Checks that a challenge's start track does not pass it, without a picture.
-base::Status validate_challenge(const std::string& path) {
-  base::Files files;
-  edit::Session session = edit::make_session({});
-  session.game.referee = query::referee();
-  if (const base::Status begun = edit::apply(session, files, edit::StartChallenge{path}); !begun) return begun;
-  print_notices(session);
-  edit::Verdict verdict = session.game.referee.judge(session, nullptr);
-  if (session.game.challenge->file.judged != exchange::Judged::build &&
-      edit::apply(session, files, edit::RideStart{})) {
-    const int most = static_cast<int>(exchange::kMaxChallengeSeconds) * world::kTicksPerSecond;
-    edit::advance(session, most);
-    verdict = session.game.challenge->last;
-    if (session.game.challenge->judged == 0) verdict.reason = "its ride does not end";
-  }
-  if (verdict.medal > 0)
-    return {base::Code::bad_file,
-            fmt::format("{}: error: its start track passes it already ({}): expected one that does not", path,
-                        query::medal_name(verdict.medal))};
-  std::printf("%s: the start track does not pass, as it must: %s\n", path.c_str(), verdict.reason.c_str());
-  return {};
-}
-
-base::Status validate_file(const std::string& path) {
-  base::Files files;
-  if (std::filesystem::path(path).extension() == ".json")
-    if (const auto text = files.read(path); text && exchange::looks_like_challenge(*text))
-      return validate_challenge(path);
-  const auto track = exchange::load_track(files, path);
-  if (!track) return track.status();
-  for (const std::string& warning : track->warnings) std::fprintf(stderr, "%s\n", warning.c_str());
-  return {};
-}
-
-int validate(const Options& options) {
-  for (const std::string& path : {options.file, options.script}) {
-    if (path.empty()) continue;
-    if (path == options.script || std::filesystem::path(path).extension() == ".coaster") {
-      if (const auto script = read_script(path); !script) return finish(script.status());
-    } else if (const base::Status valid = validate_file(path); !valid) {
-      return finish(valid);
-    }
-  }
-  std::puts("ok");
-  return 0;
-}
-
-base::Status open_envelope(edit::Session& session, base::Files& files, const Options& options) {
-  if (options.envelope.empty()) return {};
-  return edit::apply(session, files, edit::LoadEnvelope{options.envelope});
-}
 
 // Draws a first frame, so that the viewport is known, then opens the track.
 base::Status open_track(Program& program, const std::filesystem::path& path) {
@@ -122,11 +40,6 @@ base::Status start_recording(Program& program) {
 }
 
 constexpr int kWindowSamples = 4;  // per pixel
-
-// The track that the options name, else the default one.
-std::filesystem::path track_of(const Options& options) {
-  return options.file.empty() ? default_track() : std::filesystem::path(options.file);
-}
 
 // The size that the options name, else that of windows and of pictures without one.
 platform::Size size_of(const Options& options) {
@@ -211,20 +124,6 @@ base::Status ride(Program& program, RideSummary& summary) {
   return {};
 }
 
-// Prints the report of the whole ride; needs no graphics.
-int run_report(const Options& options) {
-  base::Files files;
-  edit::Session session = edit::make_session({});
-  if (const base::Status opened = edit::apply(session, files, edit::Load{track_of(options).string()}); !opened)
-    return finish({base::Code::bad_file, opened.message});
-  print_notices(session);
-  if (const base::Status limits = open_envelope(session, files, options); !limits) return finish(limits);
-  const auto report = edit::ride_report(session);
-  if (!report) return finish({base::Code::refused, "the track has no cart, so there is no ride to report"});
-  std::fputs(report->c_str(), stdout);
-  return finish({});
-}
-
 base::Status film_lap(Program& program, RideSummary& summary) {
   const Options& options = program.options;
   if (const base::Status chosen = choose_camera(program, options.camera.empty() ? "chase" : options.camera); !chosen)
@@ -291,7 +190,7 @@ int run_window(const Options& options) {
 }  // namespace
 
 int run_program(const Options& options) {
-  if (options.validate) return validate(options);
+  if (options.validate) return run_validate(options);
   if (options.report) return run_report(options);
   if (!options.script.empty()) return run_script(options);
   return options.headless ? run_headless(options) : run_window(options);

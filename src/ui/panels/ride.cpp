@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "edit/commands/commands_ride.h"
 #include "sim/shape/frame_methods.h"

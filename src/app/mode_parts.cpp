@@ -1,0 +1,44 @@
+#include "app/mode_parts.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "app/program.h"
+#include "edit/commands/commands_operation.h"
+#include "edit/perform/apply.h"
+
+namespace coaster::app {
+
+int finish(const base::Status& status) {
+  std::fflush(stdout);
+  if (status) return 0;
+  if (isatty(STDERR_FILENO)) std::fputs("\r", stderr);
+  std::fprintf(stderr, "%s\n", status.message.c_str());
+  return base::exit_code(status.code);
+}
+
+base::Result<script::Script> read_script(const std::string& path) {
+  base::Files files;
+  auto parsed = script::parse_script_file(path, files);
+  if (!parsed) return parsed.status();
+  if (parsed->errors.empty()) return std::move(parsed->script);
+  return base::Status{base::Code::usage, fmt::format("{}", fmt::join(parsed->errors, "\n"))};
+}
+
+void print_notices(const edit::Session& session) {
+  for (const edit::Notice& notice : session.notices.list) std::fprintf(stderr, "%s\n", notice.text.c_str());
+}
+
+base::Status open_envelope(edit::Session& session, base::Files& files, const Options& options) {
+  if (options.envelope.empty()) return {};
+  return edit::apply(session, files, edit::LoadEnvelope{options.envelope});
+}
+
+std::filesystem::path track_of(const Options& options) {
+  return options.file.empty() ? default_track() : std::filesystem::path(options.file);
+}
+
+}  // namespace coaster::app

@@ -1,0 +1,29 @@
+// What several modes do, and the modes that draw nothing.
+#pragma once
+
+#include "app/options.h"
+#include "edit/session/session.h"
+#include "script/grammar.h"
+
+namespace coaster::app {
+
+// Prints an error and returns the exit code of a status.
+int finish(const base::Status& status);
+
+// Returns the script in a file, or all its errors, one a line.
+base::Result<script::Script> read_script(const std::string& path);
+
+// Prints the notices of a file that was opened: without a window nobody sees them.
+void print_notices(const edit::Session& session);
+
+// Loads the force limits that the options name.
+base::Status open_envelope(edit::Session& session, base::Files& files, const Options& options);
+
+// Returns the track that the options name, else the default one.
+std::filesystem::path track_of(const Options& options);
+
+// Check files, and print the report of the whole ride.
+int run_validate(const Options& options);
+int run_report(const Options& options);
+
+}  // namespace coaster::app
