@@ -39,7 +39,7 @@ void take_picture(Program& program) {
   filming.shown.frames = filming.movie->frames();
   program.stats.movie_frames = filming.shown.frames;
   if (filming.failed) return;
-  edit::notify(program.session, edit::NoticeKind::error, filming.failed.message);
+  edit::notify(program.session, filming.failed);
   (void)stop_movie(program);
 }
 
@@ -54,7 +54,7 @@ void start_by_hand(Program& program) {
   base::Status begun = begin_lap(program);
   if (begun)
     begun = start_movie(program, {movie_folder(program), script::kUsualMovieRate, false, program.files.root()}, true);
-  if (!begun) return edit::notify(program.session, edit::NoticeKind::error, begun.message);
+  if (!begun) return edit::notify(program.session, begun);
   program.filming->by_hand = true;
   program.filming->lap_ticks = ticks_of_lap(program.session);
 }
@@ -80,7 +80,7 @@ bool lap_is_done(const edit::Session& session) {
 }
 
 base::Status start_movie(Program& program, const MovieOrder& order, bool scene_alone) {
-  if (program.filming) return {base::Code::refused, "a movie is being made already"};
+  if (program.filming) return {base::Code::refused, "a movie is already being made"};
   auto movie = Movie::start(order);
   if (!movie) return movie.status();
   program.filming = std::make_unique<Filming>();
@@ -157,8 +157,8 @@ void follow_movie(Program& program, ui::MovieWish wish) {
   filming.shown.done = filming.encoder->done();
   const auto line = filming.encoder->poll();
   if (!line) return;
-  edit::notify(program.session, filming.failed ? edit::NoticeKind::info : edit::NoticeKind::error,
-               filming.failed ? *line : filming.failed.message);
+  if (filming.failed) edit::notify(program.session, edit::NoticeKind::info, *line);
+  else edit::notify(program.session, filming.failed);
   program.filming.reset();
 }
 

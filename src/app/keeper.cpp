@@ -182,13 +182,16 @@ void answer(Program& program, Keeper& keeper, ui::Recovery what) {
   offer(keeper);
 }
 
+void set_keys(Program& program, const std::vector<exchange::KeyChoice>& keys) {
+  if (const auto problems = program.ui->set_keys(keys); !problems.empty())
+    edit::notify(program.session, NoticeKind::warning, fmt::format("{}", fmt::join(problems, " ")));
+}
+
 void take_output(Program& program, Keeper& keeper, const ui::Output& output) {
   if (output.settings) {
     const bool keys = keeper.state.settings.keys != output.settings->keys;
     keeper.state.settings = *output.settings;
-    if (keys)
-      if (const auto problems = program.ui->set_keys(keeper.state.settings.keys); !problems.empty())
-        edit::notify(program.session, NoticeKind::warning, fmt::format("Keys: {}", fmt::join(problems, "; ")));
+    if (keys) set_keys(program, keeper.state.settings.keys);
   }
   if (output.recovery) answer(program, keeper, *output.recovery);
   ui::SystemDialog& system = keeper.state.system;
@@ -215,7 +218,6 @@ void start_keeping(Program& program, const base::UserFolders& folders, const bas
     settings.window.reset();
     program.ui->reset_layout();
   }
-  for (std::string& problem : program.ui->set_keys(settings.keys)) problems.push_back("keys: " + std::move(problem));
   if (settings.window)
     program.surface->place({settings.window->x, settings.window->y, settings.window->width, settings.window->height,
                             settings.window->maximised});
@@ -228,6 +230,7 @@ void start_keeping(Program& program, const base::UserFolders& folders, const bas
   show(program, settings);
   if (!problems.empty())
     edit::notify(program.session, NoticeKind::warning, fmt::format("Settings: {}", fmt::join(problems, "; ")));
+  set_keys(program, settings.keys);
 }
 
 void stop_keeping(Program& program, bool clean) {

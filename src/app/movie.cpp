@@ -164,10 +164,10 @@ void MovieEncoder::read_progress() {
 }
 
 std::optional<std::string> MovieEncoder::poll() {
-  const std::string pictures =
-      fmt::format("{} picture{} in {}", frames_, frames_ == 1 ? "" : "s", order_.folder.string());
-  if (program_.empty()) return fmt::format("movie: {}; install ffmpeg for a movie file", pictures);
-  if (frames_ < 1) return "movie: no pictures: no time went by";
+  if (frames_ < 1) return "The movie has no pictures because no time passed.";
+  const std::string pictures = fmt::format("Saved {} picture{}", frames_, frames_ == 1 ? "" : "s"),
+                    folder = order_.folder.string();
+  if (program_.empty()) return fmt::format("{} in {}. Install ffmpeg to make a movie of them.", pictures, folder);
   if (process_.running()) {
     const std::optional<int> status = process_.poll();
     read_progress();
@@ -184,14 +184,14 @@ std::optional<std::string> MovieEncoder::poll() {
       if (error_.empty())
         error_ =
             *status > 128 ? fmt::format("ended by signal {}", *status - 128) : fmt::format("exit code {}", *status);
-      error_ = fmt::format("ffmpeg made no {}: {}", files_.front(), error_);
+      error_ = fmt::format("There is no {} because ffmpeg failed: {}", files_.front(), error_);
       files_.clear();
     }
     if (process_.running()) return std::nullopt;
   }
   done_ = 1;
-  return fmt::format("movie: {}{}{}{}{}", pictures, made_.empty() ? "" : ", ", fmt::join(made_, ", "),
-                     error_.empty() ? "" : "; ", error_);
+  return fmt::format("{} in {}{}{}.{}{}", pictures, folder, made_.empty() ? "" : ", with ", fmt::join(made_, " and "),
+                     error_.empty() ? "" : " ", error_);
 }
 
 }  // namespace coaster::app

@@ -44,7 +44,7 @@ base::Status apply_one(Program& program, const edit::Command& command) {
   if (const std::string* const path = edit::output_path(command); path && !program.files.root().contains(*path)) {
     const base::Status refused{base::Code::refused, fmt::format("{}: scripts write only below $OUT, found {}",
                                                                 edit::info(command).name, base::quoted(*path))};
-    edit::notify(program.session, edit::NoticeKind::error, refused.message);
+    edit::notify(program.session, refused);
     return refused;
   }
   if (const base::Status allowed = before_command(program, command); !allowed) {

@@ -1,6 +1,7 @@
 #include "app/sounds.h"
 
 #include "app/program.h"
+#include "base/text.h"
 #include "world/look.h"
 
 namespace coaster::app {
@@ -21,7 +22,8 @@ void keep_sounding(Program& program) {
     } else {
       sounds.refused = true;
       if (sounds.refusals++ > 0)
-        edit::notify(program.session, edit::NoticeKind::info, "No sound: " + device.status().message);
+        edit::notify(program.session, edit::NoticeKind::info,
+                     base::sentence("sound is off: " + device.status().message));
     }
   }
   if (!sounds.device) return;

@@ -113,7 +113,13 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
 
 std::string suggestion(std::string_view word, std::span<const std::string> candidates) {
   const auto found = nearest(word, candidates);
-  return found ? fmt::format(" did you mean \"{}\"?", *found) : "";
+  return found ? fmt::format("; did you mean \"{}\"?", *found) : "";
+}
+
+std::string sentence(std::string error) {
+  if (error.empty()) return error;
+  if (error[0] >= 'a' && error[0] <= 'z') error[0] = static_cast<char>(error[0] - 'a' + 'A');
+  return error.ends_with('.') || error.ends_with('?') ? error : error + '.';
 }
 
 std::string at_place(std::string_view file, int line, int column, std::string_view message) {

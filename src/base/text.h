@@ -48,8 +48,11 @@ std::string to_text(double value);
 // Returns the candidate nearest to `word` by edit distance, if it is close enough to be a typo; ties go to the first.
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates);
 
-// Returns "did you mean ..." with a leading blank, or "" if nothing is close.
+// Returns "; did you mean ..." for the end of an error, or "" if nothing is close.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
+
+// Returns an error as a sentence: "there is no knot @k7" becomes "There is no knot @k7."
+std::string sentence(std::string error);
 
 // Returns "FILE:LINE:COLUMN: error: MESSAGE".
 std::string at_place(std::string_view file, int line, int column, std::string_view message);

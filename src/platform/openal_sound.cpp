@@ -76,7 +76,7 @@ base::Result<std::unique_ptr<SoundDevice>> SoundDevice::open() {
     const QuietErrors quiet;
     parts->device = alcOpenDevice(nullptr);
   }
-  if (!parts->device) return base::Status{base::Code::refused, "no sound device"};
+  if (!parts->device) return base::Status{base::Code::refused, "there is no sound device"};
   parts->context = alcCreateContext(parts->device, nullptr);
   if (!parts->context || !alcMakeContextCurrent(parts->context))
     return base::Status{base::Code::refused, "the sound device has no OpenAL context"};

@@ -54,7 +54,7 @@ std::string nearest_path(std::span<const WidgetState> widgets, std::string_view 
   const auto near = base::nearest(last_part(path), ends);
   if (!near) return {};
   const auto at = std::find(ends.begin(), ends.end(), *near) - ends.begin();
-  return fmt::format(" did you mean {}?", base::quoted(paths[static_cast<std::size_t>(at)]));
+  return fmt::format("; did you mean {}?", base::quoted(paths[static_cast<std::size_t>(at)]));
 }
 
 }  // namespace

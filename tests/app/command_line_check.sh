@@ -28,7 +28,7 @@ rule() { # what the one goal expects, the start track
 }
 rule "knotz == 3" "$SOURCE/tracks/gentle.json"
 expect_code 3 --validate "$OUT/rule.json"
-expect_text stderr 'rule.json: error: goals[0].expect:1: no query "knotz" did you mean "knots"?'
+expect_text stderr 'rule.json: error: goals[0].expect:1: no query "knotz"; did you mean "knots"?'
 rule "knots == 3" "no_such_track.json"
 expect_code 3 --validate "$OUT/rule.json"
 expect_text stderr "rule.json: error: track: "

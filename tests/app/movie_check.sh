@@ -39,7 +39,7 @@ script time 'frames 6\nticks 24\nwait tick >= 48\nframes 0\n'
 for rate in 30:12 24:10 60:24; do
   with_ffmpeg none 0 --headless --script "$OUT/time.coaster" --out "$OUT/run" --movie "$OUT/m" --fps ${rate%:*}
   expect_pictures "$OUT/m" ${rate#*:}
-  expect_text stderr "movie: ${rate#*:} pictures in $OUT/m; install ffmpeg"
+  expect_text stderr "Saved ${rate#*:} pictures in $OUT/m. Install ffmpeg"
   [ ! -e "$OUT/m/movie.mp4" ] || fail "a movie file without ffmpeg"
 done
 [ "$(size_of "$OUT/m/frame-00000.png")" = " 0 0 0 160 0 0 0 90" ] || fail "frame-00000.png is $(size_of "$OUT/m/frame-00000.png")"
@@ -56,7 +56,7 @@ done
 # ffmpeg gets its arguments in the folder of the pictures; files of the user's there are left alone.
 echo mine >"$OUT/m/frame-1.png"
 with_ffmpeg good 0 --headless --script "$OUT/time.coaster" --out "$OUT/run" --movie "$OUT/m" --gif
-expect_text stderr "movie: 12 pictures in $OUT/m, movie.mp4, movie.gif"
+expect_text stderr "Saved 12 pictures in $OUT/m, with movie.mp4 and movie.gif."
 [ "$(cat "$OUT/m/frame-1.png")" = mine ] || fail "a file that is no picture of a movie was removed"
 [ -s "$OUT/m/movie.mp4" ] && [ -s "$OUT/m/movie.gif" ] || fail "no movie files"
 [ "$(grep -cx "$OUT/m" "$FFMPEG_LOG")" = 2 ] || fail "ffmpeg did not run in the folder of the pictures"
@@ -64,7 +64,7 @@ for word in frame-%05d.png -framerate 30 12 yuv420p mp4 gif; do grep -qx -- "$wo
 
 # A failure of ffmpeg is one line, and no failure of the program.
 with_ffmpeg bad 0 --headless --script "$OUT/time.coaster" --out "$OUT/run" --movie "$OUT/m2"
-expect_text stderr "movie: 12 pictures in $OUT/m2; ffmpeg made no movie.mp4: Unknown encoder 'libx264'"
+expect_text stderr "Saved 12 pictures in $OUT/m2. There is no movie.mp4 because ffmpeg failed: Unknown encoder 'libx264'"
 [ "$(wc -l <"$OUT/stderr")" = 1 ] || fail "more than one line about ffmpeg"
 expect_pictures "$OUT/m2" 12
 
@@ -109,14 +109,14 @@ shot "$OUT/bar.png"
 ui.click "Movie/Stop"
 frames 1
 expect not visible "Movie/Stop"
-expect toast ~ "by-hand-movie-1; install ffmpeg"
+expect toast ~ "by-hand-movie-1. Install ffmpeg"
 expect file "$OUT/by-hand-movie-1/frame-00005.png" exists
 key Shift+F12
 expect ride.state == running
 wait ride.state != running max 14400 ticks
 frames 2
 expect not visible "Movie/Stop"
-expect toast ~ "by-hand-movie-2; install ffmpeg"
+expect toast ~ "by-hand-movie-2. Install ffmpeg"
 ' "$SOURCE" >"$OUT/hand.coaster"
 with_ffmpeg none 0 --headless --script "$OUT/hand.coaster" --out "$OUT/hand"
 [ "$(size_of "$OUT/hand/by-hand-movie-1/frame-00000.png")" = " 0 0 2 128 0 0 1 104" ] || fail "a picture by hand is not as large as the window"

@@ -49,13 +49,13 @@ class MovieFiles : public testing::Test {
 
 // A GIF counts delays in hundredths of a second: 60 pictures a second would be a delay of 1.67, which it cannot say.
 TEST_F(MovieFiles, a_gif_has_25_pictures_a_second_at_most) {
-  EXPECT_NE(encode(60).find(", movie.mp4, movie.gif"), std::string::npos);
+  EXPECT_NE(encode(60).find(", with movie.mp4 and movie.gif."), std::string::npos);
   EXPECT_NE(arguments().find("-frames:v\n60\n-vf"), std::string::npos) << arguments();
   EXPECT_NE(arguments().find("-frames:v\n25\n-filter_complex\nfps=25,"), std::string::npos) << arguments();
 }
 
 TEST_F(MovieFiles, a_gif_keeps_a_lower_rate) {
-  EXPECT_NE(encode(20).find(", movie.mp4, movie.gif"), std::string::npos);
+  EXPECT_NE(encode(20).find(", with movie.mp4 and movie.gif."), std::string::npos);
   EXPECT_NE(arguments().find("-frames:v\n20\n-filter_complex\nfps=20,"), std::string::npos) << arguments();
 }
 

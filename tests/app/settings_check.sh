@@ -63,12 +63,12 @@ run 0 partly
 grep -q '"later"' "$settings" || fail "unknown members are lost"
 grep -q '"panels": false' "$settings" || fail "the panels are not kept"
 
-# Keys: unknown actions and keys, and keys wanted by two, are told in one notice; menus and tooltips show what holds.
+# Keys: unknown actions and keys, and keys assigned twice, are reported in one notice; menus and tooltips show what holds.
 printf '{"format": "coaster-settings", "version": 1, "keys": {"Undo": "Ctrl+U", "Undoo": "F3", "Redo": "Ctrl+U", "Save": "Splat", "Frame all": "R", "Add curve": ""}}' >"$settings"
-script keys 'expect toast ~ "no action \"Undoo\" did you mean \"Undo\"?"
-expect toast ~ "Ctrl+U is wanted by Undo and Redo"
-expect toast ~ "Save: no key \"Splat\""
-expect toast ~ "R is Frame all now, no longer Rotate"
+script keys 'expect toast ~ "There is no action \"Undoo\"; did you mean \"Undo\"?"
+expect toast ~ "Ctrl+U is assigned to both Undo and Redo."
+expect toast ~ "Save keeps its default keys because \"Splat\" is not a key."
+expect toast ~ "R now belongs to Frame all, not to Rotate."
 append at 0 5 0
 append at 20 5 0
 key C

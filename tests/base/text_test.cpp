@@ -57,7 +57,14 @@ TEST(text, the_nearest_word_is_suggested_and_far_ones_are_not) {
   EXPECT_EQ(nearest("evalutor", words), "evaluator");
   EXPECT_EQ(nearest("mvoe", words), "move");
   EXPECT_EQ(nearest("xylophone", words), std::nullopt);
-  EXPECT_EQ(suggestion("resolutoin", words), " did you mean \"resolution\"?");
+  EXPECT_EQ(suggestion("resolutoin", words), "; did you mean \"resolution\"?");
+}
+
+TEST(text, an_error_becomes_a_sentence) {
+  EXPECT_EQ(sentence("there is no knot @k7"), "There is no knot @k7.");
+  EXPECT_EQ(sentence("@k7 is no segment."), "@k7 is no segment.");
+  EXPECT_EQ(sentence("no query \"knotz\"; did you mean \"knots\"?"), "No query \"knotz\"; did you mean \"knots\"?");
+  EXPECT_EQ(sentence(""), "");
 }
 
 }  // namespace text_test

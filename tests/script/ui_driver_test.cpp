@@ -30,7 +30,7 @@ TEST(widgets, a_path_is_found_whole_by_its_end_in_any_case_or_by_its_parts) {
   EXPECT_EQ(find_widget(all, "Delete").status().message,
             "\"Delete\" matches several widgets: \"Track/Delete\" (button), \"Inspector/Delete\" (button)");
   EXPECT_EQ(find_widget(all, "Track/Insert pont").status().message,
-            "no widget \"Track/Insert pont\" did you mean \"Track/Insert point\"?");
+            "no widget \"Track/Insert pont\"; did you mean \"Track/Insert point\"?");
   EXPECT_FALSE(find_widget(all, "oint").ok());
 }
 

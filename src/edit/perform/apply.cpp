@@ -97,13 +97,6 @@ Status cancel(Session& session) {
   return {};
 }
 
-// "there is nothing to undo" -> "There is nothing to undo."
-std::string sentence(std::string text) {
-  if (text.empty()) return text;
-  if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text.ends_with('.') ? text : text + '.';
-}
-
 using Perform = Status (*)(Session&, Change&, const Command&);
 constexpr auto kPerform = Commands::table([]<class C>() -> Perform {
   return [](Session& session, Change& change, const Command& command) -> Status {
@@ -146,11 +139,12 @@ Status apply(Session& session, base::Files& files, const Command& command) {
   const Effect effect = info(command).effect;
   const Status status = kPerform[index_of(command)](session, change, command);
   if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
-  if (status.code == base::Code::refused) notify(session, NoticeKind::error, sentence(status.message));
-  else if (!status) notify(session, NoticeKind::error, status.message);
-  if (!status) return status;
+  if (!status) {
+    notify(session, status);
+    return status;
+  }
   if (effect == Effect::document || effect == Effect::history) watch_built(session);
-  for (const std::string& line : change.clamped) notify(session, NoticeKind::warning, sentence(line));
+  for (const std::string& line : change.clamped) notify(session, NoticeKind::warning, line);
   if (!change.note.empty()) notify(session, NoticeKind::info, change.note);
   return {};
 }

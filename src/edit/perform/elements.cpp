@@ -23,15 +23,17 @@ Status well_formed(const world::Element& element) {
   return {};
 }
 
-// What the riders and the ground get to know of a placed element.
+// Says what was placed, or else its warnings.
 void report(const sim::ElementPlan& plan, double missing, Change& change) {
   change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
-  if (plan.lowest < 0) change.clamped.push_back(fmt::format("goes {:.1f} m below the ground", -plan.lowest));
+  if (plan.lowest < 0)
+    change.clamped.push_back(fmt::format("The element goes {:.1f} m below the ground.", -plan.lowest));
   if (missing > 0)
-    change.clamped.push_back(fmt::format("comes {:.1f} m too near to other track: a train would not get by", missing));
-  if (!plan.fit.within)
     change.clamped.push_back(
-        fmt::format("so far from the origin the fit error is {} m", base::to_text(static_cast<float>(plan.fit.error))));
+        fmt::format("The element is {:.1f} m too close to other track for a train to pass.", missing));
+  if (!plan.fit.within)
+    change.clamped.push_back(fmt::format("The fit error is {} m because the element is far from the origin.",
+                                         base::to_text(static_cast<float>(plan.fit.error))));
   if (!change.clamped.empty()) return;  // the warning should be the newest notice
   change.note = fmt::format("Placed {}: {:.1f} m, {} {}, fit error {} mm.", base::row_of(plan.element.kind).name,
                             plan.length, plan.spans(), plan.spans() == 1 ? "span" : "spans",

@@ -70,7 +70,7 @@ Status perform(Session& session, Change& change, const Save& command) {
   return {};
 }
 Status perform(Session& session, Change& change, const SaveMeasurements& command) {
-  if (session.measuring.measurement.next == 0) return refused("nothing is measured yet");
+  if (session.measuring.measurement.next == 0) return refused("there are no measurements yet");
   return write(change, command.path, sim::to_csv(session.measuring.measurement, session.measuring.machine));
 }
 Status perform(Session& session, Change& change, const SaveReport& command) {

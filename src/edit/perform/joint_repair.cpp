@@ -125,7 +125,7 @@ base::Status acceptable(const Document& document, const Joint& j, const curve::G
                                  base::to_text(world::kMaxHandle)));
   for (int axis = 0; axis < 3; ++axis)
     if (std::abs(s.position[axis]) > double{world::kMaxCoordinate})
-      return refusal("the knot would leave the limit of coordinates");
+      return refusal("the knot would be beyond the limit of coordinates");
   return {};
 }
 
@@ -233,7 +233,8 @@ RepairReport report(const Document& before, const Document& now, const std::vect
     if (lowered(was, is)) spoilt = true;
     if (was->geometric == curve::Geometric::g2) ++result.already;
     else if (is->geometric == curve::Geometric::g2) ++result.changed;
-    else result.refused.push_back({now.track.knots[i], reasons[i].empty() ? "the sweeps did not settle" : reasons[i]});
+    else
+      result.refused.push_back({now.track.knots[i], reasons[i].empty() ? "the repair did not converge" : reasons[i]});
   }
   result.movement = movement_between(before, now);
   return result;

@@ -25,7 +25,7 @@ std::string told(const world::Document& document, const RepairReport& report) {
       fmt::format("Made {} {} G2 by moving {}. {} were G2 already.", report.changed,
                   report.changed == 1 ? "joint" : "joints", as_movement(report.movement), report.already);
   if (report.refused.empty()) return text;
-  text += fmt::format(" {} cannot be: ", report.refused.size());
+  text += fmt::format(" {} cannot be made G2: ", report.refused.size());
   for (std::size_t i = 0; i < std::min(kMostNamed, report.refused.size()); ++i)
     text += fmt::format("{}@{} ({})", i ? ", " : "", world::label_of(document, report.refused[i].knot),
                         report.refused[i].reason);

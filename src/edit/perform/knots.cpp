@@ -56,7 +56,7 @@ Status perform(Session& session, Change&, const SetDirection& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
   if (!finite(command.to)) return refused("expected 3 finite numbers");
-  if (!(glm::length(glm::dvec3(command.to)) >= kShortDirection)) return refused("a direction needs a length");
+  if (!(glm::length(glm::dvec3(command.to)) >= kShortDirection)) return refused("expected a direction longer than 0");
   for (const world::Entity e : *knots) {
     Knot& knot = knot_at(session, e);
     shaped_by_hand(knot);

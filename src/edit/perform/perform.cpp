@@ -26,8 +26,8 @@ T Change::clamp(std::string_view what, T value, std::type_identity_t<T> low, std
                 std::string_view unit) {
   const T limit = std::clamp(value, low, high);
   if (limit != value)
-    clamped.push_back(fmt::format("{} {} is beyond the limit of {}{}{}", what, number_text(value), number_text(limit),
-                                  unit.empty() ? "" : " ", unit));
+    clamped.push_back(fmt::format("{} {} from {} to the limit of {}{}{}.", limit < value ? "Reduced" : "Raised", what,
+                                  number_text(value), number_text(limit), unit.empty() ? "" : " ", unit));
   return limit;
 }
 template double Change::clamp(std::string_view, double, double, double, std::string_view);

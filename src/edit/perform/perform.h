@@ -22,7 +22,7 @@ struct MotionFollowUp {
 // The files that one command may use, and what it reports besides its status.
 struct Change {
   base::Files& files;
-  std::vector<std::string> clamped{};  // one sentence for each clamped value
+  std::vector<std::string> clamped{};  // one sentence for each clamped value or other warning
   std::string note{};                  // result to show on success, if it is not obvious
   MotionFollowUp motion{};
   std::optional<world::Entity> select{};  // the selection on success

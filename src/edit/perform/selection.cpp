@@ -18,8 +18,8 @@ Status perform(Session& session, Change& change, const Select& command) {
   const auto e = require(session, command.what, command.what.name.kind);
   if (!e) return e.status();
   if (command.what.name.kind == world::Kind::segment) {
-    if (!std::isfinite(command.at)) return refused("expected a finite place");
-    settings.selected_t = change.clamp("place", command.at, 0.0, 1.0);
+    if (!std::isfinite(command.at)) return refused("expected a finite position");
+    settings.selected_t = change.clamp("position", command.at, 0.0, 1.0);
   }
   settings.selected = *e, settings.also.clear();
   return {};

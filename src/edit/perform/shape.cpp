@@ -74,7 +74,7 @@ Status straighten_run(const Places& at, const KnotRun& run) {
   const dvec3 start = at.position(places.front()), way = at.position(places.back()) - start;
   const double length = glm::length(way);
   if (!(length >= places.size() * 3.0 * world::kMinHandle))
-    return refused("the ends of the straight are too near to each other");
+    return refused("the ends of the straight are too close to each other");
   std::vector<double> share{0};
   for (std::size_t i = 1; i < places.size(); ++i)
     share.push_back(share.back() +
@@ -132,7 +132,7 @@ Status perform(Session& session, Change&, const Straighten& command) {
   const Places at{next};
   bool any = false;
   for (const KnotRun& run : runs_of(session.document, *knots)) {
-    if (run.whole) return refused("a closed track has no straight way from its first knot to its last");
+    if (run.whole) return refused("a closed track has no straight line from its first knot to its last");
     if (run.places.size() < 2) continue;
     if (const Status done = straighten_run(at, run); !done) return done;
     any = true;
@@ -171,7 +171,7 @@ Status perform(Session& session, Change& change, const SetRadius& command) {
       set(place, true), set(place, false);
     }
   }
-  if (bent == 0) return refused("the track runs straight there");
+  if (bent == 0) return refused("the track is straight there");
   session.document = std::move(next);
   return {};
 }

@@ -47,7 +47,7 @@ Knot carried(Change& change, Knot knot, const Knot& from, const Knot& to) {
 
 Status perform(Session& session, Change& change, const Reverse&) {
   world::Document& document = session.document;
-  if (document.track.segments.empty()) return refused("there is no track to turn round");
+  if (document.track.segments.empty()) return refused("there is no track to reverse");
   const sim::Derived& derived = session.derived;
   struct Start {
     Entity cart;

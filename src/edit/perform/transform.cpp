@@ -81,7 +81,7 @@ Status transform(Session& session, Change& change, const Knots& which, const Map
     session.document.entities.get<Knot>(e) = next;
   }
   if (cut)
-    change.clamped.push_back(fmt::format("handle lengths are clamped to the limits of {} to {} m",
+    change.clamped.push_back(fmt::format("Kept handle lengths within the limits of {} to {} m.",
                                          base::to_text(world::kMinHandle), base::to_text(world::kMaxHandle)));
   if (glm::determinant(map.linear) < 0) {
     std::sort(knots->begin(), knots->end());
@@ -102,7 +102,7 @@ Status perform(Session& session, Change& change, const Rotate& command) {
   if (!finite(command.about) || !finite(command.axis) || !std::isfinite(command.by))
     return refused("expected finite numbers");
   const dvec3 axis(command.axis);
-  if (!(glm::length(axis) >= kShortAxis)) return refused("an axis needs a length");
+  if (!(glm::length(axis) >= kShortAxis)) return refused("expected an axis longer than 0");
   const dvec3 unit = axis / glm::length(axis);
   const double angle = base::radians(std::remainder(command.by, 360.0));
   const dmat3 linear(curve::rotate({1, 0, 0}, unit, angle), curve::rotate({0, 1, 0}, unit, angle),
@@ -124,7 +124,7 @@ Status perform(Session& session, Change& change, const Scale& command) {
 Status perform(Session& session, Change& change, const Mirror& command) {
   if (!finite(command.about) || !finite(command.across)) return refused("expected finite numbers");
   const dvec3 across(command.across);
-  if (!(glm::length(across) >= kShortAxis)) return refused("a plane's normal needs a length");
+  if (!(glm::length(across) >= kShortAxis)) return refused("expected a normal longer than 0");
   const dvec3 n = across / glm::length(across);
   const dmat3 linear = dmat3(1.0) - 2.0 * glm::outerProduct(n, n);
   return transform(session, change, command.knots, {.linear = linear, .about = dvec3(command.about)}, false);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "edit/session/ride_watch.h"
 
 namespace coaster::edit {
@@ -20,6 +21,11 @@ void notify(Session& session, NoticeKind kind, std::string text) {
   }
   if (notices.size() == kMost) notices.erase(notices.begin());
   notices.push_back({kind, std::move(text), serial});
+}
+
+void notify(Session& session, const base::Status& error) {
+  const bool refused = error.code == base::Code::refused;
+  notify(session, NoticeKind::error, refused ? base::sentence(error.message) : error.message);
 }
 
 bool dirty(const Finder& find) { return find(Want::document_hash).document_hash != find.session().file.saved_hash; }

@@ -111,6 +111,8 @@ struct Session {
 };
 
 void notify(Session& session, NoticeKind kind, std::string text);
+// Shows an error: a refusal as a sentence, others as they are, because a file's name comes first.
+void notify(Session& session, const base::Status& error);
 bool dirty(const Finder& find);  // the document has unsaved changes
 
 // Runs the next slice of the measurement (a few ms); no-op when idle.

@@ -109,8 +109,8 @@ double levelling_radius(const world::Element& element) {
 
 std::string beyond_limit(const world::ElementParameter& parameter, double value, double limit) {
   const std::string unit = fmt::format("{}{}", parameter.unit.empty() ? "" : " ", parameter.unit);
-  return fmt::format("{} {}{} is beyond the limit of {}{}", parameter.name, base::to_text(value), unit,
-                     base::to_text(limit), unit);
+  return fmt::format("{} {} from {}{} to the limit of {}{}", limit < value ? "Reduced" : "Raised", parameter.name,
+                     base::to_text(value), unit, base::to_text(limit), unit);
 }
 
 void give_way(world::Element& element, std::string_view parameter, double limit, std::string_view reason,
@@ -119,7 +119,7 @@ void give_way(world::Element& element, std::string_view parameter, double limit,
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (parameters[i].name != parameter) continue;
     lines.push_back(fmt::format(
-        "{}: {}", beyond_limit(parameters[i], element.values[i], std::round(limit * 1000.0) / 1000.0), reason));
+        "{}: {}.", beyond_limit(parameters[i], element.values[i], std::round(limit * 1000.0) / 1000.0), reason));
     element.values[i] = limit;
   }
 }

@@ -36,9 +36,9 @@ inline constexpr double kEaseAngle = 0.175, kLongestEase = 12;  // rad, m
 // direction and curvature, and ends straight.
 ElementShape element_shape(world::Element& element, const TrackEnd& end, std::vector<std::string>& lines);
 
-// Returns "height 3 m is beyond the limit of 5.2 m".
+// Returns "Raised height from 3 m to the limit of 5.2 m".
 std::string beyond_limit(const world::ElementParameter& parameter, double value, double limit);
-// Sets the value to the limit and adds such a line with ": REASON".
+// Sets the value to the limit and adds such a line with ": REASON.".
 void give_way(world::Element& element, std::string_view parameter, double limit, std::string_view reason,
               std::vector<std::string>& lines);
 

@@ -130,7 +130,7 @@ void add_climb_or_dive(ShapeTask& task) {
   };
   double height = world::value_of(task.element, "height"), angle = steepest;
   if (const double least = bends(0); height < least) {
-    give_way(task.element, "height", least, "levelling out needs that much", task.lines);
+    give_way(task.element, "height", least, "a smaller one cannot level out", task.lines);
     height = least, angle = 0;
   } else if (bends(steepest) > height) {
     angle = root(0, steepest, [&](double a) { return bends(a) - height; });

@@ -30,7 +30,7 @@ void clamp_values(world::Element& element, std::vector<std::string>& lines) {
     if (!std::isfinite(value)) value = p.usual;
     const double cut = std::clamp(value, p.low, p.high);
     if (cut == value) continue;
-    lines.push_back(beyond_limit(p, value, cut));
+    lines.push_back(beyond_limit(p, value, cut) + ".");
     value = cut;
   }
 }
@@ -74,8 +74,8 @@ ElementPlan plan_element(const world::Element& element, const TrackEnd& end) {
   if (plan.length > kLongestElement)
     plan.refusal = fmt::format("the element is longer than the limit of {} m", base::to_text(kLongestElement));
   else if (!within_world(plan.ideal))
-    plan.refusal =
-        fmt::format("the element leaves the limit of coordinates, {} m", base::to_text(double{world::kMaxCoordinate}));
+    plan.refusal = fmt::format("the element goes beyond the limit of coordinates, {} m",
+                               base::to_text(double{world::kMaxCoordinate}));
   if (!plan.refusal.empty()) return plan;
   plan.fit = fit_element(plan.ideal);
   plan.lowest = plan.ideal.points.front().position.y;

@@ -67,7 +67,8 @@ void build_file_mark(Ui& ui) {
   ImGui::SetCursorPosX(left);
   tinted_line(words, palette().warning);
   note_item(ui, "Unsaved", "label",
-            holder.empty() ? "The track differs from its file." : holder + " edits this file: save under another name.",
+            holder.empty() ? "The track differs from its file."
+                           : fmt::format("This file is open in {}. Save under another name.", holder),
             true, words);
 }
 

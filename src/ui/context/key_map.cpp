@@ -25,8 +25,8 @@ std::vector<Wanted> readable(std::span<const std::string_view> names, std::span<
   for (const exchange::KeyChoice& choice : choices) {
     const auto row = std::find(names.begin(), names.end(), choice.action);
     if (row == names.end()) {
-      problems.push_back(
-          fmt::format("no action {}{}", base::quoted(choice.action), base::suggestion(choice.action, actions)));
+      problems.push_back(base::sentence(fmt::format("there is no action {}{}", base::quoted(choice.action),
+                                                    base::suggestion(choice.action, actions))));
       continue;
     }
     Wanted wanted{static_cast<std::size_t>(row - names.begin()), {}};
@@ -36,9 +36,12 @@ std::vector<Wanted> readable(std::span<const std::string_view> names, std::span<
       const auto owner = std::find_if(all.begin(), all.end(), [&](const Wanted& w) {
         return chord && std::find(w.chords.begin(), w.chords.end(), *chord) != w.chords.end();
       });
-      if (!chord) problems.push_back(fmt::format("{}: no key {}", choice.action, base::quoted(text)));
+      if (!chord)
+        problems.push_back(
+            fmt::format("{} keeps its default keys because {} is not a key.", choice.action, base::quoted(text)));
       else if (owner != all.end())
-        problems.push_back(fmt::format("{} is wanted by {} and {}", text, names[owner->row], choice.action));
+        problems.push_back(fmt::format("{0} is assigned to both {1} and {2}. {2} keeps its default keys.", text,
+                                       names[owner->row], choice.action));
       else wanted.chords.push_back(*chord);
       usable = usable && chord && owner == all.end();
     }
@@ -65,8 +68,8 @@ KeyMap KeyMap::make(std::span<const KeyRow> rows, std::span<const exchange::KeyC
       for (const Chord& chord : wanted.chords) {
         if (row == wanted.row) continue;
         if (std::erase(map.rows_[row], chord) > 0)
-          problems.push_back(fmt::format("{} is {} now, no longer {}", platform::to_text(chord), map.names_[wanted.row],
-                                         map.names_[row]));
+          problems.push_back(fmt::format("{} now belongs to {}, not to {}.", platform::to_text(chord),
+                                         map.names_[wanted.row], map.names_[row]));
       }
   return map;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_settings.h"
 #include "ui/context/rows.h"
@@ -94,7 +95,7 @@ void elements_panel(Ui& ui) {
   const sim::ElementPlan& plan = *ui.find(edit::Want::element).element;
   const bool possible = plan.refusal.empty();
   if (possible) outcome(ui, plan);
-  else tinted(plan.refusal, palette().warning);
+  else tinted(base::sentence(plan.refusal), palette().warning);
   const std::string help =
       fmt::format("Place the element at the open end of the track. {} hides the preview.", ui.keys.shown("Cancel"));
   if (button(ui, "Place", with_keys(ui.keys, help, "Place element"), possible, ImGui::GetContentRegionAvail().x))

@@ -91,7 +91,7 @@ void Dialogs::browse(Ui& ui, FileBrowser::Mode mode) {
 void Dialogs::save(Ui& ui) {
   if (ui.session().file.path.empty()) return browse(ui, FileBrowser::Mode::save);
   if (const UserState* const kept = ui.state.kept; kept != nullptr && !kept->holder.empty()) {
-    ui.warn(kept->holder + " edits this file: save under another name.");
+    ui.warn("This file is open in " + kept->holder + ". Save under another name.");
     return browse(ui, FileBrowser::Mode::save);
   }
   ui.emit(edit::Save{ui.session().file.path.string()});

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
 #include "ui/tools/places.h"
@@ -18,12 +19,6 @@ namespace coaster::ui {
 namespace {
 
 using edit::RideEnd;
-
-std::string sentence(std::string words) {
-  if (!words.empty() && words.front() >= 'a' && words.front() <= 'z')
-    words.front() = static_cast<char>(words.front() - 'a' + 'A');
-  return words + ".";
-}
 
 // A name, a bar towards 10 and the number.
 void rating(Ui& ui, const char* name, double value, std::uint32_t rgb, std::string_view tooltip) {
@@ -109,11 +104,11 @@ void build(Ui& ui, const edit::Session& session) {
   const bool failed = result.end == RideEnd::failed;
   paragraph(ui, "Title", std::string(base::row_of(result.end).label), failed ? palette().error : palette().text);
   if (!result.reason.empty())
-    paragraph(ui, "Reason", sentence(result.reason), failed ? palette().warning : palette().dim);
+    paragraph(ui, "Reason", base::sentence(result.reason), failed ? palette().warning : palette().dim);
   if (result.verdict) {
     verdict(ui, *result.verdict);
     if (!result.verdict->reason.empty() && result.verdict->reason != result.reason)
-      paragraph(ui, "Why not", sentence(result.verdict->reason), palette().warning);
+      paragraph(ui, "Why not", base::sentence(result.verdict->reason), palette().warning);
   }
   ImGui::Separator();
   numbers(ui, result);

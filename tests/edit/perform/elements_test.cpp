@@ -110,7 +110,7 @@ TEST_F(PerformElementsTest, carts_under_way_stay_where_they_are) {
 }
 
 TEST_F(PerformElementsTest, what_cannot_be_placed_is_refused_and_limits_are_told) {
-  clamped("element loop height 500", "Height 500 m is beyond the limit of 100 m");
+  clamped("element loop height 500", "Reduced height from 500 m to the limit of 100 m.");
   good("element dive height 300");
   EXPECT_EQ(session.notices.list.back().kind, NoticeKind::warning);
   EXPECT_NE(session.notices.list.back().text.find("below the ground"), std::string::npos)

@@ -19,7 +19,7 @@ TEST_F(ShapingKnots, move_puts_the_knot_there_and_keeps_its_shape) {
 }
 
 TEST_F(ShapingKnots, move_beyond_the_limit_is_clamped_with_a_notice) {
-  clamped("move @k2 to 250000 1 -3", "Position.x 250000 is beyond the limit of 100000 m");
+  clamped("move @k2 to 250000 1 -3", "Reduced position.x from 250000 to the limit of 100000 m");
   EXPECT_EQ(knot(2).position, glm::vec3(100'000, 1, -3));
   clamped("move @k2 to 1 -3e9 -3", "limit of -100000 m");
 }
@@ -50,7 +50,7 @@ TEST_F(ShapingKnots, shaping_an_automatic_joint_makes_it_aligned) {
 
 TEST_F(ShapingKnots, a_handle_on_its_knot_keeps_the_direction_at_the_shortest_length) {
   const glm::vec3 tangent = knot(2).tangent;
-  clamped("handle @k2.out to 131.3 19.7 -37.1", "Handle length 0 is beyond the limit of 0.01 m");
+  clamped("handle @k2.out to 131.3 19.7 -37.1", "Raised handle length from 0 to the limit of 0.01 m.");
   EXPECT_EQ(knot(2).tangent, tangent);
   EXPECT_EQ(knot(2).out_length, world::kMinHandle);
   clamped("handle @k2.out to 90000 19.7 -37.1", "limit of 10000 m");
@@ -60,7 +60,7 @@ TEST_F(ShapingKnots, a_handle_on_its_knot_keeps_the_direction_at_the_shortest_le
 TEST_F(ShapingKnots, direct_turns_the_tangent_and_needs_a_length) {
   good("direct @k2 to 0 0 -7");
   EXPECT_EQ(knot(2).tangent, glm::vec3(0, 0, -1));
-  refused("direct @k2 to 0 0 0", "a direction needs a length");
+  refused("direct @k2 to 0 0 0", "expected a direction longer than 0");
 }
 
 TEST_F(ShapingKnots, different_lengths_make_a_smooth_joint_aligned) {
@@ -89,7 +89,7 @@ TEST_F(ShapingKnots, a_joint_made_smooth_takes_the_mean_length) {
 TEST_F(ShapingKnots, turns_are_clamped) {
   good("turns @s1 to 2");
   EXPECT_EQ(world::segment(session.document, entity("s1")).turns, 2);
-  clamped("turns @s1 to 99", "Turns 99 is beyond the limit of 16");
+  clamped("turns @s1 to 99", "Reduced turns from 99 to the limit of 16.");
   clamped("turns @s1 to -99", "limit of -16");
 }
 

@@ -54,7 +54,7 @@ TEST_F(Riding, seek_puts_the_first_cart_there) {
   EXPECT_EQ(session.motion.state, RideState::paused);
   refused(RideSeek{std::numeric_limits<double>::infinity()}, "finite");
   good("closed off");
-  clamped("ride.seek 1e6", "Distance 1000000 is beyond the limit of 127.126 m.");
+  clamped("ride.seek 1e6", "Reduced distance from 1000000 to the limit of 127.126 m.");
 }
 
 TEST_F(Riding, an_ended_ride_starts_again_from_the_start) {

@@ -47,7 +47,7 @@ TEST_F(ChangingSettings, settings_touch_neither_document_nor_motion_nor_history)
 }
 
 TEST_F(ChangingSettings, the_resolution_is_clamped) {
-  clamped("resolution 5000", "Resolution 5000 is beyond the limit of 4096");
+  clamped("resolution 5000", "Reduced resolution from 5000 to the limit of 4096");
   EXPECT_EQ(session.settings.evaluation->steps, 4096);
   clamped("resolution 0", "limit of 1");
   EXPECT_EQ(session.settings.evaluation->steps, 1);
@@ -74,12 +74,12 @@ TEST_F(ChangingSettings, how_the_cameras_feel_is_clamped) {
 }
 
 TEST_F(ChangingSettings, the_camera_is_clamped_and_yaw_wraps) {
-  clamped("camera target 1 2 3 yaw 370 pitch 99 distance 30", "Pitch 99 is beyond the limit of 89 degrees.");
+  clamped("camera target 1 2 3 yaw 370 pitch 99 distance 30", "Reduced pitch from 99 to the limit of 89 degrees.");
   EXPECT_EQ(session.settings.camera, (world::Camera{{1, 2, 3}, 10, 89, 30}));
   clamped("camera target 1 2 3 yaw 0 pitch -99 distance 30", "limit of -89");
   clamped("camera target 1 2 3 yaw 0 pitch 0 distance 0", "limit of 0.5 m");
   clamped("camera target 1 2 3 yaw 0 pitch 0 distance 1e6", "limit of 20000 m");
-  clamped("camera target 1e6 2 3 yaw 0 pitch 0 distance 10", "Target.x");
+  clamped("camera target 1e6 2 3 yaw 0 pitch 0 distance 10", "target.x");
   refused(SetCamera{{{kNan, 0, 0}, 0, 0, 10}}, "finite");
   refused(SetCamera{{{0, 0, 0}, kNan, 0, 10}}, "finite");
   refused(SetCamera{{{0, 0, 0}, 0, kNan, 10}}, "finite");

@@ -80,7 +80,7 @@ TEST_F(ChangingTrack, append_needs_an_open_track) {
   good("closed on");
   refused("append at 1 2 3", "the track is closed");
   good("closed off");
-  clamped("append at 1e9 2 3", "Position.x");
+  clamped("append at 1e9 2 3", "position.x");
   refused(AppendKnot{{1, 2, std::numeric_limits<float>::quiet_NaN()}}, "finite");
 }
 

@@ -56,17 +56,19 @@ TEST(elements, what_cannot_be_has_to_give_way) {
   world::Element hill = world::usual_element(ElementKind::camelback);
   hill.values = {50, 20};
   hill.values[2] = 20;
-  EXPECT_NE(line(hill).find("speed 20 m/s is beyond the limit of 33.588 m/s: a slower train"), std::string::npos)
+  EXPECT_NE(
+      line(hill).find("Raised speed from 20 m/s to the limit of 33.588 m/s: a slower train cannot pass the crest."),
+      std::string::npos)
       << line(hill);
   world::Element helix = world::usual_element(ElementKind::helix);
   helix.values = {5, 1, -100, 0, 0};
-  EXPECT_NE(line(helix).find("height -100 m is beyond the limit"), std::string::npos) << line(helix);
+  EXPECT_NE(line(helix).find("Raised height from -100 m to the limit"), std::string::npos) << line(helix);
   world::Element loop = world::usual_element(ElementKind::loop);
   loop.values = {3, 0, 30};
-  EXPECT_NE(line(loop).find("shift 30 m is beyond the limit"), std::string::npos) << line(loop);
+  EXPECT_NE(line(loop).find("Reduced shift from 30 m to the limit"), std::string::npos) << line(loop);
   world::Element curve = world::usual_element(ElementKind::curve);
   curve.values = {3, 1};
-  EXPECT_NE(line(curve).find("radius 3 m is beyond the limit"), std::string::npos) << line(curve);
+  EXPECT_NE(line(curve).find("Raised radius from 3 m to the limit"), std::string::npos) << line(curve);
 }
 
 TEST(elements, the_open_end_is_the_last_knot_with_the_curvature_that_leads_there) {

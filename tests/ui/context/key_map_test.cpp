@@ -48,15 +48,15 @@ TEST(key_map, what_cannot_be_done_is_told_and_leaves_the_action_its_own_keys) {
   const KeyMap keys = KeyMap::make(key_rows(), choices, problems);
   ASSERT_EQ(problems.size(), 3u);
   EXPECT_NE(problems[0].find("did you mean \"Undo\"?"), std::string::npos);
-  EXPECT_EQ(problems[1], "Save: no key \"Ctrl+Splat\"");
-  EXPECT_EQ(problems[2], "F3 is wanted by Undo and Redo");
+  EXPECT_EQ(problems[1], "Save keeps its default keys because \"Ctrl+Splat\" is not a key.");
+  EXPECT_EQ(problems[2], "F3 is assigned to both Undo and Redo. Redo keeps its default keys.");
   EXPECT_EQ(keys.shown("Save"), "Ctrl+S");
   EXPECT_EQ(keys.shown("Redo"), "Ctrl+Y");
   EXPECT_EQ(keys.shown("Undo"), "F3");
 }
 
 TEST(key_map, a_key_given_away_leaves_its_owner_and_two_can_change_places) {
-  EXPECT_EQ(problems_of({{"Undo", {"Ctrl+S"}}}), std::vector<std::string>{"Ctrl+S is Undo now, no longer Save"});
+  EXPECT_EQ(problems_of({{"Undo", {"Ctrl+S"}}}), std::vector<std::string>{"Ctrl+S now belongs to Undo, not to Save."});
   EXPECT_TRUE(problems_of({{"Undo", {"Ctrl+S"}}, {"Save", {"Ctrl+Z"}}}).empty());
 }
 
