@@ -8,12 +8,13 @@
 #include <fmt/format.h>
 
 #include "ui/actions/actions.h"
+#include "ui/context/rows.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {
 namespace {
 
-// Recently used files in the menu File. Files of the same name are shown with their folder.
+// Recently used files in the menu File.
 void build_recent(Act& act) {
   const UserState* const kept = act.ui.state.kept;
   const bool any = kept != nullptr && !kept->settings.recent.empty();
@@ -22,12 +23,7 @@ void build_recent(Act& act) {
   const bool open = ImGui::BeginMenu("Recent", any);
   if (open) {
     for (const std::string& file : kept->settings.recent) {
-      const std::filesystem::path path(file);
-      const auto namesakes = std::count_if(
-          kept->settings.recent.begin(), kept->settings.recent.end(),
-          [&](const std::string& other) { return std::filesystem::path(other).filename() == path.filename(); });
-      const std::string label =
-          namesakes > 1 ? (path.parent_path().filename() / path.filename()).string() : path.filename().string();
+      const std::string label = name_among(file, kept->settings.recent, true);
       ImGui::PushID(file.c_str());
       const bool pressed = ImGui::MenuItem(label.c_str());
       note_item(act.ui, "File/Recent/" + label, "menu", file, true, "off");

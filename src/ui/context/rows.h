@@ -1,8 +1,10 @@
 // Rows that show or set something of the session, shared by panels, pages and screens.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "ui/context/ui.h"
@@ -26,6 +28,15 @@ void read_query(Ui& ui, std::string_view label, std::string_view query, std::str
 
 // The user's settings, to be changed and kept. Only where something is kept (state.kept).
 exchange::UserSettings& change_kept(Ui& ui);
+
+// The name of a file in a list, with its folder if others have the same name. `whole`: with the extension.
+template <class Files>
+std::string name_among(const std::filesystem::path& file, const Files& files, bool whole) {
+  const auto name = [&](const std::filesystem::path& one) { return whole ? one.filename() : one.stem(); };
+  const bool alone =
+      std::count_if(files.begin(), files.end(), [&](const auto& other) { return name(other) == name(file); }) < 2;
+  return (alone ? name(file) : file.parent_path().filename() / name(file)).string();
+}
 
 // Chooses what the track is coloured by.
 void colouring_box(Ui& ui);

@@ -123,11 +123,11 @@ void StartScreen::build_tracks(Ui& ui) {
     int place = 0;
     for (const std::filesystem::path& file : files) {
       if (place++ % static_cast<int>(kCardsInARow) != 0) ImGui::SameLine(0, gap);
-      const auto namesakes = std::count_if(
-          files.begin(), files.end(), [&](const std::filesystem::path& other) { return other.stem() == file.stem(); });
-      const std::string name =
-          namesakes > 1 ? (file.parent_path().filename() / file.stem()).string() : file.stem().string();
-      const Card card{fmt::format("{}/{}", group, name), file.string(), fmt::format("Open {}.", file.string()), {}, 0};
+      const Card card{fmt::format("{}/{}", group, name_among(file, files, false)),
+                      file.string(),
+                      fmt::format("Open {}.", file.string()),
+                      {},
+                      0};
       if (draw(ui, card, width)) ui.want = {Want::Kind::load, file.string()};
     }
   };
