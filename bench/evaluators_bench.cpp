@@ -119,28 +119,6 @@ void track_points(benchmark::State& state, curve::Processor on, std::size_t segm
   state.counters["checksum"] = checksum(to.data(), to.size());
 }
 
-void track_vertices(benchmark::State& state, curve::Processor on) {
-  const auto all = track_cubics(kSegments);
-  const Buffer<curve::TrackVertex> out(curve::track_vertices(kSegments, kSteps, curve::TrackLayout::polylines));
-  const auto to = out.items();
-  paired(state, "point", static_cast<double>(to.size()),
-         [&] { curve::track_vertices_with_tangents(all, kSteps, to, on); },
-         {{"ratio_to_store", [&] { plain_store(to.data(), to.size_bytes()); }}});
-  state.counters["checksum"] = checksum(&to[0].position, 2 * to.size());
-}
-
-void track_unit_tangents(benchmark::State& state, curve::Processor on) {
-  const auto all = track_cubics(kSegments);
-  const Buffer<glm::vec3> points(curve::track_vertices(kSegments, kSteps, curve::TrackLayout::chain)),
-      tangents(points.items().size());
-  const auto to = points.items(), along = tangents.items();
-  paired(state, "point", static_cast<double>(to.size()),
-         [&] { curve::track_points_and_unit_tangents(all, kSteps, curve::TrackLayout::chain, to, along, on); },
-         {{"ratio_to_store",
-           [&] { plain_store(to.data(), to.size_bytes()), plain_store(along.data(), along.size_bytes()); }}});
-  state.counters["checksum"] = checksum(to.data(), to.size()) + checksum(along.data(), along.size());
-}
-
 void store(benchmark::State& state, std::size_t bytes, bool past_caches) {
   const Buffer<char> to(bytes);
   paired(state, "point", static_cast<double>(bytes) / 12,
@@ -156,7 +134,6 @@ benchmark::internal::Benchmark* add(const std::string& name, Run run, Rest... re
 
 [[maybe_unused]] const bool registered = [] {
   add("store/positions", store, kSegments * kSteps * 12, false);
-  add("store/vertices", store, kSegments * kSteps * 24, false);
   add("store/non_temporal", store, kManySegments * kSteps * 12, true);
   for (const curve::Evaluator& row : curve::evaluators()) {
     if (row.evaluated_by != curve::EvaluatedBy::processor) continue;  // their processor twin is Horner's row
@@ -169,8 +146,6 @@ benchmark::internal::Benchmark* add(const std::string& name, Run run, Rest... re
     const std::string path = on == curve::Processor::avx2 ? "avx2" : "baseline";
     add("track/points/" + path, track_points, on, kSegments, false);
     add("track/points_past_caches/" + path, track_points, on, kManySegments, true);
-    add("track/points_and_tangents/" + path, track_vertices, on);
-    add("track/points_and_unit_tangents/" + path, track_unit_tangents, on);
   }
   return true;
 }();

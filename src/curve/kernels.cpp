@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "base/check.h"
 #include "curve/kernels_jobs.h"
@@ -12,7 +11,6 @@ namespace coaster::curve {
 namespace {
 
 static_assert(sizeof(PreparedCubic) == 24 * sizeof(float), "the kernels read a prepared cubic as 24 floats");
-static_assert(sizeof(TrackVertex) == 6 * sizeof(float), "the kernels write a vertex as 6 floats");
 
 constexpr std::array<Processor, 2> kProcessors{Processor::baseline, Processor::avx2};
 
@@ -89,32 +87,6 @@ void track_points(std::span<const PreparedCubic> curves, int steps, TrackLayout 
   const detail::Kernels& k = kernels(on);
   (may_stream(out, points) ? k.track_positions_streamed : k.track_positions)(job);
   if (layout == TrackLayout::chain) out.back() = curves.back().cubic.p3;
-}
-
-void track_vertices_with_tangents(std::span<const PreparedCubic> curves, int steps, std::span<TrackVertex> out,
-                                  Processor on) {
-  COASTER_CHECK(steps >= 1 && out.size() == track_vertices(curves.size(), steps, TrackLayout::polylines),
-                "n + 1 vertices per curve");
-  if (curves.empty()) return;
-  kernels(on).track_vertices({floats(curves), curves.size(), steps, steps + 1, &out[0].position.x});
-}
-
-void track_points_and_unit_tangents(std::span<const PreparedCubic> curves, int steps, TrackLayout layout,
-                                    std::span<glm::vec3> points, std::span<glm::vec3> tangents, Processor on) {
-  COASTER_CHECK(tangents.size() == points.size(), "as many tangents as points");
-  track_points(curves, steps, layout, points, on);
-  if (curves.empty()) return;
-  const int own = layout == TrackLayout::polylines ? steps + 1 : steps;
-  std::vector<unsigned char> slow(curves.size());
-  kernels(on).track_unit_tangents({floats(curves), curves.size(), steps, own, &tangents[0].x, slow.data()});
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    glm::vec3* const first = &tangents[i * static_cast<std::size_t>(own)];
-    if (slow[i])
-      for (int j = 0; j < steps; ++j)
-        first[j] = glm::vec3(unit_tangent(curves[i].cubic, static_cast<double>(j) / steps));
-    if (own > steps) first[steps] = glm::vec3(unit_tangent(curves[i].cubic, 1.0));
-  }
-  if (layout == TrackLayout::chain) tangents.back() = glm::vec3(unit_tangent(curves.back().cubic, 1.0));
 }
 
 }  // namespace coaster::curve

@@ -26,7 +26,7 @@ enum class VectorMethod { horner, differences };
 // `size` long, for any number of steps.
 double vector_horner_error_bound(double extent, double size);
 double vector_differences_error_bound(double extent, double size);
-double track_error_bound(double extent, double size);  // for the whole-track functions below
+double track_error_bound(double extent, double size);  // for track_points()
 
 // Writes B(i/n), i = 0..n, n = points.size() - 1 >= 1, of one curve.
 void vector_polyline(VectorMethod method, const PreparedCubic& curve, std::span<glm::vec3> points,
@@ -45,23 +45,5 @@ std::size_t track_vertices(std::size_t curves, int steps, TrackLayout layout);
 // memory aligned to 32 bytes, bypasses the caches.
 void track_points(std::span<const PreparedCubic> curves, int steps, TrackLayout layout, std::span<glm::vec3> out,
                   Processor on = best_processor());
-
-struct TrackVertex {
-  glm::vec3 position;
-  glm::vec3 tangent;
-};
-
-// Writes positions and B'(t) alternately, 24 bytes per vertex. `out` holds n + 1 vertices per curve (the two curves of
-// a joint may have different speeds there).
-void track_vertices_with_tangents(std::span<const PreparedCubic> curves, int steps, std::span<TrackVertex> out,
-                                  Processor on = best_processor());
-
-// Writes positions as track_points() does, and unit tangents in a second array of the same layout. The error of a unit
-// tangent is below 24 u D / |B'| + 4e-7 (u = 2^-24, D = |c1| + 2 |c2| + 3 |c3|), plus the rounding of the coefficients.
-// For curves whose speed falls below D/64 somewhere (cusps, handles on their anchors) unit_tangent() computes them in
-// double, which also gives cusps their limit direction.
-void track_points_and_unit_tangents(std::span<const PreparedCubic> curves, int steps, TrackLayout layout,
-                                    std::span<glm::vec3> points, std::span<glm::vec3> tangents,
-                                    Processor on = best_processor());
 
 }  // namespace coaster::curve

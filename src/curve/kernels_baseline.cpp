@@ -1,5 +1,5 @@
 // The kernels for the baseline instruction set of the whole program (SSE2 on x86-64).
-#include "curve/kernels_tangents.h"
+#include "curve/kernels_body.h"
 
 namespace coaster::curve::detail {
 

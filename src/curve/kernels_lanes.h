@@ -17,9 +17,6 @@ inline V8 all(float x) { return V8{x, x, x, x, x, x, x, x}; }
 inline V8 load(const float* p) { return *reinterpret_cast<const LooseV8*>(p); }
 inline void store(float* p, V8 v) { *reinterpret_cast<LooseV8*>(p) = v; }
 inline void stream(float* p, V8 v) { _mm256_stream_ps(p, v); }
-inline V8 reciprocal_root(V8 x) { return _mm256_rsqrt_ps(x); }
-inline V8 at_least(V8 x, V8 low) { return _mm256_max_ps(x, low); }
-inline V8 at_most(V8 x, V8 high) { return _mm256_min_ps(x, high); }
 inline V8 join(V4 low, V4 high) { return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7); }
 #else
 // Two halves by hand: compilers keep a 32-byte vector in memory if the processor lacks it.
@@ -27,7 +24,6 @@ struct V8 {
   V4 low, high;
   friend V8 operator+(V8 a, V8 b) { return {a.low + b.low, a.high + b.high}; }
   friend V8 operator*(V8 a, V8 b) { return {a.low * b.low, a.high * b.high}; }
-  friend V8 operator-(V8 a, V8 b) { return {a.low - b.low, a.high - b.high}; }
 };
 typedef float LooseV4 __attribute__((vector_size(16), aligned(4), may_alias));
 inline V8 all(float x) { return {V4{x, x, x, x}, V4{x, x, x, x}}; }
@@ -44,33 +40,14 @@ inline void stream(float* p, V8 v) {
   _mm_stream_ps(p, v.low);
   _mm_stream_ps(p + 4, v.high);
 }
-inline V8 reciprocal_root(V8 x) { return {_mm_rsqrt_ps(x.low), _mm_rsqrt_ps(x.high)}; }
-inline V8 at_least(V8 x, V8 low) { return {_mm_max_ps(x.low, low.low), _mm_max_ps(x.high, low.high)}; }
-inline V8 at_most(V8 x, V8 high) { return {_mm_min_ps(x.low, high.low), _mm_min_ps(x.high, high.high)}; }
 #else
 inline void stream(float* p, V8 v) { store(p, v); }
-inline V8 reciprocal_root(V8 x) {
-  for (int i = 0; i < 4; ++i) {
-    x.low[i] = 1.0f / __builtin_sqrtf(x.low[i]);
-    x.high[i] = 1.0f / __builtin_sqrtf(x.high[i]);
-  }
-  return x;
-}
-inline V8 at_least(V8 x, V8 low) { return {x.low > low.low ? x.low : low.low, x.high > low.high ? x.high : low.high}; }
-inline V8 at_most(V8 x, V8 high) {
-  return {x.low < high.low ? x.low : high.low, x.high < high.high ? x.high : high.high};
-}
 #endif
 #endif
 
 inline V4 load4(const float* p) {
   typedef float Loose __attribute__((vector_size(16), aligned(4), may_alias));
   return *reinterpret_cast<const Loose*>(p);
-}
-
-inline void store4(float* p, V4 v) {
-  typedef float Loose __attribute__((vector_size(16), aligned(4), may_alias));
-  *reinterpret_cast<Loose*>(p) = v;
 }
 
 }  // namespace

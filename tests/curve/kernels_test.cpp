@@ -22,17 +22,6 @@ glm::dvec3 exact(const Cubic& c, int i, int n) {
                                  t * t * t * c.p3[a]);
   return out;
 }
-glm::dvec3 exact_derivative(const Cubic& c, int i, int n) {
-  const long double t = static_cast<long double>(i) / n, s = 1 - t;
-  glm::dvec3 out;
-  for (int a = 0; a < 3; ++a) {
-    const long double d0 = static_cast<long double>(c.p1[a]) - c.p0[a],
-                      d1 = static_cast<long double>(c.p2[a]) - c.p1[a];
-    const long double d2 = static_cast<long double>(c.p3[a]) - c.p2[a];
-    out[a] = static_cast<double>(3 * (s * s * d0 + 2 * s * t * d1 + t * t * d2));
-  }
-  return out;
-}
 double extent_of(const Cubic& c) {
   double extent = 0;
   for (const glm::vec3 p : {c.p0, c.p1, c.p2, c.p3}) extent = std::max(extent, static_cast<double>(glm::length(p)));
@@ -112,53 +101,6 @@ TEST(kernels, writing_past_the_caches_gives_the_same_vertices) {
   }
 }
 
-TEST(kernels, tangents_beside_positions_are_the_derivative) {
-  const auto cubics = random_cubics(7, 44);
-  const auto all = prepared(cubics);
-  for (const Processor on : available_processors())
-    for (const int n : kSteps) {
-      std::vector<TrackVertex> out(track_vertices(all.size(), n, TrackLayout::polylines));
-      track_vertices_with_tangents(all, n, out, on);
-      for (std::size_t s = 0; s < all.size(); ++s)
-        for (int i = 0; i <= n; ++i) {
-          const TrackVertex& v = out[s * (static_cast<std::size_t>(n) + 1) + static_cast<std::size_t>(i)];
-          const double bound = track_error_bound(extent_of(cubics[s]), size_of(cubics[s]));
-          ASSERT_LE(glm::length(glm::dvec3(v.position) - exact(cubics[s], i, n)), bound) << n << " " << i;
-          // The coefficients round at the coordinates' size, times 3.
-          ASSERT_LE(glm::length(glm::dvec3(v.tangent) - exact_derivative(cubics[s], i, n)), 3 * bound) << n << " " << i;
-        }
-    }
-}
-
-TEST(kernels, unit_tangents_have_length_one_and_the_exact_direction) {
-  auto cubics = random_cubics(60, 45);
-  const std::size_t regular = cubics.size();
-  for (const Cubic& c : degenerate_cubics()) cubics.push_back(c);
-  const auto all = prepared(cubics);
-  for (const Processor on : available_processors())
-    for (const int n : kSteps)
-      for (const TrackLayout layout : {TrackLayout::polylines, TrackLayout::chain}) {
-        const std::size_t count = track_vertices(all.size(), n, layout), own = layout == TrackLayout::chain ? n : n + 1;
-        std::vector<glm::vec3> points(count), tangents(count + 1, glm::vec3(-7)), alone(count);
-        track_points_and_unit_tangents(all, n, layout, points, std::span(tangents).first(count), on);
-        track_points(all, n, layout, alone, on);
-        EXPECT_EQ(points, alone);
-        EXPECT_EQ(tangents.back(), glm::vec3(-7)) << "written past the end";
-        for (std::size_t k = 0; k < count; ++k)
-          ASSERT_NEAR(glm::length(glm::dvec3(tangents[k])), 1.0, 2e-4) << n << " " << k;
-        for (std::size_t s = 0; s < regular; ++s)
-          for (std::size_t i = 0; i < own; ++i) {
-            const glm::dvec3 d = exact_derivative(cubics[s], static_cast<int>(i), n);
-            const Coefficients& c = all[s].monomial;
-            const double size = glm::length(c.c1) + 2 * glm::length(c.c2) + 3 * glm::length(c.c3), u = 1.0 / (1 << 24);
-            // 24 u D / |B'| of the arithmetic, and the coefficients' own rounding at the coordinates' size.
-            ASSERT_LE(glm::length(glm::dvec3(tangents[s * own + i]) - glm::normalize(d)),
-                      u * (24 * size + 40 * extent_of(cubics[s])) / glm::length(d) + 4e-7)
-                << n << " " << s << " " << i;
-          }
-      }
-}
-
 TEST(kernels, degenerate_curves_and_an_empty_track_are_finite) {
   const auto all = prepared(degenerate_cubics());
   for (const Processor on : available_processors()) {
@@ -168,7 +110,6 @@ TEST(kernels, degenerate_curves_and_an_empty_track_are_finite) {
       for (const glm::vec3 p : out) ASSERT_TRUE(std::isfinite(p.x + p.y + p.z));
     }
     track_points({}, 64, TrackLayout::chain, {}, on);
-    track_points_and_unit_tangents({}, 64, TrackLayout::chain, {}, {}, on);
   }
 }
 

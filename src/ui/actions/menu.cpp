@@ -1,7 +1,6 @@
 // The menu bar: the rows of the actions' table that name a menu.
 #include <imgui.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
