@@ -1,4 +1,5 @@
 // Position and orientation of cars, and the forces on their riders.
+#include <algorithm>
 #include <cmath>
 
 #include "base/check.h"
@@ -6,16 +7,6 @@
 #include "sim/shape/frame_methods.h"
 
 namespace coaster::sim {
-namespace {
-
-using glm::dvec3;
-
-// Returns the heartline's point at arc length s of a segment.
-dvec3 heartline_point(const SegmentShape& shape, double s, double heartline) {
-  return curve::point(shape.key.cubic, shape.arc.parameter(s)) + heartline * frame_at(shape, s).up;
-}
-
-}  // namespace
 
 std::vector<TrackPlace> places_of(const world::Document& document, const Derived& derived, world::Entity entity,
                                   const world::CartMotion& motion) {
@@ -61,24 +52,15 @@ Felt felt(const world::Document& document, const Derived& derived, world::Entity
   const std::vector<TrackPlace> places = places_of(document, derived, entity, cart);
   COASTER_CHECK(car >= 0 && static_cast<std::size_t>(car) < places.size(), "the train has this car");
   const TrackPlace place = places[static_cast<std::size_t>(car)];
-  // a = s'' h'(s) + s'^2 h''(s) along the heartline h, by central differences over +-step of rail. The stencil stays
-  // within the segment: the roll rate may jump at a joint, where the heartline then has a corner and a difference
-  // across it gives noise.
   const SegmentShape& shape = derived.shape_at(place.index);
-  const double length = shape.arc.length(), step = std::fmin(0.02, 0.25 * length);
-  const double s = std::fmin(std::fmax(place.s, step), length - step);
-  const curve::Frame frame = frame_at(shape, s);
-  if (!(step > 0)) return {frame.up.y, frame.left().y, frame.forward.y};  // a segment of zero length: as at rest
-  const double d = document.heartline;
-  const dvec3 before = heartline_point(shape, s - step, d), here = heartline_point(shape, s, d),
-              after = heartline_point(shape, s + step, d);
-  const dvec3 first = (after - before) / (2.0 * step), second = (after - 2.0 * here + before) / (step * step);
+  const double s = std::clamp(place.s, 0.0, shape.arc.length());
+  const FeltEntry here = felt_entry(shape, shape.arc.parameter(s), frame_at(shape, s), document.heartline);
   const world::Cart* const design = document.entities.find<world::Cart>(entity);
   const world::Resistance resistance = resistance_of(document, design ? design->mass : world::kCarMass);
   const double along = acceleration_of({derived, places, 0, 0, resistance, 0, cart.drive}, cart.speed);
-  const dvec3 a = along * first + cart.speed * cart.speed * second + dvec3(0, world::kGravity, 0);
-  return {glm::dot(a, frame.up) / world::kGravity, glm::dot(a, frame.left()) / world::kGravity,
-          glm::dot(a, frame.forward) / world::kGravity};
+  const glm::vec3 g = here.felt(static_cast<float>(along / world::kGravity),
+                                static_cast<float>(cart.speed * cart.speed / world::kGravity));
+  return {g.z, g.y, g.x};
 }
 
 }  // namespace coaster::sim

@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curve/continuity.h"
-
 namespace coaster::sim {
 namespace {
 
 using glm::dvec3;
-
-glm::vec3 on_axes(const dvec3& v, const curve::Frame& frame) {
-  return {glm::dot(v, frame.forward), glm::dot(v, frame.left()), glm::dot(v, frame.up)};
-}
 
 void fill(const SegmentShape& shape, double heartline, SegmentTable& table) {
   const double length = shape.arc.length();
@@ -21,30 +15,37 @@ void fill(const SegmentShape& shape, double heartline, SegmentTable& table) {
   table.build = shape.shape_build, table.heartline = heartline, table.step = length / n;
   table.per_metre = table.step > 0 ? 1.0 / table.step : 0.0;
   table.height.resize(count), table.slope.resize(count), table.felt.resize(count);
-  std::vector<curve::Frame> frames(count);
-  std::vector<dvec3> bends(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double s = i + 1 == count ? length : table.step * static_cast<double>(i), t = shape.arc.parameter(s);
-    frames[i] = frame_at(shape, s);
-    bends[i] = curve::curvature_vector(shape.key.cubic, t);
+    const double s = i + 1 == count ? length : table.step * static_cast<double>(i);
+    const double t = shape.arc.parameter(s);
+    const curve::Frame frame = frame_at(shape, s);
     table.height[i] = curve::point(shape.key.cubic, t).y;
-    table.slope[i] = frames[i].forward.y;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    FeltEntry& entry = table.felt[i];
-    entry.weight = on_axes(dvec3(0, 1, 0), frames[i]);
-    if (!(table.step > 0)) continue;
-    // U' and U'' by differences of neighbouring entries; at an end those of the next entry.
-    const std::size_t k = std::clamp<std::size_t>(i, 1, count - 2);
-    const dvec3 first = (frames[k + 1].up - frames[k - 1].up) / (2.0 * table.step);
-    const dvec3 second = (frames[k + 1].up - 2.0 * frames[k].up + frames[k - 1].up) / (table.step * table.step);
-    const double away = (static_cast<double>(i) - static_cast<double>(k)) * table.step;
-    entry.along = on_axes(frames[i].forward + heartline * (first + away * second), frames[i]);
-    entry.bend = on_axes(bends[i] + heartline * second, frames[i]);
+    table.slope[i] = frame.forward.y;
+    table.felt[i] = felt_entry(shape, t, frame, heartline);
   }
 }
 
 }  // namespace
+
+FeltEntry felt_entry(const SegmentShape& shape, double t, const curve::Frame& frame, double d) {
+  const dvec3 left = frame.left(), &up = frame.up;
+  const double length = shape.arc.length(), w = length > 0 ? shape.twist / length : 0.0;
+  // Curvature towards left and up, and the curvature vector's change towards up.
+  const dvec3 r1 = curve::derivative(shape.key.cubic, t), r2 = curve::second_derivative(shape.key.cubic, t);
+  const double square = glm::dot(r1, r1);
+  double to_left = 0, to_up = 0, up_slope = 0;
+  if (square > 1e-6) {  // (1 mm)^2: below is a cusp
+    to_left = glm::dot(r2, left) / square, to_up = glm::dot(r2, up) / square;
+    const double third = glm::dot(curve::third_derivative(shape.key.cubic), up) / square;
+    up_slope = (third - 3.0 * to_up * glm::dot(r1, r2) / square) / std::sqrt(square);
+  }
+  // With T' = to_left L + to_up U and the spin w: L' = -to_left T + w U, U' = -to_up T - w L.
+  FeltEntry entry;
+  entry.along = {1.0 - d * to_up, -d * w, 0.0};
+  entry.bend = {d * (2.0 * w * to_left - up_slope), to_left - d * to_left * to_up, to_up - d * (to_up * to_up + w * w)};
+  entry.weight = {frame.forward.y, left.y, up.y};
+  return entry;
+}
 
 void RailTables::update(const Derived& derived, double heartline) {
   bool changed = closed_ != derived.closed || starts_ != derived.starts || order_ != derived.order;

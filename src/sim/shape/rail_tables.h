@@ -17,7 +17,12 @@ inline constexpr double kTableStep = 0.25;  // m, at most, between two entries
 // heartline h(s) = r(s) + d U(s).
 struct FeltEntry {
   glm::vec3 along{1, 0, 0}, bend{0}, weight{0, 0, 1};
+  // Returns felt g while the train accelerates by `a` g along the rails and its squared speed is `v2` g m.
+  glm::vec3 felt(float a, float v2) const { return a * along + v2 * bend + weight; }
 };
+// Returns the entry at t of a segment, `frame` its frame there, for riders d metres above the rails: the derivatives of
+// r(s) + d U(s) in closed form. Without bend at a cusp, and bounded beside it.
+FeltEntry felt_entry(const SegmentShape& shape, double t, const curve::Frame& frame, double d);
 
 struct SegmentTable {
   std::uint64_t build = 0;            // of the shape that it was filled from
@@ -76,16 +81,14 @@ inline RailPoint rail_at(const SegmentTable& table, double s) {
   return {y0 + u * (m0 + u * (b + u * a)), (m0 + u * (2.0 * b + u * 3.0 * a)) * table.per_metre};
 }
 
-// Returns the riders' force at s within a segment, in g on the seat's axes, while the train accelerates by `a` g along
-// the rails and its squared speed is `v2` g m; linear between entries.
+// Returns the riders' force at s within a segment, in g on the seat's axes (FeltEntry::felt); linear between entries.
 inline glm::vec3 felt_at(const SegmentTable& table, double s, float a, float v2) {
-  const auto of = [&](const FeltEntry& entry) { return a * entry.along + v2 * entry.bend + entry.weight; };
-  if (!(table.step > 0)) return of(table.felt.front());
+  if (!(table.step > 0)) return table.felt.front().felt(a, v2);
   const std::size_t n = table.felt.size() - 1;
   const double at = std::clamp(s * table.per_metre, 0.0, static_cast<double>(n));
   const std::size_t i = std::min(static_cast<std::size_t>(at), n - 1);
-  const glm::vec3 here = of(table.felt[i]);
-  return here + static_cast<float>(at - static_cast<double>(i)) * (of(table.felt[i + 1]) - here);
+  const glm::vec3 here = table.felt[i].felt(a, v2);
+  return here + static_cast<float>(at - static_cast<double>(i)) * (table.felt[i + 1].felt(a, v2) - here);
 }
 
 }  // namespace coaster::sim

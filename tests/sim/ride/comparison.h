@@ -12,19 +12,14 @@
 
 namespace coaster::test {
 
-// A quantity by the ride and by its closed form. At the end no value may differ by more than `bound`, of the method
-// "tables" by more than `bound_of_tables` if there is one. With RIDE_TRUTH set to a folder the values are written
-// there.
+// A quantity by the ride and by its closed form. At the end no value may differ by more than `bound`. With RIDE_TRUTH
+// set to a folder the values are written there.
 class Comparison {
  public:
-  Comparison(std::string name, std::string unit, double bound, double bound_of_tables = 0)
-      : name_(std::move(name)),
-        unit_(std::move(unit)),
-        bound_(bound),
-        bound_of_tables_(bound_of_tables > 0 ? bound_of_tables : bound) {}
+  Comparison(std::string name, std::string unit, double bound)
+      : name_(std::move(name)), unit_(std::move(unit)), bound_(bound) {}
   void add(const std::string& method, std::string series, double x, double ride, double closed) {
-    const double bound = method == "tables" ? bound_of_tables_ : bound_;
-    rows_.push_back({method, std::move(series), x, ride, closed, std::abs(ride - closed) / bound});
+    rows_.push_back({method, std::move(series), x, ride, closed, std::abs(ride - closed) / bound_});
   }
   ~Comparison() {
     EXPECT_GT(rows_.size(), 5u) << name_;
@@ -50,7 +45,7 @@ class Comparison {
     double x, ride, closed, of_bound;
   };
   std::string name_, unit_;
-  double bound_, bound_of_tables_;
+  double bound_;
   std::vector<Row> rows_;
 };
 
