@@ -45,7 +45,7 @@ void finish_import(Program& program) {
   base::Result<exchange::LoadedTrack> read = job->result.get();
   // A cancelled import is dropped, even if the reader was faster.
   if (job->progress.cancelled)
-    return edit::notify(program.session, edit::NoticeKind::info, "Cancelled the import of " + job->path + ".");
+    return edit::notify(program.session, edit::NoticeKind::info, "Cancelled the import of " + job->path);
   if (!read) return edit::notify(program.session, edit::NoticeKind::error, read.status().message);
   program.session.file.read_ahead = edit::ReadAhead{job->path, std::move(*read)};
   (void)apply(program, edit::Load{job->path});
