@@ -26,6 +26,7 @@
 #include "ui/screens/toasts.h"
 #include "ui/tools/fly_keys.h"
 #include "ui/tools/places.h"
+#include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
 #include "world/aids.h"
 #include "world/look.h"
@@ -100,7 +101,6 @@ void Host::Parts::restyle(world::Theme wanted, float scale) {
   if (scale == loaded_scale) return;
   loaded_scale = scale;
   load_fonts(scale);
-  renderer->upload_fonts();
 }
 
 void Host::Parts::follow_session(const State& state) {
@@ -191,6 +191,7 @@ base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl, float content_
   ImGuiContext* before = ImGui::GetCurrentContext();
   parts->context = ImGui::CreateContext();
   ImGui::SetCurrentContext(parts->context);
+  set_up_context();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;

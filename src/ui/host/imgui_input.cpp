@@ -1,9 +1,9 @@
 // Feeds a frame's events to Dear ImGui.
 #include "ui/host/imgui_input.h"
 
+#include <algorithm>
+#include <utility>
 #include <variant>
-
-#include <imgui.h>
 
 #include "ui/widgets/imgui_compat.h"
 
@@ -12,130 +12,87 @@ namespace {
 
 using platform::Key;
 
-// ImGui's name for the keys that its text fields use.
-ImGuiKey imgui_key(Key key) {
-  switch (key) {
-    case Key::tab: return ImGuiKey_Tab;
-    case Key::left: return ImGuiKey_LeftArrow;
-    case Key::right: return ImGuiKey_RightArrow;
-    case Key::up: return ImGuiKey_UpArrow;
-    case Key::down: return ImGuiKey_DownArrow;
-    case Key::page_up: return ImGuiKey_PageUp;
-    case Key::page_down: return ImGuiKey_PageDown;
-    case Key::home: return ImGuiKey_Home;
-    case Key::end: return ImGuiKey_End;
-    case Key::insert: return ImGuiKey_Insert;
-    case Key::del: return ImGuiKey_Delete;
-    case Key::backspace: return ImGuiKey_Backspace;
-    case Key::space: return ImGuiKey_Space;
-    case Key::enter: return ImGuiKey_Enter;
-    case Key::escape: return ImGuiKey_Escape;
-    case Key::keypad_enter: return kKeypadEnter;
-    case Key::a: return ImGuiKey_A;
-    case Key::c: return ImGuiKey_C;
-    case Key::v: return ImGuiKey_V;
-    case Key::x: return ImGuiKey_X;
-    case Key::y: return ImGuiKey_Y;
-    case Key::z: return ImGuiKey_Z;
-    default: return ImGuiKey_COUNT;  // not one that text fields know
-  }
-}
-
-void set_modifiers(const platform::Modifiers& m) {
-  ImGuiIO& io = ImGui::GetIO();
-#if IMGUI_VERSION_NUM >= 18900
-  io.AddKeyEvent(ImGuiMod_Ctrl, m.ctrl);
-  io.AddKeyEvent(ImGuiMod_Shift, m.shift);
-  io.AddKeyEvent(ImGuiMod_Alt, m.alt);
-#else
-  io.KeyCtrl = m.ctrl;
-  io.KeyShift = m.shift;
-  io.KeyAlt = m.alt;
-#endif
-}
-
-void move_mouse(ImGuiIO& io, const platform::MouseMove& e) {
-#if IMGUI_VERSION_NUM >= 18700
-  io.AddMousePosEvent(e.x, e.y);
-#else
-  io.MousePos = {e.x, e.y};
-#endif
-}
-
-void turn_wheel(ImGuiIO& io, const platform::Wheel& e) {
-#if IMGUI_VERSION_NUM >= 18700
-  io.AddMouseWheelEvent(e.dx, e.dy);
-#else
-  io.MouseWheelH += e.dx;
-  io.MouseWheel += e.dy;
-#endif
-}
+// The keys that text fields use.
+constexpr std::pair<Key, ImGuiKey> kKeys[] = {{Key::tab, ImGuiKey_Tab},
+                                              {Key::left, ImGuiKey_LeftArrow},
+                                              {Key::right, ImGuiKey_RightArrow},
+                                              {Key::up, ImGuiKey_UpArrow},
+                                              {Key::down, ImGuiKey_DownArrow},
+                                              {Key::page_up, ImGuiKey_PageUp},
+                                              {Key::page_down, ImGuiKey_PageDown},
+                                              {Key::home, ImGuiKey_Home},
+                                              {Key::end, ImGuiKey_End},
+                                              {Key::insert, ImGuiKey_Insert},
+                                              {Key::del, ImGuiKey_Delete},
+                                              {Key::backspace, ImGuiKey_Backspace},
+                                              {Key::space, ImGuiKey_Space},
+                                              {Key::enter, ImGuiKey_Enter},
+                                              {Key::escape, ImGuiKey_Escape},
+                                              {Key::keypad_enter, kKeypadEnter},
+                                              {Key::a, ImGuiKey_A},
+                                              {Key::c, ImGuiKey_C},
+                                              {Key::v, ImGuiKey_V},
+                                              {Key::x, ImGuiKey_X},
+                                              {Key::y, ImGuiKey_Y},
+                                              {Key::z, ImGuiKey_Z}};
 
 }  // namespace
 
-void ImGuiInput::feed_key(const platform::KeyPress& event, bool text_has_keyboard) {
-  ImGuiIO& io = ImGui::GetIO();
-  const ImGuiKey key = imgui_key(event.key);
-  if (key == ImGuiKey_COUNT) return;
-  const bool down = event.down && (text_has_keyboard || event.key != Key::tab);
-#if IMGUI_VERSION_NUM >= 18700
-  io.AddKeyEvent(key, down);
-#else
-  // The map from ImGui's keys to "native" ones is the identity; a key pressed and released in one frame counts as
-  // pressed. A repeat is left to ImGui's own timer.
-  io.KeyMap[key] = key;
-  if (down) io.KeysDown[key] = true;
-  held_[static_cast<std::size_t>(key)] = down;
-#endif
+void ImGuiInput::take_key(const platform::KeyPress& event, bool text_has_keyboard, Keys& shown) {
+  const auto* const row = std::ranges::find(kKeys, event.key, &std::pair<Key, ImGuiKey>::first);
+  if (row == std::end(kKeys)) return;
+  const auto key = static_cast<std::size_t>(row - kKeys);
+  // A repeat is left to ImGui's own timer.
+  held_[key] = event.down && (text_has_keyboard || event.key != Key::tab);
+  shown[key] = shown[key] || held_[key];
+}
+
+// Text of a frame that also has Ctrl down waits for the next frame, because ImGui would drop it.
+void ImGuiInput::take_text(const std::string& utf8, bool ctrl) {
+  if (ctrl) {
+    late_text_ += utf8;
+    return;
+  }
+  modifiers_.ctrl = false;  // text never comes with Ctrl: a stale one would make ImGui drop it
+  ImGui::GetIO().AddInputCharactersUTF8(utf8.c_str());
 }
 
 void ImGuiInput::feed(const platform::Events& events, int width, int height, bool text_has_keyboard) {
+  static_assert(std::tuple_size_v<Keys> == std::size(kKeys));
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
   float seconds = 0;
   bool ctrl = false;
-  if (!late_text_.empty()) {
-    modifiers_.ctrl = false;
-    io.AddInputCharactersUTF8(late_text_.c_str());
-    late_text_.clear();
-  }
-#if IMGUI_VERSION_NUM < 18700
-  for (std::size_t key = 0; key < held_.size(); ++key) io.KeysDown[key] = held_[key];
-  std::array<bool, 3> pressed{};
-#endif
+  ImVec2 wheel;
+  Keys keys = held_;
+  Buttons pressed{};
+  if (!late_text_.empty()) take_text(std::exchange(late_text_, {}), false);
   for (const platform::Event& event : events) {
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) seconds += static_cast<float>(tick->dt);
-    else if (const auto* const move = std::get_if<platform::MouseMove>(&event)) move_mouse(io, *move);
-    else if (const auto* const wheel = std::get_if<platform::Wheel>(&event)) turn_wheel(io, *wheel);
+    else if (const auto* const move = std::get_if<platform::MouseMove>(&event)) mouse_ = {move->x, move->y};
+    else if (const auto* const turn = std::get_if<platform::Wheel>(&event)) wheel.x += turn->dx, wheel.y += turn->dy;
     else if (const auto* const press = std::get_if<platform::MouseButton>(&event)) {
       const auto button = static_cast<std::size_t>(press->button);
       modifiers_ = press->modifiers;
       ctrl = ctrl || press->modifiers.ctrl;
       down_[button] = press->down;
-#if IMGUI_VERSION_NUM >= 18700
-      io.AddMouseButtonEvent(static_cast<int>(button), press->down);
-#else
       pressed[button] = pressed[button] || press->down;
-#endif
     } else if (const auto* const key = std::get_if<platform::KeyPress>(&event)) {
       modifiers_ = key->modifiers;
       ctrl = ctrl || key->modifiers.ctrl;
-      feed_key(*key, text_has_keyboard);
-    } else if (const auto* const text = std::get_if<platform::TextInput>(&event); text != nullptr && ctrl) {
-      late_text_ += text->utf8;
-    } else if (text != nullptr) {
-      modifiers_.ctrl = false;  // text never comes with Ctrl: a stale one would make ImGui drop it
-      io.AddInputCharactersUTF8(text->utf8.c_str());
+      take_key(*key, text_has_keyboard, keys);
+    } else if (const auto* const text = std::get_if<platform::TextInput>(&event)) {
+      take_text(text->utf8, ctrl);
     } else if (const auto* const focus = std::get_if<platform::Focus>(&event); focus != nullptr && !focus->focused) {
       modifiers_ = {};
       down_ = {};
       held_ = {};
     }
   }
-#if IMGUI_VERSION_NUM < 18700
-  for (std::size_t button = 0; button < down_.size(); ++button) io.MouseDown[button] = down_[button] || pressed[button];
-#endif
-  set_modifiers(modifiers_);
+  set_mouse(mouse_, wheel);
+  for (std::size_t i = 0; i < down_.size(); ++i) set_button(static_cast<int>(i), down_[i] || pressed[i]);
+  for (std::size_t i = 0; i < keys.size(); ++i) set_key(kKeys[i].second, keys[i]);
+  set_modifiers(modifiers_.ctrl, modifiers_.shift, modifiers_.alt);
   io.DeltaTime = seconds > 0 ? seconds : 1e-4f;  // ImGui asserts a positive step
 }
 

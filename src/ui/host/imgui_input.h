@@ -2,7 +2,10 @@
 // later.
 #pragma once
 
+#include <imgui.h>
+
 #include <array>
+#include <cfloat>
 #include <string>
 
 #include "platform/events.h"
@@ -16,11 +19,16 @@ class ImGuiInput {
   void feed(const platform::Events& events, int width, int height, bool text_has_keyboard);
 
  private:
-  void feed_key(const platform::KeyPress& event, bool text_has_keyboard);
-  std::array<bool, 3> down_{};   // mouse buttons
-  std::array<bool, 64> held_{};  // keys by ImGuiKey, for ImGui before 1.87, which has no queue
+  using Buttons = std::array<bool, 3>;
+  using Keys = std::array<bool, 22>;  // by the rows of kKeys
+  void take_key(const platform::KeyPress& event, bool text_has_keyboard, Keys& shown);
+  void take_text(const std::string& utf8, bool ctrl);
+
+  ImVec2 mouse_{-FLT_MAX, -FLT_MAX};  // ImGui's "nowhere"
+  Buttons down_{};
+  Keys held_{};
   platform::Modifiers modifiers_;
-  std::string late_text_;  // typed in a frame that also had Ctrl down, when ImGui would drop it
+  std::string late_text_;
 };
 
 }  // namespace coaster::ui

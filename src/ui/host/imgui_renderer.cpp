@@ -2,8 +2,10 @@
 #include "ui/host/imgui_renderer.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <cstddef>
 #include <utility>
+
+#include "ui/widgets/imgui_compat.h"
 
 namespace coaster::ui {
 namespace {
@@ -47,25 +49,26 @@ ImGuiRenderer::ImGuiRenderer(const gfx::Gl& gl, gfx::Program program)
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
   for (GLuint i = 0; i < 3; ++i) gl.EnableVertexAttribArray(i);
-  gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(ImDrawVert), offset(IM_OFFSETOF(ImDrawVert, pos)));
-  gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(ImDrawVert), offset(IM_OFFSETOF(ImDrawVert, uv)));
-  gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(ImDrawVert), offset(IM_OFFSETOF(ImDrawVert, col)));
+  gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(ImDrawVert), offset(offsetof(ImDrawVert, pos)));
+  gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(ImDrawVert), offset(offsetof(ImDrawVert, uv)));
+  gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(ImDrawVert), offset(offsetof(ImDrawVert, col)));
   gl.BindVertexArray(0);
 }
 
-void ImGuiRenderer::upload_fonts() {
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  unsigned char* pixels = nullptr;
-  int width = 0, height = 0;
-  atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
-  if (font_.id() == 0) font_ = gfx::generate<&gfx::Gl::GenTextures, &gfx::Gl::DeleteTextures>(*gl_);
-  gl_->BindTexture(GL_TEXTURE_2D, font_.id());
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
-  gl_->BindTexture(GL_TEXTURE_2D, 0);
-  atlas.SetTexID((ImTextureID)(std::uintptr_t)font_.id());  // a pointer in old versions, an integer in new ones
+void ImGuiRenderer::update_textures() {
+  upload_textures([this](std::uintptr_t id, int width, int height, const void* pixels) {
+    if (pixels == nullptr) {
+      textures_.erase(id);
+      return;
+    }
+    gfx::Object& texture = textures_[id];
+    if (texture.id() == 0) texture = gfx::generate<&gfx::Gl::GenTextures, &gfx::Gl::DeleteTextures>(*gl_);
+    gl_->BindTexture(GL_TEXTURE_2D, texture.id());
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+  });
 }
 
 void ImGuiRenderer::draw(const ImDrawData& data, int width, int height) {
@@ -78,13 +81,14 @@ void ImGuiRenderer::draw(const ImDrawData& data, int width, int height) {
   gl_->BlendEquation(GL_FUNC_ADD);
   gl_->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl_->ActiveTexture(GL_TEXTURE0);
+  update_textures();
   program_.use();
   program_.set("image", 0);
   program_.set("scale", glm::vec4(2.0f / data.DisplaySize.x, -2.0f / data.DisplaySize.y,
                                   -1.0f - data.DisplayPos.x * 2.0f / data.DisplaySize.x,
                                   1.0f + data.DisplayPos.y * 2.0f / data.DisplaySize.y));
   gl_->BindVertexArray(array_.id());
-  for (int i = 0; i < data.CmdListsCount; ++i) draw_list(*data.CmdLists[i], data.DisplayPos, width, height);
+  for (const ImDrawList* const list : lists_of(data)) draw_list(*list, data.DisplayPos, width, height);
   gl_->BindVertexArray(0);
   gl_->BindTexture(GL_TEXTURE_2D, 0);
   gl_->UseProgram(0);
@@ -106,7 +110,7 @@ void ImGuiRenderer::draw_list(const ImDrawList& list, ImVec2 origin, int width, 
     const int bottom = std::min(height, static_cast<int>(command.ClipRect.w - origin.y));
     if (right <= left || bottom <= top) continue;
     gl_->Scissor(left, height - bottom, right - left, bottom - top);
-    gl_->BindTexture(GL_TEXTURE_2D, static_cast<GLuint>((std::uintptr_t)command.GetTexID()));
+    gl_->BindTexture(GL_TEXTURE_2D, textures_[texture_of(command)].id());
     gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
                       sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
                       offset(command.IdxOffset * sizeof(ImDrawIdx)));

@@ -3,6 +3,9 @@
 
 #include <imgui.h>
 
+#include <cstdint>
+#include <map>
+
 #include "base/status.h"
 #include "gfx/objects.h"
 
@@ -12,19 +15,19 @@ class ImGuiRenderer {
  public:
   // `gl` must outlive it and its context be current in every call. Code::graphics with the compiler's log on failure.
   static base::Result<ImGuiRenderer> make(const gfx::Gl& gl);
-  // Makes the font texture from the atlas of the current context.
-  void upload_fonts();
   // Into the bound framebuffer of that size. Leaves blending, scissor and depth test off and no program, array or
   // texture bound.
   void draw(const ImDrawData& data, int width, int height);
 
  private:
   ImGuiRenderer(const gfx::Gl& gl, gfx::Program program);
+  void update_textures();
   void draw_list(const ImDrawList& list, ImVec2 origin, int width, int height);
 
   const gfx::Gl* gl_;
   gfx::Program program_;
-  gfx::Object array_, vertices_, indices_, font_;
+  gfx::Object array_, vertices_, indices_;
+  std::map<std::uintptr_t, gfx::Object> textures_;  // by the names in draw commands
 };
 
 }  // namespace coaster::ui

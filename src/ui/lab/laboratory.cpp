@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "edit/commands/commands_settings.h"
+#include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
 #include "world/lab_view.h"
 #include "world/look.h"
@@ -82,7 +83,7 @@ void tab(Ui& ui, world::LabPage index, float bar, float pad, ImFont* font) {
 }
 
 float width_in(ImFont* font, std::string_view text) {
-  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size()).x;
+  return font->CalcTextSizeA(pixels_of(*font), 1e9f, 0, text.data(), text.data() + text.size()).x;
 }
 
 float width_of_tabs(float pad, ImFont* font) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "ui/plots/plot_area.h"
+#include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -68,8 +69,8 @@ int most_ticks(float room, float each) { return std::max(2, static_cast<int>(roo
 PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 low, ImVec2 high) {
   PlotArea area;
   area.scale = ui.scale;
-  area.text_px = small_font()->FontSize;
-  area.pretty = ImGui::GetFont()->FindGlyphNoFallback(0x207B) != nullptr;
+  area.text_px = small_pixels();
+  area.pretty = has_glyph(*ImGui::GetFont(), 0x207B);
   area.x = range_of(p.x, data.x, p.square ? 0.08 : 0);
   area.y = range_of(p.y, data.y, p.square ? 0.08 : 0.06);
   const float line = area.text_px, gap = std::floor(4 * ui.scale);
@@ -138,7 +139,7 @@ void draw_all(ImDrawList& list, const PlotArea& area, const Plot& p, ImVec2 oute
 
 std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot& p, std::string_view tooltip) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  const float least = 4 * small_font()->FontSize;
+  const float least = 4 * small_pixels();
   const ImVec2 size(std::max(least, p.width > 0 ? p.width : room.x), std::max(least, p.height > 0 ? p.height : room.y));
   const ImVec2 high(low.x + size.x, low.y + size.y);
   const Data data = extent_of(p);

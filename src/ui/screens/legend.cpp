@@ -35,7 +35,7 @@ void draw_legend(Ui& ui, const view::Viewport& scene) {
   const world::ColouringRow& row = base::row_of(settings.lab->colouring);
   const float scale = ui.scale, margin = std::floor(14 * scale), pad = std::floor(10 * scale),
               bar = std::floor(11 * scale);
-  const float text = small_font()->FontSize;
+  const float text = small_pixels();
   const float width = std::min(std::floor(240 * scale), scene.width - 2 * (margin + pad)),
               height = 2 * text + bar + std::floor(10 * scale);
   if (width < 120 * scale || scene.height < height + 2 * (margin + pad)) return;

@@ -45,7 +45,7 @@ Typing typed(WidgetFrame& ui, const char* key, const std::string& initial, bool 
   if (active && !enter && !elsewhere) return Typing::open;
   if (elsewhere) ImGui::ClearActiveID();
   entry.id = 0;
-  const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  const bool escaped = ImGui::IsKeyPressed(ImGuiKey_Escape);
   return !escaped && entry.text != entry.initial ? Typing::complete : Typing::no;
 }
 

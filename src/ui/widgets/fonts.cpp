@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
 
 #ifdef COASTER_HAS_INTER_FONT
@@ -18,22 +19,6 @@ namespace {
 // Latin, Greek, punctuation, super- and subscripts, arrows, operators: what formulas and names need.
 const ImWchar kRanges[] = {0x0020, 0x017F, 0x0370, 0x03FF, 0x2010, 0x2027, 0x2030, 0x203A, 0x2070,
                            0x209F, 0x2190, 0x2199, 0x2200, 0x2265, 0x25A0, 0x25CF, 0};
-
-// Inter's figures are proportional by default, and stb_truetype reads no OpenType features: give every digit the widest
-// one's cell.
-void make_figures_tabular(ImFont& font) {
-  float widest = 0;
-  for (ImWchar c = '0'; c <= '9'; ++c) widest = std::max(widest, font.GetCharAdvance(c));
-  for (ImWchar c = '0'; c <= '9'; ++c) {
-    auto* glyph = const_cast<ImFontGlyph*>(font.FindGlyphNoFallback(c));
-    if (glyph == nullptr) continue;
-    const float shift = (widest - glyph->AdvanceX) * 0.5f;
-    glyph->X0 += shift;
-    glyph->X1 += shift;
-    glyph->AdvanceX = widest;
-    font.IndexAdvanceX[c] = widest;
-  }
-}
 
 ImFont* add_font(ImFontAtlas& atlas, float pixels, const ImWchar* ranges = kRanges) {
   const std::span<const unsigned char> inter = inter_font();
@@ -66,17 +51,17 @@ std::span<const unsigned char> inter_font() {
 
 void load_fonts(float scale) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  atlas.Clear();
+  begin_fonts(atlas);
   atlas.Flags |= ImFontAtlasFlags_NoMouseCursors;
   add_font(atlas, std::round(kFontPixels * scale));
   add_font(atlas, std::max(13.0f, std::round(kSmallFontPixels * scale)));
   static constexpr ImWchar kAscii[] = {0x0020, 0x007E, 0};
   add_font(atlas, std::round(kTitleFontPixels * scale), kAscii);
-  atlas.Build();
-  for (ImFont* font : atlas.Fonts) make_figures_tabular(*font);
+  finish_fonts(atlas);
 }
 
 ImFont* small_font() { return ImGui::GetIO().Fonts->Fonts[1]; }
+float small_pixels() { return pixels_of(*small_font()); }
 ImFont* title_font() { return ImGui::GetIO().Fonts->Fonts[2]; }
 
 }  // namespace coaster::ui

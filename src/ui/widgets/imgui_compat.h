@@ -1,7 +1,11 @@
-// Where versions of Dear ImGui differ in a name. Tried with 1.86 and 1.90.
+// All that differs between versions of Dear ImGui. Tried with 1.86, 1.90.1 and 1.92.9.
 #pragma once
 
 #include <imgui.h>
+
+#include <cstdint>
+#include <functional>
+#include <span>
 
 namespace coaster::ui {
 
@@ -10,5 +14,30 @@ inline constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeypadEnter;
 #else
 inline constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeyPadEnter;
 #endif
+
+// Prepares a new current context: textures are made by upload_textures(), and a frame sees all input that is set before
+// it.
+void set_up_context();
+
+// Input of the current context as the next frame sees it; set all of it before each frame.
+void set_mouse(ImVec2 position, ImVec2 wheel);  // pixels; notches since the last frame
+void set_button(int button, bool down);
+void set_key(ImGuiKey key, bool down);
+void set_modifiers(bool ctrl, bool shift, bool alt);
+
+// Height of the lines of a font, px.
+float pixels_of(const ImFont& font);
+bool has_glyph(ImFont& font, ImWchar character);
+
+// Empties the atlas; then add fonts, then finish. Digits get the width of the widest, so that numbers stand still.
+void begin_fonts(ImFontAtlas& atlas);
+void finish_fonts(ImFontAtlas& atlas);
+
+// Calls `upload` for each texture of the current context that is new, changed or no longer used since the last call.
+// Draw commands name textures by `id`; RGBA, 8 bits each; no pixels: delete it.
+using Upload = std::function<void(std::uintptr_t id, int width, int height, const void* pixels)>;
+void upload_textures(const Upload& upload);
+std::uintptr_t texture_of(const ImDrawCmd& command);
+std::span<const ImDrawList* const> lists_of(const ImDrawData& data);
 
 }  // namespace coaster::ui

@@ -41,10 +41,10 @@ void apply_theme(const Palette& palette, float scale);
 std::span<const unsigned char> inter_font();
 
 // Replaces the fonts of the current context by Inter (or the built-in font where Inter was not embedded) at `scale`.
-// Digits all get the width of the widest, so that numbers stand still. Call outside a frame; the font texture has to be
-// uploaded again after it.
+// Digits all get the width of the widest, so that numbers stand still. Call outside a frame.
 void load_fonts(float scale);
 ImFont* title_font();
 ImFont* small_font();  // of the current context, after load_fonts()
+float small_pixels();  // height of its lines, px
 
 }  // namespace coaster::ui

@@ -68,11 +68,11 @@ void draw_text(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view 
 
 void draw_small(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text) {
   if (!text.empty())
-    list.AddText(small_font(), small_font()->FontSize, at, packed(rgb), text.data(), text.data() + text.size());
+    list.AddText(small_font(), small_pixels(), at, packed(rgb), text.data(), text.data() + text.size());
 }
 
 ImVec2 small_size(std::string_view text) {
-  return small_font()->CalcTextSizeA(small_font()->FontSize, 1e9f, 0, text.data(), text.data() + text.size());
+  return small_font()->CalcTextSizeA(small_pixels(), 1e9f, 0, text.data(), text.data() + text.size());
 }
 
 bool begin_area(const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags more) {

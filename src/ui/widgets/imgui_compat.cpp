@@ -1,0 +1,174 @@
+#include "ui/widgets/imgui_compat.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+namespace coaster::ui {
+
+#if IMGUI_VERSION_NUM >= 18700
+
+void set_mouse(ImVec2 position, ImVec2 wheel) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.AddMousePosEvent(position.x, position.y);
+  io.AddMouseWheelEvent(wheel.x, wheel.y);
+}
+void set_button(int button, bool down) { ImGui::GetIO().AddMouseButtonEvent(button, down); }
+void set_key(ImGuiKey key, bool down) { ImGui::GetIO().AddKeyEvent(key, down); }
+
+#else
+
+void set_mouse(ImVec2 position, ImVec2 wheel) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = position;
+  io.MouseWheelH = wheel.x;
+  io.MouseWheel = wheel.y;
+}
+void set_button(int button, bool down) { ImGui::GetIO().MouseDown[button] = down; }
+void set_key(ImGuiKey key, bool down) {
+  ImGui::GetIO().KeyMap[key] = key;  // from ImGui's keys to "native" ones: the identity
+  ImGui::GetIO().KeysDown[key] = down;
+}
+
+#endif
+
+void set_modifiers(bool ctrl, bool shift, bool alt) {
+  ImGuiIO& io = ImGui::GetIO();
+#if IMGUI_VERSION_NUM >= 18900
+  io.AddKeyEvent(ImGuiMod_Ctrl, ctrl);
+  io.AddKeyEvent(ImGuiMod_Shift, shift);
+  io.AddKeyEvent(ImGuiMod_Alt, alt);
+#else
+  io.KeyCtrl = ctrl;
+  io.KeyShift = shift;
+  io.KeyAlt = alt;
+#endif
+}
+
+#if IMGUI_VERSION_NUM >= 19200
+
+namespace {
+
+// Loads a glyph as Dear ImGui's loader does, a digit centred in the width of the widest digit. With `advance` it only
+// measures. Inter's digits are proportional by default, and stb_truetype reads no OpenType features.
+bool load_glyph(ImFontAtlas* atlas, ImFontConfig* source, ImFontBaked* baked, void* data, ImWchar c, ImFontGlyph* glyph,
+                float* advance) {
+  const auto load = ImFontAtlasGetFontLoaderForStbTruetype()->FontBakedLoadGlyph;
+  if (!load(atlas, source, baked, data, c, glyph, advance)) return false;
+  if (c < '0' || c > '9') return true;
+  float widest = 0;
+  for (ImWchar digit = '0'; digit <= '9'; ++digit) {
+    float width = 0;
+    if (load(atlas, source, baked, data, digit, nullptr, &width)) widest = std::max(widest, width);
+  }
+  if (advance != nullptr) {
+    *advance = widest;
+    return true;
+  }
+  const float shift = (widest - glyph->AdvanceX) * 0.5f;
+  glyph->X0 += shift;
+  glyph->X1 += shift;
+  glyph->AdvanceX = widest;
+  return true;
+}
+
+}  // namespace
+
+void set_up_context() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.ConfigInputTrickleEventQueue = false;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
+}
+
+float pixels_of(const ImFont& font) { return font.LegacySize; }
+bool has_glyph(ImFont& font, ImWchar character) { return font.IsGlyphInFont(character); }
+
+void begin_fonts(ImFontAtlas& atlas) {
+  static const ImFontLoader loader = [] {
+    ImFontLoader made = *ImFontAtlasGetFontLoaderForStbTruetype();
+    made.Name = "stb_truetype, digits of one width";
+    made.FontBakedLoadGlyph = load_glyph;
+    return made;
+  }();
+  atlas.Clear();
+  atlas.SetFontLoader(&loader);
+}
+// Glyphs are loaded when they are first drawn, in the size in use: of another atlas it would stay the former one.
+void finish_fonts(ImFontAtlas& atlas) { ImGui::GetStyle().FontSizeBase = pixels_of(*atlas.Fonts[0]); }
+
+void upload_textures(const Upload& upload) {
+  for (ImTextureData* const texture : ImGui::GetPlatformIO().Textures) {
+    const auto id = static_cast<std::uintptr_t>(texture->UniqueID);
+    if (texture->Status == ImTextureStatus_WantCreate || texture->Status == ImTextureStatus_WantUpdates) {
+      upload(id, texture->Width, texture->Height, texture->GetPixels());
+      texture->SetTexID(id);
+      texture->SetStatus(ImTextureStatus_OK);
+    } else if (texture->Status == ImTextureStatus_WantDestroy && texture->UnusedFrames > 0) {
+      upload(id, 0, 0, nullptr);
+      texture->SetTexID(ImTextureID_Invalid);
+      texture->SetStatus(ImTextureStatus_Destroyed);
+    }
+  }
+}
+
+#else
+
+namespace {
+
+// Inter's digits are proportional by default, and stb_truetype reads no OpenType features.
+void make_figures_tabular(ImFont& font) {
+  float widest = 0;
+  for (ImWchar c = '0'; c <= '9'; ++c) widest = std::max(widest, font.GetCharAdvance(c));
+  for (ImWchar c = '0'; c <= '9'; ++c) {
+    auto* glyph = const_cast<ImFontGlyph*>(font.FindGlyphNoFallback(c));
+    if (glyph == nullptr) continue;
+    const float shift = (widest - glyph->AdvanceX) * 0.5f;
+    glyph->X0 += shift;
+    glyph->X1 += shift;
+    glyph->AdvanceX = widest;
+    font.IndexAdvanceX[c] = widest;
+  }
+}
+
+constexpr std::uintptr_t kFontTexture = 1;
+
+}  // namespace
+
+void set_up_context() {
+#if IMGUI_VERSION_NUM >= 18700
+  ImGui::GetIO().ConfigInputTrickleEventQueue = false;
+#endif
+}
+
+float pixels_of(const ImFont& font) { return font.FontSize; }
+bool has_glyph(ImFont& font, ImWchar character) { return font.FindGlyphNoFallback(character) != nullptr; }
+
+void begin_fonts(ImFontAtlas& atlas) { atlas.Clear(); }
+void finish_fonts(ImFontAtlas& atlas) {
+  atlas.Build();
+  for (ImFont* const font : atlas.Fonts) make_figures_tabular(*font);
+  atlas.SetTexID((ImTextureID)kFontTexture);  // a pointer
+}
+
+void upload_textures(const Upload& upload) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  if (atlas.TexPixelsRGBA32 != nullptr) return;  // made by the next lines, and discarded with the fonts
+  unsigned char* pixels = nullptr;
+  int width = 0, height = 0;
+  atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
+  upload(kFontTexture, width, height, pixels);
+}
+
+#endif
+
+std::span<const ImDrawList* const> lists_of(const ImDrawData& data) {
+#if IMGUI_VERSION_NUM >= 18980
+  return {data.CmdLists.Data, static_cast<std::size_t>(data.CmdLists.Size)};
+#else
+  return {data.CmdLists, static_cast<std::size_t>(data.CmdListsCount)};
+#endif
+}
+
+std::uintptr_t texture_of(const ImDrawCmd& command) { return (std::uintptr_t)command.GetTexID(); }
+
+}  // namespace coaster::ui
