@@ -19,6 +19,8 @@ void Hasher::bytes(const void* data, std::size_t size) {
 
 std::uint64_t Hasher::digest() const { return XXH64_digest(state_->xxh); }
 
+std::uint64_t content_hash(std::string_view bytes) { return XXH64(bytes.data(), bytes.size(), 0); }
+
 std::string hex16(std::uint64_t value) { return fmt::format("{:016x}", value); }
 
 }  // namespace coaster::base

@@ -43,6 +43,9 @@ class Hasher {
   std::unique_ptr<State> state_;
 };
 
+// Returns the digest of a file's contents.
+std::uint64_t content_hash(std::string_view bytes);
+
 // Returns 16 lower-case hexadecimal digits.
 std::string hex16(std::uint64_t value);
 

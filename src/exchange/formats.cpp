@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/hash.h"
 #include "base/text.h"
 #include "base/words.h"
 #include "exchange/export/track_shapes.h"
@@ -87,13 +88,15 @@ base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::
   return loaded;
 }
 
-base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document) {
+base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document,
+                        std::uint64_t* content) {
   const Format* const format = format_of(path);
   if (!format || !format->print) return {base::Code::refused, unfit_ending(path, format, Direction::write)};
   if (format->check)
     if (const base::Status fit = format->check(document); !fit)
       return {fit.code, fmt::format("{}: {}", path.string(), fit.message)};
   const std::string bytes = format->print(document);
+  if (content) *content = base::content_hash(bytes);
   // Does not write a file too large to be read again.
   if (format->parse && bytes.size() > base::kMaxFileBytes)
     return {base::Code::refused, fmt::format("{}: error: {} bytes are over the limit of {}", path.string(),

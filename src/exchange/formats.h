@@ -37,7 +37,9 @@ const Format* format_of(const std::filesystem::path& path);
 // so.
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path,
                                      base::Progress* progress = nullptr);
-base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document);
+// `content` gets the hash of the bytes as soon as they are printed.
+base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document,
+                        std::uint64_t* content = nullptr);
 
 // Returns the extensions that can be read or written, for messages: ".json, .obj or .svg".
 enum class Direction { read, write };

@@ -82,6 +82,18 @@ expect_text stdout "Stopped after 0 s"
 expect_code 0 --headless "$SOURCE/tests/tracks/ring.nltrack" --size 320x180 --out "$OUT/ride"
 expect_text stdout "The train completed the lap."
 expect_text stderr "The train completes the ride with a start speed of "
+# Changes by another program are not overwritten.
+script theirs 'append at 0 5 0\nsave "$OUT/own.json"\nappend at 9 5 0\ndump "own"\nappend at 9 9 0\nsave "$OUT/own.json"\n'
+expect_code 5 --headless --script "$OUT/theirs.coaster" --out "$OUT/run"
+expect_text stderr "own.json was changed by another program since it was opened"
+# Drivers that Mesa crashes on, and versions that are too old: a child finds out.
+for driver in GALLIUM_DRIVER=none_such MESA_GLSL_VERSION_OVERRIDE=130 MESA_GL_VERSION_OVERRIDE=2.1; do
+  env "$driver" "$COASTER" --headless --script "$OUT/hash.coaster" --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr"
+  [ $? = 4 ] || fail "$driver: expected exit code 4: $(cat "$OUT/stderr")"
+  [ "$(grep -vc '^error: ' "$OUT/stderr")" = 1 ] || fail "$driver: expected one line: $(cat "$OUT/stderr")"
+done
+expect_text stderr "OpenGL 3.3 is needed"
+env GALLIUM_DRIVER=llvmpipe "$COASTER" --headless --script "$OUT/hash.coaster" --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr" || fail "a driver that works: $(cat "$OUT/stderr")"
 env -u DISPLAY -u WAYLAND_DISPLAY "$COASTER" "$SOURCE/tracks/loop.json" >"$OUT/stdout" 2>"$OUT/stderr"
 [ $? = 4 ] || fail "no display: expected exit code 4"
 expect_text stderr "--headless"

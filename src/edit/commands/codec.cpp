@@ -47,6 +47,7 @@ struct Field {
   void* value;  // in a command that outlives the field
   const FieldType* type;
   bool is_target() const { return !type->usage; }
+  const Flag* flag() const { return type == &kFieldType<Flag> ? static_cast<const Flag*>(value) : nullptr; }
 };
 using Fields = std::vector<Field>;
 
@@ -95,7 +96,8 @@ std::string usage(const CommandKind& row) {
   Command command = row.make();
   std::string text(row.info->name);
   for (const Field& field : fields_of(command)) {
-    std::string part = field.keyword.word.empty() ? "" : field.keyword.word + " ";
+    std::string part = field.keyword.word;
+    if (!part.empty() && !field.flag()) part += ' ';
     part += field.is_target() ? std::string(row.target) : field.type->usage(field.value);
     text += field.keyword.optional ? " [" + part + "]" : " " + part;
   }
@@ -143,8 +145,10 @@ std::string print(const Command& command) {
       on_segment = name.number != 0 && name.kind == world::Kind::segment;
     }
     if (field.keyword.optional && of_anything && !on_segment) continue;
+    const Flag* const flag = field.flag();
+    if (flag && !flag->set) continue;
     if (!field.keyword.word.empty()) text += " " + field.keyword.word;
-    text += " " + field.type->print(field.value);
+    if (!flag) text += " " + field.type->print(field.value);
   }
   return text;
 }

@@ -29,6 +29,8 @@ std::string print_value(const world::Element& value);  // "loop left height 16 .
 inline std::string print_value(std::floating_point auto value) { return base::to_text(value); }
 inline std::string print_value(std::integral auto value) { return std::to_string(value); }
 
+inline std::string print_value(const Flag&) { return {}; }  // its keyword says it
+
 bool read_value(base::Words& words, Target& value);
 bool read_value(base::Words& words, HandleTarget& value);
 bool read_value(base::Words& words, Knots& value);
@@ -41,11 +43,13 @@ bool read_value(base::Words& words, bool& value);
 bool read_value(base::Words& words, std::string& value);
 bool read_value(base::Words& words,
                 world::Element& value);  // to the end of the line; unnamed values get their defaults
+inline bool read_value(base::Words&, Flag& value) { return value.set = true; }  // its keyword was read
 
 inline std::string usage_of(const HandleTarget&) { return "@knot.in|@knot.out"; }
 inline std::string usage_of(const Knots&) { return "@knot,...|all|selected"; }
 inline std::string usage_of(glm::vec3) { return "X Y Z"; }
 inline std::string usage_of(bool) { return "on|off"; }
+inline std::string usage_of(const Flag&) { return {}; }
 inline std::string usage_of(const std::string&) { return "\"TEXT\""; }
 inline std::string usage_of(std::floating_point auto) { return "NUMBER"; }
 inline std::string usage_of(std::integral auto) { return "N"; }

@@ -33,6 +33,13 @@ struct Knots {
 };
 inline Target::operator Knots() const { return Knots(name); }
 
+// A word that a line may end with or leave out: "save FILE overwrite".
+struct Flag {
+  bool set = false;
+  explicit operator bool() const { return set; }
+  friend bool operator==(const Flag&, const Flag&) = default;
+};
+
 enum class HandleEnd : std::uint8_t { in, out };
 // A knot's handle, written "@k3.in" or "@k3.out".
 struct HandleTarget {

@@ -34,11 +34,15 @@ struct Load {
   COASTER_COMMAND(Load, "load", "Open a track file; its ending tells the format.", Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
+// Refused with Code::io if another program changed the document's own file since it was opened, unless `overwrite`.
 struct Save {
   std::string path;
-  COASTER_COMMAND(Save, "save", "Save the track to a file, or export it: the ending tells the format.",
+  Flag overwrite{};
+  COASTER_COMMAND(Save, "save",
+                  "Save the track to a file, or export it: the ending tells the format. With overwrite, also over "
+                  "changes by another program.",
                   Effect::session);
-  COASTER_FIELDS(visit("", self.path))
+  COASTER_FIELDS(visit("", self.path), visit("overwrite?", self.overwrite))
 };
 struct RecoverTrack {
   std::string path, original;

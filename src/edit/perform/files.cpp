@@ -35,6 +35,7 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
   session.settings.aids->append_mode = false;
   session.file.path = std::move(path);
   session.file.import.reset();
+  session.file.content.reset();
   session.game.challenge.reset();
   session.game.run = {};
   session.game.result.reset();
@@ -55,17 +56,32 @@ Status perform(Session& session, Change& change, const Load& command) {
   start_over(session, std::move(loaded->document),
              exchange::format_of(command.path)->whole ? command.path : std::string());
   session.file.import = loaded->import;
+  session.file.content = loaded->content;
   warn(session, loaded->warnings);
   change.note = std::move(loaded->note);
   return {};
 }
 Status perform(Session& session, Change& change, const Save& command) {
   if (command.path.empty()) return refused("expected a file to save to");
-  const Status status = exchange::save_track(change.files, command.path, session.document);
-  if (!status) return status;
+  const bool own = is_own_file(session, command.path);
+  if (own && !command.overwrite && changed_outside(session))
+    return {base::Code::io, fmt::format("{} was changed by another program since it was opened. Save under another "
+                                        "name, or replace the changes with: save {} overwrite",
+                                        command.path, base::quoted(command.path))};
+  std::uint64_t content = 0;
+  const Status status = exchange::save_track(change.files, command.path, session.document, &content);
+  if (!status) {
+    // If only the last flush failed, the new contents are this program's own.
+    if (own && content_of(session.file.path) == content) session.file.content = content;
+    return status;
+  }
   // Saving in a format that does not hold everything is an export: the document stays unsaved.
   const bool whole = exchange::format_of(command.path)->whole;
-  if (whole) session.file.path = command.path, session.file.saved_hash = world::hash(session.document);
+  if (whole) {
+    session.file.path = command.path;
+    session.file.saved_hash = world::hash(session.document);
+    session.file.content = content;
+  }
   change.note = fmt::format("{} {}", whole ? "Saved" : "Exported", command.path);
   return {};
 }
@@ -95,12 +111,14 @@ Status perform(Session& session, Change& change, const RecoverTrack& command) {
   // unsaved.
   const exchange::Format* const format = command.original.empty() ? nullptr : exchange::format_of(command.original);
   std::uint64_t saved = ~world::hash(loaded->document);
+  std::optional<std::uint64_t> content;
   if (format != nullptr && format->whole)
     if (const base::Result<exchange::LoadedTrack> old = exchange::load_track(change.files, command.original))
-      saved = world::hash(old->document);
+      saved = world::hash(old->document), content = old->content;
   start_over(session, std::move(loaded->document),
              format != nullptr && format->whole ? command.original : std::string());
   session.file.saved_hash = saved;
+  session.file.content = content;
   warn(session, loaded->warnings);
   change.note =
       command.original.empty() ? "Recovered a track that had no file." : fmt::format("Recovered {}", command.original);

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "base/file_lock.h"
+#include "base/hash.h"
 #include "base/text.h"
 #include "edit/session/ride_watch.h"
 
@@ -29,6 +31,25 @@ void notify(Session& session, const base::Status& error) {
 }
 
 bool dirty(const Finder& find) { return find(Want::document_hash).document_hash != find.session().file.saved_hash; }
+
+bool is_own_file(const Session& session, const std::filesystem::path& path) {
+  const std::filesystem::path& own = session.file.path;
+  return !own.empty() && base::canonical_path(path) == base::canonical_path(own);
+}
+
+std::optional<std::uint64_t> content_of(const std::filesystem::path& path) {
+  const auto bytes = base::Files().read(path);  // without the faults that a script injects
+  if (!bytes) return std::nullopt;
+  return base::content_hash(*bytes);
+}
+
+bool changed_outside(const Session& session) {
+  const std::filesystem::path& own = session.file.path;
+  std::error_code failed;
+  if (own.empty() || !std::filesystem::exists(own, failed)) return false;
+  const std::optional<std::uint64_t> now = content_of(own);
+  return !now || now != session.file.content;
+}
 
 void advance_measurement(Session& session) {
   sim::measure_next(session.measuring.measurement, session.measuring.clock);

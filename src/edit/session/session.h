@@ -62,8 +62,9 @@ struct Notices {
 
 // The document's file.
 struct DocumentFile {
-  std::filesystem::path path;    // empty when it has none
-  std::uint64_t saved_hash = 0;  // of the document when last loaded, saved or made
+  std::filesystem::path path;            // empty when it has none
+  std::uint64_t saved_hash = 0;          // of the document when last loaded, saved or made
+  std::optional<std::uint64_t> content;  // hash of the file's bytes as this program last read or wrote them
   std::optional<ReadAhead> read_ahead;
   std::optional<exchange::ImportReport> import;  // how well the document, as it was loaded, meets the file it was
                                                  // fitted to
@@ -114,6 +115,13 @@ void notify(Session& session, NoticeKind kind, std::string text);
 // Shows an error: a refusal as a sentence, others as they are, because a file's name comes first.
 void notify(Session& session, const base::Status& error);
 bool dirty(const Finder& find);  // the document has unsaved changes
+
+// True if the path leads to the document's own file, under any name.
+bool is_own_file(const Session& session, const std::filesystem::path& path);
+// Returns the hash of a file's bytes; nothing if it cannot be read.
+std::optional<std::uint64_t> content_of(const std::filesystem::path& path);
+// True if the document's own file is there with other contents than this program last read or wrote, or unreadable.
+bool changed_outside(const Session& session);
 
 // Runs the next slice of the measurement (a few ms); no-op when idle.
 void advance_measurement(Session& session);

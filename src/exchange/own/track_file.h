@@ -32,6 +32,7 @@ struct LoadedTrack {
   std::vector<std::string> warnings;   // one line each: unknown members, which are kept; rows that were left out
   std::string note;                    // a line for the user: the start speed of an import
   std::optional<ImportReport> import;  // for formats that a track is fitted to
+  std::uint64_t content = 0;           // hash of the file's bytes; set by load_track()
 };
 
 // Parses a whole file's text. Errors are Code::bad_file with one line "NAME:LINE:COLUMN: error: ..." for broken JSON

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "base/file_lock.h"
 #include "ui/screens/dialogs.h"
 #include "ui/widgets/theme.h"
 
@@ -85,6 +84,24 @@ void Dialogs::build_overwrite(Ui& ui, const platform::Events& events) {
     dialog_ = Dialog::browse;
 }
 
+void Dialogs::build_changed(Ui& ui, const platform::Events& events) {
+  ui.panel = "Changed file";
+  title("The file has changed");
+  paragraph(ui, "Question",
+            fmt::format("Another program changed {} on {}, after you opened it. Overwriting loses its changes.",
+                        chosen_.string(), base::local_time(base::change_time(chosen_))),
+            palette().text);
+  const bool other =
+      button(ui, "Save as", "Save under another name. Key Enter.") || pressed(events, Key::enter, Key::keypad_enter);
+  ImGui::SameLine();
+  const bool yes = button(ui, "Overwrite", "Replace the file.");
+  ImGui::SameLine();
+  const bool cancel = button(ui, "Cancel", "Back to the track. Key Escape.") || pressed(events, Key::escape);
+  if (cancel) abandon();
+  else if (yes) write(ui, chosen_, true);
+  else if (other) browse(ui, FileBrowser::Mode::save);
+}
+
 void Dialogs::build_new_folder(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
   ui.panel = "New folder";
   title("New folder");
@@ -147,6 +164,7 @@ void Dialogs::build_shown(Ui& ui, const platform::Events& events, bool text_had_
     case Dialog::unsaved: build_unsaved(ui, events); break;
     case Dialog::browse: build_browser(ui, events, text_had_keyboard); break;
     case Dialog::overwrite: build_overwrite(ui, events); break;
+    case Dialog::changed: build_changed(ui, events); break;
     case Dialog::new_folder: build_new_folder(ui, events, text_had_keyboard); break;
     case Dialog::recovery: build_recovery(ui); break;
     case Dialog::challenges: build_challenges(ui); break;

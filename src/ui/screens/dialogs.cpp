@@ -94,7 +94,14 @@ void Dialogs::save(Ui& ui) {
     ui.warn("This file is open in " + kept->holder + ". Save under another name.");
     return browse(ui, FileBrowser::Mode::save);
   }
-  ui.emit(edit::Save{ui.session().file.path.string()});
+  chosen_ = ui.session().file.path;
+  if (edit::changed_outside(ui.session())) dialog_ = Dialog::changed;
+  else write(ui, chosen_, false);
+}
+
+// An export saves nothing: follow_save() then drops what was to follow.
+void Dialogs::write(Ui& ui, const std::filesystem::path& path, bool overwrite) {
+  ui.emit(edit::Save{path.string(), {overwrite}});
   saving_ = want_.kind != Want::Kind::nothing;
   dialog_ = Dialog::none;
 }
@@ -106,17 +113,11 @@ void Dialogs::take_file(Ui& ui, std::filesystem::path path, bool asked) {
     want_ = {Want::Kind::load, path.string()};
     return proceed(ui);  // unsaved changes were asked about before
   }
-  const bool own =
-      !ui.session().file.path.empty() && base::canonical_path(path) == base::canonical_path(ui.session().file.path);
+  const bool own = edit::is_own_file(ui.session(), path);
   chosen_ = std::move(path);
-  if (!asked && !own && std::filesystem::exists(chosen_, error)) {
-    dialog_ = Dialog::overwrite;
-    return;
-  }
-  ui.emit(edit::Save{chosen_.string()});
-  // An export saves nothing: follow_save() then drops what was to follow.
-  saving_ = want_.kind != Want::Kind::nothing;
-  dialog_ = Dialog::none;
+  if (own && edit::changed_outside(ui.session())) dialog_ = Dialog::changed;
+  else if (!asked && !own && std::filesystem::exists(chosen_, error)) dialog_ = Dialog::overwrite;
+  else write(ui, chosen_, false);
 }
 
 void Dialogs::take_system(Ui& ui) {

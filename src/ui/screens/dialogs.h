@@ -1,6 +1,6 @@
-// Modal dialogs, one at a time: unsaved changes, choosing a file, overwriting, a new folder, recovering an autosave,
-// settings, challenges. An open dialog takes all keys and the mouse. The document changes only by the commands that
-// answers emit.
+// Modal dialogs, one at a time: unsaved changes, choosing a file, overwriting, a file changed by another program, a new
+// folder, recovering an autosave, settings, challenges. An open dialog takes all keys and the mouse. The document
+// changes only by the commands that answers emit.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ class Dialogs {
   void build(Ui& ui, const platform::Events& events, bool text_had_keyboard, float width, float height);
 
  private:
-  enum class Dialog { none, unsaved, browse, overwrite, new_folder, recovery, settings, challenges };
+  enum class Dialog { none, unsaved, browse, overwrite, changed, new_folder, recovery, settings, challenges };
 
   void request(Ui& ui, Want want);
   void save(Ui& ui);
@@ -31,6 +31,7 @@ class Dialogs {
   void perform(Ui& ui, const Want& want);
   void abandon();
   void follow_save(Ui& ui);
+  void write(Ui& ui, const std::filesystem::path& path, bool overwrite);
   void browse(Ui& ui, FileBrowser::Mode mode);
   void take_file(Ui& ui, std::filesystem::path path, bool asked);
   void take_system(Ui& ui);
@@ -38,6 +39,7 @@ class Dialogs {
   void build_unsaved(Ui& ui, const platform::Events& events);
   void build_browser(Ui& ui, const platform::Events& events, bool text_had_keyboard);
   void build_overwrite(Ui& ui, const platform::Events& events);
+  void build_changed(Ui& ui, const platform::Events& events);
   void build_new_folder(Ui& ui, const platform::Events& events, bool text_had_keyboard);
   void build_recovery(Ui& ui);
   void build_challenges(Ui& ui);

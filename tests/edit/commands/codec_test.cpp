@@ -57,6 +57,8 @@ TEST(codec, what_print_writes_parse_reads_back) {
 }
 
 TEST(codec, commands_read_as_documented) {
+  EXPECT_EQ(print(Save{"a.json"}), "save \"a.json\"");
+  EXPECT_EQ(print(Save{"a.json", {true}}), "save \"a.json\" overwrite");
   EXPECT_EQ(print(MoveKnot{{{world::Kind::knot, 4}}, {1, 2.5f, -3}}), "move @k4 to 1 2.5 -3");
   EXPECT_EQ(print(MoveHandle{{{world::Kind::knot, 4}, HandleEnd::in}, {1, 2, 3}}), "handle @k4.in to 1 2 3");
   EXPECT_EQ(print(SplitSegment{{{world::Kind::segment, 3}}, 0.5}), "split @s3 at 0.5");

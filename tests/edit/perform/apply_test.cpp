@@ -71,6 +71,51 @@ TEST_F(Applying, exporting_leaves_the_path_and_what_is_unsaved) {
   EXPECT_FALSE(dirty(session));
 }
 
+// Changes by another program are lost only when the command says so.
+TEST_F(Applying, a_file_that_another_program_changed_is_not_overwritten) {
+  ASSERT_TRUE(apply(Save{file("a.json")}));
+  const auto replaced = [&] { return base::Files().read(file("a.json")); };
+  const auto change = [&](const char* text) { ASSERT_TRUE(files.write_atomic(file("a.json"), text)); };
+  change("theirs");
+  good("datum 3.25");
+  const world::Document before = session.document;
+  std::filesystem::create_symlink(file("a.json"), file("link.json"));
+  for (const char* const name : {"a.json", "link.json"}) {
+    const base::Status refused = apply(Save{file(name)});
+    EXPECT_EQ(refused.code, base::Code::io) << name;
+    EXPECT_NE(refused.message.find("changed by another program"), std::string::npos) << refused.message;
+    EXPECT_EQ(*replaced(), "theirs");
+  }
+  EXPECT_TRUE(session.document == before && dirty(session));
+  EXPECT_TRUE(apply(Save{file("b.json")})) << "another name";
+  EXPECT_TRUE(apply(Load{file("b.json")}));
+  EXPECT_TRUE(apply(Save{file("b.json")})) << "nobody changed this one";
+  EXPECT_TRUE(apply(Save{file("b.json")}));
+
+  change("theirs");
+  EXPECT_TRUE(apply(Save{file("a.json")})) << "not the document's own file: the window asks before it gets here";
+  change("theirs again");
+  good("save \"" + file("a.json") + "\" overwrite");
+  EXPECT_NE(*replaced(), "theirs again");
+  std::filesystem::remove(file("a.json"));
+  EXPECT_TRUE(apply(Save{file("a.json")})) << "a deleted file has nothing to lose";
+  files.inject(base::IoOperation::fsync, 2);
+  good("datum 1");
+  EXPECT_FALSE(apply(Save{file("a.json")}));
+  EXPECT_TRUE(apply(Save{file("a.json")})) << "what is there is what the failed save wrote";
+}
+
+TEST_F(Applying, a_recovered_track_may_replace_the_file_that_it_was_compared_with) {
+  ASSERT_TRUE(apply(Save{file("a.json")}));
+  good("datum 3.25");
+  ASSERT_TRUE(apply(Save{file("autosave.json")}));
+  ASSERT_TRUE(apply(RecoverTrack{file("autosave.json"), file("a.json")}));
+  EXPECT_TRUE(apply(Save{file("a.json")}));
+  ASSERT_TRUE(files.write_atomic(file("a.json"), "no track"));
+  ASSERT_TRUE(apply(RecoverTrack{file("autosave.json"), file("a.json")}));
+  EXPECT_EQ(apply(Save{file("a.json")}).code, base::Code::io) << "nobody has seen what is there";
+}
+
 // Saving an import goes to a file of its own, never to the one that it came from.
 TEST_F(Applying, an_imported_track_has_no_path) {
   ASSERT_TRUE(apply(Save{file("a.json")}));

@@ -114,6 +114,42 @@ TEST_F(DialogsTest, a_file_in_use_elsewhere_is_saved_under_another_name) {
   EXPECT_EQ(all<edit::Save>()[0].path, (folder / "b.json").string());
 }
 
+// Save and Save as to the document's own file ask when another program changed it; each answer does what it says.
+TEST_F(DialogsTest, a_file_that_another_program_changed_is_asked_about) {
+  const std::string own = (folder / "a.json").string();
+  const auto theirs = [&] {
+    ASSERT_TRUE(base::Files().write_atomic(own, "theirs"));
+    commands_.clear();
+    key(Key::s, {.ctrl = true});
+    frames(2);
+    ASSERT_NE(find("Changed file/Question"), nullptr);
+    EXPECT_TRUE(all<edit::Save>().empty());
+  };
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Save{own}));
+  theirs();
+  key(Key::escape);
+  frames(2);
+  EXPECT_EQ(find("Changed file/Question"), nullptr);
+  EXPECT_TRUE(all<edit::Save>().empty());
+
+  theirs();
+  key(Key::enter);
+  frames(2);
+  ASSERT_NE(find("Save as/Name"), nullptr);
+  type("Save as/Name", own);
+  frames(2);
+  ASSERT_NE(find("Changed file/Question"), nullptr) << "the same name again";
+  EXPECT_EQ(*files_.read(own), "theirs");
+  click("Changed file/Overwrite");
+  frames(2);
+  ASSERT_EQ(all<edit::Save>().size(), 1u);
+  EXPECT_NE(*files_.read(own), "theirs");
+  EXPECT_EQ(find("Changed file/Question"), nullptr);
+  key(Key::s, {.ctrl = true});
+  frames(2);
+  EXPECT_EQ(all<edit::Save>().size(), 2u) << "nobody changed it since";
+}
+
 TEST_F(DialogsTest, the_settings_say_what_to_keep) {
   user_.emplace();
   frames(2);
