@@ -60,7 +60,8 @@ void resolution(Ui& ui) {
                       .step = 10'000,
                       .low = 1'000,
                       .high = 1e9,
-                      .largest = 1e15};
+                      .largest = 1e15,
+                      .whole = true};
   if (const auto to = number(ui, "Vertex budget", budget,
                              "Largest number of vertices of all polylines. Commands that need more are rejected."))
     ui.emit(edit::Set<&world::Evaluation::vertex_budget>{static_cast<std::int64_t>(*to)});

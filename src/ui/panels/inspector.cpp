@@ -40,14 +40,15 @@ std::optional<Changed> vector_fields(Ui& ui, std::string_view group, glm::vec3 v
 
 std::optional<Changed> position_fields(Ui& ui, const world::Knot& knot, std::string_view tooltip) {
   constexpr double kReach = world::kMaxCoordinate;
-  return vector_fields(ui, "Position", knot.position, {.decimals = 3, .step = 0.02, .low = -kReach, .high = kReach},
-                       tooltip);
+  return vector_fields(ui, "Position", knot.position,
+                       {.decimals = 3, .step = 0.02, .low = -kReach, .high = kReach, .typed_in = "m"}, tooltip);
 }
 
 // Handles, roll and joint of one knot or several; the fields show those of `knot`. `both`: one length sets both.
 void handle_fields(Ui& ui, const edit::Knots& knots, const world::Knot& knot, bool both, std::string_view tooltip) {
   constexpr std::string_view kEnds[] = {"in", "out"};
-  const Number length{.decimals = 3, .step = 0.02, .low = world::kMinHandle, .high = world::kMaxHandle};
+  const Number length{
+      .decimals = 3, .step = 0.02, .low = world::kMinHandle, .high = world::kMaxHandle, .typed_in = "m"};
   std::array<Number, 2> lengths{length, length};
   lengths[0].value = knot.in_length;
   lengths[1].value = knot.out_length;
@@ -148,7 +149,8 @@ void segment_inspector(Ui& ui, Entity entity, Name name) {
                      .step = 0.05,
                      .low = -world::kMaxTurns,
                      .high = world::kMaxTurns,
-                     .largest = 1e9};
+                     .largest = 1e9,
+                     .whole = true};
   if (const auto to =
           number(ui, "Turns", turns, "Full turns of roll within the segment (barrel rolls), added to the least twist."))
     ui.emit(edit::SetTurns{{name}, static_cast<int>(*to)});

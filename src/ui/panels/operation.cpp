@@ -63,8 +63,12 @@ void train(Ui& ui) {
   const world::Cart* const design = session.document.entities.find<world::Cart>(cart);
   if (!design) return;
   const world::Name name = world::name_of(session.document, cart);
-  const Number cars{
-      .value = static_cast<double>(design->cars), .decimals = 0, .low = 1, .high = world::kMaxCars, .largest = 1e9};
+  const Number cars{.value = static_cast<double>(design->cars),
+                    .decimals = 0,
+                    .low = 1,
+                    .high = world::kMaxCars,
+                    .largest = 1e9,
+                    .whole = true};
   if (const auto to = number(ui, "Cars", cars, "Number of cars. They move as one."))
     ui.emit(edit::SetTrain{{name}, static_cast<int>(*to)});
   const auto field = [&](const char* label, const Number& value, float edit::SetTrain::*part, const char* tooltip) {

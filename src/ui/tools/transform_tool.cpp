@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "base/arithmetic.h"
 #include "base/portable_math.h"
+#include "base/text.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_shape.h"
@@ -29,6 +31,7 @@ char digit_of(Key key) {
   if (code >= static_cast<int>(Key::d0) && code <= static_cast<int>(Key::d0) + 9)
     return static_cast<char>('0' + code - static_cast<int>(Key::d0));
   if (key == Key::period) return '.';
+  if (key == Key::comma) return ',';  // refused with the reason: left out, 7,25 would become 725
   if (key == Key::minus) return '-';
   return 0;
 }
@@ -65,7 +68,16 @@ std::size_t TransformTool::fields() const {
 }
 
 std::optional<double> TransformTool::typed(std::size_t field) const {
-  return text_[field].empty() ? std::nullopt : base::parse_double(text_[field]);
+  const base::Result<double> value = base::evaluate(text_[field]);
+  return value ? std::optional(*value) : std::nullopt;
+}
+std::string TransformTool::mistyped() const {
+  for (std::size_t field = 0; field < fields(); ++field) {
+    if (text_[field].empty()) continue;
+    const base::Result<double> value = base::evaluate(text_[field]);
+    if (!value) return fmt::format("{} is not a number: {}.", base::quoted(text_[field]), value.status().message);
+  }
+  return {};
 }
 bool TransformTool::any_typed() const { return typed(0) || typed(1) || typed(2); }
 
@@ -178,16 +190,25 @@ void TransformTool::update(Ui& ui, const view::View& view) {
   constexpr float kStill = 3;  // px
   const ImGuiIO& io = ImGui::GetIO();
   begun_ = begun_ || any_typed() || glm::length(mouse_position() - start_) >= kStill;
-  if (begun_) emit(ui, view);
+  const std::string mistake = mistyped();
+  if (begun_ && mistake.empty()) emit(ui, view);
   else (void)command(ui, view);
   const bool let_go = button_ ? !io.MouseDown[*button_] : entered_ || io.MouseClicked[ImGuiMouseButton_Left];
   if (!button_ && io.MouseClicked[ImGuiMouseButton_Right]) cancel(ui);
-  else if (let_go) finish(ui);
+  else if (let_go && mistake.empty()) finish(ui);
+  else if (let_go) refuse(ui, mistake);
 }
 
 void TransformTool::finish(Ui& ui) {
   if (gesture_) ui.emit(edit::EndGesture{});
   *this = {};
+}
+
+// The number stays to be corrected; the transform of a released button ends without effect.
+void TransformTool::refuse(Ui& ui, const std::string& mistake) {
+  ui.warn(mistake);
+  entered_ = false;
+  if (button_) cancel(ui);
 }
 
 bool TransformTool::cancel(Ui& ui) {

@@ -31,7 +31,9 @@ class TransformTool {
  private:
   void finish(Ui& ui);
   void emit(Ui& ui, const view::View& view);
+  void refuse(Ui& ui, const std::string& mistake);
   std::optional<double> typed(std::size_t field) const;
+  std::string mistyped() const;  // what is wrong with the typed numbers; empty if nothing
   bool any_typed() const;
   std::size_t fields() const;
   edit::Command command(const Ui& ui, const view::View& view);

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
+#include "base/arithmetic.h"
 #include "base/text.h"
 #include "base/utf8.h"
 #include "ui/widgets/theme.h"
@@ -49,17 +49,16 @@ Typing typed(WidgetFrame& ui, const char* key, const std::string& initial, bool 
   return !escaped && entry.text != entry.initial ? Typing::complete : Typing::no;
 }
 
-// Returns the typed number, clamped to +-`largest` (inf and 1e39 too). Warns and returns nothing if it is no number.
-std::optional<double> parse(WidgetFrame& ui, std::string_view label, double largest) {
-  const char* begin = ui.entry.text.data();
-  char* end = nullptr;
-  const double value = std::strtod(begin, &end);
-  if (end == begin || std::isnan(value)) {
-    ui.warn(fmt::format("{}/{}: \"{}\" is not a number within the limits; nothing changed.", ui.panel, shown(label),
-                        begin));
-    return std::nullopt;
-  }
-  return std::clamp(value, -largest, largest);
+// Returns the typed number, clamped to +-`largest`. Warns with the reason and returns nothing if it is no number.
+std::optional<double> parse(WidgetFrame& ui, std::string_view label, const Number& n) {
+  const char* const words = ui.entry.text.data();
+  const base::Result<double> value = base::evaluate(words, n.typed_in);
+  const bool whole = !n.whole || !value || *value == std::round(*value);
+  if (value && whole) return std::clamp(*value, -n.largest, n.largest);
+  ui.warn(fmt::format("{}/{}: {} is not a {}number: {}. Nothing changed.", ui.panel, shown(label),
+                      base::quoted_start(words), whole ? "" : "whole ",
+                      whole ? value.status().message : base::to_text(*value)));
+  return std::nullopt;
 }
 
 // Returns whether the mouse opens a field for typing: Ctrl+click or double-click; with `plain_click` also the release
@@ -130,7 +129,7 @@ std::optional<double> field(WidgetFrame& ui, std::string_view label, const Numbe
   if (begin) ImGui::ClearActiveID();
   ImGui::SetNextItemWidth(width);
   if (begin || ui.entry.id == ImGui::GetID("##type")) {
-    if (typed(ui, "##type", base::to_text(n.value), begin) == Typing::complete) result = parse(ui, label, n.largest);
+    if (typed(ui, "##type", base::to_text(n.value), begin) == Typing::complete) result = parse(ui, label, n);
   } else {
     result = drag(ui, n, drag_id);
     draw_number(ui, n, name, name_colour, low, high, enabled);
@@ -164,19 +163,23 @@ std::optional<Changed> numbers(WidgetFrame& ui, std::string_view group, std::spa
   return changed;
 }
 
-std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
-                                  int decimals, std::string_view tooltip, bool logarithmic) {
+namespace {
+
+// A slider from `n.low` to `n.high`.
+std::optional<double> slide(WidgetFrame& ui, std::string_view label, const Number& n, std::string_view tooltip,
+                            bool logarithmic) {
+  const double value = n.value, low = n.low, high = n.high;
   begin_row(label);
   const float width = ImGui::CalcItemWidth();
   ImGui::PushID(label.data(), label.data() + label.size());
   const ImVec2 from = ImGui::GetCursorScreenPos(), to(from.x + width, from.y + ImGui::GetFrameHeight());
   const bool begin = ui.entry.id != ImGui::GetID("##type") && wants_typing(0, from, to, false);
-  const std::string digits = fixed(value, decimals), format = fmt::format("%.{}f", decimals);
+  const std::string digits = fixed(value, n.decimals), format = fmt::format("%.{}f", n.decimals);
   std::optional<double> result;
   if (begin) ImGui::ClearActiveID();
   ImGui::SetNextItemWidth(width);
   if (begin || ui.entry.id == ImGui::GetID("##type")) {
-    if (typed(ui, "##type", digits, begin) == Typing::complete) result = parse(ui, label, 2e9);
+    if (typed(ui, "##type", digits, begin) == Typing::complete) result = parse(ui, label, n);
   } else {
     double wanted = value;
     const ImGuiSliderFlags flags =
@@ -197,9 +200,25 @@ std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, doubl
   return result;
 }
 
+constexpr double kLargestSlid = 2e9;  // fits an int
+
+}  // namespace
+
+std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
+                                  int decimals, std::string_view tooltip, bool logarithmic) {
+  const Number n{.value = value, .decimals = decimals, .low = low, .high = high, .largest = kLargestSlid};
+  return slide(ui, label, n, tooltip, logarithmic);
+}
+
 std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, int low, int high, bool logarithmic,
                           std::string_view tooltip) {
-  const auto to = real_slider(ui, label, value, low, high, 0, tooltip, logarithmic);
+  const Number n{.value = static_cast<double>(value),
+                 .decimals = 0,
+                 .low = static_cast<double>(low),
+                 .high = static_cast<double>(high),
+                 .largest = kLargestSlid,
+                 .whole = true};
+  const auto to = slide(ui, label, n, tooltip, logarithmic);
   const auto whole = to ? std::optional(static_cast<int>(std::lround(*to))) : std::nullopt;
   return whole != value ? whole : std::nullopt;
 }

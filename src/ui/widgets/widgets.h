@@ -129,8 +129,11 @@ struct Number {
   double step = 0.05;        // per pixel of a drag
   double low = 0, high = 0;  // of drags; what is typed goes out as it is, for the command to clamp (low == high: none)
   double largest = 3.4028234663852886e38;  // typed numbers beyond it become it: the command's clamp then says "limit"
+  bool whole = false;                      // typed numbers must be whole
+  const char* typed_in = unit;             // the unit of typed numbers; beside a narrow field it is not shown
 };
-// A number field: drag it, or click and type. Returns a new value during a drag (within a gesture) or when typed.
+// A number field: drag it, or click and type a number, arithmetic or another unit (base/arithmetic.h); anything else is
+// refused with a notice and changes nothing. Returns a new value during a drag (within a gesture) or when typed.
 std::optional<double> number(WidgetFrame& ui, std::string_view label, const Number& number, std::string_view tooltip,
                              bool enabled = true);
 // Number fields in one row, "Group/name", without labels. Returns the changed one.

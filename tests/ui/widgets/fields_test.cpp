@@ -26,7 +26,7 @@ TEST_F(FieldsTest, a_typed_number_is_one_command_and_one_step) {
 }
 
 TEST_F(FieldsTest, numbers_beyond_float_are_clamped_by_the_command_with_a_notice) {
-  for (const char* huge : {"1e39", "-1e39", "inf", "1e999"}) {
+  for (const char* huge : {"1e39", "-1e39", "1e39+1e30"}) {
     commands_.clear();
     type("Inspector/Position/x", huge);
     frame();
@@ -39,8 +39,9 @@ TEST_F(FieldsTest, numbers_beyond_float_are_clamped_by_the_command_with_a_notice
 }
 
 TEST_F(FieldsTest, what_is_no_number_changes_nothing_and_says_so) {
-  for (const char* bad : {"nan", "abc", "-", ""}) {
+  for (const char* bad : {"nan", "inf", "-inf", "1e999", "1/0", "abc", "-", "", "7,25", "1.000,5", "12abc", "5 s"}) {
     const auto before = world::hash(session_.document);
+    const std::size_t steps = session_.history.undo.size();
     commands_.clear();
     click("Inspector/Position/y", {.ctrl = true});
     key(platform::Key::a, {.ctrl = true});
@@ -50,8 +51,30 @@ TEST_F(FieldsTest, what_is_no_number_changes_nothing_and_says_so) {
     frame();
     EXPECT_TRUE(commands_.empty()) << bad;
     EXPECT_EQ(world::hash(session_.document), before) << bad;
+    EXPECT_EQ(session_.history.undo.size(), steps) << bad;
     EXPECT_NE(host_->toast().find("not a number"), std::string::npos) << host_->toast();
   }
+}
+
+TEST_F(FieldsTest, arithmetic_and_units_of_length_count) {
+  const std::pair<const char*, float> cases[]{
+      {"5+5", 10}, {"2*(1.5 - 0.25)", 2.5f}, {"250 cm", 2.5f}, {"1 m + 50cm", 1.5f}};
+  for (const auto& [typed, wanted] : cases) {
+    type("Inspector/Position/y", typed);
+    EXPECT_EQ(knot(2).position.y, wanted) << typed;
+  }
+}
+
+TEST_F(FieldsTest, a_number_of_things_is_whole) {
+  select(world::Kind::segment, 1);
+  commands_.clear();
+  type("Inspector/Turns", "1.5");
+  frame();
+  EXPECT_TRUE(commands_.empty());
+  EXPECT_NE(host_->toast().find("not a whole number"), std::string::npos) << host_->toast();
+  type("Inspector/Turns", "4/2");
+  ASSERT_EQ(all<edit::SetTurns>().size(), 1u);
+  EXPECT_EQ(all<edit::SetTurns>()[0].to, 2);
 }
 
 TEST_F(FieldsTest, a_plain_click_opens_a_number_for_typing_too) {
