@@ -1,14 +1,15 @@
 #include "app/filming.h"
 
-#include <unistd.h>
 #include <chrono>
-#include <cstdio>
 #include <thread>
+
+#include <fmt/format.h>
 
 #include "app/frame.h"
 #include "app/pictures.h"
 #include "app/program.h"
 #include "app/scene.h"
+#include "base/console.h"
 #include "edit/commands/commands_ride.h"
 #include "platform/signals.h"
 
@@ -60,9 +61,8 @@ void start_by_hand(Program& program) {
 }
 
 void show_progress(const Program& program, const char* what) {
-  if (!isatty(STDERR_FILENO)) return;
-  std::fprintf(stderr, "\r%s: %d pictures, %3.0f %% ", what, program.filming->shown.frames,
-               100 * program.filming->shown.done);
+  base::print_progress(fmt::format("{}: {} pictures, {:3.0f} % ", what, program.filming->shown.frames,
+                                   100 * program.filming->shown.done));
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ base::Status finish_movie(Program& program) {
   Filming& filming = *program.filming;
   for (;;) {
     if (const auto line = filming.encoder->poll()) {
-      std::fprintf(stderr, "%s%s\n", isatty(STDERR_FILENO) ? "\r" : "", line->c_str());
+      base::print_error(*line);
       break;
     }
     if (platform::pending_signal() != 0) break;

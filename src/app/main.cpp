@@ -1,12 +1,24 @@
 // The entry point: parses the command line, runs, returns the exit code. Everything else is in the other files of this
 // room.
-#include <cstdio>
-
 #include "app/modes.h"
+#include "base/console.h"
 
-int main(int argc, char** argv) {
+namespace {
+
+int run(int argc, char** argv) {
   const coaster::app::ParsedOptions parsed = coaster::app::parse_options(argc, argv);
   if (!parsed.exit_code) return coaster::app::run_program(parsed.options);
-  std::fputs(parsed.text.c_str(), *parsed.exit_code == 0 ? stdout : stderr);
+  if (*parsed.exit_code == 0) coaster::base::print(parsed.text);
+  else coaster::base::print_error(parsed.text);
   return *parsed.exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int code = run(argc, argv);
+  const coaster::base::Status printed = coaster::base::finish_printing();
+  if (printed) return code;
+  coaster::base::print_error(printed.message);
+  return code == 0 ? coaster::base::exit_code(printed.code) : code;
 }

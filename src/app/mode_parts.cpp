@@ -1,22 +1,16 @@
 #include "app/mode_parts.h"
 
-#include <unistd.h>
-
-#include <cstdio>
-
 #include <fmt/format.h>
 
 #include "app/program.h"
+#include "base/console.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/perform/apply.h"
 
 namespace coaster::app {
 
 int finish(const base::Status& status) {
-  std::fflush(stdout);
-  if (status) return 0;
-  if (isatty(STDERR_FILENO)) std::fputs("\r", stderr);
-  std::fprintf(stderr, "%s\n", status.message.c_str());
+  if (!status) base::print_error(status.message);
   return base::exit_code(status.code);
 }
 
@@ -29,7 +23,7 @@ base::Result<script::Script> read_script(const std::string& path) {
 }
 
 void print_notices(const edit::Session& session) {
-  for (const edit::Notice& notice : session.notices.list) std::fprintf(stderr, "%s\n", notice.text.c_str());
+  for (const edit::Notice& notice : session.notices.list) base::print_error(notice.text);
 }
 
 base::Status open_envelope(edit::Session& session, base::Files& files, const Options& options) {

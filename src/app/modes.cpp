@@ -1,7 +1,6 @@
 // The program's modes and the order in which each starts up.
 #include "app/modes.h"
 
-#include <cstdio>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +11,7 @@
 #include "app/program.h"
 #include "app/ride_summary.h"
 #include "app/script_host.h"
+#include "base/console.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
@@ -47,7 +47,7 @@ platform::Size size_of(const Options& options) {
 }
 
 void print_summary(const Options& options, const RideSummary& summary) {
-  std::fputs((options.json ? to_json(summary) : to_text(summary)).c_str(), stdout);
+  base::print(options.json ? to_json(summary) : to_text(summary));
 }
 
 MovieOrder movie_order(const Options& options) { return {options.movie, options.fps, options.gif}; }
@@ -60,9 +60,8 @@ base::Status choose_camera(Program& program, const std::string& name) {
 // Ends after a signal: autosaves unsaved changes, and returns the exit code of the signal, as shells define it.
 int leave_by(Program& program, int signal) {
   const base::Status kept = autosave_now(program);
-  if (!kept) std::fprintf(stderr, "%s\n", kept.message.c_str());
+  if (!kept) base::print_error(kept.message);
   stop_keeping(program, false);
-  std::fflush(stdout);
   return 128 + signal;
 }
 

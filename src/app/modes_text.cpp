@@ -1,9 +1,8 @@
 // The modes that draw nothing: they check files or print the report of a ride.
-#include <cstdio>
-
 #include <fmt/format.h>
 
 #include "app/mode_parts.h"
+#include "base/console.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
@@ -34,7 +33,7 @@ base::Status validate_challenge(const std::string& path) {
     return {base::Code::bad_file,
             fmt::format("{}: error: its start track passes it already ({}): expected one that does not", path,
                         query::medal_name(verdict.medal))};
-  std::printf("%s: the start track does not pass, as it must: %s\n", path.c_str(), verdict.reason.c_str());
+  base::print(fmt::format("{}: the start track does not pass, as it must: {}\n", path, verdict.reason));
   return {};
 }
 
@@ -45,7 +44,7 @@ base::Status validate_file(const std::string& path) {
       return validate_challenge(path);
   const auto track = exchange::load_track(files, path);
   if (!track) return track.status();
-  for (const std::string& warning : track->warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+  for (const std::string& warning : track->warnings) base::print_error(warning);
   return {};
 }
 
@@ -60,7 +59,7 @@ int run_validate(const Options& options) {
       return finish(valid);
     }
   }
-  std::puts("ok");
+  base::print("ok\n");
   return 0;
 }
 
@@ -73,7 +72,7 @@ int run_report(const Options& options) {
   if (const base::Status limits = open_envelope(session, files, options); !limits) return finish(limits);
   const auto report = edit::ride_report(session);
   if (!report) return finish({base::Code::refused, "the track has no cart, so there is no ride to report"});
-  std::fputs(report->c_str(), stdout);
+  base::print(*report);
   return finish({});
 }
 

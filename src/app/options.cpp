@@ -115,6 +115,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     std::ostringstream text, errors;
     out.exit_code = cli.exit(error, text, errors) == 0 ? 0 : 2;
     out.text = *out.exit_code == 0 ? text.str() : "coaster: " + errors.str();
+    if (*out.exit_code != 0 && out.text.ends_with('\n')) out.text.pop_back();
     return out;
   }
   const auto print = [&](std::string text) { out.exit_code = 0, out.text = std::move(text); };
@@ -123,7 +124,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   else if (o.help_man) print(manual_page());
   else if (o.help_completion) print(bash_completion());
   else if (const std::string wrong = trouble(o); !wrong.empty())
-    out.exit_code = 2, out.text = fmt::format("coaster: {}\n", wrong);
+    out.exit_code = 2, out.text = fmt::format("coaster: {}", wrong);
   return out;
 }
 

@@ -1,12 +1,13 @@
 // Creates a program and changes its state.
 #include "app/program.h"
 
-#include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "base/console.h"
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/text.h"
@@ -131,10 +132,9 @@ void advance(Program& program, int ticks) {
     advance_by(1);
     if (!program.options.hash_log) continue;
     const std::string motion = base::hex16(world::hash(program.session.document, program.session.motion));
-    std::printf("tick %llu document %s motion %s\n", static_cast<unsigned long long>(program.session.tick),
-                document.c_str(), motion.c_str());
+    base::print(fmt::format("tick {} document {} motion {}\n", program.session.tick, document, motion));
   }
-  if (program.options.hash_log) std::fflush(stdout);  // a reader of the log sees every frame at once
+  if (program.options.hash_log) (void)base::finish_printing();  // a reader of the log sees every frame at once
 }
 
 query::Context context_of(Program& program) {

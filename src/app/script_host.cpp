@@ -1,12 +1,13 @@
 // Fills script::Host with the frame, the session and the viewport.
 #include "app/script_host.h"
 
-#include <unistd.h>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 #include "app/frame.h"
 #include "app/pictures.h"
+#include "base/console.h"
 #include "base/portable_math.h"
 #include "edit/commands/commands_settings.h"
 #include "platform/signals.h"
@@ -103,9 +104,7 @@ base::Result<glm::vec2> pixel_of(const Program& program, const AimPoint& aim) {
 }
 
 // A line that is updated in place, only on terminals.
-void progress(int line, int lines) {
-  if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\rline %d of %d ", line, lines);
-}
+void progress(int line, int lines) { base::print_progress(fmt::format("line {} of {} ", line, lines)); }
 
 }  // namespace
 
@@ -139,7 +138,7 @@ script::Host make_script_host(Program& program) {
   host.hovered = [p] { return p->picture.hovered; };
   host.viewport = [p] { return p->picture.view.viewport; };
   host.progress = progress;
-  host.print = [](std::string_view line) { std::printf("%.*s\n", static_cast<int>(line.size()), line.data()); };
+  host.print = [](std::string_view line) { base::print(fmt::format("{}\n", line)); };
   host.set_home = [p](const std::filesystem::path& folder) {
     stop_keeping(*p, false);
     p->quit = false;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/console.h"
 #include "base/words.h"
 #include "script/lines.h"
 #include "script/paths.h"
@@ -16,9 +17,9 @@ namespace {
 // Parses files into one script; continues after an error.
 class Parser {
  public:
-  // `including`: the files being parsed, outermost first, with this one last.
-  Parser(ParsedScript& out, base::Files& files, std::vector<std::filesystem::path> including)
-      : out_(out), files_(files), including_(std::move(including)) {}
+  // `including`: the files being parsed, outermost first, with this one last. `errors`: those found so far.
+  Parser(ParsedScript& out, base::Files& files, std::vector<std::filesystem::path> including, std::size_t& errors)
+      : out_(out), files_(files), including_(std::move(including)), errors_(errors) {}
 
   void file(std::string_view text, const std::string& name, const std::filesystem::path& folder, bool header_required,
             Block& block);
@@ -38,7 +39,8 @@ class Parser {
   void close(Tokens tokens);
   const Source& source() const { return out_.script.sources[static_cast<std::size_t>(source_)]; }
   void error(int column, const std::string& message) {
-    out_.errors.push_back(describe_error(source(), line_, column, message));
+    if (++errors_ <= kMaxErrors) out_.errors.push_back(describe_error(source(), line_, column, message));
+    if (first_error_ == 0) first_error_ = line_;
   }
   void add(Statement statement) { (open_.empty() ? *block_ : open_.back().body).push_back(std::move(statement)); }
 
@@ -47,6 +49,9 @@ class Parser {
   std::vector<std::filesystem::path> including_;
   std::vector<Open> open_;
   Block* block_ = nullptr;
+  std::size_t& errors_;
+  int first_line_ = 0;                                 // the first one with words, 0: none
+  int first_error_ = 0;                                // its line in this file, 0: none
   int source_ = 0, line_ = 0;                          // the line being parsed
   bool header_seen_ = false, header_required_ = true;  // an included file may have the header
 };
@@ -75,7 +80,15 @@ void Parser::include(Tokens tokens) {
   Include included;
   std::vector<std::filesystem::path> including = including_;
   including.push_back(canonical);
-  Parser(out_, files_, std::move(including)).file(*text, path.string(), path.parent_path(), false, included.body);
+  const std::size_t before = errors_;
+  Parser inner(out_, files_, std::move(including), errors_);
+  inner.file(*text, path.string(), path.parent_path(), false, included.body);
+  if (!inner.header_seen_ && inner.first_error_ != 0 && inner.first_error_ == inner.first_line_) {
+    out_.errors.resize(std::min(before, kMaxErrors));
+    errors_ = before;
+    return error(tokens[1].column, fmt::format("{} is not a script: its line {} is no statement",
+                                               base::quoted(tokens[1].text), inner.first_line_));
+  }
   statement.action = std::move(included);
   add(std::move(statement));
 }
@@ -115,7 +128,9 @@ void Parser::statement(Tokens tokens) {
 void Parser::line(const std::string& text) {
   std::vector<base::Token> tokens;
   base::TextError problem;
-  if (!base::tokenise(text, tokens, problem)) return error(problem.column, problem.message);
+  const bool readable = base::tokenise(text, tokens, problem);
+  if (first_line_ == 0 && (!readable || !tokens.empty())) first_line_ = line_;
+  if (!readable) return error(problem.column, problem.message);
   if (tokens.empty()) return;
   if (tokens[0].text == "coaster-script") {
     if (header_seen_) return error(tokens[0].column, "a second \"coaster-script\" line");
@@ -170,8 +185,10 @@ ParsedScript parse_script(std::string_view text, const std::string& name, const 
   ParsedScript out;
   std::error_code ignored;
   const std::filesystem::path file = folder / std::filesystem::path(name).filename();
-  Parser(out, files, {std::filesystem::weakly_canonical(file, ignored)})
+  std::size_t errors = 0;
+  Parser(out, files, {std::filesystem::weakly_canonical(file, ignored)}, errors)
       .file(text, name, folder, true, out.script.statements);
+  if (errors > kMaxErrors) out.errors.push_back(fmt::format("and {} more", errors - kMaxErrors));
   return out;
 }
 
@@ -193,8 +210,9 @@ std::string describe_error(const Source& source, int line, int column, std::stri
   if (line >= 1 && static_cast<std::size_t>(line) <= source.lines.size()) {
     const std::string& text = source.lines[static_cast<std::size_t>(line) - 1];
     const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
-    out += fmt::format("\n    {}\n    {}^", text.substr(blanks),
-                       std::string(static_cast<std::size_t>(std::max(0, column - 1 - static_cast<int>(blanks))), ' '));
+    const std::size_t to = std::min(static_cast<std::size_t>(std::max(1, column)) - 1, text.size());
+    const std::string before = base::visible_text(std::string_view(text).substr(blanks, to > blanks ? to - blanks : 0));
+    out += fmt::format("\n    {}\n    {}^", base::visible_text(text.substr(blanks)), std::string(before.size(), ' '));
   }
   return out + hint;
 }

@@ -15,9 +15,14 @@ inline constexpr int kScriptVersion = 1;
 inline constexpr int kMaxIncludeDepth = 16;
 inline constexpr int kMaxBlockDepth = 64;
 
+inline constexpr std::size_t kMaxErrors = 20;
+
+// An included file that begins neither with "coaster-script 1" nor with a statement is one error, which shows none of
+// its lines: it is no script, and may be secret.
 struct ParsedScript {
   Script script;
-  std::vector<std::string> errors;  // each formatted by describe_error(); empty: the script can run
+  std::vector<std::string> errors;  // each formatted by describe_error(), and the number of those beyond kMaxErrors;
+                                    // empty: the script can run
 };
 
 // Parses a text. `include` reads through `files`, relative to `folder`, then to the current folder.

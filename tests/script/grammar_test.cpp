@@ -88,6 +88,21 @@ TEST(grammar, blocks_nest_and_must_be_closed) {
   EXPECT_EQ(open.errors[0].find("a.coaster:2:1: error: no \"end\""), 0u);
 }
 
+TEST(grammar, errors_stop_at_twenty_with_a_count) {
+  std::string lines;
+  for (int i = 0; i < 33; ++i) lines += "splat\n";
+  const ParsedScript parsed = parse_lines(lines);
+  ASSERT_EQ(parsed.errors.size(), kMaxErrors + 1);
+  EXPECT_EQ(parsed.errors.back(), "and 13 more");
+}
+
+TEST(grammar, terminal_escapes_of_a_line_are_shown_as_text_above_the_caret) {
+  const ParsedScript parsed = parse_lines("log \"\u009b\" splat\n");
+  ASSERT_EQ(parsed.errors.size(), 1u);
+  EXPECT_NE(parsed.errors[0].find("\n    log \"\\u009b\" splat\n                 ^"), std::string::npos)
+      << parsed.errors[0];
+}
+
 TEST(grammar, words_left_over_and_missing_ones_are_errors) {
   for (const char* const line : {"frames 1 2",
                                  "frames -1",
@@ -161,6 +176,16 @@ TEST(grammar, includes_are_read_beside_the_script_and_cycles_are_refused) {
   ASSERT_EQ(cycle.errors.size(), 1u);
   EXPECT_NE(cycle.errors[0].find("includes itself"), std::string::npos);
   EXPECT_EQ(parse_lines("include \"not-there.coaster\"\n").errors.size(), 1u);
+  // A file that is no script is not printed, not even word by word.
+  write("secret.txt", "\n# users\nroot:x:0\nhunter2\n");
+  const ParsedScript secret = parse_lines("splat\ninclude \"secret.txt\"\n");
+  ASSERT_EQ(secret.errors.size(), 2u);
+  EXPECT_NE(secret.errors[1].find("\"secret.txt\" is not a script: its line 3 is no"), std::string::npos)
+      << secret.errors[1];
+  for (const char* const word : {"root", "hunter2"})
+    EXPECT_EQ(secret.errors[1].find(word), std::string::npos) << secret.errors[1];
+  write("part.coaster", "coaster-script 1\nfrmaes 1\nhunter2\n");
+  EXPECT_EQ(parse_lines("include \"part.coaster\"\n").errors.size(), 2u);
 }
 
 }  // namespace grammar_test

@@ -1,0 +1,59 @@
+# Nothing that the program prints controls the terminal, and output that cannot be written is an error.
+. "$(dirname "$0")/lib.sh"
+esc=$(printf '\033[31m')
+csi=$(printf '\302\23331m') # the same in one character, U+009B
+script() { printf 'coaster-script 1\n%s\n' "$1" >"$OUT/try.coaster"; }
+run() { expect_code "$1" --headless --script "$OUT/try.coaster" --out "$OUT/run"; }
+harmless() { # what the last run printed
+  LC_ALL=C grep -nP '[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]' "$OUT/stdout" "$OUT/stderr" && fail "$1 is printed as it is"
+}
+
+# Paths, options and lines.
+printf 'no json' >"$OUT/a$esc.json"
+for path in "$OUT/a$esc.json" "$OUT/none$esc$csi.json"; do
+  expect_code 3 --validate "$path"
+  expect_text stderr '\u001b[31m'
+  harmless "a path"
+  expect_code 3 --headless "$path" --out "$OUT/run"
+  harmless "a path"
+  script "load \"$path\""
+  run 3
+  harmless "a path of a script"
+done
+expect_code 2 "--splat$esc"
+harmless "an option"
+for line in "splat$esc" "log \"$csi\" splat" "include \"none$csi\"" "expect knots == $csi" "ui.click \"$csi\"" "log \"$csi\""; do
+  script "$line"
+  "$COASTER" --headless --script "$OUT/try.coaster" --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr"
+  grep -qF '\u00' "$OUT/stdout" "$OUT/stderr" || fail "$line: $(cat "$OUT/stderr")"
+  harmless "$line"
+done
+: >"$OUT/file"
+expect_code 5 --headless "$SOURCE/tracks/loop.json" --out "$OUT/file/$esc"
+harmless "a folder"
+
+# Names from files, in text and in JSON.
+sed 's/"name": "[^"]*"/"name": "Two \\u009b31m"/' "$SOURCE/tests/tracks/two_knots.json" >"$OUT/named.json"
+grep -q u009b31m "$OUT/named.json" || fail "the track has no name"
+for option in "" --json --report; do
+  expect_code 0 --headless "$OUT/named.json" --size 96x54 --frames 1 --out "$OUT/run" $option
+  expect_text stdout 'Two \u009b31m'
+  harmless "a name"
+done
+sed 's/"name":/"na\\u009b31mme": 1, "name":/' "$SOURCE/tests/tracks/two_knots.json" >"$OUT/unknown.json"
+expect_code 0 --validate "$OUT/unknown.json"
+harmless "an unknown member"
+
+# A full disk.
+for words in --help --version --help-script --help-man --help-completion "--validate $SOURCE/tracks/loop.json" "--report $SOURCE/tracks/loop.json"; do
+  "$COASTER" $words >/dev/full 2>"$OUT/stderr"
+  [ $? = 5 ] || fail "coaster $words >/dev/full: expected exit code 5"
+  expect_text stderr "standard output cannot be written: No space left on device"
+done
+script 'log "a line"'
+"$COASTER" --headless --script "$OUT/try.coaster" --out "$OUT/run" >/dev/full 2>"$OUT/stderr"
+[ $? = 5 ] || fail "log >/dev/full: expected exit code 5"
+script 'expect knots == 77'
+"$COASTER" --headless --script "$OUT/try.coaster" --out "$OUT/run" >/dev/full 2>"$OUT/stderr"
+[ $? = 1 ] || fail "a failed expectation keeps its exit code"
+finish
