@@ -26,24 +26,38 @@ std::filesystem::path settings_file(const Keeper& keeper) { return below(keeper.
 std::filesystem::path progress_file(const Keeper& keeper) { return below(keeper.folders.state, "progress.json"); }
 std::filesystem::path recovery_folder(const Keeper& keeper) { return below(keeper.folders.state, "recovery"); }
 
-// Reads one of the user's files; nothing if it is missing, empty or invalid. Renames an invalid one to "NAME.bad". Adds
-// errors to `problems`. `what`: what is not kept if the file could be neither read nor renamed.
+constexpr std::size_t kMaxKeptBytes = 1u << 20;  // of one of the user's files
+
+// Returns the first free one of "NAME.bad", "NAME.bad2" and so on: nothing set aside is ever replaced. "" without any.
+std::string free_bad_name(const std::filesystem::path& file) {
+  std::error_code ignored;
+  for (int i = 1; i < 100; ++i) {
+    const std::string name = fmt::format("{}.bad{}", file.filename().string(), i == 1 ? "" : std::to_string(i));
+    const auto status = std::filesystem::symlink_status(file.parent_path() / name, ignored);
+    if (status.type() == std::filesystem::file_type::not_found) return name;
+  }
+  return {};
+}
+
+// Reads one of the user's files; nothing if it is missing, empty or invalid, or of a newer version. Renames an invalid
+// one to free_bad_name(). Adds errors to `problems`. `what`: what is not kept if the file could be neither read nor
+// renamed.
 template <class Parse>
 auto read_kept(Keeper& keeper, const std::filesystem::path& file, Parse parse, const char* what, bool& may_write,
                std::vector<std::string>& problems) -> std::optional<std::remove_cvref_t<decltype(*parse("", ""))>> {
   std::error_code ignored;
   if (!file.empty()) (void)keeper.files.remove_leftovers(file);
   if (file.empty() || !std::filesystem::exists(file, ignored)) return std::nullopt;
-  const base::Result<std::string> text = keeper.files.read(file);
+  const base::Result<std::string> text = keeper.files.read(file, kMaxKeptBytes);
   if (text && text->empty()) return std::nullopt;
-  const std::string name = file.filename().string(), bad = name + ".bad";
+  const std::string name = file.filename().string(), bad = free_bad_name(file);
   base::Status problem = text.status();
   if (text) {
     auto parsed = parse(*text, name);
     if (parsed) return std::move(*parsed);
     problem = parsed.status();
   }
-  may_write = text && keeper.files.rename(file, bad);
+  may_write = text && !bad.empty() && keeper.files.rename(file, bad);
   problems.push_back(may_write ? fmt::format("{}; set aside as {}", problem.message, bad)
                                : fmt::format("{}; it stays as it is, and {} are not kept", problem.message, what));
   return std::nullopt;

@@ -15,6 +15,7 @@ cmp "$progress" "$OUT/first.json" || fail "the same success changed the file"
 
 # Garbage, and a file that was cut, are set aside with a notice; medals go on from nothing.
 for garbage in 'no JSON at all' "$(head -c 100 "$OUT/first.json")"; do
+  rm -f "$progress".bad*  # a second one would be set aside beside it
   printf '%s' "$garbage" >"$progress"
   printf 'coaster-script 1\nexpect toast ~ "progress.json.bad"\n' >"$OUT/told.coaster"
   expect_code 0 --headless --script "$OUT/told.coaster" --config "$OUT/home" --out "$OUT/run"

@@ -53,6 +53,17 @@ for garbage in 'no json' '' '{"format": "coaster-track"}' '[]'; do
   cmp "$OUT/garbage" "$settings.bad" || fail "garbage is lost: $garbage"
   rm -f "$settings.bad"
 done
+# The file of a newer version, and a second one: neither is overwritten.
+script newer 'expect toast ~ "newer than this program supports (1); set aside as settings.json.bad"
+theme light
+frames 90'
+for suffix in bad bad2; do
+  printf '{"format": "coaster-settings", "version": 2, "of": "%s"}' "$suffix" >"$settings"
+  run 0 newer
+  grep -q "\"of\": \"$suffix\"" "$settings.$suffix" || fail "the file of a newer version is lost"
+  grep -q '"version": 1' "$settings" || fail "no settings are kept beside it"
+done
+rm -f "$settings".bad*
 printf '{"format": "coaster-settings", "version": 1, "theme": 5, "ui_scale": 1.5, "later": {"a": 1}}' >"$settings"
 script partly 'expect toast ~ "theme: expected"
 expect theme == "dark"

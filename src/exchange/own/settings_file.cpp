@@ -36,8 +36,13 @@ bool read(const Json& value, std::vector<std::string>& to, std::size_t most) {
   to = std::move(texts);
   return true;
 }
-Json numbers(double value) {
-  return value == std::floor(value) && std::abs(value) < 1e9 ? Json(static_cast<std::int64_t>(value)) : Json(value);
+// Returns the shortest number that reads back the same. Readers parse to double: if rounding twice would miss a float,
+// its exact value is written.
+template <class T>
+Json exact(T value) {
+  if (value == std::floor(value) && std::abs(value) < 1e9) return static_cast<std::int64_t>(value);
+  const auto shortest = base::parse_double(base::to_text(value));
+  return shortest && static_cast<T>(*shortest) == value ? *shortest : double{value};
 }
 
 // Members in the order of the file. Each reads its value and leaves the settings alone where it is no such thing, and
@@ -77,9 +82,7 @@ Member kept_member() {
       world::value_in<Setting>(to.session) = static_cast<T>(number);
       return true;
     };
-    member.print = [](const UserSettings& s) {
-      return numbers(std::round(double{world::value_in<Setting>(s.session)} * 1e4) / 1e4);
-    };
+    member.print = [](const UserSettings& s) { return exact(world::value_in<Setting>(s.session)); };
   }
   return member;
 }
@@ -116,10 +119,11 @@ bool read_keys(const Json& value, UserSettings& to) {
   for (const auto& [action, chosen] : value.items()) {
     KeyChoice choice{action, {}};
     if (chosen.is_string()) {
-      if (!chosen.get<std::string>().empty()) choice.keys.push_back(chosen.get<std::string>());
+      choice.keys.push_back(chosen.get<std::string>());
     } else if (!read(chosen, choice.keys, 2)) {
       return false;
     }
+    std::erase(choice.keys, "");  // no key
     keys.push_back(std::move(choice));
   }
   to.keys = std::move(keys);
@@ -144,7 +148,7 @@ const std::vector<Member>& members() {
                         [](const Json& value, UserSettings& to) {
                           return read(value, kMinAutosave, kMaxAutosave, to.autosave_seconds);
                         },
-                        [](const UserSettings& s) { return numbers(s.autosave_seconds); }});
+                        [](const UserSettings& s) { return exact(s.autosave_seconds); }});
         made.push_back({"window", "x, y, width and height", read_window, print_window});
         made.push_back({"recent", "a list of at most 10 files",
                         [](const Json& value, UserSettings& to) { return read(value, to.recent, kMaxRecent); },
@@ -171,6 +175,20 @@ bool is_known(std::string_view name) {
          std::any_of(members().begin(), members().end(), [&](const Member& m) { return m.name == name; });
 }
 
+// Keeps the members that this version does not know, unless they are too large.
+void keep_others(const Json& tree, LoadedSettings& loaded) {
+  Json others = Json::object();
+  auto& members = static_cast<Json::object_t::Container&>(others.get_ref<Json::object_t&>());
+  for (const auto& [key, value] : tree.items())
+    if (!is_known(key)) members.emplace_back(key, value);
+  if (others.empty()) return;
+  std::string text = json_line(others);
+  if (text.size() <= kMaxOtherBytes) loaded.settings.others = std::move(text);
+  else
+    loaded.warnings.push_back(fmt::format("{} unknown members have {} bytes, over the limit of {}, and are not kept",
+                                          others.size(), text.size(), kMaxOtherBytes));
+}
+
 }  // namespace
 
 UserSettings::UserSettings() {
@@ -187,15 +205,20 @@ base::Result<LoadedSettings> parse_settings(std::string_view text, std::string_v
     return bad_file(name, fmt::format("format: expected \"{}\", found {}", kSettingsFormat,
                                       format == tree->end() ? "none" : describe(*format)));
   LoadedSettings loaded;
+  if (const auto version = tree->find("version"); version != tree->end() && version->is_number()) {
+    if (version->get<double>() > kSettingsVersion)
+      return bad_file(name, fmt::format("version: version {} is newer than this program supports ({})",
+                                        describe(*version), kSettingsVersion));
+  } else {
+    loaded.warnings.push_back(fmt::format("version: expected {}, found {}", kSettingsVersion,
+                                          version == tree->end() ? "none" : describe(*version)));
+  }
   for (const Member& member : members()) {
     const auto found = tree->find(std::string(member.name));
     if (found == tree->end() || member.read(*found, loaded.settings)) continue;
     loaded.warnings.push_back(fmt::format("{}: expected {}, found {}", member.name, member.expected, describe(*found)));
   }
-  Json others = Json::object();
-  for (const auto& [key, value] : tree->items())
-    if (!is_known(key)) others[key] = value;
-  if (!others.empty()) loaded.settings.others = json_line(others);
+  keep_others(*tree, loaded);
   return loaded;
 }
 

@@ -15,6 +15,7 @@ namespace coaster::exchange {
 inline constexpr std::string_view kSettingsFormat = "coaster-settings";
 inline constexpr int kSettingsVersion = 1;
 inline constexpr std::size_t kMaxRecent = 10;
+inline constexpr std::size_t kMaxOtherBytes = 16384;            // of unknown members, as text
 inline constexpr double kMinAutosave = 5, kMaxAutosave = 3600;  // s
 
 // In the window system's screen coordinates.
@@ -39,7 +40,7 @@ struct UserSettings {
   std::vector<std::string> recent;    // files, newest first, at most kMaxRecent
   bool start_screen = true;           // whether it opens when no track is given
   std::vector<KeyChoice> keys;        // as written, including names of unknown actions
-  std::string others;                 // members of later versions, as the text of a JSON object; "" without any
+  std::string others;                 // unknown members, as the text of a JSON object; "" without any
   friend bool operator==(const UserSettings&, const UserSettings&) = default;
 };
 
@@ -49,8 +50,7 @@ struct LoadedSettings {
 };
 
 // Parses a whole file's text. An invalid member becomes its default, with a warning. Code::bad_file, with one line as
-// for tracks, if the text is no settings file: broken JSON, another format. A newer version is read as far as it is
-// known.
+// for tracks, if the text is no settings file of this version: broken JSON, another format, a newer version.
 base::Result<LoadedSettings> parse_settings(std::string_view text, std::string_view name);
 
 // Returns the text; ends with a newline. parse_settings() gives the same settings back.

@@ -1,6 +1,8 @@
 #include "exchange/own/settings_file.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "world/other_settings.h"
 
@@ -97,10 +99,43 @@ TEST(settings_file, what_is_no_settings_file_is_refused) {
   }
 }
 
-TEST(settings_file, members_of_later_versions_are_kept) {
-  const auto loaded = parse_settings(R"({"format": "coaster-settings", "version": 9, "smell": {"of": "oil"}})", "s");
-  ASSERT_TRUE(loaded);
-  EXPECT_NE(print_settings(loaded->settings).find("\"oil\""), std::string::npos);
+TEST(settings_file, unknown_members_are_kept_up_to_a_limit) {
+  const auto with = [](const std::string& members) {
+    const auto loaded = parse_settings(R"({"format": "coaster-settings", "version": 1, )" + members + "}", "s");
+    EXPECT_TRUE(loaded);
+    return *loaded;
+  };
+  const LoadedSettings few = with(R"("smell": {"of": "oil"})");
+  EXPECT_TRUE(few.warnings.empty());
+  EXPECT_NE(print_settings(few.settings).find("\"oil\""), std::string::npos);
+  const LoadedSettings large = with("\"smell\": \"" + std::string(kMaxOtherBytes, 'o') + "\", \"sound\": 0.25");
+  ASSERT_EQ(large.warnings.size(), 1u);
+  EXPECT_NE(large.warnings[0].find("1 unknown members"), std::string::npos) << large.warnings[0];
+  EXPECT_LT(print_settings(large.settings).size(), 2000u);
+  EXPECT_EQ(large.settings.session.look->sound, 0.25f);
+  std::string many;
+  for (int i = 0; i < 5000; ++i) many += fmt::format("\"m{}\": 0, ", i);
+  EXPECT_EQ(with(many + "\"sound\": 1").warnings.size(), 1u);
+}
+
+TEST(settings_file, a_newer_version_is_refused) {
+  for (const char* version : {"2", "1.5", "18446744073709551615", "1e300"}) {
+    const auto loaded = parse_settings(fmt::format(R"({{"format": "coaster-settings", "version": {}}})", version), "s");
+    ASSERT_EQ(loaded.status().code, base::Code::bad_file) << version;
+    EXPECT_NE(loaded.status().message.find("newer"), std::string::npos) << loaded.status().message;
+  }
+  EXPECT_EQ(parse_settings(R"({"format": "coaster-settings"})", "s")->warnings.size(), 1u);
+}
+
+// The whole range of each number, not only those that are short.
+RC_GTEST_PROP(settings_file, every_number_is_read_back_the_same, (std::uint32_t a, std::uint32_t b, std::uint64_t c)) {
+  UserSettings settings;
+  settings.session.look->sound = static_cast<float>(a) / 4294967296.0f;
+  settings.session.look->ui_scale = 0.75f + static_cast<float>(b) / 4294967296.0f;
+  settings.autosave_seconds = 5 + static_cast<double>(c % 3'000'000'000'000'000) / 1e12;
+  const auto loaded = parse_settings(print_settings(settings), "s");
+  RC_ASSERT(loaded.ok());
+  RC_ASSERT(loaded->settings == settings);
 }
 
 TEST(settings_file, the_newest_recent_file_is_first_once_and_ten_are_kept) {
