@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "app/driver_trial.h"
 #include "app/frame.h"
 #include "app/mode_parts.h"
 #include "app/pictures.h"
@@ -161,11 +162,12 @@ int run_headless(const Options& options) {
 }
 
 int run_window(const Options& options) {
-  auto program = make_program(options, size_of(options), kWindowSamples);
-  if (!program) return finish(program.status());
-  Program& p = **program;
   const base::UserFolders folders =
       options.config.empty() ? base::user_folders() : base::UserFolders{options.config, options.config};
+  StartMark mark(folders.state);
+  auto program = make_program(options, size_of(options), kWindowSamples, mark.last_crashed());
+  if (!program) return finish(program.status());
+  Program& p = **program;
   start_keeping(p, folders, {}, options.reset_layout);
   platform::watch_signals();
   p.keeper->unasked = options.file.empty();
@@ -179,6 +181,7 @@ int run_window(const Options& options) {
   for (std::int64_t frame = 0; !p.quit && !platform::pending_signal() && (!options.frames || frame < *options.frames);
        ++frame) {
     play_frame(p);
+    mark.remove();
     if (std::exchange(p.tutorial.wanted, false)) run_tutorial(p);
   }
   if (const int signal = platform::pending_signal()) return leave_by(p, signal);

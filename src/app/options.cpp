@@ -21,7 +21,8 @@ constexpr OptionRow kRows[] = {
     {"FILE", "", Word::track, "Track to open; the file extension selects the format (docs/track-format.md)",
      &Options::file},
     {"--headless", "", Word::nothing,
-     "Run without a display; without a script: ride FILE, write OUT/ride.png, print a summary", &Options::headless},
+     "Run FILE or a script without a display; without a script: ride FILE, write OUT/ride.png, print a summary",
+     &Options::headless},
     {"--script", "F", Word::script, "Run a script (.coaster)", &Options::script},
     {"--record", "F", Word::script, "Record the session as a script", &Options::record},
     {"--frames", "N", Word::other, "End after N frames, or N pictures of a movie", &Options::frames},
@@ -87,6 +88,8 @@ std::string trouble(Options& o) {
   if (!script::is_movie_rate(o.fps)) return fmt::format("--fps: expected {}, found {}", script::kMovieRateWords, o.fps);
   if (!o.camera.empty() && !base::value_named<world::CameraMode>(o.camera))
     return fmt::format("--camera: expected {}, found {}", base::alternatives_of<world::CameraMode>(), o.camera);
+  if (o.headless && o.file.empty() && o.script.empty() && !o.validate && !o.report)
+    return "--headless needs a FILE or a --script, such as: coaster --headless FILE";
   if (!o.movie.empty() && !o.headless) return "--movie needs --headless; in a window use File/Record movie";
   return {};
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "app/driver_trial.h"
 #include "base/console.h"
 #include "base/folders.h"
 #include "base/hash.h"
@@ -70,6 +71,48 @@ base::Status apply_one(Program& program, const edit::Command& command) {
   return {};
 }
 
+// Creates the surface and the renderer.
+base::Status start_graphics(Program& program, const platform::SurfaceOptions& surface, int samples) {
+  auto made = program.options.headless ? platform::make_offscreen(surface) : platform::make_window(surface);
+  if (!made) return made.status();
+  program.surface = std::move(*made);
+  platform::Surface* const screen = program.surface.get();
+  auto gl = gfx::load_gl([screen](const char* name) { return screen->gl_proc(name); });
+  if (!gl) return gl.status();
+  program.gl = std::move(*gl);
+  auto renderer = gfx::Renderer::make(program.gl, samples);
+  if (!renderer) return renderer.status();
+  program.renderer = std::move(*renderer);
+  return {};
+}
+
+// Starts the graphics in a child process.
+base::Status try_graphics(const Options& options, int samples, const std::string& overrides) {
+  const auto start = [&] {
+    Program program;
+    program.options = options;
+    return start_graphics(program, {{64, 36}, "coaster", false, false, {}}, samples);
+  };
+  return try_driver(start, overrides);
+}
+
+// Autosaves before the program ends at once; returns what is to be said. A half-made change is not saved.
+std::string save_at_once(Program& program) {
+  if (!program.keeper || !edit::dirty(program.session)) return {};
+  if (world::broken_invariant(program.session.document)) return "Changes since the last autosave are lost.";
+  const base::Status kept = autosave_now(program);
+  return kept ? "Unsaved changes are kept for the next start." : kept.message;
+}
+
+// Ends at once: no destructor may use the surface.
+[[noreturn]] void leave_lost_display(Program& program) {
+  const std::string said = save_at_once(program);
+  if (program.keeper) program.keeper->lock.release();
+  base::print_error(said.empty() ? "The display is gone." : "The display is gone. " + said);
+  (void)base::finish_printing();
+  std::_Exit(base::exit_code(base::Code::graphics));
+}
+
 }  // namespace
 
 view::Watched watched(const Program& program) {
@@ -77,20 +120,17 @@ view::Watched watched(const Program& program) {
   return {session.document, session.derived, session.motion, session.settings, program.by_hand};
 }
 
-base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples) {
+base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples,
+                                                    bool last_crashed) {
+  const std::string overrides = driver_overrides();
+  if (!overrides.empty() || last_crashed)
+    if (const base::Status tried = try_graphics(options, samples, overrides); !tried) return tried;
   auto program = std::make_unique<Program>();
   program->options = options;
-  const platform::SurfaceOptions surface{size, "coaster", true, true};
-  auto made = options.headless ? platform::make_offscreen(surface) : platform::make_window(surface);
-  if (!made) return made.status();
-  program->surface = std::move(*made);
+  const auto lost = [p = program.get()] { leave_lost_display(*p); };
+  if (const base::Status started = start_graphics(*program, {size, "coaster", true, true, lost}, samples); !started)
+    return started;
   platform::Surface* const screen = program->surface.get();
-  auto gl = gfx::load_gl([screen](const char* name) { return screen->gl_proc(name); });
-  if (!gl) return gl.status();
-  program->gl = std::move(*gl);
-  auto renderer = gfx::Renderer::make(program->gl, samples);
-  if (!renderer) return renderer.status();
-  program->renderer = std::move(*renderer);
   for (const curve::EvaluatedBy stage : {curve::EvaluatedBy::vertex_shader, curve::EvaluatedBy::geometry_shader,
                                          curve::EvaluatedBy::tessellation_shader})
     program->stats.stage_refusals[static_cast<std::size_t>(stage)] = program->renderer->refusal(stage);

@@ -76,8 +76,10 @@ struct Program {
   Tutorial tutorial;
 };
 
-// Creates a window, or memory if `headless`, with renderer and panels. Code::graphics if that is impossible.
-base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples);
+// Creates a window, or memory if `headless`, with renderer and panels. Code::graphics if that is impossible. Where the
+// driver may crash, because the environment overrides it or the last start crashed, a child process tries it first.
+base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples,
+                                                    bool last_crashed = false);
 
 // Applies a command and records it. Errors also show as a notice. After opening or creating a track, the camera frames
 // all of it, with the viewport of the last frame, so one must have been drawn.

@@ -58,6 +58,16 @@ void equip(LoadedTrack& loaded) {
   }
 }
 
+// Warns of a document that is valid but can hardly be meant.
+void warn_of_odd(LoadedTrack& loaded, const std::string& name) {
+  const world::Document& document = loaded.document;
+  const std::vector<world::Entity>& knots = document.track.knots;
+  const auto position = [&](world::Entity e) { return world::knot(document, e).position; };
+  if (knots.size() > 1 &&
+      std::all_of(knots.begin(), knots.end(), [&](world::Entity e) { return position(e) == position(knots.front()); }))
+    loaded.warnings.push_back(fmt::format("{}: warning: all {} knots are at one point", name, knots.size()));
+}
+
 }  // namespace
 
 std::span<const Format> formats() { return kFormats; }
@@ -84,6 +94,8 @@ base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::
   base::Result<LoadedTrack> loaded = progress && format->parse_watched
                                          ? format->parse_watched(*bytes, path.string(), progress)
                                          : format->parse(*bytes, path.string());
+  if (loaded) warn_of_odd(*loaded, path.string());
+  if (loaded) loaded->content = base::content_hash(*bytes);
   if (loaded && !format->whole) equip(*loaded);
   return loaded;
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
+
 namespace coaster::gfx {
 namespace {
 
@@ -11,6 +13,17 @@ constexpr int kNeededMajor = 3, kNeededMinor = 3;
 std::string text_of(const Gl& gl, GLenum name) {
   const GLubyte* text = gl.GetString(name);
   return text == nullptr ? std::string("unknown") : std::string(reinterpret_cast<const char*>(text));
+}
+
+// Returns whether "4.50 - Build 1" is at least 3.30.
+bool shaders_at_least_330(std::string_view version) {
+  const std::size_t point = version.find('.');
+  const auto major = base::parse_int(version.substr(0, point));
+  const auto minor =
+      point == std::string_view::npos
+          ? std::nullopt
+          : base::parse_int(version.substr(point + 1, version.find_first_not_of("0123456789", point + 1) - point - 1));
+  return major && minor && (*major > 3 || (*major == 3 && *minor >= 30));
 }
 
 }  // namespace
@@ -34,6 +47,9 @@ base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc) {
   if (!gl.at_least(kNeededMajor, kNeededMinor))
     return base::Status{base::Code::graphics, fmt::format("OpenGL {}.{} is needed, the driver has {}", kNeededMajor,
                                                           kNeededMinor, text_of(gl, GL_VERSION))};
+  if (const std::string shaders = text_of(gl, GL_SHADING_LANGUAGE_VERSION); !shaders_at_least_330(shaders))
+    return base::Status{base::Code::graphics, fmt::format("GLSL 3.30 is needed, the driver has {} (OpenGL {})", shaders,
+                                                          text_of(gl, GL_VERSION))};
   if (missing != nullptr)
     return base::Status{base::Code::graphics,
                         fmt::format("OpenGL: the driver lacks {} ({})", missing, text_of(gl, GL_VERSION))};

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "platform/lost_display.h"
 #include "platform/surface.h"
 
 namespace coaster::platform {
@@ -82,6 +83,7 @@ class WindowSurface final : public Surface {
   void poll(Events& events) override {
     if (size() == Size{}) glfwWaitEventsTimeout(0.1);  // minimised: nothing to draw, so wait
     else glfwPollEvents();
+    check_display();
     poll_gamepad();
     for (Event& event : std::exchange(pending_, {})) events.push_back(std::move(event));
     const double now = glfwGetTime();
@@ -191,6 +193,20 @@ std::string last_error() {
   return text ? text : "unknown reason";
 }
 
+// Returns the version of OpenGL that a window gets without any wishes.
+std::string version_at_hand() {
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  GLFWwindow* const window = glfwCreateWindow(64, 64, "coaster", nullptr, nullptr);
+  if (!window) return "none";
+  glfwMakeContextCurrent(window);
+  const auto get_string = reinterpret_cast<PFNGLGETSTRINGPROC>(glfwGetProcAddress("glGetString"));
+  const GLubyte* const text = get_string ? get_string(GL_VERSION) : nullptr;
+  std::string version = text ? reinterpret_cast<const char*>(text) : "an unknown version";
+  glfwDestroyWindow(window);
+  return version;
+}
+
 }  // namespace
 
 std::string window_library() {
@@ -217,13 +233,15 @@ base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options
   GLFWwindow* window =
       glfwCreateWindow(options.size.width, options.size.height, options.title.c_str(), nullptr, nullptr);
   if (!window) {
-    const std::string reason = last_error();
+    const std::string reason = last_error(), found = version_at_hand();
     glfwTerminate();
-    return base::Status{base::Code::graphics,
-                        fmt::format("no window with OpenGL 3.3 core: {}; use --headless", reason)};
+    return base::Status{base::Code::graphics, fmt::format("a window needs OpenGL 3.3 core, the driver has {} ({}); use "
+                                                          "--headless",
+                                                          found, reason)};
   }
   glfwMakeContextCurrent(window);
   glfwSwapInterval(options.vsync ? 1 : 0);
+  watch_display(options.lost);
   return std::unique_ptr<Surface>(std::make_unique<WindowSurface>(window));
 }
 

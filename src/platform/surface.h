@@ -1,6 +1,7 @@
 // The target of frames: a window (GLFW) or memory (OSMesa). The only interface with virtual functions in the program.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +46,9 @@ struct SurfaceOptions {
   std::string title = "coaster";
   bool visible = true;
   bool vsync = true;
+  // Called once when the window's display is gone: the X server or the Wayland compositor has ended. It must end the
+  // program without using the surface. Empty: Xlib ends it.
+  std::function<void()> lost{};
 };
 
 // Opens a window with an OpenGL 3.3 core context. Code::graphics if there is no display (the message suggests

@@ -15,6 +15,8 @@ expect_code 2 --size 12
 expect_code 2 --frames -3
 expect_code 2 a.json b.json
 expect_code 2 --validate
+expect_code 2 --headless
+expect_text stderr "--headless needs a FILE or a --script, such as: coaster --headless FILE"
 
 for track in "$SOURCE"/tracks/*.json; do expect_code 0 --validate "$track"; done
 expect_text stdout "ok"
@@ -79,6 +81,16 @@ expect_text stdout '"top_speed_m_s"'
 expect_code 0 --headless "$SOURCE/tests/tracks/two_knots.json" --size 320x180 --out "$OUT/ride" --frames 3
 expect_text stdout "Two knots"
 expect_text stdout "Stopped after 0 s"
+# A ride that stands still is a stall, as in the report; no knot has a place of its own.
+flat() { sed -e 's/"start_speed": 4/"start_speed": 0/' -e 's/3\.75/12.25/' -e "$1" "$SOURCE/tests/tracks/two_knots.json" >"$OUT/flat.json"; }
+flat ''
+expect_code 0 --headless "$OUT/flat.json" --size 96x54 --out "$OUT/ride"
+expect_text stdout "Train c1 stalled at 0.0 m"
+expect_code 0 --report "$OUT/flat.json"
+expect_text stdout "stalled at 0.0 m"
+flat 's/30\.5, 12\.25, -2\.25/0.5, 12.25, 1.75/'
+expect_code 0 --validate "$OUT/flat.json"
+expect_text stderr "flat.json: warning: all 2 knots are at one point"
 expect_code 0 --headless "$SOURCE/tests/tracks/ring.nltrack" --size 320x180 --out "$OUT/ride"
 expect_text stdout "The train completed the lap."
 expect_text stderr "The train completes the ride with a start speed of "

@@ -26,13 +26,14 @@ COASTER="$X/bin/coaster"
 mkdir -p "$OUT/empty"
 sed -i 's/"name": *"[^"]*"/"name": "The installed one"/' "$X/share/coaster/tracks/loop.json"
 cd "$OUT/empty" || exit 1
-expect_code 0 --headless --size 160x90 --frames 2 --out "$OUT/ride"
+expect_code 0 --report
 expect_text stdout "The installed one"
+expect_code 0 --headless "$X/share/coaster/tracks/loop.json" --size 160x90 --frames 2 --out "$OUT/ride"
 [ -s "$OUT/ride/ride.png" ] || fail "the installed program drew no picture"
 expect_code 0 --report "$X/share/coaster/tracks/loop.json" --envelope "$X/share/coaster/envelopes/default.json"
 # COASTER_DATA is believed before.
 cp -r "$X/share/coaster" "$OUT/data"
 sed -i 's/The installed one/Another one/' "$OUT/data/tracks/loop.json"
-COASTER_DATA="$OUT/data" expect_code 0 --headless --size 160x90 --frames 2 --out "$OUT/ride"
+COASTER_DATA="$OUT/data" expect_code 0 --report
 expect_text stdout "Another one"
 finish

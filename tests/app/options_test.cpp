@@ -42,14 +42,15 @@ TEST(Options, each_row_sets_its_own_member_and_no_other_row_s) {
     EXPECT_EQ(row.value.empty(), is_switch || row.name == "FILE") << name;
     if (row.name != "FILE") words.push_back(name.c_str());
     if (!is_switch) words.push_back(value_for(row));
-    if (row.name == "--movie") words.push_back("--headless");    // it asks for that
-    if (row.name == "--validate") words.push_back("some.json");  // and that for a file
+    if (row.name == "--movie") words.push_back("--headless");  // it asks for that
+    const bool of_a_file = row.name == "--movie" || row.name == "--headless" || row.name == "--validate";
+    if (of_a_file) words.push_back("some.json");
     const ParsedOptions parsed = parse(words);
     if (name.starts_with("--help")) EXPECT_EQ(parsed.exit_code, 0) << name;
     else EXPECT_FALSE(parsed.exit_code) << name << ": " << parsed.text;
     for (const OptionRow& other : option_rows()) {
       const bool expected = other.name == row.name || (row.name == "--movie" && other.name == "--headless") ||
-                            (row.name == "--validate" && other.name == "FILE");
+                            (of_a_file && other.name == "FILE");
       EXPECT_EQ(std::visit([&](auto member) { return is_set(parsed.options, member); }, other.member), expected)
           << name << " and " << other.name;
     }
@@ -79,6 +80,8 @@ TEST(Options, what_cannot_be_is_told_and_ends_with_2) {
       {{"--fps", "25"}, "--fps: expected 10, 12, 15, 20, 24, 30, 40, 60 or 120, found 25"},
       {{"--camera", "side"}, "found side"},
       {{"--validate"}, "--validate needs a FILE or a --script"},
+      {{"--headless"}, "--headless needs a FILE or a --script"},
+      {{"--headless", "--movie", "m"}, "--headless needs a FILE or a --script"},
       {{"--movie", "m"}, "--movie needs --headless"},
   };
   for (const auto& one : cases) {

@@ -5,7 +5,7 @@ cpack="$(dirname "$CMAKE")/cpack"
 command -v "$cpack" >/dev/null || { echo "skipped: no cpack beside $CMAKE"; exit 0; }
 # runs_from FOLDER: the program below it, with nothing of this place's environment but the tests' home.
 runs_from() {
-  env -i PATH=/usr/bin:/bin HOME="$HOME" LSAN_OPTIONS="${LSAN_OPTIONS:-}" LP_NUM_THREADS=0 MESA_SHADER_CACHE_DISABLE=true "$1/bin/coaster" --headless --size 160x90 --frames 2 --out "$OUT/ride" >"$OUT/stdout" 2>"$OUT/stderr" ||
+  env -i PATH=/usr/bin:/bin HOME="$HOME" LSAN_OPTIONS="${LSAN_OPTIONS:-}" LP_NUM_THREADS=0 MESA_SHADER_CACHE_DISABLE=true "$1/bin/coaster" --headless "$1/share/coaster/tracks/loop.json" --size 160x90 --frames 2 --out "$OUT/ride" >"$OUT/stdout" 2>"$OUT/stderr" ||
     fail "$1/bin/coaster: $(head -c 400 "$OUT/stderr")"
   [ -s "$OUT/ride/ride.png" ] || fail "no picture by $1/bin/coaster"
   rm -rf "$OUT/ride"

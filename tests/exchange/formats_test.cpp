@@ -63,6 +63,20 @@ TEST(formats, what_a_format_prints_and_reads_is_the_same_track) {
   }
 }
 
+TEST(formats, a_track_with_all_knots_at_one_point_is_warned_of) {
+  const test::ScratchFolder scratch;
+  base::Files files;
+  world::Document line = test::straight_document({1, 2, 3}, {41, 2, 3}, 4);
+  ASSERT_TRUE(save_track(files, scratch.path() / "line.json", line));
+  EXPECT_TRUE(load_track(files, scratch.path() / "line.json")->warnings.empty());
+  for (const world::Entity e : line.track.knots) line.entities.get<world::Knot>(e).position = {1, 2, 3};
+  ASSERT_TRUE(save_track(files, scratch.path() / "point.json", line));
+  const auto point = load_track(files, scratch.path() / "point.json");
+  ASSERT_TRUE(point);
+  ASSERT_EQ(point->warnings.size(), 1u);
+  EXPECT_NE(point->warnings[0].find("all 5 knots are at one point"), std::string::npos) << point->warnings[0];
+}
+
 TEST(formats, an_import_gets_a_train_and_a_start_speed_that_completes_its_ride) {
   const test::ScratchFolder scratch;
   base::Files files;

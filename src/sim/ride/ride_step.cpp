@@ -161,7 +161,10 @@ Drive drive_for(const TickContext& tick, std::size_t train, std::span<const Trai
 std::optional<world::FailureKind> failure_of(const TickContext& tick, bool held, bool on_track, double arrival,
                                              world::CartMotion& cart) {
   cart.furthest = std::max(cart.furthest, cart.travelled);
-  if (!on_track) return std::abs(arrival) > kStillSpeed ? std::optional(world::FailureKind::off_end) : std::nullopt;
+  // A train that never moved was pulled out at its start.
+  if (!on_track)
+    return std::abs(arrival) > kStillSpeed || cart.travelled == 0 ? std::optional(world::FailureKind::off_end)
+                                                                  : std::nullopt;
   if (rolls_back(tick.input.document, cart.speed, cart.travelled, cart.furthest)) return world::FailureKind::rollback;
   const bool still = std::abs(cart.speed) < kStillSpeed && !held;
   cart.still = still ? cart.still + 1 : 0;
@@ -211,6 +214,9 @@ bool advance_train(const TickContext& tick, const Drive& drive, Train& train) {
   if (at_open_end(tick.input.derived, cart) && drive.acceleration == 0) {
     const TrainContext context{tick.input.derived, train.places, 0, 0, {}, 0, 0};
     const double pull = context.gravity(0.0);
+    // A train that stands at its start and is not pulled has not come to the end of a ride: it stalls.
+    const bool stands = cart.travelled == 0 && std::abs(pull) <= world::kGravity * train.resistance.rolling;
+    if (stands) return true;
     if (cart.s <= 0 ? pull <= 0 : pull >= 0) return false;
   }
   bool on_track = true;

@@ -210,5 +210,31 @@ TEST(ghost, no_track_and_no_length_give_a_ghost_that_stands) {
   EXPECT_EQ(memo.from(d, {}, {}).samples.size(), 1u);
 }
 
+// At rest at the open end where the train starts: on the level it stalls after two seconds, live and as a ghost; where
+// the track rises it is pulled out of the end; where it falls it goes.
+TEST(ghost, a_train_that_stands_at_its_start_ends_as_it_does_live) {
+  const struct {
+    float rise;
+    world::FailureKind end;
+  } cases[]{{0, world::FailureKind::stall}, {3, world::FailureKind::off_end}, {-3, world::FailureKind::none}};
+  for (const auto& [rise, end] : cases) {
+    Riding setup(test::straight_document({1.1f, 12.3f, 2.7f}, {31.1f, 12.3f + rise, 2.7f}, 3), 0, 0, 0);
+    world::Motion motion;
+    reset(setup.document, setup.derived, motion);
+    motion.state = world::RideState::running;
+    const auto step_live = [&](int ticks) {
+      step(setup.document, setup.derived, base::value_named<world::IntegratorId>("rk4").value(), ticks, setup.memo,
+           motion);
+    };
+    step_live(200);
+    EXPECT_EQ(motion.state == world::RideState::running, end != world::FailureKind::off_end) << rise;
+    step_live(41);
+    EXPECT_EQ(motion.failure.kind, end) << rise;
+    EXPECT_EQ(motion.state == world::RideState::running, end == world::FailureKind::none) << rise;
+    if (end != world::FailureKind::none) EXPECT_EQ(setup.ghost().end, end) << rise;
+    else EXPECT_GT(motion.carts.items()[0].travelled, 0);
+  }
+}
+
 }  // namespace ghost_test
 }  // namespace coaster::sim

@@ -1,0 +1,98 @@
+"""The window's display: without OpenGL, with an old one, and gone while there is unsaved work.
+
+Usage: display_test.py COASTER FOLDER. Exit status 77 (skipped) when Xvfb is missing.
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+SCRIPT = """coaster-script 1
+env size 320x180
+append at 0 5 0
+append at 20 5 0
+shot "$OUT/ready.png"
+frames 1000000
+"""
+
+
+def start_display(*options):
+    read, write = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "640x480x24", "-nolisten", "tcp", *options],
+                              pass_fds=[write], stderr=subprocess.DEVNULL)
+    os.close(write)
+    number = os.read(read, 16).decode().strip()
+    if not number:
+        raise SystemExit("Xvfb did not start")
+    return server, ":" + number
+
+
+def environment(display, **more):
+    env = {name: value for name, value in os.environ.items() if name != "WAYLAND_DISPLAY"}
+    return {**env, "DISPLAY": display, **more}
+
+
+def expect(what, found, *wanted):
+    for text in wanted:
+        if text not in found:
+            raise SystemExit(f"{what}: expected {text!r}, found {found!r}")
+
+
+def expect_no_graphics(coaster, out, display, *wanted, **more):
+    """The program ends with exit code 4 and one line."""
+    done = subprocess.run([coaster, "--frames", "2", "--config", out / "home"], env=environment(display, **more),
+                          capture_output=True, text=True, timeout=120)
+    lines = [line for line in done.stderr.splitlines() if "libGL" not in line and "MESA" not in line]
+    if done.returncode != 4 or len(lines) != 1:
+        raise SystemExit(f"{more}: expected exit code 4 and a line, found {done.returncode} and {done.stderr!r}")
+    expect(more, lines[0], *wanted)
+
+
+def main():
+    coaster, out = sys.argv[1], pathlib.Path(sys.argv[2])
+    if shutil.which("Xvfb") is None:
+        print("skipped: Xvfb is missing")
+        raise SystemExit(77)
+    shutil.rmtree(out, ignore_errors=True)
+    (out / "home").mkdir(parents=True)
+
+    server, display = start_display("-extension", "GLX")
+    try:
+        expect_no_graphics(coaster, out, display, "a window needs OpenGL 3.3 core, the driver has none", "--headless")
+    finally:
+        server.kill()
+        server.wait()
+
+    server, display = start_display()
+    try:
+        expect_no_graphics(coaster, out, display, "a window needs OpenGL 3.3 core, the driver has 2.1",
+                           MESA_GL_VERSION_OVERRIDE="2.1")
+        expect_no_graphics(coaster, out, display, "a window needs OpenGL 3.3 core", "GLX",
+                           MESA_GLSL_VERSION_OVERRIDE="130")
+        # The last start crashed: the driver is tried first, and works.
+        (out / "home" / "starting").touch()
+        done = subprocess.run([coaster, "--frames", "2", "--config", out / "home"], env=environment(display),
+                              capture_output=True, text=True, timeout=120)
+        if done.returncode != 0 or (out / "home" / "starting").exists():
+            raise SystemExit(f"after a crash: {done.returncode}, {done.stderr!r}")
+
+        (out / "lost.coaster").write_text(SCRIPT)
+        lost = subprocess.Popen([coaster, "--script", out / "lost.coaster", "--out", out / "run", "--config", out / "home"],
+                                env=environment(display), stderr=subprocess.PIPE, text=True)
+        end = time.monotonic() + 60
+        while not (out / "run" / "ready.png").exists() and lost.poll() is None and time.monotonic() < end:
+            time.sleep(0.05)
+    finally:
+        server.kill()
+        server.wait()
+    _, errors = lost.communicate(timeout=60)
+    expect("lost display", errors, "The display is gone. Unsaved changes are kept for the next start.")
+    if lost.returncode != 4:
+        raise SystemExit(f"lost display: expected exit code 4, found {lost.returncode}: {errors!r}")
+    if not list((out / "home" / "recovery").glob("*.info.json")):
+        raise SystemExit("lost display: nothing can be recovered")
+
+
+main()
