@@ -29,9 +29,14 @@ foreach(script ${tutorials})
 endforeach()
 
 # The command line: exit codes, recordings that replay to the same hashes, files validated without running.
+set(failing_new)
+if(NOT COASTER_SANITIZE)  # sanitizers have their own allocator
+  add_library(failing_new MODULE ${CMAKE_CURRENT_SOURCE_DIR}/app/failing_new.cpp)
+  set(failing_new $<TARGET_FILE:failing_new>)
+endif()
 file(GLOB checks CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/*_check.sh)
 foreach(check ${checks})
   cmake_path(GET check STEM name)
   coaster_script_test(${name} ${CMAKE_COMMAND} -E env COASTER=$<TARGET_FILE:coaster> OUT=${CMAKE_CURRENT_BINARY_DIR}/out/${name}
-                      SOURCE=${CMAKE_SOURCE_DIR} BUILD=${CMAKE_BINARY_DIR} CMAKE=${CMAKE_COMMAND} bash ${check})
+                      SOURCE=${CMAKE_SOURCE_DIR} BUILD=${CMAKE_BINARY_DIR} CMAKE=${CMAKE_COMMAND} FAILING_NEW=${failing_new} bash ${check})
 endforeach()

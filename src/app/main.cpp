@@ -1,7 +1,10 @@
 // The entry point: parses the command line, runs, returns the exit code. Everything else is in the other files of this
 // room.
+#include <csignal>
+
 #include "app/modes.h"
 #include "base/console.h"
+#include "base/memory_guard.h"
 
 namespace {
 
@@ -16,6 +19,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  coaster::base::guard_memory();
+  (void)std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit of its size is an error like a full disk
   const int code = run(argc, argv);
   const coaster::base::Status printed = coaster::base::finish_printing();
   if (printed) return code;

@@ -56,9 +56,9 @@ constexpr OptionRow kRows[] = {
     {"--help-completion", "", Word::nothing, "Print the bash completion and exit", &Options::help_completion},
 };
 
-constexpr ExitCodeRow kExitCodes[] = {{"0", "success"},  {"1", "failed expectation"},   {"2", "usage or script error"},
-                                      {"3", "bad file"}, {"4", "no graphics"},          {"5", "input or output"},
-                                      {"6", "timeout"},  {"128+N", "ended by signal N"}};
+constexpr ExitCodeRow kExitCodes[] = {{"0", "success"},  {"1", "failed expectation"}, {"2", "usage or script error"},
+                                      {"3", "bad file"}, {"4", "no graphics"},        {"5", "input or output"},
+                                      {"6", "timeout"},  {"70", "out of memory"},     {"128+N", "ended by signal N"}};
 
 std::string exit_code_line() {
   std::string line = "Exit codes:";
@@ -83,7 +83,7 @@ void add(CLI::App& cli, const OptionRow& row, Options& options) {
 // Returns the first conflict between options, "" if there is none.
 std::string trouble(Options& o) {
   if (!o.size.empty() && !base::parse_size(o.size, o.width, o.height))
-    return "--size: expected WIDTHxHEIGHT such as 1280x720, found " + o.size;
+    return "--size: expected WIDTHxHEIGHT such as 1280x720, up to 7680x4320, found " + o.size;
   if (o.validate && o.file.empty() && o.script.empty()) return "--validate needs a FILE or a --script";
   if (!script::is_movie_rate(o.fps)) return fmt::format("--fps: expected {}, found {}", script::kMovieRateWords, o.fps);
   if (!o.camera.empty() && !base::value_named<world::CameraMode>(o.camera))

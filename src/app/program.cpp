@@ -127,6 +127,7 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
     if (const base::Status tried = try_graphics(options, samples, overrides); !tried) return tried;
   auto program = std::make_unique<Program>();
   program->options = options;
+  base::on_memory_end([p = program.get()] { return save_at_once(*p); });
   const auto lost = [p = program.get()] { leave_lost_display(*p); };
   if (const base::Status started = start_graphics(*program, {size, "coaster", true, true, lost}, samples); !started)
     return started;

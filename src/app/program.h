@@ -13,6 +13,7 @@
 #include "app/sounds.h"
 #include "app/track_pictures.h"
 #include "base/files.h"
+#include "base/memory_guard.h"
 #include "edit/session/session.h"
 #include "gfx/renderer.h"
 #include "platform/surface.h"
@@ -74,6 +75,10 @@ struct Program {
   std::unique_ptr<ImportJob> import;           // an import in progress; null: none
   int import_delay = 0;                        // frames by which a script delays the next import
   Tutorial tutorial;
+  // Nothing is saved when memory ends after the program has.
+  struct MemoryWatch {
+    ~MemoryWatch() { base::on_memory_end({}); }
+  } memory_watch{};
 };
 
 // Creates a window, or memory if `headless`, with renderer and panels. Code::graphics if that is impossible. Where the

@@ -9,7 +9,7 @@
 
 namespace coaster::base {
 
-// The numbers are the program's exit codes (docs/script.md), except for `refused`.
+// The numbers are the program's exit codes (docs/script.md), except for `refused`; base/memory_guard.h has one more.
 enum class Code {
   ok = 0,
   expectation = 1,  // a script's expectation failed

@@ -26,7 +26,7 @@ bool parse_size(std::string_view text, int& width, int& height) {
   if (x == std::string_view::npos) return false;
   const auto w = parse_int(text.substr(0, x)), h = parse_int(text.substr(x + 1));
   constexpr std::int64_t kMost = 16384;
-  if (!w || !h || *w < 1 || *h < 1 || *w > kMost || *h > kMost) return false;
+  if (!w || !h || *w < 1 || *h < 1 || *w > kMost || *h > kMost || *w * *h > kMaxPixels) return false;
   width = static_cast<int>(*w), height = static_cast<int>(*h);
   return true;
 }

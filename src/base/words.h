@@ -49,7 +49,8 @@ class Words {
 
 // Parses "on", "true", "yes" and their opposites; nothing for other words.
 std::optional<bool> parse_switch(std::string_view word);
-// Parses "WIDTHxHEIGHT" in 1..16384.
+// Parses "WIDTHxHEIGHT": sides of 1 to 16384, at most kMaxPixels together.
+inline constexpr std::int64_t kMaxPixels = 7680 * 4320;  // 1.4 GB of framebuffer with 4 samples
 bool parse_size(std::string_view text, int& width, int& height);
 std::string lower(std::string_view text);
 

@@ -29,8 +29,10 @@ base::Status check_rows(const world::Document& document) { return check_nl2_csv(
 constexpr std::array kFormats{
     Format{".json", "coaster track", parse_track, print_track, false, true},
     Format{".nltrack", "NoLimits 1 track", parse_nltrack, nullptr, true, false},
-    Format{".csv", "NoLimits 2 track spline", parse_rows, print_rows, false, false, check_rows, parse_nl2_csv},
-    Format{".nl2elem", "NoLimits 2 element", parse_nl2elem, print_nl2elem, false, false, check_nl2elem},
+    Format{".csv", "NoLimits 2 track spline", parse_rows, print_rows, false, false, check_rows, base::kMaxFileBytes,
+           parse_nl2_csv},
+    Format{".nl2elem", "NoLimits 2 element", parse_nl2elem, print_nl2elem, false, false, check_nl2elem,
+           kMaxNl2ElemBytes},
     Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false},
     Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false},
     Format{".svg", "drawing", nullptr, print_svg, false, false},
@@ -89,7 +91,7 @@ std::string known_endings(Direction direction) {
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, base::Progress* progress) {
   const Format* const format = format_of(path);
   if (!format || !format->parse) return base::Status{base::Code::bad_file, unfit_ending(path, format, Direction::read)};
-  const base::Result<std::string> bytes = files.read(path);
+  const base::Result<std::string> bytes = files.read(path, format->most_bytes);
   if (!bytes) return bytes.status();
   base::Result<LoadedTrack> loaded = progress && format->parse_watched
                                          ? format->parse_watched(*bytes, path.string(), progress)
@@ -110,9 +112,9 @@ base::Status save_track(base::Files& files, const std::filesystem::path& path, c
   const std::string bytes = format->print(document);
   if (content) *content = base::content_hash(bytes);
   // Does not write a file too large to be read again.
-  if (format->parse && bytes.size() > base::kMaxFileBytes)
+  if (format->parse && bytes.size() > format->most_bytes)
     return {base::Code::refused, fmt::format("{}: error: {} bytes are over the limit of {}", path.string(),
-                                             bytes.size(), base::kMaxFileBytes)};
+                                             bytes.size(), format->most_bytes)};
   return files.write_atomic(path, bytes);
 }
 

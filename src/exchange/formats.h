@@ -19,7 +19,8 @@ struct Format {
   bool binary;                                                // the bytes are not text
   bool whole;                                                 // holds the whole document: saving to it counts as saving
   base::Status (*check)(const world::Document& document) =
-      nullptr;  // whether the document can be printed; null: always
+      nullptr;                                   // whether the document can be printed; null: always
+  std::size_t most_bytes = base::kMaxFileBytes;  // larger files are rejected before they are read, and not written
   // As parse, for formats that may take longer than a frame; null for the others.
   base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name,
                                              base::Progress* progress) = nullptr;

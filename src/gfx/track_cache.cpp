@@ -19,6 +19,10 @@ TrackCache::TrackCache(const Gl& gl)
 TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Clock& clock) {
   const bool on_processor = derived.evaluated_by == curve::EvaluatedBy::processor;
   synced_ = {};
+  if (const sim::Detail detail = sim::detail_of(derived); !(detail == detail_)) {
+    detail_ = detail;
+    for (Slot& slot : slots_) slot.shape_build = 0;  // every mesh again
+  }
   Stopwatch watch{clock};
   ++stamp_;
   watch.time([&] {
@@ -129,8 +133,8 @@ void TrackCache::write(GrowingBuffer<T>& buffer, Range range, std::span<const T>
 
 void TrackCache::write_mesh(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch) {
   watch.time([&] {
-    sim::sweep_track(shape, staged_mesh_);
-    if (shape.fitted) sim::add_fittings(shape, *shape.fitted, staged_mesh_);
+    sim::sweep_track(shape, staged_mesh_, {}, detail_);
+    if (shape.fitted) sim::add_fittings(shape, *shape.fitted, staged_mesh_, detail_);
     for (sim::MeshVertex& vertex : staged_mesh_.vertices) vertex.segment = static_cast<float>(slot.segment.index);
   });
   synced_.bytes += mesh_.write(staged_mesh_, slot.mesh, watch);

@@ -12,7 +12,7 @@
 #include "gfx/mesh_pool.h"
 #include "gfx/ranges.h"
 #include "gfx/support_cache.h"
-#include "sim/shape/derived.h"
+#include "sim/shape/detail.h"
 
 namespace coaster::gfx {
 
@@ -103,6 +103,7 @@ class TrackCache {
   // Staging buffers; kept for their capacity.
   std::vector<PolylineVertex> staged_line_;
   sim::Mesh staged_mesh_;
+  sim::Detail detail_;  // of the meshes
 };
 
 }  // namespace coaster::gfx

@@ -150,6 +150,12 @@ void Parser::file(std::string_view text, const std::string& name, const std::fil
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   source_ = static_cast<int>(out_.script.sources.size());
   Source made{name, folder, {}};
+  out_.lines += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+  if (out_.lines > kMaxLines) {
+    out_.script.sources.push_back(std::move(made));
+    header_seen_ = true, line_ = 1;
+    return error(1, fmt::format("more than the limit of {} lines with everything included", kMaxLines));
+  }
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string one(text.substr(0, end));

@@ -73,7 +73,8 @@ TEST(words, switches_and_sizes_read_as_people_write_them) {
   EXPECT_EQ(width, 640);
   EXPECT_EQ(height, 360);
   EXPECT_TRUE(parse_size("16384X1", width, height));
-  for (const char* const bad : {"640", "x360", "640x", "0x3", "16385x1", "1x16385", "-3x4", "3 x 4"})
+  EXPECT_TRUE(parse_size("7680x4320", width, height));
+  for (const char* const bad : {"640", "x360", "640x", "0x3", "16385x1", "1x16385", "-3x4", "3 x 4", "16384x16384"})
     EXPECT_FALSE(parse_size(bad, width, height)) << bad;
   EXPECT_EQ(lower("Red COMET 7"), "red comet 7");
 }

@@ -63,6 +63,17 @@ TEST(formats, what_a_format_prints_and_reads_is_the_same_track) {
   }
 }
 
+TEST(formats, a_file_over_the_limit_of_its_format_is_refused_before_it_is_read) {
+  const test::ScratchFolder scratch;
+  base::Files files;
+  const std::filesystem::path large = scratch.path() / "large.nl2elem";
+  ASSERT_TRUE(files.write_atomic(large, std::string(5u << 20, ' ')));
+  const auto loaded = load_track(files, large);
+  EXPECT_EQ(loaded.status().code, base::Code::bad_file);
+  EXPECT_NE(loaded.status().message.find("larger than the limit of 4194304 bytes"), std::string::npos)
+      << loaded.status().message;
+}
+
 TEST(formats, a_track_with_all_knots_at_one_point_is_warned_of) {
   const test::ScratchFolder scratch;
   base::Files files;

@@ -96,6 +96,24 @@ TEST(grammar, errors_stop_at_twenty_with_a_count) {
   EXPECT_EQ(parsed.errors.back(), "and 13 more");
 }
 
+// Eight includes of eight includes, and so on: an exponential script of small files.
+TEST(grammar, the_lines_of_all_includes_are_limited) {
+  write("leaf.coaster", std::string(5000, '\n'));
+  std::string below = "leaf.coaster";
+  for (int level = 0; level < 8; ++level) {
+    const std::string name = "level" + std::to_string(level) + ".coaster";
+    std::string text;
+    for (int i = 0; i < 8; ++i) text += "include \"" + below + "\"\n";
+    write(name, text);
+    below = name;
+  }
+  const ParsedScript parsed = parse_lines("include \"" + below + "\"\n");
+  ASSERT_FALSE(parsed.errors.empty());
+  EXPECT_NE(parsed.errors[0].find("limit of 500000 lines"), std::string::npos) << parsed.errors[0];
+  EXPECT_LT(parsed.lines, 2 * kMaxLines);
+  EXPECT_EQ(parse_lines(std::string(kMaxLines, '\n')).errors.size(), 1u);
+}
+
 TEST(grammar, terminal_escapes_of_a_line_are_shown_as_text_above_the_caret) {
   const ParsedScript parsed = parse_lines("log \"\u009b\" splat\n");
   ASSERT_EQ(parsed.errors.size(), 1u);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/shape/detail.h"
 #include "world/evaluation.h"
 
 namespace coaster::edit {
@@ -44,7 +45,11 @@ glm::vec3 Change::clamp_position(std::string_view what, glm::vec3 position) {
 }
 
 void derive(Session& session) {
+  const sim::Detail before = sim::detail_of(session.derived);
   sim::derive(session.document, session.settings, session.measuring.clock, session.derived);
+  const sim::Detail now = sim::detail_of(session.derived);
+  if (now == before) return;
+  if (const std::string coarse = sim::detail_text(now); !coarse.empty()) notify(session, NoticeKind::warning, coarse);
 }
 
 void warn(Session& session, const std::vector<std::string>& warnings) {

@@ -120,6 +120,8 @@ Status perform(Session& session, Change& change, const AddCart& command) {
   const auto e = require(session, command.segment, Kind::segment);
   if (!e) return e.status();
   if (!std::isfinite(command.at)) return refused("expected a finite fraction");
+  if (session.document.entities.pool<world::Cart>().size() >= world::kMaxCarts)
+    return refused(fmt::format("a track has at most {} trains", world::kMaxCarts));
   change.select = world::add_cart(session.document, *e, change.clamp("fraction", command.at, 0.0, 1.0));
   return {};
 }

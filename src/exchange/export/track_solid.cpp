@@ -52,6 +52,7 @@ TrackSolid track_solid(const world::Document& document) {
   sim::derive(document, {}, {}, derived);
   sim::Supports supports;
   supports.update(derived);
+  const sim::Detail detail = sim::detail_of(derived);
   sim::Mesh mesh;
   for (const world::Entity segment : document.track.segments) {
     const sim::SegmentShape& shape = derived.shape(segment);
@@ -59,8 +60,9 @@ TrackSolid track_solid(const world::Document& document) {
     const bool open = !document.track.closed;
     sim::sweep_track(
         shape, mesh,
-        {open && segment == document.track.segments.front(), open && segment == document.track.segments.back()});
-    if (shape.fitted) sim::add_fittings(shape, *shape.fitted, mesh);
+        {open && segment == document.track.segments.front(), open && segment == document.track.segments.back()},
+        detail);
+    if (shape.fitted) sim::add_fittings(shape, *shape.fitted, mesh, detail);
     add_mesh(mesh, solid);
     if (const sim::SegmentSupports* const held = supports.of(segment)) {
       sim::build_support_mesh(*held, mesh);

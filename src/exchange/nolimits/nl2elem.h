@@ -21,7 +21,9 @@ base::Result<LoadedTrack> parse_nl2elem(std::string_view text, std::string_view 
 // Checks that the track can be written: it has a segment, is at most kMaxNl2ElemLength long, and its handles
 // are within world::kMaxCoordinate, as a file's vertices must be.
 base::Status check_nl2elem(const world::Document& document);
-inline constexpr double kMaxNl2ElemLength = 100'000;  // m
+inline constexpr std::size_t kMaxNl2ElemBytes = 4u
+                                                << 20;  // 25,000 vertices; the tree of its XML takes 70 times as much
+inline constexpr double kMaxNl2ElemLength = 100'000;    // m
 
 // Returns an element whose curve is the track's: each segment is a run of four vertices, its control points, and the
 // knots are strict. Rolls are at the knots and between them as nl2_rolls.h says. A closed track's last vertex is the

@@ -55,6 +55,8 @@ class Builder {
   bool end_object() { return close(); }
   bool end_array() { return close(); }
   bool key(std::string& key) {
+    if (open_.back().keys.size() == kMaxMembers)
+      return fail(fmt::format("an object with more than the limit of {} members", kMaxMembers));
     if (!open_.back().keys.insert(key).second) return fail("member \"" + clipped(key, kClip) + "\" appears twice");
     open_.back().key = std::move(key);
     return true;
@@ -87,8 +89,12 @@ class Builder {
     members.emplace_back(std::move(open_.back().key), std::move(value));
     return &members.back().second;
   }
-  bool add(Json value) { return append(std::move(value)), true; }
+  bool add(Json value) {
+    if (++values_ > kMaxValues) return fail(fmt::format("more than the limit of {} values", kMaxValues));
+    return append(std::move(value)), true;
+  }
   bool open(Json value) {
+    if (++values_ > kMaxValues) return fail(fmt::format("more than the limit of {} values", kMaxValues));
     if (open_.size() == kMaxNesting) return fail(fmt::format("nesting deeper than the limit of {}", kMaxNesting));
     // The pointer stays valid: nothing is appended to the parent before this one closes.
     Json* const node = append(std::move(value));
@@ -119,6 +125,7 @@ class Builder {
 
   std::string_view text_, name_;
   std::vector<Open> open_;
+  std::size_t values_ = 0;
 };
 
 }  // namespace

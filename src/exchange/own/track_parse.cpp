@@ -213,7 +213,7 @@ bool read_track_head(TrackParse& parse, Fields& fields) {
 
 bool read_lists(TrackParse& parse, Fields& fields) {
   const Json *const knots = fields.list("knots", world::kMaxKnots), *const segments = fields.list("segments"),
-                    *const carts = fields.list("carts");
+                    *const carts = fields.list("carts", world::kMaxCarts);
   if (!knots || !segments || !carts) return false;
   const bool closed = parse.document.track.closed;
   if (closed && knots->size() < 2) return fields.fail("closed", "a closed track has at least 2 knots");

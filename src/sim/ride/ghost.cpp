@@ -14,7 +14,7 @@ class Landscape {
  public:
   Landscape(const RailTables& tables, std::span<const SegmentTable* const> segments, const GhostStart& start)
       : closed_(tables.closed()), length_(tables.length()) {
-    const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(length_ / kTableStep)));
+    const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(length_ / tables.largest_step())));
     step_ = length_ / static_cast<double>(n), per_metre_ = 1.0 / step_;
     std::vector<RailPoint> sums(n + 1, RailPoint{0, 0});
     for (int car = 0; car < start.cars; ++car) add_car(tables, segments, car * start.spacing, sums);

@@ -8,11 +8,12 @@ namespace {
 
 using glm::dvec3;
 
-void fill(const SegmentShape& shape, double heartline, SegmentTable& table) {
+void fill(const SegmentShape& shape, double heartline, double largest_step, SegmentTable& table) {
   const double length = shape.arc.length();
-  const int n = std::max(2, static_cast<int>(std::ceil(length / kTableStep)));
+  const int n = std::max(2, static_cast<int>(std::ceil(length / largest_step)));
   const auto count = static_cast<std::size_t>(n) + 1;
-  table.build = shape.shape_build, table.heartline = heartline, table.step = length / n;
+  table.build = shape.shape_build, table.heartline = heartline, table.largest_step = largest_step;
+  table.step = length / n;
   table.per_metre = table.step > 0 ? 1.0 / table.step : 0.0;
   table.height.resize(count), table.slope.resize(count), table.felt.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -49,11 +50,13 @@ FeltEntry felt_entry(const SegmentShape& shape, double t, const curve::Frame& fr
 
 void RailTables::update(const Derived& derived, double heartline) {
   bool changed = closed_ != derived.closed || starts_ != derived.starts || order_ != derived.order;
+  largest_step_ = detail_of(derived).table_step;
   for (const world::Entity e : derived.order) {
     const SegmentShape& shape = derived.shape(e);
     SegmentTable& table = tables_.obtain(e);
-    if (table.build == shape.shape_build && table.heartline == heartline) continue;
-    fill(shape, heartline, table);
+    if (table.build == shape.shape_build && table.heartline == heartline && table.largest_step == largest_step_)
+      continue;
+    fill(shape, heartline, largest_step_, table);
     changed = true;
   }
   if (!changed) return;

@@ -6,11 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/shape/derived.h"
+#include "sim/shape/detail.h"
 
 namespace coaster::sim {
-
-inline constexpr double kTableStep = 0.25;  // m, at most, between two entries
 
 // Felt acceleration of a rider on the heartline, as a linear function of the rail's s'' and s'^2 (m/s^2 each), on the
 // seat's axes forward, left, up: felt = (s'' along + s'^2 bend) / g + weight. Along and bend are h' and h'' of the
@@ -27,6 +25,7 @@ FeltEntry felt_entry(const SegmentShape& shape, double t, const curve::Frame& fr
 struct SegmentTable {
   std::uint64_t build = 0;            // of the shape that it was filled from
   double heartline = 0;               // m
+  double largest_step = 0;            // m, of the track's detail
   double step = 0;                    // m between entries; 0 for a segment of zero length
   double per_metre = 0;               // 1 / step, else 0
   std::vector<double> height, slope;  // n+1 entries, uniform in s
@@ -43,6 +42,9 @@ class RailTables {
   std::size_t size() const { return order_.size(); }
   double start(std::size_t index) const { return starts_[index]; }
   double length() const { return starts_.empty() ? 0.0 : starts_.back(); }
+  double largest_step() const {
+    return largest_step_;
+  }  // m between two entries; kTableStep unless the track is very long
   bool closed() const { return closed_; }
   // Increases with each update that changed anything.
   std::uint64_t serial() const { return serial_; }
@@ -62,6 +64,7 @@ class RailTables {
   std::vector<world::Entity> order_;
   std::vector<double> starts_;
   bool closed_ = false;
+  double largest_step_ = kTableStep;
   std::uint64_t serial_ = 0;
 };
 

@@ -129,9 +129,9 @@ void add_platforms(const Fitting& fitting) {
 
 }  // namespace
 
-void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh) {
-  if (!(shape.arc.length() > kShortestFitted)) return;
-  const Fitting fitting{shape, rings_of(shape), mesh};
+void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const Detail& detail) {
+  if (!detail.parts || !(shape.arc.length() > kShortestFitted)) return;
+  const Fitting fitting{shape, rings_of(shape, detail.most_rings), mesh};
   switch (kind) {
     case world::EquipmentKind::station: return add_platforms(fitting);
     case world::EquipmentKind::lift: return add_chain(fitting), add_walkway(fitting);

@@ -62,6 +62,7 @@ void Supports::drop_vanished(const Derived& derived) {
 }
 
 void Supports::take_shapes(const Derived& derived) {
+  const int most_rings = detail_.most_rings;
   for (const world::Entity segment : derived.order) {
     const SegmentShape& shape = derived.shape(segment);
     Entry* entry = entries_.find(segment);
@@ -70,7 +71,7 @@ void Supports::take_shapes(const Derived& derived) {
     else entry = &entries_.put(segment, Entry{});
     entry->shape_build = shape.shape_build;
     entry->stale = true;
-    entry->lane = {rings_of(shape), tight_box(shape.key.cubic)};
+    entry->lane = {rings_of(shape, most_rings), tight_box(shape.key.cubic)};
     entry->reach = reach_of(entry->lane.box);
     entry->row = support_row(shape);
     moved_.push_back(entry->lane.box);
@@ -122,6 +123,12 @@ void Supports::find_stale(const Derived& derived) {
 void Supports::update(const Derived& derived) {
   rebuilds_ = 0;
   moved_.clear();
+  if (const Detail detail = detail_of(derived); !(detail == detail_)) {
+    const std::uint64_t last_build = last_build_;
+    *this = {};  // everything again
+    detail_ = detail, last_build_ = last_build;
+  }
+  if (!detail_.parts) return;
   const bool reordered = order_ != derived.order || closed_ != derived.closed;
   if (reordered) {
     drop_vanished(derived);

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/shape/derived.h"
+#include "sim/shape/detail.h"
 #include "sim/solids/clearance.h"
 
 namespace coaster::sim {
@@ -66,6 +66,7 @@ class Supports {
   std::vector<curve::Box> moved_;   // present and former boxes of moved track, in the current update
   std::vector<const Lane*> lanes_;  // by index in the order
   std::uint64_t last_build_ = 0;
+  Detail detail_;  // without parts there are no supports
   bool closed_ = false;
   int count_ = 0, rebuilds_ = 0;
 };

@@ -56,7 +56,7 @@ Ring ring_at(const SegmentShape& shape, double s) {
   return {curve::point(c, shape.arc.parameter(s)), frame_at(shape, s), static_cast<float>(s / shape.arc.length())};
 }
 
-std::vector<double> ring_places(const SegmentShape& shape) {
+std::vector<double> ring_places(const SegmentShape& shape, int most) {
   const double length = shape.arc.length();
   std::array<double, kFrameIntervals + 1> place{}, wanted{};
   double turned = std::abs(shape.twist);
@@ -69,7 +69,7 @@ std::vector<double> ring_places(const SegmentShape& shape) {
     const double bend = curve::angle_between(shape.frames[i - 1].forward, shape.frames[i].forward);
     wanted[i] = wanted[i - 1] + (straight ? share : rings_wanted(bend, std::abs(shape.twist) * share, step));
   }
-  const int intervals = std::clamp(static_cast<int>(std::ceil(wanted.back() - 1e-6)), 1, kMaxRings - 1);
+  const int intervals = std::clamp(static_cast<int>(std::ceil(wanted.back() - 1e-6)), 1, most - 1);
   std::vector<double> rings{0.0};
   int below = 0;
   for (int i = 1; i < intervals; ++i) {
@@ -82,9 +82,9 @@ std::vector<double> ring_places(const SegmentShape& shape) {
   return rings;
 }
 
-std::vector<Ring> rings_of(const SegmentShape& shape) {
+std::vector<Ring> rings_of(const SegmentShape& shape, int most) {
   std::vector<Ring> rings;
-  for (const double s : ring_places(shape)) rings.push_back(ring_at(shape, s));
+  for (const double s : ring_places(shape, most)) rings.push_back(ring_at(shape, s));
   // A segment of zero length has the start ring twice.
   if (!(shape.arc.length() > 0))
     rings.back() = {curve::point(shape.key.cubic, 1.0), knot_frame(shape.key.tangent_to, shape.key.up_to), 1};
@@ -99,13 +99,14 @@ std::vector<Ring> spaced_rings(const SegmentShape& shape, double spacing) {
   return rings;
 }
 
-void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps) {
+void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps, const Detail& detail) {
   mesh.clear();
-  const std::vector<Ring> rings = rings_of(shape);
+  if (detail.most_rings == 0) return;
+  const std::vector<Ring> rings = rings_of(shape, detail.most_rings);
   add_tube(rings, {{0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail, caps}, mesh);
   add_tube(rings, {{-0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail, caps}, mesh);
   add_tube(rings, {{0, -kSpineDrop}, kSpineRadius, kSpineSides, kSpineSides / 3, Part::spine, caps}, mesh);
-  if (!(shape.arc.length() > kShortestWithTie)) return;
+  if (!detail.parts || !(shape.arc.length() > kShortestWithTie)) return;
   for (const Ring& at : spaced_rings(shape, kTieSpacing)) add_arm(at, 1.0, mesh), add_arm(at, -1.0, mesh);
 }
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sim/shape/derived.h"
+#include "sim/shape/detail.h"
 #include "sim/solids/mesh.h"
 
 namespace coaster::sim {
@@ -15,8 +15,7 @@ inline constexpr double kSpineRadius = 0.28;  // m
 inline constexpr double kSpineDrop = 0.62;    // m below the rails' plane
 inline constexpr double kTieSpacing = 1.5;    // m between ties, approximately: a whole number per segment
 inline constexpr int kRailSides = 8, kSpineSides = 12;
-inline constexpr int kMaxRings = 400;  // per segment
-// m, largest deviation of rails from the curve between rings, unless there are kMaxRings.
+// m, largest deviation of rails from the curve between rings, unless there are Detail::most_rings.
 inline constexpr double kSagitta = 0.01;
 
 // Returns the frame at arc length s of a segment. At both ends it is the knot's own: neighbours have the same bits
@@ -24,21 +23,21 @@ inline constexpr double kSagitta = 0.01;
 Ring ring_at(const SegmentShape& shape, double s);
 
 // Returns the distances of the rings from the segment's start, from 0 to its length: by kSagitta, 6 degrees of twist
-// and at most 4 m where it bends, 2 to kMaxRings of them. A segment that bends and twists by less than a quarter of a
+// and at most 4 m where it bends, 2 to `most` of them. A segment that bends and twists by less than a quarter of a
 // degree has 2.
-std::vector<double> ring_places(const SegmentShape& shape);
-std::vector<Ring> rings_of(const SegmentShape& shape);
+std::vector<double> ring_places(const SegmentShape& shape, int most = kMaxRings);
+std::vector<Ring> rings_of(const SegmentShape& shape, int most = kMaxRings);
 // Returns the rings at the middles of equal parts of about `spacing` metres.
 std::vector<Ring> spaced_rings(const SegmentShape& shape, double spacing);
 
 // Builds rails, spine and ties. The rings at both ends depend on the knots alone, so neighbours meet bit for bit. Tubes
 // have smooth normals and are closed at `caps`. Replaces the contents of `mesh`. A segment of zero length gives tubes
-// of zero length, never NaN.
-void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps = {});
+// of zero length, never NaN. `detail` may leave out the ties, or everything.
+void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps = {}, const Detail& detail = {});
 
 // Adds the solids of a kind of equipment: a chain and a walkway with a handrail on a lift, rows of fins on brakes and
 // blocks, blocks of a linear motor on a launch, platforms beside the track in a station. Walkways and platforms are
 // left out where the track is too steep or too banked. Adds nothing for a segment of zero length.
-void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh);
+void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const Detail& detail = {});
 
 }  // namespace coaster::sim

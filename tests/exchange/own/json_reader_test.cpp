@@ -90,6 +90,19 @@ TEST(json_reader, an_object_of_many_members_takes_no_quadratic_time) {
   EXPECT_EQ(tree->size(), 100'001u);
 }
 
+TEST(json_reader, values_and_members_are_limited) {
+  std::string zeros = "[0";
+  for (std::size_t i = 1; i < kMaxValues + 5; ++i) zeros += ",0";
+  const auto many = read_json(zeros + "]", "f.json");
+  ASSERT_FALSE(many);
+  EXPECT_NE(many.status().message.find("limit of 8000000 values"), std::string::npos) << many.status().message;
+  std::string members = "{";
+  for (std::size_t i = 0; i < kMaxMembers + 5; ++i) members += "\"m" + std::to_string(i) + "\":0,";
+  const auto wide = read_json(members + "\"end\":1}", "f.json");
+  ASSERT_FALSE(wide);
+  EXPECT_NE(wide.status().message.find("limit of 200000 members"), std::string::npos) << wide.status().message;
+}
+
 TEST(json_reader, describe_says_what_a_value_is) {
   EXPECT_EQ(describe(nullptr), "null");
   EXPECT_EQ(describe(1.5), "1.5");

@@ -1,0 +1,60 @@
+#include "base/memory_guard.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "base/console.h"
+
+namespace coaster::base {
+namespace {
+
+// A new-handler gets no argument of ours.
+struct Guard {
+  void* reserve = nullptr;
+  std::thread::id owner;
+  std::function<std::string()> save;
+  std::atomic<std::thread::id> ending;  // the thread that ends the program
+};
+Guard& guard() {
+  static Guard one;
+  return one;
+}
+
+[[noreturn]] void leave(std::string_view line) {
+  (void)!::write(STDERR_FILENO, line.data(), line.size());
+  std::_Exit(kMemoryExitCode);
+}
+
+void end_of_memory() {
+  Guard& g = guard();
+  std::thread::id nobody;
+  const std::thread::id here = std::this_thread::get_id();
+  if (!g.ending.compare_exchange_strong(nobody, here)) {
+    if (nobody == here) leave("Out of memory.\n");  // again, while it saves
+    for (;;) ::pause();                             // another thread is ending the program
+  }
+  std::free(std::exchange(g.reserve, nullptr));
+  const std::string said = g.save && here == g.owner ? g.save() : std::string();
+  (void)finish_printing();
+  print_error(said.empty() ? "Out of memory." : "Out of memory. " + said);
+  std::_Exit(kMemoryExitCode);
+}
+
+}  // namespace
+
+void guard_memory() {
+  Guard& g = guard();
+  if (g.reserve == nullptr) g.reserve = std::malloc(kMemoryReserve);
+  g.owner = std::this_thread::get_id();
+  std::set_new_handler(end_of_memory);
+}
+
+void on_memory_end(std::function<std::string()> save) { guard().save = std::move(save); }
+
+}  // namespace coaster::base
