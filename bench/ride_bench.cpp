@@ -1,10 +1,11 @@
-// The ride: the ghost during a drag (2,000 m in 100 segments, 8 cars), and 10,000 carts on a precomputed table of one
-// lap beside a walk over the same bytes.
+// The ride: the ghost during a drag (2,000 m in 100 segments, 8 cars), what riders feel in it, and 10,000 carts on a
+// precomputed table of one lap beside a walk over the same bytes.
 #include <cmath>
 #include <random>
 
 #include "paired.h"
 #include "sim/ride/ride.h"
+#include "sim/study/riders.h"
 #include "world/topology.h"
 
 namespace coaster::bench {
@@ -79,6 +80,23 @@ void drag(benchmark::State& state) {
   state.counters["checksum"] = checksum(riding.ghost());
 }
 
+// What the riders of one car feel besides g, of all its samples in the lap; beside it the lap's simulation itself.
+void riders(benchmark::State& state) {
+  Riding riding(8);
+  const sim::Ghost& ghost = riding.ghost();
+  const sim::RailTables& tables = riding.memo.tables(riding.document, riding.derived);
+  double sum = 0;
+  const Work car = [&] {
+    sim::Riders fresh;
+    fresh.update(ghost, tables, riding.derived, 5, {4, 4});
+    sum += fresh.car(4).value(100, sim::RideValue::jerk);
+  };
+  const Work lap = [&] { sum += sim::simulate(tables, {}, riding.document, ghost.start).lap_time; };
+  paired(state, "car", 1, car, {{"ratio_to_lap", lap, true}});
+  state.counters["ms_per_car"] = state.counters["ns_per_car"].value * 1e-6;
+  benchmark::DoNotOptimize(sum);
+}
+
 // Returns the largest distance in mm, within a minute, between a cart on the table and one moved by Runge-Kutta along
 // the exact curve.
 double drift_mm(Riding& riding, const sim::LapTable& table) {
@@ -128,6 +146,7 @@ void carts(benchmark::State& state) {
 }
 
 BENCHMARK(drag)->Name("ride/ghost_while_dragging")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(riders)->Name("ride/riders_of_a_car")->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(carts)->Name("ride/carts_by_lap_table")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -2,8 +2,10 @@
 // demand, 0 without a ride.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "query/rows.h"
+#include "sim/study/seat.h"
 #include "world/losses.h"
 
 namespace coaster::query {
@@ -18,6 +20,12 @@ Answer rating(const Context& c, View) {
 template <sim::Extreme sim::Ratings::*member>
 Answer extreme(const Context& c, View) {
   return number(((*c.find(edit::Want::ratings).ratings).*member).value);
+}
+// Of all cars and in either direction.
+template <sim::RideValue value>
+Answer most(const Context& c, View) {
+  const edit::Findings& found = c.find(edit::Want::riders);
+  return number(found.riders != nullptr ? std::abs(sim::most_of(found.riders->all(), value).value) : 0.0);
 }
 
 Answer lap_time(const Context& c, View) {
@@ -71,6 +79,11 @@ constexpr std::array kGhostRows{
           extreme<&sim::Ratings::up_stop_most>},
     Query{"ride.side_load_max", "", "kN", "Largest load of a car's side wheels in the whole ride.",
           extreme<&sim::Ratings::side_load_most>},
+    Query{"ride.jerk_max", "", "g/s", "Largest jerk of the whole ride, of all cars.", most<sim::RideValue::jerk>},
+    Query{"ride.roll_rate_max", "", "deg/s", "Largest roll rate of the whole ride, to either side.",
+          most<sim::RideValue::roll_rate>},
+    Query{"ride.roll_acceleration_max", "", "deg/s^2", "Largest roll acceleration of the whole ride, to either side.",
+          most<sim::RideValue::roll_acceleration>},
     Query{"ride.speed_max", "", "m/s", "Largest speed of the whole ride.", extreme<&sim::Ratings::top_speed>},
     Query{"ride.envelope", "", "", "Number of overloads: stretches where a g exceeds its limit for too long.",
           envelope},

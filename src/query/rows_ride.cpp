@@ -2,6 +2,7 @@
 #include <array>
 
 #include "query/rows.h"
+#include "sim/study/seat.h"
 #include "sim/study/wheel_loads.h"
 
 namespace coaster::query {
@@ -60,6 +61,20 @@ Answer wheels(const Context& c, View argument) {
     return sim::wheel_loads(c.session.document, c.session.derived, e, cart).of(*set).*kind;
   });
 }
+template <double sim::Rolling::*member>
+Answer roll(const Context& c, View) {
+  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
+    return glm::degrees(sim::rolling(c.session.document, c.session.derived, e, cart).*member);
+  });
+}
+// Jerk needs what comes before it, so it is that of the whole ride's simulation.
+Answer jerk(const Context& c, View) {
+  return of_cart(c, [&](world::Entity, const world::CartMotion& cart) {
+    const sim::Riders* const riders = c.find(edit::Want::riders).riders;
+    if (riders == nullptr) return 0.0;
+    return sim::value_at(riders->car(0), cart.track_distance, sim::RideValue::jerk).value_or(0);
+  });
+}
 Answer cost(const Context& c, View) { return number(c.session.measuring.ride_cost.ns_per_tick); }
 Answer segment(const Context& c, View) {
   const world::CartMotion* const cart = cart_of(c.session).motion;
@@ -96,6 +111,12 @@ constexpr std::array kRideRows{
           wheels<&sim::Wheels::up_stop>},
     Query{"wheels.side", kWheelSetWords, "kN", "Load of the first car's side wheels: the rails push them outwards.",
           wheels<&sim::Wheels::side>},
+    Query{"ride.jerk", "", "g/s", "Change of the low-passed felt g per second where the train is, in the whole ride.",
+          jerk},
+    Query{"ride.roll_rate", "", "deg/s", "Rate at which the first car rolls about the rails. Positive to the right.",
+          roll<&sim::Rolling::rate>},
+    Query{"ride.roll_acceleration", "", "deg/s^2", "Change of the roll rate per second.",
+          roll<&sim::Rolling::acceleration>},
 };
 
 }  // namespace

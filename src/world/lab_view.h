@@ -1,6 +1,7 @@
 // Settings of the laboratory: what it draws over the scene, what the track is coloured by, which page is open.
 #pragma once
 
+#include "world/components.h"
 #include "world/laboratory.h"
 #include "world/layers.h"
 #include "world/setting_row.h"
@@ -13,6 +14,8 @@ struct LabView {
   double magnification = 100'000;
   double comb_scale = 100;  // m^2: metres of a tooth for a curvature of 1/m
   LabPage page = LabPage::construction;
+  Seat seat = Seat::middle;
+  int seat_car = 1;  // of Seat::car, from 1
   friend bool operator==(const LabView&, const LabView&) = default;
 
   static constexpr auto kRows = std::tuple{
@@ -21,7 +24,10 @@ struct LabView {
               "How many times the rounding layer magnifies an evaluator's errors.", {.low = 1, .high = 1e7}),
       setting(&LabView::comb_scale, "comb_scale", "Length of the comb's teeth: metres for a curvature of 1/m.",
               {.low = 0.001, .high = 1e6, .unit = "m^2"}),
-      setting(&LabView::page, "page", "Page of the laboratory that is open.")};
+      setting(&LabView::page, "page", "Page of the laboratory that is open."),
+      setting(&LabView::seat, "seat", "Seat whose ride the plots show."),
+      setting(&LabView::seat_car, "seat_car", "Car of the seat called car, counted from the front.",
+              {.low = 1, .high = kMaxCars})};
 };
 
 }  // namespace coaster::world

@@ -19,6 +19,9 @@ enum class Colouring : std::uint8_t {
   lateral,
   longitudinal,
   up_stop,
+  jerk,
+  roll_rate,
+  roll_acceleration,
   curvature,
   error
 };
@@ -38,10 +41,23 @@ inline constexpr ColouringRow kColourings[] = {
     {"lateral", "Lateral g", "g", "Pushes riders sideways.", true},
     {"longitudinal", "Longitudinal g", "g", "Pushes riders into the backrest. Below 0 into the lap bar.", true},
     {"up_stop", "Up-stop load", "kN", "Load of a car's up-stop wheels. Above 0 where riders are lifted.", true},
+    {"jerk", "Jerk", "g/s", "How fast the felt g changes.", true},
+    {"roll_rate", "Roll rate", "deg/s", "How fast the cars roll about the rails, to either side.", true},
+    {"roll_acceleration", "Roll acceleration", "deg/s^2", "How fast the roll rate changes.", true},
     {"curvature", "Curvature", "1/m", "1 / radius of the osculating circle."},
     {"error", "Evaluator error", "mm", "Distance of the selected evaluator's vertices from the exact curve."},
 };
 constexpr std::span<const ColouringRow> rows_of(Colouring) { return kColourings; }
+
+// The seat whose ride the plots show.
+enum class Seat : std::uint8_t { front, middle, back, all, car };
+inline constexpr base::NameRow kSeats[] = {
+    {"front", "Front car", "Riders of the first car."},
+    {"middle", "Middle car", "Riders of the middle car; of an even number, the one behind the middle."},
+    {"back", "Back car", "Riders of the last car."},
+    {"all", "All cars", "The band between the least and the most that any car's riders feel."},
+    {"car", "Car", "Riders of the car with the number of seat_car."}};
+constexpr std::span<const base::NameRow> rows_of(Seat) { return kSeats; }
 
 // The pages of the laboratory's strip: PAGE(name, label, help). `name` is the enumerator and the word of scripts ("page
 // weights"); ui/lab builds the page in a function NAME_page().

@@ -41,6 +41,7 @@ std::string_view sample_argument(const Query& query) {
   if (query.argument == "@segment") return "@s3";
   if (query.argument == "@cart") return "@c1";
   if (query.argument == kOfMeasurements) return "horner/64";
+  if (query.argument == "DISTANCE[/SEAT]") return "7.5/back";
   // "document|motion": one of the words.
   return query.argument.substr(query.argument.rfind('|') + 1);
 }

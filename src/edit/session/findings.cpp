@@ -1,6 +1,7 @@
 #include "edit/session/findings.h"
 
 #include "edit/session/session.h"
+#include "sim/study/seat.h"
 #include "world/lab_view.h"
 
 namespace coaster::edit {
@@ -20,6 +21,38 @@ void find_ratings(Session& session) {
   if (found.ride != nullptr)
     found.ratings = &found.memory.ratings.get({found.ride->serial, cutoff},
                                               [&] { return sim::rate(*found.ride, *found.tables, cutoff); });
+}
+
+void update_riders(Session& session, sim::CarRange cars) {
+  Findings& found = session.findings;
+  found.riders = nullptr;
+  if (found.ride == nullptr) return;
+  found.memory.riders.update(*found.ride, *found.tables, session.derived, session.limits.envelope.cutoff, cars);
+  found.riders = &found.memory.riders;
+}
+
+// Of the chosen seat, or with `all` of every car.
+void find_riders(Session& session, bool all) {
+  const int cars = session.findings.ride != nullptr ? session.findings.ride->start.cars : 1;
+  const world::LabView& lab = *session.settings.lab;
+  update_riders(session, sim::cars_of(all ? world::Seat::all : lab.seat, lab.seat_car, cars));
+}
+
+// The middle car colours the track.
+void find_values(Session& session) {
+  Findings& found = session.findings;
+  const world::Colouring colouring = session.settings.lab->colouring;
+  const auto value = sim::ride_value_of(colouring);
+  std::optional<sim::Rider> rider;
+  if (base::row_of(colouring).of_ride && found.ride != nullptr) {
+    const int middle = found.ride->start.cars / 2;
+    rider = sim::Rider{found.ride, middle, {}, 0};
+    if (value && sim::needs_samples(*value)) {
+      update_riders(session, {middle, middle});
+      rider = found.riders->car(middle);
+    }
+  }
+  found.values = &found.memory.values.update(session.derived, session.settings, rider);
 }
 
 void find_overloads(Session& session) {
@@ -49,16 +82,17 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
   const bool by_ride = base::row_of(session.settings.lab->colouring).of_ride;
   if (has(wanted, Want::document_hash))
     found.document_hash = memory.document_hash.get(session.edits, [&] { return world::hash(session.document); });
-  if (has(wanted, Want::ride | Want::ratings | Want::overloads) || (has(wanted, Want::values) && by_ride))
+  if (has(wanted, Want::ride | Want::ratings | Want::overloads | Want::seat | Want::riders) ||
+      (has(wanted, Want::values) && by_ride))
     find_ride(session);
   if (has(wanted, Want::ratings)) find_ratings(session);
+  if (has(wanted, Want::seat | Want::riders)) find_riders(session, has(wanted, Want::riders));
   if (has(wanted, Want::overloads)) find_overloads(session);
   if (has(wanted, Want::conflicts | Want::room)) found.conflicts = memory.conflicts.update(session.derived);
   if (has(wanted, Want::element | Want::room)) found.element = &memory.elements.plan(element, session.document);
   if (has(wanted, Want::room)) found.room = memory.room.update(*found.element, memory.conflicts, session.derived);
   if (has(wanted, Want::breaks)) found.breaks = memory.breaks.update(session.derived);
-  if (has(wanted, Want::values))
-    found.values = &memory.values.update(session.derived, session.settings, by_ride ? found.ride : nullptr);
+  if (has(wanted, Want::values)) find_values(session);
   if (has(wanted, Want::supports)) {
     memory.supports.update(session.derived);
     found.supports = &memory.supports;

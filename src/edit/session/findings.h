@@ -16,6 +16,7 @@
 #include "sim/solids/supports.h"
 #include "sim/study/element_room.h"
 #include "sim/study/ratings.h"
+#include "sim/study/riders.h"
 #include "sim/study/track_values.h"
 
 namespace coaster::edit {
@@ -35,7 +36,9 @@ enum class Want : std::uint16_t {
   breaks = 128,    // of the Frenet frame
   values = 256,    // that the track is coloured by
   supports = 512,
-  deviation = 1024  // from the start track of the challenge under way
+  deviation = 1024,  // from the start track of the challenge under way
+  seat = 2048,       // what the riders of the chosen seat feel during that ride
+  riders = 4096      // the same of all cars
 };
 constexpr Want operator|(Want a, Want b) {
   return static_cast<Want>(static_cast<std::uint16_t>(a) | static_cast<std::uint16_t>(b));
@@ -51,6 +54,7 @@ struct Findings {
   const sim::Ghost* ride = nullptr;          // null without a ride
   const sim::RailTables* tables = nullptr;   // never null after Want::ride
   const sim::Ratings* ratings = nullptr;     // never null after Want::ratings; all 0 without a ride
+  const sim::Riders* riders = nullptr;       // of the cars that were asked for; null without a ride
   std::span<const sim::RedSpan> overloads;   // none without a ride
   std::span<const sim::Conflict> conflicts;  // in the track's order
   const sim::ElementPlan* element = nullptr;
@@ -66,6 +70,7 @@ struct Findings {
     sim::GhostMemo rides;
     base::Kept<std::pair<std::uint64_t, double>, sim::Ratings> ratings;  // by the ride's serial and the cutoff
     base::Kept<std::pair<std::uint64_t, sim::Envelope>, std::vector<sim::RedSpan>> overloads;  // by the ride's serial
+    sim::Riders riders;
     sim::Conflicts conflicts;
     sim::ElementMemo elements;
     sim::ElementRoom room;

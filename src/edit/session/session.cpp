@@ -61,14 +61,15 @@ world::Entity chosen_cart(const Session& session) {
 }
 
 std::optional<std::string> ride_report(const Finder& find) {
-  const Findings& found = find(Want::ratings | Want::overloads);
+  const Findings& found = find(Want::ratings | Want::overloads | Want::riders);
   if (found.ride == nullptr) return std::nullopt;
-  return sim::report_text(*found.ride, *found.ratings, found.overloads, find.session().document.name);
+  return sim::report_text(*found.ride, *found.ratings, found.riders->all(), found.overloads,
+                          find.session().document.name);
 }
 std::optional<std::string> ride_csv(const Finder& find) {
-  const Findings& found = find(Want::ride);
+  const Findings& found = find(Want::riders);
   if (found.ride == nullptr) return std::nullopt;
-  return sim::report_csv(*found.ride, *found.tables);
+  return sim::report_csv(*found.ride, found.riders->all());
 }
 
 std::string failure_text(const Session& session) {

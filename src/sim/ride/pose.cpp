@@ -7,6 +7,17 @@
 #include "sim/shape/frame_methods.h"
 
 namespace coaster::sim {
+namespace {
+
+// Returns a train's acceleration along the rails, m/s^2, with losses and the last tick's equipment.
+double along_rails(const world::Document& document, const Derived& derived, world::Entity entity,
+                   const world::CartMotion& cart, std::span<const TrackPlace> places) {
+  const world::Cart* const design = document.entities.find<world::Cart>(entity);
+  const world::Resistance resistance = resistance_of(document, design ? design->mass : world::kCarMass);
+  return acceleration_of({derived, places, 0, 0, resistance, 0, cart.drive}, cart.speed);
+}
+
+}  // namespace
 
 std::vector<TrackPlace> places_of(const world::Document& document, const Derived& derived, world::Entity entity,
                                   const world::CartMotion& motion) {
@@ -55,12 +66,22 @@ Felt felt(const world::Document& document, const Derived& derived, world::Entity
   const SegmentShape& shape = derived.shape_at(place.index);
   const double s = std::clamp(place.s, 0.0, shape.arc.length());
   const FeltEntry here = felt_entry(shape, shape.arc.parameter(s), frame_at(shape, s), document.heartline);
-  const world::Cart* const design = document.entities.find<world::Cart>(entity);
-  const world::Resistance resistance = resistance_of(document, design ? design->mass : world::kCarMass);
-  const double along = acceleration_of({derived, places, 0, 0, resistance, 0, cart.drive}, cart.speed);
+  const double along = along_rails(document, derived, entity, cart, places);
   const glm::vec3 g = here.felt(static_cast<float>(along / world::kGravity),
                                 static_cast<float>(cart.speed * cart.speed / world::kGravity));
   return {g.z, g.y, g.x};
+}
+
+Rolling rolling(const world::Document& document, const Derived& derived, world::Entity entity,
+                const world::CartMotion& cart, int car) {
+  const std::vector<TrackPlace> places = places_of(document, derived, entity, cart);
+  COASTER_CHECK(car >= 0 && static_cast<std::size_t>(car) < places.size(), "the train has this car");
+  const TrackPlace place = places[static_cast<std::size_t>(car)];
+  const SegmentShape& shape = derived.shape_at(place.index);
+  if (!(place.s >= 0 && place.s <= shape.arc.length())) return {};  // on the straight continuation of an open end
+  const double spin = spin_at(shape, place.s), v = cart.speed;
+  return {spin * v,
+          spin_slope_at(shape, place.s) * v * v + spin * along_rails(document, derived, entity, cart, places)};
 }
 
 }  // namespace coaster::sim

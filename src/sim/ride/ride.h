@@ -85,6 +85,15 @@ struct Felt {
 Felt felt(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart,
           int car = 0);
 
+// Roll of a car about the rails against the rotation-minimising frame, positive to the right: spin times speed, and its
+// derivative by time within a segment.
+struct Rolling {
+  double rate = 0;          // rad/s
+  double acceleration = 0;  // rad/s^2
+};
+Rolling rolling(const world::Document& document, const Derived& derived, world::Entity entity,
+                const world::CartMotion& cart, int car = 0);
+
 }  // namespace coaster::sim
 
 namespace coaster::world {

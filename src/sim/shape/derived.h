@@ -109,7 +109,14 @@ struct RailPoint {
 // Returns the frame at arc length s of a segment (rotation-minimising from the first knot's up, twist spread); forward
 // is exactly the unit tangent.
 curve::Frame frame_at(const SegmentShape& shape, double s);
-// The same by parameter, without a Derived: for splitting a segment.
+// Return the spin, at which these frames turn about the tangent against rotation-minimising ones (rad/m, positive to
+// the right), and its derivative by s (rad/m^2).
+inline double spin_at(const SegmentShape& shape, double) {
+  const double length = shape.arc.length();
+  return length > 0 ? shape.twist / length : 0.0;
+}
+inline double spin_slope_at(const SegmentShape&, double) { return 0; }
+// Returns the frame by parameter, without a Derived: for splitting a segment.
 curve::Frame frame_of(const world::Document& document, world::Entity segment, double t);
 
 }  // namespace coaster::sim

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/study/envelope.h"
+#include "sim/study/riders.h"
 
 namespace coaster::sim {
 
@@ -41,8 +42,9 @@ Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff);
 
 // Return a readable report, and the ride by time as CSV (one line per kForceEvery ticks, units in the heading, named by
 // the car whose forces it has).
-std::string report_text(const Ghost& ghost, const Ratings& ratings, std::span<const RedSpan> red,
-                        const std::string& track_name);
-std::string report_csv(const Ghost& ghost, const RailTables& tables);
+// `riders`: all cars, first to last.
+std::string report_text(const Ghost& ghost, const Ratings& ratings, std::span<const Rider> riders,
+                        std::span<const RedSpan> red, const std::string& track_name);
+std::string report_csv(const Ghost& ghost, std::span<const Rider> riders);
 
 }  // namespace coaster::sim

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/study/ratings.h"
+#include "sim/study/seat.h"
 #include "sim/study/wheel_loads.h"
 
 namespace coaster::sim {
@@ -23,8 +24,8 @@ void add_extreme(std::string& out, const char* what, const Extreme& e, const cha
 
 }  // namespace
 
-std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const RedSpan> red,
-                        const std::string& track_name) {
+std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Rider> riders,
+                        std::span<const RedSpan> red, const std::string& track_name) {
   std::string out = track_name + "\n";
   add(out, "  {:<22} {:8.2f} m\n", "length", r.length);
   add(out, "  {:<22} {:8.2f} s{}\n", ghost.lap ? "lap" : "time", r.seconds, ghost.lap ? "" : " (no complete lap)");
@@ -43,6 +44,9 @@ std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Re
   add_extreme(out, "most on road wheels", r.road_most, "kN");
   add_extreme(out, "most on up-stops", r.up_stop_most, "kN");
   add_extreme(out, "most on side wheels", r.side_load_most, "kN");
+  add_extreme(out, "most jerk", most_of(riders, RideValue::jerk), "g/s");
+  add_extreme(out, "most roll rate", most_of(riders, RideValue::roll_rate), "deg/s");
+  add_extreme(out, "most roll acceleration", most_of(riders, RideValue::roll_acceleration), "deg/s^2");
   add(out, "  {:<22} {:8.2f} s\n", "airtime", r.airtime);
   add(out, "  {:<22} {:8}, highest {:.2f} m\n", "drops", r.drops, r.highest_drop);
   add(out, "  {:<22} {:8}\n", "inversions", r.inversions);
@@ -56,32 +60,33 @@ std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Re
   return out;
 }
 
-std::string report_csv(const Ghost& ghost, const RailTables& tables) {
+std::string report_csv(const Ghost& ghost, std::span<const Rider> riders) {
   std::string out = "time_s,distance_m,speed_m_s,height_m,acceleration_m_s2";
   for (int car = 1; car <= ghost.start.cars; ++car)
     add(out,
         ",up_{0}_g,left_{0}_g,forward_{0}_g,road_front_{0}_kN,road_rear_{0}_kN,up_stop_front_{0}_kN,"
         "up_stop_rear_{0}_kN,side_left_{0}_kN,side_right_{0}_kN",
         car);
+  for (int car = 1; car <= ghost.start.cars; ++car)
+    add(out, ",jerk_up_{0}_g_s,jerk_left_{0}_g_s,jerk_forward_{0}_g_s,roll_rate_{0}_deg_s,roll_acceleration_{0}_deg_s2",
+        car);
   out += '\n';
-  std::size_t hint = 0;
   const auto cars = static_cast<std::size_t>(ghost.start.cars);
   for (std::size_t k = 0; k * cars < ghost.forces.size(); ++k) {
     const std::size_t sample = k * kForceEvery;
-    const double distance = ghost.distance(sample);
-    double height = 0;
-    if (tables.size() > 0) {
-      const double s = tables.locate(distance, hint);
-      height = rail_at(tables.segment(hint), s).height;
-    }
-    add(out, "{:.6f},{:.4f},{:.4f},{:.4f},{:.4f}", static_cast<double>(sample) * world::kTick, distance,
-        ghost.samples[sample].speed, height, ghost.samples[sample].acceleration);
+    add(out, "{:.6f},{:.4f},{:.4f},{:.4f},{:.4f}", static_cast<double>(sample) * world::kTick, ghost.distance(sample),
+        ghost.samples[sample].speed, riders[0].samples[k].height, ghost.samples[sample].acceleration);
     for (std::size_t car = 0; car < cars; ++car) {
       const Force& f = ghost.forces[k * cars + car];
       const WheelLoads loads = wheel_loads(ghost, k, static_cast<int>(car));
       const Wheels front = loads.of(WheelSet::front), rear = loads.of(WheelSet::rear);
       add(out, ",{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}", f.up, f.left, f.forward, front.road,
           rear.road, front.up_stop, rear.up_stop, loads.of(WheelSet::left).side, loads.of(WheelSet::right).side);
+    }
+    for (const Rider& rider : riders) {
+      const RiderSample& s = rider.samples[k];
+      add(out, ",{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}", s.jerk.up, s.jerk.left, s.jerk.forward, s.roll_rate,
+          s.roll_acceleration);
     }
     out += '\n';
   }

@@ -44,19 +44,14 @@ void fill_error(const SegmentShape& shape, const world::Settings& settings, std:
   }
 }
 
-double value_of(const Ghost& ghost, std::size_t entry, Colouring colouring) {
-  const auto cars = static_cast<std::size_t>(ghost.start.cars);
-  const Force& force = ghost.forces[entry * cars + cars / 2];
-  switch (colouring) {
-    case Colouring::vertical: return static_cast<double>(force.up);
-    case Colouring::lateral: return std::abs(static_cast<double>(force.left));
-    case Colouring::longitudinal: return static_cast<double>(force.forward);
-    case Colouring::up_stop: return wheel_loads(ghost, entry, ghost.start.cars / 2).of(WheelSet::car).up_stop;
-    default: return std::abs(ghost.samples[entry * kForceEvery].speed);
-  }
+// To a side, backwards and in a roll only the amount counts.
+double value_of(const Rider& rider, std::size_t entry, Colouring colouring) {
+  if (colouring == Colouring::up_stop) return wheel_loads(*rider.ghost, entry, rider.car).of(WheelSet::car).up_stop;
+  const double value = rider.value(entry, *ride_value_of(colouring));
+  return colouring == Colouring::vertical || colouring == Colouring::longitudinal ? value : std::abs(value);
 }
 
-// Distributes the ride's values over the positions that the middle car passes.
+// Distributes the ride's values over the positions that the car passes.
 class Spread {
  public:
   Spread(const Derived& derived, double rest, std::vector<float>& out)
@@ -90,14 +85,10 @@ class Spread {
   std::vector<float>& out_;
 };
 
-void fill_ride(const Derived& derived, const Ghost& ghost, Colouring colouring, std::vector<float>& out) {
-  const std::size_t entries = ghost.forces.size() / static_cast<std::size_t>(ghost.start.cars);
-  const int middle_car = ghost.start.cars / 2;
-  const double behind = ghost.start.front - ghost.start.spacing * middle_car;
+void fill_ride(const Derived& derived, const Rider& rider, Colouring colouring, std::vector<float>& out) {
   Spread spread(derived, colouring == Colouring::vertical ? 1.0 : 0.0, out);
-  for (std::size_t k = 0; k + 1 < entries; ++k)
-    spread.add(behind + ghost.samples[k * kForceEvery].travelled, value_of(ghost, k, colouring),
-               behind + ghost.samples[(k + 1) * kForceEvery].travelled, value_of(ghost, k + 1, colouring));
+  for (std::size_t k = 0; k + 1 < rider.entries(); ++k)
+    spread.add(rider.place(k), value_of(rider, k, colouring), rider.place(k + 1), value_of(rider, k + 1, colouring));
 }
 
 // Rounds to multiples of 1, 2 or 5 times a power of ten, about five of them from low to high: the legend does not
@@ -139,10 +130,27 @@ void TrackValueMemo::fill_segments(const Derived& derived, const world::Settings
   }
 }
 
-const TrackValues& TrackValueMemo::update(const Derived& derived, const world::Settings& settings, const Ghost* ghost) {
+std::optional<RideValue> ride_value_of(Colouring colouring) {
+  switch (colouring) {
+    case Colouring::speed: return RideValue::speed;
+    case Colouring::vertical: return RideValue::vertical;
+    case Colouring::lateral: return RideValue::lateral;
+    case Colouring::longitudinal: return RideValue::longitudinal;
+    case Colouring::jerk: return RideValue::jerk;
+    case Colouring::roll_rate: return RideValue::roll_rate;
+    case Colouring::roll_acceleration: return RideValue::roll_acceleration;
+    default: return std::nullopt;
+  }
+}
+
+const TrackValues& TrackValueMemo::update(const Derived& derived, const world::Settings& settings,
+                                          const std::optional<Rider>& rider) {
   const Colouring colouring = settings.lab->colouring;
   const bool of_ride = base::row_of(colouring).of_ride, of_evaluator = colouring == Colouring::error;
-  const Key key{colouring, of_ride && ghost ? ghost->serial : 0, derived.last_build,
+  const Key key{colouring,
+                of_ride && rider ? rider->ghost->serial : 0,
+                of_ride && rider ? rider->cutoff : 0.0,
+                derived.last_build,
                 of_evaluator ? settings.evaluation->evaluator : curve::EvaluatorId{},
                 of_evaluator ? settings.evaluation->steps : 0};
   if (key == key_ && order_ == derived.order) return result_;
@@ -156,7 +164,7 @@ const TrackValues& TrackValueMemo::update(const Derived& derived, const world::S
   if (colouring == Colouring::plain) return result_;
   result_.values.assign(derived.order.size() * kValuesPerSegment, kUnknownValue);
   if (!of_ride) fill_segments(derived, settings);
-  else if (ghost) fill_ride(derived, *ghost, colouring, result_.values);
+  else if (rider) fill_ride(derived, *rider, colouring, result_.values);
   round_range(result_);
   return result_;
 }

@@ -4,10 +4,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "sim/ride/ghost.h"
+#include "sim/study/riders.h"
 
 namespace coaster::sim {
 
@@ -23,19 +24,24 @@ struct TrackValues {
   }
 };
 
+// Returns the value of the ride that colours the track; nothing for a colouring by another quantity.
+std::optional<RideValue> ride_value_of(world::Colouring colouring);
+
 class TrackValueMemo {
  public:
-  // Updates the values. `ghost` is read only for colourings of the ride; without one their values are unknown. Ride
-  // values: riders of the middle car; if it passes several times, the value that differs most from rest. Height and
+  // Updates the values. `rider` is read only for colourings of the ride; without one their values are unknown. Ride
+  // values: of that car's riders; if it passes several times, the value that differs most from rest. Height and
   // curvature: only changed segments are recomputed, 10 us each. Error: sim::error_profile() of
   // settings.evaluation->evaluator, the largest near each position. Plain: nothing.
-  const TrackValues& update(const Derived& derived, const world::Settings& settings, const Ghost* ghost);
+  const TrackValues& update(const Derived& derived, const world::Settings& settings, const std::optional<Rider>& rider);
 
  private:
   using Samples = std::array<float, kValuesPerSegment>;
   struct Key {
     world::Colouring colouring{};
-    std::uint64_t ghost = 0, build = 0;
+    std::uint64_t ride = 0;  // its serial
+    double cutoff = 0;
+    std::uint64_t build = 0;
     curve::EvaluatorId evaluator{};
     int steps = 0;
     friend bool operator==(const Key&, const Key&) = default;

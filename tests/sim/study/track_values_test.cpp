@@ -20,6 +20,7 @@ struct Coloured {
   Derived derived;
   GhostMemo ghosts;
   TrackValueMemo memo;
+  Riders riders;
   world::Entity cart;
 
   explicit Coloured(world::Document d, double speed = 7.3) : document(std::move(d)) {
@@ -29,7 +30,12 @@ struct Coloured {
   }
   const TrackValues& by(Colouring colouring) {
     settings.lab->colouring = colouring;
-    return memo.update(derived, settings, ghosts.ride(document, derived, cart));
+    return memo.update(derived, settings, rider());
+  }
+  Rider rider() {
+    const Ghost& ghost = *ghosts.ride(document, derived, cart);
+    riders.update(ghost, ghosts.tables(document, derived), derived, 5, {0, ghost.start.cars - 1});
+    return riders.car(ghost.start.cars / 2);
   }
   glm::dvec3 place(std::size_t i, int j) const {
     const SegmentShape& shape = derived.shape(derived.order[i]);
@@ -57,7 +63,7 @@ TEST(track_values, where_a_ride_does_not_come_is_unknown) {
   const TrackValues& values = track.by(Colouring::speed);
   EXPECT_NE(values.of(0)[10], kUnknownValue);
   EXPECT_EQ(values.of(3)[10], kUnknownValue);
-  for (const float value : track.memo.update(track.derived, track.settings, nullptr).values)
+  for (const float value : track.memo.update(track.derived, track.settings, std::nullopt).values)
     EXPECT_EQ(value, kUnknownValue);
 }
 
@@ -68,6 +74,28 @@ TEST(track_values, a_place_passed_twice_has_what_differs_most_from_rest) {
   const TrackValues& values = track.by(Colouring::speed);
   EXPECT_NEAR(values.of(0)[6], 10.0, 0.3);
   EXPECT_GT(values.of(0)[1], 10.1f);
+}
+
+// Values of the riders, linear between 60 a second, by either sign of a roll.
+TEST(track_values, jerk_and_roll_are_those_of_the_middle_car) {
+  Coloured track(test::ring_document(9, 41.3), 12);
+  track.document.entities.get<world::Cart>(track.cart).cars = 5;
+  world::Knot& knot = track.document.entities.get<world::Knot>(track.document.track.knots[5]);
+  knot.up = glm::vec3(curve::rotate(knot.up, knot.tangent, 0.7));
+  derive(track.document, track.settings, {}, track.derived);
+  for (const auto& [colouring, value] :
+       {std::pair(Colouring::jerk, RideValue::jerk), std::pair(Colouring::roll_rate, RideValue::roll_rate),
+        std::pair(Colouring::roll_acceleration, RideValue::roll_acceleration)}) {
+    const TrackValues& values = track.by(colouring);
+    const Rider rider = track.rider();
+    ASSERT_EQ(rider.car, 2);
+    double most = 0, of_colours = 0;
+    for (std::size_t k = 0; k < rider.entries(); ++k) most = std::max(most, std::abs(rider.value(k, value)));
+    for (const float one : values.values) of_colours = std::max(of_colours, static_cast<double>(one));
+    EXPECT_GT(most, 0.1) << base::name_of(colouring);
+    EXPECT_NEAR(of_colours, most, 0.05 * most) << base::name_of(colouring);
+    EXPECT_GE(*std::min_element(values.values.begin(), values.values.end()), 0) << base::name_of(colouring);
+  }
 }
 
 TEST(track_values, height_and_curvature_are_the_curves) {
@@ -140,7 +168,7 @@ TEST(track_values, plain_needs_nothing_and_an_empty_track_has_nothing) {
   const Derived none;
   for (std::size_t row = 0; row < std::size(world::kColourings); ++row) {
     track.settings.lab->colouring = static_cast<Colouring>(row);
-    const TrackValues& values = track.memo.update(none, track.settings, nullptr);
+    const TrackValues& values = track.memo.update(none, track.settings, std::nullopt);
     EXPECT_TRUE(values.values.empty());
     EXPECT_LT(values.low, values.high);
   }

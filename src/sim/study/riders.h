@@ -1,0 +1,101 @@
+// What the riders of each car feel along a simulated ride, one sample per entry of Ghost::forces: the ride as it was
+// simulated, so that nothing is simulated twice.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "sim/ride/ghost.h"
+
+namespace coaster::sim {
+
+// The values along a ride. `name` is that of the query for a seat.
+enum class RideValue : std::uint8_t {
+  vertical,
+  lateral,
+  longitudinal,
+  jerk,
+  jerk_up,
+  jerk_side,
+  jerk_forward,
+  roll_rate,
+  roll_acceleration,
+  speed,
+  height
+};
+struct RideValueRow {
+  std::string_view name, label, unit, help;
+};
+inline constexpr RideValueRow kRideValues[] = {
+    {"seat.g_up", "Vertical g", "g", "Felt acceleration towards the rider's head; 1 at rest on level track."},
+    {"seat.g_side", "Lateral g", "g", "Felt acceleration to the rider's left."},
+    {"seat.g_forward", "Longitudinal g", "g", "Felt acceleration forwards."},
+    {"seat.jerk", "Jerk", "g/s", "Magnitude of the change of the low-passed felt g per second."},
+    {"seat.jerk_up", "Vertical jerk", "g/s", "Change of the low-passed vertical g per second."},
+    {"seat.jerk_side", "Lateral jerk", "g/s", "Change of the low-passed lateral g per second."},
+    {"seat.jerk_forward", "Longitudinal jerk", "g/s", "Change of the low-passed longitudinal g per second."},
+    {"seat.roll_rate", "Roll rate", "deg/s",
+     "Rate at which the car rolls about the rails against the rotation-minimising frame. Positive to the right."},
+    {"seat.roll_acceleration", "Roll acceleration", "deg/s^2", "Change of the roll rate per second."},
+    {"seat.speed", "Speed", "m/s", "Speed along the track, negative backwards."},
+    {"seat.height", "Height", "m", "Height (y) of the rails under the car."}};
+constexpr std::span<const RideValueRow> rows_of(RideValue) { return kRideValues; }
+inline constexpr std::size_t kRideValueCount = std::size(kRideValues);
+
+struct RiderSample {
+  Force jerk{0, 0, 0};          // g/s on the seat's axes
+  float roll_rate = 0;          // deg/s
+  float roll_acceleration = 0;  // deg/s^2
+  float height = 0;             // m, of the rails
+};
+
+// True for values that need samples; the others are the ghost's own.
+constexpr bool needs_samples(RideValue value) {
+  return (value >= RideValue::jerk && value <= RideValue::roll_acceleration) || value == RideValue::height;
+}
+
+// One car along a ride. Valid as long as the ghost and the samples.
+struct Rider {
+  const Ghost* ghost = nullptr;
+  int car = 0;
+  std::span<const RiderSample> samples;  // may be empty where needs_samples() is false
+  double cutoff = 0;                     // Hz, of the jerk's low-pass
+
+  std::size_t entries() const { return ghost->forces.size() / static_cast<std::size_t>(ghost->start.cars); }
+  // Returns the car's distance along the track at entry k, m: on a closed track without subtracting laps.
+  double place(std::size_t k) const {
+    return ghost->start.front + ghost->samples[k * kForceEvery].travelled - car * ghost->start.spacing;
+  }
+  double value(std::size_t k, RideValue value) const;
+};
+
+struct CarRange {
+  int first = 0, last = 0;  // both included
+  int middle() const { return first + (last - first + 1) / 2; }
+};
+
+// The samples of a ride's cars, computed for those cars that are asked for.
+//
+// Jerk: the felt g, low-passed by Butterworth's 4 poles as for the force limits (study/envelope.h), and its central
+// difference over two entries (1/30 s). It lags by the filter's delay, 0.08 s at 5 Hz. Unfiltered g steps where the
+// curvature does, so its derivative would depend on the sampling.
+// Roll rate: spin (rad/m) times speed. Roll acceleration: its exact derivative, spin' v^2 + spin a, within a segment.
+class Riders {
+ public:
+  // About 0.5 ms for a minute of one car.
+  void update(const Ghost& ghost, const RailTables& tables, const Derived& derived, double cutoff, CarRange cars);
+  // Returns cars that the last update() asked for, or that were asked for earlier in the same ride.
+  Rider car(int index) const;
+  std::vector<Rider> cars(CarRange range) const;
+  std::vector<Rider> all() const { return cars({0, static_cast<int>(samples_.size()) - 1}); }
+
+ private:
+  const Ghost* ghost_ = nullptr;
+  std::uint64_t serial_ = 0;
+  double cutoff_ = 0;
+  std::vector<std::vector<RiderSample>> samples_;  // by car; empty: not computed
+};
+
+}  // namespace coaster::sim
