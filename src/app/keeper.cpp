@@ -228,6 +228,7 @@ void start_keeping(Program& program, const base::UserFolders& folders, const bas
     const world::Look at_first;
     settings.session.look->ui_scale = at_first.ui_scale;
     settings.session.look->show_panels = at_first.show_panels;
+    settings.session.look->laboratory_height = at_first.laboratory_height;
     settings.session.look->show_laboratory = at_first.show_laboratory;
     settings.window.reset();
     program.ui->reset_layout();

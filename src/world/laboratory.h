@@ -61,17 +61,18 @@ constexpr std::span<const base::NameRow> rows_of(Seat) { return kSeats; }
 
 // The pages of the laboratory's strip: PAGE(name, label, help). `name` is the enumerator and the word of scripts ("page
 // weights"); ui/lab builds the page in a function NAME_page().
-#define COASTER_LAB_PAGES(PAGE)                                                                             \
-  PAGE(construction, "Construction", "De Casteljau's construction of the curve point at the probe.")        \
-  PAGE(weights, "Weights", "The Bernstein basis: the weight of each control point in the curve point.")     \
-  PAGE(hodograph, "Hodograph", "The derivative B'(t) as a curve, and the parametric speed.")                \
-  PAGE(error, "Error", "Rounding error of the selected evaluator along the segment, in millimetres.")       \
-  PAGE(lengths, "Lengths", "Every arc-length method on the segment and on the track, and its convergence.") \
-  PAGE(frames, "Frames", "Frames along the track, curvature, torsion, and where Frenet-Serret fails.")      \
-  PAGE(joints, "Joints", "Continuity at the joints, what riders feel there, and buttons that repair it.")   \
-  PAGE(errata, "Errata", "Claims of the 2012 paper beside what holds, in numbers of the segment.")          \
-  PAGE(measurements, "Measurements", "Time and error of every evaluator, measured on this machine.")        \
-  PAGE(forces, "Forces", "Speed, height and g over the whole ride, overloads, and ratings, before it is ridden.")
+#define COASTER_LAB_PAGES(PAGE)                                                                                   \
+  PAGE(construction, "Construction", "De Casteljau's construction of the curve point at the probe.")              \
+  PAGE(weights, "Weights", "The Bernstein basis: the weight of each control point in the curve point.")           \
+  PAGE(hodograph, "Hodograph", "The derivative B'(t) as a curve, and the parametric speed.")                      \
+  PAGE(error, "Error", "Rounding error of the selected evaluator along the segment, in millimetres.")             \
+  PAGE(lengths, "Lengths", "Every arc-length method on the segment and on the track, and its convergence.")       \
+  PAGE(frames, "Frames", "Frames along the track, curvature, torsion, and where Frenet-Serret fails.")            \
+  PAGE(joints, "Joints", "Continuity at the joints, what riders feel there, and buttons that repair it.")         \
+  PAGE(errata, "Errata", "Claims of the 2012 paper beside what holds, in numbers of the segment.")                \
+  PAGE(measurements, "Measurements", "Time and error of every evaluator, measured on this machine.")              \
+  PAGE(forces, "Forces", "Speed, height and g over the whole ride, overloads, and ratings, before it is ridden.") \
+  PAGE(riders, "Riders", "g, jerk, roll, speed and height of any seat over the whole ride, with one cursor.")
 
 enum class LabPage : std::uint8_t {
 #define COASTER_ENUMERATOR(name, label, help) name,

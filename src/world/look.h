@@ -32,6 +32,7 @@ struct Look {
   float sound = 0.5f;
   bool show_panels = true;
   bool show_laboratory = false;
+  float laboratory_height = 0;
   friend bool operator==(const Look&, const Look&) = default;
 
   static constexpr auto kRows = std::tuple{
@@ -43,7 +44,10 @@ struct Look {
       setting(&Look::sound, "sound", "Ride volume. 0 mutes it.", {.low = 0, .high = 1, .kept_as = "sound"}),
       setting(&Look::show_panels, "panels", "Whether the panels show.", {.kept_as = "panels"}),
       setting(&Look::show_laboratory, "laboratory", "Whether the pages of the laboratory show, below the viewport.",
-              {.kept_as = "laboratory"})};
+              {.kept_as = "laboratory"}),
+      setting(&Look::laboratory_height, "laboratory_height",
+              "Height of the laboratory as a share of the height between menu and status bar. 0: chosen by its page.",
+              {.low = 0, .high = 0.8, .kept_as = "laboratory_height"})};
 };
 
 }  // namespace coaster::world

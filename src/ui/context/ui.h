@@ -42,7 +42,9 @@ struct Ui : WidgetFrame {
   double& radius;     // the number in Shape/Radius, m
   const KeyMap& keys;
   std::string_view renderer;  // GL_RENDERER
+  const view::Pick& hovered;  // what the mouse pointed at in the frame before, in the viewport or a plot
   Want want = {};             // taken by the host in the same frame
+  view::Pick pointed = {};    // a place on the track that a plot under the mouse shows
 
   const edit::Session& session() const { return state.session; }
   const edit::Findings& find(edit::Want wanted) const { return state.find(wanted); }

@@ -29,6 +29,7 @@
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
 #include "world/aids.h"
+#include "world/lab_view.h"
 #include "world/look.h"
 
 namespace coaster::ui {
@@ -44,6 +45,13 @@ view::View make_view(const State& state, const view::Viewport& scene) {
   view::CameraRig rig;
   view::follow(rig, {state.session.document, state.session.derived, state.session.motion, state.session.settings}, 0);
   return view::view_of(rig.eye, scene);
+}
+
+// The page of the riders is as high as fits, because it is read from top to bottom.
+Strip strip_of(const world::Settings& settings) {
+  const float chosen = settings.look->laboratory_height;
+  const bool tall = settings.lab->page == world::LabPage::riders;
+  return {settings.look->show_laboratory, chosen > 0 ? chosen : tall ? 0.5f : 0.0f};
 }
 
 }  // namespace
@@ -141,7 +149,7 @@ void Host::Parts::take_want(Ui& ui) {
 void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int height) {
   const edit::Session& session = ui.session();
   const Layout layout = make_layout(width, height, ui.scale, ImGui::GetFrameHeight(),
-                                    session.settings.look->show_panels, session.settings.look->show_laboratory);
+                                    session.settings.look->show_panels, strip_of(session.settings));
   view = ui.out.view = make_view(ui.state, layout.scene);
   if (std::exchange(frame_next, false))
     ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
@@ -172,6 +180,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   dialogs.build(ui, events, typing, static_cast<float>(width), static_cast<float>(height));
   settle_gesture(ui);
   hovered = tool.update(ui, view);
+  if (hovered.kind == view::PickKind::none) hovered = ui.pointed;
   if (ui.state.lesson == nullptr || tool.transform().active())
     draw_foot_line(ui, tool, layout.scene);  // a lesson has its own hint
   draw_legend(ui, layout.scene);
@@ -195,6 +204,7 @@ base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl, float content_
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // a list may have more vertices than indices can name
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   io.MouseDragThreshold = 3;
   auto renderer = ImGuiRenderer::make(gl);
@@ -231,7 +241,8 @@ Output Host::build(const platform::Events& events, const State& state, int width
         p.file,
         p.radius,
         p.keys,
-        p.gl.renderer};
+        p.gl.renderer,
+        p.hovered};
   p.lay_out(ui, events, width, height);
   p.rest.seconds = p.rest.next == p.rest.path ? p.rest.seconds + ImGui::GetIO().DeltaTime : 0;
   p.rest.path = std::exchange(p.rest.next, {});

@@ -111,9 +111,9 @@ void ImGuiRenderer::draw_list(const ImDrawList& list, ImVec2 origin, int width, 
     if (right <= left || bottom <= top) continue;
     gl_->Scissor(left, height - bottom, right - left, bottom - top);
     gl_->BindTexture(GL_TEXTURE_2D, textures_[texture_of(command)].id());
-    gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
-                      sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
-                      offset(command.IdxOffset * sizeof(ImDrawIdx)));
+    gl_->DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
+                                sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
+                                offset(command.IdxOffset * sizeof(ImDrawIdx)), static_cast<GLint>(command.VtxOffset));
   }
 }
 

@@ -12,6 +12,7 @@
 #include "sim/study/live_errata.h"
 #include "sim/study/rounding.h"
 #include "ui/lab/page_parts.h"
+#include "ui/lab/ride_plots.h"
 
 namespace coaster::ui {
 
@@ -56,15 +57,6 @@ struct TrackLengths {
   std::size_t next = 0;
 };
 
-// The whole simulated ride of one cart; one value for each of its forces.
-inline constexpr int kForceQuantities = 5;
-struct ForceStudy {
-  std::vector<double> distance, time;                                // m, s since the start
-  std::array<std::vector<double>, kForceQuantities> values, beyond;  // g, m/s, m; `beyond`: NaN outside red spans
-  sim::Ratings ratings;
-  std::vector<sim::RedSpan> red;
-};
-
 struct LabCache {
   int degree = 3;  // of the basis shown
   base::Kept<int, BasisStudy> basis;
@@ -86,8 +78,9 @@ struct LabCache {
       errata;
   base::Kept<std::uint64_t, BendStudy> bend;  // by the segment's build
 
-  base::Kept<std::pair<std::uint64_t, std::uint64_t>, ForceStudy> forces;  // by the ghost's serial and the envelope's
-  std::array<int, 2> force_plots{0, 3};                                    // quantities
+  // By the ride's serial, the envelope's, the first and the last car, and whether it is over time.
+  base::Kept<std::tuple<std::uint64_t, std::uint64_t, int, int, bool>, SeatStudy> seat;
+  std::array<sim::RideValue, 2> force_plots{sim::RideValue::vertical, sim::RideValue::speed};
   bool forces_over_time = false;
   int red_chosen = -1;
   std::string advice;

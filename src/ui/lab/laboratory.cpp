@@ -29,6 +29,8 @@ constexpr void (*kBuild[])(Ui& ui) = {
 constexpr const char* kTooltip =
     "The laboratory: construction, evaluation, measurement, frames and joints of the selected segment, live.";
 
+constexpr auto kTallest = static_cast<float>(world::setting_row<&world::Look::laboratory_height>().high);
+
 bool is_open(const Ui& ui) { return ui.session().settings.look->show_laboratory; }
 world::LabPage chosen_page(const Ui& ui) { return ui.session().settings.lab->page; }
 void show(Ui& ui, bool on) { ui.emit(edit::Set<&world::Look::show_laboratory>{on}); }
@@ -82,6 +84,27 @@ void tab(Ui& ui, world::LabPage index, float bar, float pad, ImFont* font) {
   if (pressed && !on) open_page(ui, index);
 }
 
+// The upper edge of the strip, which sets its height: drag it, or double-click it for the height that the page chooses.
+void height_edge(Ui& ui, const view::Viewport& area, float bar) {
+  const ImVec2 low = ImGui::GetCursorScreenPos(), size(area.width, std::floor(5 * ui.scale));
+  ImGui::InvisibleButton("##edge", size);
+  const bool held = ImGui::IsItemActive(), hot = held || ImGui::IsItemHovered();
+  if (hot) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + std::floor(2 * ui.scale)},
+                                              packed(palette().accent));
+  }
+  note_item(ui, "Edge", "edge", "Height of the laboratory. Drag, or double-click for the usual height.", true);
+  ImGui::SetCursorScreenPos(low);
+  const float bottom = area.y + area.height, middle = bottom - bar;  // the menu is as high as the bar
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool reset = hot && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+  if (!reset && !(held && io.MouseDelta.y != 0)) return;
+  constexpr float kLeast = 0.05f, kSteps = 1000;
+  const float share = std::round(kSteps * (bottom - io.MousePos.y) / std::max(1.0f, middle)) / kSteps;
+  ui.emit(edit::Set<&world::Look::laboratory_height>{reset ? 0 : std::clamp(share, kLeast, kTallest)});
+}
+
 float width_in(ImFont* font, std::string_view text) {
   return font->CalcTextSizeA(pixels_of(*font), 1e9f, 0, text.data(), text.data() + text.size()).x;
 }
@@ -126,7 +149,10 @@ void build_laboratory(Ui& ui, const view::Viewport& area) {
   ui.panel = "Laboratory";
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
-  if (begin_area("##laboratory", {area.x, area.y}, {area.width, bar})) build_bar(ui, area.width, bar);
+  if (begin_area("##laboratory", {area.x, area.y}, {area.width, bar})) {
+    if (area.height > bar + 1) height_edge(ui, area, bar);
+    build_bar(ui, area.width, bar);
+  }
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();

@@ -37,6 +37,8 @@ class Page {
   Page& operator=(const Page&) = delete;
   // Begins the second part and returns the height of its pictures, px.
   float pictures();
+  // Whether the parts are one below the other.
+  bool stacked() const { return stacked_; }
   // The width of the second part, px.
   float pictures_width() const { return pictures_width_; }
 

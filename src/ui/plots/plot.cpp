@@ -28,6 +28,7 @@ Data extent_of(const Plot& p) {
       if (!std::isfinite(s.x[i]) || !std::isfinite(s.y[i])) continue;
       data.x.add(s.x[i], p.x.scale);
       data.y.add(s.y[i], p.y.scale);
+      if (!s.high.empty()) data.y.add(s.high[i], p.y.scale);
     }
     if (s.kind == SeriesKind::bars) data.y.add(0, p.y.scale);
   }
@@ -84,7 +85,7 @@ PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 
                std::max(std::floor(high.y - below), area.low.y + 1)};
   if (p.square) make_square(area);
   area.y_ticks = ticks(area.y, most_ticks(area.high.y - area.low.y, 1.9f * line));
-  float widest = 0;
+  float widest = p.labels;
   for (const double tick : area.y_ticks.major)
     widest = std::max(widest, small_size(tick_text(area.y, area.y_ticks, tick, area.pretty)).x);
   area.low.x = std::min(std::floor(low.x + widest + 2 * gap), area.high.x - 1);
@@ -118,6 +119,12 @@ void draw_cursor(ImDrawList& list, const PlotArea& area, double x, bool hot) {
   const float grip = std::floor(4.5f * area.scale);  // a handle to hold it by
   list.AddTriangleFilled({at - grip, area.low.y - 1}, {at + grip, area.low.y - 1}, {at, area.low.y + grip * 1.4f},
                          packed(palette().accent));
+}
+
+void draw_mark(ImDrawList& list, const PlotArea& area, double x) {
+  const float at = std::floor(area.at(x, area.y.high).x) + 0.5f;
+  if (at >= area.low.x - 1 && at <= area.high.x + 1)
+    list.AddLine({at, area.low.y}, {at, area.high.y}, packed(palette().text, 0.6f), 1.0f);
 }
 
 void draw_all(ImDrawList& list, const PlotArea& area, const Plot& p, ImVec2 outer_low, bool any) {
@@ -159,7 +166,9 @@ std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot
   draw_all(list, area, p, low, any);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   if (any && p.cursor && std::isfinite(*p.cursor)) draw_cursor(list, area, *p.cursor, held || hovered);
-  if (any && (hovered || held)) draw_readout(list, area, p, mouse);
+  if (any && p.mark) draw_mark(list, area, *p.mark);
+  if (any && hovered && p.pointed != nullptr) *p.pointed = snapped(area, mouse.x);
+  if (any && (hovered || held) && p.pointed == nullptr) draw_readout(list, area, p, mouse);
   list.PopClipRect();
 
   const std::string value = !p.value.empty() ? p.value

@@ -22,7 +22,8 @@ struct Series {
   std::span<const double> x, y;
   std::uint32_t colour = 0xFFFFFF;
   SeriesKind kind = SeriesKind::line;
-  float width = 1.8f;  // design px
+  float width = 1.8f;                 // design px
+  std::span<const double> high = {};  // of a band from y to high, as many as y; empty: a line
 };
 
 // A horizontal line at a value: a bound.
@@ -50,12 +51,15 @@ struct Plot {
   std::span<const Series> series;
   std::span<const Level> levels = {};
   std::span<const Spot> spots = {};
-  std::optional<double> cursor = {};   // a vertical line here; dragging returns a new one
-  bool square = false;                 // one metre is as long on both axes: for shapes
+  std::optional<double> cursor = {};         // a vertical line here; dragging returns a new one
+  std::optional<double> mark = {};           // a thin vertical line here
+  std::optional<double>* pointed = nullptr;  // receives the x under the mouse, if any; then no read-out is drawn
+  bool square = false;                       // one metre is as long on both axes: for shapes
   bool drags_point = false;            // without a cursor: returns the place under the mouse while it holds the plot
   std::string_view empty = "no data";  // shown when nothing can be drawn
   std::string value = {};              // of the widget; "" for the cursor's x
   float width = 0, height = 0;         // px; 0: what room is left
+  float labels = 0;                    // px, least width of the y axis' labels, so that plots in a column line up
 };
 
 // Where the mouse holds a plot, in the units of its axes.

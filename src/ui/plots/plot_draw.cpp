@@ -71,6 +71,23 @@ void draw_lines(ImDrawList& list, const PlotArea& area, const Series& series, st
   draw_piece(list, area, series, piece);
 }
 
+// One column of pixels after another, so that the cost does not grow with the number of points.
+void draw_band(ImDrawList& list, const PlotArea& area, const Series& series, std::size_t count) {
+  const ImU32 tint = packed(ink(series.colour), 0.75f);
+  const float half = 0.5f * series.width * area.scale;
+  const auto column_of = [&](std::size_t i) { return std::floor(area.at(series.x[i], series.y[i]).x); };
+  for (std::size_t i = 0; i < count;) {
+    const float left = column_of(i);
+    float bottom = -1e30f, top = 1e30f;  // px, downwards
+    do {
+      bottom = std::max(bottom, area.at(series.x[i], series.y[i]).y);
+      top = std::min(top, area.at(series.x[i], series.high[i]).y);
+    } while (++i < count && column_of(i) == left);
+    const float right = i < count ? std::max(column_of(i), left + 1) : left + 1;
+    if (top <= bottom) list.AddRectFilled({left, top - half}, {right, bottom + half}, tint);
+  }
+}
+
 void draw_bars(ImDrawList& list, const PlotArea& area, const Series& series, std::size_t count) {
   const float room = (area.high.x - area.low.x) / static_cast<float>(std::max<std::size_t>(count, 1));
   const float half = std::max(1.0f, std::min(0.35f * room, 22 * area.scale));
@@ -144,6 +161,7 @@ void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 
 
 void draw_series(ImDrawList& list, const PlotArea& area, const Series& series) {
   const std::size_t count = std::min(series.x.size(), series.y.size());
+  if (!series.high.empty()) return draw_band(list, area, series, count);
   if (series.kind == SeriesKind::bars) return draw_bars(list, area, series, count);
   if (series.kind != SeriesKind::points) draw_lines(list, area, series, count);
   if (series.kind == SeriesKind::line) return;

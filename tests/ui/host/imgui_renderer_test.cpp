@@ -1,7 +1,10 @@
 #include "ui/host/imgui_renderer.h"
 
+#include "edit/commands/commands_session.h"
 #include "ui/stage.h"
 #include "ui/widgets/theme.h"
+#include "world/lab_view.h"
+#include "world/look.h"
 
 namespace coaster::ui {
 namespace imgui_renderer_test {
@@ -51,6 +54,24 @@ TEST_F(ImGuiRendererTest, text_is_drawn_bright_on_dark) {
     for (int x = static_cast<int>(w.x + w.height + 4); x < static_cast<int>(w.x + w.width); ++x)
       bright += (at(pixels, x, y) & 0xff) > 0xb0;
   EXPECT_GT(bright, 60);
+}
+
+// Eight plots of a whole ride have more vertices than indices of 16 bits can name.
+TEST_F(ImGuiRendererTest, a_window_of_many_vertices_is_drawn_to_the_last_one) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Load{COASTER_SOURCE_DIR "/tracks/loop.json"}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::show_laboratory>{true}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::laboratory_height>{0.8f}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::LabView::page>{world::LabPage::riders}).ok());
+  resize(1920, 1080);
+  frames(2);
+  const auto pixels = picture(0);
+  const Widget* const last = find("Laboratory/Height plot");
+  ASSERT_TRUE(last != nullptr && last->visible);
+  int of_curve = 0;
+  for (int y = static_cast<int>(last->y); y < static_cast<int>(last->y + last->height); ++y)
+    for (int x = static_cast<int>(last->x); x < static_cast<int>(last->x + last->width); ++x)
+      of_curve += at(pixels, x, y) >> 16 > 0xb0;
+  EXPECT_GT(of_curve, 300);
 }
 
 TEST_F(ImGuiRendererTest, the_same_state_gives_the_same_picture) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace coaster::ui {
 namespace layout_test {
 
@@ -16,7 +18,7 @@ TEST(layout, regions_tile_the_window_and_the_viewport_keeps_two_fifths) {
        {std::pair{1280, 720}, {1920, 1080}, {640, 360}, {801, 601}, {3840, 2160}, {333, 222}}) {
     for (const float scale : {0.8f, 1.0f, 1.7f, 3.0f}) {
       for (const bool open : {false, true}) {
-        const Layout l = make_layout(width, height, scale, 23 * scale, true, open);
+        const Layout l = make_layout(width, height, scale, 23 * scale, true, {open});
         const view::Viewport all[] = {l.menu, l.left, l.right, l.strip, l.status, l.scene};
         float area = 0;
         for (const view::Viewport& one : all) area += one.width * one.height;
@@ -34,17 +36,24 @@ TEST(layout, regions_tile_the_window_and_the_viewport_keeps_two_fifths) {
 
 TEST(layout, the_strip_folds_to_a_bar_and_opens_by_a_quarter_of_the_window) {
   const float bar = 23;
-  EXPECT_EQ(make_layout(1280, 720, 1, bar, true, false).strip.height, bar);
-  EXPECT_EQ(make_layout(1280, 720, 1, bar, true, true).strip.height, 190);
-  EXPECT_EQ(make_layout(1920, 1080, 1, bar, true, true).strip.height, 280);
-  const Layout small = make_layout(640, 360, 0.8f, 19, true, true);
+  EXPECT_EQ(make_layout(1280, 720, 1, bar, true, {false}).strip.height, bar);
+  EXPECT_EQ(make_layout(1280, 720, 1, bar, true, {true}).strip.height, 190);
+  EXPECT_EQ(make_layout(1920, 1080, 1, bar, true, {true}).strip.height, 280);
+  const Layout small = make_layout(640, 360, 0.8f, 19, true, {true});
   EXPECT_GT(small.strip.height, 100);
   EXPECT_LE(small.strip.height, small.scene.height + 1);
-  EXPECT_EQ(make_layout(640, 180, 1, bar, true, true).strip.height, bar);  // nothing could be read in 67 px
+  EXPECT_EQ(make_layout(640, 180, 1, bar, true, {true}).strip.height, bar);  // nothing could be read in 67 px
+}
+
+TEST(layout, the_strip_has_its_share_of_the_height_between_the_bars) {
+  const float bar = 23, middle = 1080 - 2 * bar;
+  EXPECT_EQ(make_layout(1920, 1080, 1, bar, true, {true, 0.7f}).strip.height, std::floor(0.7f * middle));
+  EXPECT_EQ(make_layout(1920, 1080, 1, bar, true, {true, 0.01f}).strip.height, 4 * bar);  // what can be read
+  EXPECT_EQ(make_layout(1920, 1080, 1, bar, true, {false, 0.7f}).strip.height, bar);
 }
 
 TEST(layout, hidden_panels_leave_the_whole_window) {
-  const Layout l = make_layout(641, 359, 1.3f, 30, false, true);
+  const Layout l = make_layout(641, 359, 1.3f, 30, false, {true});
   EXPECT_EQ(l.scene.width, 641);
   EXPECT_EQ(l.scene.height, 359);
   EXPECT_EQ(l.left.width * l.left.height + l.right.width * l.right.height + l.menu.height + l.status.height, 0);

@@ -1,0 +1,200 @@
+#include "ui/lab/ride_plots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_settings.h"
+#include "ui/lab/cache.h"
+#include "ui/lab/table.h"
+#include "world/lab_view.h"
+
+namespace coaster::ui {
+namespace {
+
+using sim::RideValue;
+
+// The value that a limit of this axis is about, and whether a large value exceeds it (else a small one).
+struct Limited {
+  RideValue value;
+  bool large;
+};
+Limited limited_by(sim::ForceAxis axis) {
+  switch (axis) {
+    case sim::ForceAxis::down: return {RideValue::vertical, true};
+    case sim::ForceAxis::lift: return {RideValue::vertical, false};
+    case sim::ForceAxis::side: return {RideValue::lateral, true};
+    case sim::ForceAxis::forward: return {RideValue::longitudinal, true};
+    case sim::ForceAxis::back: return {RideValue::longitudinal, false};
+  }
+  return {};
+}
+
+// The colour of a value's curve; an axis of the jerk has that of its g.
+std::uint32_t colour_of(RideValue value) {
+  constexpr std::size_t kRows[sim::kRideValueCount] = {0, 1, 2, 3, 0, 1, 2, 4, 7, 6, 5};
+  return row_colour(kRows[static_cast<std::size_t>(value)]);
+}
+
+void mark_overload(const sim::Rider& rider, const sim::RedSpan& span, bool over_time, SeatStudy& study) {
+  const sim::SeatCurves& curves = study.curves;
+  const Limited limited = limited_by(span.axis);
+  const auto v = static_cast<std::size_t>(limited.value);
+  const std::vector<double>& values = limited.large && !curves.most[v].empty() ? curves.most[v] : curves.least[v];
+  const auto place_of = [&](double seconds) {
+    return rider.place(static_cast<std::size_t>(seconds / (sim::kForceEvery * world::kTick) + 0.5));
+  };
+  const double from = over_time ? span.from : place_of(span.from), to = over_time ? span.to : place_of(span.to);
+  const double lap = !over_time && rider.ghost->closed ? rider.ghost->track_length : 0;
+  const std::vector<double>& x = over_time ? curves.time : curves.place;
+  for (const double turn : {-lap, 0.0, lap}) {
+    const auto begin = std::lower_bound(x.begin(), x.end(), std::min(from, to) + turn);
+    for (auto at = begin; at != x.end() && *at <= std::max(from, to) + turn; ++at) {
+      const auto i = static_cast<std::size_t>(at - x.begin());
+      study.beyond[v][i] = values[i];
+    }
+  }
+}
+
+SeatStudy study_of(const edit::Findings& found, sim::CarRange cars, bool over_time) {
+  const std::vector<sim::Rider> riders = found.riders->cars(cars);
+  SeatStudy study{over_time ? sim::curves_by_time(riders) : sim::curves_by_place(riders), {}, {}, {}, {}};
+  for (std::vector<double>& one : study.beyond)
+    one.assign(study.curves.place.size(), std::numeric_limits<double>::quiet_NaN());
+  for (const sim::RedSpan& span : found.overloads)
+    if (span.car >= cars.first && span.car <= cars.last)
+      mark_overload(found.riders->car(span.car), span, over_time, study);
+  study.jerk = sim::most_of(riders, RideValue::jerk);
+  study.roll_rate = sim::most_of(riders, RideValue::roll_rate);
+  study.roll_acceleration = sim::most_of(riders, RideValue::roll_acceleration);
+  return study;
+}
+
+// The distance along the track that the mouse points at, in the viewport or in a plot.
+std::optional<double> pointed_distance(const Ui& ui) {
+  const sim::Derived& derived = ui.session().derived;
+  if (ui.hovered.kind != view::PickKind::curve) return std::nullopt;
+  const auto index = world::index_of(derived.order, ui.hovered.entity);
+  if (!index) return std::nullopt;
+  return derived.starts[*index] + derived.shape_at(*index).arc.distance(ui.hovered.t);
+}
+
+view::Pick pick_at(const sim::Derived& derived, double distance) {
+  const sim::TrackPlace place = sim::place_at(derived, distance);
+  const sim::SegmentShape& shape = derived.shape_at(place.index);
+  const double t = shape.arc.parameter(place.s);
+  return {view::PickKind::curve, derived.order[place.index], t, glm::vec3(curve::point(shape.key.cubic, t))};
+}
+
+}  // namespace
+
+std::optional<RidePlots> RidePlots::make(Ui& ui) {
+  const edit::Session& session = ui.session();
+  const edit::Findings& found = ui.find(edit::Want::seat | edit::Want::overloads);
+  if (found.ride == nullptr) return std::nullopt;
+  const world::LabView& lab = *session.settings.lab;
+  const sim::CarRange cars = sim::cars_of(lab.seat, lab.seat_car, found.ride->start.cars);
+  RidePlots plots;
+  plots.ride_ = found.ride;
+  plots.over_time_ = ui.lab.forces_over_time;
+  plots.study_ = &ui.lab.seat.get({found.ride->serial, session.limits.serial, cars.first, cars.last, plots.over_time_},
+                                  [&] { return study_of(found, cars, plots.over_time_); });
+  plots.behind_ = cars.middle() * found.ride->start.spacing;
+  if (const world::CartMotion* const train = session.motion.carts.find(edit::chosen_cart(session)))
+    plots.train_ = plots.at_place(train->track_distance - plots.behind_);
+  if (const auto distance = pointed_distance(ui)) plots.mark_ = plots.at_place(*distance);
+  return plots;
+}
+
+// Returns the x of a distance along the track; nothing if the seat does not come there.
+std::optional<double> RidePlots::at_place(double distance) const {
+  const std::vector<double>&place = study_->curves.place, &time = study_->curves.time;
+  if (place.empty()) return std::nullopt;
+  constexpr double kRounding = 1e-6;  // m, so that the start is not one lap later
+  distance = place.front() - kRounding +
+             sim::within_lap(distance - place.front() + kRounding, ride_->track_length, ride_->closed);
+  if (!(distance >= place.front() - kRounding && distance <= *std::max_element(place.begin(), place.end())))
+    return std::nullopt;
+  if (!over_time_) return distance;
+  const auto at = std::find_if(place.begin(), place.end(), [&](double one) { return one >= distance; });
+  return time[static_cast<std::size_t>(at - place.begin())];
+}
+
+// Returns the seat's place at an x of the axis, m along the track.
+double RidePlots::place_at(double x) const {
+  if (!over_time_) return x;
+  const auto at = std::lower_bound(axis().begin(), axis().end(), x);
+  return study_->curves.place[std::min(static_cast<std::size_t>(at - axis().begin()), axis().size() - 1)];
+}
+
+std::string RidePlots::shown_at(RideValue value, double x) const {
+  const auto at = std::lower_bound(axis().begin(), axis().end(), x);
+  const std::size_t i = std::min(static_cast<std::size_t>(at - axis().begin()), axis().size() - 1);
+  const auto v = static_cast<std::size_t>(value);
+  const std::vector<double>&least = study_->curves.least[v], &most = study_->curves.most[v];
+  const int decimals = std::abs(least[i]) < 100 ? 2 : 1;
+  return most.empty() ? fixed(least[i], decimals)
+                      : fmt::format("{} .. {}", fixed(least[i], decimals), fixed(most[i], decimals));
+}
+
+void RidePlots::plot(Ui& ui, RideValue value, std::string_view label, float width, float height) const {
+  const auto v = static_cast<std::size_t>(value);
+  const sim::RideValueRow& row = base::row_of(value);
+  const std::vector<double>&least = study_->curves.least[v], &most = study_->curves.most[v];
+  const std::optional<double> shown = mark_ ? mark_ : train_;
+  std::vector<Series> series{
+      {shown ? shown_at(value, *shown) : "", axis(), least, colour_of(value), SeriesKind::line, 1.8f, most}};
+  if (value == RideValue::jerk && most.empty())
+    for (const auto& [part, name] : {std::pair{RideValue::jerk_up, "vertical"},
+                                     {RideValue::jerk_side, "lateral"},
+                                     {RideValue::jerk_forward, "longitudinal"}})
+      series.push_back({name, axis(), study_->curves.least[static_cast<std::size_t>(part)], colour_of(part),
+                        SeriesKind::line, 1.0f});
+  if (v < study_->beyond.size())
+    series.push_back({"over the limit", axis(), study_->beyond[v], kBadColour, SeriesKind::line, 3.0f});
+  std::optional<double> pointed;
+  Plot picture{.x = {over_time_ ? "time" : "distance", over_time_ ? "s" : "m"},
+               .y = {std::string(row.label), std::string(row.unit)},
+               .series = series,
+               .cursor = train_,
+               .mark = mark_,
+               .pointed = &pointed,
+               .drags_point = !train_.has_value(),
+               .empty = "no ride",
+               .width = width,
+               .height = height,
+               .labels = small_size("-00.00").x};
+  const auto drag = ui::plot(
+      ui, label, picture, fmt::format("{} The whole ride over the current track. Drag to move the train.", row.help));
+  const ImVec2 low = ImGui::GetItemRectMin(), high(ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight());
+  if (shown) note(ui, fmt::format("{}/value", label), "label", "", true, shown_at(value, *shown), low, high);
+  if (pointed) ui.pointed = pick_at(ui.session().derived, place_at(*pointed));
+  if (drag) ui.emit(edit::RideSeek{place_at(drag->x) + behind_});
+}
+
+void choose_seat(Ui& ui, int cars) {
+  const world::LabView& lab = *ui.session().settings.lab;
+  constexpr int kOwn = static_cast<int>(world::Seat::car);
+  std::vector<Choice> choices = choices_of<world::Seat>();
+  choices.pop_back();
+  for (int car = 1; car <= cars; ++car)
+    choices.push_back({fmt::format("Car {}", car), "Riders of this car, counted from the front."});
+  const bool own = lab.seat == world::Seat::car;
+  const int current = own ? kOwn + std::clamp(lab.seat_car, 1, cars) - 1 : static_cast<int>(lab.seat);
+  const auto chosen = combo(ui, "Seat", choices, current, "Seat whose ride the plots show.");
+  if (!chosen) return;
+  if (*chosen >= kOwn) ui.emit(edit::Set<&world::LabView::seat_car>{*chosen - kOwn + 1});
+  ui.emit(edit::Set<&world::LabView::seat>{static_cast<world::Seat>(std::min(*chosen, kOwn))});
+}
+
+void choose_x_axis(Ui& ui) {
+  choose_side(ui, ui.lab.forces_over_time, {"By distance###Over way", "Plot by distance along the track."},
+              {"By time###Over time", "Plot by time since the start."});
+}
+
+}  // namespace coaster::ui

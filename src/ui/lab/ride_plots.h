@@ -1,0 +1,49 @@
+// Plots of the whole ride for the chosen seat, over distance or time, with one cursor: the place of the seat on the
+// track, which the train, the view and all plots share.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "sim/study/seat.h"
+#include "ui/context/ui.h"
+
+namespace coaster::ui {
+
+// The ride of the chosen seat, and what of it exceeds the force limits.
+struct SeatStudy {
+  sim::SeatCurves curves;
+  // Of vertical, lateral and longitudinal g: the value, NaN where no car of the seat is overloaded.
+  std::array<std::vector<double>, 3> beyond;
+  sim::Extreme jerk, roll_rate, roll_acceleration;  // the largest, of the seat's cars
+};
+
+class RidePlots {
+ public:
+  // Nothing without a train.
+  static std::optional<RidePlots> make(Ui& ui);
+
+  // Draws a plot of a value and registers it as "Panel/label". Dragging in it moves the train; the mouse over it marks
+  // the place in the view and in every plot.
+  void plot(Ui& ui, sim::RideValue value, std::string_view label, float width, float height) const;
+  const sim::Ghost& ride() const { return *ride_; }
+  const SeatStudy& study() const { return *study_; }
+
+ private:
+  const std::vector<double>& axis() const { return over_time_ ? study_->curves.time : study_->curves.place; }
+  std::optional<double> at_place(double distance) const;
+  double place_at(double x) const;
+  std::string shown_at(sim::RideValue value, double x) const;
+
+  const sim::Ghost* ride_ = nullptr;
+  const SeatStudy* study_ = nullptr;
+  bool over_time_ = false;
+  double behind_ = 0;                   // m, of the seat's car behind the first one
+  std::optional<double> train_, mark_;  // on the x axis
+};
+
+// The choices of the seat, in a train of `cars` cars, and of the x axis.
+void choose_seat(Ui& ui, int cars);
+void choose_x_axis(Ui& ui);
+
+}  // namespace coaster::ui
