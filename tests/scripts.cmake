@@ -7,6 +7,11 @@ endfunction()
 foreach(script ${scripts})
   cmake_path(GET script STEM name)
   coaster_script_test(${name} $<TARGET_FILE:coaster> --headless --script ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/out/${name})
+  file(STRINGS ${script} golden_pictures REGEX "^snap ")
+  if(golden_pictures AND second_headless)
+    coaster_script_test(${name}.egl ${CMAKE_COMMAND} -E env ${second_headless} $<TARGET_FILE:coaster> --headless --script ${script}
+                        --out ${CMAKE_CURRENT_BINARY_DIR}/out/${name}_egl)
+  endif()
 endforeach()
 
 # Each challenge must fail on its start track (--validate) and pass with its solution.

@@ -54,6 +54,8 @@ std::string manual_page() {
       ".SH ENVIRONMENT\n"
       ".TP\n\\fBCOASTER_DATA\\fR\nFolder of the sample tracks, envelopes and challenges, instead of the installed "
       "one.\n"
+      ".TP\n\\fBCOASTER_HEADLESS\\fR\nLibrary that draws without a display: osmesa or egl; default OSMesa, "
+      "or EGL where it is missing.\n"
       ".TP\n\\fBXDG_CONFIG_HOME\\fR, \\fBXDG_STATE_HOME\\fR\nFolders of settings and autosaves, in a folder "
       "coaster.\n"
       ".TP\n\\fBXDG_PICTURES_DIR\\fR, \\fBXDG_VIDEOS_DIR\\fR\nFolders for pictures and movies.\n";

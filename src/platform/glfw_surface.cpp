@@ -122,6 +122,7 @@ class WindowSurface final : public Surface {
   }
   void set_clipboard(const std::string& text) override { glfwSetClipboardString(window_, text.c_str()); }
   bool is_window() const override { return true; }
+  std::string library() const override { return window_library(); }
   std::optional<Placement> placement() const override {
     if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) return std::nullopt;
     Placement now;

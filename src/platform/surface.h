@@ -1,4 +1,5 @@
-// The target of frames: a window (GLFW) or memory (OSMesa). The only interface with virtual functions in the program.
+// The target of frames: a window (GLFW) or memory (OSMesa or EGL). The only interface with virtual functions in the
+// program.
 #pragma once
 
 #include <functional>
@@ -34,6 +35,7 @@ class Surface {
   virtual std::string clipboard() = 0;
   virtual void set_clipboard(const std::string& text) = 0;
   virtual bool is_window() const = 0;
+  virtual std::string library() const = 0;  // that made its context: "GLFW 3.3.8", "OSMesa", "EGL"
   // Returns the window's position; nothing for memory and while minimised. A maximised window has the size of the
   // screen.
   virtual std::optional<Placement> placement() const = 0;
@@ -49,6 +51,7 @@ struct SurfaceOptions {
   // Called once when the window's display is gone: the X server or the Wayland compositor has ended. It must end the
   // program without using the surface. Empty: Xlib ends it.
   std::function<void()> lost{};
+  std::string headless{};  // library of an off-screen context, "osmesa" or "egl"; "": $COASTER_HEADLESS
 };
 
 // Opens a window with an OpenGL 3.3 core context. Code::graphics if there is no display (the message suggests
@@ -58,8 +61,9 @@ base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options
 // "GLFW 3.3.8", or "none" in a program built without windows.
 std::string window_library();
 
-// Creates an off-screen OpenGL core context by OSMesa, loaded at run time from libOSMesa.so.8 (or .6). Code::graphics
-// if missing: the message names the package to install.
+// Creates an off-screen OpenGL core context by the library that the options name, else $COASTER_HEADLESS, else OSMesa
+// or, where that is missing, EGL. Code::graphics if none has one: the message names the packages to install.
+// Code::usage for another name.
 base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options);
 
 }  // namespace coaster::platform

@@ -33,7 +33,7 @@ deb=$(ls "$OUT"/packages/coaster_*.deb)
 field() { dpkg-deb -f "$deb" "$1"; }
 [ "$(field Version)" = "$("$COASTER" --version | sed -n '1s/coaster //p')" ] || fail "the package is of version $(field Version)"
 for name in libgl1 libc6 libtinyxml2; do case $(field Depends) in *$name*) ;; *) fail "the package does not depend on $name: $(field Depends)" ;; esac; done
-case $(field Recommends) in *libosmesa6*) ;; *) fail "the package does not recommend libosmesa6" ;; esac
+case $(field Recommends) in *"libosmesa6 | libegl1"*) ;; *) fail "the package recommends neither OSMesa nor EGL" ;; esac
 mkdir "$OUT/debian"
 dpkg-deb -x "$deb" "$OUT/debian"
 for file in doc/coaster/copyright doc/coaster/changelog.gz man/man6/coaster.6.gz; do [ -s "$OUT/debian/usr/share/$file" ] || fail "no $file in the package"; done

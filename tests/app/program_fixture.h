@@ -32,6 +32,7 @@ class FakeSurface final : public platform::Surface {
   std::string clipboard() override { return {}; }
   void set_clipboard(const std::string&) override {}
   bool is_window() const override { return window; }
+  std::string library() const override { return memory_->library(); }
   std::optional<platform::Placement> placement() const override { return at; }
   void place(const platform::Placement& placement) override { at = placement; }
 

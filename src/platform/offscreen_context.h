@@ -1,0 +1,40 @@
+// OpenGL 3.3 core contexts without a window, each of a library that is loaded at run time. So the build needs neither,
+// and a window needs no software renderer installed.
+#pragma once
+
+#include <dlfcn.h>
+
+#include <functional>
+
+#include "base/status.h"
+
+namespace coaster::platform {
+
+// A context that has been made current. Nothing is drawn into its own buffer: frames are in the renderer's framebuffer.
+struct OffscreenContext {
+  std::function<void*(const char*)> proc;
+  std::function<void()> destroy;
+};
+
+// By Mesa's OSMesa: software alone. Mesa has dropped it since 25.1.
+base::Result<OffscreenContext> make_osmesa_context();
+// By EGL on Mesa's surfaceless platform: the graphics card if there is one, else software.
+base::Result<OffscreenContext> make_egl_context();
+
+// Loads the first library found, nullptr if none is. It stays loaded, because its threads and atexit handlers need
+// their code.
+inline void* load_first(std::initializer_list<const char*> names) {
+  void* library = nullptr;
+  for (const char* const name : names)
+    if (library == nullptr) library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+  return library;
+}
+
+// False if the library has no such function.
+template <class F>
+bool look_up(void* library, const char* name, F& function) {
+  function = reinterpret_cast<F>(dlsym(library, name));
+  return function != nullptr;
+}
+
+}  // namespace coaster::platform
