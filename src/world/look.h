@@ -47,7 +47,7 @@ struct Look {
               {.kept_as = "laboratory"}),
       setting(&Look::laboratory_height, "laboratory_height",
               "Height of the laboratory as a share of the height between menu and status bar. 0: chosen by its page.",
-              {.low = 0, .high = 0.8, .kept_as = "laboratory_height"})};
+              {.low = 0, .high = 0.75, .kept_as = "laboratory_height"})};
 };
 
 }  // namespace coaster::world

@@ -60,7 +60,7 @@ TEST_F(ImGuiRendererTest, text_is_drawn_bright_on_dark) {
 TEST_F(ImGuiRendererTest, a_window_of_many_vertices_is_drawn_to_the_last_one) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Load{COASTER_SOURCE_DIR "/tracks/loop.json"}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::show_laboratory>{true}).ok());
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::laboratory_height>{0.8f}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::laboratory_height>{0.75f}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::LabView::page>{world::LabPage::riders}).ok());
   resize(1920, 1080);
   frames(2);
