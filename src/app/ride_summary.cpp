@@ -10,6 +10,13 @@
 #include "sim/ride/ride.h"
 
 namespace coaster::app {
+namespace {
+
+double height_of(const edit::Session& session, const world::CartMotion& cart) {
+  return sim::rail_point(session.derived.shape(cart.segment), cart.s).height;
+}
+
+}  // namespace
 
 RideSummary begin_summary(const edit::Session& session) {
   RideSummary summary;
@@ -19,8 +26,7 @@ RideSummary begin_summary(const edit::Session& session) {
   summary.closed = session.document.track.closed;
   summary.length = session.derived.length;
   if (session.motion.carts.size() == 0) return summary;
-  summary.highest = summary.lowest =
-      sim::pose(session.derived, session.motion.carts.items()[0], world::FrameMethod::knots).position.y;
+  summary.highest = summary.lowest = height_of(session, session.motion.carts.items()[0]);
   return summary;
 }
 
@@ -28,7 +34,7 @@ void measure(const edit::Session& session, RideSummary& summary) {
   ++summary.ticks;
   if (session.motion.carts.size() == 0) return;
   const world::CartMotion& cart = session.motion.carts.items()[0];
-  const double height = sim::pose(session.derived, cart, world::FrameMethod::knots).position.y;
+  const double height = height_of(session, cart);
   const world::Entity train = session.motion.carts.entities()[0];
   const sim::Felt felt = sim::felt(session.document, session.derived, train, cart);
   summary.laps = cart.laps;

@@ -34,7 +34,7 @@ edit::Want wanted_by(const Look& look, const Program& program) {
   const world::Layers& layers = look.settings.lab->layers;
   Want wanted = Want::values;
   if (layers.has(world::Layer::flips)) wanted = wanted | Want::breaks;
-  if (layers.has(world::Layer::conflicts) && !is_riding(program, look)) wanted = wanted | Want::conflicts;
+  if (layers.has(world::Layer::conflicts) && !is_riding(program, look)) wanted = wanted | Want::conflicts | Want::folds;
   if (layers.has(world::Layer::limits)) wanted = wanted | Want::overloads;
   if (layers.has(world::Layer::supports)) wanted = wanted | Want::supports;
   if (look.settings.aids->show_element) wanted = wanted | Want::element | Want::room;
@@ -46,7 +46,10 @@ gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findin
   const world::Layers& layers = look.settings.lab->layers;
   view::Findings marked{.failure = session.motion.failure, .riding = is_riding(program, look)};
   if (layers.has(world::Layer::flips)) marked.breaks = found.breaks;
-  if (layers.has(world::Layer::conflicts) && !marked.riding) marked.conflicts = found.conflicts;
+  if (layers.has(world::Layer::conflicts) && !marked.riding) {
+    marked.conflicts = found.conflicts;
+    marked.folds = found.folds;
+  }
   if (layers.has(world::Layer::limits)) marked.spans = found.overloads;
   if (look.settings.aids->show_element) marked.element = found.element, marked.narrow = found.room;
   const view::Overlay overlay =

@@ -14,7 +14,9 @@
 #include "exchange/nolimits/nl2_csv.h"
 #include "exchange/nolimits/nl2elem.h"
 #include "exchange/nolimits/nltrack.h"
+#include "sim/plan/switch_curve.h"
 #include "sim/ride/start_speed.h"
+#include "sim/shape/folds.h"
 #include "world/topology.h"
 
 namespace coaster::exchange {
@@ -32,10 +34,10 @@ constexpr std::array kFormats{
     Format{".csv", "NoLimits 2 track spline", parse_rows, print_rows, false, false, check_rows, base::kMaxFileBytes,
            parse_nl2_csv},
     Format{".nl2elem", "NoLimits 2 element", parse_nl2elem, print_nl2elem, false, false, check_nl2elem,
-           kMaxNl2ElemBytes},
+           kMaxNl2ElemBytes, nullptr, true},
     Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false},
     Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false},
-    Format{".svg", "drawing", nullptr, print_svg, false, false},
+    Format{".svg", "drawing", nullptr, print_svg, false, false, nullptr, base::kMaxFileBytes, nullptr, true},
 };
 
 // Returns "a.txt: error: expected a file ending in .json"; names a format that works only in the other direction.
@@ -68,6 +70,32 @@ void warn_of_odd(LoadedTrack& loaded, const std::string& name) {
   if (knots.size() > 1 &&
       std::all_of(knots.begin(), knots.end(), [&](world::Entity e) { return position(e) == position(knots.front()); }))
     loaded.warnings.push_back(fmt::format("{}: warning: all {} knots are at one point", name, knots.size()));
+}
+
+// Returns the track whose rails a format that does not hold everything prints, or why they cannot be printed.
+base::Result<world::Document> rails_of(const world::Document& document, const Format& format) {
+  const sim::Derived derived = sim::shapes_of(document);
+  const double height = world::rails_height(document);
+  if (const std::vector<sim::Fold> folds = sim::folds_of(derived, height); !folds.empty())
+    return base::Status{base::Code::refused, "error: the rails fold " + sim::fold_text(folds.front(), height)};
+  if (!format.cubics) return document;
+  base::Result<sim::SwitchedCurve> switched = sim::switch_curve(document, derived, world::TrackCurve::rails);
+  if (!switched) return base::Status{switched.status().code, "error: " + switched.status().message};
+  return std::move(switched->document);
+}
+
+base::Status print_to(base::Files& files, const std::filesystem::path& path, const Format& format,
+                      const world::Document& document, std::uint64_t* content) {
+  if (format.check)
+    if (const base::Status fit = format.check(document); !fit)
+      return {fit.code, fmt::format("{}: {}", path.string(), fit.message)};
+  const std::string bytes = format.print(document);
+  if (content) *content = base::content_hash(bytes);
+  // Does not write a file too large to be read again.
+  if (format.parse && bytes.size() > format.most_bytes)
+    return {base::Code::refused, fmt::format("{}: error: {} bytes are over the limit of {}", path.string(),
+                                             bytes.size(), format.most_bytes)};
+  return files.write_atomic(path, bytes);
 }
 
 }  // namespace
@@ -106,16 +134,12 @@ base::Status save_track(base::Files& files, const std::filesystem::path& path, c
                         std::uint64_t* content) {
   const Format* const format = format_of(path);
   if (!format || !format->print) return {base::Code::refused, unfit_ending(path, format, Direction::write)};
-  if (format->check)
-    if (const base::Status fit = format->check(document); !fit)
-      return {fit.code, fmt::format("{}: {}", path.string(), fit.message)};
-  const std::string bytes = format->print(document);
-  if (content) *content = base::content_hash(bytes);
-  // Does not write a file too large to be read again.
-  if (format->parse && bytes.size() > format->most_bytes)
-    return {base::Code::refused, fmt::format("{}: error: {} bytes are over the limit of {}", path.string(),
-                                             bytes.size(), format->most_bytes)};
-  return files.write_atomic(path, bytes);
+  if (!format->whole && document.curve == world::TrackCurve::heartline) {
+    const base::Result<world::Document> rails = rails_of(document, *format);
+    if (!rails) return {rails.status().code, fmt::format("{}: {}", path.string(), rails.status().message)};
+    return print_to(files, path, *format, *rails, content);
+  }
+  return print_to(files, path, *format, document, content);
 }
 
 }  // namespace coaster::exchange

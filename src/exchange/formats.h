@@ -24,6 +24,7 @@ struct Format {
   // As parse, for formats that may take longer than a frame; null for the others.
   base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name,
                                              base::Progress* progress) = nullptr;
+  bool cubics = false;  // prints the curve's control points, so it is given a track whose curve is the rails
 };
 
 // Returns the table; the project's own format is first.
@@ -38,6 +39,7 @@ const Format* format_of(const std::filesystem::path& path);
 // so.
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path,
                                      base::Progress* progress = nullptr);
+// Formats that do not hold everything get the rails, of a heartline track too; they are refused where rails fold.
 // `content` gets the hash of the bytes as soon as they are printed.
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document,
                         std::uint64_t* content = nullptr);

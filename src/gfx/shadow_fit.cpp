@@ -41,10 +41,12 @@ void LightBox::add(glm::vec3 light, float margin) {
 LightBox light_box(const SunAxes& axes, const sim::Derived& derived) {
   LightBox box;
   for (const world::Entity segment : derived.order) {
-    const curve::Cubic& c = derived.shape(segment).key.cubic;
+    const sim::ShapeKey& key = derived.shape(segment).key;
+    const curve::Cubic& c = key.cubic;
+    const float margin = kTrackMargin + static_cast<float>(std::abs(key.rails));
     for (const glm::vec3 p : {c.p0, c.p1, c.p2, c.p3}) {
-      box.add(axes.of(p), kTrackMargin);
-      box.add(axes.of({p.x, 0, p.z}), kTrackMargin);
+      box.add(axes.of(p), margin);
+      box.add(axes.of({p.x, 0, p.z}), margin);
     }
   }
   return box;

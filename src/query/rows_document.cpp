@@ -42,6 +42,14 @@ Answer conflict_place(const Context& c, View) {
   return worst ? number(worst->*distance) : text("none");
 }
 
+// --- folds
+Answer folds(const Context& c, View) { return number(c.find(edit::Want::folds).folds.size()); }
+template <double sim::Fold::*value>
+Answer first_fold(const Context& c, View) {
+  const auto found = c.find(edit::Want::folds).folds;
+  return found.empty() ? text("none") : number(found.front().*value);
+}
+
 Answer hash(const Context& c, View argument) {
   if (argument == "document") return text(base::hex16(world::hash(c.session.document)));
   if (argument == "motion") return text(base::hex16(world::hash(c.session.document, c.session.motion)));
@@ -102,6 +110,11 @@ constexpr std::array kDocumentRows{
           conflict_place<&sim::Conflict::at>},
     Query{"conflict.other", "", "m", "Distance of its other stretch along the track; none if there is none.",
           conflict_place<&sim::Conflict::other>},
+    Query{"folds", "", "", "Places where the rails fold: the curve's radius is below the rails' distance from it.",
+          folds},
+    Query{"fold.at", "", "m", "Distance of the first fold along the track; none if there is none.",
+          first_fold<&sim::Fold::at>},
+    Query{"fold.radius", "", "m", "The curve's radius there; none if there is none.", first_fold<&sim::Fold::radius>},
     Query{"hash", "document|motion", "", "Hash of the document or of the motion, 16 hexadecimal digits.", hash},
     Query{"position", "@knot", "m", "A knot's position.", of_knot<&world::Knot::position>},
     Query{"tangent", "@knot", "", "A knot's direction of travel, a unit vector.", of_knot<&world::Knot::tangent>},

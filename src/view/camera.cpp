@@ -169,9 +169,10 @@ world::Camera frame_all(const world::Camera& from, const world::Document& docume
   if (document.track.knots.empty()) return frame_box(from, {-20, 0, -20}, {20, 10, 20}, viewport);
   // Track has a volume, and a lone knot should not fill the picture.
   std::vector<glm::vec3> points;
+  const float half = 1 + static_cast<float>(std::abs(world::rails_height(document)));
   const auto add = [&](glm::vec3 p) {
     for (const glm::vec3 by : {glm::vec3(1, 1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1)})
-      points.push_back(p + by);
+      points.push_back(p + half * by);
   };
   for (const world::Entity e : document.track.knots) add(world::knot(document, e).position);
   // Sampled, because control points can be far outside the curve.

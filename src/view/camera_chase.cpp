@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/shape/rails.h"
 #include "view/camera_rig.h"
 #include "world/camera_feel.h"
 
@@ -80,12 +81,14 @@ NearTrack nearest_track(const sim::Derived& derived, dvec3 from, double reach) {
   double best_squared = reach * reach;
   for (const world::Entity e : derived.order) {
     const sim::SegmentShape& shape = derived.shape(e);
-    if (squared_distance_to_box(curve::control_box(shape.key.cubic), from) >= best_squared) continue;
+    const auto [low, high] = curve::control_box(shape.key.cubic);
+    const auto off_curve = static_cast<float>(std::abs(shape.key.rails));
+    if (squared_distance_to_box({low - off_curve, high + off_curve}, from) >= best_squared) continue;
     // Chords of at most half a metre: less than a centimetre from a curve of 5 m radius.
     const int steps = std::clamp(static_cast<int>(shape.arc.length() * 2), 8, 512);
-    dvec3 last = curve::point(shape.key.cubic, 0.0);
+    dvec3 last = sim::rails_point(shape, 0.0);
     for (int i = 1; i <= steps; ++i) {
-      const dvec3 next = curve::point(shape.key.cubic, static_cast<double>(i) / steps), chord = next - last;
+      const dvec3 next = sim::rails_point(shape, static_cast<double>(i) / steps), chord = next - last;
       const double square = glm::dot(chord, chord),
                    t = square > 0 ? std::clamp(glm::dot(from - last, chord) / square, 0.0, 1.0) : 0.0;
       const dvec3 point = last + t * chord, off = from - point;

@@ -76,7 +76,8 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   Overlay overlay;
   add_laboratory(document, derived, settings, view, findings, overlay);
   const float scale = settings.look->ui_scale;
-  if (findings.element) add_element(*findings.element, findings.narrow, view, scale, overlay);
+  const double rails = world::rails_height(document);
+  if (findings.element) add_element(*findings.element, findings.narrow, rails, view, scale, overlay);
   add_polygons(document, settings, overlay);
   // The picked position is no pickable mark, so it lies under all that are.
   if (const sim::SegmentShape* const shape = derived.segments.find(settings.selected))

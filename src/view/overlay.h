@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/shape/folds.h"
 #include "sim/shape/frame_methods.h"
 #include "sim/study/element_room.h"
 #include "sim/study/envelope.h"
@@ -42,6 +43,7 @@ struct Findings {
   std::span<const sim::FrenetBreak> breaks;   // read for Layer::flips
   std::span<const sim::RedSpan> spans;        // read for Layer::limits
   std::span<const sim::Conflict> conflicts;   // read for Layer::conflicts
+  std::span<const sim::Fold> folds;           // read for Layer::conflicts
   world::Failure failure;                     // of the ride; kind none: no failure
   const sim::ElementPlan* element = nullptr;  // the palette's element at its preview position; null: not shown
   std::span<const sim::Narrow> narrow;        // parts of it without clearance

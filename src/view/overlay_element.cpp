@@ -43,8 +43,14 @@ class Sampler {
 struct Sketch {
   const sim::ElementPlan& plan;
   std::span<const sim::Narrow> narrow;
+  double rails;  // m above the curve
   Overlay& overlay;
   float scale;
+
+  dvec3 middle(const ElementPoint& p) const { return p.position + rails * p.up; }
+  dvec3 rail(const ElementPoint& p, double side) const {
+    return middle(p) + (0.5 * side * sim::kGauge) * glm::cross(p.up, p.tangent);
+  }
 
   void line(dvec3 from, dvec3 to, float width_px, std::uint32_t rgba) const {
     add_line(from, to, width_px * scale, rgba, overlay);
@@ -56,16 +62,12 @@ struct Sketch {
   std::uint32_t colour_at(const ElementPoint& p) const {
     const bool lacks_room = std::any_of(narrow.begin(), narrow.end(),
                                         [&](const sim::Narrow& part) { return part.from <= p.s && p.s <= part.to; });
-    return p.position.y < 0  ? kBuriedColour
+    return middle(p).y < 0   ? kBuriedColour
            : lacks_room      ? kNarrowColour
            : p.s < plan.lead ? kLeadColour
                              : kElementColour;
   }
 };
-
-dvec3 rail(const ElementPoint& p, double side) {
-  return p.position + (0.5 * side * sim::kGauge) * glm::cross(p.up, p.tangent);
-}
 
 // Adds rails as short lines, a tie at every other step, and plumb lines.
 void add_rails(const Sketch& sketch) {
@@ -79,10 +81,11 @@ void add_rails(const Sketch& sketch) {
     const ElementPoint here = sample(plan.length * i / steps);
     const std::uint32_t colour = sketch.colour_at(here);
     for (const double side : {-1.0, 1.0})
-      sketch.rimmed(rail(before, side), rail(here, side), 2.0f, faded(colour, 0xd0));
-    if (i % 2 == 0) sketch.line(rail(here, -1), rail(here, 1), 1.25f, faded(colour, 0x70));
-    if ((i % plumb == 0 || i == steps) && here.position.y > kLeastPlumb)
-      sketch.line(here.position, {here.position.x, 0, here.position.z}, 1.0f, faded(colour, 0x50));
+      sketch.rimmed(sketch.rail(before, side), sketch.rail(here, side), 2.0f, faded(colour, 0xd0));
+    if (i % 2 == 0) sketch.line(sketch.rail(here, -1), sketch.rail(here, 1), 1.25f, faded(colour, 0x70));
+    const dvec3 middle = sketch.middle(here);
+    if ((i % plumb == 0 || i == steps) && middle.y > kLeastPlumb)
+      sketch.line(middle, {middle.x, 0, middle.z}, 1.0f, faded(colour, 0x50));
     before = here;
   }
 }
@@ -107,10 +110,10 @@ void add_dashes(const Sketch& sketch, const View& view) {
 
 }  // namespace
 
-void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, const View& view, float scale,
-                 Overlay& overlay) {
+void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, double rails, const View& view,
+                 float scale, Overlay& overlay) {
   if (!plan.refusal.empty() || plan.ideal.points.size() < 2) return;
-  const Sketch sketch{plan, narrow, overlay, scale};
+  const Sketch sketch{plan, narrow, rails, overlay, scale};
   add_rails(sketch);
   add_dashes(sketch, view);
   const ElementPoint& end = plan.ideal.points.back();

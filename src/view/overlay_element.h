@@ -11,8 +11,8 @@ inline constexpr std::uint32_t kElementColour = 0x66d9e8ff, kLeadColour = 0xffc0
                                kNarrowColour = 0xffdd33ff;
 inline constexpr int kMaxElementSteps = 900;  // per rail, whatever the length
 
-// Adds nothing for an element that cannot be placed. At most 9 lines per step.
-void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, const View& view, float scale,
-                 Overlay& overlay);
+// Adds nothing for an element that cannot be placed. `rails`: as world::rails_height(). At most 9 lines per step.
+void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, double rails, const View& view,
+                 float scale, Overlay& overlay);
 
 }  // namespace coaster::view

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/shape/rails.h"
+
 namespace coaster::view {
 
 PixelScale::PixelScale(const View& view)
@@ -27,7 +29,7 @@ std::vector<world::Entity> selected_segments(const world::Document& document, wo
 glm::dvec3 over_rails(const sim::Derived& derived, double distance, double height) {
   const sim::TrackPlace place = sim::place_at(derived, distance);
   const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
-  return curve::point(shape.key.cubic, shape.arc.parameter(place.s)) + height * sim::frame_at(shape, place.s).up;
+  return sim::rails_at(shape, place.s) + height * sim::frame_at(shape, place.s).up;
 }
 
 void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px,

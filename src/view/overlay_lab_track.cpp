@@ -33,6 +33,11 @@ double fitting_distance(std::span<const SeenSegment> seen, double px, int most, 
 
 constexpr int kFewestTeeth = 8, kMostTeeth = 64;
 
+// Of conflicts and folds.
+constexpr int kPieces = 24;    // per stretch
+constexpr double kOver = 1.6;  // m, of a sign
+constexpr std::array<glm::dvec2, 6> kExclamation{{{0, 4.8}, {0, 3.5}, {0, 2.2}, {0, 0.9}, {0, -0.4}, {0, -4.2}}};  // px
+
 // Returns the number of teeth of a segment, both ends included. Segments smaller than `px` on screen share teeth: one
 // at the start of each segment that contains a multiple of the step.
 int teeth_of(const sim::Derived& derived, const SeenSegment& seen, double px) {
@@ -124,7 +129,7 @@ void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans,
 
 void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> breaks, const View& view, float scale,
                 Overlay& overlay) {
-  constexpr int kPieces = 12;
+  constexpr int kLines = 12;
   constexpr double kCrossPx = 7, kNormalPx = 40, kBeside = 0.02;
   const PixelScale pixels(view);
   const glm::dvec3 right(right_of(view)), up(top_of(view));
@@ -138,8 +143,8 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
     if (at.kind == sim::FrenetBreak::Kind::flip && !(px_per_metre > 0)) continue;
     if (++drawn > kMaxBreaks) return;
     if (at.kind == sim::FrenetBreak::Kind::undefined) {
-      for (int i = 0; i < kPieces; ++i) {
-        const double from = at.t + (at.t_end - at.t) * i / kPieces, to = at.t + (at.t_end - at.t) * (i + 1) / kPieces;
+      for (int i = 0; i < kLines; ++i) {
+        const double from = at.t + (at.t_end - at.t) * i / kLines, to = at.t + (at.t_end - at.t) * (i + 1) / kLines;
         add_line(curve::point(cubic, from), curve::point(cubic, to), 5.0f * scale, faded(kBreakColour, 0xc0), overlay);
       }
       continue;
@@ -156,12 +161,17 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
   }
 }
 
+void add_folds(const sim::Derived& derived, std::span<const sim::Fold> folds, const View& view, float scale,
+               Overlay& overlay) {
+  const auto shown = folds.first(std::min(folds.size(), static_cast<std::size_t>(kMaxConflicts)));
+  for (const sim::Fold& fold : shown)
+    add_band(derived, fold.from, fold.to, kPieces, 5.0f * scale, kConflictColour, overlay);
+  for (const sim::Fold& fold : shown)
+    add_sign(glm::dvec3(fold.place) + glm::dvec3(0, kOver, 0), kConflictColour, kExclamation, view, scale, overlay);
+}
+
 void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> conflicts, const View& view, float scale,
                    Overlay& overlay) {
-  constexpr int kPieces = 24;    // per stretch
-  constexpr double kOver = 1.6;  // m
-  constexpr std::array<glm::dvec2, 6> kExclamation{
-      {{0, 4.8}, {0, 3.5}, {0, 2.2}, {0, 0.9}, {0, -0.4}, {0, -4.2}}};  // px
   const auto shown = conflicts.first(std::min(conflicts.size(), static_cast<std::size_t>(kMaxConflicts)));
   for (const sim::Conflict& conflict : shown) {
     add_band(derived, conflict.from, conflict.to, kPieces, 5.0f * scale, kConflictColour, overlay);

@@ -20,6 +20,13 @@ struct Track {
   friend bool operator==(const Track&, const Track&) = default;
 };
 
+// What the cubics are; in both cases they are the line that trains move along.
+enum class TrackCurve : std::uint8_t { rails, heartline };
+inline constexpr base::NameRow kTrackCurves[] = {
+    {"rails", "Rails", "The curve is the middle of the rails. The riders' hearts move above it."},
+    {"heartline", "Heartline", "The curve is the path of the riders' hearts. The rails hang below it."}};
+constexpr std::span<const base::NameRow> rows_of(TrackCurve) { return kTrackCurves; }
+
 struct Document {
   Entities entities;
   Track track;
@@ -29,7 +36,8 @@ struct Document {
   Resistance resistance;          // none by default: the paper's frictionless circuit
   double heartline = 1.1;         // m above the rails, height of the riders' hearts, for which forces are given
   bool rollback_fails = true;     // true: a rollback ends the ride
-  Extra extra;                    // unknown top-level members of the file
+  TrackCurve curve = TrackCurve::rails;
+  Extra extra;                                 // unknown top-level members of the file
   std::array<std::uint32_t, 3> last_number{};  // by Kind: the last number assigned
   // How the track is ridden.
   static constexpr void fields(auto visit) {
@@ -38,9 +46,17 @@ struct Document {
     visit(Field{}, &Document::resistance);
     visit(Field{"heartline", -kMaxHeartline, kMaxHeartline, InFile::unusual, 2}, &Document::heartline);
     visit(Field{"rollback_fails", 0, 0, InFile::unusual, 3}, &Document::rollback_fails);
+    visit(Field{"curve", 0, 0, InFile::unusual, 4}, &Document::curve);
   }
   friend bool operator==(const Document&, const Document&) = default;
 };
+
+// Return how far the rails and the riders' hearts are above the curve, m along `up`. Whatever shows or touches rails
+// uses the first, forces on riders the second.
+inline double rails_height(const Document& document) {
+  return document.curve == TrackCurve::heartline ? 0.0 - document.heartline : 0.0;
+}
+inline double riders_height(const Document& document) { return rails_height(document) + document.heartline; }
 
 // Returns the entity of that name, or kNone. Linear in the number of entities (a microsecond per thousand).
 Entity find(const Document& document, Name name);

@@ -38,7 +38,7 @@ inline constexpr base::NameRow kLayers[] = {
      "Where g exceeds its limit for longer than allowed. Not a compliance check."},
     {"supports", "Supports", "Supports, built automatically and clear of the trains."},
     {"knots", "Knots", "Knots and their handles. Hidden ones can still be selected."},
-    {"conflicts", "Conflicts", "Where the track lacks clearance from itself."},
+    {"conflicts", "Conflicts", "Where the track lacks clearance from itself or folds."},
 };
 constexpr std::span<const base::NameRow> rows_of(Layer) { return kLayers; }
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "edit/commands/command_fields.h"
-#include "world/components.h"
+#include "world/document.h"
 #include "world/losses.h"
 
 namespace coaster::edit {
@@ -50,9 +50,24 @@ struct SetLossSet {
 };
 struct SetHeartline {
   double to = 1.1;
-  COASTER_COMMAND(SetHeartline, "heartline", "Set the height above the rails at which forces are computed (m).",
+  COASTER_COMMAND(SetHeartline, "heartline",
+                  "Set the height of the riders' hearts above the rails, for which forces are computed (m).",
                   Effect::document);
   COASTER_FIELDS(visit("", self.to))
+};
+enum class Keep : std::uint8_t { rails, numbers };
+inline constexpr base::NameRow kKeeps[] = {
+    {"rails", "Rails", "The rails stay within 1 cm, and the knots' numbers change."},
+    {"numbers", "Numbers", "The knots' numbers stay, and the rails move by the heartline's height."}};
+constexpr std::span<const base::NameRow> rows_of(Keep) { return kKeeps; }
+struct SetCurve {
+  world::TrackCurve to{};
+  Keep keep{};
+  COASTER_COMMAND(SetCurve, "curve",
+                  "Make the track's curve the rails or the riders' heartline, with the rails below it; keeps the shape "
+                  "of the rails, within 1 cm, or the knots' numbers.",
+                  Effect::document);
+  COASTER_FIELDS(visit("", self.to), visit("keep", self.keep))
 };
 struct SetRollbackFails {
   bool to = true;
@@ -84,6 +99,6 @@ struct AutoBank {
 };
 
 using OperationCommands = CommandList<SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetLossSet, SetHeartline,
-                                      SetRollbackFails, SaveReport, LoadEnvelope, AutoBank>;
+                                      SetCurve, SetRollbackFails, SaveReport, LoadEnvelope, AutoBank>;
 
 }  // namespace coaster::edit

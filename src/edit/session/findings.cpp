@@ -89,8 +89,11 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
   if (has(wanted, Want::seat | Want::riders)) find_riders(session, has(wanted, Want::riders));
   if (has(wanted, Want::overloads)) find_overloads(session);
   if (has(wanted, Want::conflicts | Want::room)) found.conflicts = memory.conflicts.update(session.derived);
+  if (has(wanted, Want::folds)) found.folds = memory.folds.update(session.derived);
   if (has(wanted, Want::element | Want::room)) found.element = &memory.elements.plan(element, session.document);
-  if (has(wanted, Want::room)) found.room = memory.room.update(*found.element, memory.conflicts, session.derived);
+  if (has(wanted, Want::room))
+    found.room =
+        memory.room.update(*found.element, memory.conflicts, session.derived, world::rails_height(session.document));
   if (has(wanted, Want::breaks)) found.breaks = memory.breaks.update(session.derived);
   if (has(wanted, Want::values)) find_values(session);
   if (has(wanted, Want::supports)) {

@@ -10,6 +10,7 @@
 #include "base/kept.h"
 #include "sim/plan/elements.h"
 #include "sim/ride/ghost.h"
+#include "sim/shape/folds.h"
 #include "sim/shape/frame_methods.h"
 #include "sim/shape/shape_distance.h"
 #include "sim/solids/conflicts.h"
@@ -38,7 +39,8 @@ enum class Want : std::uint16_t {
   supports = 512,
   deviation = 1024,  // from the start track of the challenge under way
   seat = 2048,       // what the riders of the chosen seat feel during that ride
-  riders = 4096      // the same of all cars
+  riders = 4096,     // the same of all cars
+  folds = 8192       // of the rails
 };
 constexpr Want operator|(Want a, Want b) {
   return static_cast<Want>(static_cast<std::uint16_t>(a) | static_cast<std::uint16_t>(b));
@@ -57,6 +59,7 @@ struct Findings {
   const sim::Riders* riders = nullptr;       // of the cars that were asked for; null without a ride
   std::span<const sim::RedSpan> overloads;   // none without a ride
   std::span<const sim::Conflict> conflicts;  // in the track's order
+  std::span<const sim::Fold> folds;          // in the track's order
   const sim::ElementPlan* element = nullptr;
   std::span<const sim::Narrow> room;  // parts of the element that lack it
   std::span<const sim::FrenetBreak> breaks;
@@ -72,6 +75,7 @@ struct Findings {
     base::Kept<std::pair<std::uint64_t, sim::Envelope>, std::vector<sim::RedSpan>> overloads;  // by the ride's serial
     sim::Riders riders;
     sim::Conflicts conflicts;
+    sim::Folds folds;
     sim::ElementMemo elements;
     sim::ElementRoom room;
     sim::FrenetBreaks breaks;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/shape/derived.h"
+#include "sim/shape/rails.h"
 #include "sim/solids/supports.h"
 #include "sim/solids/track_mesh.h"
 
@@ -37,11 +37,14 @@ void add_mesh(const sim::Mesh& mesh, TrackSolid& solid) {
 }
 
 // A chord over h of the parameter deviates by at most h^2/8 of the largest second derivative, which is at one of the
-// ends.
-int chords(const curve::Cubic& cubic) {
+// ends. Rails off the curve also wind around it: chords of 0.1 m there.
+int chords(const sim::SegmentShape& shape) {
+  const curve::Cubic& cubic = shape.key.cubic;
   const double bend =
       std::max(glm::length(curve::second_derivative(cubic, 0)), glm::length(curve::second_derivative(cubic, 1)));
-  return static_cast<int>(std::clamp(std::ceil(std::sqrt(bend / (8 * kLineTolerance))), 1.0, 1000.0));
+  const double winding = shape.key.rails == 0 ? 0.0 : shape.arc.length() / 0.1,
+               wanted = std::max(std::sqrt(bend / (8 * kLineTolerance)), winding);
+  return static_cast<int>(std::clamp(std::ceil(wanted), 1.0, 1000.0));
 }
 
 }  // namespace
@@ -68,11 +71,10 @@ TrackSolid track_solid(const world::Document& document) {
       sim::build_support_mesh(*held, mesh);
       add_mesh(mesh, solid);
     }
-    const curve::Cubic& cubic = shape.key.cubic;
-    if (solid.centre_line.empty()) solid.centre_line.push_back(cubic.p0);
-    const int count = chords(cubic);
+    if (solid.centre_line.empty()) solid.centre_line.push_back(glm::vec3(sim::rails_point(shape, 0)));
+    const int count = chords(shape);
     for (int i = 1; i <= count; ++i)
-      solid.centre_line.push_back(glm::vec3(curve::point(cubic, static_cast<double>(i) / count)));
+      solid.centre_line.push_back(glm::vec3(sim::rails_point(shape, static_cast<double>(i) / count)));
   }
   return solid;
 }

@@ -28,7 +28,7 @@ struct TrackSolid {
 };
 
 inline constexpr double kLineTolerance =
-    0.001;  // m, between the centre line and the curve (with at most 1000 chords per segment)
+    0.001;  // m, between the centre line and the rails (with at most 1000 chords per segment)
 
 // Builds the solids of every segment, in order: the swept track, its equipment, its supports. Rails and spine are
 // closed at the ends of an open track alone.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "sim/shape/rails.h"
 
 namespace coaster::exchange {
 namespace {
@@ -89,7 +90,7 @@ PlaceOnTrack place_on(const sim::Derived& derived, double distance) {
   const sim::TrackPlace at = sim::place_at(derived, distance);
   const sim::SegmentShape& shape = derived.shape(derived.order[at.index]);
   const double within = std::min(at.s, shape.arc.length());
-  return {curve::point(shape.key.cubic, shape.arc.parameter(within)), sim::frame_at(shape, within)};
+  return {sim::rails_at(shape, within), sim::rails_frame_at(shape, within)};
 }
 
 }  // namespace coaster::exchange

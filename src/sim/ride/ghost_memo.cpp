@@ -6,7 +6,7 @@
 namespace coaster::sim {
 
 const RailTables& GhostMemo::tables(const world::Document& document, const Derived& derived) {
-  tables_.update(derived, document.heartline);
+  tables_.update(derived, world::riders_height(document));
   return tables_;
 }
 

@@ -5,6 +5,7 @@
 #include "base/check.h"
 #include "sim/ride/ride_parts.h"
 #include "sim/shape/frame_methods.h"
+#include "sim/shape/rails.h"
 
 namespace coaster::sim {
 namespace {
@@ -38,8 +39,7 @@ Pose pose(const Derived& derived, TrackPlace place, world::FrameMethod method) {
   const double length = shape.arc.length(), s = std::fmin(std::fmax(place.s, 0.0), length);
   const TrackFrame at = track_frame(derived, method, place.index, s);
   // A car beyond an open end is on the straight continuation.
-  return {curve::point(shape.key.cubic, shape.arc.parameter(s)) + (place.s - s) * at.frame.forward, at.frame,
-          at.defined};
+  return {rails_at(shape, s) + (place.s - s) * at.frame.forward, at.frame, at.defined};
 }
 
 Pose pose(const Derived& derived, const world::CartMotion& cart, world::FrameMethod method) {
@@ -65,7 +65,7 @@ Felt felt(const world::Document& document, const Derived& derived, world::Entity
   const TrackPlace place = places[static_cast<std::size_t>(car)];
   const SegmentShape& shape = derived.shape_at(place.index);
   const double s = std::clamp(place.s, 0.0, shape.arc.length());
-  const FeltEntry here = felt_entry(shape, shape.arc.parameter(s), frame_at(shape, s), document.heartline);
+  const FeltEntry here = felt_entry(shape, shape.arc.parameter(s), frame_at(shape, s), world::riders_height(document));
   const double along = along_rails(document, derived, entity, cart, places);
   const glm::vec3 g = here.felt(static_cast<float>(along / world::kGravity),
                                 static_cast<float>(cart.speed * cart.speed / world::kGravity));

@@ -62,8 +62,8 @@ double energy(const world::Document& document, const Derived& derived, world::En
 double energy_drift(const world::Document& document, const Derived& derived, world::Entity entity,
                     const world::CartMotion& cart);
 
-// Position and orientation of a car, by one of the methods of sim/shape/frame_methods.h; where that is undefined
-// another frame is used and `defined` is false.
+// Position on the rails and orientation of a car, by one of the methods of sim/shape/frame_methods.h; where that is
+// undefined another frame is used and `defined` is false.
 struct Pose {
   glm::dvec3 position{0};
   curve::Frame frame;

@@ -64,7 +64,8 @@ ShapeKey key_of(const world::Document& document, const world::Segment& segment) 
           to.up,
           segment.turns,
           from.tangent,
-          to.tangent};
+          to.tangent,
+          world::rails_height(document)};
 }
 
 void evaluate_polyline(const curve::Evaluator& row, const PolylineKey& key, const Clock& clock, SegmentShape& shape,

@@ -24,6 +24,7 @@ struct ShapeKey {
   std::int32_t turns = 0;
   // The knots' own: rounding of the control points loses a little.
   glm::vec3 tangent_from{1, 0, 0}, tangent_to{1, 0, 0};
+  double rails = 0;  // m, of the rails above the curve (sim/shape/rails.h)
   friend bool operator==(const ShapeKey&, const ShapeKey&) = default;
 };
 

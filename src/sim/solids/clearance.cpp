@@ -95,7 +95,8 @@ bool is_clear(const Derived& derived, std::span<const Lane* const> lanes, const 
                           static_cast<double>(std::max(bar.from_radius, bar.to_radius))};
   const double reach = kEnvelopeRadius + kEnvelopeLift + question.radius + 0.1;
   const curve::Box box = widened({glm::min(bar.from, bar.to), glm::max(bar.from, bar.to)}, static_cast<float>(reach));
-  return all_near(derived.tree, box, [&](std::size_t i) {
+  const auto off_curve = static_cast<float>(std::abs(derived.shape_at(held.index).key.rails));
+  return all_near(derived.tree, widened(box, off_curve), [&](std::size_t i) {
     const Lane& lane = *lanes[i];
     if (!meet(lane.box, box)) return true;
     for (std::size_t k = 0; k + 1 < lane.rings.size(); ++k) {

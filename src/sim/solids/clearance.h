@@ -27,7 +27,7 @@ struct Bar {
 // The data of one segment for clearance.
 struct Lane {
   std::vector<Ring> rings;  // as rings_of()
-  curve::Box box;           // about the curve
+  curve::Box box;           // about the rails
 };
 
 // Returns true if the bar stays outside the clearance envelope; `held` is the position whose support it belongs to.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "sim/shape/rails.h"
 #include "sim/solids/clearance.h"
 #include "sim/solids/track_mesh.h"
 
@@ -20,19 +21,23 @@ double between_stretches(const Derived& derived, double from, double to, double 
   return derived.closed ? std::min(onward, from + derived.length - other_to) : onward;
 }
 
-// Returns how many of the chords after r to t, all of the same length along the curve, certainly come closer by less
-// than `metres`.
-std::size_t chords_within(double metres, const LinePoint& r, const LinePoint& t) {
-  return static_cast<std::size_t>(metres / std::max(double{t.s} - double{r.s}, 1e-6));
+// Returns how many of the next chords, of at most `longest` m, certainly come closer by less than `metres`.
+std::size_t chords_within(double metres, double longest) {
+  return static_cast<std::size_t>(metres / std::max(longest, 1e-6));
+}
+
+double length_of(const LinePoint& p, const LinePoint& q) {
+  return static_cast<double>(glm::distance(p.position, q.position));
 }
 
 glm::dvec3 lifted(glm::vec3 position, glm::vec3 up, double by) { return glm::dvec3(position) + by * glm::dvec3(up); }
 
-// Returns by how much two chords, p to q and r to t, are out of reach of each other, m; negative if they may conflict.
-double beyond_reach(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t) {
+// Returns by how much two chords, p to q and r to t, of at most `lengths` m together, are out of reach of each other,
+// m; negative if they may conflict.
+double beyond_reach(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t, double lengths) {
   constexpr double kRounding = 0.05;  // m, rounding of float coordinates at the border of the world
   const double apart = 0.5 * static_cast<double>(glm::distance(p.position + q.position, r.position + t.position));
-  return apart - 0.5 * (double{q.s} - double{p.s} + double{t.s} - double{r.s}) - kReach - kRounding;
+  return apart - 0.5 * lengths - kReach - kRounding;
 }
 
 // Returns the clearance that a train on one chord lacks from the other; 0 or less if it has enough.
@@ -70,7 +75,7 @@ void Conflicts::take_shapes(const Derived& derived, std::vector<bool>& stale) {
     if (entry.build == shape.shape_build) continue;
     stale[i] = true;
     entry.build = shape.shape_build;
-    entry.box = tight_box(shape.key.cubic);
+    entry.box = rails_box(shape);
     entry.places.clear();
     const double length = shape.arc.length();
     const int chords = static_cast<int>(std::clamp(std::ceil(length / kConflictStep), 1.0, kMostChords));
@@ -79,6 +84,9 @@ void Conflicts::take_shapes(const Derived& derived, std::vector<bool>& stale) {
       const Ring ring = ring_at(shape, s);
       entry.places.push_back({glm::vec3(ring.position), glm::vec3(ring.frame.up), static_cast<float>(s)});
     }
+    entry.longest = 0;
+    for (std::size_t k = 1; k < entry.places.size(); ++k)
+      entry.longest = std::max(entry.longest, length_of(entry.places[k - 1], entry.places[k]));
   }
 }
 
@@ -113,8 +121,8 @@ std::size_t Conflicts::look_at(const Derived& derived, world::Entity a, world::E
       if (between_stretches(derived, first_start + double{p.s}, first_start + double{q.s}, second_start + double{r.s},
                             second_start + double{t.s}) < kSameStretch)
         continue;
-      if (const double beyond = beyond_reach(p, q, r, t); beyond > 0) {
-        k += chords_within(beyond, r, t);
+      if (const double beyond = beyond_reach(p, q, r, t, first.longest + second.longest); beyond > 0) {
+        k += chords_within(beyond, second.longest);
         continue;
       }
       const double missing = missing_between(p, q, r, t);
@@ -129,9 +137,10 @@ std::size_t Conflicts::look_at(const Derived& derived, world::Entity a, world::E
 void Conflicts::look_around(const Derived& derived, std::size_t index, const std::vector<bool>& stale) {
   const world::Entity segment = derived.order[index];
   const curve::Box box = widened(entries_.get(segment).box, static_cast<float>(kReach));
+  const auto off_curve = static_cast<float>(std::abs(derived.shape(segment).key.rails));
   const std::size_t most = kMostHits * entries_.get(segment).places.size();
   std::size_t count = 0;
-  all_near(derived.tree, box, [&](std::size_t other) {
+  all_near(derived.tree, widened(box, off_curve), [&](std::size_t other) {
     if ((stale[other] && other < index) || !meet(entries_.get(derived.order[other]).box, box)) return true;
     count +=
         look_at(derived, derived.order[std::min(index, other)], derived.order[std::max(index, other)], most - count);
@@ -208,18 +217,21 @@ std::vector<Narrow> Conflicts::against(const Derived& derived, std::span<const L
   std::vector<Narrow> out;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const LinePoint &p = line[i], &q = line[i + 1];
+    const double length = length_of(p, q);
     double missing = 0;
     for (std::size_t k = 0; k < i && double{p.s} - double{line[k + 1].s} >= kSameStretch; ++k)
-      if (beyond_reach(line[k], line[k + 1], p, q) <= 0)
+      if (beyond_reach(line[k], line[k + 1], p, q, length + length_of(line[k], line[k + 1])) <= 0)
         missing = std::max(missing, missing_between(line[k], line[k + 1], p, q));
     const curve::Box box =
         widened({glm::min(p.position, q.position), glm::max(p.position, q.position)}, static_cast<float>(kReach));
-    all_near(derived.tree, box, [&](std::size_t index) {
+    const auto off_curve = static_cast<float>(derived.order.empty() ? 0.0 : std::abs(derived.shape_at(0).key.rails));
+    all_near(derived.tree, widened(box, off_curve), [&](std::size_t index) {
       const Entry& entry = entries_.get(derived.order[index]);
       for (std::size_t k = 0; k + 1 < entry.places.size(); ++k) {
         const LinePoint &r = entry.places[k], &t = entry.places[k + 1];
         if (derived.length - derived.starts[index] - double{t.s} + double{p.s} < kSameStretch) continue;
-        if (const double beyond = beyond_reach(r, t, p, q); beyond > 0) k += chords_within(beyond, r, t);
+        if (const double beyond = beyond_reach(r, t, p, q, entry.longest + length); beyond > 0)
+          k += chords_within(beyond, entry.longest);
         else missing = std::max(missing, missing_between(r, t, p, q));
       }
       return true;

@@ -28,7 +28,7 @@ struct Conflict {
   friend bool operator==(const Conflict&, const Conflict&) = default;
 };
 
-// A point of a polyline, m; `s` metres along it.
+// A point of the rails, m; `s` metres along the curve.
 struct LinePoint {
   glm::vec3 position{0}, up{0, 1, 0};
   float s = 0;
@@ -49,8 +49,8 @@ class Conflicts {
   // costs one comparison per segment; else a few microseconds for each changed segment and those within kSameStretch of
   // it. On tracks with very many conflicts not all are found: at most kMostHits per chord of a segment.
   const std::vector<Conflict>& update(const Derived& derived);
-  // Returns where the line would conflict with the track as of the last update, or with itself, if it continued the
-  // track's open end.
+  // Returns where the line of rails would conflict with the track as of the last update, or with itself, if it
+  // continued the track's open end.
   std::vector<Narrow> against(const Derived& derived, std::span<const LinePoint> line) const;
   int looked_at() const { return looked_at_; }  // segments checked in the last update
 
@@ -58,8 +58,9 @@ class Conflicts {
   struct Entry {
     std::uint64_t build = 0;
     std::size_t index = 0;  // index in the track
-    curve::Box box;         // of the curve
+    curve::Box box;         // of the rails
     std::vector<LinePoint> places;
+    double longest = 0;  // m, of the chords between them
   };
   // Chord `i` of segment a and chord `k` of segment b are too close.
   struct Hit {

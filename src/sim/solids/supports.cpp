@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/shape/rails.h"
 #include "sim/solids/support_forms.h"
 #include "sim/solids/track_mesh.h"
 
@@ -71,7 +72,7 @@ void Supports::take_shapes(const Derived& derived) {
     else entry = &entries_.put(segment, Entry{});
     entry->shape_build = shape.shape_build;
     entry->stale = true;
-    entry->lane = {rings_of(shape, most_rings), tight_box(shape.key.cubic)};
+    entry->lane = {rings_of(shape, most_rings), rails_box(shape)};
     entry->reach = reach_of(entry->lane.box);
     entry->row = support_row(shape);
     moved_.push_back(entry->lane.box);

@@ -7,6 +7,7 @@
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
+#include "sim/shape/rails.h"
 
 namespace coaster::sim {
 namespace {
@@ -23,6 +24,11 @@ constexpr double kShortestWithTie = 0.3;           // m
 curve::Frame knot_frame(glm::vec3 tangent, glm::vec3 up) {
   const dvec3 forward = glm::normalize(dvec3(tangent));
   return {forward, curve::perpendicular(forward, dvec3(up))};
+}
+
+// Returns the ring of a knot: its rails are at the curve's `end`.
+Ring knot_ring(const SegmentShape& shape, glm::vec3 end, const curve::Frame& frame, float along) {
+  return {shape.key.rails == 0 ? dvec3(end) : dvec3(end) + shape.key.rails * frame.up, frame, along};
 }
 
 // Returns the number of rings that a stretch of `step` metres with a bend of `bend` radians needs: a chord over the
@@ -51,9 +57,9 @@ void add_arm(const Ring& at, double side, Mesh& mesh) {
 
 Ring ring_at(const SegmentShape& shape, double s) {
   const curve::Cubic& c = shape.key.cubic;
-  if (s <= 0) return {curve::point(c, 0.0), knot_frame(shape.key.tangent_from, shape.key.up_from), 0};
-  if (s >= shape.arc.length()) return {curve::point(c, 1.0), knot_frame(shape.key.tangent_to, shape.key.up_to), 1};
-  return {curve::point(c, shape.arc.parameter(s)), frame_at(shape, s), static_cast<float>(s / shape.arc.length())};
+  if (s <= 0) return knot_ring(shape, c.p0, knot_frame(shape.key.tangent_from, shape.key.up_from), 0);
+  if (s >= shape.arc.length()) return knot_ring(shape, c.p3, knot_frame(shape.key.tangent_to, shape.key.up_to), 1);
+  return {rails_at(shape, s), frame_at(shape, s), static_cast<float>(s / shape.arc.length())};
 }
 
 std::vector<double> ring_places(const SegmentShape& shape, int most) {
@@ -67,7 +73,9 @@ std::vector<double> ring_places(const SegmentShape& shape, int most) {
     place[i] = i == kFrameIntervals ? length : shape.arc.distance(static_cast<double>(i) / kFrameIntervals);
     const double step = place[i] - place[i - 1], share = length > 0 ? step / length : 0.0;
     const double bend = curve::angle_between(shape.frames[i - 1].forward, shape.frames[i].forward);
-    wanted[i] = wanted[i - 1] + (straight ? share : rings_wanted(bend, std::abs(shape.twist) * share, step));
+    // Rails on the outer side of a bend are longer than the curve.
+    const double longest = step + std::abs(shape.key.rails) * bend;
+    wanted[i] = wanted[i - 1] + (straight ? share : rings_wanted(bend, std::abs(shape.twist) * share, longest));
   }
   const int intervals = std::clamp(static_cast<int>(std::ceil(wanted.back() - 1e-6)), 1, most - 1);
   std::vector<double> rings{0.0};
@@ -87,7 +95,7 @@ std::vector<Ring> rings_of(const SegmentShape& shape, int most) {
   for (const double s : ring_places(shape, most)) rings.push_back(ring_at(shape, s));
   // A segment of zero length has the start ring twice.
   if (!(shape.arc.length() > 0))
-    rings.back() = {curve::point(shape.key.cubic, 1.0), knot_frame(shape.key.tangent_to, shape.key.up_to), 1};
+    rings.back() = knot_ring(shape, shape.key.cubic.p3, knot_frame(shape.key.tangent_to, shape.key.up_to), 1);
   return rings;
 }
 

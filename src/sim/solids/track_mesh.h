@@ -15,11 +15,11 @@ inline constexpr double kSpineRadius = 0.28;  // m
 inline constexpr double kSpineDrop = 0.62;    // m below the rails' plane
 inline constexpr double kTieSpacing = 1.5;    // m between ties, approximately: a whole number per segment
 inline constexpr int kRailSides = 8, kSpineSides = 12;
-// m, largest deviation of rails from the curve between rings, unless there are Detail::most_rings.
+// m, largest deviation of rails from their line between rings, unless there are Detail::most_rings.
 inline constexpr double kSagitta = 0.01;
 
-// Returns the frame at arc length s of a segment. At both ends it is the knot's own: neighbours have the same bits
-// there.
+// Returns the rails and the curve's frame at arc length s of a segment. At both ends the frame is the knot's own:
+// neighbours have the same bits there.
 Ring ring_at(const SegmentShape& shape, double s);
 
 // Returns the distances of the rings from the segment's start, from 0 to its length: by kSagitta, 6 degrees of twist

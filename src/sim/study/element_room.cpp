@@ -5,25 +5,26 @@
 namespace coaster::sim {
 namespace {
 
-// Returns points of the ideal curve at least kConflictStep apart, both ends included.
-std::vector<LinePoint> line_of(const ElementCurve& curve) {
+// Returns points of the rails, `rails` m above the ideal curve, at least kConflictStep apart along it, both ends
+// included.
+std::vector<LinePoint> line_of(const ElementCurve& curve, double rails) {
   constexpr double kMostChords = 600;
   const double step = std::max(kConflictStep, curve.length() / kMostChords);
   std::vector<LinePoint> line;
   for (const ElementPoint& p : curve.points)
     if (line.empty() || p.s >= double{line.back().s} + step || &p == &curve.points.back())
-      line.push_back({glm::vec3(p.position), glm::vec3(p.up), static_cast<float>(p.s)});
+      line.push_back({glm::vec3(p.position + rails * p.up), glm::vec3(p.up), static_cast<float>(p.s)});
   return line;
 }
 
 }  // namespace
 
 const std::vector<Narrow>& ElementRoom::update(const ElementPlan& plan, const Conflicts& conflicts,
-                                               const Derived& derived) {
-  if (plan_ == plan.serial && build_ == derived.last_build && order_ == derived.order) return found_;
-  plan_ = plan.serial, build_ = derived.last_build, order_ = derived.order;
+                                               const Derived& derived, double rails) {
+  if (plan_ == plan.serial && build_ == derived.last_build && order_ == derived.order && rails_ == rails) return found_;
+  plan_ = plan.serial, build_ = derived.last_build, order_ = derived.order, rails_ = rails;
   found_.clear();
-  if (plan.refusal.empty()) found_ = conflicts.against(derived, line_of(plan.ideal));
+  if (plan.refusal.empty()) found_ = conflicts.against(derived, line_of(plan.ideal, rails));
   return found_;
 }
 

@@ -8,15 +8,17 @@
 
 namespace coaster::sim {
 
-// The parts of the plan's ideal curve that conflict with track or with the curve itself; cached while plan and track
-// are unchanged.
+// The parts of a plan whose rails, on or below its ideal curve, conflict with track or with themselves; cached while
+// plan and track are unchanged.
 class ElementRoom {
  public:
-  // `conflicts` must be up to date with `derived`.
-  const std::vector<Narrow>& update(const ElementPlan& plan, const Conflicts& conflicts, const Derived& derived);
+  // `conflicts` must be up to date with `derived`; `rails` as world::rails_height().
+  const std::vector<Narrow>& update(const ElementPlan& plan, const Conflicts& conflicts, const Derived& derived,
+                                    double rails);
 
  private:
   std::uint64_t plan_ = 0, build_ = 0;
+  double rails_ = 0;
   std::vector<world::Entity> order_;
   std::vector<Narrow> found_;
 };

@@ -1,4 +1,6 @@
-// Operation: equipment on the selected segment, the train, losses, and what ends the ride.
+// Operation: equipment on the selected segment, the train, losses, the track's curve, and what ends the ride.
+#include <fmt/format.h>
+
 #include "edit/commands/commands_operation.h"
 #include "ui/context/ui.h"
 
@@ -104,6 +106,21 @@ void loss_set(Ui& ui) {
     ui.emit(edit::SetLossSet{static_cast<world::LossSet>(*to)});
 }
 
+void track_curve(Ui& ui) {
+  const world::Document& document = ui.session().document;
+  const bool rails = document.curve == world::TrackCurve::rails;
+  read_out(ui, "Curve", std::string(base::row_of(document.curve).label), "",
+           std::string(base::row_of(document.curve).help));
+  const std::string_view other = rails ? "heartline" : "rails";
+  const auto offer = [&](std::string_view label, edit::Keep keep, std::string_view effect) {
+    if (button(ui, label, fmt::format("Make the curve the {}. {}", other, effect), true,
+               ImGui::GetContentRegionAvail().x))
+      ui.emit(edit::SetCurve{rails ? world::TrackCurve::heartline : world::TrackCurve::rails, keep});
+  };
+  offer("Switch, keep rails", edit::Keep::rails, "The rails keep their shape within 1 cm.");
+  offer("Switch, keep numbers", edit::Keep::numbers, "The knots keep their numbers, and the rails move.");
+}
+
 void losses(Ui& ui) {
   const world::Document& document = ui.session().document;
   const world::Resistance& now = document.resistance;
@@ -122,8 +139,10 @@ void losses(Ui& ui) {
                          .step = 0.01,
                          .low = -world::kMaxHeartline,
                          .high = world::kMaxHeartline};
-  if (const auto to = number(ui, "Heartline", heartline, "Height above the rails at which forces are computed."))
+  if (const auto to = number(ui, "Heartline", heartline,
+                             "Height of the riders' hearts above the rails. Forces are computed there."))
     ui.emit(edit::SetHeartline{*to});
+  track_curve(ui);
   if (const auto on = checkbox(ui, "Rollback ends the ride", document.rollback_fails,
                                "The ride fails when a train rolls back 2 m."))
     ui.emit(edit::SetRollbackFails{*on});

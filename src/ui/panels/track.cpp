@@ -68,6 +68,14 @@ void conflicts(Ui& ui) {
     show_next_conflict(ui);
 }
 
+void folds(Ui& ui) {
+  if (ui.find(edit::Want::folds).folds.empty()) return;
+  read_query(ui, "Folds", "folds", "Places where the rails fold. Such a track cannot be exported.",
+             {.decimals = 0, .warns = true});
+  if (button(ui, "Next fold", "Go to the next place where the rails fold.", true, ImGui::GetContentRegionAvail().x))
+    show_next_fold(ui);
+}
+
 // Ends that meet, or nearly so, become one knot.
 edit::Command closing(const edit::Session& session) {
   const auto& knots = session.document.track.knots;
@@ -151,6 +159,7 @@ void track_panel(Ui& ui) {
     ui.emit(edit::SetName{std::move(*name)});
   size(ui);
   conflicts(ui);
+  folds(ui);
   building(ui);
   start(ui);
   file(ui);

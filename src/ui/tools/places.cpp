@@ -30,6 +30,16 @@ void look_at(Ui& ui, double distance, glm::vec3 target, float near, float far) {
     ui.emit(edit::Set<&world::Settings::camera_mode>{world::CameraMode::orbit});
 }
 
+// Returns the first of the places found, in track order, that is behind the selected one; null if there are none.
+template <class Found>
+const Found* next_of(Ui& ui, std::span<const Found> found) {
+  constexpr double kHere = 1e-3;  // m: the one that is selected
+  if (found.empty()) return nullptr;
+  const double from = selected_distance(ui.session());
+  const auto later = std::find_if(found.begin(), found.end(), [&](const Found& one) { return one.at > from + kHere; });
+  return later == found.end() ? &found.front() : &*later;
+}
+
 }  // namespace
 
 bool rideable(const edit::Session& session) {
@@ -57,14 +67,12 @@ void show_place(Ui& ui, double distance) {
 }
 
 void show_next_conflict(Ui& ui) {
-  constexpr double kHere = 1e-3;  // m: the one that is selected
-  const std::span<const sim::Conflict> found = ui.find(edit::Want::conflicts).conflicts;
-  if (found.empty()) return;
-  const double from = selected_distance(ui.session());
-  const auto later = std::find_if(found.begin(), found.end(),
-                                  [&](const sim::Conflict& conflict) { return conflict.at > from + kHere; });
-  const sim::Conflict& next = later == found.end() ? found.front() : *later;
-  look_at(ui, next.at, 0.5f * (next.at_place + next.other_place), 0, 24);
+  if (const auto* const next = next_of(ui, ui.find(edit::Want::conflicts).conflicts))
+    look_at(ui, next->at, 0.5f * (next->at_place + next->other_place), 0, 24);
+}
+
+void show_next_fold(Ui& ui) {
+  if (const auto* const next = next_of(ui, ui.find(edit::Want::folds).folds)) look_at(ui, next->at, next->place, 0, 24);
 }
 
 }  // namespace coaster::ui

@@ -17,5 +17,7 @@ std::optional<double> failed_place(const edit::Session& session);
 void show_place(Ui& ui, double distance);
 // Selects the next conflict after the selected place and points the orbit camera there; no-op without conflicts.
 void show_next_conflict(Ui& ui);
+// The same for folds of the rails.
+void show_next_fold(Ui& ui);
 
 }  // namespace coaster::ui

@@ -10,8 +10,9 @@ namespace coaster::sim {
 namespace element_room_test {
 
 // Along x through (30, 5, 0), round, and over it by `over` metres: the open end is 40 m before the crossing.
-world::Document before_a_crossing(float over) {
+world::Document before_a_crossing(float over, world::TrackCurve curve = world::TrackCurve::rails) {
   world::Document d;
+  d.curve = curve;
   const auto add = [&](glm::vec3 at, glm::vec3 along) { world::append_knot(d, test::skew_knot(at, along, 10, 10)); };
   add({0, 5, 0}, {1, 0, 0}), add({60, 5, 0}, {1, 0, 0});
   add({90, 5 + over / 2, 60}, {0, 0, 1});
@@ -20,8 +21,8 @@ world::Document before_a_crossing(float over) {
   return d;
 }
 
-std::vector<Narrow> narrow(float over, double length) {
-  const world::Document d = before_a_crossing(over);
+std::vector<Narrow> narrow(float over, double length, world::TrackCurve curve = world::TrackCurve::rails) {
+  const world::Document d = before_a_crossing(over, curve);
   const Derived derived = test::derived_of(d);
   Conflicts conflicts;
   conflicts.update(derived);
@@ -32,7 +33,7 @@ std::vector<Narrow> narrow(float over, double length) {
   const ElementPlan& plan = plans.plan(straight, d);
   EXPECT_TRUE(plan.refusal.empty()) << plan.refusal;
   EXPECT_NEAR(world::value_of(plan.element, "length"), length, 1e-9);
-  return room.update(plan, conflicts, derived);
+  return room.update(plan, conflicts, derived, world::rails_height(d));
 }
 
 TEST(element_room, a_straight_over_track_needs_room_for_heads) {
@@ -49,6 +50,15 @@ TEST(element_room, a_straight_over_track_needs_room_for_heads) {
 
 TEST(element_room, a_straight_that_ends_before_the_track_has_room) { EXPECT_TRUE(narrow(1.5f, 30).empty()); }
 
+// Level rails below a heartline are all lower by the same height.
+TEST(element_room, is_that_of_the_rails_of_a_heartline_too) {
+  for (const float over : {1.5f, 2.5f}) {
+    const std::vector<Narrow> rails = narrow(over, 60), heart = narrow(over, 60, world::TrackCurve::heartline);
+    ASSERT_EQ(heart.size(), 1u) << over;
+    EXPECT_NEAR(worst(heart), worst(rails), 0.01) << over;
+  }
+}
+
 TEST(element_room, a_plan_is_judged_again_when_the_track_has_changed) {
   world::Document d = before_a_crossing(1.5f);
   Derived derived = test::derived_of(d);
@@ -58,11 +68,11 @@ TEST(element_room, a_plan_is_judged_again_when_the_track_has_changed) {
   straight.values[0] = 60;
   ElementMemo plans;
   ElementRoom room;
-  EXPECT_FALSE(room.update(plans.plan(straight, d), conflicts, derived).empty());
+  EXPECT_FALSE(room.update(plans.plan(straight, d), conflicts, derived, 0).empty());
   for (const std::size_t knot : {0u, 1u}) d.entities.get<world::Knot>(d.track.knots[knot]).position.x += 70;
   derive(d, {}, {}, derived);
   conflicts.update(derived);
-  EXPECT_TRUE(room.update(plans.plan(straight, d), conflicts, derived).empty());
+  EXPECT_TRUE(room.update(plans.plan(straight, d), conflicts, derived, 0).empty());
 }
 
 }  // namespace element_room_test

@@ -1,0 +1,258 @@
+#include "sim/plan/switch_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/portable_math.h"
+#include "base/text.h"
+#include "sim/shape/folds.h"
+#include "sim/shape/rails.h"
+#include "world/topology.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec3;
+
+// Below kRailsBound, so that switching there and back stays within it.
+constexpr double kStretchBound = 0.004;           // m
+constexpr double kUpBound = base::radians(0.25);  // of `up`
+constexpr double kShortStretch = 0.1;             // m; never halved
+constexpr int kChecks = 16;                       // per span, between its ends
+constexpr float kSameHandles = 1e-4f;             // relative; nearer handles are made equal, as smooth joints need
+
+// Part of a former segment, and the segment that it becomes.
+struct Stretch {
+  std::size_t index = 0;  // of the former segment
+  double from = 0, to = 1;
+  world::Knot first, second;  // with the handles inside the span
+  std::int32_t turns = 0;
+};
+
+struct Switching {
+  const world::Document& document;
+  const Derived& derived;
+  world::TrackCurve to;
+  double offset;  // m, of the new curve above the former one
+
+  const SegmentShape& shape(std::size_t index) const { return derived.shape_at(index); }
+  OffsetPoint at(std::size_t index, double t) const {
+    return offset_point(shape(index), shape(index).arc.distance(t), offset);
+  }
+};
+
+world::Knot knot_of(const dvec3& position, const dvec3& tangent, const dvec3& up) {
+  world::Knot knot;
+  knot.position = glm::vec3(position);
+  knot.tangent = glm::vec3(tangent);
+  knot.up = glm::vec3(curve::perpendicular(tangent, up));
+  world::orthonormalise(knot);
+  return knot;
+}
+
+// Returns the new knot at knot `k` of the track. Where roll rate or curvature jump it has the mean direction.
+world::Knot moved_knot(const Switching& w, std::size_t k) {
+  const std::size_t count = w.derived.order.size();
+  const bool before = count > 0 && (w.derived.closed || k > 0), after = w.derived.closed || k < count;
+  const world::Knot& former = world::knot(w.document, w.document.track.knots[k]);
+  dvec3 tangent(before || after ? glm::vec3(0) : former.tangent);
+  if (before) tangent += w.at((k + count - 1) % count, 1).tangent();
+  if (after) tangent += w.at(k, 0).tangent();
+  const dvec3 up(former.up);
+  return knot_of(dvec3(former.position) + w.offset * up, glm::normalize(tangent), up);
+}
+
+// Sets the handles with which the span's cubic has the new curve's derivatives at both ends, and the turns with which
+// it rolls as far.
+void set_handles(const Switching& w, Stretch& span) {
+  const SegmentShape& shape = w.shape(span.index);
+  const auto handle = [&](double t) {
+    return world::as_handle(glm::length(curve::derivative(shape.key.cubic, t)) * w.at(span.index, t).stretch() *
+                            (span.to - span.from) / 3);
+  };
+  span.first.out_length = handle(span.from), span.second.in_length = handle(span.to);
+  span.first.joint = span.second.joint = world::JointKind::aligned;
+}
+
+// Returns the roll about the new curve over the span, rad, by the midpoint rule.
+double roll_of(const Switching& w, const Stretch& span) {
+  constexpr int kSteps = 64;
+  const SegmentShape& shape = w.shape(span.index);
+  const double start = shape.arc.distance(span.from), step = (shape.arc.distance(span.to) - start) / kSteps;
+  double roll = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const OffsetPoint at = offset_point(shape, start + (i + 0.5) * step, w.offset);
+    roll += at.spin * at.stretch() * step;
+  }
+  return roll;
+}
+
+// Returns the span alone as a track.
+world::Document track_of(const Switching& w, const Stretch& span) {
+  world::Document track;
+  track.curve = w.to, track.heartline = w.document.heartline;
+  world::append_knot(track, span.first), world::append_knot(track, span.second);
+  track.entities.get<world::Segment>(track.track.segments[0]).turns = span.turns;
+  return track;
+}
+
+struct Error {
+  double distance = 0, angle = 0;  // m, rad
+  bool within() const { return distance <= kStretchBound && angle <= kUpBound; }
+};
+
+// Compares the rails at equal shares of the parameter: an upper bound of their distance.
+Error error_of(const Switching& w, const Stretch& span, const SegmentShape& now) {
+  const SegmentShape& former = w.shape(span.index);
+  Error error;
+  for (int i = 0; i <= kChecks; ++i) {
+    const double share = static_cast<double>(i) / kChecks, t = std::lerp(span.from, span.to, share);
+    error.distance = std::max(error.distance, glm::distance(rails_point(former, t), rails_point(now, share)));
+    error.angle = std::max(error.angle, curve::angle_between(frame_at(former, former.arc.distance(t)).up,
+                                                             frame_at(now, now.arc.distance(share)).up));
+  }
+  return error;
+}
+
+// Adds the span to `out`, in halves while it misses the bounds.
+void fit(const Switching& w, Stretch span, std::vector<Stretch>& out) {
+  set_handles(w, span);
+  Derived alone = shapes_of(track_of(w, span));
+  const double turns = std::round((roll_of(w, span) - alone.shape_at(0).twist) / (2 * base::kPi));
+  if (turns != 0) {
+    span.turns = static_cast<std::int32_t>(std::clamp<double>(turns, -world::kMaxTurns, world::kMaxTurns));
+    alone = shapes_of(track_of(w, span));
+  }
+  if (alone.length < kShortStretch || error_of(w, span, alone.shape_at(0)).within()) return out.push_back(span);
+  const double middle = 0.5 * (span.from + span.to);
+  const OffsetPoint at = w.at(span.index, middle);
+  const world::Knot knot = knot_of(at.position, at.tangent(), at.frame.up);
+  fit(w, {span.index, span.from, middle, span.first, knot}, out);
+  fit(w, {span.index, middle, span.to, knot, span.second}, out);
+}
+
+std::vector<Stretch> fit_all(const Switching& w) {
+  const std::size_t knots = w.document.track.knots.size();
+  std::vector<world::Knot> moved;
+  for (std::size_t k = 0; k < knots; ++k) moved.push_back(moved_knot(w, k));
+  std::vector<Stretch> spans;
+  for (std::size_t i = 0; i < w.derived.order.size(); ++i) {
+    const Stretch whole{i, 0, 1, moved[i], moved[(i + 1) % knots]};
+    if (w.offset == 0) spans.push_back(whole);
+    else fit(w, whole, spans);
+  }
+  return spans;
+}
+
+// Splits the former segments where spans begin inside them. Returns the first span that is too short for handles.
+const Stretch* split_at(const Switching& w, const std::vector<Stretch>& spans, SwitchedCurve& out) {
+  world::Entity last;
+  for (std::size_t k = 0; k < spans.size(); ++k) {
+    const Stretch& span = spans[k];
+    const world::Entity former = w.derived.order[span.index];
+    if (span.from == 0) {
+      last = former;
+      out.pieces.put(former, {{0, former}});
+      continue;
+    }
+    const double done = spans[k - 1].from;
+    const world::SplitResult split =
+        world::split_segment(out.document, last, (span.from - done) / (1 - done),
+                             glm::vec3(frame_at(w.shape(span.index), w.shape(span.index).arc.distance(span.from)).up));
+    if (split.knot == world::kNone) return &span;
+    last = split.second;
+    out.pieces.get(former).push_back({span.from, last});
+    ++out.added;
+  }
+  return nullptr;
+}
+
+// Gives the knots and segments of the split document the spans' values; a knot without segments moves alone.
+void take_values(const Switching& w, const std::vector<Stretch>& spans, world::Document& document) {
+  const world::Track& track = document.track;
+  const auto set = [&](world::Entity e, const world::Knot& value) -> world::Knot& {
+    world::Knot& knot = document.entities.get<world::Knot>(e);
+    knot.position = value.position, knot.tangent = value.tangent, knot.up = value.up;
+    return knot;
+  };
+  for (std::size_t k = 0; k < spans.size(); ++k) {
+    const world::Entity e = track.segments[k];
+    world::Segment& segment = document.entities.get<world::Segment>(e);
+    segment.turns = spans[k].turns;
+    set(segment.from, spans[k].first).out_length = spans[k].first.out_length;
+    set(segment.to, spans[k].second).in_length = spans[k].second.in_length;
+  }
+  if (spans.empty())
+    for (std::size_t k = 0; k < track.knots.size(); ++k) set(track.knots[k], moved_knot(w, k));
+  if (!w.derived.closed && !spans.empty()) {
+    world::Knot &first = document.entities.get<world::Knot>(track.knots.front()),
+                &last = document.entities.get<world::Knot>(track.knots.back());
+    first.in_length = first.out_length, last.out_length = last.in_length;
+  }
+  for (const world::Entity e : track.knots) {
+    world::Knot& knot = document.entities.get<world::Knot>(e);
+    const world::Knot* const former = w.document.entities.find<world::Knot>(e);
+    const float in = knot.in_length, out = knot.out_length;
+    knot.joint = world::JointKind::aligned;
+    if (former == nullptr || former->joint == world::JointKind::aligned) continue;
+    if (std::abs(in - out) > kSameHandles * std::max(in, out)) continue;
+    knot.in_length = knot.out_length = 0.5f * (in + out);
+    knot.joint = world::JointKind::smooth;
+  }
+}
+
+void move_trains(const Switching& w, SwitchedCurve& out) {
+  auto& carts = out.document.entities.pool<world::Cart>();
+  for (std::size_t i = 0; i < carts.size(); ++i) {
+    const world::Cart& former = w.document.entities.get<world::Cart>(carts.entities()[i]);
+    const curve::ArcLengthMap& arc = w.derived.shape(former.segment).arc;
+    const CurvePlace now = out.place({former.segment, arc.parameter(former.fraction * arc.length())});
+    const curve::ArcLengthMap& there = out.shapes.shape(now.segment).arc;
+    carts.items()[i].segment = now.segment;
+    carts.items()[i].fraction = std::clamp(there.distance(now.t) / there.length(), 0.0, std::nextafter(1.0, 0.0));
+  }
+}
+
+base::Status too_far(const Switching& w, const Stretch& span) {
+  const double at = w.derived.starts[span.index] + w.shape(span.index).arc.distance(span.from);
+  return {base::Code::refused,
+          fmt::format("the rails would move by more than {} m at {:.1f} m; smooth the track there", kRailsBound, at)};
+}
+
+}  // namespace
+
+CurvePlace SwitchedCurve::place(CurvePlace former) const {
+  const std::vector<Piece>& all = pieces.get(former.segment);
+  std::size_t k = 0;
+  while (k + 1 < all.size() && all[k + 1].from <= former.t) ++k;
+  const double from = all[k].from, to = k + 1 < all.size() ? all[k + 1].from : 1.0;
+  return {all[k].segment, (former.t - from) / (to - from)};
+}
+
+base::Result<SwitchedCurve> switch_curve(const world::Document& document, const Derived& derived,
+                                         world::TrackCurve to) {
+  SwitchedCurve out;
+  out.document = document;
+  out.document.curve = to;
+  const Switching w{document, derived, to, world::rails_height(document) - world::rails_height(out.document)};
+  if (const std::vector<Fold> folds = folds_of(derived, w.offset); !folds.empty())
+    return base::Status{base::Code::refused,
+                        fmt::format("the {} {}", to == world::TrackCurve::rails ? "rails fold" : "heartline would fold",
+                                    fold_text(folds.front(), w.offset))};
+  const std::vector<Stretch> spans = fit_all(w);
+  if (const Stretch* const tiny = split_at(w, spans, out)) return too_far(w, *tiny);
+  if (w.offset != 0) take_values(w, spans, out.document);
+  if (const auto broken = world::broken_invariant(out.document))
+    return base::Status{base::Code::refused, "the curve would leave the world: " + *broken};
+  out.shapes = shapes_of(out.document);
+  for (std::size_t k = 0; k < spans.size(); ++k) {
+    out.max_error = std::max(out.max_error, error_of(w, spans[k], out.shapes.shape_at(k)).distance);
+    if (out.max_error > kRailsBound) return too_far(w, spans[k]);
+  }
+  if (w.offset != 0) move_trains(w, out);
+  return out;
+}
+
+}  // namespace coaster::sim

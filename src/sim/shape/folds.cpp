@@ -1,0 +1,138 @@
+// Finds where 1 - h k up <= 0 (rails.h): samples, the minima between them, and the borders by bisection.
+#include "sim/shape/folds.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "curve/continuity.h"
+#include "sim/shape/rails.h"
+
+namespace coaster::sim {
+namespace {
+
+constexpr int kSamples = 64;     // intervals per segment
+constexpr double kGentle = 0.2;  // height times curvature: segments below it at all samples have no fold
+
+struct Line {
+  const SegmentShape& shape;
+  double height;
+  double along(double t) const { return offset_point(shape, shape.arc.distance(t), height).along; }
+};
+
+// Returns the least place of a function with one minimum between a and b, by golden sections.
+double least_between(const Line& line, double a, double b) {
+  constexpr double kGolden = 0.6180339887498949;
+  double c = b - kGolden * (b - a), d = a + kGolden * (b - a), at_c = line.along(c), at_d = line.along(d);
+  for (int i = 0; i < 30; ++i) {
+    if (at_c < at_d) b = d, d = c, at_d = at_c, c = b - kGolden * (b - a), at_c = line.along(c);
+    else a = c, c = d, at_c = at_d, d = a + kGolden * (b - a), at_d = line.along(d);
+  }
+  return at_c < at_d ? c : d;
+}
+
+// Returns the border between a place that folds and one that does not.
+double border(const Line& line, double folds, double clear) {
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (folds + clear);
+    (line.along(middle) <= 0 ? folds : clear) = middle;
+  }
+  return folds;
+}
+
+bool gentle(const Line& line) {
+  for (int i = 0; i <= kSamples; ++i)
+    if (std::abs(line.height) * curve::curvature(line.shape.key.cubic, static_cast<double>(i) / kSamples) > kGentle)
+      return false;
+  return true;
+}
+
+// Adds the fold from t0 to t1, with its tightest place; distances along the segment.
+void add_fold(const Line& line, double t0, double t1, double tightest, std::vector<Fold>& out) {
+  const curve::ArcLengthMap& arc = line.shape.arc;
+  const double bend = (1 - line.along(tightest)) / std::abs(line.height);
+  out.push_back({arc.distance(t0), arc.distance(t1), arc.distance(tightest), 1 / bend,
+                 glm::vec3(offset_point(line.shape, arc.distance(tightest), line.height).position)});
+}
+
+std::vector<Fold> folds_of(const SegmentShape& shape, double height) {
+  const Line line{shape, height};
+  std::vector<Fold> out;
+  if (height == 0 || !(shape.arc.length() > 0) || gentle(line)) return out;
+  struct Sample {
+    double t, along;
+  };
+  std::vector<Sample> samples;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double t = static_cast<double>(i) / kSamples;
+    samples.push_back({t, line.along(t)});
+  }
+  const std::vector<Sample> even = samples;
+  for (std::size_t i = 1; i + 1 < even.size(); ++i) {
+    if (!(even[i].along <= even[i - 1].along && even[i].along <= even[i + 1].along)) continue;
+    const double t = least_between(line, even[i - 1].t, even[i + 1].t);
+    samples.push_back({t, line.along(t)});
+  }
+  std::ranges::sort(samples, {}, &Sample::t);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].along > 0) continue;
+    const std::size_t first = i;
+    std::size_t tightest = i;
+    for (; i < samples.size() && samples[i].along <= 0; ++i)
+      if (samples[i].along < samples[tightest].along) tightest = i;
+    const double from = first > 0 ? border(line, samples[first].t, samples[first - 1].t) : 0.0,
+                 to = i < samples.size() ? border(line, samples[i - 1].t, samples[i].t) : 1.0;
+    add_fold(line, from, to, samples[tightest].t, out);
+  }
+  return out;
+}
+
+// Appends a segment's folds to those of the track before it; a fold across a joint is one.
+void append(const std::vector<Fold>& found, double start, std::vector<Fold>& all) {
+  constexpr double kMeet = 1e-9;  // m
+  for (Fold fold : found) {
+    fold.from += start, fold.to += start, fold.at += start;
+    if (all.empty() || fold.from - all.back().to > kMeet) {
+      all.push_back(fold);
+      continue;
+    }
+    const double from = all.back().from;
+    if (fold.radius > all.back().radius) all.back().to = fold.to;
+    else fold.from = from, all.back() = fold;
+  }
+}
+
+}  // namespace
+
+std::vector<Fold> folds_of(const Derived& derived, double height) {
+  std::vector<Fold> all;
+  for (std::size_t i = 0; i < derived.order.size(); ++i)
+    append(folds_of(derived.shape_at(i), height), derived.starts[i], all);
+  return all;
+}
+
+std::string fold_text(const Fold& fold, double height) {
+  return fmt::format("at {:.1f} m, where the curve's radius of {:.2f} m is below the height of {:.2f} m", fold.at,
+                     fold.radius, std::abs(height));
+}
+
+const std::vector<Fold>& Folds::update(const Derived& derived) {
+  if (last_build_ == derived.last_build && order_ == derived.order) return all_;
+  last_build_ = derived.last_build;
+  if (order_ != derived.order) {
+    order_ = derived.order;
+    entries_ = {};  // a removed segment's slot may be reused
+  }
+  all_.clear();
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    const SegmentShape& shape = derived.shape_at(i);
+    Entry* entry = entries_.find(order_[i]);
+    if (!entry || entry->build != shape.shape_build)
+      entry = &entries_.put(order_[i], {shape.shape_build, folds_of(shape, shape.key.rails)});
+    append(entry->found, derived.starts[i], all_);
+  }
+  return all_;
+}
+
+}  // namespace coaster::sim
