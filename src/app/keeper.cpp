@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/program.h"
 #include "edit/commands/commands_session.h"

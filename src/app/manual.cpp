@@ -1,7 +1,7 @@
 // The manual page and the bash completion, from the table of options.
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/options.h"
 #include "app/version.h"
