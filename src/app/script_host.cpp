@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <fmt/format.h>
+
 #include "app/frame.h"
 #include "app/pictures.h"
 #include "base/console.h"
@@ -14,6 +16,7 @@
 #include "view/camera.h"
 #include "view/gizmo.h"
 #include "view/pick.h"
+#include "view/spin_ring.h"
 #include "world/look.h"
 
 namespace coaster::app {
@@ -67,6 +70,12 @@ base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim)
   const world::Entity entity = world::find(session.document, aim.name);
   const std::string label = "@" + world::to_text(aim.name);
   if (!entity.valid()) return base::Status{base::Code::refused, "there is no " + label};
+  if (aim.kind == view::PickKind::spin) {
+    const auto ring = view::spin_ring_of(session.document, session.settings, program.picture.view);
+    if (!ring || ring->knot != entity)
+      return base::Status{base::Code::refused, fmt::format("{} has no spin ring: select it alone", label)};
+    return glm::vec3(ring->handle());
+  }
   const auto position = view::position_of(session.document, session.derived, session.motion, aim.kind, entity, aim.t);
   if (!position) return base::Status{base::Code::refused, label + " has no place on the screen"};
   return *position;

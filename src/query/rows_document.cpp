@@ -72,6 +72,10 @@ Answer roll(const Context& c, View argument) {
   return of_entity(c, argument, world::Kind::knot,
                    [&](world::Entity e) { return world::roll_deg(world::knot(c.session.document, e)); });
 }
+Answer spin(const Context& c, View argument) {
+  return of_entity(c, argument, world::Kind::knot,
+                   [&](world::Entity e) { return base::degrees(double{world::knot(c.session.document, e).spin}); });
+}
 
 // --- segments
 Answer turns(const Context& c, View argument) {
@@ -84,7 +88,7 @@ Answer segment_length(const Context& c, View argument) {
 }
 Answer twist(const Context& c, View argument) {
   return of_entity(c, argument, world::Kind::segment,
-                   [&](world::Entity e) { return base::degrees(c.session.derived.shape(e).twist); });
+                   [&](world::Entity e) { return base::degrees(c.session.derived.shape(e).roll.twist); });
 }
 
 // --- evaluation
@@ -120,6 +124,10 @@ constexpr std::array kDocumentRows{
     Query{"tangent", "@knot", "", "A knot's direction of travel, a unit vector.", of_knot<&world::Knot::tangent>},
     Query{"up", "@knot", "", "Direction of riders' heads at a knot, a unit vector.", of_knot<&world::Knot::up>},
     Query{"roll", "@knot", "deg", "A knot's roll from the horizon, positive to the rider's right.", roll},
+    Query{"spin", "@knot", "deg/m",
+          "A knot's spin: the rate of roll along the track there, against the rotation-minimising frame.", spin},
+    Query{"spin_kind", "@knot", "", "Where a knot's spin comes from: automatic or set.",
+          of_knot<&world::Knot::spin_kind>},
     Query{"in_length", "@knot", "m", "Length of a knot's incoming handle.", of_knot<&world::Knot::in_length>},
     Query{"out_length", "@knot", "m", "Length of a knot's outgoing handle.", of_knot<&world::Knot::out_length>},
     Query{"joint", "@knot", "", "A knot's kind of joint: smooth, aligned or automatic.", of_knot<&world::Knot::joint>},
@@ -134,7 +142,7 @@ constexpr std::array kDocumentRows{
           of_joint<&curve::Joint::curvature_jump>},
     Query{"turns", "@segment", "", "Whole turns of roll within a segment.", turns},
     Query{"segment_length", "@segment", "m", "A segment's length by the chosen arc-length method.", segment_length},
-    Query{"twist", "@segment", "deg", "Roll spread over a segment, relative to its rotation-minimising frame.", twist},
+    Query{"twist", "@segment", "deg", "Roll over a segment, relative to its rotation-minimising frame.", twist},
     Query{"import.max_error", "", "m",
           "Largest distance of an imported file's rows from the fitted track; 0 without an import.",
           of_import<&exchange::ImportReport::max_error>},

@@ -47,7 +47,7 @@ constexpr std::array kInput{
     HelpRow{"ui.menu \"MENU/ITEM\"", "Opens the menu and clicks the item."},
     HelpRow{"ui.scroll \"PANEL\" N", "Turns the wheel over a panel; positive scrolls down."},
     HelpRow{"aim.click|doubleclick|hover [+shift] [+ctrl] [+alt] TARGET",
-            "TARGET: @k3 @k3.in @k3.out @s2:0.4 @c1, ground X Y Z, world X Y Z."},
+            "TARGET: @k3 @k3.in @k3.out @k3.spin @s2:0.4 @c1, ground X Y Z, world X Y Z."},
     HelpRow{"aim.drag [+shift] [+ctrl] [+alt] TARGET by X Y Z",
             "Presses, moves by an offset (m) and releases in the viewport."},
     HelpRow{"aim.drag [+shift] [+ctrl] [+alt] TARGET to X Y Z|TARGET", "The same, to a position."},

@@ -1,6 +1,7 @@
 // Parses aim.*: the target, the modifiers and the destination of a drag.
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,7 @@ namespace {
 using view::PickKind;
 using AimVerb = AimAction::Verb;
 constexpr std::string_view kTargets =
-    "@k3, @k3.in, @k3.out, @s2:0.4, @c1, gizmo.x .. gizmo.xy, ground X Y Z or world X Y Z";
+    "@k3, @k3.in, @k3.out, @k3.spin, @s2:0.4, @c1, gizmo.x .. gizmo.xy, ground X Y Z or world X Y Z";
 
 bool refuse(Words& words, const base::Token& word) {
   return words.fail(word.column, fmt::format("expected {}, found {}", kTargets, base::quoted(word.text)));
@@ -31,10 +32,11 @@ bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
   const auto name = world::parse_name(text);
   if (!name) return refuse(words, word);
   point.name = *name;
-  if (name->kind == world::Kind::knot && place.empty() && (handle.empty() || handle == "in" || handle == "out")) {
-    point.kind = handle.empty() ? PickKind::knot : handle == "in" ? PickKind::handle_in : PickKind::handle_out;
-    return true;
-  }
+  constexpr std::pair<std::string_view, PickKind> kMarks[] = {
+      {"", PickKind::knot}, {"in", PickKind::handle_in}, {"out", PickKind::handle_out}, {"spin", PickKind::spin}};
+  if (name->kind == world::Kind::knot && place.empty())
+    for (const auto& [mark, kind] : kMarks)
+      if (handle == mark) return point.kind = kind, true;
   if (name->kind == world::Kind::cart && place.empty() && handle.empty()) return point.kind = PickKind::cart, true;
   if (name->kind != world::Kind::segment || !handle.empty()) return refuse(words, word);
   point.kind = PickKind::curve;

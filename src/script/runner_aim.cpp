@@ -22,6 +22,7 @@ std::string name_of(const world::Document& document, const view::Pick& pick) {
     case view::PickKind::none: return "nothing";
     case view::PickKind::handle_in: return label + ".in";
     case view::PickKind::handle_out: return label + ".out";
+    case view::PickKind::spin: return label + ".spin";
     case view::PickKind::curve: return fmt::format("{}:{}", label, base::to_text(static_cast<float>(pick.t)));
     default: return view::is_gizmo(pick.kind) ? "the gizmo" : label;
   }

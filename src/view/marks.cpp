@@ -1,9 +1,13 @@
 #include "view/marks.h"
 
+#include "view/spin_ring.h"
+
 namespace coaster::view {
 namespace {
 
-bool is_handle(PickKind kind) { return kind == PickKind::handle_in || kind == PickKind::handle_out; }
+bool is_handle(PickKind kind) {
+  return kind == PickKind::handle_in || kind == PickKind::handle_out || kind == PickKind::spin;
+}
 
 }  // namespace
 
@@ -52,6 +56,8 @@ std::vector<PlacedMark> marks_on_screen(const world::Document& document, const w
     add(PickKind::handle_in, e, world::in_handle(knot), order);
     add(PickKind::handle_out, e, world::out_handle(knot), order + 1);
   }
+  if (const auto ring = spin_ring_of(document, settings, view))
+    add(PickKind::spin, ring->knot, glm::vec3(ring->handle()), 2 * knots.size());
   return marks;
 }
 

@@ -9,6 +9,7 @@
 #include "view/overlay_element.h"
 #include "view/overlay_lab.h"
 #include "view/overlay_lab_parts.h"
+#include "view/spin_ring.h"
 #include "world/lab_view.h"
 #include "world/look.h"
 #include "world/selection.h"
@@ -17,7 +18,8 @@ namespace coaster::view {
 namespace {
 
 constexpr std::uint32_t kKnotColour = 0xffffffff, kSelectedColour = 0xff8a1fff, kAlsoColour = 0xffc08aff,
-                        kHandleColour = 0xf2b84bff, kHandleHovered = 0xffdc96ff;
+                        kHandleColour = 0xf2b84bff, kHandleHovered = 0xffdc96ff, kSpinColour = 0xb07affff,
+                        kSpinHovered = 0xdcc4ffff;
 constexpr std::uint32_t kPolygonColour = 0xf2b84bff, kPlaceColour = 0xff8a1fff, kHoveredPlaceColour = 0xffffffff;
 constexpr std::uint32_t kFailureColour = 0xd7263dff;
 constexpr double kFailureHeight = 1.6;  // m above the rails: above the car
@@ -49,6 +51,8 @@ void add_polygons(const world::Document& document, const world::Settings& settin
 Mark mark_of(const PlacedMark& placed, const world::Settings& settings, const Pick& hovered) {
   const bool under_cursor = hovered == Pick{placed.kind, placed.knot};
   const float growth = (under_cursor ? kHoveredGrowth : 1.0f) * settings.look->ui_scale;
+  if (placed.kind == PickKind::spin)
+    return {placed.position, kHandleHalf * growth, under_cursor ? kSpinHovered : kSpinColour, MarkShape::square};
   if (placed.kind != PickKind::knot)
     return {placed.position, kHandleHalf * growth, under_cursor ? kHandleHovered : kHandleColour, MarkShape::square};
   return {placed.position, kKnotRadius * growth,
@@ -85,12 +89,16 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   if (hovered.kind == PickKind::curve) add_disc(hovered.position, kPlaceRadius * scale, kHoveredPlaceColour, overlay);
   if (const auto gizmo = gizmo_of(document, settings, view); gizmo && !findings.riding)
     add_gizmo(*gizmo, view, scale, hovered.kind, overlay);
+  if (const auto ring = spin_ring_of(document, settings, view); ring && !findings.riding)
+    add_spin_ring(*ring, scale, overlay);
   std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
   std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
-  for (const PlacedMark& placed : marks)
-    if ((!findings.riding && settings.lab->layers.has(world::Layer::knots)) ||
-        world::is_selected(settings, placed.knot) || hovered == Pick{placed.kind, placed.knot})
+  const bool all = !findings.riding && settings.lab->layers.has(world::Layer::knots);
+  for (const PlacedMark& placed : marks) {
+    const bool chosen = world::is_selected(settings, placed.knot) || hovered == Pick{placed.kind, placed.knot};
+    if (placed.kind == PickKind::spin ? !findings.riding : all || chosen)
       overlay.marks.push_back(mark_of(placed, settings, hovered));
+  }
   add_failure(derived, findings.failure, view, scale, overlay);
   return overlay;
 }

@@ -9,6 +9,7 @@
 #include "view/beam.h"
 #include "view/gizmo.h"
 #include "view/marks.h"
+#include "view/spin_ring.h"
 #include "world/look.h"
 
 namespace coaster::view {
@@ -44,6 +45,8 @@ std::optional<Pick> pick_mark(const world::Document& document, const sim::Derive
     try_mark(PickKind::handle_in, e, world::in_handle(knot), order);
     try_mark(PickKind::handle_out, e, world::out_handle(knot), [&] { return order() + 1; });
   }
+  if (const auto ring = spin_ring_of(document, settings, view))
+    try_mark(PickKind::spin, ring->knot, glm::vec3(ring->handle()), [&] { return 2 * knots.size(); });
   if (!best && derived.order.empty()) {
     for (std::size_t i = 0; i < knots.size(); ++i) try_knot(i);
   } else if (!best) {  // handles are over knots

@@ -15,6 +15,7 @@ enum class PickKind : std::uint8_t {
   knot,
   handle_in,
   handle_out,
+  spin,  // the handle of the spin ring (view/spin_ring.h)
   cart,
   curve,
   axis_x,
@@ -64,7 +65,7 @@ std::optional<Pick> pick_curve_of_all(const sim::Derived& derived, const View& v
 std::optional<Pick> pick_segment(const sim::Derived& derived, const View& view, glm::vec2 pixel, world::Entity segment);
 
 // Returns the point that a script aims at: the position of the mark, the position on the curve, the middle of the car;
-// nothing if there is no such entity.
+// nothing if there is no such entity. The handle of a spin has none without a view.
 std::optional<glm::vec3> position_of(const world::Document& document, const sim::Derived& derived,
                                      const world::Motion& motion, PickKind kind, world::Entity entity, double t);
 

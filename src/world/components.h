@@ -19,6 +19,7 @@ inline constexpr float kMinHandle = 0.01f;           // m
 inline constexpr float kMaxHandle = 10'000.0f;       // m
 inline constexpr std::size_t kMaxNameBytes = 200;    // of a track's name
 inline constexpr int kMaxTurns = 16;                 // whole turns of roll within a segment
+inline constexpr float kMaxSpin = 20.0f;             // rad/m, of a knot
 inline constexpr double kMaxSpeed = 150.0;           // m/s, of the start speed
 inline constexpr std::size_t kMaxKnots = 1'000'000;
 inline constexpr std::size_t kMaxCarts = 64;
@@ -39,7 +40,16 @@ inline constexpr base::NameRow kJointKinds[] = {
     {"automatic", "Automatic", "Direction and lengths from the neighbouring knots (Catmull-Rom)."}};
 constexpr std::span<const base::NameRow> rows_of(JointKind) { return kJointKinds; }
 
-// A point on the track. Knots own the geometry, so every joint has a common tangent line (G1).
+// automatic: from the twists of the segments on both sides (sim/shape/spin.h), computed again when one of them is
+// edited by roll, turns, insertion or removal; a move keeps it. set: by the user alone.
+enum class SpinKind : std::uint8_t { automatic, set };
+inline constexpr base::NameRow kSpinKinds[] = {
+    {"automatic", "Automatic", "Follows the roll of the neighbouring knots without overshoot."},
+    {"set", "Set", "Stays as it was set."}};
+constexpr std::span<const base::NameRow> rows_of(SpinKind) { return kSpinKinds; }
+
+// A point on the track. Knots own the geometry, so every joint has a common tangent line (G1), and the roll rate, so
+// that it is continuous over every joint.
 struct Knot {
   glm::vec3 position{0};       // m, |coordinate| <= kMaxCoordinate
   glm::vec3 tangent{1, 0, 0};  // unit, direction of travel
@@ -47,6 +57,9 @@ struct Knot {
   float in_length = 5;         // m, from the knot back to the handle before it; kMinHandle..kMaxHandle
   float out_length = 5;        // m, to the handle after it
   JointKind joint = JointKind::smooth;
+  float spin = 0;  // rad/m, rate of `up` about the tangent against the rotation-minimising frame, positive to the
+                   // rider's right; within +-kMaxSpin
+  SpinKind spin_kind = SpinKind::automatic;
   static constexpr void fields(auto visit) {
     visit(Field{"position", 0, kMaxCoordinate}, &Knot::position);
     visit(Field{"tangent"}, &Knot::tangent);
@@ -54,6 +67,8 @@ struct Knot {
     visit(Field{"in", kMinHandle, kMaxHandle}, &Knot::in_length);
     visit(Field{"out", kMinHandle, kMaxHandle}, &Knot::out_length);
     visit(Field{"joint"}, &Knot::joint);
+    visit(Field{"spin", -kMaxSpin, kMaxSpin, InFile::unusual, 1}, &Knot::spin);
+    visit(Field{"spin_kind", 0, 0, InFile::unusual, 1}, &Knot::spin_kind);
   }
   friend bool operator==(const Knot&, const Knot&) = default;
 };

@@ -43,14 +43,14 @@ inline constexpr ElementParameter kStraight[] = {
      "Roll along it, positive to the rider's right. 0 levels out, 360 is an inline twist."},
 };
 inline constexpr ElementParameter kCurve[] = {
-    {"radius", "Radius", "m", 25, 3, 1000, "Radius of the circle between the two clothoids."},
+    {"radius", "Radius", "m", 25, 3, 1000, "Radius of the circle between the two ramps of curvature."},
     {"angle", "Angle", "deg", 90, 1, 1080, "Change of direction."},
     {"bank", "Bank", "deg", 40, -30, 110,
      "Roll towards the inside at the tightest place. Ignored when a speed is set."},
     {"speed", "For speed", "m/s", 0, 0, 150, kSpeedHelp},
 };
 inline constexpr ElementParameter kHelix[] = {
-    {"radius", "Radius", "m", 16, 3, 1000, "Radius in plan, between the two clothoids."},
+    {"radius", "Radius", "m", 16, 3, 1000, "Radius in plan, between the two ramps of curvature."},
     {"turns", "Turns", "", 2, 0.25, 12, "Number of turns of 360 degrees."},
     {"height", "Height", "m", -10, -200, 200, "Rise from start to end. Below 0 it descends."},
     {"bank", "Bank", "deg", 50, -30, 110, "Roll towards the inside. Ignored when a speed is set."},
@@ -87,7 +87,7 @@ inline constexpr ElementParameter kCorkscrew[] = {
 
 inline constexpr ElementRow kElements[] = {
     {"straight", "Straight", "A straight. It can roll.", false, element_rows::kStraight},
-    {"curve", "Curve", "A banked turn: clothoid, circle, clothoid. It keeps the slope it starts with.", true,
+    {"curve", "Curve", "A banked turn: its curvature rises, stays and falls. It keeps the slope it starts with.", true,
      element_rows::kCurve},
     {"helix", "Helix", "A rising or descending helix that ends level.", true, element_rows::kHelix},
     {"climb", "Climb", "A climb that ends level, for lifts.", false, element_rows::kClimb},

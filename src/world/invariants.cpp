@@ -26,6 +26,7 @@ Broken broken_knot(const Document& document, Entity e) {
   if (!within(glm::dot(tangent, up), -kUnitTolerance, kUnitTolerance)) return broken("up is not perpendicular");
   if (!within(k.in_length, kMinHandle, kMaxHandle) || !within(k.out_length, kMinHandle, kMaxHandle))
     return broken("handle length beyond the limits");
+  if (!within(k.spin, -kMaxSpin, kMaxSpin)) return broken("spin beyond the limit");
   if (k.joint == JointKind::smooth && k.in_length != k.out_length) return broken("smooth joint with unequal lengths");
   return {};
 }

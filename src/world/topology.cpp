@@ -83,7 +83,7 @@ Entity append_knot(Document& document, const Knot& value) {
   return e;
 }
 
-SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 up) {
+SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 up, float spin) {
   const auto index = index_of(document.track.segments, first);
   COASTER_CHECK(index, "the segment is on the track");
   const curve::Cubic whole = cubic_of(document, first);
@@ -102,6 +102,7 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
   middle.position = parts.left.p3;
   middle.tangent = glm::vec3(curve::unit_tangent(whole, t));
   middle.up = up;
+  middle.spin = std::clamp(spin, -kMaxSpin, kMaxSpin);
   middle.joint = JointKind::aligned;
   middle.in_length = as_handle(lengths[1]), middle.out_length = as_handle(lengths[2]);
   orthonormalise(middle);

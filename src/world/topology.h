@@ -18,10 +18,10 @@ struct SplitResult {
 };
 // Splits at t in (0,1) by de Casteljau without changing the shape (to float rounding): the knots at both ends become
 // aligned and get the scaled handle lengths (Paper erratum: the split scales the parametric speed, so uniform C1
-// becomes G1). `up` is that of the segment's own frame at t, passed by the caller. Trains as designed keep their
-// positions. If a handle would leave kMinHandle..kMaxHandle, or a knot kMaxCoordinate, nothing changes and knot is
-// kNone. `turns` stay with the first segment: sim, which knows the twist, distributes them.
-SplitResult split_segment(Document& document, Entity segment, double t, glm::vec3 up);
+// becomes G1). `up` and `spin` (rad/m) are those of the segment's own frame at t, passed by the caller. Trains as
+// designed keep their positions. If a handle would leave kMinHandle..kMaxHandle, or a knot kMaxCoordinate, nothing
+// changes and knot is kNone. `turns` stay with the first segment: sim, which knows the twist, distributes them.
+SplitResult split_segment(Document& document, Entity segment, double t, glm::vec3 up, float spin = 0);
 
 // Removes a knot; its two segments become one (the earlier one survives); trains of the later one move to the survivor.
 // At the end of an open track its segment and the trains on it are removed. A closed track of 2 knots becomes open,

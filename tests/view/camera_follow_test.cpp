@@ -76,6 +76,7 @@ TEST(ride_camera, a_steady_roll_is_followed_as_late_as_the_setting_says) {
   // A straight line that rolls by 360 degrees in 40 m at 20 m/s: half a turn a second.
   world::Document d = test::straight_document({3, 30, -7}, {803, 30, -7}, 20);
   for (const world::Entity e : d.track.segments) d.entities.get<world::Segment>(e).turns = 1;
+  sim::set_automatic_spins(d);
   for (const double lag : {0.0, 0.1, 0.25, 0.6}) {
     Watch w(with_cart(d, 20), CameraMode::ride);
     w.settings.feel->roll_damping = static_cast<float>(lag);

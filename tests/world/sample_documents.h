@@ -66,6 +66,11 @@ inline world::Document random_document(std::uint32_t seed) {
   d.name = whole(2) ? "Ünï \\ \"q\"" : "plain";
   d.start_speed = uniform(-150, 150), d.datum = uniform(-50, 50);
   world::settle_joints(d);
+  for (const world::Entity e : d.track.knots) {
+    world::Knot& knot = d.entities.get<world::Knot>(e);
+    if (whole(2)) knot.spin = static_cast<float>(uniform(-0.4, 0.4));
+    if (whole(2)) knot.spin_kind = world::SpinKind::set;
+  }
   return d;
 }
 

@@ -45,6 +45,22 @@ struct SetRoll {
                   Effect::document);
   COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
+struct SetSpin {
+  Knots knots;
+  double to = 0;
+  COASTER_COMMAND(SetSpin, "spin",
+                  "Set the spin of knots: the rate at which the track rolls there (degrees per metre, positive to the "
+                  "rider's right).",
+                  Effect::document);
+  COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
+};
+struct AutomaticSpin {
+  Knots knots;
+  COASTER_COMMAND(AutomaticSpin, "auto_spin",
+                  "Let the spin of knots follow from the roll of their neighbours, without overshoot.",
+                  Effect::document);
+  COASTER_FIELDS(visit("", self.knots))
+};
 struct SetJoint {
   Knots knots;
   world::JointKind to = world::JointKind::smooth;
@@ -122,8 +138,8 @@ struct MakeAllG2 {
   COASTER_FIELDS()
 };
 
-using DocumentCommands =
-    CommandList<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetJoint, SetTurns, SplitSegment, AddCurve,
-                AppendKnot, RemoveKnot, SetClosed, AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2>;
+using DocumentCommands = CommandList<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetSpin, AutomaticSpin,
+                                     SetJoint, SetTurns, SplitSegment, AddCurve, AppendKnot, RemoveKnot, SetClosed,
+                                     AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2>;
 
 }  // namespace coaster::edit

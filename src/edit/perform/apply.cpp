@@ -1,6 +1,7 @@
 // Every command's way into the session, and what follows from it: joints, derived data, carts, history, notices.
 #include "edit/perform/apply.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -29,27 +30,30 @@ void settle_motion(Session& session) {
 }
 
 // A split only knows `up` at the new knot, which fixes the twist of both halves up to whole turns: those follow from
-// the segment's twist, divided by length.
-void share_turns(Session& session, const MotionFollowUp& split, double twist) {
+// the segment's roll.
+void share_turns(Session& session, const MotionFollowUp& split, const sim::Roll& roll) {
   const double left = session.derived.shape(split.first).arc.length(),
                right = session.derived.shape(split.second).arc.length();
+  if (!(left + right > 0)) return;
+  const double first = roll.angle(roll.length * (left / (left + right)));
   bool changed = false;
-  for (const auto& [e, share] : {std::pair{split.first, left}, std::pair{split.second, right}}) {
-    if (!(left + right > 0)) continue;
-    const double missing = twist * (share / (left + right)) - session.derived.shape(e).twist;
+  for (const auto& [e, twist] : {std::pair{split.first, first}, std::pair{split.second, roll.twist - first}}) {
+    const double missing = twist - session.derived.shape(e).roll.twist;
     const auto turns = static_cast<std::int32_t>(std::lround(missing / (2 * base::kPi)));
     if (turns == 0) continue;
-    session.document.entities.get<world::Segment>(e).turns += turns;
+    std::int32_t& own = session.document.entities.get<world::Segment>(e).turns;
+    own = std::clamp(own + turns, -world::kMaxTurns, world::kMaxTurns);
     changed = true;
   }
   if (changed) derive(session);
 }
 
 // Restores everything that must hold after a change of the document.
-void follow_document(Session& session, const Change& change, double twist_before) {
+void follow_document(Session& session, const Change& change, const sim::Roll& roll_before) {
   world::settle_joints(session.document);
   derive(session);
-  if (change.motion.kind == MotionFollowUp::Kind::split) share_turns(session, change.motion, twist_before);
+  if (change.motion.kind == MotionFollowUp::Kind::split) share_turns(session, change.motion, roll_before);
+  if (sim::set_automatic_spins(session.derived, change.respun, session.document)) derive(session);
   follow(change.motion, session.document, session.derived, session.motion);
   settle_motion(session);
   if (change.select) session.settings.selected = *change.select, session.settings.also = change.also;
@@ -65,7 +69,7 @@ Status document_command(Session& session, const C& command, Change& change) {
   if (!status) return status;
   // The derived data are still those of the previous document.
   const sim::SegmentShape* const split = session.derived.segments.find(change.motion.first);
-  follow_document(session, change, split ? split->twist : 0.0);
+  follow_document(session, change, split ? split->roll : sim::Roll{});
   if (history.in_gesture) history.gesture_label = print(command);
   else if (!(*before == session.document)) record(history, print(command), std::move(*before));
   return {};

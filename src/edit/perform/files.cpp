@@ -34,6 +34,7 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
   session.settings.selected = world::kNone, session.settings.also.clear();
   session.settings.aids->append_mode = false;
   session.file.path = std::move(path);
+  session.file.version = exchange::kTrackVersion;
   session.file.import.reset();
   session.file.content.reset();
   session.game.challenge.reset();
@@ -57,6 +58,7 @@ Status perform(Session& session, Change& change, const Load& command) {
              exchange::format_of(command.path)->whole ? command.path : std::string());
   session.file.import = loaded->import;
   session.file.content = loaded->content;
+  session.file.version = loaded->version;
   warn(session, loaded->warnings);
   change.note = std::move(loaded->note);
   return {};
@@ -83,6 +85,9 @@ Status perform(Session& session, Change& change, const Save& command) {
     session.file.content = content;
   }
   change.note = fmt::format("{} {}", whole ? "Saved" : "Exported", command.path);
+  if (whole && std::exchange(session.file.version, exchange::kTrackVersion) < exchange::kTrackVersion)
+    change.note += fmt::format(" in version {} of the format, which older versions of this program refuse.",
+                               exchange::kTrackVersion);
   return {};
 }
 Status perform(Session& session, Change& change, const SaveMeasurements& command) {

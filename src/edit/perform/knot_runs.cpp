@@ -50,6 +50,19 @@ base::Result<std::vector<world::Entity>> knots_of(const Session& session, const 
                                                        : "expected a knot, found none");
 }
 
+std::vector<world::Entity> with_neighbours(const world::Document& document,
+                                           const std::vector<world::Entity>& in_track_order) {
+  const world::Track& track = document.track;
+  std::vector<world::Entity> all;
+  for (const KnotRun& run : runs_of(document, in_track_order)) {
+    const std::size_t count = track.knots.size(), first = run.places.front(), last = run.places.back();
+    if (first > 0 || track.closed) all.push_back(track.knots[(first + count - 1) % count]);
+    for (const std::size_t place : run.places) all.push_back(track.knots[place]);
+    if (last + 1 < count || track.closed) all.push_back(track.knots[(last + 1) % count]);
+  }
+  return all;
+}
+
 std::vector<KnotRun> runs_of(const world::Document& document, const std::vector<world::Entity>& in_track_order) {
   const world::Track& track = document.track;
   const std::size_t count = track.knots.size();

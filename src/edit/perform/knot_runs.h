@@ -10,6 +10,10 @@ namespace coaster::edit {
 // Returns the living knots that a command names, each once, in track order; refused if there is none.
 base::Result<std::vector<world::Entity>> knots_of(const Session& session, const Knots& knots);
 
+// Returns knots (in track order) and those beside them on the track.
+std::vector<world::Entity> with_neighbours(const world::Document& document,
+                                           const std::vector<world::Entity>& in_track_order);
+
 // Consecutive knots of the track, as indices into track.knots.
 struct KnotRun {
   std::vector<std::size_t> places;  // in the order of travel; may cross the closed track's joint

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable_math.h"
 #include "edit/commands/commands_document.h"
 #include "edit/perform/knot_runs.h"
 #include "world/topology.h"
@@ -80,12 +81,34 @@ Status perform(Session& session, Change& change, const SetLengths& command) {
   return {};
 }
 
-Status perform(Session& session, Change&, const SetRoll& command) {
+Status perform(Session& session, Change& change, const SetRoll& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
   if (!std::isfinite(command.to)) return refused("expected a finite angle");
   for (const world::Entity e : *knots)
     world::set_roll(knot_at(session, e), command.to);  // any angle is valid: it wraps
+  change.respun = with_neighbours(session.document, *knots);
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetSpin& command) {
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
+  if (!std::isfinite(command.to)) return refused("expected a finite rate");
+  const double most = base::degrees(double{world::kMaxSpin});
+  const auto spin = static_cast<float>(base::radians(change.clamp("spin", command.to, -most, most, "deg/m")));
+  for (const world::Entity e : *knots) {
+    Knot& knot = knot_at(session, e);
+    knot.spin = std::clamp(spin, -world::kMaxSpin, world::kMaxSpin), knot.spin_kind = world::SpinKind::set;
+  }
+  return {};
+}
+
+Status perform(Session& session, Change& change, const AutomaticSpin& command) {
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
+  for (const world::Entity e : *knots) knot_at(session, e).spin_kind = world::SpinKind::automatic;
+  change.respun = *knots;
   return {};
 }
 
@@ -106,6 +129,8 @@ Status perform(Session& session, Change& change, const SetTurns& command) {
   if (!e) return e.status();
   session.document.entities.get<world::Segment>(*e).turns =
       change.clamp("turns", command.to, -world::kMaxTurns, world::kMaxTurns);
+  const world::Segment& segment = world::segment(session.document, *e);
+  change.respun = {segment.from, segment.to};
   return {};
 }
 

@@ -96,6 +96,7 @@ Status perform(Session& session, Change& change, const AutoBank&) {
     world::orthonormalise(knot);
     ++turned;
   }
+  change.respun = session.document.track.knots;
   change.note = fmt::format("Banked {} {}.", turned, turned == 1 ? "knot" : "knots");
   return {};
 }

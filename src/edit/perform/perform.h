@@ -25,6 +25,7 @@ struct Change {
   std::vector<std::string> clamped{};  // one sentence for each clamped value or other warning
   std::string note{};                  // result to show on success, if it is not obvious
   MotionFollowUp motion{};
+  std::vector<world::Entity> respun{};    // knots whose automatic spins follow from new twists
   std::optional<world::Entity> select{};  // the selection on success
   std::vector<world::Entity> also{};      // further selected knots
   bool remeasure = false;                 // a setting with derived data has changed

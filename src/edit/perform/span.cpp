@@ -91,6 +91,7 @@ Status perform(Session& session, Change& change, const Duplicate& command) {
   end.out_length = from.out_length;
   if (end.in_length != end.out_length || end.joint == world::JointKind::automatic)
     end.joint = world::JointKind::aligned;
+  change.respun = {document.track.knots.back()};
   for (std::size_t i = 1; i <= more; ++i) {
     const Entity original = document.track.segments[runs[0].places[i] - 1];
     const Entity copy = world::append_knot(document, carried(change, world::knot(document, (*knots)[i]), from, to));
@@ -114,12 +115,14 @@ Status perform(Session& session, Change& change, const CloseExactly& command) {
       glm::length(dvec3(world::knot(document, last).position) - dvec3(world::knot(document, first).position));
   if (gap <= command.within && track.knots.size() >= 3) {
     world::weld_ends(document);
+    change.respun = {first};
     change.note =
         fmt::format("Joined both ends, {} m apart, into one knot.", base::to_text(std::round(gap * 1e3) / 1e3));
     return {};
   }
   if (const Status room = room_for(session, track.knots.size(), track.knots.size()); !room) return room;
   close_by_segment(document, 0);  // handles that fit the gap, whatever the ends had
+  change.respun = {first, last};
   return {};
 }
 

@@ -23,8 +23,10 @@ Status split_at(Session& session, Change& change, Entity segment, double t) {
   world::Document& document = session.document;
   const Status room = room_for(session, document.track.knots.size() + 1, document.track.segments.size() + 1);
   if (!room) return room;
-  const glm::vec3 up(sim::frame_of(document, segment, t).up);
-  const world::SplitResult split = world::split_segment(document, segment, t, up);
+  const sim::SegmentShape& shape = session.derived.shape(segment);
+  const double s = shape.arc.distance(t);
+  const world::SplitResult split = world::split_segment(document, segment, t, glm::vec3(sim::frame_at(shape, s).up),
+                                                        static_cast<float>(shape.roll.spin(s)));
   if (!split.knot.valid())
     return refused(fmt::format("a handle would leave the limits of {} to {} m, or the knot the world",
                                base::to_text(world::kMinHandle), base::to_text(world::kMaxHandle)));
@@ -41,6 +43,7 @@ Status append_at(Session& session, Change& change, glm::vec3 position) {
   if (!room) return room;
   const world::Knot knot = appended_knot(document, position);
   reshape_end(document, true, position);
+  if (knots > 0) change.respun.push_back(document.track.knots.back());
   change.select = world::append_knot(document, knot);
   // A first segment gets a train, so that there is something to watch.
   if (document.track.segments.size() == 1 && document.entities.pool<world::Cart>().size() == 0)
@@ -97,11 +100,13 @@ Status perform(Session& session, Change& change, const RemoveKnot& command) {
   if (merge)
     change.motion = {MotionFollowUp::Kind::merged, sides.before, sides.after,
                      session.derived.shape(sides.before).arc.length(), session.derived.shape(sides.after).arc.length()};
+  if (sides.before.valid()) change.respun.push_back(world::segment(document, sides.before).from);
+  if (sides.after.valid()) change.respun.push_back(world::segment(document, sides.after).to);
   world::remove_knot(document, *e);
   return {};
 }
 
-Status perform(Session& session, Change&, const SetClosed& command) {
+Status perform(Session& session, Change& change, const SetClosed& command) {
   world::Document& document = session.document;
   const world::Track& track = document.track;
   if (command.to == track.closed) return {};
@@ -113,6 +118,7 @@ Status perform(Session& session, Change&, const SetClosed& command) {
   } else {
     world::set_closed(document, false);
   }
+  change.respun = {track.knots.front(), track.knots.back()};
   return {};
 }
 

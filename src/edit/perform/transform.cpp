@@ -49,11 +49,13 @@ void turn(Knot& knot, const dmat3& linear, bool& cut) {
   world::set_tangent(knot, glm::vec3(tangent / stretch));
   knot.up = glm::vec3(curve::perpendicular(dvec3(knot.tangent), up));
   world::orthonormalise(knot);
+  knot.spin = static_cast<float>(std::clamp<double>(knot.spin * (glm::determinant(linear) < 0 ? -1 : 1) / stretch,
+                                                    -world::kMaxSpin, world::kMaxSpin));
   knot.in_length = cut_length(knot.in_length * stretch, cut),
   knot.out_length = cut_length(knot.out_length * stretch, cut);
 }
 
-// Mirrors reverse twists: whole turns between two mirrored knots change sign.
+// Mirrors reverse twists: whole turns between two mirrored knots change sign, as spins do.
 void turn_back_twists(world::Document& document, const std::vector<Entity>& knots, const world::Document* then) {
   for (const Entity e : document.track.segments) {
     world::Segment& segment = document.entities.get<world::Segment>(e);

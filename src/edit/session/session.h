@@ -62,9 +62,10 @@ struct Notices {
 
 // The document's file.
 struct DocumentFile {
-  std::filesystem::path path;            // empty when it has none
-  std::uint64_t saved_hash = 0;          // of the document when last loaded, saved or made
-  std::optional<std::uint64_t> content;  // hash of the file's bytes as this program last read or wrote them
+  std::filesystem::path path;             // empty when it has none
+  std::uint64_t saved_hash = 0;           // of the document when last loaded, saved or made
+  std::optional<std::uint64_t> content;   // hash of the file's bytes as this program last read or wrote them
+  int version = exchange::kTrackVersion;  // of the format, as it was loaded
   std::optional<ReadAhead> read_ahead;
   std::optional<exchange::ImportReport> import;  // how well the document, as it was loaded, meets the file it was
                                                  // fitted to

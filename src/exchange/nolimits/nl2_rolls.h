@@ -25,12 +25,14 @@ struct Stop {
   double t = 0, s = 0;           // parameter of the piece; m along the track
   std::optional<glm::dvec3> up;  // of the roll here
   double angle = 0;              // rad of the track against the rotation-minimising frame; 0 everywhere without rolls
+  double spin = 0;               // rad/m, of the knot here
 };
 
 // Returns the start of every piece, the end of an open track, and the rolls between them that need a knot, in the order
 // of travel. Between rolls the angle to the rotation-minimising frame is linear along the track; before the first and
-// after the last roll of an open track it is constant. A closed track gets a last stop too, after its lap, with the
-// angle there. Without rolls no stop has an `up`; with them every one does.
+// after the last roll of an open track it is constant. Stops have the spins with which the track meets the rolls
+// between them best, and are near the automatic ones where there are none. A closed track gets a last stop too, after
+// its lap, with the angle there. Without rolls no stop has an `up`; with them every one does.
 std::vector<Stop> stops_of(std::span<const Bezier> pieces, bool closed, std::vector<ElementRoll> rolls);
 
 inline constexpr double kRollError = 0.25;  // degrees, of the track between printed rolls

@@ -5,6 +5,7 @@
 
 #include "base/portable_math.h"
 #include "exchange/nolimits/nl2_rolls.h"
+#include "sim/shape/roll.h"
 #include "world/components.h"
 
 namespace coaster::exchange {
@@ -123,25 +124,115 @@ double angle_at(const std::vector<Angle>& angles, double s) {
   return before.value + (after->value - before.value) * (s - before.s) / (after->s - before.s);
 }
 
-// Makes knots of the rolls between two knots until the linear roll from knot to knot meets all of them.
-void choose_knots(std::vector<Candidate>& all, std::size_t first, std::size_t last) {
-  std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
-  while (!open.empty()) {
-    const auto [a, b] = open.back();
-    open.pop_back();
-    const Stop &from = all[a].stop, &to = all[b].stop;
-    std::size_t worst = (a + b) / 2;
-    double most = std::abs(to.angle - from.angle) > kTurn * (world::kMaxTurns - 1) ? 1e-9 : 0;
-    const double bound = most > 0 ? 0 : base::radians(kRollTolerance);
-    for (std::size_t i = a + 1; i < b; ++i) {
-      const double share = (all[i].stop.s - from.s) / (to.s - from.s);
-      const double off = std::abs(from.angle + share * (to.angle - from.angle) - all[i].stop.angle);
-      if (off > most) most = off, worst = i;
+// A symmetric system of equations for the spins of knots, each tied to its neighbours alone.
+struct SpinSystem {
+  std::vector<double> diagonal, beside, right;  // beside: with the next one, cyclically
+
+  std::vector<double> times(const std::vector<double>& x) const {
+    const std::size_t n = x.size();
+    std::vector<double> y(n);
+    for (std::size_t i = 0; i < n; ++i) y[i] += diagonal[i] * x[i];
+    for (std::size_t i = 0; i < n; ++i)
+      if (const std::size_t next = i + 1 < n ? i + 1 : 0; next != i)
+        y[i] += beside[i] * x[next], y[next] += beside[i] * x[i];
+    return y;
+  }
+  // Improves x by conjugate gradients (Hestenes and Stiefel 1952), scaled by the diagonal.
+  void solve(std::vector<double>& x) const {
+    constexpr int kMostSteps = 200;
+    constexpr double kDone = 1e-24;  // of the first residual's square
+    const std::size_t n = x.size();
+    const std::vector<double> at_start = times(x);
+    std::vector<double> rest(n), way(n);
+    double size = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      rest[i] = right[i] - at_start[i], way[i] = rest[i] / diagonal[i];
+      size += rest[i] * way[i];
     }
-    if (b - a < 2 || most <= bound) continue;
-    all[worst].knot = true;
-    open.push_back({a, worst});
-    open.push_back({worst, b});
+    const double first = size;
+    for (int step = 0; step < kMostSteps && size > kDone * first; ++step) {
+      const std::vector<double> moved = times(way);
+      double along = 0, next = 0;
+      for (std::size_t i = 0; i < n; ++i) along += way[i] * moved[i];
+      for (std::size_t i = 0; i < n; ++i) {
+        x[i] += size / along * way[i], rest[i] -= size / along * moved[i];
+        next += rest[i] * rest[i] / diagonal[i];
+      }
+      for (std::size_t i = 0; i < n; ++i) way[i] = rest[i] / diagonal[i] + next / size * way[i];
+      size = next;
+    }
+  }
+};
+
+// Returns the roll between neighbouring stops among `at`: with the spins that meet the rolls between them by least
+// squares, drawn weakly to the automatic ones.
+std::vector<sim::Roll> rolls_between(const std::vector<Candidate>& all, const std::vector<std::size_t>& at,
+                                     bool closed) {
+  constexpr double kPull = 1e-4;
+  std::vector<sim::Roll> rolls;
+  for (std::size_t k = 0; k + 1 < at.size(); ++k) {
+    const Stop &from = all[at[k]].stop, &to = all[at[k + 1]].stop;
+    rolls.push_back({to.s - from.s, to.angle - from.angle, 0, 0});
+  }
+  const std::size_t count = closed ? rolls.size() : at.size();
+  const auto next = [count](std::size_t k) { return k + 1 < count ? k + 1 : 0; };
+  std::vector<double> spins(count);
+  for (std::size_t k = closed ? 0 : 1; k < rolls.size(); ++k) {
+    const sim::Roll& before = rolls[k > 0 ? k - 1 : rolls.size() - 1];
+    spins[k] = sim::automatic_spin(before.twist, before.length, rolls[k].twist, rolls[k].length);
+  }
+  SpinSystem system{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
+  for (std::size_t k = 0; k < rolls.size(); ++k) {
+    const double length = rolls[k].length, pull = kPull * length * kPull * length;
+    for (const std::size_t end : {k, next(k)}) system.diagonal[end] += pull, system.right[end] += pull * spins[end];
+    for (std::size_t i = at[k] + 1; i < at[k + 1]; ++i) {
+      const double s = all[i].stop.s - all[at[k]].stop.s, missing = all[i].stop.angle - all[at[k]].stop.angle -
+                                                                    sim::Roll{length, rolls[k].twist, 0, 0}.angle(s);
+      const double a = sim::Roll{length, 0, 1, 0}.angle(s), b = sim::Roll{length, 0, 0, 1}.angle(s);
+      system.diagonal[k] += a * a, system.diagonal[next(k)] += b * b, system.beside[k] += a * b;
+      system.right[k] += a * missing, system.right[next(k)] += b * missing;
+    }
+  }
+  system.solve(spins);
+  for (std::size_t k = 0; k < rolls.size(); ++k) rolls[k].from = spins[k], rolls[k].to = spins[next(k)];
+  return rolls;
+}
+
+// The roll between two stops that the track misses by most, if it misses any.
+struct Miss {
+  std::size_t at = 0;
+  double off = 0;  // rad; 0: it meets all of them
+};
+Miss worst_miss(const std::vector<Candidate>& all, std::size_t a, std::size_t b, const sim::Roll& roll) {
+  if (b - a > 1 && std::abs(roll.twist) > kTurn * (world::kMaxTurns - 1)) return {(a + b) / 2, kTurn};
+  Miss worst;
+  for (std::size_t i = a + 1; i < b; ++i) {
+    const double angle = all[a].stop.angle + roll.angle(all[i].stop.s - all[a].stop.s);
+    const double off = std::abs(angle - all[i].stop.angle);
+    if (off > base::radians(kRollTolerance) && off > worst.off) worst = {i, off};
+  }
+  return worst;
+}
+
+// Makes knots of rolls until the track meets all of them. Of neighbouring spans that miss some only the worst is
+// divided: spins that fit it better may mend the others.
+void choose_knots(std::vector<Candidate>& all, bool closed) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::vector<std::size_t> at;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].knot) at.push_back(i);
+    const std::vector<sim::Roll> rolls = rolls_between(all, at, closed);
+    std::vector<Miss> misses;
+    for (std::size_t k = 0; k < rolls.size(); ++k) {
+      misses.push_back(worst_miss(all, at[k], at[k + 1], rolls[k]));
+      all[at[k]].stop.spin = rolls[k].from, all[at[k + 1]].stop.spin = rolls[k].to;
+    }
+    for (std::size_t k = 0; k < misses.size(); ++k) {
+      const double before = k > 0 ? misses[k - 1].off : 0, after = k + 1 < misses.size() ? misses[k + 1].off : 0;
+      if (misses[k].off > 0 && misses[k].off > before && misses[k].off >= after)
+        all[misses[k].at].knot = changed = true;
+    }
   }
 }
 
@@ -157,9 +248,7 @@ std::vector<Stop> stops_of(std::span<const Bezier> pieces, bool closed, std::vec
       c.stop.angle = angle_at(angles, c.stop.s);
       c.stop.up = curve::rotate(c.carried.up, c.carried.forward, c.stop.angle);
     }
-    std::size_t last = 0;
-    for (std::size_t i = 1; i < all.size(); ++i)
-      if (all[i].knot) choose_knots(all, std::exchange(last, i), i);
+    choose_knots(all, closed);
   }
   std::vector<Stop> stops;
   for (const Candidate& c : all)

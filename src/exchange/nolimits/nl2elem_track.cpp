@@ -8,6 +8,7 @@
 #include "base/portable_math.h"
 #include "base/text.h"
 #include "exchange/nolimits/nl2_corners.h"
+#include "sim/shape/roll.h"
 #include "world/topology.h"
 
 namespace coaster::exchange {
@@ -98,6 +99,8 @@ void append_knots(const std::vector<Bezier>& segments, const std::vector<Stop>& 
     world::Knot knot = knot_of(last ? after[3] : after[0], comes + goes, first ? out : in, last ? in : out);
     if (stops[i].up) knot.up = glm::vec3(curve::perpendicular(dvec3(knot.tangent), *stops[i].up));
     else world::set_roll(knot, 0);
+    if (std::abs(stops[i].spin) >= sim::kLeastSpin)
+      knot.spin = static_cast<float>(std::clamp<double>(stops[i].spin, -world::kMaxSpin, world::kMaxSpin));
     world::orthonormalise(knot);
     world::append_knot(document, knot);
   }
@@ -109,7 +112,7 @@ void set_turns(const std::vector<Stop>& stops, world::Document& document) {
   const sim::Derived derived = sim::shapes_of(document);
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const double wanted = stops[i + 1].angle - stops[i].angle;
-    const double turns = std::round((wanted - derived.shape(derived.order[i]).twist) / (2 * base::kPi));
+    const double turns = std::round((wanted - derived.shape(derived.order[i]).roll.twist) / (2 * base::kPi));
     document.entities.get<world::Segment>(derived.order[i]).turns =
         std::clamp(static_cast<std::int32_t>(turns), -world::kMaxTurns, world::kMaxTurns);
   }
@@ -154,6 +157,7 @@ ElementTrack track_of(const ElementFile& file) {
         0, fmt::format("{} handles shorter than {} m were lengthened to it", count, base::to_text(world::kMinHandle)));
   append_knots(segments, stops, file.closed, out.document);
   if (!file.rolls.empty()) set_turns(stops, out.document);
+  else sim::set_automatic_spins(out.document);
   world::add_cart(out.document, out.document.track.segments[0], 0);
   measure(out.document, segments, file, out.report);
   return out;

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "curve/frames.h"
 #include "exchange/nolimits/nltrack_records.h"
+#include "sim/shape/roll.h"
 #include "world/topology.h"
 
 namespace coaster::exchange {
@@ -169,6 +170,7 @@ base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view
   if (closed) world::set_closed(document, true);
   for (std::size_t i = 0; i < document.track.segments.size(); ++i)
     if (const base::Status status = set_turns(name, document, i, records); !status) return status;
+  sim::set_automatic_spins(document);
   if (const auto broken = world::broken_invariant(document))
     return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, *broken)};
   track.warnings = warnings_of(changes);

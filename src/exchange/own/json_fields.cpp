@@ -44,14 +44,16 @@ bool Fields::reject(std::string_view name, std::string_view expected) {
   return fail(name, fmt::format("expected {}, found {}", expected, found));
 }
 
-bool Fields::head(std::string_view format, std::int32_t newest) {
+bool Fields::head(std::string_view format, std::int32_t newest, int* version_found) {
   std::string found;
   std::int64_t version = 0;
   if (!text("format", found)) return false;
   if (found != format) return reject("format", fmt::format("\"{}\"", format));
   if (!whole("version", version, 1, std::numeric_limits<std::int32_t>::max())) return false;
-  return version <= newest ||
-         fail("version", fmt::format("version {} is newer than this program supports ({})", version, newest));
+  if (version > newest)
+    return fail("version", fmt::format("version {} is newer than this program supports ({})", version, newest));
+  if (version_found != nullptr) *version_found = static_cast<int>(version);
+  return true;
 }
 
 const Json* Fields::member(std::string_view name, std::string_view expected, Kind kind) {
@@ -87,12 +89,13 @@ bool Fields::number(std::string_view name, double& value, double low, double hig
 }
 
 bool Fields::length(std::string_view name, float& value, float low, float high) {
-  const std::string expected = fmt::format("a length from {} to {} m", limit_text(low), limit_text(high));
+  const std::string expected = low < 0 ? fmt::format("a number from {} to {}", limit_text(low), limit_text(high))
+                                       : fmt::format("a length from {} to {} m", limit_text(low), limit_text(high));
   const Json* const m = member(name, expected, &Json::is_number);
   if (!m) return false;
   // Compared as float: 0.01 in the file means the value of 0.01f.
   const double wide = m->get<double>();
-  if (!(wide >= 0 && wide <= 2 * double{high})) return reject(name, expected);
+  if (!(wide >= std::min(0.0, 2 * double{low}) && wide <= 2 * double{high})) return reject(name, expected);
   value = static_cast<float>(wide);
   return (value >= low && value <= high) || reject(name, expected);
 }

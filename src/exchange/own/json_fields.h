@@ -34,8 +34,9 @@ class Fields {
   bool length(std::string_view member, float& value, float low, float high);
   bool whole(std::string_view member, std::int64_t& value, std::int64_t low, std::int64_t high);
   bool vector(std::string_view member, glm::dvec3& value, double limit);  // |component| <= limit
-  // Reads the first two members of every file of ours: "format", which must match, and "version", 1 to `newest`.
-  bool head(std::string_view format, std::int32_t newest);
+  // Reads the first two members of every file of ours: "format", which must match, and "version", 1 to `newest`, which
+  // it returns in `version`.
+  bool head(std::string_view format, std::int32_t newest, int* version = nullptr);
   // Returns the object of that name, or null after a failure.
   const Json* object(std::string_view member);
   // Returns the array of that name, or null after a failure. More than `most` entries are one.

@@ -15,7 +15,7 @@
 namespace coaster::exchange {
 
 inline constexpr std::string_view kTrackFormat = "coaster-track";
-inline constexpr int kTrackVersion = 1;
+inline constexpr int kTrackVersion = 2;  // 1: without spins, which become automatic
 
 // The errors of a track that was fitted to a file's rows (sim/plan/fit_track.h), measured at every row on the document
 // itself.
@@ -33,6 +33,7 @@ struct LoadedTrack {
   std::string note;                    // a line for the user: the start speed of an import
   std::optional<ImportReport> import;  // for formats that a track is fitted to
   std::uint64_t content = 0;           // hash of the file's bytes; set by load_track()
+  int version = kTrackVersion;         // of the project's own format
 };
 
 // Parses a whole file's text. Errors are Code::bad_file with one line "NAME:LINE:COLUMN: error: ..." for broken JSON

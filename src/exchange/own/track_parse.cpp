@@ -12,6 +12,7 @@
 #include "base/utf8.h"
 #include "exchange/own/json_fields.h"
 #include "exchange/own/track_file.h"
+#include "sim/shape/roll.h"
 #include "world/topology.h"
 
 namespace coaster::exchange {
@@ -30,6 +31,7 @@ struct TrackParse {
   Document document;
   std::vector<std::string> warnings;
   std::string error;
+  int version = kTrackVersion;
   std::array<std::map<std::uint32_t, Entity>, 3> by_number;  // by Kind
 };
 
@@ -205,7 +207,7 @@ bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
 }
 
 bool read_track_head(TrackParse& parse, Fields& fields) {
-  if (!fields.head(kTrackFormat, kTrackVersion)) return false;
+  if (!fields.head(kTrackFormat, kTrackVersion, &parse.version)) return false;
   Document& document = parse.document;
   return fields.text("name", document.name) && fields.flag("closed", document.track.closed) &&
          read_component(parse, fields, document);
@@ -252,9 +254,12 @@ base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view na
     if (const auto broken = world::broken_invariant(parse.document)) parse.error = *broken;
   }
   if (!parse.error.empty()) return bad_file(name, parse.error);
+  if (parse.version < 2) sim::set_automatic_spins(parse.document);
   shorten(parse.warnings);
   for (std::string& warning : parse.warnings) warning = fmt::format("{}: warning: {}", name, warning);
-  return LoadedTrack{std::move(parse.document), std::move(parse.warnings)};
+  LoadedTrack track{std::move(parse.document), std::move(parse.warnings), {}, {}};
+  track.version = parse.version;
+  return track;
 }
 
 std::string name_of_file(std::string_view path) {

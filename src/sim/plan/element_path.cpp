@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/portable_math.h"
+#include "sim/shape/roll.h"
 
 namespace coaster::sim {
 namespace {
@@ -18,6 +19,40 @@ constexpr double kMostRampAngle = base::kPi / 6;
 // Gauss-Legendre on [0, 1].
 constexpr double kNodes[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
 constexpr double kWeights[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693};
+
+// Returns the derivative of the cubic through (x[i], y[i]), i = 0..3, at x[at].
+double derivative_at(const double* x, const double* y, int at) {
+  double sum = 0;
+  for (int j = 0; j < 4; ++j) {
+    if (j == at) continue;
+    double weight = 1.0 / (x[j] - x[at]);
+    for (int m = 0; m < 4; ++m)
+      if (m != j && m != at) weight *= (x[at] - x[m]) / (x[j] - x[m]);
+    sum += weight * (y[j] - y[at]);
+  }
+  return sum;
+}
+
+// Sets the spin of every point: the derivative of its angle against the rotation-minimising frame, by four points of
+// its piece; at a break the mean of both sides.
+void measure_spins(ElementCurve& curve) {
+  std::vector<ElementPoint>& points = curve.points;
+  std::vector<double> angles{0}, places{0};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const ElementPoint &a = points[i - 1], &b = points[i];
+    const curve::Frame carried = curve::transport({a.tangent, a.up}, a.position, b.position, b.tangent);
+    angles.push_back(angles.back() + curve::signed_angle(carried.up, b.up, b.tangent));
+    places.push_back(b.s);
+  }
+  for (std::size_t p = 0; p + 1 < curve.breaks.size(); ++p) {
+    const std::size_t first = curve.breaks[p], last = curve.breaks[p + 1];
+    for (std::size_t i = first; i <= last; ++i) {
+      const std::size_t from = std::clamp(i, first + 1, last - 2) - 1;
+      const double spin = derivative_at(&places[from], &angles[from], static_cast<int>(i - from));
+      points[i].spin = i == first && p > 0 ? 0.5 * (points[i].spin + spin) : spin;
+    }
+  }
+}
 
 }  // namespace
 
@@ -40,16 +75,16 @@ double Bend::arc() const { return radius * std::max(0.0, std::abs(to - from) - 2
 double Bend::bend(double u) const {
   const double l = ramp(), whole = length(), most = (to < from ? -1.0 : 1.0) / radius;
   if (!(l > 0)) return 0;
-  return most * std::clamp(std::min(u, whole - u) / l, 0.0, 1.0);
+  return most * smooth_step(std::clamp(std::min(u, whole - u) / l, 0.0, 1.0));
 }
 
 double Bend::angle(double u) const {
   const double l = ramp(), whole = length(), sign = to < from ? -1.0 : 1.0;
   if (!(l > 0)) return to;
-  if (u <= l) return from + sign * u * u / (2.0 * radius * l);
+  const auto risen = [&](double v) { return l / radius * v * v * v * (1.0 - 0.5 * v); };  // over the share v of a ramp
+  if (u <= l) return from + sign * risen(u / l);
   if (u < whole - l) return from + sign * (ramp_angle() + (u - l) / radius);
-  const double back = whole - u;
-  return to - sign * back * back / (2.0 * radius * l);
+  return to - sign * risen((whole - u) / l);
 }
 
 dvec2 Bend::run_and_rise() const {
@@ -63,9 +98,9 @@ dvec2 Bend::run_and_rise() const {
   return part(0, ramp()) + part(ramp(), arc()) + part(ramp() + arc(), ramp());
 }
 
-ElementPath::ElementPath(dvec3 position, dvec3 tangent, dvec3 curvature, dvec3 up)
-    : start_up_(curve::perpendicular(tangent, up)) {
-  curve_.points.push_back({0, position, tangent, curvature, start_up_});
+ElementPath::ElementPath(dvec3 position, dvec3 tangent, dvec3 curvature, dvec3 up, double spin)
+    : start_up_(curve::perpendicular(tangent, up)), start_spin_(spin) {
+  curve_.points.push_back({0, position, tangent, curvature, start_up_, spin});
   curve_.breaks.push_back(0);
 }
 
@@ -129,9 +164,12 @@ ElementCurve ElementPath::finish(double reach) {
       fade = s;
       break;
     }
+  measure_spins(curve_);
+  const Roll over{fade, -start_roll_, start_spin_ - curve_.points.front().spin, 0};
   for (ElementPoint& p : curve_.points) {
-    if (!(p.s < fade) || start_roll_ == 0) break;
-    p.up = curve::perpendicular(p.tangent, curve::rotate(p.up, p.tangent, start_roll_ * (1.0 - p.s / fade)));
+    if (!(p.s < fade) || (start_roll_ == 0 && start_spin_ == 0)) break;
+    p.up = curve::perpendicular(p.tangent, curve::rotate(p.up, p.tangent, start_roll_ + over.angle(p.s)));
+    p.spin += over.spin(p.s);
   }
   // A piece too short for a span of its own is merged with a neighbour.
   std::vector<std::size_t> breaks{0};

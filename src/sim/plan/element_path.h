@@ -19,6 +19,7 @@ struct ElementPoint {
   glm::dvec3 tangent{1, 0, 0};  // unit
   glm::dvec3 curvature{0};      // 1/m, derivative of the tangent by length: towards the centre
   glm::dvec3 up{0, 1, 0};       // unit, perpendicular to the tangent
+  double spin = 0;              // rad/m, rate of `up` about the tangent against the rotation-minimising frame
 };
 
 // Tangent and curvature are continuous along the curve; at a break the derivative of the curvature changes.
@@ -40,7 +41,10 @@ using ElementPiece = std::function<ElementRate(double u)>;
 // Returns the rate by arc length of a curve in the plane of forward and up, from its angle and curvature there.
 ElementRate upright_rate(double angle, double bend);
 
-// A bend from one angle to another: clothoid, circle, clothoid. Curvature rises linearly in the length from 0 to
+// From 0 to 1 for v in [0, 1], with derivative 0 at both ends.
+inline double smooth_step(double v) { return v * v * (3.0 - 2.0 * v); }
+
+// A bend from one angle to another: ramp, circle, ramp. Curvature rises as smooth_step() of the length from 0 to
 // 1/radius, over a quarter of the angle, at most 30 degrees, and falls in the same way.
 struct Bend {
   static constexpr double kShortest = 6;  // m: a slight bend gets a larger radius instead
@@ -48,7 +52,7 @@ struct Bend {
   double radius = 1;                      // m
   Bend(double from_angle, double to_angle, double least_radius);
   double ramp_angle() const;
-  double ramp() const { return 2.0 * radius * ramp_angle(); }  // m, length of each clothoid
+  double ramp() const { return 2.0 * radius * ramp_angle(); }  // m, length of each ramp
   double arc() const;                                          // m, length of the circle
   double length() const { return 2.0 * ramp() + arc(); }
   double angle(double u) const;  // rad at u in [0, length()]
@@ -68,8 +72,8 @@ class ElementPath {
   static constexpr double kStep = 0.25;  // m
   static constexpr int kMaxSteps = 4000;
 
-  // Starts at a position with a tangent, a curvature and an up vector.
-  ElementPath(glm::dvec3 position, glm::dvec3 tangent, glm::dvec3 curvature, glm::dvec3 up);
+  // Starts at a position with a tangent, a curvature, an up vector and a spin (rad/m).
+  ElementPath(glm::dvec3 position, glm::dvec3 tangent, glm::dvec3 curvature, glm::dvec3 up, double spin = 0);
   void set_axes(glm::dvec3 forward, glm::dvec3 up, glm::dvec3 left) { forward_ = forward, up_ = up, left_ = left; }
   // Leaves out pieces shorter than 1e-9 m.
   void add(double length, const ElementPiece& piece);
@@ -82,8 +86,8 @@ class ElementPath {
 
   const ElementPoint& end() const { return curve_.points.back(); }
   const ElementCurve& curve() const { return curve_; }
-  // Finishes the curve. The difference between the start's roll and that of the pieces fades out until the first break
-  // at least `reach` metres away, else until the end.
+  // Finishes the curve. The differences between the start's roll and spin and those of the pieces fade out until the
+  // first break at least `reach` metres away, else until the end, as a cubic.
   ElementCurve finish(double reach);
 
  private:
@@ -92,7 +96,7 @@ class ElementPath {
 
   glm::dvec3 forward_{1, 0, 0}, up_{0, 1, 0}, left_{0, 0, -1};
   glm::dvec3 start_up_;
-  double start_roll_ = 0;
+  double start_roll_ = 0, start_spin_ = 0;
   ElementCurve curve_;
 };
 

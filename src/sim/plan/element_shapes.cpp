@@ -18,7 +18,7 @@ using glm::dvec3;
 using world::ElementKind;
 
 constexpr double kMostHelixSlope = 0.6;   // m per m in plan
-constexpr double kLongestHelix = 14'000;  // m, in plan, without the clothoids
+constexpr double kLongestHelix = 14'000;  // m, in plan, without the ramps
 constexpr double kMostRollRate_deg = 60;  // per metre
 constexpr double kLevel = 1e-4;           // rad: smaller slopes need no levelling
 constexpr double kRollFade = 8;           // m, shortest length over which a rolled end is turned upright
@@ -63,10 +63,12 @@ void add_straight(world::Element& element, ElementPath& path, bool upright, std:
   const double length = world::value_of(element, "length"), roll = base::radians(world::value_of(element, "roll"));
   const dvec3 forward = path.end().tangent, level = upright ? curve::perpendicular(forward, {0, 1, 0}) : path.end().up;
   path.set_axes(forward, level, glm::cross(level, forward));
-  path.add(length, [=](double u) { return ElementRate{{1, 0, 0}, {0, 0, 0}, {0, 1, 0}, roll * u / length}; });
+  path.add(length, [=](double u) {
+    return ElementRate{{1, 0, 0}, {0, 0, 0}, {0, 1, 0}, roll * smooth_step(u / length)};
+  });
 }
 
-// A turn in plan: clothoid, circle, clothoid, to one side. The slope dy/du is `slopes(u)` with its derivative.
+// A turn in plan: ramp, circle, ramp, to one side. The slope dy/du is `slopes(u)` with its derivative.
 struct Round {
   Bend bend;    // of the heading, positive to the right
   double bank;  // rad where the curvature is largest; proportional to the curvature elsewhere
@@ -133,7 +135,7 @@ void add_curve(ShapeTask& task) {
   add_round(task.path, round_of(task.element, angle), [rise](double) { return Slope{rise, 0}; });
 }
 
-// Over the first clothoid the slope changes smoothly (3v^2 - 2v^3, with derivative 0 at both ends) from the end's to
+// Over the first ramp the slope changes smoothly (3v^2 - 2v^3, with derivative 0 at both ends) from the end's to
 // the helix's, and over the last to 0; so the curvature of the slope is 0 at both ends.
 void add_helix(ShapeTask& task) {
   const double most = kLongestHelix / (2.0 * kPi * world::value_of(task.element, "radius"));
@@ -154,7 +156,7 @@ void add_helix(ShapeTask& task) {
   add_round(task.path, round, [=](double u) {
     const bool late = u > 0.5 * whole;
     const double v = std::clamp((late ? whole - u : u) / ramp, 0.0, 1.0);
-    const double share = v * v * (3.0 - 2.0 * v), rate = 6.0 * v * (1.0 - v) / ramp;
+    const double share = smooth_step(v), rate = 6.0 * v * (1.0 - v) / ramp;
     return late ? Slope{steady * share, -steady * rate}
                 : Slope{first + (steady - first) * share, (steady - first) * rate};
   });
@@ -169,7 +171,7 @@ ElementShape element_shape(world::Element& element, const TrackEnd& end, std::ve
   }
   const auto steep = [](dvec3 forward) { return std::abs(slope_of(forward)) > base::radians(kSteepestEnd_deg); };
   ElementPath path(end.position, end.forward, glm::length(end.curvature) < kStraightEnd ? dvec3(0) : end.curvature,
-                   end.up);
+                   end.up, end.spin);
   const bool straight = element.kind == ElementKind::straight;
   const bool upright = !straight || !steep(end.forward);
   ease(path, upright);

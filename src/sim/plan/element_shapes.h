@@ -13,6 +13,7 @@ namespace coaster::sim {
 struct TrackEnd {
   glm::dvec3 position{0, 2, 0}, forward{1, 0, 0}, up{0, 1, 0};  // m, unit, unit and perpendicular
   glm::dvec3 curvature{0};                                      // 1/m, at the end of the track's last segment
+  double spin = 0;                                              // rad/m
   friend bool operator==(const TrackEnd&, const TrackEnd&) = default;
 };
 

@@ -6,6 +6,7 @@
 #include "base/portable_math.h"
 #include "curve/continuity.h"
 #include "curve/frames.h"
+#include "sim/shape/roll.h"
 #include "world/topology.h"
 
 namespace coaster::sim {
@@ -125,6 +126,8 @@ std::vector<world::Knot> knots_of(const ElementCurve& curve, std::span<const std
     knot.in_length = world::as_handle(k > 0 ? n.in[k] : n.out[k]);
     knot.out_length = world::as_handle(k + 1 < at.size() ? n.out[k] : n.in[k]);
     knot.joint = world::JointKind::aligned;
+    const double spin = curve.points[at[k]].spin;
+    if (std::abs(spin) >= kLeastSpin) knot.spin = static_cast<float>(spin);
     world::orthonormalise(knot);
     knots.push_back(knot);
   }
@@ -138,7 +141,7 @@ curve::Cubic cubic_between(const world::Knot& from, const world::Knot& to) {
 }  // namespace
 
 // Follows the ideal curve's points along a span. The frame is carried as the track's (sim/shape/derived.cpp):
-// rotation-minimising, with the remaining angle to the second knot's up spread over the length.
+// rotation-minimising, turned to the second knot's up by the spins of both.
 SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& from, const world::Knot& to) {
   const curve::Cubic c = cubic_between(from, to);
   SpanCheck check;
@@ -168,9 +171,9 @@ SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& fr
     const double roll = curve::signed_angle(frame.up, curve::perpendicular(frame.forward, wanted), frame.forward);
     rolls.push_back(rolls.back() + std::remainder(roll - rolls.back(), 2.0 * base::kPi));
   }
+  const Roll roll{length, rolls.back(), from.spin, to.spin};
   for (std::size_t i = 1; i < points.size(); ++i)
-    check.roll_error =
-        std::max(check.roll_error, std::abs(rolls[i] - rolls.back() * (points[i].s - points[0].s) / length));
+    check.roll_error = std::max(check.roll_error, std::abs(rolls[i] - roll.angle(points[i].s - points[0].s)));
   check.sound = check.sound && std::abs(rolls.back()) < kMostRoll;
   return check;
 }

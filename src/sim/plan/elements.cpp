@@ -54,6 +54,7 @@ std::optional<TrackEnd> open_end(const world::Document& document) {
   end.position = dvec3(last.position);
   end.forward = glm::normalize(dvec3(last.tangent));
   end.up = curve::perpendicular(end.forward, dvec3(last.up));
+  end.spin = last.spin;
   if (!track.segments.empty()) {
     const dvec3 bend = curve::curvature_vector(world::cubic_of(document, track.segments.back()), 1.0);
     end.curvature = curve::across(bend, end.forward);

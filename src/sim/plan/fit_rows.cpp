@@ -53,6 +53,39 @@ std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed) {
   return limits;
 }
 
+std::vector<double> row_spins(std::span<const FitRow> rows, bool closed) {
+  const auto count = static_cast<std::ptrdiff_t>(rows.size()), steps = closed ? count : count - 1;
+  std::vector<double> lengths, rates;
+  for (std::ptrdiff_t i = 0; i < steps; ++i) {
+    const FitRow &a = rows[i], &b = rows[(i + 1) % count];
+    const curve::Frame carried = curve::transport({a.forward, a.up}, a.position, b.position, b.forward);
+    const double angle = curve::signed_angle(carried.up, curve::perpendicular(b.forward, b.up), b.forward);
+    lengths.push_back(std::max(glm::distance(a.position, b.position), 1e-9));
+    rates.push_back(angle / lengths.back());
+  }
+  std::vector<double> spins, near;
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    near.clear();
+    // The rates of the steps from `first` on, within the reach.
+    const auto take = [&](std::ptrdiff_t first, std::ptrdiff_t way) {
+      double gone = 0;
+      for (std::ptrdiff_t k = first, taken = 0; taken < steps && gone < kSpinReach; k += way, ++taken) {
+        if (!closed && (k < 0 || k >= steps)) return;
+        near.push_back(rates[(k + steps) % steps]), gone += lengths[(k + steps) % steps];
+      }
+    };
+    take(i - 1, -1);
+    const std::size_t behind = near.size();
+    take(i, 1);
+    const double before = behind > 0 ? near[0] : near[behind], after = behind < near.size() ? near[behind] : near[0];
+    const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
+    std::nth_element(near.begin(), middle, near.end());
+    const double upper = *middle, lower = near.size() % 2 == 1 ? upper : *std::max_element(near.begin(), middle);
+    spins.push_back(std::clamp(0.5 * (lower + upper), std::min(before, after), std::max(before, after)));
+  }
+  return spins;
+}
+
 std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double reach) {
   const std::size_t count = rows.size();
   std::vector<char> near(count, 0), jumps(count, 0);  // jumps: from row i to the next

@@ -37,6 +37,12 @@ inline constexpr double kBendShare = 1.5;    // of the rows' own
 inline constexpr double kBendSpare = 0.005;  // 1/m
 std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed);
 
+// Returns the spin of each row, rad/m: of the rates at which the rows turn about their direction against
+// rotation-minimising frames, the median over the steps within kSpinReach on both sides, but no less and no more than
+// the rates of the steps before and after the row. A jump on one side leaves it as it is.
+inline constexpr double kSpinReach = 0.6;  // m
+std::vector<double> row_spins(std::span<const FitRow> rows, bool closed);
+
 // Returns for each row whether it is within `reach` m of a jump.
 std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double reach);
 

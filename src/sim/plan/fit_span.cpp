@@ -5,6 +5,7 @@
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
+#include "sim/shape/roll.h"
 #include "world/components.h"
 
 namespace coaster::sim {
@@ -199,8 +200,8 @@ bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances
     s.rolls[i] = s.rolls[i - 1] + std::remainder(roll - s.rolls[i - 1], 2 * base::kPi);
     if (carrier.bend() > kBendMargin * bounds.bends[first + i - 1]) return false;
   }
-  const double whole = std::max(carrier.length(), 1e-12);
-  for (double& share : s.shares) share /= whole;
+  s.length = std::max(carrier.length(), 1e-12);
+  for (double& share : s.shares) share /= s.length;
   return std::abs(s.rolls.back()) < kMostFitRoll;
 }
 
@@ -223,11 +224,13 @@ SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances
   const double most = bounds.angle;
   fit.window = {{roll_low, -most}, {roll_high, -most}, {roll_high, most}, {roll_low, most}};
   RollWindow spare;
+  // Additional rolls of the knots add a part of both, with spins of 0, to the roll by the rows' own spins.
+  const Roll roll{s.length, fit.roll, bounds.spins[first], bounds.spins[last]}, part{1, 1, 0, 0};
   for (std::size_t i = 1; first + i < last && !fit.window.empty(); ++i) {
     if (bounds.free[first + i]) continue;
     // For small angles, the angle of the whole rotation is the hypotenuse of its two parts.
     const double room = std::sqrt(std::max(0.0, most * most - s.fronts[i] * s.fronts[i]));
-    const double share = s.shares[i], error = fit.roll * share - s.rolls[i];
+    const double share = part.angle(s.shares[i]), error = roll.angle(s.shares[i] * s.length) - s.rolls[i];
     const dvec2 normal(1 - share, share);
     clip(fit.window, normal, room - error, spare);
     clip(fit.window, -normal, room + error, spare);

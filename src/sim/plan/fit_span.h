@@ -15,6 +15,7 @@ struct SpanBounds {
   double angle = 0.0083;          // radians between the frames
   std::span<const char> free;     // per row: its frame does not count (near a jump)
   std::span<const double> bends;  // per step from a row to the next: largest curvature, 1/m
+  std::span<const double> spins;  // per row: spin of a knot there, rad/m
 };
 
 // The additional rolls (a, b) of the first and the second knot, radians, that keep all frames within the bound: a
@@ -32,6 +33,7 @@ struct SpanFit {
 // Memory reused by fits.
 struct SpanScratch {
   std::vector<double> parameters, stations, rolls, shares, fronts;
+  double length = 0;  // m, of the curve
 };
 
 // Fits the cubic through rows `first` and `last` (their positions rounded to float, as knots are) along their

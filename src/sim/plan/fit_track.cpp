@@ -40,7 +40,7 @@ struct Work {
   std::vector<FitRow> rows;
   std::vector<double> distances;
   std::vector<char> free;
-  std::vector<double> bends;
+  std::vector<double> bends, spins;
   bool closed = false;
   double scale = 1;  // relative to the bounds
   SpanScratch scratch;
@@ -59,7 +59,7 @@ struct Work {
   SpanBounds bounds() const {
     SpanBounds b;
     b.distance *= scale, b.angle *= scale;
-    b.free = free, b.bends = bends;
+    b.free = free, b.bends = bends, b.spins = spins;
     return b;
   }
   SpanFit fit(std::size_t first, std::size_t last, double low, double high) {
@@ -173,11 +173,13 @@ void choose_rolls(Work& w) {
   }
 }
 
-world::Knot knot_of(const FitRow& row, double roll, double in, double out) {
+world::Knot knot_of(const Work& w, std::size_t at, double in, double out) {
+  const FitRow& row = w.rows[at];
   world::Knot k;
   k.position = glm::vec3(row.position);
   k.tangent = glm::vec3(row.forward);
-  k.up = glm::vec3(curve::perpendicular(row.forward, curve::rotate(row.up, row.forward, roll)));
+  k.up = glm::vec3(curve::perpendicular(row.forward, curve::rotate(row.up, row.forward, w.rolls[at])));
+  k.spin = static_cast<float>(w.spins[at]);
   k.in_length = world::as_handle(in), k.out_length = world::as_handle(out);
   k.joint = k.in_length == k.out_length ? world::JointKind::smooth : world::JointKind::aligned;
   world::orthonormalise(k);
@@ -191,20 +193,17 @@ world::Document document_of(const Work& w, Derived& derived) {
     const double in = i > 0      ? w.spans[i - 1].fit.in_length
                       : w.closed ? w.spans.back().fit.in_length
                                  : w.spans[i].fit.out_length;
-    world::append_knot(document,
-                       knot_of(w.rows[w.spans[i].first], w.rolls[w.spans[i].first], in, w.spans[i].fit.out_length));
+    world::append_knot(document, knot_of(w, w.spans[i].first, in, w.spans[i].fit.out_length));
   }
   const Span& last = w.spans.back();
   if (w.closed) world::set_closed(document, true);
-  else
-    world::append_knot(document,
-                       knot_of(w.rows[last.last], w.rolls[last.last], last.fit.in_length, last.fit.in_length));
+  else world::append_knot(document, knot_of(w, last.last, last.fit.in_length, last.fit.in_length));
   derived = shapes_of(document);
   // Whole turns: the rotation of the rows, less the rotation between the knots' frames.
   bool turned = false;
   for (std::size_t i = 0; i < count; ++i) {
     const double wanted = w.spans[i].fit.roll + w.rolls[w.spans[i].last] - w.rolls[w.spans[i].first];
-    const double turns = std::round((wanted - derived.shape_at(i).twist) / (2 * base::kPi));
+    const double turns = std::round((wanted - derived.shape_at(i).roll.twist) / (2 * base::kPi));
     if (turns == 0) continue;
     document.entities.get<world::Segment>(derived.order[i]).turns =
         static_cast<std::int32_t>(std::clamp<double>(turns, -world::kMaxTurns, world::kMaxTurns));
@@ -229,7 +228,10 @@ Work prepare(std::span<const FitRow> rows, bool closed) {
   w.rows.assign(rows.begin(), rows.end());
   w.free = near_jumps(rows, closed, kInnerReach);
   w.bends = bend_limits(rows, closed);
-  if (closed) w.rows.push_back(rows[0]), w.free.push_back(w.free[0]);
+  w.spins = row_spins(rows, closed);
+  for (double& spin : w.spins)
+    spin = std::abs(spin) < kLeastSpin ? 0 : std::clamp<double>(spin, -world::kMaxSpin, world::kMaxSpin);
+  if (closed) w.rows.push_back(rows[0]), w.free.push_back(w.free[0]), w.spins.push_back(w.spins[0]);
   w.distances.resize(w.rows.size());
   for (std::size_t i = 1; i < w.rows.size(); ++i)
     w.distances[i] = w.distances[i - 1] + glm::distance(w.rows[i - 1].position, w.rows[i].position);

@@ -79,9 +79,8 @@ Rolling rolling(const world::Document& document, const Derived& derived, world::
   const TrackPlace place = places[static_cast<std::size_t>(car)];
   const SegmentShape& shape = derived.shape_at(place.index);
   if (!(place.s >= 0 && place.s <= shape.arc.length())) return {};  // on the straight continuation of an open end
-  const double spin = spin_at(shape, place.s), v = cart.speed;
-  return {spin * v,
-          spin_slope_at(shape, place.s) * v * v + spin * along_rails(document, derived, entity, cart, places)};
+  const double spin = shape.roll.spin(place.s), v = cart.speed;
+  return {spin * v, shape.roll.slope(place.s) * v * v + spin * along_rails(document, derived, entity, cart, places)};
 }
 
 }  // namespace coaster::sim

@@ -12,8 +12,8 @@ namespace {
 
 using glm::dvec3;
 
-// Builds frames at uniform t: rotation-minimising from `up_from`, with the remaining twist to `up_to` spread linearly
-// in arc length.
+// Builds frames at uniform t: rotation-minimising from `up_from`, turned so that they meet `up_to`, by the knots'
+// spins.
 void build_frames(const ShapeKey& key, SegmentShape& shape) {
   const curve::Cubic& c = key.cubic;
   shape.frames.resize(kFrameIntervals + 1);
@@ -28,13 +28,13 @@ void build_frames(const ShapeKey& key, SegmentShape& shape) {
   }
   const curve::Frame& end = shape.frames.back();
   const dvec3 wanted = curve::perpendicular(end.forward, dvec3(key.up_to));
-  shape.twist = curve::signed_angle(end.up, wanted, end.forward) + key.turns * 2.0 * base::kPi;
-  const double length = shape.arc.length();
-  if (!(length > 0)) return;
+  const double twist = curve::signed_angle(end.up, wanted, end.forward) + key.turns * 2.0 * base::kPi;
+  shape.roll = {shape.arc.length(), twist, key.spin_from, key.spin_to};
+  if (!(shape.roll.length > 0)) return;
   for (int i = 1; i <= kFrameIntervals; ++i) {
-    const double share =
-        i == kFrameIntervals ? 1.0 : shape.arc.distance(static_cast<double>(i) / kFrameIntervals) / length;
-    shape.frames[i].up = curve::rotate(shape.frames[i].up, shape.frames[i].forward, shape.twist * share);
+    const double angle =
+        i == kFrameIntervals ? twist : shape.roll.angle(shape.arc.distance(static_cast<double>(i) / kFrameIntervals));
+    shape.frames[i].up = curve::rotate(shape.frames[i].up, shape.frames[i].forward, angle);
   }
 }
 
@@ -65,6 +65,8 @@ ShapeKey key_of(const world::Document& document, const world::Segment& segment) 
           segment.turns,
           from.tangent,
           to.tangent,
+          from.spin,
+          to.spin,
           world::rails_height(document)};
 }
 
@@ -154,7 +156,7 @@ void derive(const world::Document& document, const world::Settings& settings, co
     if (on_processor && stale) evaluate_polyline(row, polyline, clock, shape, derived);
     if (stale) ++derived.rebuilds;
     derived.starts[i + 1] = derived.starts[i] + shape.arc.length();
-    derived.twists[i + 1] = derived.twists[i] + shape.twist;
+    derived.twists[i + 1] = derived.twists[i] + shape.roll.twist;
     derived.measured_length += shape.measured_length;
     derived.vertices += settings.evaluation->steps + 1;
     derived.deviation = std::max(derived.deviation, shape.deviation);
@@ -192,8 +194,7 @@ curve::Frame frame_at(const SegmentShape& shape, double s) {
   const double t0 = static_cast<double>(below) / kFrameIntervals;
   curve::Frame frame =
       curve::transport(shape.frames[below], curve::point(c, t0), curve::point(c, t), curve::unit_tangent(c, t));
-  const double share = (s - shape.arc.distance(t0)) / length;
-  frame.up = curve::rotate(frame.up, frame.forward, shape.twist * share);
+  frame.up = curve::rotate(frame.up, frame.forward, shape.roll.angle(s) - shape.roll.angle(shape.arc.distance(t0)));
   return frame;
 }
 

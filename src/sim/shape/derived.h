@@ -11,6 +11,7 @@
 #include "curve/arc_length.h"
 #include "curve/evaluators.h"
 #include "curve/frames.h"
+#include "sim/shape/roll.h"
 #include "sim/shape/segment_tree.h"
 #include "world/document.h"
 #include "world/settings.h"
@@ -24,7 +25,8 @@ struct ShapeKey {
   std::int32_t turns = 0;
   // The knots' own: rounding of the control points loses a little.
   glm::vec3 tangent_from{1, 0, 0}, tangent_to{1, 0, 0};
-  double rails = 0;  // m, of the rails above the curve (sim/shape/rails.h)
+  float spin_from = 0, spin_to = 0;  // rad/m
+  double rails = 0;                  // m, of the rails above the curve (sim/shape/rails.h)
   friend bool operator==(const ShapeKey&, const ShapeKey&) = default;
 };
 
@@ -42,8 +44,8 @@ struct SegmentShape {
   double measured_length = 0;  // m, by the chosen arc-length method
   curve::ArcLengthId measured_by{};
   int measured_steps = 0;
-  std::vector<curve::Frame> frames;  // kFrameIntervals+1 frames at uniform t: rotation-minimising plus the spread twist
-  double twist = 0;                  // radians spread linearly in arc length (frames include it)
+  std::vector<curve::Frame> frames;  // kFrameIntervals+1 frames at uniform t: rotation-minimising, turned by `roll`
+  Roll roll;
   std::uint64_t shape_build = 0;
   std::optional<world::EquipmentKind> fitted;  // the segment's equipment; not part of its shape
 
@@ -107,17 +109,10 @@ struct RailPoint {
   double slope;   // dy/ds, the tangent's y
 };
 
-// Returns the frame at arc length s of a segment (rotation-minimising from the first knot's up, twist spread); forward
-// is exactly the unit tangent.
+// Returns the frame at arc length s of a segment (rotation-minimising from the first knot's up, turned by the roll);
+// forward is exactly the unit tangent.
 curve::Frame frame_at(const SegmentShape& shape, double s);
-// Return the spin, at which these frames turn about the tangent against rotation-minimising ones (rad/m, positive to
-// the right), and its derivative by s (rad/m^2).
-inline double spin_at(const SegmentShape& shape, double) {
-  const double length = shape.arc.length();
-  return length > 0 ? shape.twist / length : 0.0;
-}
-inline double spin_slope_at(const SegmentShape&, double) { return 0; }
-// Returns the frame by parameter, without a Derived: for splitting a segment.
+// The same by parameter, without a Derived.
 curve::Frame frame_of(const world::Document& document, world::Entity segment, double t);
 
 }  // namespace coaster::sim

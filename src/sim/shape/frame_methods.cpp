@@ -17,8 +17,7 @@ using glm::dvec3;
 // Returns the rotation of the knots' frames since the track's start, relative to rotation-minimising frames.
 double turned(const Derived& derived, std::size_t index, double s) {
   const SegmentShape& shape = derived.shape_at(index);
-  const double length = shape.arc.length();
-  return derived.twists[index] + (length > 0 ? shape.twist * std::clamp(s / length, 0.0, 1.0) : 0.0);
+  return derived.twists[index] + shape.roll.angle(std::clamp(s, 0.0, shape.roll.length));
 }
 
 curve::Frame rolled(curve::Frame frame, double radians) {
@@ -83,7 +82,7 @@ TrackFrame world_up(const Derived& derived, std::size_t index, double s) {
 
 constexpr std::array<FrameMethodRow, 4> kFrameMethods{{
     {"knots", "Banked by the knots",
-     "The knots' up carried by double reflection; the twist to the next knot's up is spread over the segment.",
+     "The knots' up carried by double reflection, and turned to the next knot's up by the spins of both knots.",
      by_knots},
     {"rmf", "Rotation-minimising",
      "The first knot's up carried along the whole track by double reflection (Wang et al. 2008); a loop's remaining "

@@ -26,7 +26,7 @@ struct FrameMethodRow {
 };
 
 // Rows in the order of world::FrameMethod:
-// - knots: the knots' up; rotation-minimising within a segment, the remaining twist spread linearly. The default.
+// - knots: the knots' up; rotation-minimising within a segment, turned by the roll (roll.h). The default.
 // - rmf: rotation-minimising from the first knot's up along the whole track (double reflection, Wang et al. 2008,
 //   doi 10.1145/1330511.1330513); on a closed track the remaining twist is spread linearly in arc length. O(1): the
 //   knots' frames turned back by their own twist (derived.twists).

@@ -30,7 +30,7 @@ void fill(const SegmentShape& shape, double heartline, double largest_step, Segm
 
 FeltEntry felt_entry(const SegmentShape& shape, double t, const curve::Frame& frame, double d) {
   const dvec3 left = frame.left(), &up = frame.up;
-  const double length = shape.arc.length(), w = length > 0 ? shape.twist / length : 0.0;
+  const double s = shape.arc.distance(t), w = shape.roll.spin(s), w_slope = shape.roll.slope(s);
   // Curvature towards left and up, and the curvature vector's change towards up.
   const dvec3 r1 = curve::derivative(shape.key.cubic, t), r2 = curve::second_derivative(shape.key.cubic, t);
   const double square = glm::dot(r1, r1);
@@ -40,10 +40,11 @@ FeltEntry felt_entry(const SegmentShape& shape, double t, const curve::Frame& fr
     const double third = glm::dot(curve::third_derivative(shape.key.cubic), up) / square;
     up_slope = (third - 3.0 * to_up * glm::dot(r1, r2) / square) / std::sqrt(square);
   }
-  // With T' = to_left L + to_up U and the spin w: L' = -to_left T + w U, U' = -to_up T - w L.
+  // With T' = to_left L + to_up U and the spin w: L' = -to_left T + w U, U' = -to_up T - w L, and w changes by w_slope.
   FeltEntry entry;
   entry.along = {1.0 - d * to_up, -d * w, 0.0};
-  entry.bend = {d * (2.0 * w * to_left - up_slope), to_left - d * to_left * to_up, to_up - d * (to_up * to_up + w * w)};
+  entry.bend = {d * (2.0 * w * to_left - up_slope), to_left - d * (to_left * to_up + w_slope),
+                to_up - d * (to_up * to_up + w * w)};
   entry.weight = {frame.forward.y, left.y, up.y};
   return entry;
 }

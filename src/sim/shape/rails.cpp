@@ -3,17 +3,8 @@
 #include "curve/continuity.h"
 
 namespace coaster::sim {
-namespace {
 
 using glm::dvec3;
-
-// Returns the rate at which `up` turns about the tangent against the rotation-minimising frame, rad/m.
-double spin_at(const SegmentShape& shape, double) {
-  const double length = shape.arc.length();
-  return length > 0 ? shape.twist / length : 0.0;
-}
-
-}  // namespace
 
 dvec3 OffsetPoint::tangent() const {
   const double length = stretch();
@@ -25,7 +16,7 @@ OffsetPoint offset_point(const SegmentShape& shape, double s, double height) {
   const curve::Cubic& c = shape.key.cubic;
   const double t = shape.arc.parameter(s);
   OffsetPoint at{curve::point(c, t), frame_at(shape, s)};
-  at.spin = spin_at(shape, s);
+  at.spin = shape.roll.spin(s);
   if (height == 0) return at;
   at.position += height * at.frame.up;
   at.along = 1 - height * glm::dot(curve::curvature_vector(c, t), at.frame.up);

@@ -65,17 +65,20 @@ Ring ring_at(const SegmentShape& shape, double s) {
 std::vector<double> ring_places(const SegmentShape& shape, int most) {
   const double length = shape.arc.length();
   std::array<double, kFrameIntervals + 1> place{}, wanted{};
-  double turned = std::abs(shape.twist);
-  for (int i = 0; i < kFrameIntervals; ++i)
-    turned += curve::angle_between(shape.frames[i].forward, shape.frames[i + 1].forward);
-  const bool straight = turned < kStraight;
+  double turned = 0;
+  std::array<double, kFrameIntervals + 1> bends{}, twists{};
   for (int i = 1; i <= kFrameIntervals; ++i) {
     place[i] = i == kFrameIntervals ? length : shape.arc.distance(static_cast<double>(i) / kFrameIntervals);
+    bends[i] = curve::angle_between(shape.frames[i - 1].forward, shape.frames[i].forward);
+    twists[i] = std::abs(shape.roll.angle(place[i]) - shape.roll.angle(place[i - 1]));
+    turned += bends[i] + twists[i];
+  }
+  const bool straight = turned < kStraight;
+  for (int i = 1; i <= kFrameIntervals; ++i) {
     const double step = place[i] - place[i - 1], share = length > 0 ? step / length : 0.0;
-    const double bend = curve::angle_between(shape.frames[i - 1].forward, shape.frames[i].forward);
     // Rails on the outer side of a bend are longer than the curve.
-    const double longest = step + std::abs(shape.key.rails) * bend;
-    wanted[i] = wanted[i - 1] + (straight ? share : rings_wanted(bend, std::abs(shape.twist) * share, longest));
+    const double longest = step + std::abs(shape.key.rails) * bends[i];
+    wanted[i] = wanted[i - 1] + (straight ? share : rings_wanted(bends[i], twists[i], longest));
   }
   const int intervals = std::clamp(static_cast<int>(std::ceil(wanted.back() - 1e-6)), 1, most - 1);
   std::vector<double> rings{0.0};

@@ -40,10 +40,10 @@ void fill_roll_and_height(const Ghost& ghost, int car, const RailTables& tables,
     samples[k].height = static_cast<float>(rail_at(tables.segment(hint), s).height);
     if (!ghost.closed && !(distance >= 0 && distance <= ghost.track_length)) continue;  // on the straight continuation
     const SegmentShape& shape = derived.shape_at(hint);
-    const double spin = spin_at(shape, s), v = moving.speed;
+    const double spin = shape.roll.spin(s), v = moving.speed;
     samples[k].roll_rate = static_cast<float>(kDegrees * spin * v);
     samples[k].roll_acceleration =
-        static_cast<float>(kDegrees * (spin_slope_at(shape, s) * v * v + spin * moving.acceleration));
+        static_cast<float>(kDegrees * (shape.roll.slope(s) * v * v + spin * moving.acceleration));
   }
 }
 

@@ -63,6 +63,28 @@ void roll_field(Ui& ui, const edit::Knots& knots, const world::Knot& knot, std::
       .value = world::roll_deg(knot), .unit = "\u00B0", .step = 0.25, .low = -180, .high = 180, .largest = 1e300};
   if (const auto to = number(ui, "Roll", roll, tooltip)) ui.emit(edit::SetRoll{knots, *to});
 }
+// The spin of one knot or several; the fields show that of `knot`.
+void spin_fields(Ui& ui, const edit::Knots& knots, const world::Knot& knot) {
+  const double most = base::degrees(double{world::kMaxSpin});
+  const double spin = base::degrees(double{knot.spin});
+  const Number number_of{.value = spin, .unit = "\u00B0/m", .step = 0.05, .low = -most, .high = most, .largest = 1e300};
+  if (const auto to = number(ui, "Spin", number_of,
+                             "Rate of roll along the track at the knot, the same on both sides. Positive to the "
+                             "rider's right."))
+    ui.emit(edit::SetSpin{knots, *to});
+  if (const auto kind = combo_of(ui, "Spin type", knot.spin_kind,
+                                 "Automatic: follows the roll of the neighbouring knots. Set: stays as it is.")) {
+    if (*kind == world::SpinKind::automatic) ui.emit(edit::AutomaticSpin{knots});
+    else ui.emit(edit::SetSpin{knots, spin});
+  }
+}
+// At the speed that the first train has now.
+void roll_rate(Ui& ui, const world::Knot& knot) {
+  const edit::Session& session = ui.session();
+  const world::CartMotion* const train = session.motion.carts.find(world::first_cart(session.document));
+  read_out(ui, "Roll rate", train ? fixed(base::degrees(double{knot.spin}) * train->speed, 1) : "--", "\u00B0/s",
+           "The spin times the present speed of the first train.");
+}
 void joint_list(Ui& ui, const edit::Knots& knots, const world::Knot& knot, std::string_view tooltip) {
   if (const auto kind = combo_of(ui, "Joint", knot.joint, tooltip)) ui.emit(edit::SetJoint{knots, *kind});
 }
@@ -110,6 +132,8 @@ void knot_inspector(Ui& ui, Entity entity, Name name) {
   handle_fields(ui, name, knot, knot.joint == world::JointKind::smooth,
                 "Drag, or click and type a value in metres. A smooth joint keeps both equal.");
   roll_field(ui, name, knot, "Bank of the track at the knot, in degrees. Positive to the rider's right.");
+  spin_fields(ui, name, knot);
+  roll_rate(ui, knot);
   joint_list(ui, name, knot, "Continuity between the two segments at this knot.");
   continuity(ui, entity, name);
 }
@@ -127,6 +151,7 @@ void knots_inspector(Ui& ui, Entity active, const std::vector<Entity>& knots) {
   heading(ui, "Handles (m)", "Handle lengths of all selected knots.");
   handle_fields(ui, all, knot, false, "Set the handle lengths of all selected knots.");
   roll_field(ui, all, knot, "Bank of all selected knots, in degrees.");
+  spin_fields(ui, all, knot);
   joint_list(ui, all, knot, "Joint type of all selected knots.");
 }
 
@@ -163,8 +188,8 @@ void segment_inspector(Ui& ui, Entity entity, Name name) {
   read_out(ui, "Height here###Height there", fixed(at.y, 3), "m", "Height at position t.");
   read_out(ui, "Curvature here###Curvature there", fixed(curve::curvature(shape->key.cubic, t), 5), "1/m",
            "Curvature at position t: |B' \u00D7 B''| / |B'|\u00B3.");
-  read_out(ui, "Twist", fixed(base::degrees(shape->twist), 2), "\u00B0",
-           "Roll between the frames of the two knots, linear in arc length.");
+  read_out(ui, "Twist", fixed(base::degrees(shape->roll.twist), 2), "\u00B0",
+           "Roll between the frames of the two knots.");
   read_out(ui, "Longest", is_longest(session.derived, entity) ? "yes" : "no", "",
            "Add curve splits the longest segment.");
 }

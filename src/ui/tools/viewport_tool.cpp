@@ -4,8 +4,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "base/portable_math.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
@@ -13,6 +15,7 @@
 #include "ui/tools/fly_keys.h"
 #include "ui/widgets/theme.h"
 #include "view/gizmo.h"
+#include "view/spin_ring.h"
 #include "world/aids.h"
 #include "world/selection.h"
 
@@ -135,11 +138,17 @@ void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
     }
     return;
   }
-  drag_.what = under.kind == PickKind::cart ? What::cart : What::item;
+  if (under.kind == PickKind::spin && twice) {
+    drag_.what = What::nothing;
+    ui.emit(edit::AutomaticSpin{target.name});
+    return;
+  }
+  drag_.what = under.kind == PickKind::cart ? What::cart : under.kind == PickKind::spin ? What::spin : What::item;
   // With Shift or Ctrl a click adds to the selection, and a drag moves: which of them it is shows later.
   const bool waits =
       under.kind == PickKind::knot && (drag_.shift || drag_.ctrl || world::is_selected(session.settings, under.entity));
-  if (!is_handle(under.kind) && session.settings.selected != under.entity && !waits) ui.emit(edit::Select{target});
+  if (!is_handle(under.kind) && under.kind != PickKind::spin && session.settings.selected != under.entity && !waits)
+    ui.emit(edit::Select{target});
 }
 
 void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
@@ -161,6 +170,7 @@ void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
       if (turns) ui.emit(edit::SetCamera{panned(camera, view, by)});
       break;
     case What::item: move_item(ui, view, mouse); break;
+    case What::spin: turn_spin(ui, view, mouse); break;
     case What::box: {
       const glm::vec2 low = glm::min(drag_.start, mouse), high = glm::max(drag_.start, mouse);
       ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -225,6 +235,18 @@ void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
     const auto end = drag_.pick.kind == PickKind::handle_in ? edit::HandleEnd::in : edit::HandleEnd::out;
     ui.emit(edit::MoveHandle{{name, end}, to});
   }
+}
+
+void ViewportTool::turn_spin(Ui& ui, const view::View& view, glm::vec2 mouse) {
+  const edit::Session& session = ui.session();
+  const auto ring = view::spin_ring_of(session.document, session.settings, view);
+  if (!ring) return;
+  const auto spin = view::spin_under(*ring, view::ray_through(view, mouse));
+  if (!spin) return;
+  if (!drag_.gesture) ui.emit(edit::BeginGesture{});
+  drag_.gesture = true;
+  const double step = ImGui::GetIO().KeyCtrl ? 1.0 : 0.01;  // deg/m
+  ui.emit(edit::SetSpin{world::name_of(session.document, ring->knot), std::round(base::degrees(*spin) / step) * step});
 }
 
 // All selected knots as far as the one that is dragged.

@@ -24,7 +24,7 @@ class ViewportTool {
   bool cancel(Ui& ui);
 
  private:
-  enum class What : std::uint8_t { nothing, item, place, cart, orbit, pan, box };
+  enum class What : std::uint8_t { nothing, item, spin, place, cart, orbit, pan, box };
   enum class Along : std::uint8_t { screen, vertical, ground };  // where a dragged item moves
   struct Drag {
     What what = What::nothing;
@@ -46,6 +46,7 @@ class ViewportTool {
   void press_left(Ui& ui, const view::Pick& under);
   void move(Ui& ui, const view::View& view, glm::vec2 mouse);
   void move_item(Ui& ui, const view::View& view, glm::vec2 mouse);
+  void turn_spin(Ui& ui, const view::View& view, glm::vec2 mouse);
   void release(Ui& ui, const view::View& view);
   void turn_wheel(Ui& ui, float notches);
   void click_ground(Ui& ui, const view::View& view);

@@ -44,6 +44,7 @@ TEST_F(ClickingPoints, closing_lets_both_ends_flow) {
 TEST_F(ClickingPoints, what_was_shaped_by_hand_stays) {
   append(a_), append(b_);
   good("direct @k2 to 0.3 0.9 0.1");
+  good("spin @k2 to 0");
   const world::Knot shaped = knot(2);
   append(c_);
   EXPECT_EQ(knot(2), shaped);

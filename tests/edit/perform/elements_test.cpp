@@ -47,7 +47,7 @@ TEST_F(PerformElementsTest, one_after_the_other_they_make_a_track_whose_every_jo
   }
   EXPECT_EQ(session.history.undo.size(), 8u);
   // Portable to the bit: gcc and clang, debug and release.
-  EXPECT_EQ(base::hex16(hash()), "f03362872fcc78bd");
+  EXPECT_EQ(base::hex16(hash()), "9fa8ec073e8bc0ca");
 }
 
 TEST_F(PerformElementsTest, undo_takes_a_whole_element_away_and_redo_brings_it_back) {

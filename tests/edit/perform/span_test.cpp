@@ -39,9 +39,9 @@ TEST_F(Spans, reversing_keeps_the_twist_of_every_segment) {
   good("roll @k2 to 40");
   good("turns @" + world::label_of(session.document, session.document.track.segments[1]) + " to -1");
   std::vector<std::pair<Entity, double>> twists;
-  for (const Entity e : session.derived.order) twists.emplace_back(e, session.derived.shape(e).twist);
+  for (const Entity e : session.derived.order) twists.emplace_back(e, session.derived.shape(e).roll.twist);
   good("reverse");
-  for (const auto& [e, twist] : twists) EXPECT_NEAR(session.derived.shape(e).twist, twist, 1e-4);
+  for (const auto& [e, twist] : twists) EXPECT_NEAR(session.derived.shape(e).roll.twist, twist, 1e-4);
 }
 
 TEST_F(Spans, a_train_stands_on_the_same_rails_after_reversing) {
@@ -117,8 +117,8 @@ TEST_F(Spans, a_duplicate_is_the_same_shape_at_the_end) {
   ASSERT_EQ(session.document.track.knots.size(), 6u);
   EXPECT_NEAR(session.derived.shape(session.derived.order[3]).arc.length(), lengths[1], 1e-4);
   EXPECT_NEAR(session.derived.shape(session.derived.order[4]).arc.length(), lengths[2], 1e-4);
-  EXPECT_NEAR(session.derived.shape(session.derived.order[3]).twist,
-              session.derived.shape(session.derived.order[1]).twist, 1e-4);
+  EXPECT_NEAR(session.derived.shape(session.derived.order[3]).roll.twist,
+              session.derived.shape(session.derived.order[1]).roll.twist, 1e-4);
   EXPECT_EQ(world::segment(session.document, session.document.track.segments[3]).turns, 1);
   EXPECT_TRUE(session.document.entities.find<world::Equipment>(session.document.track.segments[3]));
   EXPECT_FALSE(session.document.entities.find<world::Equipment>(session.document.track.segments[4]));

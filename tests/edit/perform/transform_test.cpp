@@ -86,10 +86,10 @@ TEST_F(Transforming, mirrored_twists_go_the_other_way) {
   const world::Entity segment = session.document.track.segments.front();
   const std::string name = "@" + world::label_of(session.document, segment);
   good("turns " + name + " to 2");
-  const double twist = session.derived.shape(segment).twist;
+  const double twist = session.derived.shape(segment).roll.twist;
   good("mirror all across 1 0 0 about 0 0 0");
   EXPECT_EQ(world::segment(session.document, segment).turns, -2);
-  EXPECT_NEAR(session.derived.shape(segment).twist, -twist, 1e-3);
+  EXPECT_NEAR(session.derived.shape(segment).roll.twist, -twist, 1e-3);
 }
 
 TEST_F(Transforming, a_twist_between_a_mirrored_knot_and_one_that_stays_keeps_its_turns) {

@@ -107,6 +107,7 @@ TEST(nl2_csv_print, the_sample_tracks_come_back_with_a_knot_every_ten_metres_or_
 RC_GTEST_PROP(nl2_csv_print, random_tracks_come_back_within_the_bounds, ()) {
   const auto seed = *rc::gen::inRange<std::uint32_t>(0, 1'000'000);
   std::mt19937 bits(seed);
+  SCOPED_TRACE(seed);
   const auto uniform = [&](double low, double high) { return low + (high - low) * (bits() / 4294967296.0); };
   world::Document d = test::ring_document(5 + static_cast<int>(bits() % 6), uniform(12, 30), uniform(0, 7));
   for (const world::Entity e : d.track.knots) {

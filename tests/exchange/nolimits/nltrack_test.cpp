@@ -124,7 +124,7 @@ TEST(NoLimitsTrack, roll_that_goes_on_over_turns_is_ridden_in_full) {
   sim::Derived derived;
   sim::derive(loaded->document, {}, {}, derived);
   for (std::size_t i = 0; i < 4; ++i)
-    EXPECT_NEAR(derived.shape(derived.order[i]).twist, -(double{rolls[i + 1]} - double{rolls[i]}), 1e-5) << i;
+    EXPECT_NEAR(derived.shape(derived.order[i]).roll.twist, -(double{rolls[i + 1]} - double{rolls[i]}), 1e-5) << i;
 }
 
 // On a level ring neither horizon nor frame turns against the other: the twist is the difference of the rolls, over the
@@ -141,11 +141,12 @@ TEST(NoLimitsTrack, the_closing_joint_gets_the_least_turn_back_to_the_first_roll
     ASSERT_TRUE(loaded) << loaded.status().message;
     sim::Derived derived;
     sim::derive(loaded->document, {}, {}, derived);
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(derived.shape(derived.order[i]).twist, -double{step}, 1e-4) << i;
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(derived.shape(derived.order[i]).roll.twist, -double{step}, 1e-4) << i;
     double back = 3.0 * double{step};
     while (back > M_PI) back -= 2 * M_PI;
     while (back < -M_PI) back += 2 * M_PI;
-    EXPECT_NEAR(derived.shape(derived.order[3]).twist, back, 1e-4) << step;
+    EXPECT_NEAR(derived.shape(derived.order[3]).roll.twist, back, 1e-4) << step;
   }
 }
 
@@ -158,7 +159,7 @@ TEST(NoLimitsTrack, a_plane_loop_has_no_turns) {
   ASSERT_TRUE(loaded) << loaded.status().message;
   sim::Derived derived;
   sim::derive(loaded->document, {}, {}, derived);
-  for (std::size_t i = 0; i < 2; ++i) EXPECT_LT(std::abs(derived.shape(derived.order[i]).twist), 0.5) << i;
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_LT(std::abs(derived.shape(derived.order[i]).roll.twist), 0.5) << i;
 }
 
 TEST(NoLimitsTrack, segments_without_a_size_are_read_as_well) {

@@ -44,7 +44,7 @@ std::string knot_with(const std::string& from, const std::string& to) {
 
 TEST(track_parse, a_file_written_by_hand_becomes_a_document) {
   const auto loaded = parse_track(R"({
-    "format": "coaster-track", "version": 1, "name": "Two hills", "closed": false, "start_speed": 4, "datum": 0,
+    "format": "coaster-track", "version": 2, "name": "Two hills", "closed": false, "start_speed": 4, "datum": 0,
     "knots": [
       {"id": "k7", "position": [0, 12, 0], "tangent": [2, 0, 0], "up": [1, 1, 0], "in": 8, "out": 8, "joint": "smooth"},
       {"id": "k2", "position": [30, 3, 0], "tangent": [1, 0, 0], "up": [0, 1, 0], "in": 10, "out": 6, "joint": "aligned"}],
@@ -93,9 +93,9 @@ TEST(track_parse, the_head_is_checked) {
   expect_error("[]", "t.json: error: expected an object, found an array of 0");
   expect_error("{}", "format: missing");
   expect_error(with("coaster-track", "other"), "format: expected \"coaster-track\", found \"other\"");
-  expect_error(with("\"version\": 1", "\"version\": 2"), "version 2 is newer than this program supports (1)");
-  expect_error(with("\"version\": 1", "\"version\": 0"), "version: expected a whole number");
-  expect_error(with("\"version\": 1", "\"version\": 1.5"), "version: expected a whole number");
+  expect_error(with("\"version\": 2", "\"version\": 3"), "version 3 is newer than this program supports (2)");
+  expect_error(with("\"version\": 2", "\"version\": 0"), "version: expected a whole number");
+  expect_error(with("\"version\": 2", "\"version\": 1.5"), "version: expected a whole number");
   expect_error(with("\"closed\": false", "\"closed\": 0"), "closed: expected true or false, found 0");
   expect_error(with("\"start_speed\": 3.3", "\"start_speed\": 151"), "start_speed: expected a number");
   expect_error(with("\"datum\": -1.7", "\"datum\": \"x\""), "datum: expected a number");

@@ -18,7 +18,7 @@ TEST(track_print, the_layout_is_one_knot_a_line) {
   world::add_cart(d, d.track.segments[0], 0.25);
   EXPECT_EQ(print_track(d), R"({
   "format": "coaster-track",
-  "version": 1,
+  "version": 2,
   "name": "A \"b\"",
   "closed": false,
   "start_speed": 1,

@@ -104,6 +104,8 @@ TEST(felt, each_car_feels_the_place_where_it_is) {
   world::append_knot(d, test::skew_knot({61.1f, 22.3f, 2.7f}, {1, 0, 0}, 10, 10));
   world::set_roll(d.entities.get<world::Knot>(d.track.knots[1]), 90);
   world::set_roll(d.entities.get<world::Knot>(d.track.knots[2]), 90);
+  for (const std::size_t i : {0u, 1u})
+    d.entities.get<world::Knot>(d.track.knots[i]).spin = static_cast<float>(M_PI / 2 / 30);
   const world::Entity train = world::add_cart(d, d.track.segments[0], 0.0);
   d.entities.get<world::Cart>(train).cars = 3;
   d.entities.get<world::Cart>(train).spacing = 10;

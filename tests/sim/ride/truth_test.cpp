@@ -43,6 +43,9 @@ world::Document fitted(const Curve& curve, double length, int segments) {
     world::Knot& knot = d.entities.get<world::Knot>(d.track.knots.back());
     knot.up = glm::vec3(place.up);
     world::orthonormalise(knot);
+    const Place before = curve(step * i - 1e-4), after = curve(step * i + 1e-4);
+    const curve::Frame carried = curve::transport({before.along, before.up}, before.at, after.at, after.along);
+    knot.spin = static_cast<float>(curve::signed_angle(carried.up, after.up, after.along) / 2e-4);
   }
   return d;
 }

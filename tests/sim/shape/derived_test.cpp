@@ -98,17 +98,18 @@ TEST(derived, frames_are_orthonormal_and_turn_without_jumps) {
   }
 }
 
-TEST(derived, on_a_straight_the_twist_is_linear_in_length) {
+TEST(derived, on_a_straight_with_the_mean_spin_at_both_ends_roll_is_linear_in_length) {
   // Unequal handles: linear in the parameter would be something else.
   world::Document d;
   world::append_knot(d, test::skew_knot({1.3f, 5.1f, 2.7f}, {1, 0, 0}, 2, 2));
   world::append_knot(d, test::skew_knot({31.3f, 5.1f, 2.7f}, {1, 0, 0}, 15, 15));
   world::set_roll(d.entities.get<world::Knot>(d.track.knots[1]), 50);
   d.entities.get<world::Segment>(d.track.segments[0]).turns = 1;
+  const double total = (360.0 + 50.0) * M_PI / 180;
+  for (const world::Entity e : d.track.knots) d.entities.get<world::Knot>(e).spin = static_cast<float>(total / 30);
   const Derived derived = test::derived_of(d);
   const SegmentShape& shape = derived.shape(derived.order[0]);
-  const double total = (360.0 + 50.0) * M_PI / 180;
-  EXPECT_NEAR(shape.twist, total, 1e-6);
+  EXPECT_NEAR(shape.roll.twist, total, 1e-6);
   for (const double s : {3.1, 7.7, 14.9, 22.3, 29.9}) {
     const double a = total * s / 30;  // rolled about +X: up goes from +Y towards +Z
     const glm::dvec3 up = frame_at(shape, s).up;
@@ -119,7 +120,7 @@ TEST(derived, on_a_straight_the_twist_is_linear_in_length) {
 
 TEST(derived, a_planar_circle_keeps_its_frame_without_twist) {
   const Derived derived = test::derived_of(test::circle_document(7.5, {3.3, 1.1, -2.7}, {0.6, 0, 0.8}));
-  for (const world::Entity e : derived.order) EXPECT_NEAR(derived.shape(e).twist, 0, 1e-5);
+  for (const world::Entity e : derived.order) EXPECT_NEAR(derived.shape(e).roll.twist, 0, 1e-5);
 }
 
 TEST(derived, places_wrap_on_closed_tracks_and_clamp_on_open_ones) {

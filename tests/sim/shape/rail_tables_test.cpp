@@ -108,8 +108,9 @@ TEST(rail_tables, entries_are_the_derivatives_of_the_heartline) {
 TEST(rail_tables, the_heartline_of_a_twisted_straight_has_the_closed_form_up_to_the_ends) {
   world::Document d = test::straight_document({1.1f, 12.3f, 2.7f}, {13.1f, 12.3f, 2.7f});
   d.entities.get<world::Segment>(d.track.segments[0]).turns = 1;
-  const Derived derived = test::derived_of(d);
   const double heartline = 1.1, w = 2 * M_PI / 12;
+  for (const world::Entity e : d.track.knots) d.entities.get<world::Knot>(e).spin = static_cast<float>(w);
+  const Derived derived = test::derived_of(d);
   RailTables tables;
   tables.update(derived, heartline);
   const std::vector<FeltEntry>& felt = tables.segment(0).felt;

@@ -176,7 +176,9 @@ TEST(track_mesh, rings_follow_bend_and_twist_within_their_cap) {
 TEST(track_mesh, five_thousand_segments_stay_under_three_million_vertices) {
   // A ring of 20 m radius bends as much as coasters do; one of its 10 m segments counts for 5,000.
   const int count = 13;
-  const Derived derived = test::derived_of(test::ring_document(count, 20.0, 2.0));
+  world::Document ring = test::ring_document(count, 20.0, 2.0);
+  set_automatic_spins(ring);
+  const Derived derived = test::derived_of(ring);
   std::size_t vertices = 0;
   for (const world::Entity e : derived.order) vertices += swept(derived.shape(e)).vertices.size();
   EXPECT_GT(derived.length / count, 9.6);

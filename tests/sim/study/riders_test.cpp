@@ -29,7 +29,7 @@ struct Ridden {
   }
 };
 
-// Knots `turn` radians of roll apart.
+// Knots `turn` radians of roll apart, rolling evenly.
 world::Document rolling(glm::vec3 from, glm::vec3 to, int segments, double turn) {
   world::Document d = test::straight_document(from, to, segments);
   const glm::dvec3 along = glm::normalize(glm::dvec3(to - from));
@@ -38,6 +38,7 @@ world::Document rolling(glm::vec3 from, glm::vec3 to, int segments, double turn)
     world::Knot& knot = d.entities.get<world::Knot>(d.track.knots[i]);
     knot.up = glm::vec3(curve::rotate(up, along, turn * static_cast<double>(i)));
     world::orthonormalise(knot);
+    knot.spin = static_cast<float>(turn * segments / glm::distance(from, to));
   }
   return d;
 }
