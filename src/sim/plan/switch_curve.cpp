@@ -43,25 +43,30 @@ struct Switching {
   }
 };
 
-world::Knot knot_of(const dvec3& position, const dvec3& tangent, const dvec3& up) {
+world::Knot knot_of(const dvec3& position, const dvec3& tangent, const dvec3& up, double spin) {
   world::Knot knot;
   knot.position = glm::vec3(position);
   knot.tangent = glm::vec3(tangent);
   knot.up = glm::vec3(curve::perpendicular(tangent, up));
+  knot.spin = static_cast<float>(std::clamp<double>(spin, -world::kMaxSpin, world::kMaxSpin));
   world::orthonormalise(knot);
   return knot;
 }
 
-// Returns the new knot at knot `k` of the track. Where roll rate or curvature jump it has the mean direction.
+// Returns the new knot at knot `k` of the track. Where curvature jumps it has the mean direction and spin.
 world::Knot moved_knot(const Switching& w, std::size_t k) {
   const std::size_t count = w.derived.order.size();
   const bool before = count > 0 && (w.derived.closed || k > 0), after = w.derived.closed || k < count;
   const world::Knot& former = world::knot(w.document, w.document.track.knots[k]);
   dvec3 tangent(before || after ? glm::vec3(0) : former.tangent);
-  if (before) tangent += w.at((k + count - 1) % count, 1).tangent();
-  if (after) tangent += w.at(k, 0).tangent();
+  double spin = 0;
+  const auto add = [&](const OffsetPoint& at) { tangent += at.tangent(), spin += at.spin; };
+  if (before) add(w.at((k + count - 1) % count, 1));
+  if (after) add(w.at(k, 0));
+  if (before && after) spin /= 2;
+  if (w.offset == 0) spin = double{former.spin};
   const dvec3 up(former.up);
-  return knot_of(dvec3(former.position) + w.offset * up, glm::normalize(tangent), up);
+  return knot_of(dvec3(former.position) + w.offset * up, glm::normalize(tangent), up, spin);
 }
 
 // Sets the handles with which the span's cubic has the new curve's derivatives at both ends, and the turns with which
@@ -120,7 +125,7 @@ Error error_of(const Switching& w, const Stretch& span, const SegmentShape& now)
 void fit(const Switching& w, Stretch span, std::vector<Stretch>& out) {
   set_handles(w, span);
   Derived alone = shapes_of(track_of(w, span));
-  const double turns = std::round((roll_of(w, span) - alone.shape_at(0).twist) / (2 * base::kPi));
+  const double turns = std::round((roll_of(w, span) - alone.shape_at(0).roll.twist) / (2 * base::kPi));
   if (turns != 0) {
     span.turns = static_cast<std::int32_t>(std::clamp<double>(turns, -world::kMaxTurns, world::kMaxTurns));
     alone = shapes_of(track_of(w, span));
@@ -128,7 +133,7 @@ void fit(const Switching& w, Stretch span, std::vector<Stretch>& out) {
   if (alone.length < kShortStretch || error_of(w, span, alone.shape_at(0)).within()) return out.push_back(span);
   const double middle = 0.5 * (span.from + span.to);
   const OffsetPoint at = w.at(span.index, middle);
-  const world::Knot knot = knot_of(at.position, at.tangent(), at.frame.up);
+  const world::Knot knot = knot_of(at.position, at.tangent(), at.frame.up, at.spin);
   fit(w, {span.index, span.from, middle, span.first, knot}, out);
   fit(w, {span.index, middle, span.to, knot, span.second}, out);
 }
@@ -174,7 +179,7 @@ void take_values(const Switching& w, const std::vector<Stretch>& spans, world::D
   const world::Track& track = document.track;
   const auto set = [&](world::Entity e, const world::Knot& value) -> world::Knot& {
     world::Knot& knot = document.entities.get<world::Knot>(e);
-    knot.position = value.position, knot.tangent = value.tangent, knot.up = value.up;
+    knot.position = value.position, knot.tangent = value.tangent, knot.up = value.up, knot.spin = value.spin;
     return knot;
   };
   for (std::size_t k = 0; k < spans.size(); ++k) {
