@@ -59,6 +59,7 @@ void expect_rows_up_to(E last) {
 TEST(names, every_enumerator_has_its_row_and_a_name_of_its_own) {
   expect_rows_up_to(world::Kind::cart);
   expect_rows_up_to(world::JointKind::automatic);
+  expect_rows_up_to(world::SpinKind::set);
   expect_rows_up_to(world::EquipmentKind::block);
   expect_rows_up_to(world::FrameMethod::world_up);
   expect_rows_up_to(world::CameraMode::fly);
@@ -69,7 +70,7 @@ TEST(names, every_enumerator_has_its_row_and_a_name_of_its_own) {
   expect_rows_up_to(world::Style::blueprint);
   expect_rows_up_to(world::Layer::conflicts);
   expect_rows_up_to(world::Colouring::error);
-  expect_rows_up_to(world::LabPage::forces);
+  expect_rows_up_to(world::LabPage::riders);
   expect_rows_up_to(world::ElementKind::corkscrew);
   expect_rows_up_to(world::RideState::failed);
   expect_rows_up_to(world::FailureKind::collision);

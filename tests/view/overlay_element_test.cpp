@@ -37,7 +37,7 @@ TEST(overlay_element, rails_lie_half_a_gauge_beside_the_ideal_curve_or_below_it_
         nearest = std::min(nearest, glm::distance(glm::dvec3(line.to), p.position + height * p.up));
       EXPECT_LT(nearest, sim::kGauge / 2 + (i % 2 == 0 ? 0.05 : 0.1))
           << "from points that are farther apart below the curve";
-      EXPECT_GT(nearest, sim::kGauge / 2 - 0.15) << "or of another turn nearby";
+      EXPECT_GT(nearest, sim::kGauge / 2 - 0.17) << "or of another turn nearby";
       ++rails;
     }
     EXPECT_GT(rails, plan.length);

@@ -64,6 +64,7 @@ TEST(settings_file, the_file_of_a_new_user_is_this) {
   "sound": 0.5,
   "panels": true,
   "laboratory": false,
+  "laboratory_height": 0,
   "reduced_motion": false,
   "head_bob": false,
   "autosave_seconds": 30,
