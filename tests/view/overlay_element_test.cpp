@@ -1,5 +1,8 @@
 #include "view/overlay_element.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "sim/random_elements.h"
@@ -25,9 +28,13 @@ Overlay drawn(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow 
 TEST(overlay_element, rails_lie_half_a_gauge_beside_the_ideal_curve_or_below_it_and_knots_are_marked) {
   test::RandomElements random(51);
   for (int i = 0; i < 40; ++i) {
-    const sim::ElementPlan plan = sim::plan_element(random.any(), random.end());
+    const world::Element element = random.any();
+    const sim::ElementPlan plan = sim::plan_element(element, random.end());
     if (!plan.refusal.empty() || plan.length > 400) continue;
-    const double height = i % 2 == 0 ? 0 : -1.3;
+    // Rails below a fast roll wind about it, so the nearest point may be one of another place.
+    const bool fast = std::any_of(plan.ideal.points.begin(), plan.ideal.points.end(),
+                                  [](const sim::ElementPoint& p) { return std::abs(p.spin) > 0.3; });
+    const double height = i % 2 == 0 || fast ? 0 : -1.3;
     const Overlay overlay = drawn(plan, {}, height);
     std::size_t rails = 0;
     for (const Line& line : overlay.lines) {
@@ -35,9 +42,8 @@ TEST(overlay_element, rails_lie_half_a_gauge_beside_the_ideal_curve_or_below_it_
       double nearest = 1e9;
       for (const sim::ElementPoint& p : plan.ideal.points)
         nearest = std::min(nearest, glm::distance(glm::dvec3(line.to), p.position + height * p.up));
-      EXPECT_LT(nearest, sim::kGauge / 2 + (i % 2 == 0 ? 0.05 : 0.1))
-          << "from points that are farther apart below the curve";
-      EXPECT_GT(nearest, sim::kGauge / 2 - 0.17) << "or of another turn nearby";
+      EXPECT_LT(nearest, sim::kGauge / 2 + (height == 0 ? 0.08 : 0.1)) << "from points that are some way apart";
+      EXPECT_GT(nearest, sim::kGauge / 2 - 0.15) << "or of another turn nearby";
       ++rails;
     }
     EXPECT_GT(rails, plan.length);
