@@ -19,7 +19,7 @@ using glm::dvec3;
 // Below kRailsBound, so that switching there and back stays within it.
 constexpr double kStretchBound = 0.004;           // m
 constexpr double kUpBound = base::radians(0.25);  // of `up`
-constexpr double kShortStretch = 0.1;             // m; never halved
+constexpr double kShortStretch = 0.1;             // m of the former curve; never halved
 constexpr int kChecks = 16;                       // per span, between its ends
 constexpr float kSameHandles = 1e-4f;             // relative; nearer handles are made equal, as smooth joints need
 
@@ -121,8 +121,14 @@ Error error_of(const Switching& w, const Stretch& span, const SegmentShape& now)
   return error;
 }
 
-// Adds the span to `out`, in halves while it misses the bounds.
-void fit(const Switching& w, Stretch span, std::vector<Stretch>& out) {
+base::Status too_far(const Switching& w, const Stretch& span) {
+  const double at = w.derived.starts[span.index] + w.shape(span.index).arc.distance(span.from);
+  return {base::Code::refused,
+          fmt::format("the rails would move by more than {} m at {:.1f} m; smooth the track there", kRailsBound, at)};
+}
+
+// Adds the span to `out`, in halves while it misses the bounds. Refused where a short stretch misses kRailsBound.
+base::Status fit(const Switching& w, Stretch span, std::vector<Stretch>& out) {
   set_handles(w, span);
   Derived alone = shapes_of(track_of(w, span));
   const double turns = std::round((roll_of(w, span) - alone.shape_at(0).roll.twist) / (2 * base::kPi));
@@ -130,15 +136,20 @@ void fit(const Switching& w, Stretch span, std::vector<Stretch>& out) {
     span.turns = static_cast<std::int32_t>(std::clamp<double>(turns, -world::kMaxTurns, world::kMaxTurns));
     alone = shapes_of(track_of(w, span));
   }
-  if (alone.length < kShortStretch || error_of(w, span, alone.shape_at(0)).within()) return out.push_back(span);
+  const Error error = error_of(w, span, alone.shape_at(0));
+  // The former length: where handles meet their limits, the new one need not shrink.
+  const curve::ArcLengthMap& arc = w.shape(span.index).arc;
+  const bool is_short = arc.distance(span.to) - arc.distance(span.from) < kShortStretch;
+  if (is_short && !(error.distance <= kRailsBound)) return too_far(w, span);
+  if (is_short || error.within()) return out.push_back(span), base::Status{};
   const double middle = 0.5 * (span.from + span.to);
   const OffsetPoint at = w.at(span.index, middle);
   const world::Knot knot = knot_of(at.position, at.tangent(), at.frame.up, at.spin);
-  fit(w, {span.index, span.from, middle, span.first, knot}, out);
-  fit(w, {span.index, middle, span.to, knot, span.second}, out);
+  if (base::Status first = fit(w, {span.index, span.from, middle, span.first, knot}, out); !first) return first;
+  return fit(w, {span.index, middle, span.to, knot, span.second}, out);
 }
 
-std::vector<Stretch> fit_all(const Switching& w) {
+base::Result<std::vector<Stretch>> fit_all(const Switching& w) {
   const std::size_t knots = w.document.track.knots.size();
   std::vector<world::Knot> moved;
   for (std::size_t k = 0; k < knots; ++k) moved.push_back(moved_knot(w, k));
@@ -146,7 +157,7 @@ std::vector<Stretch> fit_all(const Switching& w) {
   for (std::size_t i = 0; i < w.derived.order.size(); ++i) {
     const Stretch whole{i, 0, 1, moved[i], moved[(i + 1) % knots]};
     if (w.offset == 0) spans.push_back(whole);
-    else fit(w, whole, spans);
+    else if (base::Status fitted = fit(w, whole, spans); !fitted) return fitted;
   }
   return spans;
 }
@@ -220,12 +231,6 @@ void move_trains(const Switching& w, SwitchedCurve& out) {
   }
 }
 
-base::Status too_far(const Switching& w, const Stretch& span) {
-  const double at = w.derived.starts[span.index] + w.shape(span.index).arc.distance(span.from);
-  return {base::Code::refused,
-          fmt::format("the rails would move by more than {} m at {:.1f} m; smooth the track there", kRailsBound, at)};
-}
-
 }  // namespace
 
 CurvePlace SwitchedCurve::place(CurvePlace former) const {
@@ -246,7 +251,9 @@ base::Result<SwitchedCurve> switch_curve(const world::Document& document, const 
     return base::Status{base::Code::refused,
                         fmt::format("the {} {}", to == world::TrackCurve::rails ? "rails fold" : "heartline would fold",
                                     fold_text(folds.front(), w.offset))};
-  const std::vector<Stretch> spans = fit_all(w);
+  const base::Result<std::vector<Stretch>> fitted = fit_all(w);
+  if (!fitted) return fitted.status();
+  const std::vector<Stretch>& spans = *fitted;
   if (const Stretch* const tiny = split_at(w, spans, out)) return too_far(w, *tiny);
   if (w.offset != 0) take_values(w, spans, out.document);
   if (const auto broken = world::broken_invariant(out.document))

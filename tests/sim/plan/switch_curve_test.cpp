@@ -177,6 +177,25 @@ TEST(switch_curve, is_refused_where_the_new_curve_would_fold) {
   EXPECT_TRUE(rails.ok()) << rails.status().message;
 }
 
+// Its new handles meet their limits in a bend that almost folds: pieces get shorter, but not nearer.
+TEST(switch_curve, is_refused_where_halves_come_no_nearer) {
+  world::Document d;
+  world::Knot first = test::skew_knot({-654.12262f, 71.5633545f, -193.260117f},
+                                      {0.177316397f, 0.416821837f, -0.891525924f}, 61.1210747f, 61.1210747f),
+              second = first;
+  second.position = {-686.635925f, -4.866436f, -29.7870464f};
+  first.up = {-0.288032532f, 0.888194561f, 0.357977241f};
+  second.up = {0.63631773f, 0.642503917f, 0.426952511f};
+  world::append_knot(d, first), world::append_knot(d, second);
+  d.entities.get<world::Segment>(d.track.segments[0]).turns = -1;
+  d.curve = TrackCurve::heartline;
+  d.heartline = 0.659184f;
+  const auto result = switch_curve(d, test::derived_of(d), TrackCurve::rails);
+  ASSERT_FALSE(result.ok());
+  EXPECT_NE(result.status().message.find("the rails would move by more than 0.01 m at "), std::string::npos)
+      << result.status().message;
+}
+
 TEST(switch_curve, of_no_height_or_no_segments_is_trivial) {
   world::Document d = test::sample_document();
   d.heartline = 0;
