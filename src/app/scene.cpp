@@ -35,7 +35,7 @@ edit::Want wanted_by(const Look& look, const Program& program) {
   Want wanted = Want::values;
   if (layers.has(world::Layer::flips)) wanted = wanted | Want::breaks;
   if (layers.has(world::Layer::conflicts) && !is_riding(program, look)) wanted = wanted | Want::conflicts | Want::folds;
-  if (layers.has(world::Layer::limits)) wanted = wanted | Want::overloads;
+  if (layers.has(world::Layer::limits)) wanted = wanted | Want::overloads | Want::jolts;
   if (layers.has(world::Layer::supports)) wanted = wanted | Want::supports;
   if (look.settings.aids->show_element) wanted = wanted | Want::element | Want::room;
   return wanted;
@@ -50,7 +50,7 @@ gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findin
     marked.conflicts = found.conflicts;
     marked.folds = found.folds;
   }
-  if (layers.has(world::Layer::limits)) marked.spans = found.overloads;
+  if (layers.has(world::Layer::limits)) marked.spans = found.overloads, marked.jolts = found.jolts;
   if (look.settings.aids->show_element) marked.element = found.element, marked.narrow = found.room;
   const view::Overlay overlay =
       view::build_overlay(session.document, session.derived, look.settings, look.view, look.hovered, marked);

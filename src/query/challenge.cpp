@@ -50,6 +50,7 @@ std::optional<double> place_of(const edit::Finder& find, std::string_view query)
                              Row{"ride.up_stop_load_max", &sim::Ratings::up_stop_most},
                              Row{"ride.side_load_max", &sim::Ratings::side_load_most},
                              Row{"ride.speed_max", &sim::Ratings::top_speed},
+                             Row{"ride.jolt_max", &sim::Ratings::jolt_most},
                              Row{"ride.height_max", &sim::Ratings::highest}};
   if (find(edit::Want::ride).ride == nullptr) return std::nullopt;
   for (const Row& row : kRows)

@@ -84,6 +84,8 @@ constexpr std::array kGhostRows{
           most<sim::RideValue::roll_rate>},
     Query{"ride.roll_acceleration_max", "", "deg/s^2", "Largest roll acceleration of the whole ride, to either side.",
           most<sim::RideValue::roll_acceleration>},
+    Query{"ride.jolt_max", "", "g", "Largest jolt of the whole ride, of all joints and cars.",
+          extreme<&sim::Ratings::jolt_most>},
     Query{"ride.speed_max", "", "m/s", "Largest speed of the whole ride.", extreme<&sim::Ratings::top_speed>},
     Query{"ride.envelope", "", "", "Number of overloads: stretches where a g exceeds its limit for too long.",
           envelope},

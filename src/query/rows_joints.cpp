@@ -96,6 +96,24 @@ Answer joints_g2(const Context& c, View) {
   return number(smooth);
 }
 
+// --- jolts
+// Returns that value of the jolt at a knot; 0 without a ride.
+template <double sim::Jolt::*axis>
+Answer jolt(const Context& c, View argument) {
+  return of_entity(c, argument, world::Kind::knot, [&](world::Entity e) {
+    const std::span<const sim::Jolt> jolts = c.find(edit::Want::jolts).jolts;
+    const auto index = world::index_of(c.session.document.track.knots, e);
+    return index && *index < jolts.size() ? jolts[*index].*axis : 0.0;
+  });
+}
+Answer jolt_knot(const Context& c, View) {
+  AtJoint<double> worst;
+  const std::span<const sim::Jolt> jolts = c.find(edit::Want::jolts).jolts;
+  for (std::size_t i = 0; i < jolts.size(); ++i)
+    if (jolts[i].total > worst.figure) worst = {jolts[i].total, c.session.document.track.knots[i]};
+  return text(label_or_none(c, worst.knot));
+}
+
 // --- the selected position
 struct Place {
   const sim::SegmentShape* shape;
@@ -176,6 +194,15 @@ constexpr std::array kJointRows{
     Query{"g_step_max", "", "g", "The largest such jump of the track.", g_step_max},
     Query{"roughest_joint", "", "", "The knot with the largest jump of curvature; none if there is no jump.",
           roughest_joint},
+    Query{
+        "jolt", "@knot", "g",
+        "Largest difference of low-passed felt g that the jumps at a knot make in the whole ride, of all cars and the "
+        "three axes together.",
+        jolt<&sim::Jolt::total>},
+    Query{"jolt.vertical", "@knot", "g", "The same of vertical g alone.", jolt<&sim::Jolt::up>},
+    Query{"jolt.lateral", "@knot", "g", "The same of lateral g alone.", jolt<&sim::Jolt::left>},
+    Query{"jolt.longitudinal", "@knot", "g", "The same of longitudinal g alone.", jolt<&sim::Jolt::forward>},
+    Query{"ride.jolt_knot", "", "", "The knot with the largest jolt; none without a jolt.", jolt_knot},
     Query{"geometric_min", "", "", "Lowest geometric continuity of all joints: G0 < G1 < G2; none without a joint.",
           weakest_level<&curve::Joint::geometric>},
     Query{"parametric_min", "", "", "Lowest parametric continuity of all joints: C0 < C1 < C2; none without a joint.",

@@ -9,6 +9,7 @@
 #include "sim/shape/frame_methods.h"
 #include "sim/study/element_room.h"
 #include "sim/study/envelope.h"
+#include "sim/study/jolt.h"
 #include "view/pick.h"
 
 namespace coaster::view {
@@ -42,6 +43,7 @@ struct Overlay {
 struct Findings {
   std::span<const sim::FrenetBreak> breaks;   // read for Layer::flips
   std::span<const sim::RedSpan> spans;        // read for Layer::limits
+  std::span<const sim::Jolt> jolts;           // of the track's knots; read for Layer::limits
   std::span<const sim::Conflict> conflicts;   // read for Layer::conflicts
   std::span<const sim::Fold> folds;           // read for Layer::conflicts
   world::Failure failure;                     // of the ride; kind none: no failure

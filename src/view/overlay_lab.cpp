@@ -117,10 +117,13 @@ void add_laboratory(const world::Document& document, const sim::Derived& derived
   layer(Layer::comb, true, [&](Overlay& o) { add_comb(derived, settings, view, o); });
   layer(Layer::frames, true, [&](Overlay& o) { add_frames(derived, settings, view, o); });
   layer(Layer::flips, true, [&](Overlay& o) { add_breaks(derived, findings.breaks, view, scale, o); });
-  layer(Layer::limits, true, [&](Overlay& o) { add_spans(derived, findings.spans, scale, o); });
   layer(Layer::conflicts, !findings.riding, [&](Overlay& o) {
     add_conflicts(derived, findings.conflicts, view, scale, o);
     add_folds(derived, findings.folds, view, scale, o);
+  });
+  layer(Layer::limits, true, [&](Overlay& o) {
+    add_spans(derived, findings.spans, scale, o);
+    add_jolts(derived, findings.jolts, view, scale, o);
   });
   layer(Layer::rounding, true, [&](Overlay& o) { add_rounding(document, derived, settings, o); });
   layer(Layer::circle, probed != nullptr, [&](Overlay& o) { add_circle(*probed, t, scale, o); });

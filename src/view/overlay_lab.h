@@ -23,6 +23,7 @@ inline constexpr int kMaxRoundingVertices = 8200;  // two segments at the highes
 inline constexpr int kMaxBreaks = 500;
 inline constexpr int kMaxSpanPieces = 4000;  // of all overloads
 inline constexpr int kMaxConflicts = 300;
+inline constexpr int kMaxJolts = 300;
 inline constexpr int kCircleSides = 96;
 inline constexpr double kMaxRadius = 1e4;  // m; flatter curves get no circle
 inline constexpr double kMaxTooth = 1e3;   // m; curvature is unbounded at a cusp
@@ -59,6 +60,10 @@ void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans,
 
 // Adds folds of the rails: a broad line and a sign over each.
 void add_folds(const sim::Derived& derived, std::span<const sim::Fold> folds, const View& view, float scale,
+               Overlay& overlay);
+
+// Adds a sign with a peak above each joint whose jolt exceeds sim::kJoltLimit.
+void add_jolts(const sim::Derived& derived, std::span<const sim::Jolt> jolts, const View& view, float scale,
                Overlay& overlay);
 
 // Adds conflicts: a broad line over both stretches, and a sign between their narrowest points.

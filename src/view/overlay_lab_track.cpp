@@ -127,6 +127,18 @@ void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans,
   }
 }
 
+void add_jolts(const sim::Derived& derived, std::span<const sim::Jolt> jolts, const View& view, float scale,
+               Overlay& overlay) {
+  constexpr std::array<glm::dvec2, 9> kPeak{
+      {{-6, -3}, {-4, -3}, {-2.6, -1.2}, {-1.3, 1.4}, {0, 4}, {1.3, 1.4}, {2.6, -1.2}, {4, -3}, {6, -3}}};  // px
+  int left = kMaxJolts;
+  for (std::size_t i = 0; i < jolts.size() && left > 0; ++i) {
+    if (!(jolts[i].total > sim::kJoltLimit)) continue;
+    --left;
+    add_sign(over_rails(derived, derived.starts.at(i), kOver), kLimitColour, kPeak, view, scale, overlay);
+  }
+}
+
 void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> breaks, const View& view, float scale,
                 Overlay& overlay) {
   constexpr int kLines = 12;

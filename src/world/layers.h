@@ -35,7 +35,7 @@ inline constexpr base::NameRow kLayers[] = {
      "Float rounding of the polyline: each vertex is displaced by its error times the magnification."},
     {"flips", "Frenet failures###Frenet's failures", "Where the Frenet normal flips or is undefined."},
     {"limits", "Highlight overloads###Red spans",
-     "Where g exceeds its limit for longer than allowed. Not a compliance check."},
+     "Where g exceeds its limit for longer than allowed, and joints with a jolt above 1 g. Not a compliance check."},
     {"supports", "Supports", "Supports, built automatically and clear of the trains."},
     {"knots", "Knots", "Knots and their handles. Hidden ones can still be selected."},
     {"conflicts", "Conflicts", "Where the track lacks clearance from itself or folds."},

@@ -56,6 +56,29 @@ TEST_F(JointsQueryTest, the_g_step_is_at_the_present_speed_of_the_first_cart) {
   EXPECT_EQ(number("g_step", "@k1"), 0) << "an end joins nothing";
 }
 
+TEST_F(JointsQueryTest, jolts_are_those_of_the_whole_ride_at_the_knots) {
+  good("start_speed 20");
+  const std::vector<sim::Jolt> expected =
+      sim::jolts(*edit::find(session, edit::Want::ride).ride, 5, session.limits.envelope.cutoff);
+  double most = 0;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const std::string knot = "@k" + std::to_string(i + 1);
+    EXPECT_EQ(number("jolt", knot), expected[i].total) << knot;
+    EXPECT_EQ(number("jolt.vertical", knot), expected[i].up) << knot;
+    EXPECT_EQ(number("jolt.lateral", knot), expected[i].left) << knot;
+    EXPECT_EQ(number("jolt.longitudinal", knot), expected[i].forward) << knot;
+    most = std::max(most, number("jolt", knot));
+  }
+  EXPECT_GT(most, 0.1);
+  EXPECT_EQ(number("jolt", "@k1"), 0) << "an end joins nothing";
+  EXPECT_EQ(number("ride.jolt_max"), most);
+  EXPECT_EQ(number("jolt", "@" + words("ride.jolt_knot")), most);
+  good("remove @c1");
+  good("remove @c2");
+  EXPECT_EQ(number("jolt", "@k3"), 0) << "no ride";
+  EXPECT_EQ(words("ride.jolt_knot"), "none");
+}
+
 TEST_F(JointsQueryTest, a_repair_takes_the_step_away) {
   ASSERT_GT(number("curvature_jump", "@k3"), 1e-3);
   const double joints = number("joints_g2");

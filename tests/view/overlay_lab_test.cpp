@@ -215,6 +215,26 @@ TEST(overlay_lab, a_red_span_runs_over_the_rails_from_end_to_end) {
   }
 }
 
+TEST(overlay_lab, a_jolt_above_the_limit_has_a_sign_with_a_peak_over_its_knot) {
+  Scene scene;
+  std::vector<sim::Jolt> jolts(scene.document.track.knots.size());
+  jolts[2].total = sim::kJoltLimit * 1.01, jolts[3].total = sim::kJoltLimit * 0.99;
+  Findings findings;
+  findings.jolts = jolts;
+  scene.settings.lab->layers.set(world::Layer::limits, true);
+  Overlay overlay;
+  add_laboratory(scene.document, scene.derived, scene.settings, scene.view, findings, overlay);
+  ASSERT_EQ(overlay.marks.size(), 10u);  // one disc and the dots of its peak
+  EXPECT_EQ(overlay.marks[0].rgba, kLimitColour);
+  const glm::vec3 knot = world::knot(scene.document, scene.document.track.knots[2]).position;
+  EXPECT_NEAR(glm::distance(overlay.marks[0].position, knot), 1.6, 1e-4);
+  EXPECT_GT(overlay.marks[5].position.y, overlay.marks[1].position.y);
+  scene.settings.lab->layers.set(world::Layer::limits, false);
+  Overlay none;
+  add_laboratory(scene.document, scene.derived, scene.settings, scene.view, findings, none);
+  EXPECT_TRUE(none == Overlay{});
+}
+
 TEST(overlay_lab, no_layer_outgrows_its_limit_on_a_long_track) {
   Scene scene(test::ring_document(1500, 900));
   for (const float distance : {3.0f, 60.0f, 2500.0f}) {

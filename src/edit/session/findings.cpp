@@ -63,6 +63,16 @@ void find_overloads(Session& session) {
                                                  [&] { return sim::red_spans(*found.ride, session.limits.envelope); });
 }
 
+void find_jolts(Session& session) {
+  Findings& found = session.findings;
+  const double cutoff = session.limits.envelope.cutoff;
+  found.jolts = {};
+  if (found.ride != nullptr)
+    found.jolts = found.memory.jolts.get({found.ride->serial, cutoff}, [&] {
+      return sim::jolts(*found.ride, session.document.track.knots.size(), cutoff);
+    });
+}
+
 void find_deviation(Session& session) {
   Findings& found = session.findings;
   found.deviation = 0;
@@ -82,12 +92,13 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
   const bool by_ride = base::row_of(session.settings.lab->colouring).of_ride;
   if (has(wanted, Want::document_hash))
     found.document_hash = memory.document_hash.get(session.edits, [&] { return world::hash(session.document); });
-  if (has(wanted, Want::ride | Want::ratings | Want::overloads | Want::seat | Want::riders) ||
+  if (has(wanted, Want::ride | Want::ratings | Want::overloads | Want::seat | Want::riders | Want::jolts) ||
       (has(wanted, Want::values) && by_ride))
     find_ride(session);
   if (has(wanted, Want::ratings)) find_ratings(session);
   if (has(wanted, Want::seat | Want::riders)) find_riders(session, has(wanted, Want::riders));
   if (has(wanted, Want::overloads)) find_overloads(session);
+  if (has(wanted, Want::jolts)) find_jolts(session);
   if (has(wanted, Want::conflicts | Want::room)) found.conflicts = memory.conflicts.update(session.derived);
   if (has(wanted, Want::folds)) found.folds = memory.folds.update(session.derived);
   if (has(wanted, Want::element | Want::room)) found.element = &memory.elements.plan(element, session.document);

@@ -16,6 +16,7 @@
 #include "sim/solids/conflicts.h"
 #include "sim/solids/supports.h"
 #include "sim/study/element_room.h"
+#include "sim/study/jolt.h"
 #include "sim/study/ratings.h"
 #include "sim/study/riders.h"
 #include "sim/study/track_values.h"
@@ -40,7 +41,8 @@ enum class Want : std::uint16_t {
   deviation = 1024,  // from the start track of the challenge under way
   seat = 2048,       // what the riders of the chosen seat feel during that ride
   riders = 4096,     // the same of all cars
-  folds = 8192       // of the rails
+  folds = 8192,      // of the rails
+  jolts = 16384      // of that ride, at the joints
 };
 constexpr Want operator|(Want a, Want b) {
   return static_cast<Want>(static_cast<std::uint16_t>(a) | static_cast<std::uint16_t>(b));
@@ -60,6 +62,7 @@ struct Findings {
   std::span<const sim::RedSpan> overloads;   // none without a ride
   std::span<const sim::Conflict> conflicts;  // in the track's order
   std::span<const sim::Fold> folds;          // in the track's order
+  std::span<const sim::Jolt> jolts;          // by the knots' index in the track; none without a ride
   const sim::ElementPlan* element = nullptr;
   std::span<const sim::Narrow> room;  // parts of the element that lack it
   std::span<const sim::FrenetBreak> breaks;
@@ -74,6 +77,7 @@ struct Findings {
     base::Kept<std::pair<std::uint64_t, double>, sim::Ratings> ratings;  // by the ride's serial and the cutoff
     base::Kept<std::pair<std::uint64_t, sim::Envelope>, std::vector<sim::RedSpan>> overloads;  // by the ride's serial
     sim::Riders riders;
+    base::Kept<std::pair<std::uint64_t, double>, std::vector<sim::Jolt>> jolts;  // by the ride's serial and the cutoff
     sim::Conflicts conflicts;
     sim::Folds folds;
     sim::ElementMemo elements;

@@ -73,6 +73,19 @@ std::vector<const SegmentTable*> segments_of(const RailTables& tables) {
   return segments;
 }
 
+// Returns what changes from the end of one segment's entries to the start of the next's, or backwards.
+Passage passage(std::span<const FeltEntry> from, std::span<const FeltEntry> to, bool back, double speed,
+                double acceleration) {
+  const FeltEntry &before = back ? from.front() : from.back(), &after = back ? to.back() : to.front();
+  const glm::dvec3 along(after.along - before.along), bend(after.bend - before.bend);
+  const auto force = [](glm::dvec3 g) {
+    return Force{static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)};
+  };
+  return {.speed = speed,
+          .impulse = force(speed / world::kGravity * along),
+          .step = force((acceleration * along + speed * speed * bend) / world::kGravity)};
+}
+
 class Simulation {
  public:
   Simulation(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
@@ -94,8 +107,15 @@ class Simulation {
   Ghost run(const GhostLimits& limits, Ghost ghost) {
     std::vector<GhostSample> samples = std::move(ghost.samples);
     std::vector<Force> forces = std::move(ghost.forces);
-    samples.clear(), forces.clear();
-    ghost = Ghost{start_, rails_.length, rails_.closed, document_.heartline, std::move(samples), std::move(forces)};
+    std::vector<Passage> passages = std::move(ghost.passages);
+    samples.clear(), forces.clear(), passages.clear();
+    ghost = Ghost{start_,
+                  rails_.length,
+                  rails_.closed,
+                  document_.heartline,
+                  std::move(samples),
+                  std::move(forces),
+                  std::move(passages)};
     const auto most = static_cast<std::size_t>(std::max(0.0, limits.seconds) * world::kTicksPerSecond);
     const std::size_t usual = std::min<std::size_t>(most + 1, 20'000);
     ghost.samples.reserve(usual), ghost.forces.reserve(usual / kForceEvery * static_cast<std::size_t>(start_.cars));
@@ -185,11 +205,33 @@ class Simulation {
     hints_.resize(static_cast<std::size_t>(start_.cars), 0);
     for (int car = 0; car < start_.cars; ++car) {
       std::size_t& hint = hints_[static_cast<std::size_t>(car)];
+      const std::size_t before = hint;
       double at = moving_.x - round_ - car * start_.spacing;
       if (rails_.closed && at < 0) at += rails_.length;
       const double s = tables_.locate(at, hint);
+      if (hint != before && ghost.samples.size() > 1) add_passages(car, before, hint, at, ghost);
       const glm::vec3 g = felt_at(*segments_[hint], s, a, v2);
       ghost.forces.push_back({g.x, g.y, g.z});
+    }
+  }
+
+  // Adds a car's passages since the last entry of the forces, from one segment to another, where it is at `at` m.
+  void add_passages(int car, std::size_t from, std::size_t to, double at, Ghost& ghost) const {
+    const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - kForceEvery];
+    const double moved = now.travelled - then.travelled;
+    const std::size_t count = segments_.size();
+    while (from != to && moved != 0) {
+      const bool back = moved < 0;
+      const std::size_t next = (from + (back ? count - 1 : 1)) % count, knot = back ? from : next;
+      double past = back ? tables_.start(knot) - at : at - tables_.start(knot);
+      if (rails_.closed && past < 0) past += rails_.length;
+      const double share = std::clamp(1 - past / std::abs(moved), 0.0, 1.0);
+      ghost.passages.push_back(passage(segments_[from]->felt, segments_[next]->felt, back,
+                                       std::lerp(then.speed, now.speed, share),
+                                       std::lerp(then.acceleration, now.acceleration, share)));
+      ghost.passages.back().knot = knot, ghost.passages.back().car = car;
+      ghost.passages.back().entry = (ghost.samples.size() - 1) / kForceEvery;
+      from = next;
     }
   }
 

@@ -38,6 +38,18 @@ struct Force {
 };
 inline constexpr int kForceEvery = 2;  // ticks between two entries of Ghost::forces: 60 a second
 
+// A car's passage of a joint: what the jumps of curvature and roll there change at once, on the seat's axes. Both
+// follow from the ends of the tables beside the joint: for riders on h(s), the velocity steps by s' (h'(s+) - h'(s-)),
+// felt g by (s'' (h'(s+) - h'(s-)) + s'^2 (h''(s+) - h''(s-))) / g.
+struct Passage {
+  std::size_t knot = 0;  // index in the track
+  int car = 0;
+  std::size_t entry = 0;   // the first of the forces after it, per car
+  double speed = 0;        // m/s there
+  Force impulse{0, 0, 0};  // g s: the step of velocity by g
+  Force step{0, 0, 0};     // g
+};
+
 struct Ghost {
   GhostStart start;
   double track_length = 0;
@@ -45,6 +57,7 @@ struct Ghost {
   double heartline = 0;                               // m above the rails, of the riders
   std::vector<GhostSample> samples;                   // one per tick of 1/120 s, the first at the start
   std::vector<Force> forces;                          // entry k of car c at [k * cars + c], at tick k * kForceEvery
+  std::vector<Passage> passages;                      // of all joints by all cars, in order
   world::FailureKind end = world::FailureKind::none;  // none: a whole lap, or the time limit
   bool lap = false;                                   // completed a lap
   std::uint64_t serial = 0;                           // number of the simulation, from 1: a new ride has a new number

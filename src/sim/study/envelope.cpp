@@ -27,15 +27,16 @@ struct Section {
   }
 };
 
-float along_axis(const Force& force, ForceAxis axis) {
+// Returns the seat's axis that a limit is about.
+float Force::*seat_axis(ForceAxis axis) {
   switch (axis) {
-    case ForceAxis::down: return force.up;
-    case ForceAxis::lift: return -force.up;
-    case ForceAxis::side: return force.left;
-    case ForceAxis::forward: return force.forward;
-    case ForceAxis::back: return -force.forward;
+    case ForceAxis::down:
+    case ForceAxis::lift: return &Force::up;
+    case ForceAxis::side: return &Force::left;
+    case ForceAxis::forward:
+    case ForceAxis::back: return &Force::forward;
   }
-  return 0;
+  return &Force::up;
 }
 
 // For each entry the longest run around it with no value below its own: [first, last].
@@ -126,16 +127,24 @@ void low_pass(std::span<float> values, double rate, double cutoff) {
   Section(rate, cutoff, 1.30656296487637652).run(values);
 }
 
-std::vector<float> pressed(const Ghost& ghost, int car, ForceAxis axis, double cutoff) {
+std::vector<float> low_passed_g(const Ghost& ghost, int car, float Force::*axis, double cutoff) {
   const auto cars = static_cast<std::size_t>(ghost.start.cars);
   std::vector<float> values;
   values.reserve(ghost.forces.size() / cars);
-  // Lateral g is low-passed with its sign: a force that changes sides quickly does not last.
   for (std::size_t i = static_cast<std::size_t>(car); i < ghost.forces.size(); i += cars)
-    values.push_back(along_axis(ghost.forces[i], axis));
+    values.push_back(ghost.forces[i].*axis);
+  for (const Passage& passage : ghost.passages)
+    if (passage.car == car) values[passage.entry] += passage.impulse.*axis * static_cast<float>(kForceRate);
   low_pass(values, kForceRate, cutoff);
-  if (axis == ForceAxis::side)
-    for (float& value : values) value = std::abs(value);
+  return values;
+}
+
+std::vector<float> pressed(const Ghost& ghost, int car, ForceAxis axis, double cutoff) {
+  std::vector<float> values = low_passed_g(ghost, car, seat_axis(axis), cutoff);
+  // Lateral g is low-passed with its sign: a force that changes sides quickly does not last.
+  for (float& value : values)
+    if (axis == ForceAxis::side) value = std::abs(value);
+    else if (axis == ForceAxis::lift || axis == ForceAxis::back) value = -value;
   return values;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/study/jolt.h"
 #include "sim/study/wheel_loads.h"
 
 namespace coaster::sim {
@@ -48,6 +49,11 @@ void take_wheels(const Ghost& ghost, double cutoff, Ratings& r) {
       take(r.side_load_most, all.side, first, true, i * kForceEvery, car, ghost);
     }
   }
+}
+
+void take_jolts(const Ghost& ghost, double cutoff, Ratings& r) {
+  for (const Passage& passage : ghost.passages)
+    take(r.jolt_most, jolt_of(passage, cutoff).total, false, true, passage.entry * kForceEvery, passage.car, ghost);
 }
 
 // Heights under the first car: extremes, and descents from a top to the next bottom.
@@ -101,6 +107,7 @@ Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff) {
   take_heights(ghost, tables, r);
   take_forces(ghost, cutoff, r);
   take_wheels(ghost, cutoff, r);
+  take_jolts(ghost, cutoff, r);
   count_inversions(ghost, tables, r);
   double way = 0;
   for (std::size_t i = 1; i < ghost.samples.size(); ++i)

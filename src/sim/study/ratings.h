@@ -25,6 +25,7 @@ struct Ratings {
   Extreme up_most, up_least, side_most, forward_most,
       back_most;                                    // g, low-passed; side: absolute; back: backwards, positive
   Extreme road_most, up_stop_most, side_load_most;  // kN, of a car's wheels of that kind together, low-passed
+  Extreme jolt_most;                                // g (jolt.h)
   double mean_speed = 0;                            // m/s
   double airtime = 0;       // s during which the middle car's riders are lifted (vertical g below 0)
   int drops = 0;            // descents of kDrop or more

@@ -47,6 +47,7 @@ std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Ri
   add_extreme(out, "most jerk", most_of(riders, RideValue::jerk), "g/s");
   add_extreme(out, "most roll rate", most_of(riders, RideValue::roll_rate), "deg/s");
   add_extreme(out, "most roll acceleration", most_of(riders, RideValue::roll_acceleration), "deg/s^2");
+  add_extreme(out, "largest jolt", r.jolt_most, "g");
   add(out, "  {:<22} {:8.2f} s\n", "airtime", r.airtime);
   add(out, "  {:<22} {:8}, highest {:.2f} m\n", "drops", r.drops, r.highest_drop);
   add(out, "  {:<22} {:8}\n", "inversions", r.inversions);

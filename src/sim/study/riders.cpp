@@ -19,10 +19,7 @@ double magnitude(const Force& force) {
 }
 
 void fill_jerk(const Ghost& ghost, int car, float Force::*axis, double cutoff, std::vector<RiderSample>& samples) {
-  const auto cars = static_cast<std::size_t>(ghost.start.cars);
-  std::vector<float> felt(samples.size());
-  for (std::size_t k = 0; k < felt.size(); ++k) felt[k] = ghost.forces[k * cars + static_cast<std::size_t>(car)].*axis;
-  low_pass(felt, kRate, cutoff);
+  const std::vector<float> felt = low_passed_g(ghost, car, axis, cutoff);
   for (std::size_t k = 0; k < felt.size(); ++k) {
     const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, felt.size() - 1);
     if (after == before) continue;

@@ -78,9 +78,9 @@ struct CarRange {
 
 // The samples of a ride's cars, computed for those cars that are asked for.
 //
-// Jerk: the felt g, low-passed by Butterworth's 4 poles as for the force limits (study/envelope.h), and its central
-// difference over two entries (1/30 s). It lags by the filter's delay, 0.08 s at 5 Hz. Unfiltered g steps where the
-// curvature does, so its derivative would depend on the sampling.
+// Jerk: the low-passed felt g of the force limits (low_passed_g() of study/envelope.h), and its central difference over
+// two entries (1/30 s). It lags by the filter's delay, 0.08 s at 5 Hz. Unfiltered g steps where the curvature does, so
+// its derivative would depend on the sampling.
 // Roll rate: spin (rad/m) times speed. Roll acceleration: its exact derivative, spin' v^2 + spin a, within a segment.
 class Riders {
  public:

@@ -31,6 +31,8 @@ void show_or_hide(Act& act) {
 
 bool in_conflict(const Act& act) { return !act.ui.find(edit::Want::conflicts).conflicts.empty(); }
 void next_conflict(Act& act) { show_next_conflict(act.ui); }
+bool ridden(const Act& act) { return !act.ui.find(edit::Want::jolts).jolts.empty(); }
+void worst_jolt(Act& act) { show_worst_jolt(act.ui); }
 void open_palette(Act& act) { toggle_palette(act.palette); }
 
 // What is framed is framed for the orbit camera.
@@ -91,6 +93,8 @@ constexpr Action kViewActions[] = {
      always, layer_shown<Layer::conflicts>},
     {"Next conflict", "View", kNoKey, kInDrag, "Go to the next place where the track lacks clearance from itself.",
      next_conflict, in_conflict},
+    {"Worst jolt", "View", kNoKey, kInDrag, "Go to the knot whose jumps of curvature and roll riders feel most.",
+     worst_jolt, ridden},
     {"Gizmo", "View", kNoKey, kInDrag, "Show or hide the arrows that move the selected knots.",
      toggle<&Aids::show_gizmo>, always, on<&Aids::show_gizmo>},
     {"Panels", "View", key(Key::tab), 0, "Show or hide menu, panels and status bar.", toggle<&Look::show_panels>,

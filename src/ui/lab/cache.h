@@ -19,6 +19,7 @@ namespace coaster::ui {
 struct JointRow {
   world::Entity knot;
   world::Name name;
+  std::size_t index;  // of the knot in the track
   curve::Joint joint;
 };
 struct JointList {

@@ -27,7 +27,7 @@ std::vector<JointRow> joints_of(const edit::Session& session) {
   for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i) {
     const world::Entity before = derived.order[(i + count - 1) % count], after = derived.order[i];
     const world::Entity knot = world::segment(session.document, after).from;
-    rows.push_back({knot, world::name_of(session.document, knot),
+    rows.push_back({knot, world::name_of(session.document, knot), i,
                     curve::joint(derived.shape(before).key.cubic, derived.shape(after).key.cubic)});
   }
   return rows;
@@ -56,21 +56,25 @@ constexpr TableColumn kJointColumns[] = {
     {"Jump", "1/m", 1.3f, "Length of the difference between the curvature vectors."},
     {"g-step", "g", 1.2f,
      "v\u00B2 |\u0394\u03BA| / g: jump of the force on a rider at the first cart's current speed."},
+    {"Jolt", "g", 1.1f,
+     "Largest change of felt g by the jumps of curvature and roll, low-pass filtered, in the whole ride, all cars."},
 };
 
-void row_of(Ui& ui, const JointRow& row, double speed) {
+std::uint32_t tint_of(double g) { return g > sim::kJoltLimit ? kBadColour : g > 0.3 ? kPolygonColour : kPlainColour; }
+
+void row_of(Ui& ui, const JointRow& row, double speed, std::span<const sim::Jolt> jolts) {
   const bool selected = ui.session().settings.selected == row.knot;
   const double step = sim::g_step(row.joint.curvature_jump, speed);
   const std::string name = world::to_text(row.name);
   const std::uint32_t tint = row.joint.geometric == curve::Geometric::g2   ? kGoodColour
                              : row.joint.geometric == curve::Geometric::g1 ? kPlainColour
                                                                            : kBadColour;
-  const std::uint32_t step_tint = step > 1 ? kBadColour : step > 0.3 ? kPolygonColour : kPlainColour;
+  const double jolt = row.index < jolts.size() ? jolts[row.index].total : 0;
   const std::string geometric(base::name_of(row.joint.geometric)), parametric(base::name_of(row.joint.parametric));
   const Cell cells[] = {{name, kPlainColour, true},        {geometric, tint, true},
                         {parametric, kPlainColour, true},  {fixed(base::degrees(row.joint.angle), 3)},
                         {fixed(row.joint.speed_ratio, 3)}, {fixed(row.joint.curvature_jump, 5)},
-                        {fixed(step, 2), step_tint}};
+                        {fixed(step, 2), tint_of(step)},   {fixed(jolt, 2), tint_of(jolt)}};
   if (table_row(ui, "Joint " + name, cells, selected, fmt::format("{} {} {} g", geometric, parametric, fixed(step, 2)),
                 "Click to select the knot.") &&
       !selected)
@@ -100,6 +104,7 @@ void side(Ui& ui, const JointList& list, double speed) {
   read_out(ui, "Speed", fixed(speed, 2), "m/s", "Current speed of the first cart. The g-steps use it.");
   read_out(ui, "Largest g-step", fixed(sim::g_step(largest, speed), 2), "g",
            "Largest g-step of the track at this speed.");
+  read_query(ui, "Largest jolt", "ride.jolt_max", "Largest jolt of the whole ride.");
   choose_side(ui, ui.lab.joints_by_jump, {"Track order", "List the joints in track order."},
               {"Largest first###Hardest first", "List the joints by g-step, largest first."});
 }
@@ -111,6 +116,7 @@ void joints_page(Ui& ui) {
   const double speed = std::abs(number_of(ui, "ride.speed").value_or(0));
   Page page(ui, 230);
   side(ui, list, speed);
+  const std::span<const sim::Jolt> jolts = ui.find(edit::Want::jolts).jolts;
   const float height = page.pictures();
   if (list.rows.empty()) return small_note("No joints yet. A joint connects two segments.");
   if (!begin_table(ui, "Joints table", kJointColumns, height)) return;
@@ -119,7 +125,7 @@ void joints_page(Ui& ui) {
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
       const std::size_t at = static_cast<std::size_t>(i);
-      row_of(ui, list.rows[ui.lab.joints_by_jump ? list.by_jump[at] : at], speed);
+      row_of(ui, list.rows[ui.lab.joints_by_jump ? list.by_jump[at] : at], speed, jolts);
     }
   end_table();
 }

@@ -89,6 +89,19 @@ void joint_list(Ui& ui, const edit::Knots& knots, const world::Knot& knot, std::
   if (const auto kind = combo_of(ui, "Joint", knot.joint, tooltip)) ui.emit(edit::SetJoint{knots, *kind});
 }
 
+void jolt(Ui& ui, Entity knot) {
+  const std::span<const sim::Jolt> jolts = ui.find(edit::Want::jolts).jolts;
+  const auto index = world::index_of(ui.session().document.track.knots, knot);
+  if (!index || *index >= jolts.size()) return;  // no ride
+  const sim::Jolt& found = jolts[*index];
+  read_out(ui, "Jolt", fixed(found.total, 2), "g",
+           fmt::format("Largest change of felt g by the jumps of curvature and roll here, low-pass filtered: "
+                       "vertical {}, lateral {}, longitudinal {} g. Worst in car {}, at {} m/s.",
+                       fixed(found.up, 2), fixed(found.left, 2), fixed(found.forward, 2), found.car + 1,
+                       fixed(found.speed, 1)),
+           found.total > sim::kJoltLimit);
+}
+
 void continuity(Ui& ui, Entity entity, Name name) {
   const world::Document& document = ui.session().document;
   const world::Neighbours at = world::neighbours(document, entity);
@@ -108,6 +121,7 @@ void continuity(Ui& ui, Entity entity, Name name) {
              {.decimals = 3, .unit = "mm", .factor = 1e3, .argument = argument});
   read_out(ui, "Angle", fixed(base::degrees(joint.angle), 3), "\u00B0", "Angle between the two tangents.");
   read_out(ui, "Speed ratio", fixed(joint.speed_ratio, 3), "", "|C'(0)| / |B'(1)|: 1 for C1.");
+  jolt(ui, entity);
 }
 
 void knot_inspector(Ui& ui, Entity entity, Name name) {

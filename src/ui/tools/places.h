@@ -1,4 +1,5 @@
-// Places along the track that the program takes the user to: where a ride failed, where the track lacks clearance.
+// Places along the track that the program takes the user to: where a ride failed, where the track lacks clearance,
+// where riders are jolted.
 #pragma once
 
 #include <optional>
@@ -19,5 +20,7 @@ void show_place(Ui& ui, double distance);
 void show_next_conflict(Ui& ui);
 // The same for folds of the rails.
 void show_next_fold(Ui& ui);
+// Selects the knot with the largest jolt and points the orbit camera there; no-op without a jolt.
+void show_worst_jolt(Ui& ui);
 
 }  // namespace coaster::ui

@@ -9,7 +9,8 @@ namespace coaster::edit {
 namespace findings_test {
 
 constexpr Want kAll = Want::document_hash | Want::ride | Want::ratings | Want::overloads | Want::conflicts |
-                      Want::element | Want::room | Want::breaks | Want::values | Want::supports | Want::deviation;
+                      Want::element | Want::room | Want::breaks | Want::values | Want::supports | Want::deviation |
+                      Want::jolts;
 
 class FindingsOfASession : public test::SessionTest {
  protected:
@@ -37,6 +38,9 @@ class FindingsOfASession : public test::SessionTest {
     ASSERT_EQ(found.overloads.size(), expected.overloads.size()) << after;
     for (std::size_t i = 0; i < found.overloads.size(); ++i)
       EXPECT_EQ(found.overloads[i].worst, expected.overloads[i].worst) << after;
+    ASSERT_EQ(found.jolts.size(), expected.jolts.size()) << after;
+    for (std::size_t i = 0; i < found.jolts.size(); ++i)
+      EXPECT_EQ(found.jolts[i].total, expected.jolts[i].total) << after;
     EXPECT_TRUE(std::equal(found.conflicts.begin(), found.conflicts.end(), expected.conflicts.begin(),
                            expected.conflicts.end()))
         << after;
@@ -75,10 +79,11 @@ TEST_F(FindingsOfASession, a_ride_is_simulated_when_it_is_wanted_and_changed_alo
 TEST_F(FindingsOfASession, without_a_cart_there_is_no_ride_and_nothing_of_one) {
   for (world::Entity cart; (cart = chosen_cart(session)).valid();)
     good("remove @" + world::label_of(session.document, cart));
-  const Findings& found = find(session, Want::ride | Want::ratings | Want::overloads);
+  const Findings& found = find(session, Want::ride | Want::ratings | Want::overloads | Want::jolts);
   EXPECT_EQ(found.ride, nullptr);
   EXPECT_EQ(found.ratings->up_most.value, 0);
   EXPECT_TRUE(found.overloads.empty());
+  EXPECT_TRUE(found.jolts.empty());
 }
 
 }  // namespace findings_test

@@ -1,0 +1,30 @@
+// Jolts: what riders feel of the jumps of curvature and roll at a joint. Felt g is continuous where the track is, so it
+// is the difference that the joint makes.
+#pragma once
+
+#include <vector>
+
+#include "sim/ride/ghost.h"
+
+namespace coaster::sim {
+
+inline constexpr double kJoltLimit = 1.0;  // g: joints above are marked
+
+// The largest difference of felt g with and without a joint's jumps, after the forces' low-pass: of each axis, and the
+// largest length of all three together. Of several passages each takes the largest.
+struct Jolt {
+  double forward = 0, left = 0, up = 0;  // g, absolute
+  double total = 0;                      // g
+  int car = 0;                           // with the largest total
+  double speed = 0;                      // m/s, of that car there; negative: backwards
+};
+
+// Returns the jolt of one passage: cutoff (Hz) impulse r'(cutoff t) + step r(cutoff t), r being the response of the
+// low-pass of 1 Hz to a unit step. Within 0.1 % of the continuous filter.
+Jolt jolt_of(const Passage& passage, double cutoff);
+
+// Returns the jolt of each knot, by its index in the track: 0 at the ends of an open track and where the ride does not
+// come.
+std::vector<Jolt> jolts(const Ghost& ghost, std::size_t knots, double cutoff);
+
+}  // namespace coaster::sim

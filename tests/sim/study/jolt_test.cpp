@@ -1,0 +1,252 @@
+// Jolts of rides against finely sampled ones: the rider's path in closed form, its second differences over 1e-5 s in
+// long double, and the low-pass as a differential equation. None of it shares code with the ride.
+#include "sim/study/jolt.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "sim/study/ratings.h"
+#include "sim/tracks.h"
+
+namespace coaster::sim {
+namespace jolt_test {
+
+using Vec = glm::tvec3<long double>;
+
+constexpr double kG = world::kGravity, kHeart = 1.1, kCutoff = 5;
+
+struct Rail {
+  Vec at, along, up;
+};
+// A curve by its arc length, with a joint at 0.
+using Curve = std::function<Rail(long double)>;
+
+struct FineRide {
+  Jolt jolt;        // of the joint at 0
+  glm::dvec3 most;  // g, largest filtered felt g forwards, left and up
+};
+
+// A Butterworth low-pass of four poles: two oscillators y'' = w^2 (x - y) - w/q y', poles at 22.5 and 67.5 degrees.
+class Filter {
+ public:
+  explicit Filter(glm::dvec3 start) : y_{start, start} {}
+  glm::dvec3 next(glm::dvec3 x, double dt) {
+    const double w = 2 * M_PI * kCutoff;
+    for (int i = 0; i < 2; ++i) {
+      const double damping = 2 * std::cos(i == 0 ? 3 * M_PI / 8 : M_PI / 8);
+      rate_[i] += dt * (w * w * (x - y_[i]) - w * damping * rate_[i]);
+      y_[i] += dt * rate_[i];
+      x = y_[i];
+    }
+    return x;
+  }
+
+ private:
+  glm::dvec3 y_[2], rate_[2]{glm::dvec3(0), glm::dvec3(0)};
+};
+
+// Rides a curve at constant speed, from 0.3 s before its joint to 0.7 s after it.
+FineRide fine_ride(const Curve& curve, double speed) {
+  const long double dt = 1e-5L;
+  const int before = 30'000, after = 70'000;
+  const auto rail = [&](int i) { return curve((static_cast<long double>(i) + 0.5L) * dt * speed); };
+  const auto heart = [&](int i) {
+    const Rail r = rail(i);
+    return r.at + static_cast<long double>(kHeart) * r.up;
+  };
+  // The difference of entries -1 and 0 spans the joint.
+  std::vector<glm::dvec3> felt, without;
+  for (int i = -before; i < after; ++i) {
+    const Rail r = rail(i);
+    const Vec a = (heart(i + 1) - 2.0L * heart(i) + heart(i - 1)) / (dt * dt) + Vec(0, kG, 0);
+    felt.emplace_back(glm::dot(a, r.along) / kG, glm::dot(a, glm::cross(r.up, r.along)) / kG, glm::dot(a, r.up) / kG);
+  }
+  const std::size_t joint = before;  // the first entry after it
+  without = felt;
+  const glm::dvec3 step = felt[joint + 1] - felt[joint - 2];
+  without[joint - 1] = without[joint] = felt[joint - 2];
+  for (std::size_t i = joint + 1; i < without.size(); ++i) without[i] -= step;
+  FineRide ride{{}, felt[0]};
+  Filter with_it(felt[0]), without_it(felt[0]);
+  for (std::size_t i = 0; i < felt.size(); ++i) {
+    const glm::dvec3 here = with_it.next(felt[i], 1e-5), more = glm::abs(here - without_it.next(without[i], 1e-5));
+    ride.jolt.forward = std::max(ride.jolt.forward, more.x), ride.jolt.left = std::max(ride.jolt.left, more.y);
+    ride.jolt.up = std::max(ride.jolt.up, more.z), ride.jolt.total = std::max(ride.jolt.total, glm::length(more));
+    ride.most = glm::max(ride.most, here);
+  }
+  return ride;
+}
+
+// Knots on a curve from `from` to `to` m, the joint among them, with the handles of arcs.
+world::Document fitted(const Curve& curve, double from, double to, double step) {
+  world::Document d;
+  const auto handle = [&](double s) {
+    const double turn = std::acos(std::min(1.0, static_cast<double>(glm::dot(curve(s).along, curve(s + step).along))));
+    return static_cast<float>(turn < 1e-6 ? step / 3 : step * 4 / 3 * std::tan(turn / 4) / turn);
+  };
+  for (int i = 0; i <= static_cast<int>((to - from) / step + 0.5); ++i) {
+    const double s = from + step * i;
+    const Rail rail = curve(s);
+    world::append_knot(d, test::skew_knot(glm::vec3(rail.at), glm::vec3(rail.along), handle(s - step), handle(s)));
+    world::Knot& knot = d.entities.get<world::Knot>(d.track.knots.back());
+    knot.up = glm::vec3(rail.up);
+    world::orthonormalise(knot);
+  }
+  return d;
+}
+
+struct Ridden {
+  world::Document document;
+  Derived derived;
+  GhostMemo memo;
+  const Ghost* ghost;
+  std::vector<Jolt> found;
+
+  Ridden(world::Document d, double speed, int cars = 1, std::size_t segment = 0, double fraction = 0.0)
+      : document(std::move(d)) {
+    const world::Entity cart = world::add_cart(document, document.track.segments.at(segment), fraction);
+    document.entities.get<world::Cart>(cart).cars = cars;
+    document.start_speed = speed, document.heartline = kHeart, document.rollback_fails = false;
+    derive(document, {}, {}, derived);
+    ghost = memo.ride(document, derived, cart);
+    found = jolts(*ghost, document.track.knots.size(), kCutoff);
+  }
+};
+
+double bound(double value) { return std::max(0.02, 0.02 * value); }
+
+void expect_near(const Jolt& found, const Jolt& fine) {
+  EXPECT_NEAR(found.forward, fine.forward, bound(fine.forward));
+  EXPECT_NEAR(found.left, fine.left, bound(fine.left));
+  EXPECT_NEAR(found.up, fine.up, bound(fine.up));
+  EXPECT_NEAR(found.total, fine.total, bound(fine.total));
+}
+
+// A level straight into a level turn of radius 7.5 m to the left, `up` turned by `bank` towards its centre.
+Curve turn_of(double bank) {
+  return [bank](long double s) -> Rail {
+    const long double radius = 7.5L, a = std::max(s, 0.0L) / radius, straight = std::min(s, 0.0L);
+    const Vec in(-std::sin(a), 0, -std::cos(a));
+    return {Vec(3.3L + straight + radius * std::sin(a), 12.7L, -7.1L - radius * (1 - std::cos(a))),
+            {std::cos(a), 0, -std::sin(a)},
+            static_cast<long double>(std::sin(bank)) * in + Vec(0, std::cos(bank), 0)};
+  };
+}
+
+TEST(jolt, a_step_of_curvature_is_that_of_a_finely_sampled_ride) {
+  const double speed = 20, step = 0.75;
+  for (const double bank : {0.0, M_PI / 2, 0.6}) {
+    const FineRide fine = fine_ride(turn_of(bank), speed);
+    Ridden ride(fitted(turn_of(bank), -30, 15, step), speed);
+    const Jolt& found = ride.found.at(40);
+    expect_near(found, fine.jolt);
+    EXPECT_NEAR(found.speed, speed, 1e-3);
+    for (std::size_t i = 1; i < 60; ++i)
+      if (i != 40) {
+        EXPECT_LT(ride.found.at(i).total, 0.03) << bank << " " << i;
+      }
+    // Closed forms: an impulse of v d dK up to 2.93 m/s, 2.40 f dv / g after the low-pass; a step with 10.8 % more.
+    const double towards_up = std::sin(bank) / 7.5;
+    EXPECT_NEAR(found.left, 1.108 * speed * speed / kG * std::cos(bank) * (1 / 7.5 - kHeart * towards_up / 7.5),
+                bound(found.left));
+    EXPECT_NEAR(found.forward, 2.397 * kCutoff * speed * kHeart * towards_up / kG, bound(found.forward));
+    // What the limits and the ratings see: 12 entries per 1 / cutoff, which take 2.3 % of an impulse's peak.
+    const Ratings rated = rate(*ride.ghost, ride.memo.tables(ride.document, ride.derived), kCutoff);
+    EXPECT_NEAR(rated.side_most.value, std::abs(fine.most.y), bound(fine.most.y)) << bank;
+    EXPECT_NEAR(rated.up_most.value, fine.most.z, bound(fine.most.z)) << bank;
+    EXPECT_NEAR(rated.back_most.value, fine.jolt.forward, 0.025 * fine.jolt.forward + 1e-3) << bank;
+    EXPECT_EQ(rated.jolt_most.value, found.total);
+    EXPECT_NEAR(rated.jolt_most.distance, 30, 1.01 * speed / 60);
+  }
+}
+
+// A level straight that rolls to the right about the rails.
+Curve rolling(const std::function<long double(long double)>& angle) {
+  return [angle](long double s) -> Rail {
+    const long double a = angle(s);
+    return {Vec(3.3L + s, 12.7L, -7.1L), {1, 0, 0}, {0, std::cos(a), std::sin(a)}};
+  };
+}
+
+// 90 degrees in 20 m at 15 m/s, evenly: the rider is thrown sideways by d v w = 1.30 m/s, 1.58 g.
+TEST(jolt, a_step_of_the_roll_rate_throws_riders_sideways) {
+  const double speed = 15, spin = M_PI / 2 / 20;
+  const FineRide fine = fine_ride(rolling([&](long double s) { return spin * std::max(s, 0.0L); }), speed);
+  EXPECT_NEAR(fine.jolt.left, 1.58, 0.01);
+  Passage passage;
+  passage.impulse.left = static_cast<float>(-kHeart * speed * spin / kG);
+  passage.step.up = static_cast<float>(-kHeart * speed * speed * spin * spin / kG);
+  expect_near(jolt_of(passage, kCutoff), fine.jolt);
+}
+
+// Two knots 20 m apart whose spin is 0: the roll between them begins with 6 angle / length^2 rad/m^2.
+TEST(jolt, a_step_of_the_rolls_second_derivative_is_a_step_of_lateral_g) {
+  const double speed = 15, length = 20;
+  const auto angle = [&](long double s) {
+    const long double u = std::max(s, 0.0L) / length;
+    return static_cast<long double>(M_PI / 2) * u * u * (3 - 2 * u);
+  };
+  world::Document d = fitted(rolling([](long double) { return 0.0L; }), -20, 20, 20);
+  world::set_roll(d.entities.get<world::Knot>(d.track.knots[2]), 90);
+  Ridden ride(std::move(d), speed);
+  const FineRide fine = fine_ride(rolling(angle), speed);
+  EXPECT_NEAR(fine.jolt.left, 1.108 * kHeart * speed * speed * 6 * M_PI / 2 / (length * length) / kG, 0.01);
+  expect_near(ride.found.at(1), fine.jolt);
+}
+
+TEST(jolt, a_joint_with_continuous_curvature_has_none) {
+  world::Document d = test::straight_document({1.1f, 12.3f, 2.7f}, {25.1f, 12.3f, 2.7f});
+  const curve::Cubic bent{{25.1f, 12.3f, 2.7f}, {33.1f, 12.3f, 2.7f}, {41.1f, 14.9f, 2.7f}, {45.3f, 21.3f, 2.7f}};
+  const curve::SplitCubic halves = curve::split(bent, 0.37);
+  d.entities.get<world::Knot>(d.track.knots[1]).out_length = glm::distance(bent.p0, halves.left.p1);
+  const auto add = [&](glm::vec3 in, glm::vec3 at, glm::vec3 out) {
+    world::append_knot(d, test::skew_knot(at, at - in, glm::distance(in, at), glm::distance(at, out)));
+  };
+  add(halves.left.p2, halves.left.p3, halves.right.p1);
+  add(halves.right.p2, halves.right.p3, halves.right.p3 + glm::vec3(1, 1, 0));
+  const Ridden ride(std::move(d), 23);
+  EXPECT_LT(ride.found.at(2).total, 0.02);
+  EXPECT_GT(ride.found.at(1).total, 0.2);  // the straight meets the bend
+}
+
+TEST(jolt, every_car_passes_every_joint_of_a_lap_once_and_the_worst_one_counts) {
+  const Ridden ride(test::ring_document(12, 40.3, 7.7), 17.3, 3, 2, 0.4);
+  ASSERT_TRUE(ride.ghost->lap);
+  std::vector<int> passed(12, 0);
+  std::vector<Jolt> worst(12);
+  std::size_t entry = 0;
+  for (const Passage& passage : ride.ghost->passages) {
+    ++passed.at(passage.knot);
+    EXPECT_GE(passage.entry, entry);
+    entry = passage.entry;
+    const double distance = ride.ghost->distance(entry * kForceEvery, passage.car),
+                 joint = ride.derived.starts.at(passage.knot);
+    EXPECT_LE(within_lap(distance - joint, ride.derived.length, true), passage.speed / 60 + 0.02);
+    EXPECT_NEAR(passage.speed, ride.ghost->samples[entry * kForceEvery].speed, 0.2);
+    if (const Jolt one = jolt_of(passage, kCutoff); one.total > worst.at(passage.knot).total)
+      worst.at(passage.knot) = one;
+  }
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(passed[i], 3) << i;
+    EXPECT_EQ(ride.found[i].total, worst[i].total) << i;
+    EXPECT_EQ(ride.found[i].car, worst[i].car) << i;
+    EXPECT_GT(ride.found[i].total, 0) << i;
+  }
+}
+
+// The ends of an open track join nothing, and a ride backwards is jolted like one forwards where impulse and step are
+// on different axes.
+TEST(jolt, a_ride_backwards_has_the_same_jolts) {
+  const double speed = 20;
+  const world::Document d = fitted(turn_of(M_PI / 2), -30, 15, 0.75);
+  const Ridden on(d, speed), back(d, -speed, 1, d.track.segments.size() - 1, 0.9);
+  EXPECT_EQ(on.found.front().total, 0);
+  EXPECT_EQ(on.found.back().total, 0);
+  EXPECT_NEAR(back.found.at(40).speed, -speed, 1e-3);
+  EXPECT_NEAR(back.found.at(40).forward, on.found.at(40).forward, 1e-3);
+  EXPECT_NEAR(back.found.at(40).up, on.found.at(40).up, 1e-3);
+}
+
+}  // namespace jolt_test
+}  // namespace coaster::sim
