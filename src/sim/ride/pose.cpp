@@ -65,7 +65,8 @@ Felt felt(const world::Document& document, const Derived& derived, world::Entity
   const TrackPlace place = places[static_cast<std::size_t>(car)];
   const SegmentShape& shape = derived.shape_at(place.index);
   const double s = std::clamp(place.s, 0.0, shape.arc.length());
-  const FeltEntry here = felt_entry(shape, shape.arc.parameter(s), frame_at(shape, s), world::riders_height(document));
+  const double t = shape.arc.parameter(s);
+  const FeltEntry here = felt_entry(shape, s, t, frame_at(shape, s, t), world::riders_height(document));
   const double along = along_rails(document, derived, entity, cart, places);
   const glm::vec3 g = here.felt(static_cast<float>(along / world::kGravity),
                                 static_cast<float>(cart.speed * cart.speed / world::kGravity));

@@ -184,12 +184,13 @@ TrackPlace place_at(const Derived& derived, double distance) {
   return {index, distance - derived.starts[index]};
 }
 
-curve::Frame frame_at(const SegmentShape& shape, double s) {
+curve::Frame frame_at(const SegmentShape& shape, double s) { return frame_at(shape, s, shape.arc.parameter(s)); }
+
+curve::Frame frame_at(const SegmentShape& shape, double s, double t) {
   const curve::Cubic& c = shape.key.cubic;
   const double length = shape.arc.length();
   if (!(s > 0)) return shape.frames.front();
   if (s >= length) return shape.frames.back();
-  const double t = shape.arc.parameter(s);
   const int below = std::min(static_cast<int>(t * kFrameIntervals), kFrameIntervals - 1);
   const double t0 = static_cast<double>(below) / kFrameIntervals;
   curve::Frame frame =

@@ -112,6 +112,8 @@ struct RailPoint {
 // Returns the frame at arc length s of a segment (rotation-minimising from the first knot's up, turned by the roll);
 // forward is exactly the unit tangent.
 curve::Frame frame_at(const SegmentShape& shape, double s);
+// The same, if the parameter t at s is known.
+curve::Frame frame_at(const SegmentShape& shape, double s, double t);
 // The same by parameter, without a Derived.
 curve::Frame frame_of(const world::Document& document, world::Entity segment, double t);
 

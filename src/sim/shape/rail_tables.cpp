@@ -19,18 +19,18 @@ void fill(const SegmentShape& shape, double heartline, double largest_step, Segm
   for (std::size_t i = 0; i < count; ++i) {
     const double s = i + 1 == count ? length : table.step * static_cast<double>(i);
     const double t = shape.arc.parameter(s);
-    const curve::Frame frame = frame_at(shape, s);
+    const curve::Frame frame = frame_at(shape, s, t);
     table.height[i] = curve::point(shape.key.cubic, t).y;
     table.slope[i] = frame.forward.y;
-    table.felt[i] = felt_entry(shape, t, frame, heartline);
+    table.felt[i] = felt_entry(shape, s, t, frame, heartline);
   }
 }
 
 }  // namespace
 
-FeltEntry felt_entry(const SegmentShape& shape, double t, const curve::Frame& frame, double d) {
+FeltEntry felt_entry(const SegmentShape& shape, double s, double t, const curve::Frame& frame, double d) {
   const dvec3 left = frame.left(), &up = frame.up;
-  const double s = shape.arc.distance(t), w = shape.roll.spin(s), w_slope = shape.roll.slope(s);
+  const double w = shape.roll.spin(s), w_slope = shape.roll.slope(s);
   // Curvature towards left and up, and the curvature vector's change towards up.
   const dvec3 r1 = curve::derivative(shape.key.cubic, t), r2 = curve::second_derivative(shape.key.cubic, t);
   const double square = glm::dot(r1, r1);

@@ -18,9 +18,9 @@ struct FeltEntry {
   // Returns felt g while the train accelerates by `a` g along the rails and its squared speed is `v2` g m.
   glm::vec3 felt(float a, float v2) const { return a * along + v2 * bend + weight; }
 };
-// Returns the entry at t of a segment, `frame` its frame there, for riders d metres above the rails: the derivatives of
-// r(s) + d U(s) in closed form. Without bend at a cusp, and bounded beside it.
-FeltEntry felt_entry(const SegmentShape& shape, double t, const curve::Frame& frame, double d);
+// Returns the entry at arc length s of a segment, where its parameter is t and its frame `frame`, for riders d metres
+// above the rails: the derivatives of r(s) + d U(s) in closed form. Without bend at a cusp, and bounded beside it.
+FeltEntry felt_entry(const SegmentShape& shape, double s, double t, const curve::Frame& frame, double d);
 
 struct SegmentTable {
   std::uint64_t build = 0;            // of the shape that it was filled from

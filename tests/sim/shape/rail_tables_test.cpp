@@ -92,7 +92,7 @@ TEST(rail_tables, entries_are_the_derivatives_of_the_heartline) {
       const glm::dvec3 before = heart(s - step), here = heart(s), after = heart(s + step);
       const glm::dvec3 first = (after - before) / (2 * step), second = (after - 2.0 * here + before) / (step * step);
       const curve::Frame frame = frame_at(shape, s);
-      const FeltEntry entry = felt_entry(shape, shape.arc.parameter(s), frame, heartline);
+      const FeltEntry entry = felt_entry(shape, s, shape.arc.parameter(s), frame, heartline);
       const glm::dvec3 axes[] = {frame.forward, frame.left(), frame.up};
       for (int i = 0; i < 3; ++i) {
         EXPECT_NEAR(entry.along[i], glm::dot(first, axes[i]), 1e-5) << index << " " << part << " " << i;
