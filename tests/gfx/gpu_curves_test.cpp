@@ -136,7 +136,7 @@ TEST_P(Stages, use_slots_again_and_draw_nothing_in_empty_ones) {
     EXPECT_EQ(draw(track).polyline_bytes, 8 * 48);
     EXPECT_TRUE(picture(track).rgba == picture(*fresh(), track).rgba) << "removed in round " << round;
     const world::Entity segment = track.document.track.segments[static_cast<std::size_t>(5 - round % 4)];
-    world::split_segment(track.document, segment, 0.37, glm::vec3(sim::frame_of(track.document, segment, 0.37).up));
+    test::split_at(track.document, segment, 0.37);
     track.derive();
     const DrawStats stats = draw(track);
     EXPECT_EQ(stats.polyline_bytes, 9 * 48);

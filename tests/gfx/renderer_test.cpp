@@ -195,7 +195,7 @@ void edit(std::mt19937& bits, Track& track) {
     case 0: world::remove_knot(track.document, knots[knots.size() > 5 ? at : 0]); break;
     case 1: {
       const world::Entity segment = track.document.track.segments[bits() % track.document.track.segments.size()];
-      world::split_segment(track.document, segment, 0.37, glm::vec3(sim::frame_of(track.document, segment, 0.37).up));
+      test::split_at(track.document, segment, 0.37);
       break;
     }
     case 2: track.settings.evaluation->steps = 3 + static_cast<int>(bits() % 60); break;

@@ -14,6 +14,13 @@ inline sim::Derived derived_of(const world::Document& document, const world::Set
   return derived;
 }
 
+// Splits a segment at its parameter t, where the new knot takes the track's own `up`.
+inline void split_at(world::Document& document, world::Entity segment, double t) {
+  const sim::Derived derived = sim::shapes_of(document);
+  const sim::SegmentShape& shape = derived.shape(segment);
+  world::split_segment(document, segment, t, glm::vec3(sim::frame_at(shape, shape.arc.distance(t)).up));
+}
+
 // A closed track of `count` knots about a tilted ring of `radius` metres with hills; all joints smooth.
 inline world::Document ring_document(int count, double radius, double hill = 3.7) {
   world::Document d;

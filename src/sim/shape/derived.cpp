@@ -199,10 +199,4 @@ curve::Frame frame_at(const SegmentShape& shape, double s, double t) {
   return frame;
 }
 
-curve::Frame frame_of(const world::Document& document, world::Entity segment, double t) {
-  SegmentShape shape;
-  build_shape(key_of(document, world::segment(document, segment)), shape);
-  return frame_at(shape, shape.arc.distance(t));
-}
-
 }  // namespace coaster::sim

@@ -114,7 +114,5 @@ struct RailPoint {
 curve::Frame frame_at(const SegmentShape& shape, double s);
 // The same, if the parameter t at s is known.
 curve::Frame frame_at(const SegmentShape& shape, double s, double t);
-// The same by parameter, without a Derived.
-curve::Frame frame_of(const world::Document& document, world::Entity segment, double t);
 
 }  // namespace coaster::sim

@@ -140,10 +140,6 @@ TEST(conflicts, the_worst_is_that_of_a_search_through_all_places) {
   EXPECT_GT(some, 10);
 }
 
-void split(world::Document& d, world::Entity segment) {
-  (void)world::split_segment(d, segment, 0.3, glm::vec3(frame_of(d, segment, 0.3).up));
-}
-
 TEST(conflicts, follow_from_the_track_alone_however_it_came_to_be_so) {
   world::Document d = criss_cross(8, 40);
   Derived derived = test::derived_of(d);
@@ -156,7 +152,7 @@ TEST(conflicts, follow_from_the_track_alone_however_it_came_to_be_so) {
     switch (bits() % 8) {
       case 0: world::remove_knot(d, k); break;
       case 1: world::set_closed(d, !d.track.closed); break;
-      case 2: split(d, d.track.segments[bits() % d.track.segments.size()]); break;
+      case 2: test::split_at(d, d.track.segments[bits() % d.track.segments.size()], 0.3); break;
       case 3: d.entities.get<world::Knot>(k).position.y += 300; break;  // the segments beside it grow long
       case 4:
         if (step % 3 == 0) d = first;
