@@ -79,6 +79,36 @@ TEST(riders, an_even_roll_on_a_slope_accelerates_with_the_train) {
   }
 }
 
+// The angle of roll a s + b s^2 + c s^3 over joints too, on a slope on which the speed changes evenly.
+TEST(riders, a_cubic_roll_has_the_rate_and_the_acceleration_of_its_closed_form) {
+  const glm::dvec3 from(3.3, 12, 9.7), to(51.3, 48, 9.7);  // 60 m at a slope of 0.6
+  const int segments = 4;
+  const double a = 0.05, b = -0.004, c = 6e-5, step = glm::distance(from, to) / segments;
+  world::Document d = test::straight_document(glm::vec3(from), glm::vec3(to), segments);
+  for (std::size_t i = 0; i < d.track.knots.size(); ++i) {
+    const double s = step * static_cast<double>(i);
+    world::Knot& knot = d.entities.get<world::Knot>(d.track.knots[i]);
+    const glm::dvec3 along(knot.tangent), up = curve::perpendicular(along, {0, 1, 0});
+    knot.up = glm::vec3(curve::rotate(up, along, s * (a + s * (b + s * c))));
+    world::orthonormalise(knot);
+    knot.spin = static_cast<float>(a + s * (2 * b + s * 3 * c));
+  }
+  const double v0 = 27, slowing = -0.6 * kG;
+  Ridden ride(d, v0);
+  const Rider rider = ride.riders.car(0);
+  ASSERT_GT(rider.entries(), 120u);
+  double most = 0, least = 0;
+  for (std::size_t i = 0; i + 1 < rider.entries(); ++i) {
+    const double t = kEntry * static_cast<double>(i), v = v0 + slowing * t, s = 0.2 * step + t * (v0 + v) / 2,
+                 spin = a + s * (2 * b + s * 3 * c), acceleration = (2 * b + 6 * c * s) * v * v + spin * slowing;
+    EXPECT_NEAR(rider.value(i, RideValue::roll_rate), glm::degrees(spin * v), 5e-3) << i;
+    EXPECT_NEAR(rider.value(i, RideValue::roll_acceleration), glm::degrees(acceleration), 0.06) << i;
+    most = std::max(most, acceleration), least = std::min(least, acceleration);
+  }
+  EXPECT_GT(most, 1);
+  EXPECT_LT(least, -5);
+}
+
 // A level clothoid, curvature c s: at speed v the lateral g grows by v^3 c / g every second (Pendrill and Eager, Phys.
 // Educ. 55 (2020) 065012). The filter follows a ramp with a delay and the same slope.
 TEST(riders, a_clothoid_at_constant_speed_has_constant_jerk) {
