@@ -150,6 +150,10 @@ constexpr std::array kDocumentRows{
           "Largest angle between a row's frame and the fitted track's, but within 0.5 m of where rows jump; 0 without "
           "an import.",
           of_import<&exchange::ImportReport::frame_error>},
+    Query{"import.rms_error", "", "m", "Root mean square of the distances of import.max_error.",
+          of_import<&exchange::ImportReport::rms_error>},
+    Query{"import.rms_frame_error", "", "deg", "Root mean square of the angles of import.frame_error.",
+          of_import<&exchange::ImportReport::rms_frame_error>},
     Query{"import.jump_error", "", "deg", "As import.frame_error, within 0.5 m of where rows jump; 0 without a jump.",
           of_import<&exchange::ImportReport::jump_error>},
     Query{"import.knots", "", "", "Number of knots of the fitted track; 0 without an import.",

@@ -52,11 +52,12 @@ inline std::vector<bool> counted_rows(const std::vector<sim::FitRow>& rows, bool
 }
 
 struct Misses {
-  double distance = 0, angle_deg = 0;
+  double distance = 0, angle_deg = 0;          // the worst
+  double distance_rms = 0, angle_rms_deg = 0;  // root mean squares
 };
 
-// The worst distance of a row from the whole track, and the worst angle at a counted row from the frame at a place
-// within 1 cm of it.
+// The distances of rows from the whole track, and the angles at the counted rows from the frame at a place within 1 cm
+// of them.
 inline Misses misses_of(const world::Document& document, const std::vector<sim::FitRow>& rows) {
   sim::Derived derived;
   world::Settings settings;
@@ -64,6 +65,7 @@ inline Misses misses_of(const world::Document& document, const std::vector<sim::
   sim::derive(document, settings, {}, derived);
   const std::vector<bool> counted = counted_rows(rows, document.track.closed);
   Misses worst;
+  double angles = 0;  // number
   for (std::size_t i = 0; i < rows.size(); ++i) {
     double nearest = 1e9, angle = 180;
     for (const world::Entity e : derived.order) {
@@ -82,9 +84,12 @@ inline Misses misses_of(const world::Document& document, const std::vector<sim::
                            glm::dot(frame.left(), glm::cross(rows[i].up, rows[i].forward));
       angle = std::min(angle, std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0)) * 180 / M_PI);
     }
-    worst.distance = std::max(worst.distance, nearest);
-    if (counted[i]) worst.angle_deg = std::max(worst.angle_deg, angle);
+    worst.distance = std::max(worst.distance, nearest), worst.distance_rms += nearest * nearest;
+    if (!counted[i]) continue;
+    worst.angle_deg = std::max(worst.angle_deg, angle), worst.angle_rms_deg += angle * angle, ++angles;
   }
+  worst.distance_rms = std::sqrt(worst.distance_rms / static_cast<double>(rows.size()));
+  worst.angle_rms_deg = std::sqrt(worst.angle_rms_deg / std::max(angles, 1.0));
   return worst;
 }
 

@@ -259,8 +259,9 @@ base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view 
   world::add_cart(loaded.document, loaded.document.track.segments[0], 0);
   loaded.warnings = std::move(r.warnings);
   if (r.more_warnings > 0) loaded.warnings.push_back(fmt::format("{}: {} more warnings", name, r.more_warnings));
-  loaded.import =
-      ImportReport{fitted.report.max_error, fitted.report.frame_error, fitted.report.knots, fitted.report.jump_error};
+  const sim::FitReport& report = fitted.report;
+  loaded.import = ImportReport{report.max_error,  report.frame_error,      report.knots,
+                               report.jump_error, report.distances.root(), report.angles.root()};
   return loaded;
 }
 

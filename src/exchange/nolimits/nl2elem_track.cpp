@@ -8,6 +8,7 @@
 #include "base/portable_math.h"
 #include "base/text.h"
 #include "exchange/nolimits/nl2_corners.h"
+#include "sim/plan/fit_track.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"
 
@@ -122,18 +123,23 @@ void measure(const world::Document& document, const std::vector<Bezier>& segment
              ImportReport& report) {
   report.knots = static_cast<int>(document.track.knots.size());
   const sim::Derived derived = sim::shapes_of(document);
+  sim::MeanSquare distances, angles;
   for (std::size_t i = 0; i < segments.size(); ++i)
     for (int k = 0; k <= 16; ++k) {
       const dvec3 here = curve::point(derived.shape(derived.order[i]).key.cubic, k / 16.0);
-      report.max_error = std::max(report.max_error, glm::distance(point(segments[i], k / 16.0), here));
+      const double distance = glm::distance(point(segments[i], k / 16.0), here);
+      report.max_error = std::max(report.max_error, distance);
+      distances.add(distance);
     }
   for (const ElementRoll& roll : file.rolls) {
     const double fraction = std::min(roll.coord, derived.closed ? 1 - 1e-12 : 1.0);
     const curve::Frame frame = place_on(derived, fraction * derived.length).frame;
     const dvec3 wanted = curve::perpendicular(frame.forward, roll.up);
-    report.frame_error =
-        std::max(report.frame_error, base::degrees(std::abs(curve::signed_angle(frame.up, wanted, frame.forward))));
+    const double angle = base::degrees(std::abs(curve::signed_angle(frame.up, wanted, frame.forward)));
+    report.frame_error = std::max(report.frame_error, angle);
+    angles.add(angle);
   }
+  report.rms_error = distances.root(), report.rms_frame_error = angles.root();
 }
 
 }  // namespace

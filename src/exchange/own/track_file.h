@@ -24,6 +24,8 @@ struct ImportReport {
   double frame_error = 0;  // degrees between a row's frame and the track's, except within 0.5 m of jumps of the rows
   int knots = 0;
   double jump_error = 0;  // degrees, as frame_error, at the rows that it excepts
+  double rms_error = 0;   // m and degrees: root mean squares of the distances and angles whose largest are above
+  double rms_frame_error = 0;
   friend bool operator==(const ImportReport&, const ImportReport&) = default;
 };
 

@@ -40,8 +40,13 @@ std::vector<FitReport> measure_spans(const Derived& derived, std::span<const Fit
       guess = near.t;
       reports[i].max_error = std::max(reports[i].max_error, near.distance);
       const curve::Frame frame = frame_at(shape, shape.arc.distance(near.t));
+      const double angle = frame_angle_deg(frame, {rows[r].forward, rows[r].up});
       double& worst = free[r] ? reports[i].jump_error : reports[i].frame_error;
-      worst = std::max(worst, frame_angle_deg(frame, {rows[r].forward, rows[r].up}));
+      worst = std::max(worst, angle);
+      // A row between two spans counts once in the mean squares.
+      if (k == ends[i + 1] && (i + 1 < reports.size() || k == rows.size())) continue;
+      reports[i].distances.add(near.distance);
+      if (!free[r]) reports[i].angles.add(angle);
     }
   }
   return reports;

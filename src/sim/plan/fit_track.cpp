@@ -268,6 +268,7 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress*
       fitted.report.max_error = std::max(fitted.report.max_error, reports[i].max_error);
       fitted.report.frame_error = std::max(fitted.report.frame_error, reports[i].frame_error);
       fitted.report.jump_error = std::max(fitted.report.jump_error, reports[i].jump_error);
+      fitted.report.distances.add(reports[i].distances), fitted.report.angles.add(reports[i].angles);
       const bool missed = reports[i].max_error > kFitDistance || reports[i].frame_error > kFitAngle;
       if (missed && w.spans[i].last > w.spans[i].first + 1) halve(w, w.spans[i], next);
       else next.push_back(w.spans[i]);

@@ -1,6 +1,7 @@
 // A track through measured rows: as few knots as stay within the bounds. Knots are at rows; joints are G1.
 #pragma once
 
+#include <cmath>
 #include <span>
 
 #include "base/progress.h"
@@ -13,6 +14,14 @@ namespace coaster::sim {
 inline constexpr double kFitDistance = 0.01;  // m
 inline constexpr double kFitAngle = 0.5;      // degrees
 
+struct MeanSquare {
+  double sum = 0;
+  std::size_t count = 0;
+  void add(double value) { sum += value * value, ++count; }
+  void add(const MeanSquare& more) { sum += more.sum, count += more.count; }
+  double root() const { return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0; }
+};
+
 // The errors of the document's own curve and frames (world::cubic_of, sim::frame_at) at the rows; every row is
 // measured.
 struct FitReport {
@@ -20,6 +29,7 @@ struct FitReport {
   double frame_error = 0;  // degrees, the largest angle between a row's frame and the track's, except near jumps
   double jump_error = 0;   // degrees, the same near jumps, where frames do not count
   int knots = 0;
+  MeanSquare distances, angles;  // m and degrees, of the rows whose largest are `max_error` and `frame_error`
 };
 
 // Returns the error of each segment of a track. Segment i covers rows ends[i] to ends[i + 1] (ends.size() is the number

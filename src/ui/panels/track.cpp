@@ -59,6 +59,21 @@ void size(Ui& ui) {
   colouring_box(ui);
 }
 
+// How far the rows of an imported file are from the track that was fitted to them.
+void deviation(Ui& ui) {
+  if (!ui.session().file.import) return;
+  const auto row = [&](std::string_view label, std::string_view distance, std::string_view angle,
+                       std::string_view tooltip) {
+    const double m = number_of(ui, distance).value_or(0), degrees = number_of(ui, angle).value_or(0);
+    read_out(ui, label, fmt::format("{} mm, {}", fixed(1e3 * m, 2), fixed(degrees, 3)), "\u00B0", tooltip);
+  };
+  row("Largest deviation", "import.max_error", "import.frame_error",
+      "Largest distance of the imported file's positions from the track, and largest angle between the frames there, "
+      "as "
+      "the file was opened.");
+  row("RMS deviation", "import.rms_error", "import.rms_frame_error", "Root mean square of these distances and angles.");
+}
+
 void conflicts(Ui& ui) {
   if (ui.find(edit::Want::conflicts).conflicts.empty()) return;
   read_query(ui, "Conflicts", "conflicts", "Places where the track lacks clearance from itself.",
@@ -158,6 +173,7 @@ void track_panel(Ui& ui) {
   if (auto name = text(ui, "Name", ui.session().document.name, "The track's name."))
     ui.emit(edit::SetName{std::move(*name)});
   size(ui);
+  deviation(ui);
   conflicts(ui);
   folds(ui);
   building(ui);

@@ -30,6 +30,9 @@ FittedTrack expect_fit(const std::vector<FitRow>& rows, bool closed) {
   // So it does with angles: handles of 2 cm at 100 m turn by 4e-4 rad when they are rounded to float.
   EXPECT_LE(misses.angle_deg, fitted.report.frame_error + 1e-6);
   EXPECT_NEAR(misses.angle_deg, fitted.report.frame_error, 0.03);
+  EXPECT_EQ(fitted.report.distances.count, rows.size());
+  EXPECT_NEAR(misses.distance_rms, fitted.report.distances.root(), 1e-5);
+  EXPECT_NEAR(misses.angle_rms_deg, fitted.report.angles.root(), 0.01);
   return fitted;
 }
 
