@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -58,8 +59,9 @@ class Stage : public testing::Test {
   Output frame(platform::Events events = {}) {
     events.emplace_back(platform::Tick{1.0 / 60});
     seconds_ += 1.0 / 60;
-    Output out = host_->build(events, {session_, stats_, seconds_, scripted_, nullptr, user_ ? &*user_ : nullptr},
-                              width_, height_);
+    State state{session_, stats_, seconds_, scripted_, nullptr, user_ ? &*user_ : nullptr};
+    state.pictures = &pictures_;
+    Output out = host_->build(events, state, width_, height_);
     for (const edit::Command& command : out.commands) {
       (void)edit::apply(session_, files_, command);
       commands_.push_back(command);
@@ -161,6 +163,7 @@ class Stage : public testing::Test {
   edit::Session session_ = edit::make_session({});
   query::FrameStats stats_;
   std::optional<UserState> user_;
+  std::map<std::string, TrackPicture> pictures_;  // of the start screen
   std::vector<edit::Command> commands_;
   Output last_;
 };

@@ -110,7 +110,9 @@ void ImGuiRenderer::draw_list(const ImDrawList& list, ImVec2 origin, int width, 
     const int bottom = std::min(height, static_cast<int>(command.ClipRect.w - origin.y));
     if (right <= left || bottom <= top) continue;
     gl_->Scissor(left, height - bottom, right - left, bottom - top);
-    gl_->BindTexture(GL_TEXTURE_2D, textures_[texture_of(command)].id());
+    const std::uintptr_t id = texture_of(command);
+    const auto own = textures_.find(id);
+    gl_->BindTexture(GL_TEXTURE_2D, own != textures_.end() ? own->second.id() : static_cast<GLuint>(id));
     gl_->DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
                                 sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
                                 offset(command.IdxOffset * sizeof(ImDrawIdx)), static_cast<GLint>(command.VtxOffset));

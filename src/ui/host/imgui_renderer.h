@@ -27,7 +27,7 @@ class ImGuiRenderer {
   const gfx::Gl* gl_;
   gfx::Program program_;
   gfx::Object array_, vertices_, indices_;
-  std::map<std::uintptr_t, gfx::Object> textures_;  // by the names in draw commands
+  std::map<std::uintptr_t, gfx::Object> textures_;  // by kOwnTexture and more
 };
 
 }  // namespace coaster::ui

@@ -98,7 +98,7 @@ void finish_fonts(ImFontAtlas& atlas) { ImGui::GetStyle().FontSizeBase = pixels_
 
 void upload_textures(const Upload& upload) {
   for (ImTextureData* const texture : ImGui::GetPlatformIO().Textures) {
-    const auto id = static_cast<std::uintptr_t>(texture->UniqueID);
+    const std::uintptr_t id = kOwnTexture + static_cast<std::uintptr_t>(texture->UniqueID);
     if (texture->Status == ImTextureStatus_WantCreate || texture->Status == ImTextureStatus_WantUpdates) {
       upload(id, texture->Width, texture->Height, texture->GetPixels());
       texture->SetTexID(id);
@@ -130,8 +130,6 @@ void make_figures_tabular(ImFont& font) {
   }
 }
 
-constexpr std::uintptr_t kFontTexture = 1;
-
 }  // namespace
 
 void set_up_context() {
@@ -147,7 +145,7 @@ void begin_fonts(ImFontAtlas& atlas) { atlas.Clear(); }
 void finish_fonts(ImFontAtlas& atlas) {
   atlas.Build();
   for (ImFont* const font : atlas.Fonts) make_figures_tabular(*font);
-  atlas.SetTexID((ImTextureID)kFontTexture);  // a pointer
+  atlas.SetTexID((ImTextureID)kOwnTexture);  // a pointer
 }
 
 void upload_textures(const Upload& upload) {
@@ -156,7 +154,7 @@ void upload_textures(const Upload& upload) {
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
   atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
-  upload(kFontTexture, width, height, pixels);
+  upload(kOwnTexture, width, height, pixels);
 }
 
 #endif

@@ -34,7 +34,9 @@ void begin_fonts(ImFontAtlas& atlas);
 void finish_fonts(ImFontAtlas& atlas);
 
 // Calls `upload` for each texture of the current context that is new, changed or no longer used since the last call.
-// Draw commands name textures by `id`; RGBA, 8 bits each; no pixels: delete it.
+// Draw commands name these textures by `id`, from kOwnTexture on, and others by their OpenGL names, which are smaller.
+// RGBA, 8 bits each; no pixels: delete it.
+inline constexpr std::uintptr_t kOwnTexture = 0x8000'0000;
 using Upload = std::function<void(std::uintptr_t id, int width, int height, const void* pixels)>;
 void upload_textures(const Upload& upload);
 std::uintptr_t texture_of(const ImDrawCmd& command);

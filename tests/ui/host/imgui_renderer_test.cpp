@@ -1,6 +1,7 @@
 #include "ui/host/imgui_renderer.h"
 
 #include "edit/commands/commands_session.h"
+#include "gfx/image.h"
 #include "ui/stage.h"
 #include "ui/widgets/theme.h"
 #include "world/lab_view.h"
@@ -72,6 +73,23 @@ TEST_F(ImGuiRendererTest, a_window_of_many_vertices_is_drawn_to_the_last_one) {
     for (int x = static_cast<int>(last->x); x < static_cast<int>(last->x + last->width); ++x)
       of_curve += at(pixels, x, y) >> 16 > 0xb0;
   EXPECT_GT(of_curve, 300);
+}
+
+// Their textures are the program's own, beside those of fonts.
+TEST_F(ImGuiRendererTest, the_start_screen_shows_pictures_of_tracks) {
+  host_->show_start();
+  frame();
+  ASSERT_FALSE(last_.wanted_pictures.empty());
+  gfx::Image image{16, 9, {}};
+  for (int i = 0; i < 16 * 9; ++i) image.rgba.insert(image.rgba.end(), {0xd0, 0x20, 0xa0, 0xff});
+  const gfx::Object texture = gfx::make_texture(gl_, image);
+  pictures_[last_.wanted_pictures[0]] = {texture.id(), "Magenta", 100, ""};
+  frames(2);
+  const auto pixels = picture(0);
+  int shown = 0;
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) shown += at(pixels, x, y) == 0xd020a0u;
+  EXPECT_GT(shown, 100 * 50);
 }
 
 TEST_F(ImGuiRendererTest, the_same_state_gives_the_same_picture) {
