@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/idle.h"
 #include "app/pictures.h"
 #include "app/scene.h"
 #include "world/look.h"
@@ -155,16 +156,29 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   keep(program);
 }
 
+// Of an idle window: what goes on without a picture.
+void pass_time(Program& program, const platform::Events& events) {
+  read_input(program, events, program.surface->size());
+  keep_sounding(program);
+  keep(program);
+  program.time.last_frame = program.surface->clock();
+}
+
 void play_frame(Program& program) {
   constexpr double kWeight = 0.05;  // of the newest frame in the displayed rate
   FrameClock& time = program.time;
   platform::Events events;
-  program.surface->poll(events);
+  const bool idle = is_idle(program);
+  if (program.surface->poll(events, idle ? kIdleWait : 0); idle && !has_input(events))
+    return pass_time(program, events);
+  const std::uint64_t commands = program.commands;
+  const platform::Events seen = events;
   // While a movie is recorded, time advances with its pictures, however long each takes.
   film(program, recording(program) ? program.filming->movie->ticks_a_frame() : take_ticks(time, events), [&](int some) {
     run_frame(program, events, some);
     events.clear();
   });
+  plan_idle(program, seen, program.commands != commands);
   keep_sounding(program);
   const double now = program.surface->clock(), taken = now - time.last_frame;
   time.last_frame = now;

@@ -42,7 +42,7 @@ base::Status frame(Program& program, platform::Events events, int ticks) {
       program.surface->resize({resize->width, resize->height});
   if (program.surface->is_window()) {
     platform::Events ignored;  // keeps the window system responsive; only the script decides what happens
-    program.surface->poll(ignored);
+    program.surface->poll(ignored, 0);
   }
   film(program, ticks, [&](int some) {
     events.push_back(platform::Tick{some * world::kTick});

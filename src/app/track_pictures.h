@@ -19,6 +19,9 @@ class TrackPictures {
   // renderer; the pictures stay.
   void update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted, world::Style style);
 
+  // Returns whether the last update drew one, so that another may be due.
+  bool busy() const { return renderer_ != nullptr; }
+
   const std::map<std::string, ui::TrackPicture>& made() const { return made_; }
 
  private:

@@ -74,6 +74,7 @@ struct Resize {
 struct Focus {
   bool focused = true;
 };
+struct Expose {};  // the window system lost the picture
 struct CloseRequest {};
 // A gamepad in Xbox layout; sent if anything changed. Sticks -1..1, right and down positive; triggers 0 (released) to
 // 1. Raw values, without dead zone.
@@ -91,8 +92,8 @@ struct Tick {
   double dt = 0;
 };  // the last event of each poll: seconds since the previous one
 
-using Event = std::variant<MouseMove, MouseButton, Wheel, KeyPress, TextInput, Drop, Resize, Focus, CloseRequest,
-                           GamepadAxes, GamepadButton, Tick>;
+using Event = std::variant<MouseMove, MouseButton, Wheel, KeyPress, TextInput, Drop, Resize, Focus, Expose,
+                           CloseRequest, GamepadAxes, GamepadButton, Tick>;
 using Events = std::vector<Event>;
 
 // "F", "Escape", "Ctrl+Z", "Ctrl+Shift+S", "Space", "Delete", "F12"; case-insensitive; nothing for unknown names.

@@ -66,6 +66,7 @@ class WindowSurface final : public Surface {
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int width, int height) {
       of(w).pending_.push_back(Resize{width, height});
     });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).pending_.push_back(Expose{}); });
     glfwSetWindowFocusCallback(
         window, [](GLFWwindow* w, int focused) { of(w).pending_.push_back(Focus{focused == GLFW_TRUE}); });
     glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
@@ -80,8 +81,9 @@ class WindowSurface final : public Surface {
     glfwTerminate();
   }
 
-  void poll(Events& events) override {
-    if (size() == Size{}) glfwWaitEventsTimeout(0.1);  // minimised: nothing to draw, so wait
+  void poll(Events& events, double wait) override {
+    if (size() == Size{}) wait = 0.1;  // minimised: nothing to draw
+    if (wait > 0) glfwWaitEventsTimeout(wait);
     else glfwPollEvents();
     check_display();
     poll_gamepad();

@@ -18,7 +18,7 @@ class OffscreenSurface final : public Surface {
       : context_(std::move(context)), library_(std::move(library)), size_(size) {}
   ~OffscreenSurface() override { context_.destroy(); }
 
-  void poll(Events& events) override {
+  void poll(Events& events, double) override {
     if (resized_) events.push_back(Resize{size_.width, size_.height});
     resized_ = false;
     events.push_back(Tick{1.0 / 60.0});

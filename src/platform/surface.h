@@ -21,8 +21,9 @@ struct Size {
 class Surface {
  public:
   virtual ~Surface() = default;
-  // Appends the events since the last call, the Tick last. Headless: only a Tick of exactly 1/60 s.
-  virtual void poll(Events& events) = 0;
+  // Appends the events since the last call, the Tick last. A window without events waits for one, `wait` seconds at
+  // most. Headless: only a Tick of exactly 1/60 s, at once.
+  virtual void poll(Events& events, double wait) = 0;
   virtual Size size() const = 0;            // framebuffer pixels; zero if minimised
   virtual float content_scale() const = 0;  // 1 on ordinary screens, 2 on high-density ones
   virtual void* gl_proc(const char* name) = 0;

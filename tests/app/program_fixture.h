@@ -21,7 +21,13 @@ class FakeSurface final : public platform::Surface {
   bool window = false;
   std::optional<platform::Placement> at;
 
-  void poll(platform::Events&) override {}
+  platform::Events next;  // of the next poll
+  double longest_wait = 0;
+
+  void poll(platform::Events& events, double wait) override {
+    longest_wait = std::max(longest_wait, wait);
+    for (platform::Event& event : std::exchange(next, {})) events.push_back(std::move(event));
+  }
   platform::Size size() const override { return memory_->size(); }
   float content_scale() const override { return 1; }
   void* gl_proc(const char* name) override { return memory_->gl_proc(name); }

@@ -31,7 +31,7 @@ TEST_P(OffscreenSurfaceTest, each_poll_is_one_tick_of_a_sixtieth) {
   ASSERT_TRUE(surface);
   Events events;
   for (std::size_t i = 1; i <= 3; ++i) {
-    surface->poll(events);
+    surface->poll(events, 0);
     ASSERT_EQ(events.size(), i) << "polling appends";
     ASSERT_TRUE(std::holds_alternative<Tick>(events.back()));
     EXPECT_EQ(std::get<Tick>(events.back()).dt, 1.0 / 60.0);
@@ -46,14 +46,14 @@ TEST_P(OffscreenSurfaceTest, a_new_size_is_obeyed_and_told_once_before_the_tick)
   surface->resize({641, 359});
   EXPECT_EQ(surface->size(), (Size{641, 359}));
   Events events;
-  surface->poll(events);
+  surface->poll(events, 0);
   ASSERT_EQ(events.size(), 2u);
   ASSERT_TRUE(std::holds_alternative<Resize>(events[0]));
   EXPECT_EQ(std::get<Resize>(events[0]).width, 641);
   EXPECT_EQ(std::get<Resize>(events[0]).height, 359);
   EXPECT_TRUE(std::holds_alternative<Tick>(events[1]));
   events.clear();
-  surface->poll(events);
+  surface->poll(events, 0);
   EXPECT_EQ(events.size(), 1u);
 }
 

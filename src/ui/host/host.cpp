@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 #include <variant>
@@ -283,6 +284,15 @@ void Host::reset_layout() {
 const std::vector<Widget>& Host::widgets() const { return parts_->list.widgets(); }
 const view::View& Host::view() const { return parts_->view; }
 std::string Host::toast() const { return parts_->toasts.shown; }
+
+double Host::still_for(double seconds) const {
+  constexpr double kBlink = 0.1, kList = 1;  // s
+  ImGui::SetCurrentContext(parts_->context);
+  double still = parts_->toasts.still_for(seconds);
+  if (text_has_keyboard()) still = std::min(still, kBlink);
+  if (parts_->dialogs.open()) still = std::min(still, kList);
+  return still;
+}
 
 bool Host::wants_keyboard() const {
   ImGui::SetCurrentContext(parts_->context);

@@ -37,6 +37,9 @@ class Host {
   const std::vector<Widget>& widgets() const;  // of the last build
   const view::View& view() const;              // of the last build
   std::string toast() const;                   // text of the newest notice still shown
+  // Returns for how long the panels stay as they are without events, s, from the time `seconds` on: while a notice
+  // shows until it fades, in a text field until the caret blinks, in a list of files until it is read again.
+  double still_for(double seconds) const;
   // True while a text field or a popup has the keyboard.
   bool wants_keyboard() const;
 

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {
 namespace {
+
+constexpr double kFade = 0.4;  // s, the end of its lifetime
 
 double lifetime(edit::NoticeKind kind) { return kind == edit::NoticeKind::info ? 4.0 : 6.0; }
 
@@ -38,9 +41,13 @@ void Toasts::show(edit::NoticeKind what, std::string text, double seconds) {
   since = seconds;
 }
 
+double Toasts::still_for(double seconds) const {
+  if (shown.empty()) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, lifetime(kind) - kFade - (seconds - since));
+}
+
 void Toasts::draw(const view::Viewport& viewport, float scale, double seconds, bool scripted) const {
   if (shown.empty()) return;
-  constexpr double kFade = 0.4;  // s
   const float alpha =
       scripted ? 1.0f : static_cast<float>(std::clamp((lifetime(kind) - (seconds - since)) / kFade, 0.0, 1.0));
   const float margin = 12 * scale, pad = 10 * scale, bar = 4 * scale;

@@ -19,6 +19,8 @@ struct Toasts {
   void update(const edit::Session& session, double seconds, bool scripted);
   // Shows a notice of the UI about input that makes no command.
   void show(edit::NoticeKind what, std::string text, double seconds);
+  // Returns the time from `seconds` until it begins to fade; 0 then, infinity without a notice.
+  double still_for(double seconds) const;
   void draw(const view::Viewport& viewport, float scale, double seconds, bool scripted) const;
 };
 

@@ -1,0 +1,38 @@
+#include "app/idle.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "app/program.h"
+
+namespace coaster::app {
+namespace {
+
+// What shows something new in every frame.
+bool is_busy(const Program& program) {
+  const edit::Session& session = program.session;
+  return session.motion.state == world::RideState::running || session.measuring.measurement.running ||
+         program.picture.rig.ticks_left > 0 || program.stats.deviation_pending > 0 || program.pictures.busy() ||
+         program.import || program.filming || program.tutorial.wanted || program.tutorial.card ||
+         (program.keeper && program.keeper->dialog.running());
+}
+
+}  // namespace
+
+bool has_input(const platform::Events& events) {
+  return std::ranges::any_of(events, [](const auto& event) { return !std::holds_alternative<platform::Tick>(event); });
+}
+
+bool is_idle(const Program& program) {
+  if (!program.surface->is_window() || program.options.frames || program.options.hash_log) return false;
+  const FrameClock& time = program.time;
+  return time.seconds >= time.idle_from && time.seconds < time.idle_until;
+}
+
+void plan_idle(Program& program, const platform::Events& events, bool commanded) {
+  FrameClock& time = program.time;
+  if (commanded || has_input(events) || is_busy(program)) time.idle_from = time.seconds + kIdleAfter;
+  time.idle_until = time.seconds + program.ui->still_for(time.seconds);
+}
+
+}  // namespace coaster::app
