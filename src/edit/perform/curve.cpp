@@ -25,7 +25,7 @@ Status perform(Session& session, Change& change, const SetCurve& command) {
   for (world::CartMotion& cart : session.motion.carts.items()) {
     const sim::SegmentShape* const former = session.derived.segments.find(cart.segment);
     if (!former) continue;
-    const sim::CurvePlace now = switched->place({cart.segment, former->arc.parameter(cart.s)});
+    const sim::CurvePlace now = switched->place(session.derived, {cart.segment, former->arc.parameter(cart.s)});
     const curve::ArcLengthMap& arc = switched->shapes.shape(now.segment).arc;
     cart.segment = now.segment, cart.s = arc.distance(now.t), cart.segment_length = arc.length();
   }

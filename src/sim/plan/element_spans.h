@@ -1,5 +1,5 @@
-// The spans between chosen points of an element's ideal curve, and their errors. Private to element_fit.cpp and
-// element_spans.cpp.
+// The spans between chosen points of an element's ideal curve, and their errors. For element_fit.cpp; switch_curve.cpp
+// takes the handle lengths.
 #pragma once
 
 #include <span>

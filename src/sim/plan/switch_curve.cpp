@@ -7,7 +7,10 @@
 
 #include "base/portable_math.h"
 #include "base/text.h"
+#include "curve/continuity.h"
+#include "sim/plan/element_spans.h"
 #include "sim/shape/folds.h"
+#include "sim/shape/rail_tables.h"
 #include "sim/shape/rails.h"
 #include "world/topology.h"
 
@@ -69,29 +72,43 @@ world::Knot moved_knot(const Switching& w, std::size_t k) {
   return knot_of(dvec3(former.position) + w.offset * up, glm::normalize(tangent), up, spin);
 }
 
-// Sets the handles with which the span's cubic has the new curve's derivatives at both ends, and the turns with which
-// it rolls as far.
-void set_handles(const Switching& w, Stretch& span) {
-  const SegmentShape& shape = w.shape(span.index);
-  const auto handle = [&](double t) {
-    return world::as_handle(glm::length(curve::derivative(shape.key.cubic, t)) * w.at(span.index, t).stretch() *
-                            (span.to - span.from) / 3);
-  };
-  span.first.out_length = handle(span.from), span.second.in_length = handle(span.to);
-  span.first.joint = span.second.joint = world::JointKind::aligned;
+// Returns the new curve's end of a span at parameter t of the former segment, in the knot's direction.
+ElementPoint end_of(const Switching& w, std::size_t index, double t, const world::Knot& knot, double s) {
+  const SegmentShape& shape = w.shape(index);
+  const double at = shape.arc.distance(t);
+  const curve::Frame frame = frame_at(shape, at, t);
+  const FeltEntry line = felt_entry(shape, at, t, frame, w.offset);
+  const dvec3 bend = double{line.bend.x} * frame.forward + double{line.bend.y} * frame.left() +
+                     double{line.bend.z} * frame.up,
+              tangent(knot.tangent);
+  const double stretch = glm::length(glm::dvec3(line.along));
+  return {s, dvec3(knot.position), tangent, curve::across(bend, tangent) / (stretch * stretch)};
 }
 
-// Returns the roll about the new curve over the span, rad, by the midpoint rule.
-double roll_of(const Switching& w, const Stretch& span) {
+// The new curve over a span.
+struct Covered {
+  double length = 0, roll = 0;  // m, rad
+};
+
+// By the midpoint rule.
+Covered covered_by(const Switching& w, const Stretch& span) {
   constexpr int kSteps = 64;
   const SegmentShape& shape = w.shape(span.index);
   const double start = shape.arc.distance(span.from), step = (shape.arc.distance(span.to) - start) / kSteps;
-  double roll = 0;
+  Covered covered;
   for (int i = 0; i < kSteps; ++i) {
     const OffsetPoint at = offset_point(shape, start + (i + 0.5) * step, w.offset);
-    roll += at.spin * at.stretch() * step;
+    covered.length += at.stretch() * step, covered.roll += at.spin * at.stretch() * step;
   }
-  return roll;
+  return covered;
+}
+
+// Sets the handles with which the span's cubic has the new curve's curvature at both ends.
+void set_handles(const Switching& w, double length, Stretch& span) {
+  const HandleLengths handles = handle_lengths(end_of(w, span.index, span.from, span.first, 0),
+                                               end_of(w, span.index, span.to, span.second, length));
+  span.first.out_length = world::as_handle(handles.out), span.second.in_length = world::as_handle(handles.in);
+  span.first.joint = span.second.joint = world::JointKind::aligned;
 }
 
 // Returns the span alone as a track.
@@ -108,15 +125,21 @@ struct Error {
   bool within() const { return distance <= kStretchBound && angle <= kUpBound; }
 };
 
-// Compares the rails at equal shares of the parameter: an upper bound of their distance.
+// Returns the parameter of the new curve beside t of the former one.
+double beside(const SegmentShape& former, double t, const SegmentShape& now) {
+  const dvec3 up = frame_at(former, former.arc.distance(t), t).up;
+  return curve::nearest_point(now.key.cubic, rails_point(former, t) - now.key.rails * up).t;
+}
+
+// Compares the rails at points beside each other: an upper bound of their distance.
 Error error_of(const Switching& w, const Stretch& span, const SegmentShape& now) {
   const SegmentShape& former = w.shape(span.index);
   Error error;
   for (int i = 0; i <= kChecks; ++i) {
-    const double share = static_cast<double>(i) / kChecks, t = std::lerp(span.from, span.to, share);
-    error.distance = std::max(error.distance, glm::distance(rails_point(former, t), rails_point(now, share)));
+    const double t = std::lerp(span.from, span.to, static_cast<double>(i) / kChecks), there = beside(former, t, now);
+    error.distance = std::max(error.distance, glm::distance(rails_point(former, t), rails_point(now, there)));
     error.angle = std::max(error.angle, curve::angle_between(frame_at(former, former.arc.distance(t)).up,
-                                                             frame_at(now, now.arc.distance(share)).up));
+                                                             frame_at(now, now.arc.distance(there)).up));
   }
   return error;
 }
@@ -129,9 +152,10 @@ base::Status too_far(const Switching& w, const Stretch& span) {
 
 // Adds the span to `out`, in halves while it misses the bounds. Refused where a short stretch misses kRailsBound.
 base::Status fit(const Switching& w, Stretch span, std::vector<Stretch>& out) {
-  set_handles(w, span);
+  const Covered covered = covered_by(w, span);
+  set_handles(w, covered.length, span);
   Derived alone = shapes_of(track_of(w, span));
-  const double turns = std::round((roll_of(w, span) - alone.shape_at(0).roll.twist) / (2 * base::kPi));
+  const double turns = std::round((covered.roll - alone.shape_at(0).roll.twist) / (2 * base::kPi));
   if (turns != 0) {
     span.turns = static_cast<std::int32_t>(std::clamp<double>(turns, -world::kMaxTurns, world::kMaxTurns));
     alone = shapes_of(track_of(w, span));
@@ -224,7 +248,7 @@ void move_trains(const Switching& w, SwitchedCurve& out) {
   for (std::size_t i = 0; i < carts.size(); ++i) {
     const world::Cart& former = w.document.entities.get<world::Cart>(carts.entities()[i]);
     const curve::ArcLengthMap& arc = w.derived.shape(former.segment).arc;
-    const CurvePlace now = out.place({former.segment, arc.parameter(former.fraction * arc.length())});
+    const CurvePlace now = out.place(w.derived, {former.segment, arc.parameter(former.fraction * arc.length())});
     const curve::ArcLengthMap& there = out.shapes.shape(now.segment).arc;
     carts.items()[i].segment = now.segment;
     carts.items()[i].fraction = std::clamp(there.distance(now.t) / there.length(), 0.0, std::nextafter(1.0, 0.0));
@@ -233,12 +257,11 @@ void move_trains(const Switching& w, SwitchedCurve& out) {
 
 }  // namespace
 
-CurvePlace SwitchedCurve::place(CurvePlace former) const {
-  const std::vector<Piece>& all = pieces.get(former.segment);
+CurvePlace SwitchedCurve::place(const Derived& former, CurvePlace at) const {
+  const std::vector<Piece>& all = pieces.get(at.segment);
   std::size_t k = 0;
-  while (k + 1 < all.size() && all[k + 1].from <= former.t) ++k;
-  const double from = all[k].from, to = k + 1 < all.size() ? all[k + 1].from : 1.0;
-  return {all[k].segment, (former.t - from) / (to - from)};
+  while (k + 1 < all.size() && all[k + 1].from <= at.t) ++k;
+  return {all[k].segment, beside(former.shape(at.segment), at.t, shapes.shape(all[k].segment))};
 }
 
 base::Result<SwitchedCurve> switch_curve(const world::Document& document, const Derived& derived,

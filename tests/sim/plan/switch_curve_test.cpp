@@ -108,6 +108,14 @@ TEST_P(SwitchCurve, there_and_back_keeps_the_rails_within_a_centimetre) {
   RecordProperty("added", heart.added);
 }
 
+// With the handles of equal parameters, 43 knots were added.
+TEST(switch_curve, takes_few_knots_more_and_none_of_them_twice) {
+  const SwitchedCurve heart = switched(sample("loop.json"), TrackCurve::heartline);
+  EXPECT_GT(heart.added, 0);
+  EXPECT_LE(heart.added, 18);
+  EXPECT_LE(switched(heart.document, TrackCurve::rails).added, 3);
+}
+
 TEST(switch_curve, keeps_names_equipment_and_the_places_of_trains) {
   const world::Document document = rolling();
   world::Document equipped = document;
