@@ -1,14 +1,20 @@
 // Track and trains; with SHADOW as seen from the sun, with OUTLINE grown by the width of the outline. One program for
-// both, because compiling delays the first frame. The track has the unit matrix as its model; trains have no position
-// along a segment.
+// all, because compiling delays the first frame. Rails, spine and ties are instances between two rings, each with axes
+// and origin of its own; they have x = 0. Cars and couplings are instances with one set of axes; other solids have the
+// unit axes. Trains have no position along a segment.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float part;
-layout(location = 3) in vec4 model_x;
-layout(location = 4) in vec4 model_y;
-layout(location = 5) in vec4 model_z;
-layout(location = 6) in vec4 model_origin;
+layout(location = 3) in vec3 model_x;
+layout(location = 4) in vec3 model_y;
+layout(location = 5) in vec3 model_z;
+layout(location = 6) in vec3 model_origin;
 layout(location = 7) in vec2 place;
+layout(location = 8) in vec3 next_y;  // of the second ring
+layout(location = 9) in vec3 next_z;
+layout(location = 10) in vec3 next_origin;
+layout(location = 11) in float next_along;
+layout(location = 12) in float end;  // 1: the vertex belongs to the second ring
 uniform mat4 view_projection;
 #ifndef SHADOW
 uniform vec3 eye;
@@ -22,18 +28,19 @@ out float along;  // fraction of the segment's length, 0..1
 flat out float segment;    // index
 
 void main() {
-  mat4 model = mat4(model_x, model_y, model_z, model_origin);
-  world = (model * vec4(position, 1.0)).xyz;
-  facing = mat3(model) * normal;
-  along = place.x;
+  bool second = end > 0.5;
+  mat3 axes = mat3(model_x, second ? next_y : model_y, second ? next_z : model_z);
+  world = axes * position + (second ? next_origin : model_origin);
+  facing = axes * normal;
+  along = second ? next_along : place.x;
   segment = place.y;
 #ifndef SHADOW
   // Coloured rails stay visible at a distance. No part of a train is a rail or a spine.
-  if (part < 1.5) world += normal * max(least_width * distance(world, eye) - (part < 0.5 ? 0.12 : 0.28), 0.0);
+  if (part < 1.5) world += facing * max(least_width * distance(world, eye) - (part < 0.5 ? 0.12 : 0.28), 0.0);
 #endif
   material = part;
 #ifdef OUTLINE
-  world += normalize(facing) * min(outline * distance(world, eye), 0.06);
+  world += facing / max(length(facing), 1e-6) * min(outline * distance(world, eye), 0.06);  // empty instances face nowhere
 #endif
   gl_Position = view_projection * vec4(world, 1.0);
 }

@@ -138,7 +138,7 @@ int Instances::draw_cars() const {
   for (const Model* model : {&leading_, &following_, &coupling_}) {
     if (model->count == 0) continue;
     gl_->BindVertexArray(model->array.id());
-    gl_->VertexAttrib4f(7, 0, 0, 0, 1);
+    for (const GLuint location : {GLuint{7}, kEndAttribute}) gl_->VertexAttrib4f(location, 0, 0, 0, 1);
     gl_->DrawElementsInstanced(GL_TRIANGLES, model->index_count, GL_UNSIGNED_INT, nullptr, model->count);
   }
   return car_draw_calls();

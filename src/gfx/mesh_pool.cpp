@@ -147,6 +147,7 @@ void MeshPool::bind(const Level& level) const {
   gl_->BindVertexArray(level.array.id());
   for (GLuint column = 0; column < 4; ++column)
     gl_->VertexAttrib4f(3 + column, column == 0, column == 1, column == 2, column == 3);
+  gl_->VertexAttrib4f(kEndAttribute, 0, 0, 0, 1);
 }
 
 int MeshPool::draw() const {

@@ -26,6 +26,8 @@ struct Stopwatch {
 
 // Sets the attributes 0 position, 1 normal and 2 part of the bound vertex array from the bound buffer of MeshVertex.
 void mesh_attributes(const Gl& gl);
+// The attribute that selects the second ring of a Piece (gfx/swept_track.h); a constant 0 for all other meshes.
+inline constexpr GLuint kEndAttribute = 12;
 
 class MeshPool {
  public:

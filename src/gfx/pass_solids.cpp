@@ -22,6 +22,9 @@ float metres_of_pixels(const view::View& view, float pixels) {
 
 // Call with the program in use and its matrix set.
 void draw_track(const Pass& pass, const TrackCache& track) {
+  if (!pass.scene.unseen) track.swept().draw();
+  pass.stats.draw_calls += track.swept().draw_calls();
+  pass.stats.triangles += track.swept().triangles();
   for (const MeshPool* pool : {&track.mesh(), &track.supports().mesh()}) {
     if (pool->index_count() == 0) continue;
     pass.stats.draw_calls += pass.scene.unseen ? pool->draw_calls() : pool->draw();
@@ -68,14 +71,18 @@ void draw_all(const Pass& pass, const Program& program, GLenum hidden, const Tra
 void choose_detail(const view::View& view, TrackCache& track) {
   constexpr float kRailPixels = 2;
   const float near_metres = 2 * static_cast<float>(sim::kRailRadius) / metres_of_pixels(view, kRailPixels);
+  track.swept().look_from(view.eye, {near_metres, static_cast<float>(sim::kTieSpacing) / metres_of_pixels(view, 1)});
   track.mesh().look_from(view.eye, near_metres);
   track.supports().mesh().look_from(view.eye, near_metres);
 }
 
-void cast_track(const Pass& pass, const TrackCache& track, const glm::mat4& light) {
+void cast_track(const Pass& pass, TrackCache& track, const glm::mat4& light, float texel_metres) {
   pass.programs.shadow.use();
   pass.programs.shadow.set("view_projection", light);
-  // In full, because a map is kept while the eye moves.
+  // Independent of the eye, because a map is kept while it moves.
+  const SweptTrack::Cast cast = track.swept().cast(light, texel_metres, pass.scene.unseen);
+  pass.stats.draw_calls += cast.draw_calls;
+  pass.stats.triangles += cast.triangles;
   for (const MeshPool* pool : {&track.mesh(), &track.supports().mesh()}) {
     if (pool->index_count() == 0) continue;
     if (!pass.scene.unseen) pool->draw_all();

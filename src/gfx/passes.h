@@ -34,14 +34,15 @@ struct Pass {
 // Texture units.
 inline constexpr int kValueUnit = 0, kTrackShadowUnit = 1, kTrainShadowUnit = 3;
 
-// From now on draws track with fewer triangles where a rail is at most two pixels wide.
+// From now on draws track with fewer triangles where a rail is at most two pixels wide, and without ties where these
+// are less than a pixel apart.
 void choose_detail(const view::View& view, TrackCache& track);
 
 // Draws sky, and ground with its shadows.
 void draw_backdrop(const Pass& pass, const SunShadows& shadows);
 
-// Draws track and trains into a shadow map.
-void cast_track(const Pass& pass, const TrackCache& track, const glm::mat4& light);
+// Draw track and trains into a shadow map; its texels are `texel_metres` wide.
+void cast_track(const Pass& pass, TrackCache& track, const glm::mat4& light, float texel_metres);
 void cast_carts(const Pass& pass, const Instances& instances, const glm::mat4& light);
 
 // Draws track and trains; in the blueprint style their outlines first, so that they show behind them.

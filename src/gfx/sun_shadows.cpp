@@ -21,7 +21,7 @@ bool same(const sim::Pose& a, const sim::Pose& b) {
 
 }  // namespace
 
-void SunShadows::update(const Pass& pass, const TrackCache& track, const Instances& instances) {
+void SunShadows::update(const Pass& pass, TrackCache& track, const Instances& instances) {
   const Scene& scene = pass.scene;
   const SunAxes axes(pass.scenery.sun);
   const glm::vec3 eye = scene.view.eye, forward = view::line_of_sight(scene.view);
@@ -36,8 +36,10 @@ void SunShadows::update(const Pass& pass, const TrackCache& track, const Instanc
   const auto fit = [&](const LightBox& box, float least) {
     return fit_shadow(axes, scene.shadows ? box : LightBox{}, least, eye, forward);
   };
-  if (track_.update(texels, axes, fit(measured_.box, kTrackSide), track.mesh_version(), scene.unseen,
-                    [&](const glm::mat4& light) { cast_track(pass, track, light); }))
+  const ShadowFit square = fit(measured_.box, kTrackSide);
+  const float texel_metres = square.side / static_cast<float>(texels);
+  if (track_.update(texels, axes, square, track.mesh_version(), scene.unseen,
+                    [&](const glm::mat4& light) { cast_track(pass, track, light, texel_metres); }))
     ++pass.stats.shadow_maps;
   if (trains_.update(texels / 4, axes, fit(light_box(axes, scene.carts), kTrainSide), cars_version_, scene.unseen,
                      [&](const glm::mat4& light) { cast_carts(pass, instances, light); }))

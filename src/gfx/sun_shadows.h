@@ -13,7 +13,7 @@ class SunShadows {
  public:
   explicit SunShadows(const Gl& gl) : track_(gl), trains_(gl) {}
   // Counts the drawn maps in stats.shadow_maps. Call after updating `track` and `instances`; binds framebuffers.
-  void update(const Pass& pass, const TrackCache& track, const Instances& instances);
+  void update(const Pass& pass, TrackCache& track, const Instances& instances);
   // For the program in use.
   void bind(const Program& program) const;
 

@@ -14,7 +14,7 @@ static_assert(kControlBytes == 48, "so are control points");
 }  // namespace
 
 TrackCache::TrackCache(const Gl& gl)
-    : gl_(&gl), lines_(gl), controls_(gl), mesh_(gl), supports_(gl), line_array_(make_vertex_array(gl)) {}
+    : gl_(&gl), lines_(gl), controls_(gl), swept_(gl), mesh_(gl), supports_(gl), line_array_(make_vertex_array(gl)) {}
 
 TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Clock& clock) {
   const bool on_processor = derived.evaluated_by == curve::EvaluatedBy::processor;
@@ -46,12 +46,12 @@ TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Cloc
 // Returns true if anything of the segment was written.
 bool TrackCache::write_segment(const sim::SegmentShape& shape, bool on_processor, Slot& slot, Stopwatch& watch) {
   const bool line = on_processor && slot.polyline_build != shape.polyline_build;
-  const bool reshaped = slot.shape_build != shape.shape_build, mesh = reshaped || slot.fitted != shape.fitted;
+  const bool reshaped = slot.shape_build != shape.shape_build, solids = reshaped || slot.fitted != shape.fitted;
   const bool control = !on_processor && (reshaped || slot.control.size == 0);
   if (line) write_polyline(shape, slot, watch);
   if (control) write_control(shape, slot);
-  if (mesh) write_mesh(shape, slot, watch);
-  return line || control || mesh;
+  if (solids) write_solids(shape, slot, watch);
+  return line || control || solids;
 }
 
 // Returns the slot of a segment, empty if the segment is new; releases the slot of an older generation.
@@ -72,6 +72,7 @@ void TrackCache::release(Slot& slot) {
   line_ranges_.give_back(slot.line);
   control_ranges_.give_back(slot.control);
   placed_.resize(control_ranges_.used());
+  swept_.release(slot.swept);
   mesh_.release(slot.mesh);
   slot = Slot{};
   --live_;
@@ -131,13 +132,16 @@ void TrackCache::write(GrowingBuffer<T>& buffer, Range range, std::span<const T>
   synced_.polyline_bytes += std::int64_t(items.size_bytes());
 }
 
-void TrackCache::write_mesh(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch) {
+void TrackCache::write_solids(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch) {
   watch.time([&] {
-    sim::sweep_track(shape, staged_mesh_, {}, detail_);
+    swept_.stage(shape, detail_, slot.segment.index);
+    staged_mesh_.clear();
     if (shape.fitted) sim::add_fittings(shape, *shape.fitted, staged_mesh_, detail_);
     for (sim::MeshVertex& vertex : staged_mesh_.vertices) vertex.segment = static_cast<float>(slot.segment.index);
   });
-  synced_.bytes += mesh_.write(staged_mesh_, slot.mesh, watch);
+  synced_.bytes += swept_.write(slot.swept);
+  if (staged_mesh_.vertices.empty()) mesh_.release(slot.mesh);
+  else synced_.bytes += mesh_.write(staged_mesh_, slot.mesh, watch);
   slot.shape_build = shape.shape_build;
   slot.fitted = shape.fitted;
 }

@@ -1,6 +1,6 @@
-// The track on the GPU: each segment has a slot in one buffer of polyline vertices and in one mesh. A slot is rewritten
-// only if the segment's build numbers or its equipment differ from those it was written from. No dirty flags. With a
-// GPU evaluator there are no polyline vertices; the slots hold the four control points instead.
+// The track on the GPU: each segment has a slot in one buffer of polyline vertices and in those of solids. A slot is
+// rewritten only if the segment's build numbers or its equipment differ from those it was written from. No dirty flags.
+// With a GPU evaluator there are no polyline vertices; the slots hold the four control points instead.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 #include "gfx/mesh_pool.h"
 #include "gfx/ranges.h"
 #include "gfx/support_cache.h"
+#include "gfx/swept_track.h"
 #include "sim/shape/detail.h"
 
 namespace coaster::gfx {
@@ -39,14 +40,17 @@ class TrackCache {
   // For an unchanged track costs two comparisons per segment, no allocation, no GL call.
   Synced sync(const sim::Derived& derived, const sim::Clock& clock);
 
-  // The solids of all segments: rails, spine, ties and equipment.
+  // Rails, spine and ties of all segments.
+  SweptTrack& swept() { return swept_; }
+  const SweptTrack& swept() const { return swept_; }
+  // Their equipment.
   MeshPool& mesh() { return mesh_; }
   const MeshPool& mesh() const { return mesh_; }
   // The supports, in buffers and counters of their own.
   SupportCache& supports() { return supports_; }
   const SupportCache& supports() const { return supports_; }
   // Changes whenever any of these is written or removed.
-  std::uint64_t mesh_version() const { return mesh_.version() + supports_.mesh().version(); }
+  std::uint64_t mesh_version() const { return swept_.version() + mesh_.version() + supports_.mesh().version(); }
   // Binds the array whose instance i is the line from vertex i to vertex i+1: locations 0 and 1 are position and
   // tangent of vertex i, 2 and 3 of vertex i+1.
   void bind_lines() const { gl_->BindVertexArray(line_array_.id()); }
@@ -70,7 +74,8 @@ class TrackCache {
     std::uint64_t seen = 0;
     std::optional<world::EquipmentKind> fitted;
     Range line, control;
-    MeshPool::Id mesh = MeshPool::kNone;
+    SweptTrack::Id swept = SweptTrack::kNone;
+    MeshPool::Id mesh = MeshPool::kNone;  // of its equipment
   };
   Slot& slot_of(world::Entity segment);
   void release(Slot& slot);
@@ -82,7 +87,7 @@ class TrackCache {
   void drop_controls();
   template <class T>
   void write(GrowingBuffer<T>& buffer, Range range, std::span<const T> items);
-  void write_mesh(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch);
+  void write_solids(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch);
   void fill_breaks(Range range);
   void write_lines(Range range);
   void link_lines();
@@ -90,6 +95,7 @@ class TrackCache {
   const Gl* gl_;
   GrowingBuffer<PolylineVertex> lines_;
   GrowingBuffer<curve::Cubic> controls_;
+  SweptTrack swept_;
   MeshPool mesh_;
   SupportCache supports_;
   Object line_array_;

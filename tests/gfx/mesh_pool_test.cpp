@@ -1,4 +1,4 @@
-// Solids near and far, and supports in buffers of their own.
+// Solids in shared buffers, and supports in buffers of their own.
 #include "gfx/mesh_pool.h"
 
 #include "gfx/studio.h"
@@ -11,44 +11,6 @@ namespace mesh_pool_test {
 
 using test::Track;
 using Pool = test::Studio;
-
-TEST_F(Pool, what_is_far_off_takes_fewer_triangles_and_no_upload) {
-  Track track(test::straight_document({0, 9, 0}, {2000, 9, 0}, 200));
-  TrackCache cache(gl_);
-  cache.sync(track.derived, {});
-  cache.mesh().look_from({1000, 12, 3}, 1e6f);
-  const std::int64_t all = cache.mesh().triangles();
-  EXPECT_EQ(cache.mesh().draw(), 1);
-  cache.mesh().look_from({1000, 12, 3}, 0.1f);
-  const std::int64_t few = cache.mesh().triangles();
-  EXPECT_LT(5 * few, 4 * all);  // a straight has few rings to leave out
-  // 100 m to both sides in full: a run of them, and two of the others.
-  cache.mesh().look_from({1000, 12, 3}, 100);
-  EXPECT_EQ(cache.mesh().draw(), 3);
-  EXPECT_GT(cache.mesh().triangles(), few + (all - few) / 20);
-  EXPECT_LT(cache.mesh().triangles(), few + (all - few) / 5);
-  for (float x = 0; x < 2000; x += 100) {
-    cache.mesh().look_from({x, 20, 50}, 100);
-    const TrackCache::Synced synced = cache.sync(track.derived, {});
-    EXPECT_EQ(synced.uploads, 0);
-    EXPECT_EQ(synced.bytes, 0);
-  }
-  EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
-}
-
-// A straight of 200 m in one segment that begins 10 m ahead of the eye: its middle is 110 m off.
-TEST_F(Pool, a_long_solid_is_as_near_as_its_nearest_part) {
-  const Track track(test::straight_document({10, 9, 0}, {210, 9, 0}));
-  TrackCache cache(gl_);
-  cache.sync(track.derived, {});
-  const auto triangles = [&](float near) {
-    cache.mesh().look_from({0, 9, 0}, near);
-    return cache.mesh().triangles();
-  };
-  const std::int64_t all = triangles(1e6f);
-  for (const float near : {12.0f, 50.0f, 105.0f, 150.0f}) EXPECT_EQ(triangles(near), all) << near;
-  EXPECT_LT(triangles(5), all);
-}
 
 TEST_F(Pool, places_are_used_again_and_gaps_draw_nothing) {
   MeshPool pool(gl_);

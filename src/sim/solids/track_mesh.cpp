@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
@@ -40,17 +41,33 @@ double rings_wanted(double bend, double twist, double step) {
 
 // Adds a plate from rail to spine, wider at the spine; its ends are inside both.
 void add_arm(const Ring& at, double side, Mesh& mesh) {
-  constexpr double kHalfThickness = 0.045, kHalfAtRail = 0.06, kHalfAtSpine = 0.15;
+  constexpr double kHalfAtRail = 0.06, kHalfAtSpine = 0.15;
   const dvec2 rail(0.5 * kGauge * side, 0), spine(0.06 * side, -kSpineDrop + 0.04),
       along = glm::normalize(spine - rail);
   const dvec2 across = side * dvec2(-along.y, along.x);  // downwards and outwards
-  const dvec3 thick = kHalfThickness * at.frame.forward;
+  const dvec3 thick = kHalfTie * at.frame.forward;
   const auto end = [&](dvec2 middle, double half) {
     const dvec3 low = at.place(middle + half * across), high = at.place(middle - half * across);
     return side < 0 ? std::array{low - thick, low + thick, high + thick, high - thick}
                     : std::array{low + thick, low - thick, high - thick, high + thick};
   };
   add_prism(end(rail, kHalfAtRail), end(spine, kHalfAtSpine), Part::tie, at.along, true, mesh);
+}
+
+void add_tubes(std::span<const Ring> rings, Caps caps, Mesh& mesh) {
+  add_tube(rings, {{0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail, caps}, mesh);
+  add_tube(rings, {{-0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail, caps}, mesh);
+  add_tube(rings, {{0, -kSpineDrop}, kSpineRadius, kSpineSides, kSpineSides / 3, Part::spine, caps}, mesh);
+}
+
+void add_tie(const Ring& at, Mesh& mesh) { add_arm(at, 1.0, mesh), add_arm(at, -1.0, mesh); }
+
+// Moves the vertices behind the origin to the first ring of a piece and the others to the second one.
+void flatten(Mesh& mesh) {
+  for (MeshVertex& vertex : mesh.vertices) {
+    vertex.along = vertex.position.x > 0 ? 1.0f : 0.0f;
+    vertex.position.x = 0;
+  }
 }
 
 }  // namespace
@@ -114,11 +131,33 @@ void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps, const Detail&
   mesh.clear();
   if (detail.most_rings == 0) return;
   const std::vector<Ring> rings = rings_of(shape, detail.most_rings);
-  add_tube(rings, {{0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail, caps}, mesh);
-  add_tube(rings, {{-0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Part::rail, caps}, mesh);
-  add_tube(rings, {{0, -kSpineDrop}, kSpineRadius, kSpineSides, kSpineSides / 3, Part::spine, caps}, mesh);
-  if (!detail.parts || !(shape.arc.length() > kShortestWithTie)) return;
-  for (const Ring& at : spaced_rings(shape, kTieSpacing)) add_arm(at, 1.0, mesh), add_arm(at, -1.0, mesh);
+  add_tubes(rings, caps, mesh);
+  for (const Ring& at : tie_rings(shape, detail)) add_tie(at, mesh);
+}
+
+std::vector<Ring> tie_rings(const SegmentShape& shape, const Detail& detail) {
+  if (!detail.parts || !(shape.arc.length() > kShortestWithTie)) return {};
+  return spaced_rings(shape, kTieSpacing);
+}
+
+TrackPieces track_pieces() {
+  const curve::Frame frame{{1, 0, 0}, {0, 1, 0}};
+  const std::array rings{Ring{{-1, 0, 0}, frame}, Ring{{1, 0, 0}, frame}};
+  TrackPieces pieces;
+  add_tubes(rings, {false, false}, pieces.tubes);
+  add_tubes(rings, {false, true}, pieces.caps);
+  // Without the sides, whose triangles join both rings.
+  const std::vector<MeshVertex>& vertices = pieces.caps.vertices;
+  std::vector<std::uint32_t> fans;
+  for (std::size_t i = 0; i < pieces.caps.indices.size(); i += 3) {
+    const std::uint32_t* const corner = &pieces.caps.indices[i];
+    if (std::all_of(corner, corner + 3, [&](std::uint32_t at) { return vertices[at].position.x > 0; }))
+      fans.insert(fans.end(), corner, corner + 3);
+  }
+  pieces.caps.indices = std::move(fans);
+  add_tie({{0, 0, 0}, frame}, pieces.tie);
+  for (Mesh* mesh : {&pieces.tubes, &pieces.caps, &pieces.tie}) flatten(*mesh);
+  return pieces;
 }
 
 }  // namespace coaster::sim

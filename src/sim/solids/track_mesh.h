@@ -14,6 +14,7 @@ inline constexpr double kRailRadius = 0.12;   // m
 inline constexpr double kSpineRadius = 0.28;  // m
 inline constexpr double kSpineDrop = 0.62;    // m below the rails' plane
 inline constexpr double kTieSpacing = 1.5;    // m between ties, approximately: a whole number per segment
+inline constexpr double kHalfTie = 0.045;     // m, half a tie's thickness along the track
 inline constexpr int kRailSides = 8, kSpineSides = 12;
 // m, largest deviation of rails from their line between rings, unless there are Detail::most_rings.
 inline constexpr double kSagitta = 0.01;
@@ -34,6 +35,20 @@ std::vector<Ring> spaced_rings(const SegmentShape& shape, double spacing);
 // have smooth normals and are closed at `caps`. Replaces the contents of `mesh`. A segment of zero length gives tubes
 // of zero length, never NaN. `detail` may leave out the ties, or everything.
 void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps = {}, const Detail& detail = {});
+
+// The ties of a segment stand at these rings; none if it is very short or `detail` leaves them out.
+std::vector<Ring> tie_rings(const SegmentShape& shape, const Detail& detail);
+
+// What a swept solid is made of: a mesh between two rings, around the origin with forward +X, up +Y, left -Z. Every
+// vertex has x = 0 and belongs to the first ring (along 0) or to the second one (along 1). Sweeping `tubes` from ring
+// to ring, `caps` over the first and the last one and `tie` over kHalfTie to both sides of a tie's ring gives
+// sweep_track().
+struct TrackPieces {
+  Mesh tubes;  // rails and spine; `coarse` for distant views
+  Mesh caps;   // closes them, seen against the direction of travel
+  Mesh tie;
+};
+TrackPieces track_pieces();
 
 // Adds the solids of a kind of equipment: a chain and a walkway with a handrail on a lift, rows of fins on brakes and
 // blocks, blocks of a linear motor on a launch, platforms beside the track in a station. Walkways and platforms are

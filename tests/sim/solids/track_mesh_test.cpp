@@ -1,6 +1,8 @@
 #include "sim/solids/track_mesh.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <tuple>
 
 #include <gtest/gtest.h>
@@ -48,6 +50,63 @@ TEST(track_mesh, normals_of_bent_track_point_outwards) {
       EXPECT_GT(volume(mesh, Part::rail), 0);
       for (const std::uint32_t i : mesh.indices) ASSERT_LT(i, mesh.vertices.size());
     }
+  }
+}
+
+// The corners of triangles, whatever their order in the mesh.
+using Triangles = std::vector<std::array<std::array<double, 3>, 3>>;
+void add_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& indices, const auto& place, Triangles& out) {
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    std::array<std::array<double, 3>, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec3 at = place(mesh.vertices[indices[i + k]]);
+      corners[k] = {std::round(at.x * 1e3), std::round(at.y * 1e3), std::round(at.z * 1e3)};  // mm
+    }
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    out.push_back(corners);
+  }
+}
+
+// As the vertex shader sweeps them. Rounding may put a corner into the next millimetre, and the first cap is cut
+// otherwise.
+TEST(track_mesh, consists_of_pieces_between_rings) {
+  const TrackPieces pieces = track_pieces();
+  const world::Document d = test::ring_document(8, 21.3);
+  const Derived derived = test::derived_of(d);
+  for (const world::Entity e : derived.order) {
+    const SegmentShape& shape = derived.shape(e);
+    Triangles wanted, found;
+    const auto as_it_is = [](const MeshVertex& v) { return glm::dvec3(v.position); };
+    const Mesh whole = swept(shape);
+    add_triangles(whole, whole.indices, as_it_is, wanted);
+    const auto sweep = [&](const Mesh& mesh, const std::vector<std::uint32_t>& indices, const Ring& from,
+                           const Ring& to, Triangles& out) {
+      add_triangles(
+          mesh, indices,
+          [&](const MeshVertex& v) {
+            EXPECT_EQ(v.position.x, 0);
+            const Ring& at = v.along > 0.5f ? to : from;
+            return at.place(-double(v.position.z), double(v.position.y));
+          },
+          out);
+    };
+    const std::vector<Ring> rings = rings_of(shape);
+    for (std::size_t i = 0; i + 1 < rings.size(); ++i)
+      sweep(pieces.tubes, pieces.tubes.indices, rings[i], rings[i + 1], found);
+    Ring back = rings.front();
+    back.frame.forward = -back.frame.forward;
+    sweep(pieces.caps, pieces.caps.indices, back, back, found);
+    sweep(pieces.caps, pieces.caps.indices, rings.back(), rings.back(), found);
+    for (const Ring& at : tie_rings(shape, {})) {
+      Ring from = at, to = at;
+      from.position -= kHalfTie * at.frame.forward, to.position += kHalfTie * at.frame.forward;
+      sweep(pieces.tie, pieces.tie.indices, from, to, found);
+    }
+    ASSERT_EQ(found.size(), wanted.size());
+    std::sort(wanted.begin(), wanted.end());
+    int off = 0;
+    for (const auto& corners : found) off += !std::binary_search(wanted.begin(), wanted.end(), corners);
+    EXPECT_LT(off, int(found.size() / 10));
   }
 }
 

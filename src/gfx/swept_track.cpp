@@ -1,0 +1,267 @@
+#include "gfx/swept_track.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "gfx/mesh_pool.h"
+
+namespace coaster::gfx {
+namespace {
+
+static_assert(sizeof(Piece) == 96, "pieces are uploaded with their memory layout");
+
+constexpr std::size_t kMostRunsOfKind = 96;  // of one kind
+
+// An edit changes the number of pieces: spare room keeps a segment in its range while a knot is dragged.
+std::uint32_t room_for(std::size_t count) { return static_cast<std::uint32_t>(count + count / 4); }
+bool has_room(Range range, std::size_t count) { return count <= range.size && range.size <= room_for(count) + 2; }
+
+Piece piece_between(const sim::Ring& from, const sim::Ring& to, std::uint32_t segment) {
+  const glm::dvec3 right = -from.frame.left(), next_right = -to.frame.left();
+  return {.x = from.frame.forward,
+          .y = from.frame.up,
+          .z = right,
+          .origin = from.position,
+          .along = from.along,
+          .segment = static_cast<float>(segment),
+          .next_y = to.frame.up,
+          .next_z = next_right,
+          .next_origin = to.position,
+          .next_along = to.along};
+}
+
+// The piece at a ring, reaching `half` metres to both sides.
+Piece piece_at(const sim::Ring& at, double half, std::uint32_t segment) {
+  sim::Ring from = at, to = at;
+  from.position -= half * at.frame.forward, to.position += half * at.frame.forward;
+  return piece_between(from, to, segment);
+}
+
+// The same ring seen in the opposite direction.
+sim::Ring turned(sim::Ring ring) {
+  ring.frame.forward = -ring.frame.forward;
+  return ring;
+}
+
+// Sets the attributes of an instance from the bound buffer, beginning with a piece.
+void piece_attributes(const Gl& gl, std::uint32_t first) {
+  constexpr std::size_t kStride = sizeof(Piece);
+  constexpr struct {
+    int components;
+    std::size_t offset;
+  } kAttributes[] = {{3, offsetof(Piece, x)},      {3, offsetof(Piece, y)},           {3, offsetof(Piece, z)},
+                     {3, offsetof(Piece, origin)}, {2, offsetof(Piece, along)},       {3, offsetof(Piece, next_y)},
+                     {3, offsetof(Piece, next_z)}, {3, offsetof(Piece, next_origin)}, {1, offsetof(Piece, next_along)}};
+  GLuint location = 3;
+  for (const auto& attribute : kAttributes)
+    float_attribute(gl, location++, attribute.components, kStride, first * kStride + attribute.offset, 1);
+}
+
+}  // namespace
+
+SweptTrack::Row::Row(const Gl& gl, const sim::Mesh& mesh, const std::vector<std::uint32_t>& corners)
+    : vertices(gl), indices(gl), pieces(gl), array(make_vertex_array(gl)), index_count(GLsizei(corners.size())) {
+  vertices.fill(mesh.vertices);
+  indices.fill(corners);
+  gl.BindVertexArray(array.id());
+  gl.BindBuffer(GL_ARRAY_BUFFER, vertices.id());
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
+  mesh_attributes(gl);
+  float_attribute(gl, kEndAttribute, 1, sizeof(sim::MeshVertex), offsetof(sim::MeshVertex, along));
+  gl.BindVertexArray(0);
+}
+
+SweptTrack::SweptTrack(const Gl& gl)
+    : gl_(&gl), rows_([&]() -> ByKind<Row> {
+        const sim::TrackPieces meshes = sim::track_pieces();
+        return {Row(gl, meshes.tubes, meshes.tubes.indices), Row(gl, meshes.caps, meshes.caps.indices),
+                Row(gl, meshes.tubes, meshes.tubes.coarse), Row(gl, meshes.tie, meshes.tie.indices)};
+      }()) {}
+
+void SweptTrack::stage(const sim::SegmentShape& shape, const sim::Detail& detail, std::uint32_t segment) {
+  for (std::vector<Piece>& pieces : staged_) pieces.clear();
+  if (detail.most_rings == 0) return;
+  const std::vector<sim::Ring> rings = sim::rings_of(shape, detail.most_rings);
+  const std::size_t last = rings.size() - 1;
+  for (std::size_t i = 0; i < last; ++i) staged_[kTubes].push_back(piece_between(rings[i], rings[i + 1], segment));
+  for (std::size_t i = 0; i < last; i += 2)
+    staged_[kFarTubes].push_back(piece_between(rings[i], rings[std::min(i + 2, last)], segment));
+  staged_[kCaps] = {piece_at(turned(rings[0]), 0, segment), piece_at(rings[last], 0, segment)};
+  for (const sim::Ring& at : sim::tie_rings(shape, detail))
+    staged_[kTies].push_back(piece_at(at, sim::kHalfTie, segment));
+}
+
+// Makes room for the staged pieces.
+void SweptTrack::fit(Id& id) {
+  if (id == kNone) {
+    if (free_.empty()) free_.push_back(static_cast<Id>(segments_.size())), segments_.emplace_back();
+    id = free_.back();
+    free_.pop_back();
+    segments_[id] = {};
+  }
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    Range& range = segments_[id].pieces[kind];
+    const std::size_t count = staged_[kind].size();
+    if (has_room(range, count)) continue;
+    std::vector<Piece> none;
+    put(rows_[kind], range, none);
+    rows_[kind].ranges.give_back(range);
+    range = count > 0 ? rows_[kind].ranges.take(room_for(count)) : Range{};
+    rows_[kind].moved = true;
+  }
+}
+
+// Writes pieces, and empty ones into the rest of their range.
+void SweptTrack::put(Row& row, Range range, std::vector<Piece>& pieces) {
+  if (range.size == 0) return;
+  pieces.resize(range.size, Piece{});
+  row.pieces.reserve(row.ranges.used());
+  row.pieces.write(range.first, pieces);
+}
+
+void SweptTrack::measure(Segment& segment) const {
+  constexpr float kReach = 1.2f;  // m, of everything about a ring
+  glm::vec3 low(3e38f), high(-3e38f);
+  for (const std::size_t kind : {kTubes, kCaps})
+    for (const Piece& piece : staged_[kind])
+      low = glm::min(low, glm::min(piece.origin, piece.next_origin)),
+      high = glm::max(high, glm::max(piece.origin, piece.next_origin));
+  if (staged_[kTubes].empty()) low = high = glm::vec3(0);
+  segment.middle = 0.5f * low + 0.5f * high;
+  segment.radius = 0.5f * glm::distance(low, high) + kReach;
+}
+
+std::int64_t SweptTrack::write(Id& id) {
+  fit(id);
+  Segment& segment = segments_[id];
+  measure(segment);
+  std::int64_t written = 0;
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    put(rows_[kind], segment.pieces[kind], staged_[kind]);
+    written += std::int64_t(segment.pieces[kind].size * sizeof(Piece));
+  }
+  ++version_;
+  reach_ = {-1, -1};
+  return written;
+}
+
+void SweptTrack::release(Id& id) {
+  if (id == kNone) return;
+  std::vector<Piece> none;
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    none.clear();
+    put(rows_[kind], segments_[id].pieces[kind], none);
+    rows_[kind].ranges.give_back(segments_[id].pieces[kind]);
+    rows_[kind].moved = true;
+  }
+  segments_[id] = {};
+  free_.push_back(id);
+  id = kNone;
+  ++version_;
+  reach_ = {-1, -1};
+}
+
+void SweptTrack::sort() {
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    if (!rows_[kind].moved) continue;
+    rows_[kind].moved = false;
+    std::vector<Id>& order = rows_[kind].order;
+    order.clear();
+    for (Id id = 0; id < segments_.size(); ++id)
+      if (segments_[id].pieces[kind].size > 0) order.push_back(id);
+    std::sort(order.begin(), order.end(),
+              [&](Id a, Id b) { return segments_[a].pieces[kind].first < segments_[b].pieces[kind].first; });
+  }
+}
+
+// Collects runs of shown segments that are adjacent in a buffer; the gaps between them hold empty pieces.
+void SweptTrack::gather(Kind kind, const std::vector<std::uint8_t>& shown, std::vector<Range>& runs) const {
+  runs.clear();
+  bool open = false;
+  for (const Id id : rows_[kind].order) {
+    const bool show = (shown[id] >> kind & 1) != 0;
+    const Range place = segments_[id].pieces[kind];
+    if (show && !open) runs.push_back(place);
+    if (show) runs.back().size = place.first + place.size - runs.back().first;
+    open = show;
+  }
+}
+
+void SweptTrack::choose(const Reach& reach) {
+  shown_.assign(segments_.size(), 0);
+  for (Id id = 0; id < segments_.size(); ++id) {
+    const Segment& segment = segments_[id];
+    const float metres = glm::distance(eye_, segment.middle) - segment.radius;
+    shown_[id] = static_cast<std::uint8_t>(metres > reach.full ? 1 << kFarTubes : 1 << kTubes | 1 << kCaps);
+    if (metres <= reach.ties) shown_[id] |= 1 << kTies;
+  }
+  for (const Kind kind : {kTubes, kCaps, kFarTubes, kTies}) gather(kind, shown_, chosen_[kind]);
+}
+
+void SweptTrack::look_from(glm::vec3 eye, Reach reach) {
+  if (eye == eye_ && reach == reach_) return;
+  eye_ = eye, reach_ = reach;
+  sort();
+  constexpr int kMostHalvings = 12;
+  for (int halvings = 0;; ++halvings, reach.full /= 2, reach.ties /= 2) {
+    if (halvings == kMostHalvings) reach = {-1, -1};
+    choose(reach);
+    const bool few_runs = std::all_of(chosen_.begin(), chosen_.end(),
+                                      [](const std::vector<Range>& runs) { return runs.size() <= kMostRunsOfKind; });
+    if (halvings == kMostHalvings || (few_runs && triangles() <= kTriangleBudget)) return;
+  }
+}
+
+SweptTrack::Cast SweptTrack::cast(const glm::mat4& light, float texel_metres, bool unseen) {
+  sort();
+  const bool full = texel_metres < 8 * static_cast<float>(sim::kRailRadius);
+  const auto kinds = static_cast<std::uint8_t>(full ? 1 << kTubes | 1 << kCaps | 1 << kTies : 1 << kFarTubes);
+  const float scale = glm::length(glm::vec3(light[0].x, light[1].x, light[2].x));  // of a metre across the light
+  shown_.assign(segments_.size(), 0);
+  for (Id id = 0; id < segments_.size(); ++id) {
+    const glm::vec4 at = light * glm::vec4(segments_[id].middle, 1);
+    if (std::max(std::abs(at.x), std::abs(at.y)) <= 1 + scale * segments_[id].radius) shown_[id] = kinds;
+  }
+  for (const Kind kind : {kTubes, kCaps, kFarTubes, kTies}) {
+    gather(kind, shown_, cast_[kind]);
+    if (cast_[kind].size() > kMostRunsOfKind)
+      cast_[kind] = {Range{cast_[kind].front().first,
+                           cast_[kind].back().first + cast_[kind].back().size - cast_[kind].front().first}};
+  }
+  if (!unseen) draw(cast_);
+  return {draw_calls(cast_), triangles(cast_)};
+}
+
+void SweptTrack::draw(const Runs& runs) const {
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    if (runs[kind].empty()) continue;
+    const Row& row = rows_[kind];
+    gl_->BindVertexArray(row.array.id());
+    gl_->BindBuffer(GL_ARRAY_BUFFER, row.pieces.id());
+    for (const Range& run : runs[kind]) {
+      piece_attributes(*gl_, run.first);
+      gl_->DrawElementsInstanced(GL_TRIANGLES, row.index_count, GL_UNSIGNED_INT, nullptr, GLsizei(run.size));
+    }
+  }
+}
+
+int SweptTrack::draw_calls(const Runs& runs) const {
+  std::size_t calls = 0;
+  for (const std::vector<Range>& of_kind : runs) calls += of_kind.size();
+  return static_cast<int>(calls);
+}
+
+std::int64_t SweptTrack::triangles(const Runs& runs) const {
+  std::int64_t sum = 0;
+  for (std::size_t kind = 0; kind < kKinds; ++kind)
+    for (const Range& run : runs[kind]) sum += std::int64_t{run.size} * (rows_[kind].index_count / 3);
+  return sum;
+}
+
+std::int64_t SweptTrack::bytes() const {
+  std::int64_t sum = 0;
+  for (const Row& row : rows_) sum += std::int64_t(row.ranges.used() * sizeof(Piece));
+  return sum;
+}
+
+}  // namespace coaster::gfx

@@ -1,0 +1,114 @@
+// Rails, spine and ties on the GPU, as instances of a few small meshes: 96 bytes for each stretch from one ring to the
+// next, between which the vertex shader sweeps the cross-section (shaders/mesh.vert). A segment has pieces for near and
+// for distant views. The choice is made for runs of neighbours in the buffers, so a camera move uploads nothing.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "gfx/growing_buffer.h"
+#include "gfx/ranges.h"
+#include "sim/solids/track_mesh.h"
+
+namespace coaster::gfx {
+
+// One instance: axes and origin of the first ring (forward x, up y, right z; x serves both rings) and of the second.
+struct Piece {
+  glm::vec3 x, y, z, origin;
+  float along, segment;
+  glm::vec3 next_y, next_z, next_origin;
+  float next_along;
+};
+
+// The largest number of triangles of rails, spine and ties in a picture, as far as fewer rings allow. Shadow maps have
+// their own.
+inline constexpr std::int64_t kTriangleBudget = 3'000'000;
+
+class SweptTrack {
+ public:
+  // A segment's pieces. The user keeps the id and frees it in time.
+  using Id = std::uint32_t;
+  static constexpr Id kNone = 0xffffffffu;
+
+  explicit SweptTrack(const Gl& gl);
+
+  // Writes the pieces of a segment, into its old ranges if they fit there; an id of kNone is a new segment. stage()
+  // prepares them outside GL. Returns the bytes written.
+  void stage(const sim::SegmentShape& shape, const sim::Detail& detail, std::uint32_t segment);
+  std::int64_t write(Id& id);
+  void release(Id& id);
+
+  // The distances (m) up to which segments are drawn in full, and up to which they have ties.
+  struct Reach {
+    float full = 0, ties = 0;
+    friend bool operator==(const Reach&, const Reach&) = default;
+  };
+  // From now on draws what is near `eye` in full. Both distances are halved until the triangles stay within
+  // kTriangleBudget and the draw calls within a few hundred. Linear in the segments; does nothing while neither these
+  // nor the eye changed.
+  void look_from(glm::vec3 eye, Reach reach);
+  // Draws the segments with the program in use (the attributes of shaders/mesh.vert).
+  void draw() const { draw(chosen_); }
+  int draw_calls() const { return draw_calls(chosen_); }
+  std::int64_t triangles() const { return triangles(chosen_); }  // per draw, gaps included
+
+  // The same for the segments that reach into the clip space of `light`: in full unless the texels of the shadow map,
+  // `texel_metres` wide, are larger than rail and gap.
+  struct Cast {
+    int draw_calls = 0;
+    std::int64_t triangles = 0;
+  };
+  Cast cast(const glm::mat4& light, float texel_metres, bool unseen);
+
+  // Changes whenever anything is written or removed.
+  std::uint64_t version() const { return version_; }
+  // Bytes in use, gaps included.
+  std::int64_t bytes() const;
+
+ private:
+  enum Kind : std::size_t { kTubes, kCaps, kFarTubes, kTies, kKinds };
+  template <class T>
+  using ByKind = std::array<T, kKinds>;
+  using Runs = ByKind<std::vector<Range>>;
+  struct Segment {
+    ByKind<Range> pieces;
+    glm::vec3 middle{0};
+    float radius = 0;
+  };
+  // A mesh and its instances.
+  struct Row {
+    Row(const Gl& gl, const sim::Mesh& mesh, const std::vector<std::uint32_t>& corners);
+    GrowingBuffer<sim::MeshVertex> vertices;
+    GrowingBuffer<std::uint32_t> indices;
+    GrowingBuffer<Piece> pieces;
+    Object array;
+    GLsizei index_count = 0;
+    Ranges ranges;
+    std::vector<Id> order;  // by position in the buffer
+    bool moved = true;      // ranges changed since the order was computed
+  };
+  void fit(Id& id);
+  void measure(Segment& segment) const;
+  void put(Row& row, Range range, std::vector<Piece>& pieces);
+  void sort();
+  void gather(Kind kind, const std::vector<std::uint8_t>& shown, std::vector<Range>& runs) const;
+  void choose(const Reach& reach);
+  void draw(const Runs& runs) const;
+  int draw_calls(const Runs& runs) const;
+  std::int64_t triangles(const Runs& runs) const;
+
+  const Gl* gl_;
+  ByKind<Row> rows_;
+  std::vector<Segment> segments_;
+  std::vector<Id> free_;
+  Runs chosen_, cast_;
+  std::uint64_t version_ = 0;
+  glm::vec3 eye_{0};
+  Reach reach_{-1, -1};
+  // Kept for their capacity.
+  ByKind<std::vector<Piece>> staged_;
+  std::vector<std::uint8_t> shown_;  // by segment, a bit for each kind
+};
+
+}  // namespace coaster::gfx
