@@ -1,5 +1,7 @@
 #include "view/marks.h"
 
+#include <algorithm>
+
 #include "view/spin_ring.h"
 
 namespace coaster::view {
@@ -31,8 +33,12 @@ std::vector<world::Entity> knots_with_handles(const world::Document& document, c
 
 std::optional<PlacedMark> placed_mark(const Projector& projector, const View& view, PickKind kind, world::Entity knot,
                                       glm::vec3 position) {
+  constexpr double kLargest = 64;  // px, more than the radius and the reach of any mark
   const auto pixel = projector(position);
   if (!pixel) return std::nullopt;
+  const glm::dvec2 first(view.viewport.x, view.viewport.y), size(view.viewport.width, view.viewport.height);
+  const glm::dvec2 off = glm::max(first - *pixel, *pixel - first - size);
+  if (std::max(off.x, off.y) > kLargest) return std::nullopt;
   const glm::dvec3 away = glm::dvec3(position) - glm::dvec3(view.eye);
   return PlacedMark{kind, knot, position, *pixel, glm::dot(away, away), 0};
 }

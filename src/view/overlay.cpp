@@ -91,14 +91,14 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
     add_gizmo(*gizmo, view, scale, hovered.kind, overlay);
   if (const auto ring = spin_ring_of(document, settings, view); ring && !findings.riding)
     add_spin_ring(*ring, scale, overlay);
-  std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
-  std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
   const bool all = !findings.riding && settings.lab->layers.has(world::Layer::knots);
-  for (const PlacedMark& placed : marks) {
+  std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
+  std::erase_if(marks, [&](const PlacedMark& placed) {
     const bool chosen = world::is_selected(settings, placed.knot) || hovered == Pick{placed.kind, placed.knot};
-    if (placed.kind == PickKind::spin ? !findings.riding : all || chosen)
-      overlay.marks.push_back(mark_of(placed, settings, hovered));
-  }
+    return placed.kind == PickKind::spin ? findings.riding : !all && !chosen;
+  });
+  std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
+  for (const PlacedMark& placed : marks) overlay.marks.push_back(mark_of(placed, settings, hovered));
   add_failure(derived, findings.failure, view, scale, overlay);
   return overlay;
 }

@@ -146,6 +146,17 @@ TEST(overlay, nothing_selected_shows_knots_alone) {
   }
 }
 
+TEST(overlay, knots_beside_the_picture_have_no_marks) {
+  Scene scene;
+  world::Camera camera = frame_all({}, scene.document, kViewport);
+  camera.target = world::knot(scene.document, scene.document.track.knots[0]).position;
+  camera.distance = 4;
+  scene.view = orbit_view(camera, kViewport);
+  const Overlay overlay = scene.overlay();
+  ASSERT_EQ(overlay.marks.size(), 1u);
+  EXPECT_EQ(overlay.marks[0].position, camera.target);
+}
+
 TEST(overlay, a_selected_knot_is_orange_with_handles_and_polygons) {
   Scene scene;
   scene.settings.selected = scene.document.track.knots[2];
