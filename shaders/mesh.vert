@@ -40,7 +40,8 @@ void main() {
 #endif
   material = part;
 #ifdef OUTLINE
-  world += facing / max(length(facing), 1e-6) * min(outline * distance(world, eye), 0.06);  // empty instances face nowhere
+  // Empty instances face nowhere.
+  world += facing / max(length(facing), 1e-6) * min(outline * distance(world, eye), 0.06);
 #endif
   gl_Position = view_projection * vec4(world, 1.0);
 }

@@ -25,6 +25,13 @@ void mesh_attributes(const Gl& gl) {
   float_attribute(gl, 2, 1, kStride, offsetof(sim::MeshVertex, part));
 }
 
+bool reaches(const glm::mat4& light, glm::vec3 middle, float radius) {
+  const glm::vec4 at = light * glm::vec4(middle, 1);
+  const glm::vec2 scale(glm::length(glm::vec3(light[0].x, light[1].x, light[2].x)),  // of a metre across the light
+                        glm::length(glm::vec3(light[0].y, light[1].y, light[2].y)));
+  return std::abs(at.x) <= 1 + scale.x * radius && std::abs(at.y) <= 1 + scale.y * radius;
+}
+
 // Makes room for a solid.
 void MeshPool::fit(const sim::Mesh& mesh, Id& id) {
   if (id == kNone) {
@@ -105,20 +112,23 @@ void MeshPool::write_indices(Level& level, Range range, const std::vector<std::u
   written_ += std::int64_t(range.size * sizeof(std::uint32_t));
 }
 
-// Collects runs of solids that are adjacent in a buffer and of the same kind; the gaps between them hold degenerate
-// triangles.
-void MeshPool::gather(Level& level) const {
-  level.runs.clear();
+// Returns the runs of shown solids that are adjacent in a buffer; the gaps between them hold degenerate triangles.
+std::vector<MeshPool::Run> MeshPool::runs_of(const Level& level, const auto& shown) const {
+  std::vector<Run> runs;
   bool open = false;
   for (const Id id : level.order) {
     const Solid& solid = solids_[id];
     const Range place = solid.*level.range;
-    if (solid.far == level.far) {
-      if (!open) level.runs.push_back({place.first, 0});
-      level.runs.back().count = place.first + place.size - level.runs.back().first;
-    }
-    open = solid.far == level.far;
+    const bool show = shown(solid);
+    if (show && !open) runs.push_back({place.first, 0});
+    if (show) runs.back().count = place.first + place.size - runs.back().first;
+    open = show;
   }
+  return runs;
+}
+
+void MeshPool::gather(Level& level) const {
+  level.runs = runs_of(level, [&](const Solid& solid) { return solid.far == level.far; });
 }
 
 void MeshPool::look_from(glm::vec3 eye, float near_metres) {
@@ -150,20 +160,27 @@ void MeshPool::bind(const Level& level) const {
   gl_->VertexAttrib4f(kEndAttribute, 0, 0, 0, 1);
 }
 
+void MeshPool::draw(const Level& level, const std::vector<Run>& runs) const {
+  if (runs.empty()) return;
+  bind(level);
+  for (const Run& run : runs)
+    gl_->DrawElements(GL_TRIANGLES, GLsizei(run.count), GL_UNSIGNED_INT,
+                      reinterpret_cast<const void*>(std::size_t(run.first) * sizeof(std::uint32_t)));
+}
+
 int MeshPool::draw() const {
-  for (const Level& level : levels_) {
-    if (level.runs.empty()) continue;
-    bind(level);
-    for (const Run& run : level.runs)
-      gl_->DrawElements(GL_TRIANGLES, GLsizei(run.count), GL_UNSIGNED_INT,
-                        reinterpret_cast<const void*>(std::size_t(run.first) * sizeof(std::uint32_t)));
-  }
+  for (const Level& level : levels_) draw(level, level.runs);
   return draw_calls();
 }
 
-void MeshPool::draw_all() const {
-  bind(levels_[0]);
-  gl_->DrawElements(GL_TRIANGLES, GLsizei(index_count()), GL_UNSIGNED_INT, nullptr);
+Cast MeshPool::cast(const glm::mat4& light, bool unseen) const {
+  std::vector<Run> runs =
+      runs_of(levels_[0], [&](const Solid& solid) { return reaches(light, solid.middle, solid.radius); });
+  if (runs.size() > kMostRuns) runs = {{0, index_count()}};
+  if (!unseen) draw(levels_[0], runs);
+  Cast cast{static_cast<int>(runs.size())};
+  for (const Run& run : runs) cast.triangles += run.count / 3;
+  return cast;
 }
 
 std::int64_t MeshPool::triangles() const {

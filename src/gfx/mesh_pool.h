@@ -29,6 +29,14 @@ void mesh_attributes(const Gl& gl);
 // The attribute that selects the second ring of a Piece (gfx/swept_track.h); a constant 0 for all other meshes.
 inline constexpr GLuint kEndAttribute = 12;
 
+// What was drawn into a shadow map.
+struct Cast {
+  int draw_calls = 0;
+  std::int64_t triangles = 0;
+};
+// Returns whether a sphere reaches into the clip space of a light, whatever its depth.
+bool reaches(const glm::mat4& light, glm::vec3 middle, float radius);
+
 class MeshPool {
  public:
   // A solid's ranges in the buffers, and its bounding sphere. The pool's user keeps the id and frees it in time.
@@ -53,8 +61,9 @@ class MeshPool {
   int draw() const;
   int draw_calls() const { return int(levels_[0].runs.size() + levels_[1].runs.size()); }
   std::int64_t triangles() const;  // per draw, gaps included
-  // Draws all solids in full, independent of the eye: one draw call.
-  void draw_all() const;
+  // Draws the solids that reach into the clip space of `light` in full, independent of the eye; `unseen`: only counts.
+  // Call after look_from().
+  Cast cast(const glm::mat4& light, bool unseen) const;
 
   // Changes whenever anything is written or removed.
   std::uint64_t version() const { return version_; }
@@ -92,6 +101,8 @@ class MeshPool {
   void link();
   void bind(const Level& level) const;
   void gather(Level& level) const;
+  std::vector<Run> runs_of(const Level& level, const auto& shown) const;
+  void draw(const Level& level, const std::vector<Run>& runs) const;
 
   const Gl* gl_;
   GrowingBuffer<sim::MeshVertex> vertices_;

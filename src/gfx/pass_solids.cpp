@@ -80,13 +80,11 @@ void cast_track(const Pass& pass, TrackCache& track, const glm::mat4& light, flo
   pass.programs.shadow.use();
   pass.programs.shadow.set("view_projection", light);
   // Independent of the eye, because a map is kept while it moves.
-  const SweptTrack::Cast cast = track.swept().cast(light, texel_metres, pass.scene.unseen);
-  pass.stats.draw_calls += cast.draw_calls;
-  pass.stats.triangles += cast.triangles;
-  for (const MeshPool* pool : {&track.mesh(), &track.supports().mesh()}) {
-    if (pool->index_count() == 0) continue;
-    if (!pass.scene.unseen) pool->draw_all();
-    pass.count(pool->index_count() / 3);
+  const bool unseen = pass.scene.unseen;
+  for (const Cast& cast : {track.swept().cast(light, texel_metres, unseen), track.mesh().cast(light, unseen),
+                           track.supports().mesh().cast(light, unseen)}) {
+    pass.stats.draw_calls += cast.draw_calls;
+    pass.stats.triangles += cast.triangles;
   }
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "gfx/mesh_pool.h"
-
 namespace coaster::gfx {
 namespace {
 
@@ -212,16 +210,13 @@ void SweptTrack::look_from(glm::vec3 eye, Reach reach) {
   }
 }
 
-SweptTrack::Cast SweptTrack::cast(const glm::mat4& light, float texel_metres, bool unseen) {
+Cast SweptTrack::cast(const glm::mat4& light, float texel_metres, bool unseen) {
   sort();
   const bool full = texel_metres < 8 * static_cast<float>(sim::kRailRadius);
   const auto kinds = static_cast<std::uint8_t>(full ? 1 << kTubes | 1 << kCaps | 1 << kTies : 1 << kFarTubes);
-  const float scale = glm::length(glm::vec3(light[0].x, light[1].x, light[2].x));  // of a metre across the light
   shown_.assign(segments_.size(), 0);
-  for (Id id = 0; id < segments_.size(); ++id) {
-    const glm::vec4 at = light * glm::vec4(segments_[id].middle, 1);
-    if (std::max(std::abs(at.x), std::abs(at.y)) <= 1 + scale * segments_[id].radius) shown_[id] = kinds;
-  }
+  for (Id id = 0; id < segments_.size(); ++id)
+    if (reaches(light, segments_[id].middle, segments_[id].radius)) shown_[id] = kinds;
   for (const Kind kind : {kTubes, kCaps, kFarTubes, kTies}) {
     gather(kind, shown_, cast_[kind]);
     if (cast_[kind].size() > kMostRunsOfKind)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gfx/growing_buffer.h"
+#include "gfx/mesh_pool.h"
 #include "gfx/ranges.h"
 #include "sim/solids/track_mesh.h"
 
@@ -55,10 +56,6 @@ class SweptTrack {
 
   // The same for the segments that reach into the clip space of `light`: in full unless the texels of the shadow map,
   // `texel_metres` wide, are larger than rail and gap.
-  struct Cast {
-    int draw_calls = 0;
-    std::int64_t triangles = 0;
-  };
   Cast cast(const glm::mat4& light, float texel_metres, bool unseen);
 
   // Changes whenever anything is written or removed.

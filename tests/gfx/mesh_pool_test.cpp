@@ -40,6 +40,29 @@ TEST_F(Pool, places_are_used_again_and_gaps_draw_nothing) {
   EXPECT_EQ(pool.draw(), 0);
 }
 
+TEST_F(Pool, a_shadow_map_takes_the_solids_inside_its_square) {
+  MeshPool pool(gl_);
+  const Track track(test::straight_document({0, 9, 0}, {2000, 9, 0}, 200));
+  sim::Mesh mesh;
+  const sim::Clock no_clock;
+  Stopwatch watch{no_clock};
+  for (const world::Entity e : track.derived.order) {
+    MeshPool::Id id = MeshPool::kNone;
+    sim::sweep_track(track.derived.shape(e), mesh);
+    pool.write(mesh, id, watch);
+  }
+  pool.look_from({0, 0, 0}, 1);
+  // From above; half a side of the square about `x` is `half` metres.
+  const auto cast = [&](float x, float half) {
+    const float flat = 1 / half;
+    return pool.cast({{flat, 0, 0, 0}, {0, 0, 1e-4f, 0}, {0, flat, 0, 0}, {-flat * x, 0, 0, 1}}, false).triangles;
+  };
+  const std::int64_t all = pool.index_count() / 3;
+  EXPECT_EQ(cast(1000, 1100), all);
+  EXPECT_EQ(cast(1005, 50), all / 200 * 11);  // the first and the last of them by half
+  EXPECT_EQ(cast(5000, 50), 0);
+}
+
 TEST_F(Pool, supports_are_written_where_they_changed_and_go_when_hidden) {
   Track track(test::ring_document(60, 120.0f));
   sim::Supports supports;
