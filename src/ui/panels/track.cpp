@@ -65,13 +65,13 @@ void deviation(Ui& ui) {
   const auto row = [&](std::string_view label, std::string_view distance, std::string_view angle,
                        std::string_view tooltip) {
     const double m = number_of(ui, distance).value_or(0), degrees = number_of(ui, angle).value_or(0);
-    read_out(ui, label, fmt::format("{} mm, {}", fixed(1e3 * m, 2), fixed(degrees, 3)), "\u00B0", tooltip);
+    read_out(ui, label, fmt::format("{} mm, {}\u00B0", fixed(1e3 * m, 2), fixed(degrees, 3)), "", tooltip);
   };
   row("Largest deviation", "import.max_error", "import.frame_error",
       "Largest distance of the imported file's positions from the track, and largest angle between the frames there, "
       "as "
       "the file was opened.");
-  row("RMS deviation", "import.rms_error", "import.rms_frame_error", "Root mean square of these distances and angles.");
+  row("RMS deviation", "import.rms_error", "import.rms_frame_error", "Root mean square of the distances and angles.");
 }
 
 void conflicts(Ui& ui) {
