@@ -61,7 +61,8 @@ void run_keys(Act& act, const platform::Events& events) {
       if (std::find(chords.begin(), chords.end(), chord) == chords.end()) continue;
       if (press->repeat && (action.keys & kRepeats) == 0) continue;
       if ((action.keys & kInDrag) == 0 && (act.tool.dragging() || act.ui.gesture.open)) continue;
-      if (action.enabled(act)) action.run(act);
+      if (action.enabled.holds(act)) action.run(act);
+      else if (!press->repeat) act.ui.warn(std::string(action.enabled.otherwise));
     }
   }
 }

@@ -20,7 +20,12 @@ struct Act {
   CommandPalette& palette;
 };
 
-inline bool always(const Act&) { return true; }
+// When an action can run, and the sentence that its key shows when it cannot.
+struct Condition {
+  bool (*holds)(const Act& act);
+  std::string_view otherwise;
+};
+inline constexpr Condition kAlways{[](const Act&) { return true; }, ""};
 
 struct Action {
   std::string_view name;  // in the menu
@@ -29,7 +34,7 @@ struct Action {
   unsigned keys;          // kRepeats while the key is held, kInDrag: allowed while the mouse drags something
   std::string_view help;
   void (*run)(Act& act);
-  bool (*enabled)(const Act& act) = always;
+  Condition enabled = kAlways;
   bool (*checked)(const Act& act) = nullptr;  // null: no mark
   platform::Chord other = {};                 // a second default key
 };

@@ -16,13 +16,21 @@ using platform::Key;
 using world::Aids;
 using world::Kind;
 
-bool removable(const Act& act) { return any_selected(act) && !selected_is(act, Kind::segment); }
-bool knot_selected(const Act& act) { return selected_is(act, Kind::knot); }
-bool any_knots(const Act& act) { return !act.ui.session().document.track.knots.empty(); }
-bool can_undo(const Act& act) { return !act.ui.session().history.undo.empty() || act.ui.session().history.in_gesture; }
-bool can_redo(const Act& act) { return !act.ui.session().history.redo.empty(); }
+constexpr Condition kRemovable{
+    [](const Act& act) { return selected(act) != nullptr && !selected_is(act, Kind::segment); },
+    "Select a knot or a cart first."};
+constexpr Condition kKnotSelected{[](const Act& act) { return selected_is(act, Kind::knot); }, "Select a knot first."};
+constexpr Condition kAnyKnots{[](const Act& act) { return !act.ui.session().document.track.knots.empty(); },
+                              "The track has no knots."};
+constexpr Condition kCanUndo{
+    [](const Act& act) { return !act.ui.session().history.undo.empty() || act.ui.session().history.in_gesture; },
+    "There is nothing to undo."};
+constexpr Condition kCanRedo{[](const Act& act) { return !act.ui.session().history.redo.empty(); },
+                             "There is nothing to redo."};
 
-bool insertable(const Act& act) { return act.hovered.kind == view::PickKind::curve || selected_is(act, Kind::segment); }
+constexpr Condition kInsertable{
+    [](const Act& act) { return act.hovered.kind == view::PickKind::curve || selected_is(act, Kind::segment); },
+    "Point at the track or select a segment first."};
 
 // Cancels a drag in the viewport or in a number field. Returns false if no drag changes the document.
 bool cancel_drags(Act& act) {
@@ -64,7 +72,7 @@ void escape(Act& act) {
   else if (card_shows(act.ui.session())) act.ui.emit(edit::CloseCard{});
   else if (on<&Aids::append_mode>(act)) toggle<&Aids::append_mode>(act);
   else if (on<&Aids::show_element>(act)) toggle<&Aids::show_element>(act);
-  else if (any_selected(act)) act.ui.emit(edit::Select{});
+  else if (selected(act) != nullptr) act.ui.emit(edit::Select{});
 }
 
 void insert_point(Act& act) {
@@ -76,41 +84,42 @@ void insert_point(Act& act) {
 }
 
 // The palette's element, where its preview shows.
-bool placeable(const Act& act) {
+bool fits(const Act& act) {
   return on<&Aids::show_element>(act) && act.ui.find(edit::Want::element).element->refusal.empty();
 }
+constexpr Condition kPlaceable{fits, "Choose an element first. Its preview must fit the open end."};
 void place_element(Act& act) { act.ui.emit(edit::PlaceElement{act.ui.session().settings.element}); }
 
 constexpr Action kEditActions[] = {
     {"Undo", "Edit", ctrl(Key::z), kRepeats | kInDrag, "Undo the last step. Cancels a drag in progress.", undo,
-     can_undo},
-    {"Redo", "Edit", ctrl(Key::y), kRepeats, "Redo the last undone step.", emit<edit::Redo>, can_redo, nullptr,
+     kCanUndo},
+    {"Redo", "Edit", ctrl(Key::y), kRepeats, "Redo the last undone step.", emit<edit::Redo>, kCanRedo, nullptr,
      ctrl_shift(Key::z)},
-    {"Delete", "Edit", key(Key::del), 0, "Delete the selected knot or cart.", remove, removable, nullptr, key(Key::x)},
-    {"Select all", "Edit", ctrl(Key::a), 0, "Select every knot.", select_all, any_knots},
+    {"Delete", "Edit", key(Key::del), 0, "Delete the selected knot or cart.", remove, kRemovable, nullptr, key(Key::x)},
+    {"Select all", "Edit", ctrl(Key::a), 0, "Select every knot.", select_all, kAnyKnots},
     {"Box select", "Edit", key(Key::b), 0, "Drag a box around knots. Shift+drag adds, Ctrl+drag removes.", box_select,
-     any_knots},
+     kAnyKnots},
     {"Move", "Edit", key(Key::g), 0,
      "Move the selected knots. X, Y, Z: along an axis. Shift+axis: in a plane. Type metres.",
-     transform<TransformKind::move>, knot_selected},
+     transform<TransformKind::move>, kKnotSelected},
     {"Rotate", "Edit", key(Key::r), 0,
      "Rotate the selected knots about their centre. X, Y, Z: about an axis. Type degrees.",
-     transform<TransformKind::rotate>, knot_selected},
+     transform<TransformKind::rotate>, kKnotSelected},
     {"Scale", "Edit", key(Key::s), 0,
      "Scale the selected knots and their handles. X, Y, Z: along an axis. Type a factor.",
-     transform<TransformKind::scale>, knot_selected},
+     transform<TransformKind::scale>, kKnotSelected},
     {"Next snapping", "Edit", shift(Key::tab), 0,
-     "Snap to nothing, the grid, knots or the ground. Ctrl while dragging inverts snapping.", next_snapping, always,
+     "Snap to nothing, the grid, knots or the ground. Ctrl while dragging inverts snapping.", next_snapping, kAlways,
      snapping},
-    {"Select none", "Edit", kNoKey, 0, "Clear the selection. Key Escape.", emit<edit::Select>, any_selected},
+    {"Select none", "Edit", kNoKey, 0, "Clear the selection. Key Escape.", emit<edit::Select>, kAnySelected},
     {"Add curve", "Edit", key(Key::c), 0, "Split the longest segment at half its length. The shape is unchanged.",
      emit<edit::AddCurve>},
     {"Insert point", "Edit", key(Key::i), 0,
-     "Insert a knot under the cursor or at the selected position. The shape is unchanged.", insert_point, insertable},
+     "Insert a knot under the cursor or at the selected position. The shape is unchanged.", insert_point, kInsertable},
     {"Append points", "Edit", key(Key::a), 0, "Click on the ground to append knots to an open track.",
-     toggle<&Aids::append_mode>, always, on<&Aids::append_mode>},
+     toggle<&Aids::append_mode>, kAlways, on<&Aids::append_mode>},
     {"Place element", "Edit", key(Key::enter), 0, "Place the previewed element at the open end of the track.",
-     place_element, placeable},
+     place_element, kPlaceable},
 
     {"Cancel", "", key(Key::escape), kInDrag,
      "Cancel a drag, close a list or the score card, end append mode, hide the preview, or clear the selection.",

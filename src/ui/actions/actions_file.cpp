@@ -8,9 +8,10 @@ namespace {
 using platform::Key;
 
 void screenshot(Act& act) { act.ui.out.wants_screenshot = true; }
-bool in_challenge(const Act& act) { return act.ui.session().game.challenge.has_value(); }
+constexpr Condition kInChallenge{[](const Act& act) { return act.ui.session().game.challenge.has_value(); },
+                                 "No challenge is open."};
 bool filming(const Act& act) { return act.ui.state.movie != nullptr; }
-bool filmable(const Act& act) { return filming(act) || rideable(act); }
+constexpr Condition kFilmable{[](const Act& act) { return filming(act) || kRideable.holds(act); }, kRideable.otherwise};
 void record_movie(Act& act) { act.ui.out.movie = filming(act) ? MovieWish::stop : MovieWish::start; }
 
 constexpr Action kFileActions[] = {
@@ -25,11 +26,11 @@ constexpr Action kFileActions[] = {
     {"Challenges", "File", ctrl(Key::h), 0, "Choose a challenge with a goal and three medals.",
      want<Want::Kind::challenges>},
     {"Leave challenge", "File", kNoKey, 0, "Leave the challenge. The track stays as it is.", emit<edit::LeaveChallenge>,
-     in_challenge},
+     kInChallenge},
     {"Settings", "File", ctrl(Key::comma), 0, "Scale, theme, sound, autosave and keys.", want<Want::Kind::settings>},
     {"Screenshot", "File", key(Key::f12), kInDrag, "Save a screenshot of the window.", screenshot},
     {"Record movie", "File", shift(Key::f12), kInDrag,
-     "Record one lap as pictures and, where ffmpeg is installed, as a movie. Again to stop.", record_movie, filmable,
+     "Record one lap as pictures and, where ffmpeg is installed, as a movie. Again to stop.", record_movie, kFilmable,
      filming},
     {"Quit", "File", ctrl(Key::q), 0, "Quit coaster.", want<Want::Kind::quit>},
 };

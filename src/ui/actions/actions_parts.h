@@ -23,9 +23,11 @@ inline constexpr platform::Chord kNoKey{};
 
 // The name of the active knot, segment or cart; null without one.
 const world::Name* selected(const Act& act);
-inline bool any_selected(const Act& act) { return selected(act) != nullptr; }
+inline constexpr Condition kAnySelected{[](const Act& act) { return selected(act) != nullptr; },
+                                        "Select something first."};
 bool selected_is(const Act& act, world::Kind kind);
-inline bool rideable(const Act& act) { return rideable(act.ui.session()); }
+inline constexpr Condition kRideable{[](const Act& act) { return rideable(act.ui.session()); },
+                                     "A ride needs a track and a cart."};
 
 template <Want::Kind kind>
 void want(Act& act) {

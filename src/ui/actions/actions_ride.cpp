@@ -13,18 +13,19 @@ void single_step(Act& act) {
   if (running(act)) act.ui.emit(edit::RidePause{});
   act.ui.emit(edit::RideStep{1});
 }
-bool has_failed_place(const Act& act) { return failed_place(act.ui.session()).has_value(); }
+constexpr Condition kFailed{[](const Act& act) { return failed_place(act.ui.session()).has_value(); },
+                            "No ride has failed."};
 void show_failed_place(Act& act) { show_place(act.ui, *failed_place(act.ui.session())); }
 
 constexpr Action kRideActions[] = {
-    {"Play or pause", "Ride", key(Key::space), kInDrag, "Start or pause the ride.", play_pause, rideable},
+    {"Play or pause", "Ride", key(Key::space), kInDrag, "Start or pause the ride.", play_pause, kRideable},
     {"Single step", "Ride", key(Key::period), kRepeats | kInDrag, "Pause the ride and advance one tick of 1/120 s.",
-     single_step, rideable},
-    {"Reset", "Ride", shift(Key::r), kInDrag, "Return the carts to their start.", emit<edit::RideStop>, rideable},
+     single_step, kRideable},
+    {"Reset", "Ride", shift(Key::r), kInDrag, "Return the carts to their start.", emit<edit::RideStop>, kRideable},
     {"Show where it failed", "Ride", key(Key::j), kInDrag,
-     "Go to where the last ride or its challenge failed and select the segment.", show_failed_place, has_failed_place},
+     "Go to where the last ride or its challenge failed and select the segment.", show_failed_place, kFailed},
     {"Score cards", "Ride", kNoKey, kInDrag, "Show a card with results at the end of a ride.",
-     toggle<&world::Aids::show_card>, always, on<&world::Aids::show_card>},
+     toggle<&world::Aids::show_card>, kAlways, on<&world::Aids::show_card>},
 };
 
 }  // namespace

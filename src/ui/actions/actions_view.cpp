@@ -29,9 +29,11 @@ void show_or_hide(Act& act) {
   act.ui.emit(edit::ShowLayer{layer, !layer_shown<layer>(act)});
 }
 
-bool in_conflict(const Act& act) { return !act.ui.find(edit::Want::conflicts).conflicts.empty(); }
+constexpr Condition kInConflict{[](const Act& act) { return !act.ui.find(edit::Want::conflicts).conflicts.empty(); },
+                                "The track has no conflicts."};
 void next_conflict(Act& act) { show_next_conflict(act.ui); }
-bool ridden(const Act& act) { return !act.ui.find(edit::Want::jolts).jolts.empty(); }
+constexpr Condition kRidden{[](const Act& act) { return !act.ui.find(edit::Want::jolts).jolts.empty(); },
+                            "A ride needs a track and a cart."};
 void worst_jolt(Act& act) { show_worst_jolt(act.ui); }
 void open_palette(Act& act) { toggle_palette(act.palette); }
 
@@ -49,7 +51,8 @@ void frame_selection(Act& act) {
   frame(act, view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene));
 }
 
-bool probing(const Act& act) { return selected_is(act, world::Kind::segment); }
+constexpr Condition kProbing{[](const Act& act) { return selected_is(act, world::Kind::segment); },
+                             "Select a segment first."};
 // Along the selected segment; from its end on to the neighbour, where there is one.
 void step_probe(Act& act, double by) {
   const edit::Session& session = act.ui.session();
@@ -81,58 +84,58 @@ void next_camera(Act& act) { choose_camera(act.ui, base::next_of(act.ui.session(
 
 constexpr Action kViewActions[] = {
     {"Frame all", "View", key(Key::f), kInDrag, "Show the whole track.", frame_all},
-    {"Frame selection", "View", shift(Key::f), kInDrag, "Show the selection.", frame_selection, any_selected},
+    {"Frame selection", "View", shift(Key::f), kInDrag, "Show the selection.", frame_selection, kAnySelected},
     {"Command palette", "View", ctrl(Key::p), 0, "Find an action or a command.", open_palette},
-    {"First steps", "View", kNoKey, kInDrag, "Show or hide the first steps.", toggle<&Aids::show_hints>, always,
+    {"First steps", "View", kNoKey, kInDrag, "Show or hide the first steps.", toggle<&Aids::show_hints>, kAlways,
      on<&Aids::show_hints>},
-    {"Knots", "View", kNoKey, kInDrag, "Show or hide knots that are not selected.", show_or_hide<Layer::knots>, always,
+    {"Knots", "View", kNoKey, kInDrag, "Show or hide knots that are not selected.", show_or_hide<Layer::knots>, kAlways,
      layer_shown<Layer::knots>},
-    {"Supports", "View", kNoKey, kInDrag, "Show or hide the supports.", show_or_hide<Layer::supports>, always,
+    {"Supports", "View", kNoKey, kInDrag, "Show or hide the supports.", show_or_hide<Layer::supports>, kAlways,
      layer_shown<Layer::supports>},
     {"Conflicts", "View", kNoKey, kInDrag, "Show or hide places without clearance.", show_or_hide<Layer::conflicts>,
-     always, layer_shown<Layer::conflicts>},
+     kAlways, layer_shown<Layer::conflicts>},
     {"Next conflict", "View", kNoKey, kInDrag, "Go to the next place where the track lacks clearance from itself.",
-     next_conflict, in_conflict},
+     next_conflict, kInConflict},
     {"Worst jolt", "View", kNoKey, kInDrag, "Go to the knot whose jumps of curvature and roll riders feel most.",
-     worst_jolt, ridden},
+     worst_jolt, kRidden},
     {"Gizmo", "View", kNoKey, kInDrag, "Show or hide the arrows that move the selected knots.",
-     toggle<&Aids::show_gizmo>, always, on<&Aids::show_gizmo>},
+     toggle<&Aids::show_gizmo>, kAlways, on<&Aids::show_gizmo>},
     {"Panels", "View", key(Key::tab), 0, "Show or hide menu, panels and status bar.", toggle<&Look::show_panels>,
-     always, on<&Look::show_panels>},
+     kAlways, on<&Look::show_panels>},
     {"Next track colours", "View", key(Key::k), 0,
-     "Colour the track by speed, height, g, jerk, roll, curvature, error, or not at all.", next_colouring, always,
+     "Colour the track by speed, height, g, jerk, roll, curvature, error, or not at all.", next_colouring, kAlways,
      coloured},
     {"Next camera", "View", key(Key::v), kInDrag, "Next camera: orbit, ride, chase, fly.", next_camera},
-    {"Orbit camera", "View", key(Key::d1), kInDrag, "Orbit a point with the mouse.", look<CameraMode::orbit>, always,
+    {"Orbit camera", "View", key(Key::d1), kInDrag, "Orbit a point with the mouse.", look<CameraMode::orbit>, kAlways,
      is<kCamera, CameraMode::orbit>},
-    {"Ride camera", "View", key(Key::d2), kInDrag, "View from the first cart's seat.", look<CameraMode::ride>, rideable,
-     is<kCamera, CameraMode::ride>},
+    {"Ride camera", "View", key(Key::d2), kInDrag, "View from the first cart's seat.", look<CameraMode::ride>,
+     kRideable, is<kCamera, CameraMode::ride>},
     {"Chase camera", "View", key(Key::d3), kInDrag, "Follow the first train from behind. The wheel sets the distance.",
-     look<CameraMode::chase>, rideable, is<kCamera, CameraMode::chase>},
+     look<CameraMode::chase>, kRideable, is<kCamera, CameraMode::chase>},
     {"Fly camera", "View", key(Key::d4), kInDrag, "Fly with W A S D, Q down, E up, Shift faster. Drag to look around.",
-     look<CameraMode::fly>, always, is<kCamera, CameraMode::fly>},
-    {"Head-bob", "View", kNoKey, kInDrag, "Move the rider's head with g.", toggle<&CameraFeel::head_bob>, always,
+     look<CameraMode::fly>, kAlways, is<kCamera, CameraMode::fly>},
+    {"Head-bob", "View", kNoKey, kInDrag, "Move the rider's head with g.", toggle<&CameraFeel::head_bob>, kAlways,
      on<&CameraFeel::head_bob>},
     {"Reduced motion", "View", kNoKey, kInDrag, "Level horizon, cuts between cameras, no head-bob, no widening.",
-     toggle<&CameraFeel::reduced_motion>, always, on<&CameraFeel::reduced_motion>},
-    {"Dark theme", "View", kNoKey, kInDrag, "Light on dark.", set<&Look::theme, Theme::dark>, always,
+     toggle<&CameraFeel::reduced_motion>, kAlways, on<&CameraFeel::reduced_motion>},
+    {"Dark theme", "View", kNoKey, kInDrag, "Light on dark.", set<&Look::theme, Theme::dark>, kAlways,
      is<&Look::theme, Theme::dark>},
-    {"Light theme", "View", kNoKey, kInDrag, "Dark on light.", set<&Look::theme, Theme::light>, always,
+    {"Light theme", "View", kNoKey, kInDrag, "Dark on light.", set<&Look::theme, Theme::light>, kAlways,
      is<&Look::theme, Theme::light>},
     {"High-contrast theme", "View", kNoKey, kInDrag, "White and bright colours on black, with outlines.",
-     set<&Look::theme, Theme::high_contrast>, always, is<&Look::theme, Theme::high_contrast>},
-    {"Day", "View", kNoKey, kInDrag, "High sun, clear sky.", set<&Look::style, Style::day>, always,
+     set<&Look::theme, Theme::high_contrast>, kAlways, is<&Look::theme, Theme::high_contrast>},
+    {"Day", "View", kNoKey, kInDrag, "High sun, clear sky.", set<&Look::style, Style::day>, kAlways,
      is<&Look::style, Style::day>},
-    {"Dusk", "View", kNoKey, kInDrag, "Low sun, long shadows.", set<&Look::style, Style::dusk>, always,
+    {"Dusk", "View", kNoKey, kInDrag, "Low sun, long shadows.", set<&Look::style, Style::dusk>, kAlways,
      is<&Look::style, Style::dusk>},
     {"Blueprint", "View", kNoKey, kInDrag, "Lines on blue, for the laboratory and for print.",
-     set<&Look::style, Style::blueprint>, always, is<&Look::style, Style::blueprint>},
+     set<&Look::style, Style::blueprint>, kAlways, is<&Look::style, Style::blueprint>},
     {"Laboratory", "View", key(Key::l), kInDrag, "Open or close the laboratory.", toggle<&Look::show_laboratory>,
-     always, on<&Look::show_laboratory>},
+     kAlways, on<&Look::show_laboratory>},
     {"Probe back", "View", key(Key::left_bracket), kRepeats,
-     "Move the selected position backward along the track by 1/64 of a segment.", probe_back, probing},
+     "Move the selected position backward along the track by 1/64 of a segment.", probe_back, kProbing},
     {"Probe on", "View", key(Key::right_bracket), kRepeats,
-     "Move the selected position forward along the track by 1/64 of a segment.", probe_on, probing},
+     "Move the selected position forward along the track by 1/64 of a segment.", probe_on, kProbing},
 };
 
 }  // namespace

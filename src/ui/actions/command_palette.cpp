@@ -42,7 +42,7 @@ std::vector<PaletteLine> entries(Act& act, const char* words) {
   std::vector<PaletteLine> list;
   for (const Action& action : actions())
     if (const int score = match(words, action.name, action.help);
-        score > 0 && action.enabled(act) && action.name != "Command palette")
+        score > 0 && action.enabled.holds(act) && action.name != "Command palette")
       list.push_back(
           {std::string(action.name), act.ui.keys.shown(action.name), action.help, &action, {}, false, score + 1});
   for (const edit::CommandHelp& command : edit::command_table())

@@ -89,7 +89,7 @@ void Gamepad::work(Act& act, const platform::Events& events, bool asking) {
     if (!press || !press->down || asking) continue;
     const std::string_view wanted = action_of(press->button, act);
     for (const Action& action : actions())
-      if (action.name == wanted && action.enabled(act)) action.run(act);
+      if (action.name == wanted && action.enabled.holds(act)) action.run(act);
   }
   if (!asking && seconds > 0) move(act.ui, act.scene, seconds);
 }

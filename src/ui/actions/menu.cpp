@@ -37,12 +37,13 @@ void build_recent(Act& act) {
 void build_items(Act& act, std::string_view menu) {
   for (const Action& action : actions()) {
     if (action.menu != menu) continue;
-    const bool enabled = action.enabled(act);
+    const bool enabled = action.enabled.holds(act);
     const bool checked = action.checked != nullptr && action.checked(act);
     const std::string label(action.name), keys = act.ui.keys.shown(action.name);
     const bool pressed = ImGui::MenuItem(label.c_str(), keys.empty() ? nullptr : keys.c_str(), checked, enabled);
-    note_item(act.ui, fmt::format("{}/{}", menu, label), "menu", with_keys(act.ui.keys, action.help, action.name),
-              enabled, checked ? "on" : "off");
+    std::string help = with_keys(act.ui.keys, action.help, action.name);
+    if (!enabled) help += fmt::format(" {}", action.enabled.otherwise);
+    note_item(act.ui, fmt::format("{}/{}", menu, label), "menu", help, enabled, checked ? "on" : "off");
     if (pressed) action.run(act);
     if (action.name == "Open") build_recent(act);
   }

@@ -14,6 +14,7 @@ struct ActionsTest : Stage {};
 TEST(action_table, no_key_is_given_twice_and_every_row_is_explained) {
   for (const Action& a : actions()) {
     EXPECT_FALSE(a.help.empty()) << a.name;
+    EXPECT_EQ(a.enabled.otherwise.empty(), a.enabled.holds == kAlways.holds) << a.name;
     for (const Action& b : actions())
       for (const platform::Chord& chord : {a.chord, a.other}) {
         if (&a == &b || chord.key == platform::Key::unknown) continue;
@@ -49,6 +50,18 @@ TEST_F(ActionsTest, undo_and_both_redo_keys) {
   key(platform::Key::z, {.ctrl = true});
   key(platform::Key::y, {.ctrl = true});
   EXPECT_EQ(world::hash(session_.document), after);
+}
+
+TEST_F(ActionsTest, a_key_that_cannot_work_says_what_it_needs) {
+  for (const auto& [chord, needed] : {std::pair{platform::Key::g, "Select a knot first."},
+                                      {platform::Key::j, "No ride has failed."},
+                                      {platform::Key::i, "Point at the track or select a segment first."}}) {
+    key(chord);
+    EXPECT_EQ(host_->toast(), needed);
+  }
+  select(world::Kind::knot, 2);
+  key(platform::Key::g);
+  EXPECT_NE(host_->toast(), "Select a knot first.");
 }
 
 TEST_F(ActionsTest, escape_closes_a_list_then_leaves_append_mode_then_deselects) {
