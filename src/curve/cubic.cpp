@@ -50,13 +50,11 @@ glm::dvec3 unit_tangent(const Cubic& cubic, double t) {
   const double size = std::max({glm::length(dvec3(cubic.p1 - cubic.p0)), glm::length(dvec3(cubic.p2 - cubic.p1)),
                                 glm::length(dvec3(cubic.p3 - cubic.p2))});
   if (!(size > 0.0)) return {1, 0, 0};
-  const double sign = t >= 1.0 ? -1.0 : 1.0;
-  const dvec3 candidates[] = {derivative(cubic, t), sign * second_derivative(cubic, t), third_derivative(cubic)};
-  for (const dvec3 d : candidates) {
-    const double length = glm::length(d);
-    if (length > 1e-9 * size) return d / length;
-  }
-  return {1, 0, 0};
+  const auto usable = [&](dvec3 d) { return glm::length(d) > 1e-9 * size; };
+  dvec3 d = derivative(cubic, t);
+  if (!usable(d)) d = (t >= 1.0 ? -1.0 : 1.0) * second_derivative(cubic, t);
+  if (!usable(d)) d = third_derivative(cubic);
+  return usable(d) ? d / glm::length(d) : dvec3(1, 0, 0);
 }
 
 double curvature(const Cubic& cubic, double t) {

@@ -79,7 +79,8 @@ void TrackCache::release(Slot& slot) {
 }
 
 void TrackCache::write_polyline(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch) {
-  const auto count = static_cast<std::uint32_t>(shape.points.size() + 1);  // and the break
+  watch.time([&] { sim::evaluate_polyline(shape, polyline_); });
+  const auto count = static_cast<std::uint32_t>(polyline_.points.size() + 1);  // and the break
   if (slot.line.size != count) {
     fill_breaks(slot.line);
     line_ranges_.give_back(slot.line);
@@ -87,8 +88,8 @@ void TrackCache::write_polyline(const sim::SegmentShape& shape, Slot& slot, Stop
   }
   watch.time([&] {
     staged_line_.resize(count);
-    for (std::size_t i = 0; i + 1 < count; ++i) staged_line_[i] = {shape.points[i], shape.tangents[i]};
-    staged_line_.back() = {shape.points.back(), {kBreak, 0, 0}};
+    for (std::size_t i = 0; i + 1 < count; ++i) staged_line_[i] = {polyline_.points[i], polyline_.tangents[i]};
+    staged_line_.back() = {polyline_.points.back(), {kBreak, 0, 0}};
   });
   write_lines(slot.line);
   slot.polyline_build = shape.polyline_build;

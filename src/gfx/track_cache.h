@@ -107,6 +107,7 @@ class TrackCache {
   std::int64_t held_polyline_bytes_ = 0;
   std::vector<Placed> placed_;  // by slot of control points
   // Staging buffers; kept for their capacity.
+  sim::Polyline polyline_;
   std::vector<PolylineVertex> staged_line_;
   sim::Mesh staged_mesh_;
   sim::Detail detail_;  // of the meshes

@@ -44,6 +44,8 @@ class Pool {
     }
     return items_[slot];
   }
+  // Makes room for that many components, so that adding them moves none.
+  void reserve(std::size_t count) { entities_.reserve(count), items_.reserve(count); }
   // Returns an entity's component, a default one if it had none.
   T& obtain(Entity e) { return contains(e) ? items_[sparse_[e.index]] : put(e, T{}); }
   // O(1); moves the last item into the gap. No effect if absent.
@@ -71,6 +73,11 @@ class Pool {
   const std::vector<Entity>& entities() const { return entities_; }  // in the order of items()
   const std::vector<T>& items() const { return items_; }
   std::vector<T>& items() { return items_; }
+
+  // visit(column of each pool...) of each column: for who keeps their differences.
+  static void for_each_column(auto visit, auto&... pools) {
+    visit(pools.sparse_...), visit(pools.entities_...), visit(pools.items_...);
+  }
 
   // True for the same components on the same entities, in any dense order.
   friend bool operator==(const Pool& a, const Pool& b) {
@@ -102,7 +109,6 @@ template <class... Components>
 class Registry {
  public:
   Entity create() {
-    ++alive_;
     if (!free_.empty()) {
       const std::uint32_t index = free_.back();
       free_.pop_back();
@@ -116,11 +122,10 @@ class Registry {
     (pool<Components>().erase(e), ...);
     ++generations_[e.index];
     free_.push_back(e.index);
-    --alive_;
   }
   // True for ids made by create() and not destroyed since.
   bool alive(Entity e) const { return e.index < generations_.size() && generations_[e.index] == e.generation; }
-  std::size_t size() const { return alive_; }
+  std::size_t size() const { return generations_.size() - free_.size(); }
 
   template <class T>
   Pool<T>& pool() {
@@ -147,6 +152,14 @@ class Registry {
   void for_each_pool(Visit visit) const {
     (visit(pool<Components>()), ...);
   }
+  // visit(column of each registry...) of each column.
+  static void for_each_column(auto visit, auto&... registries) {
+    visit(registries.generations_...), visit(registries.free_...);
+    (columns_of<Components>(visit, registries...), ...);
+  }
+  // One Of<T> for each type of items in the columns.
+  template <template <class> class Of>
+  using ColumnsOf = std::tuple<Of<std::uint32_t>, Of<Entity>, Of<Components>...>;
   template <class T>
   T& put(Entity e, T value) {
     COASTER_CHECK(alive(e), "components go on living entities");
@@ -158,9 +171,13 @@ class Registry {
   }
 
  private:
+  template <class T>
+  static void columns_of(auto visit, auto&... registries) {
+    Pool<T>::for_each_column(visit, registries.template pool<T>()...);
+  }
+
   std::vector<std::uint32_t> generations_;
   std::vector<std::uint32_t> free_;
-  std::size_t alive_ = 0;
   std::tuple<Pool<Components>...> pools_;
 };
 

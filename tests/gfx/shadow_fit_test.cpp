@@ -63,7 +63,7 @@ TEST(shadow_fit, the_whole_track_and_its_feet_are_in_the_map_while_the_eye_is_ne
     EXPECT_EQ(fit.side, 128);
     const glm::mat4 to_map = map_of(axes, fit);
     for (const world::Entity e : derived.order)
-      for (const glm::vec3 p : derived.shape(e).points)
+      for (const glm::vec3 p : test::polyline_of(derived.shape(e)))
         for (const glm::vec3 at : {p, glm::vec3(p.x, 0, p.z)}) {
           const glm::vec3 place = map_place(to_map, at);
           for (int i = 0; i < 3; ++i) EXPECT_TRUE(place[i] > 0 && place[i] < 1) << place[i];
@@ -82,7 +82,7 @@ TEST(shadow_fit, a_large_track_has_its_map_about_the_eye_and_all_of_it_from_far_
   const sim::Derived derived = test::derived_of(test::ring_document(60, 900));
   const SunAxes axes(kSun);
   const LightBox box = light_box(axes, derived);
-  const glm::vec3 on_track = derived.shape(derived.order[11]).points.front();
+  const glm::vec3 on_track = test::polyline_of(derived.shape(derived.order[11])).front();
   const ShadowFit near = fit_shadow(axes, box, 128, on_track, {1, 0, 0});
   EXPECT_EQ(near.side, 128);
   const glm::vec3 place = map_place(map_of(axes, near), on_track);
@@ -90,7 +90,7 @@ TEST(shadow_fit, a_large_track_has_its_map_about_the_eye_and_all_of_it_from_far_
   const ShadowFit far = fit_shadow(axes, box, 128, {0, 1500, 0}, {0, -1, 0});
   EXPECT_GE(far.side, 1800);
   for (const world::Entity e : derived.order) {
-    const glm::vec3 there = map_place(map_of(axes, far), derived.shape(e).points.front());
+    const glm::vec3 there = map_place(map_of(axes, far), test::polyline_of(derived.shape(e)).front());
     EXPECT_TRUE(there.x > 0 && there.x < 1 && there.y > 0 && there.y < 1);
   }
 }

@@ -36,7 +36,7 @@ TEST_F(Shadows, fall_where_the_light_through_the_track_meets_the_ground) {
     int seen = 0, darker = 0;
     for (const world::Entity e : track.derived.order) {
       const sim::SegmentShape& shape = track.derived.shape(e);
-      for (const glm::vec3 p : shape.points) {
+      for (const glm::vec3 p : test::polyline_of(shape)) {
         const auto pixel = view::project(view, on_ground(p, style));
         if (!pixel || pixel->x < 1 || pixel->y < 1 || pixel->x > 318 || pixel->y > 178) continue;
         // Of what lies about that pixel, as the spine is half a metre below the rails.

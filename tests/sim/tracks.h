@@ -21,6 +21,13 @@ inline void split_at(world::Document& document, world::Entity segment, double t)
   world::split_segment(document, segment, t, glm::vec3(sim::frame_at(shape, shape.arc.distance(t)).up));
 }
 
+// The vertices of a segment's polyline.
+inline std::vector<glm::vec3> polyline_of(const sim::SegmentShape& shape) {
+  sim::Polyline polyline;
+  sim::evaluate_polyline(shape, polyline);
+  return polyline.points;
+}
+
 // A closed track of `count` knots about a tilted ring of `radius` metres with hills; all joints smooth.
 inline world::Document ring_document(int count, double radius, double hill = 3.7) {
   world::Document d;

@@ -207,7 +207,7 @@ TEST(pick, of_five_thousand_segments_a_few_are_looked_at) {
   const Scene scene(test::ring_document(5000, 8000));
   std::size_t most_nodes = 0, most_segments = 0;
   for (std::size_t i = 0; i < scene.derived.order.size(); i += 7) {
-    const glm::vec2 pixel(*project(scene.view, scene.derived.shape(scene.derived.order[i]).points[20]));
+    const glm::vec2 pixel(*project(scene.view, test::polyline_of(scene.derived.shape(scene.derived.order[i]))[20]));
     std::size_t segments = 0;
     bool seen = false;
     const std::size_t nodes = visit_near(

@@ -132,13 +132,15 @@ bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double d
   const bool forward = cart.speed > 0 || (cart.speed == 0 && load.drive >= 0);
   const double sign = forward ? 1.0 : -1.0;
   std::size_t index = front_place(derived, cart).index;
+  Polyline polyline;  // of that segment; empty: not yet evaluated
   for (int n = 0; n < kMostVertices; ++n) {
     const SegmentShape& shape = derived.shape_at(index);
+    if (polyline.points.empty()) evaluate_polyline(shape, polyline);
     // A GPU evaluator has no polyline here: use as many steps of the exact curve.
-    const int count = shape.points.empty() ? derived.steps + 1 : static_cast<int>(shape.points.size());
+    const int count = derived.steps + 1;
     const auto vertex = [&](int i) {
-      return shape.points.empty() ? curve::point(shape.key.cubic, static_cast<double>(i) / (count - 1))
-                                  : glm::dvec3(shape.points[static_cast<std::size_t>(i)]);
+      return polyline.points.empty() ? curve::point(shape.key.cubic, static_cast<double>(i) / (count - 1))
+                                     : glm::dvec3(polyline.points[static_cast<std::size_t>(i)]);
     };
     const double at = shape.arc.parameter(cart.s) * (count - 1);
     constexpr double kOnVertex = 1e-6;  // of a step
@@ -152,6 +154,7 @@ bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double d
       if (at_end) cart.laps += forward ? 1 : -1;
       index = forward ? (index + 1) % derived.order.size() : (index + derived.order.size() - 1) % derived.order.size();
       settle_on(derived, {index, forward ? 0.0 : derived.shape_at(index).arc.length()}, cart);
+      polyline.points.clear();
       continue;
     }
     const glm::dvec3 a = vertex(here), b = vertex(to);

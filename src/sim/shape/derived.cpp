@@ -16,25 +16,27 @@ using glm::dvec3;
 // spins.
 void build_frames(const ShapeKey& key, SegmentShape& shape) {
   const curve::Cubic& c = key.cubic;
-  shape.frames.resize(kFrameIntervals + 1);
+  std::array<curve::Frame, kFrameIntervals + 1> frames;
   dvec3 last = curve::point(c, 0.0);
   const dvec3 start = curve::unit_tangent(c, 0.0);
-  shape.frames[0] = {start, curve::perpendicular(start, dvec3(key.up_from))};
+  frames[0] = {start, curve::perpendicular(start, dvec3(key.up_from))};
   for (int i = 1; i <= kFrameIntervals; ++i) {
     const double t = static_cast<double>(i) / kFrameIntervals;
     const dvec3 here = curve::point(c, t);
-    shape.frames[i] = curve::transport(shape.frames[i - 1], last, here, curve::unit_tangent(c, t));
+    frames[i] = curve::transport(frames[i - 1], last, here, curve::unit_tangent(c, t));
     last = here;
   }
-  const curve::Frame& end = shape.frames.back();
+  const curve::Frame& end = frames.back();
   const dvec3 wanted = curve::perpendicular(end.forward, dvec3(key.up_to));
   const double twist = curve::signed_angle(end.up, wanted, end.forward) + key.turns * 2.0 * base::kPi;
   shape.roll = {shape.arc.length(), twist, key.spin_from, key.spin_to};
-  if (!(shape.roll.length > 0)) return;
-  for (int i = 1; i <= kFrameIntervals; ++i) {
+  for (int i = 0; i <= kFrameIntervals; ++i) {
+    dvec3& up = shape.ups[i];
+    up = frames[i].up;
+    if (i == 0 || !(shape.roll.length > 0)) continue;
     const double angle =
         i == kFrameIntervals ? twist : shape.roll.angle(shape.arc.distance(static_cast<double>(i) / kFrameIntervals));
-    shape.frames[i].up = curve::rotate(shape.frames[i].up, shape.frames[i].forward, angle);
+    up = curve::rotate(up, frames[i].forward, angle);
   }
 }
 
@@ -46,13 +48,24 @@ void build_shape(const ShapeKey& key, SegmentShape& shape) {
 }
 
 // Returns the largest distance of a vertex from the exact point at the same parameter: the evaluator's rounding error.
-double deviation_of(const SegmentShape& shape) {
-  const int n = static_cast<int>(shape.points.size()) - 1;
-  double worst = 0;
-  for (int i = 0; i <= n; ++i) {
-    const dvec3 exact = curve::point_long_double(shape.key.cubic, static_cast<double>(i) / n);
-    const dvec3 d = dvec3(shape.points[i]) - exact;
+// Vertices that a rounded double shows to be nearer than the worst one so far need no exact point.
+double deviation_of(const curve::Cubic& cubic, std::span<const glm::vec3> points) {
+  const curve::CoefficientsD rounded = curve::coefficients_d(cubic);
+  float largest = 1;
+  for (const glm::vec3 p : {cubic.p0, cubic.p1, cubic.p2, cubic.p3})
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  const double rounding = 1e-12 * double{largest};  // m, of a point in double: at least ten times what it can be
+  const double last = static_cast<double>(points.size()) - 1;
+  double worst = 0, enough = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const dvec3 vertex(points[i]);
+    const double t = static_cast<double>(i) / last;
+    const dvec3 near = vertex - rounded.point(t);
+    if (glm::dot(near, near) < enough) continue;
+    const dvec3 d = vertex - curve::point_long_double(cubic, t);
     worst = std::max(worst, glm::dot(d, d));
+    const double nearest = std::max(0.0, std::sqrt(worst) - rounding);
+    enough = nearest * nearest;
   }
   return std::sqrt(worst);
 }
@@ -70,31 +83,120 @@ ShapeKey key_of(const world::Document& document, const world::Segment& segment) 
           world::rails_height(document)};
 }
 
-void evaluate_polyline(const curve::Evaluator& row, const PolylineKey& key, const Clock& clock, SegmentShape& shape,
-                       Derived& derived) {
-  shape.points.resize(static_cast<std::size_t>(key.steps) + 1);
-  shape.tangents.resize(shape.points.size());
+// What is to be done to one segment, and what it took.
+struct Job {
+  std::size_t index = 0;
+  SegmentShape* shape = nullptr;
+  ShapeKey key;
+  bool reshape = false, measure = false, evaluate = false;
+  double seconds = 0;  // in the evaluator's polyline function
+};
+
+void work_on(const world::Evaluation& evaluation, const Clock& clock, Polyline& polyline, Job& job) {
+  SegmentShape& shape = *job.shape;
+  if (job.reshape) build_shape(job.key, shape);
+  if (job.measure) shape.measured_length = base::row_of(evaluation.arc_length).length(job.key.cubic, evaluation.steps);
+  if (!job.evaluate) return;
+  shape.polyline_key = {evaluation.evaluator, evaluation.steps};
   const double before = clock ? clock() : 0.0;
-  row.polyline(shape.curve, shape.points, shape.tangents);
-  if (clock) derived.evaluation_seconds += clock() - before;
-  shape.polyline_key = key;
-  shape.polyline_build = ++derived.last_build;
-  shape.deviation = deviation_of(shape);
-  derived.evaluated_vertices += key.steps + 1;
+  evaluate_polyline(shape, polyline);
+  if (clock) job.seconds = clock() - before;
+  shape.deviation = deviation_of(shape.key.cubic, polyline.points);
 }
 
-// Also frees the memory: GPU evaluators need only the control points.
-void drop_polyline(SegmentShape& shape) {
-  if (shape.polyline_key.steps == 0) return;
-  shape.points = std::vector<glm::vec3>();
-  shape.tangents = std::vector<glm::vec3>();
-  shape.polyline_key = {};
-  shape.deviation = 0;
+// True if nothing of the segments can be kept without a look at each.
+bool all_anew(const world::Document& document, const world::Evaluation& evaluation, const Derived& derived) {
+  return derived.order != document.track.segments || derived.closed != document.track.closed ||
+         derived.made.knots.size() != document.track.knots.size() || !(derived.made.evaluation == evaluation) ||
+         derived.made.rails != world::rails_height(document);
 }
 
-// Refits the tree. `reshaped`: indices of segments with new cubics. Rebuilds it if segments were added, removed or
-// reordered, or most of them moved.
-void update_tree(bool reordered, std::span<const std::size_t> reshaped, Derived& derived) {
+// Notes what the segments are made from. Returns the indices of those for which that is new, ascending.
+std::vector<std::size_t> take_changes(const world::Document& document, bool all, Derived& derived) {
+  Derived::Made& made = derived.made;
+  const std::size_t count = derived.order.size(), knots = document.track.knots.size();
+  std::vector<bool> changed(count, all);
+  made.knots.resize(knots);
+  made.segments.resize(count);
+  for (std::size_t i = 0; i < knots; ++i) {
+    const world::Knot& knot = world::knot(document, document.track.knots[i]);
+    if (made.knots[i] == knot) continue;
+    made.knots[i] = knot;
+    if (i < count) changed[i] = true;
+    if (i > 0) changed[i - 1] = true;
+    else if (document.track.closed && count > 0) changed[count - 1] = true;
+  }
+  const bool equipped = document.entities.pool<world::Equipment>().size() > 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const world::Entity e = derived.order[i];
+    const world::Equipment* const equipment = equipped ? document.entities.find<world::Equipment>(e) : nullptr;
+    const auto fitted = equipment ? std::optional(equipment->kind) : std::nullopt;
+    const std::int32_t turns = world::segment(document, e).turns;
+    Derived::Made::Segment& segment = made.segments[i];
+    if (segment.fitted != fitted || segment.turns != turns) changed[i] = true;
+    segment.fitted = fitted, segment.turns = turns;
+  }
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < count; ++i)
+    if (changed[i]) indices.push_back(i);
+  return indices;
+}
+
+// Returns what is to be done; the shapes stay where they are.
+std::vector<Job> jobs_of(const world::Document& document, std::span<const std::size_t> changed,
+                         const world::Evaluation& evaluation, Derived& derived) {
+  const bool on_processor = base::row_of(evaluation.evaluator).evaluated_by == curve::EvaluatedBy::processor;
+  const PolylineKey polyline{evaluation.evaluator, evaluation.steps};
+  std::vector<Job> jobs;
+  for (const std::size_t i : changed) {
+    const world::Entity entity = derived.order[i];
+    SegmentShape& shape = derived.segments.get(entity);
+    Job job{i, &shape, key_of(document, world::segment(document, entity))};
+    job.reshape = shape.shape_build == 0 || !(shape.key == job.key);
+    job.measure = job.reshape || shape.measured_by != evaluation.arc_length || shape.measured_steps != evaluation.steps;
+    job.evaluate = on_processor && (job.reshape || !(shape.polyline_key == polyline));
+    shape.fitted = derived.made.segments[i].fitted;
+    shape.measured_by = evaluation.arc_length, shape.measured_steps = evaluation.steps;
+    if (!on_processor) shape.polyline_key = {}, shape.deviation = 0;
+    jobs.push_back(job);
+  }
+  return jobs;
+}
+
+// Numbers the rebuilds and adds up the segments, in the track's order, whatever the order of the work was.
+void gather(std::span<const Job> jobs, Derived& derived) {
+  for (const Job& job : jobs) {
+    SegmentShape& shape = *job.shape;
+    if (job.reshape) {
+      shape.shape_build = ++derived.last_build;
+      derived.made.changes.push_back({shape.shape_build, job.index});
+    }
+    if (job.evaluate) {
+      shape.polyline_build = ++derived.last_build;
+      derived.evaluated_vertices += derived.steps + 1;
+      derived.evaluation_seconds += job.seconds;
+    }
+    if (job.reshape || job.evaluate) ++derived.rebuilds;
+    Derived::Made::Segment& segment = derived.made.segments[job.index];
+    segment.length = shape.arc.length(), segment.twist = shape.roll.twist;
+    segment.measured_length = shape.measured_length, segment.deviation = shape.deviation;
+  }
+  const std::size_t count = derived.order.size();
+  derived.starts.resize(count + 1), derived.twists.resize(count + 1);
+  derived.starts[0] = derived.twists[0] = derived.measured_length = derived.deviation = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Derived::Made::Segment& segment = derived.made.segments[i];
+    derived.starts[i + 1] = derived.starts[i] + segment.length;
+    derived.twists[i + 1] = derived.twists[i] + segment.twist;
+    derived.measured_length += segment.measured_length;
+    derived.deviation = std::max(derived.deviation, segment.deviation);
+  }
+  derived.vertices = static_cast<std::int64_t>(count) * (derived.steps + 1);
+  derived.length = derived.starts.back();
+}
+
+// Refits the tree to new cubics. Rebuilds it if segments were added, removed or reordered, or most of them moved.
+void update_tree(bool reordered, std::span<const Job> reshaped, Derived& derived) {
   if (!reordered && reshaped.empty()) return;
   if (reordered || reshaped.size() > derived.order.size() / 2) {
     std::vector<curve::Cubic> cubics;
@@ -102,67 +204,58 @@ void update_tree(bool reordered, std::span<const std::size_t> reshaped, Derived&
     for (const world::Entity e : derived.order) cubics.push_back(derived.shape(e).key.cubic);
     return build_tree(std::move(cubics), derived.tree);
   }
-  for (const std::size_t i : reshaped) derived.tree.cubics[i] = derived.shape_at(i).key.cubic;
-  refit_tree(reshaped, derived.tree);
+  std::vector<std::size_t> indices;
+  for (const Job& job : reshaped) indices.push_back(job.index), derived.tree.cubics[job.index] = job.key.cubic;
+  refit_tree(indices, derived.tree);
 }
 
 }  // namespace
 
-void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived) {
+void evaluate_polyline(const SegmentShape& shape, Polyline& polyline) {
+  polyline.points.clear(), polyline.tangents.clear();
+  if (shape.polyline_key.steps == 0) return;
+  polyline.points.resize(static_cast<std::size_t>(shape.polyline_key.steps) + 1);
+  polyline.tangents.resize(polyline.points.size());
+  base::row_of(shape.polyline_key.evaluator).polyline(shape.curve, polyline.points, polyline.tangents);
+}
+
+std::optional<std::span<const ShapeChange>> Derived::changes_since(std::uint64_t build) const {
+  if (build < made.known_since) return std::nullopt;
+  const auto first = std::ranges::upper_bound(made.changes, build, {}, &ShapeChange::build);
+  return std::span(first, made.changes.end());
+}
+
+void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived,
+            unsigned workers) {
+  const world::Evaluation& evaluation = *settings.evaluation;
   const bool reordered = derived.order != document.track.segments;
-  std::vector<std::size_t> reshaped;
+  const bool moved = reordered || derived.closed != document.track.closed;
+  const bool all = all_anew(document, evaluation, derived);
   if (reordered) {
     derived.order = document.track.segments;
     derived.segments.keep_those_of(document.entities.pool<world::Segment>());
+    derived.segments.reserve(derived.order.size());
+    for (const world::Entity e : derived.order) derived.segments.obtain(e);
   }
   derived.closed = document.track.closed;
-  derived.rebuilds = 0;
-  derived.evaluation_seconds = 0;
-  derived.evaluated_vertices = 0;
-  derived.vertices = 0;
-  derived.deviation = 0;
-  derived.measured_length = 0;
-  derived.starts.resize(derived.order.size() + 1);
-  derived.starts[0] = 0;
-  derived.twists.resize(derived.starts.size());
-  derived.twists[0] = 0;
-  const curve::Evaluator& row = base::row_of(settings.evaluation->evaluator);
-  const curve::ArcLengthMethod& method = base::row_of(settings.evaluation->arc_length);
-  const PolylineKey polyline{settings.evaluation->evaluator, settings.evaluation->steps};
-  derived.evaluated_by = row.evaluated_by;
-  derived.steps = settings.evaluation->steps;
+  derived.evaluated_by = base::row_of(evaluation.evaluator).evaluated_by;
+  derived.steps = evaluation.steps;
+  derived.rebuilds = 0, derived.evaluation_seconds = 0, derived.evaluated_vertices = 0;
+  derived.made.evaluation = evaluation, derived.made.rails = world::rails_height(document);
 
-  for (std::size_t i = 0; i < derived.order.size(); ++i) {
-    const world::Entity entity = derived.order[i];
-    const ShapeKey key = key_of(document, world::segment(document, entity));
-    SegmentShape& shape = derived.segments.obtain(entity);
-    const bool new_shape = shape.shape_build == 0 || !(shape.key == key);
-    if (new_shape) {
-      build_shape(key, shape);
-      shape.shape_build = ++derived.last_build;
-      reshaped.push_back(i);
-    }
-    const world::Equipment* const equipment = document.entities.find<world::Equipment>(entity);
-    shape.fitted = equipment ? std::optional(equipment->kind) : std::nullopt;
-    if (new_shape || shape.measured_by != settings.evaluation->arc_length ||
-        shape.measured_steps != settings.evaluation->steps) {
-      shape.measured_length = method.length(key.cubic, settings.evaluation->steps);
-      shape.measured_by = settings.evaluation->arc_length;
-      shape.measured_steps = settings.evaluation->steps;
-    }
-    const bool on_processor = row.evaluated_by == curve::EvaluatedBy::processor;
-    const bool stale = new_shape || (on_processor && !(shape.polyline_key == polyline));
-    if (!on_processor) drop_polyline(shape);
-    if (on_processor && stale) evaluate_polyline(row, polyline, clock, shape, derived);
-    if (stale) ++derived.rebuilds;
-    derived.starts[i + 1] = derived.starts[i] + shape.arc.length();
-    derived.twists[i + 1] = derived.twists[i] + shape.roll.twist;
-    derived.measured_length += shape.measured_length;
-    derived.vertices += settings.evaluation->steps + 1;
-    derived.deviation = std::max(derived.deviation, shape.deviation);
+  std::vector<Job> jobs = jobs_of(document, take_changes(document, all, derived), evaluation, derived);
+  constexpr std::size_t kPart = 64;  // segments
+  base::in_parts(jobs.size(), kPart, workers, [&](std::size_t begin, std::size_t end) {
+    Polyline polyline;
+    for (std::size_t i = begin; i < end; ++i) work_on(evaluation, clock, polyline, jobs[i]);
+  });
+  gather(jobs, derived);
+  if (moved || derived.made.changes.size() > derived.order.size()) {
+    derived.made.changes.clear();
+    derived.made.known_since = moved ? ++derived.last_build : derived.last_build;
   }
-  derived.length = derived.starts.back();
-  update_tree(reordered, reshaped, derived);
+  std::erase_if(jobs, [](const Job& job) { return !job.reshape; });
+  update_tree(reordered, jobs, derived);
 }
 
 Derived shapes_of(const world::Document& document) {
@@ -189,12 +282,12 @@ curve::Frame frame_at(const SegmentShape& shape, double s) { return frame_at(sha
 curve::Frame frame_at(const SegmentShape& shape, double s, double t) {
   const curve::Cubic& c = shape.key.cubic;
   const double length = shape.arc.length();
-  if (!(s > 0)) return shape.frames.front();
-  if (s >= length) return shape.frames.back();
+  if (!(s > 0)) return shape.frame(0);
+  if (s >= length) return shape.frame(kFrameIntervals);
   const int below = std::min(static_cast<int>(t * kFrameIntervals), kFrameIntervals - 1);
   const double t0 = static_cast<double>(below) / kFrameIntervals;
   curve::Frame frame =
-      curve::transport(shape.frames[below], curve::point(c, t0), curve::point(c, t), curve::unit_tangent(c, t));
+      curve::transport(shape.frame(below), curve::point(c, t0), curve::point(c, t), curve::unit_tangent(c, t));
   frame.up = curve::rotate(frame.up, frame.forward, shape.roll.angle(s) - shape.roll.angle(shape.arc.distance(t0)));
   return frame;
 }

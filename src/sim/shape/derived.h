@@ -2,18 +2,22 @@
 // never saved, never edited.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "base/parallel.h"
 #include "curve/arc_length.h"
 #include "curve/evaluators.h"
 #include "curve/frames.h"
 #include "sim/shape/roll.h"
 #include "sim/shape/segment_tree.h"
 #include "world/document.h"
+#include "world/evaluation.h"
 #include "world/settings.h"
 
 namespace coaster::sim {
@@ -36,7 +40,10 @@ struct PolylineKey {
   friend bool operator==(const PolylineKey&, const PolylineKey&) = default;
 };
 
+inline constexpr int kFrameIntervals = 32;
+
 // One segment's derived data. Each rebuild gives `shape_build` and `polyline_build` a new number, which caches compare.
+// Of frames and polyline it holds what cannot be had again at once.
 struct SegmentShape {
   ShapeKey key;
   curve::PreparedCubic curve;
@@ -44,18 +51,33 @@ struct SegmentShape {
   double measured_length = 0;  // m, by the chosen arc-length method
   curve::ArcLengthId measured_by{};
   int measured_steps = 0;
-  std::vector<curve::Frame> frames;  // kFrameIntervals+1 frames at uniform t: rotation-minimising, turned by `roll`
   Roll roll;
+  std::array<glm::dvec3, kFrameIntervals + 1> ups{};  // of the frames at uniform t
   std::uint64_t shape_build = 0;
   std::optional<world::EquipmentKind> fitted;  // the segment's equipment; not part of its shape
 
-  PolylineKey polyline_key;  // steps 0: there is no polyline
-  // steps+1 vertices, or none for a GPU evaluator; tangents are B'(t), not normalised.
-  std::vector<glm::vec3> points, tangents;
-  double deviation = 0;  // m, largest |vertex - exact point at the same t|, long double oracle
+  PolylineKey polyline_key;  // steps 0: there is no polyline (for a GPU evaluator)
+  double deviation = 0;      // m, largest |vertex - exact point at the same t|, long double oracle
   std::uint64_t polyline_build = 0;
+
+  // Returns frame `i` of kFrameIntervals + 1 at uniform t: rotation-minimising, turned by `roll`.
+  curve::Frame frame(int i) const {
+    return {curve::unit_tangent(key.cubic, static_cast<double>(i) / kFrameIntervals), ups[static_cast<std::size_t>(i)]};
+  }
 };
-inline constexpr int kFrameIntervals = 32;
+
+// A segment's polyline: steps+1 vertices; tangents are B'(t), not normalised.
+struct Polyline {
+  std::vector<glm::vec3> points, tangents;
+};
+// Evaluates it as polyline_key says; about 3 ns a vertex. Without steps it is empty.
+void evaluate_polyline(const SegmentShape& shape, Polyline& polyline);
+
+// A shape's rebuild: of segment `index` in the track's order.
+struct ShapeChange {
+  std::uint64_t build = 0;
+  std::size_t index = 0;
+};
 
 struct Derived {
   world::Pool<SegmentShape> segments;  // by the document's segment entities
@@ -77,15 +99,38 @@ struct Derived {
   std::int64_t evaluated_vertices = 0;
   std::uint64_t last_build = 0;
 
+  // What the segments were made from and the numbers of each that are summed, in the track's order: so an edit reads no
+  // shape that it does not change.
+  struct Made {
+    struct Segment {
+      std::int32_t turns = 0;
+      std::optional<world::EquipmentKind> fitted;
+      double length = 0, twist = 0, measured_length = 0, deviation = 0;
+    };
+    std::vector<world::Knot> knots;
+    std::vector<Segment> segments;
+    world::Evaluation evaluation;
+    double rails = 0;
+    std::vector<ShapeChange> changes;  // all after the build `known_since`
+    std::uint64_t known_since = 0;
+  } made;
+
+  // Returns the rebuilds of shapes after `build`, which last_build once was, ascending; nothing if segments came, went
+  // or changed places since then, or very many changed: then any may be new.
+  std::optional<std::span<const ShapeChange>> changes_since(std::uint64_t build) const;
+
   const SegmentShape& shape(world::Entity segment) const { return segments.get(segment); }
   const SegmentShape& shape_at(std::size_t index) const { return shape(order[index]); }  // index into `order`
 };
 
-// Seconds on a monotonic clock, for measuring; no derived value depends on it. An empty function measures nothing.
+// Seconds on a monotonic clock, for measuring; no derived value depends on it. An empty function measures nothing. It
+// is called from several threads at once where many segments are derived.
 using Clock = std::function<double()>;
 
-// Updates `derived`. Costs one key comparison per segment, and a rebuild for each one that changed.
-void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived);
+// Updates `derived`. Costs one comparison per knot and segment, and a rebuild for each segment that changed. The result
+// has the same bits with any number of `workers`, which are threads.
+void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived,
+            unsigned workers = base::cores());
 
 // Derives curves and frames alone: for who needs no polylines.
 Derived shapes_of(const world::Document& document);

@@ -16,8 +16,12 @@ double wanted_spacing(const SegmentShape& shape) {
   constexpr double kHighTrack = 25;  // m
   const double length = shape.arc.length();
   double turned = 0;
-  for (std::size_t i = 0; i + 1 < shape.frames.size(); ++i)
-    turned += glm::length(shape.frames[i + 1].forward - shape.frames[i].forward);
+  glm::dvec3 last = shape.frame(0).forward;
+  for (int i = 1; i <= kFrameIntervals; ++i) {
+    const glm::dvec3 next = shape.frame(i).forward;
+    turned += glm::length(next - last);
+    last = next;
+  }
   const double bent = std::min(1.0, kTight * turned / length);
   const double high = std::clamp(curve::point(shape.key.cubic, 0.5).y / kHighTrack - 0.5, 0.0, 0.5);
   return std::max(kMinSupportSpacing,

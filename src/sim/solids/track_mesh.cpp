@@ -84,9 +84,12 @@ std::vector<double> ring_places(const SegmentShape& shape, int most) {
   std::array<double, kFrameIntervals + 1> place{}, wanted{};
   double turned = 0;
   std::array<double, kFrameIntervals + 1> bends{}, twists{};
+  glm::dvec3 last = shape.frame(0).forward;
   for (int i = 1; i <= kFrameIntervals; ++i) {
+    const glm::dvec3 next = shape.frame(i).forward;
     place[i] = i == kFrameIntervals ? length : shape.arc.distance(static_cast<double>(i) / kFrameIntervals);
-    bends[i] = curve::angle_between(shape.frames[i - 1].forward, shape.frames[i].forward);
+    bends[i] = curve::angle_between(last, next);
+    last = next;
     twists[i] = std::abs(shape.roll.angle(place[i]) - shape.roll.angle(place[i - 1]));
     turned += bends[i] + twists[i];
   }

@@ -1,5 +1,7 @@
 #include "sim/shape/derived.h"
 
+#include <cstring>
+
 #include <gtest/gtest.h>
 
 #include "sim/tracks.h"
@@ -169,8 +171,7 @@ TEST(derived, evaluators_on_the_gpu_leave_no_polylines_and_cost_no_rebuild) {
       EXPECT_EQ(derived.last_build, last);
       EXPECT_EQ(derived.deviation, 0);
     }
-    for (const world::Entity e : derived.order)
-      EXPECT_EQ(derived.shape(e).points.capacity() + derived.shape(e).tangents.capacity(), 0u);
+    for (const world::Entity e : derived.order) EXPECT_TRUE(test::polyline_of(derived.shape(e)).empty());
   }
   EXPECT_EQ(derived.length, length);
   EXPECT_EQ(derived.measured_length, measured);
@@ -185,9 +186,98 @@ TEST(derived, evaluators_on_the_gpu_leave_no_polylines_and_cost_no_rebuild) {
   EXPECT_EQ(derived.rebuilds, 8);
   EXPECT_GT(derived.deviation, 0);
   for (const world::Entity e : derived.order) {
-    EXPECT_EQ(derived.shape(e).points.size(), 8u);
+    EXPECT_EQ(test::polyline_of(derived.shape(e)).size(), 8u);
     EXPECT_GT(derived.shape(e).polyline_build, last);
   }
+}
+
+bool same_bits(const Derived& a, const Derived& b) {
+  const auto bits = []<class T>(const T& x, const T& y) { return std::memcmp(&x, &y, sizeof(T)) == 0; };
+  bool same = a.starts == b.starts && a.twists == b.twists && bits(a.measured_length, b.measured_length) &&
+              bits(a.deviation, b.deviation) && a.rebuilds == b.rebuilds && a.last_build == b.last_build;
+  for (std::size_t i = 0; i < a.order.size(); ++i) {
+    const SegmentShape &x = a.shape_at(i), &y = b.shape_at(i);
+    same = same && bits(x.ups, y.ups) && bits(x.deviation, y.deviation) && x.shape_build == y.shape_build &&
+           x.polyline_build == y.polyline_build && bits(x.measured_length, y.measured_length) &&
+           bits(x.roll.twist, y.roll.twist);
+    for (const double s : {0.1, 3.3, 8.8}) same = same && bits(x.arc.parameter(s), y.arc.parameter(s));
+  }
+  return same;
+}
+
+TEST(derived, any_number_of_threads_gives_the_same_bits) {
+  world::Document d = test::ring_document(3001, 4700);
+  for (const std::size_t i : {2u, 70u, 2999u}) world::set_roll(d.entities.get<world::Knot>(d.track.knots[i]), 20);
+  const world::Settings settings;
+  std::vector<Derived> all(4);
+  const unsigned workers[] = {1, 2, 7, base::cores()};
+  for (const bool again : {false, true}) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      derive(d, settings, {}, all[i], workers[i]);
+      EXPECT_EQ(all[i].rebuilds, again ? 2000 : 3001);
+      EXPECT_TRUE(same_bits(all[0], all[i])) << workers[i];
+    }
+    for (std::size_t i = 0; i < 3000; i += 3) d.entities.get<world::Knot>(d.track.knots[i]).position.y += 0.37f;
+  }
+}
+
+TEST(derived, deviation_is_that_of_the_vertex_farthest_from_the_exact_point) {
+  for (std::size_t row = 0; row < curve::evaluators().size(); ++row)
+    for (const std::uint32_t seed : {3u, 4u, 5u}) {
+      if (curve::evaluators()[row].evaluated_by != curve::EvaluatedBy::processor) continue;
+      world::Settings settings;
+      settings.evaluation->evaluator = static_cast<curve::EvaluatorId>(row);
+      settings.evaluation->steps = seed == 4 ? 1 : 97;
+      const Derived derived = test::derived_of(test::random_document(seed), settings);
+      for (const world::Entity e : derived.order) {
+        const SegmentShape& shape = derived.shape(e);
+        const std::vector<glm::vec3> points = test::polyline_of(shape);
+        double worst = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          const double t = static_cast<double>(i) / static_cast<double>(points.size() - 1);
+          const glm::dvec3 d = glm::dvec3(points[i]) - curve::point_long_double(shape.key.cubic, t);
+          worst = std::max(worst, glm::dot(d, d));
+        }
+        EXPECT_EQ(shape.deviation, std::sqrt(worst)) << row << ' ' << seed;
+      }
+    }
+}
+
+// What caches go by, instead of a look at every segment.
+TEST(derived, tells_what_was_rebuilt_since_a_build) {
+  world::Document d = test::ring_document(50, 90);
+  Derived derived = test::derived_of(d);
+  const auto since = [&](std::uint64_t build) {
+    const auto changes = derived.changes_since(build);
+    std::vector<std::size_t> indices;
+    if (!changes) return std::vector<std::size_t>{999};
+    for (const ShapeChange& change : *changes) indices.push_back(change.index);
+    return indices;
+  };
+  EXPECT_EQ(since(0), std::vector<std::size_t>{999}) << "all of them";
+  const std::uint64_t first = derived.last_build;
+  EXPECT_TRUE(since(first).empty());
+  d.entities.get<world::Knot>(d.track.knots[9]).position.y += 0.7f;
+  derive(d, {}, {}, derived);
+  const std::uint64_t second = derived.last_build;
+  d.entities.get<world::Knot>(d.track.knots[0]).position.y += 0.7f;
+  derive(d, {}, {}, derived);
+  EXPECT_EQ(since(first), (std::vector<std::size_t>{8, 9, 0, 49}));
+  EXPECT_EQ(since(second), (std::vector<std::size_t>{0, 49}));
+  EXPECT_TRUE(since(derived.last_build).empty());
+  world::remove_knot(d, d.track.knots[30]);
+  derive(d, {}, {}, derived);
+  EXPECT_EQ(since(second), std::vector<std::size_t>{999}) << "indices are others now";
+  const std::uint64_t third = derived.last_build;
+  EXPECT_TRUE(since(third).empty());
+  // However long the edits go on, the list stays as short as the track.
+  for (int i = 0; i < 200; ++i) {
+    d.entities.get<world::Knot>(d.track.knots[20]).position.y += 0.01f;
+    derive(d, {}, {}, derived);
+    EXPECT_EQ(derived.rebuilds, 2);
+    EXPECT_LE(derived.made.changes.size(), derived.order.size() + 2);
+  }
+  EXPECT_EQ(since(third), std::vector<std::size_t>{999});
 }
 
 }  // namespace derived_test

@@ -205,7 +205,7 @@ TEST(supports, track_on_its_head_is_held_from_beside_it) {
   world::Document d = test::straight_document({1.7f, 12.3f, 2.1f}, {25.7f, 12.3f, 20.1f});
   for (const world::Entity k : d.track.knots) world::set_roll(d.entities.get<world::Knot>(k), 180);
   const Derived derived = test::derived_of(d);
-  ASSERT_LT(derived.shape(derived.order[0]).frames[16].up.y, -0.99);
+  ASSERT_LT(derived.shape(derived.order[0]).ups[16].y, -0.99);
   const Supports supports = supports_of(derived);
   const SegmentSupports& found = *supports.of(derived.order[0]);
   ASSERT_GE(supports.count(), 2);

@@ -1,0 +1,28 @@
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace coaster::base {
+
+unsigned cores() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+void in_parts(std::size_t count, std::size_t grain, unsigned workers,
+              const std::function<void(std::size_t begin, std::size_t end)>& work) {
+  std::atomic<std::size_t> next{0};
+  const auto take_parts = [&] {
+    for (std::size_t begin = 0; (begin = next.fetch_add(grain)) < count;) work(begin, std::min(begin + grain, count));
+  };
+  const std::size_t parts = (count + grain - 1) / grain;
+  std::vector<std::jthread> others;  // joined at the end
+  try {
+    while (others.size() + 1 < std::min<std::size_t>(workers, parts)) others.emplace_back(take_parts);
+  } catch (const std::system_error&) {
+  }
+  take_parts();
+}
+
+}  // namespace coaster::base
