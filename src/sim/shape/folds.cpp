@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "curve/continuity.h"
 #include "sim/shape/rails.h"
@@ -119,19 +120,22 @@ std::string fold_text(const Fold& fold, double height) {
 
 const std::vector<Fold>& Folds::update(const Derived& derived) {
   if (last_build_ == derived.last_build && order_ == derived.order) return all_;
-  last_build_ = derived.last_build;
+  auto changes = derived.changes_since(std::exchange(last_build_, derived.last_build));
   if (order_ != derived.order) {
     order_ = derived.order;
-    entries_ = {};  // a removed segment's slot may be reused
+    entries_.assign(order_.size(), {});
+    changes.reset();
   }
-  all_.clear();
-  for (std::size_t i = 0; i < order_.size(); ++i) {
+  const auto take = [&](std::size_t i) {
     const SegmentShape& shape = derived.shape_at(i);
-    Entry* entry = entries_.find(order_[i]);
-    if (!entry || entry->build != shape.shape_build)
-      entry = &entries_.put(order_[i], {shape.shape_build, folds_of(shape, shape.key.rails)});
-    append(entry->found, derived.starts[i], all_);
-  }
+    if (entries_[i].build != shape.shape_build) entries_[i] = {shape.shape_build, folds_of(shape, shape.key.rails)};
+  };
+  if (changes)
+    for (const ShapeChange& change : *changes) take(change.index);
+  else
+    for (std::size_t i = 0; i < order_.size(); ++i) take(i);
+  all_.clear();
+  for (std::size_t i = 0; i < order_.size(); ++i) append(entries_[i].found, derived.starts[i], all_);
   return all_;
 }
 

@@ -34,7 +34,7 @@ class Folds {
     std::uint64_t build = 0;
     std::vector<Fold> found;  // m along the segment
   };
-  world::Pool<Entry> entries_;
+  std::vector<Entry> entries_;  // by index in the order
   std::vector<Fold> all_;
   std::uint64_t last_build_ = 0;
   std::vector<world::Entity> order_;

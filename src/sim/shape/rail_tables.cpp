@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace coaster::sim {
 namespace {
@@ -51,16 +52,31 @@ FeltEntry felt_entry(const SegmentShape& shape, double s, double t, const curve:
 
 void RailTables::update(const Derived& derived, double heartline) {
   bool changed = closed_ != derived.closed || starts_ != derived.starts || order_ != derived.order;
-  largest_step_ = detail_of(derived).table_step;
-  for (const world::Entity e : derived.order) {
-    const SegmentShape& shape = derived.shape(e);
-    SegmentTable& table = tables_.obtain(e);
-    if (table.build == shape.shape_build && table.heartline == heartline && table.largest_step == largest_step_)
-      continue;
-    fill(shape, heartline, largest_step_, table);
-    changed = true;
+  const double largest_step = detail_of(derived).table_step;
+  auto changes = derived.changes_since(std::exchange(last_build_, derived.last_build));
+  if (order_ != derived.order || largest_step_ != largest_step || heartline_ != heartline) changes.reset();
+  heartline_ = heartline, largest_step_ = largest_step;
+  std::vector<std::size_t> stale;
+  const auto look_at = [&](std::size_t i) {
+    const SegmentTable& table = tables_.obtain(derived.order[i]);
+    if (table.build != derived.shape_at(i).shape_build || table.heartline != heartline ||
+        table.largest_step != largest_step)
+      stale.push_back(i);
+  };
+  if (changes) {
+    for (const ShapeChange& change : *changes) look_at(change.index);
+    std::ranges::sort(stale);
+    stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
+  } else {
+    tables_.reserve(derived.order.size());
+    for (std::size_t i = 0; i < derived.order.size(); ++i) look_at(i);
   }
-  if (!changed) return;
+  constexpr std::size_t kPart = 16;  // segments
+  base::in_parts(stale.size(), kPart, base::cores(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      fill(derived.shape_at(stale[k]), heartline, largest_step, tables_.get(derived.order[stale[k]]));
+  });
+  if (!changed && stale.empty()) return;
   ++serial_;
   tables_.keep_those_of(derived.segments);
   order_ = derived.order;

@@ -66,28 +66,41 @@ void mark_rearranged(const std::vector<world::Entity>& before, const std::vector
 
 }  // namespace
 
-void Conflicts::take_shapes(const Derived& derived, std::vector<bool>& stale) {
+void Conflicts::Entry::take(const SegmentShape& shape) {
   constexpr double kMostChords = 1000;
-  for (std::size_t i = 0; i < derived.order.size(); ++i) {
-    const SegmentShape& shape = derived.shape_at(i);
-    Entry& entry = entries_.obtain(derived.order[i]);
-    entry.index = i;
-    if (entry.build == shape.shape_build) continue;
-    stale[i] = true;
-    entry.build = shape.shape_build;
-    entry.box = rails_box(shape);
-    entry.places.clear();
-    const double length = shape.arc.length();
-    const int chords = static_cast<int>(std::clamp(std::ceil(length / kConflictStep), 1.0, kMostChords));
-    for (int k = 0; k <= chords; ++k) {
-      const double s = length * k / chords;
-      const Ring ring = ring_at(shape, s);
-      entry.places.push_back({glm::vec3(ring.position), glm::vec3(ring.frame.up), static_cast<float>(s)});
-    }
-    entry.longest = 0;
-    for (std::size_t k = 1; k < entry.places.size(); ++k)
-      entry.longest = std::max(entry.longest, length_of(entry.places[k - 1], entry.places[k]));
+  build = shape.shape_build;
+  box = rails_box(shape);
+  places.clear();
+  const double length = shape.arc.length();
+  const int chords = static_cast<int>(std::clamp(std::ceil(length / kConflictStep), 1.0, kMostChords));
+  places.reserve(static_cast<std::size_t>(chords) + 1);
+  for (int k = 0; k <= chords; ++k) {
+    const double s = length * k / chords;
+    const Ring ring = ring_at(shape, s);
+    places.push_back({glm::vec3(ring.position), glm::vec3(ring.frame.up), static_cast<float>(s)});
   }
+  longest = 0;
+  for (std::size_t k = 1; k < places.size(); ++k) longest = std::max(longest, length_of(places[k - 1], places[k]));
+}
+
+void Conflicts::take_shapes(const Derived& derived, std::optional<std::uint64_t> since, std::vector<bool>& stale) {
+  const auto changes = since ? derived.changes_since(*since) : std::nullopt;
+  std::vector<std::size_t> fresh;
+  if (changes) {
+    for (const ShapeChange& change : *changes)
+      if (!stale[change.index]) fresh.push_back(change.index), stale[change.index] = true;
+  } else {
+    entries_.reserve(derived.order.size());
+    for (std::size_t i = 0; i < derived.order.size(); ++i) {
+      Entry& entry = entries_.obtain(derived.order[i]);
+      entry.index = i;
+      if (entry.build != derived.shape_at(i).shape_build) fresh.push_back(i), stale[i] = true;
+    }
+  }
+  constexpr std::size_t kPart = 64;  // segments
+  base::in_parts(fresh.size(), kPart, base::cores(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) entries_.get(derived.order[fresh[k]]).take(derived.shape_at(fresh[k]));
+  });
 }
 
 // Whether two positions are one stretch depends on everything between them.
@@ -194,14 +207,16 @@ const std::vector<Conflict>& Conflicts::update(const Derived& derived) {
   looked_at_ = 0;
   if (last_build_ == derived.last_build && closed_ == derived.closed && order_ == derived.order) return found_;
   std::vector<bool> stale(derived.order.size());
+  std::optional<std::uint64_t> since = last_build_;
   if (order_ != derived.order || closed_ != derived.closed) {
     mark_rearranged(order_, derived.order, stale);
     entries_.keep_those_of(derived.segments);
+    since.reset();
   }
   last_build_ = derived.last_build;
   closed_ = derived.closed;
   order_ = derived.order;
-  take_shapes(derived, stale);
+  take_shapes(derived, since, stale);
   spread(derived, stale);
   std::erase_if(hits_, [&](const Hit& hit) {
     const Entry *const a = entries_.find(hit.a), *const b = entries_.find(hit.b);

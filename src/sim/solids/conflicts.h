@@ -46,8 +46,8 @@ double worst(std::span<const Narrow> parts);
 class Conflicts {
  public:
   // Updates the conflicts from the same Derived as before and returns all of them in track order. If nothing changed,
-  // costs one comparison per segment; else a few microseconds for each changed segment and those within kSameStretch of
-  // it. On tracks with very many conflicts not all are found: at most kMostHits per chord of a segment.
+  // it costs a comparison of the orders; else a few microseconds for each changed segment and those within kSameStretch
+  // of it. On tracks with very many conflicts not all are found: at most kMostHits per chord of a segment.
   const std::vector<Conflict>& update(const Derived& derived);
   // Returns where the line of rails would conflict with the track as of the last update, or with itself, if it
   // continued the track's open end.
@@ -61,6 +61,7 @@ class Conflicts {
     curve::Box box;         // of the rails
     std::vector<LinePoint> places;
     double longest = 0;  // m, of the chords between them
+    void take(const SegmentShape& shape);
   };
   // Chord `i` of segment a and chord `k` of segment b are too close.
   struct Hit {
@@ -69,7 +70,8 @@ class Conflicts {
     double missing = 0;
   };
   static constexpr std::size_t kMostHits = 16;
-  void take_shapes(const Derived& derived, std::vector<bool>& stale);
+  // `since`: the build as of which all entries are up to date; nothing: none may be.
+  void take_shapes(const Derived& derived, std::optional<std::uint64_t> since, std::vector<bool>& stale);
   void spread(const Derived& derived, std::vector<bool>& stale) const;
   void look_around(const Derived& derived, std::size_t index, const std::vector<bool>& stale);
   std::size_t look_at(const Derived& derived, world::Entity a, world::Entity b, std::size_t most);
