@@ -71,7 +71,7 @@ Status document_command(Session& session, const C& command, Change& change) {
   const sim::SegmentShape* const split = session.derived.segments.find(change.motion.first);
   follow_document(session, change, split ? split->roll : sim::Roll{});
   if (history.in_gesture) history.gesture_label = print(command);
-  else if (!(*before == session.document)) record(history, print(command), std::move(*before));
+  else if (!(*before == session.document)) record(history, print(command), std::move(*before), session.document);
   return {};
 }
 
@@ -141,6 +141,7 @@ Status perform(Session& session, Change&, const CancelGesture&) {
 Status apply(Session& session, base::Files& files, const Command& command) {
   Change change{files};
   const Effect effect = info(command).effect;
+  const bool complete = session.history.dropped == 0;
   const Status status = kPerform[index_of(command)](session, change, command);
   if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
   if (!status) {
@@ -149,6 +150,8 @@ Status apply(Session& session, base::Files& files, const Command& command) {
   }
   if (effect == Effect::document || effect == Effect::history) watch_built(session);
   for (const std::string& line : change.clamped) notify(session, NoticeKind::warning, line);
+  if (complete && session.history.dropped > 0)
+    notify(session, NoticeKind::warning, "The history is full: its oldest steps are dropped.");
   if (!change.note.empty()) notify(session, NoticeKind::info, change.note);
   return {};
 }

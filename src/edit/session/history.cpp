@@ -1,4 +1,5 @@
-// Undo and redo by whole documents: exact by construction, with memory bounded by kMaxHistoryBytes.
+// Undo and redo by what differs between the documents, bit by bit: exact by construction, in memory that follows from
+// what the steps changed.
 #include "edit/session/history.h"
 
 #include <utility>
@@ -6,52 +7,43 @@
 namespace coaster::edit {
 namespace {
 
-void push_undo(History& history, HistoryStep step, std::size_t limit) {
-  history.undo_bytes += estimated_bytes(step.document);
-  history.undo.push_back(std::move(step));
-  while (history.undo.size() > 1 && history.undo_bytes > limit) {
-    history.undo_bytes -= estimated_bytes(history.undo.front().document);
-    history.undo.pop_front();
-  }
+// Goes over the newest step of one stack and puts it on the other. Its size may change: the other side may be larger.
+template <class From, class To>
+bool step_over(History& history, From& from, To& to, world::Document& document) {
+  if (from.empty()) return false;
+  HistoryStep step = std::move(from.back());
+  from.pop_back();
+  history.bytes -= bytes_of(step);
+  world::exchange(step.change, document);
+  history.bytes += bytes_of(step);
+  to.push_back(std::move(step));
+  return true;
 }
 
 }  // namespace
 
-std::size_t estimated_bytes(const world::Document& document) {
-  const auto& entities = document.entities;
-  // Each pool keeps item, entity and a sparse slot; the registry a generation; the track an id for each knot and
-  // segment.
-  constexpr std::size_t kIds = sizeof(world::Entity) * 2 + 2 * sizeof(std::uint32_t);
-  std::size_t bytes = sizeof(world::Document) + document.name.size() + document.extra.json.size();
-  entities.for_each_pool([&]<class T>(const world::Pool<T>& pool) {
-    bytes += pool.size() * (sizeof(T) + kIds);
-    for (const T& component : pool.items()) bytes += world::text_bytes(component);
-  });
-  return bytes;
+std::size_t bytes_of(const HistoryStep& step) {
+  return sizeof(HistoryStep) - sizeof(world::Difference) + step.label.capacity() + world::bytes_of(step.change);
 }
 
-void record(History& history, std::string label, world::Document before, std::size_t limit) {
+void record(History& history, std::string label, world::Document before, const world::Document& after) {
+  for (const HistoryStep& step : history.redo) history.bytes -= bytes_of(step);
   history.redo.clear();
-  push_undo(history, {std::move(label), std::move(before)}, limit);
+  history.undo.push_back({std::move(label), world::difference_of(std::move(before), after)});
+  history.bytes += bytes_of(history.undo.back());
+  while (history.undo.size() > 1 && history.bytes > history.limit) {
+    history.bytes -= bytes_of(history.undo.front());
+    history.undo.pop_front();
+    ++history.dropped;
+  }
 }
 
 bool undo(History& history, world::Document& document) {
-  if (history.undo.empty()) return false;
-  HistoryStep step = std::move(history.undo.back());
-  history.undo.pop_back();
-  history.undo_bytes -= estimated_bytes(step.document);
-  std::swap(step.document, document);
-  history.redo.push_back(std::move(step));
-  return true;
+  return step_over(history, history.undo, history.redo, document);
 }
 
 bool redo(History& history, world::Document& document) {
-  if (history.redo.empty()) return false;
-  HistoryStep step = std::move(history.redo.back());
-  history.redo.pop_back();
-  std::swap(step.document, document);
-  push_undo(history, std::move(step), kMaxHistoryBytes);
-  return true;
+  return step_over(history, history.redo, history.undo, document);
 }
 
 void begin_gesture(History& history, const world::Document& document) {
@@ -63,7 +55,7 @@ void begin_gesture(History& history, const world::Document& document) {
 void end_gesture(History& history, const world::Document& document) {
   history.in_gesture = false;
   world::Document start = std::exchange(history.gesture_start, {});
-  if (!(start == document)) record(history, history.gesture_label, std::move(start));
+  if (!(start == document)) record(history, history.gesture_label, std::move(start), document);
 }
 
 void cancel_gesture(History& history, world::Document& document) {

@@ -7,10 +7,10 @@
 
 namespace coaster::edit {
 
-// Pushes a step on the undo stack and clears the redo stack; drops the oldest steps beyond `limit` bytes, but never
-// this one.
-void record(History& history, std::string label, world::Document before, std::size_t limit = kMaxHistoryBytes);
-// Exchange `document` with the newest step; return false if there is none.
+// Pushes the step from `before` to `after` on the undo stack and clears the redo stack; drops the oldest steps beyond
+// the history's limit, but never this one.
+void record(History& history, std::string label, world::Document before, const world::Document& after);
+// Turn `document` into the one before the newest step or after the next one; return false if there is none.
 bool undo(History& history, world::Document& document);
 bool redo(History& history, world::Document& document);
 
@@ -20,7 +20,7 @@ void end_gesture(History& history, const world::Document& document);
 // Restores the document from begin_gesture().
 void cancel_gesture(History& history, world::Document& document);
 
-// Returns the size of a snapshot in bytes, to about 20 %.
-std::size_t estimated_bytes(const world::Document& document);
+// Returns the memory that a step takes.
+std::size_t bytes_of(const HistoryStep& step);
 
 }  // namespace coaster::edit

@@ -18,24 +18,26 @@
 #include "sim/shape/derived.h"
 #include "sim/study/envelope.h"
 #include "sim/study/measure.h"
+#include "world/difference.h"
 
 namespace coaster::edit {
 
-// One undo step. Keeping the document before and after would double the memory, so each step keeps one side.
+// One undo step.
 struct HistoryStep {
   std::string label;         // the command's text, or that of a gesture's last command
-  world::Document document;  // before the step on the undo stack, after it on the redo stack
+  world::Difference change;  // to the document before the step on the undo stack, to the one after it on the redo stack
 };
 
+inline constexpr std::size_t kMaxHistoryBytes = 256u << 20;
 struct History {
-  std::deque<HistoryStep> undo;  // oldest first; the oldest are dropped beyond kMaxHistoryBytes (estimated)
+  std::deque<HistoryStep> undo;  // oldest first; beyond `limit` the oldest are dropped
   std::vector<HistoryStep> redo;
-  std::size_t undo_bytes = 0;  // estimated size of the undo stack
+  std::size_t bytes = 0, limit = kMaxHistoryBytes;  // of all steps
+  std::size_t dropped = 0;                          // steps
   bool in_gesture = false;
   world::Document gesture_start;
   std::string gesture_label;
 };
-inline constexpr std::size_t kMaxHistoryBytes = 256u << 20;
 
 enum class NoticeKind : std::uint8_t { info, warning, error };
 struct Notice {
@@ -115,7 +117,9 @@ struct Session {
 void notify(Session& session, NoticeKind kind, std::string text);
 // Shows an error: a refusal as a sentence, others as they are, because a file's name comes first.
 void notify(Session& session, const base::Status& error);
-bool dirty(const Finder& find);  // the document has unsaved changes
+// True if the document has unsaved changes. An open gesture that moved anything counts as one: a hash at each of its
+// moves would cost more than the moves.
+bool dirty(const Finder& find);
 
 // True if the path leads to the document's own file, under any name.
 bool is_own_file(const Session& session, const std::filesystem::path& path);

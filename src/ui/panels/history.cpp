@@ -33,11 +33,11 @@ bool step_row(Ui& ui, const std::string& text, const std::string& name, std::uin
 void history_panel(Ui& ui) {
   const edit::History& history = ui.session().history;
   const std::size_t undo = history.undo.size(), redo = history.redo.size();
-  const double megabytes = static_cast<double>(history.undo_bytes) / (1 << 20);
+  const double megabytes = static_cast<double>(history.bytes) / (1 << 20);
   read_out(ui, "Steps", fmt::format("{} undo, {} redo", undo, redo), "",
            "Steps that can be undone and redone. Camera, panels and selection are not included.");
   read_out(ui, "Memory", fixed(megabytes, 2), "MiB",
-           "Memory of the undo steps. Beyond 256 MiB the oldest are dropped.");
+           "Memory of the steps. Beyond 256 MiB the oldest are dropped.");
   const std::size_t first = undo > kMostShown ? undo - kMostShown : 0;
   if (first == 0 && undo > 0 && step_row(ui, "Start", "Start", palette().dim, "Undo everything."))
     repeat<edit::Undo>(ui, undo);

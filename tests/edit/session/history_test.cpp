@@ -1,6 +1,7 @@
 #include "edit/session/history.h"
 
 #include "edit/session_fixture.h"
+#include "sim/tracks.h"
 #include "world/evaluation.h"
 
 namespace coaster::edit {
@@ -94,18 +95,67 @@ TEST_F(HistoryOfEdits, undo_does_not_touch_settings) {
 TEST(history, the_oldest_steps_are_dropped_beyond_the_limit_but_never_the_newest) {
   constexpr std::size_t kLimit = 1u << 20;
   History history;
+  history.limit = kLimit;
   world::Document large;
   large.name.assign(kLimit / 4, 'x');
-  for (int i = 0; i < 10; ++i) record(history, std::to_string(i), large, kLimit);
+  for (int i = 0; i < 10; ++i) record(history, std::to_string(i), large, large);
   EXPECT_EQ(history.undo.size(), 3u);
   EXPECT_EQ(history.undo.back().label, "9");
-  EXPECT_LE(history.undo_bytes, kLimit);
+  EXPECT_LE(history.bytes, kLimit);
+  EXPECT_EQ(history.dropped, 7u);
   large.name.assign(kLimit * 2, 'x');
-  record(history, "huge", large, kLimit);
+  record(history, "huge", large, large);
   ASSERT_EQ(history.undo.size(), 1u);
   EXPECT_EQ(history.undo.back().label, "huge");
   ASSERT_TRUE(undo(history, large));
-  EXPECT_EQ(history.undo_bytes, 0u);
+  EXPECT_EQ(history.bytes, bytes_of(history.redo.back()));
+  record(history, "small", {}, {});
+  EXPECT_EQ(history.bytes, bytes_of(history.undo.back())) << "a new step ends the redo stack";
+}
+
+TEST_F(HistoryOfEdits, a_full_history_says_so_once) {
+  session.history.limit = 100'000;
+  const auto told = [&] {
+    int times = 0;
+    for (const Notice& notice : session.notices.list) times += notice.text.find("oldest") != std::string::npos;
+    return times;
+  };
+  good("datum 7.5");
+  EXPECT_EQ(told(), 0);
+  for (int i = 0; i < 200; ++i) good("datum " + std::to_string(i)), good("name \"" + std::to_string(i) + "\"");
+  EXPECT_GT(session.history.dropped, 0u);
+  EXPECT_EQ(told(), 1);
+  EXPECT_LE(session.history.bytes, session.history.limit);
+}
+
+// A step takes what it changes, however long the track is.
+TEST_F(HistoryOfEdits, a_step_takes_the_memory_of_what_it_changes) {
+  constexpr int kKnots = 20'000;
+  start_on(test::ring_document(kKnots, 9000));
+  const std::uint64_t start = world::hash(session.document);
+  const std::size_t knots = kKnots * sizeof(world::Knot);
+  for (const char* const few : {"move @k777 to 1 2 3", "split @s5000 at 0.4", "remove @k9000", "equip @s3 lift",
+                                "roll @k12 30", "name \"Another\""}) {
+    const std::size_t before = session.history.bytes;
+    good(few);
+    EXPECT_LT(session.history.bytes - before, 65'536u) << few;
+  }
+  const std::size_t before = session.history.bytes;
+  good("gesture.begin");
+  for (int i = 1; i <= 10; ++i) good("move @k" + std::to_string(1900 * i) + " to 5 6 7");
+  good("gesture.end");
+  EXPECT_LT(session.history.bytes - before, 65'536u);
+  const std::size_t few = session.history.bytes;
+  good("reverse");
+  // Knots, and the segments' two ends, and both orders.
+  const std::size_t all = knots + kKnots * (sizeof(world::Segment) + 2 * sizeof(world::Entity));
+  EXPECT_LT(session.history.bytes - few, all + 65'536u);
+  EXPECT_GT(session.history.bytes - few, knots / 2) << "it changes all knots";
+  const std::uint64_t end = world::hash(session.document);
+  while (!session.history.undo.empty()) good("undo");
+  EXPECT_EQ(world::hash(session.document), start);
+  while (!session.history.redo.empty()) good("redo");
+  EXPECT_EQ(world::hash(session.document), end);
 }
 
 }  // namespace history_test

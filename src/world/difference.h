@@ -1,0 +1,36 @@
+// What differs between two documents, so that one of them is had from the other without a copy of all: a step of undo.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "world/document.h"
+
+namespace coaster::world {
+
+// In one column of a document, `there` items from `at` on stand where the other document has `items`.
+template <class T>
+struct ColumnEdit {
+  int column = 0;  // counted over all of the document's columns
+  std::size_t at = 0, there = 0;
+  std::vector<T> items;
+};
+template <class T>
+using ColumnEdits = std::vector<ColumnEdit<T>>;
+
+struct Difference {
+  Document rest;  // the other document without entities and order
+  Entities::ColumnsOf<ColumnEdits> edits;
+};
+
+// Returns how `other` differs from `document`, bit by bit, entity slots included. Linear in their size; the result's
+// size follows from what differs.
+Difference difference_of(Document other, const Document& document);
+
+// Turns the document that a difference was made for into the other one, and the difference into its reverse.
+void exchange(Difference& difference, Document& document);
+
+// Returns the memory that a difference takes.
+std::size_t bytes_of(const Difference& difference);
+
+}  // namespace coaster::world
