@@ -1,5 +1,7 @@
 // Checks every invariant of document.h, components.h and registry.h. For tests and after loading.
-#include <set>
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -32,13 +34,15 @@ Broken broken_knot(const Document& document, Entity e) {
 }
 
 Broken broken_names(const Document& document) {
-  std::set<Name> seen;
   const auto& names = document.entities.pool<Name>();
   if (names.size() != document.entities.size()) return "an entity without a name";
+  std::vector<Name> sorted = names.items();
+  std::ranges::sort(sorted);
+  if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
+    return to_text(*twice) + ": the name is taken twice";
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Name name = names.items()[i];
     const Entity e = names.entities()[i];
-    if (!seen.insert(name).second) return to_text(name) + ": the name is taken twice";
     if (name.number < 1 || name.number > document.last_number[static_cast<std::size_t>(name.kind)])
       return to_text(name) + ": number beyond the last one given";
     if (!document.entities.alive(e)) return to_text(name) + ": names a dead entity";
@@ -60,12 +64,16 @@ Broken broken_chain(const Document& document) {
   if (track.segments.size() != expected) return "the number of segments does not fit the knots";
   if (document.entities.pool<Knot>().size() != count) return "a knot is not on the track, or twice";
   if (document.entities.pool<Segment>().size() != expected) return "a segment is not on the track, or twice";
-  std::set<Entity> seen;
+  std::vector<char> seen;  // by slot
+  const auto first_seen = [&](Entity e) {
+    if (e.index >= seen.size()) seen.resize(e.index + 1);
+    return std::exchange(seen[e.index], 1) == 0;
+  };
   for (const Entity e : track.knots)
-    if (!document.entities.find<Knot>(e) || !seen.insert(e).second) return "the order of knots is broken";
+    if (!document.entities.find<Knot>(e) || !first_seen(e)) return "the order of knots is broken";
   for (std::size_t i = 0; i < expected; ++i) {
     const Entity e = track.segments[i];
-    if (!document.entities.find<Segment>(e) || !seen.insert(e).second) return "the order of segments is broken";
+    if (!document.entities.find<Segment>(e) || !first_seen(e)) return "the order of segments is broken";
     const Segment& s = segment(document, e);
     if (s.from != track.knots[i] || s.to != track.knots[(i + 1) % count])
       return label_of(document, e) + ": does not lead from its knot to the next";

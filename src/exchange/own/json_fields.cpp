@@ -24,6 +24,8 @@ std::string limit_text(T limit) {
 std::string Place::text() const { return list.empty() ? std::string() : fmt::format("{}[{}]", list, index); }
 
 Fields::Fields(const Json& value, Place place, std::string& error) : place_(place), error_(error) {
+  constexpr std::size_t kUsual = 8;
+  known_.reserve(kUsual);
   if (value.is_object()) object_ = &value;
   else fail({}, "expected an object, found " + describe(value));
 }
@@ -56,13 +58,22 @@ bool Fields::head(std::string_view format, std::int32_t newest, int* version_fou
   return true;
 }
 
-const Json* Fields::member(std::string_view name, std::string_view expected, Kind kind) {
+const Json* Fields::look(std::string_view name) {
   if (!object_) return nullptr;
   known_.push_back(name);
   const auto it = object_->find(std::string(name));
-  if (it == object_->end()) fail(name, fmt::format("missing; expected {}", expected));
-  else if (!((*it).*kind)()) reject(name, expected);
-  else return &*it;
+  return it == object_->end() ? nullptr : &*it;
+}
+
+bool Fields::expect(std::string_view name, const Json* found, std::string_view expected) {
+  if (!object_) return false;
+  return found ? reject(name, expected) : fail(name, fmt::format("missing; expected {}", expected));
+}
+
+const Json* Fields::member(std::string_view name, std::string_view expected, Kind kind) {
+  const Json* const m = look(name);
+  if (m && (m->*kind)()) return m;
+  expect(name, m, expected);
   return nullptr;
 }
 
@@ -81,34 +92,39 @@ bool Fields::flag(std::string_view name, bool& value) {
 }
 
 bool Fields::number(std::string_view name, double& value, double low, double high) {
-  const std::string expected = fmt::format("a number from {} to {}", limit_text(low), limit_text(high));
-  const Json* const m = member(name, expected, &Json::is_number);
-  if (!m) return false;
-  value = m->get<double>();
-  return (value >= low && value <= high) || reject(name, expected);
+  const Json* const m = look(name);
+  if (m && m->is_number()) {
+    value = m->get<double>();
+    if (value >= low && value <= high) return true;
+  }
+  return expect(name, m, fmt::format("a number from {} to {}", limit_text(low), limit_text(high)));
 }
 
 bool Fields::length(std::string_view name, float& value, float low, float high) {
-  const std::string expected = low < 0 ? fmt::format("a number from {} to {}", limit_text(low), limit_text(high))
-                                       : fmt::format("a length from {} to {} m", limit_text(low), limit_text(high));
-  const Json* const m = member(name, expected, &Json::is_number);
-  if (!m) return false;
-  // Compared as float: 0.01 in the file means the value of 0.01f.
-  const double wide = m->get<double>();
-  if (!(wide >= std::min(0.0, 2 * double{low}) && wide <= 2 * double{high})) return reject(name, expected);
-  value = static_cast<float>(wide);
-  return (value >= low && value <= high) || reject(name, expected);
+  const Json* const m = look(name);
+  if (m && m->is_number()) {
+    // Compared as float: 0.01 in the file means the value of 0.01f.
+    const double wide = m->get<double>();
+    if (wide >= std::min(0.0, 2 * double{low}) && wide <= 2 * double{high}) {
+      value = static_cast<float>(wide);
+      if (value >= low && value <= high) return true;
+    }
+  }
+  return expect(name, m,
+                low < 0 ? fmt::format("a number from {} to {}", limit_text(low), limit_text(high))
+                        : fmt::format("a length from {} to {} m", limit_text(low), limit_text(high)));
 }
 
 bool Fields::whole(std::string_view name, std::int64_t& value, std::int64_t low, std::int64_t high) {
-  const std::string expected = fmt::format("a whole number from {} to {}", low, high);
-  const Json* const m = member(name, expected, &Json::is_number_integer);
-  if (!m) return false;
+  const Json* const m = look(name);
   // Unsigned values beyond the signed range would become negative.
-  if (m->is_number_unsigned() && m->get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX))
-    return reject(name, expected);
-  value = m->get<std::int64_t>();
-  return (value >= low && value <= high) || reject(name, expected);
+  const bool fits = m && m->is_number_integer() &&
+                    !(m->is_number_unsigned() && m->get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX));
+  if (fits) {
+    value = m->get<std::int64_t>();
+    if (value >= low && value <= high) return true;
+  }
+  return expect(name, m, fmt::format("a whole number from {} to {}", low, high));
 }
 
 bool Fields::vector(std::string_view name, glm::dvec3& value, double limit) {
@@ -117,12 +133,13 @@ bool Fields::vector(std::string_view name, glm::dvec3& value, double limit) {
   if (m->size() != 3) return reject(name, "3 finite numbers");
   for (int axis = 0; axis < 3; ++axis) {
     const Json& component = (*m)[static_cast<std::size_t>(axis)];
-    const std::string at = fmt::format("{}[{}]", name, axis);
-    if (!component.is_number()) return fail(at, "expected a finite number, found " + describe(component));
+    const auto wrong = [&](const std::string& expected) {
+      return fail(fmt::format("{}[{}]", name, axis), "expected " + expected + ", found " + describe(component));
+    };
+    if (!component.is_number()) return wrong("a finite number");
     value[axis] = component.get<double>();
     if (!(std::abs(value[axis]) <= limit))
-      return fail(at, fmt::format("expected a number from {} to {}, found {}", limit_text(-limit), limit_text(limit),
-                                  describe(component)));
+      return wrong(fmt::format("a number from {} to {}", limit_text(-limit), limit_text(limit)));
   }
   return true;
 }

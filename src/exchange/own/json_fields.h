@@ -53,6 +53,9 @@ class Fields {
  private:
   using Kind = bool (Json::*)() const noexcept;  // &Json::is_string
   const Json* member(std::string_view member, std::string_view expected, Kind kind);
+  const Json* look(std::string_view member);  // null if it is missing
+  // Fails for a member that is missing (null) or not what was expected. The caller makes that text only then.
+  bool expect(std::string_view member, const Json* found, std::string_view expected);
 
   const Json* object_ = nullptr;  // null if the value is not an object: every getter fails
   Place place_;

@@ -55,9 +55,10 @@ class Builder {
   bool end_object() { return close(); }
   bool end_array() { return close(); }
   bool key(std::string& key) {
-    if (open_.back().keys.size() == kMaxMembers)
+    const Members& members = members_of(*open_.back().node);
+    if (members.size() == kMaxMembers)
       return fail(fmt::format("an object with more than the limit of {} members", kMaxMembers));
-    if (!open_.back().keys.insert(key).second) return fail("member \"" + clipped(key, kClip) + "\" appears twice");
+    if (is_taken(members, key)) return fail("member \"" + clipped(key, kClip) + "\" appears twice");
     open_.back().key = std::move(key);
     return true;
   }
@@ -74,18 +75,31 @@ class Builder {
   }
 
  private:
+  using Members = Json::object_t::Container;
   struct Open {
     Json* node;
-    std::set<std::string> keys;  // keys of an object so far
+    std::set<std::string> keys;  // keys of a large object so far
     std::string key;             // key of the next value
   };
+  static Members& members_of(Json& object) { return object.get_ref<Json::object_t&>(); }
+
+  bool is_taken(const Members& members, const std::string& key) {
+    constexpr std::size_t kFew = 16;  // up to here a search is faster than a set
+    if (members.size() < kFew)
+      return std::any_of(members.begin(), members.end(), [&](const auto& member) { return member.first == key; });
+    std::set<std::string>& keys = open_.back().keys;
+    if (keys.empty())
+      for (const auto& member : members) keys.insert(member.first);
+    return !keys.insert(key).second;
+  }
 
   // Appends at the end; searching for an equal key again would make large objects quadratic.
   Json* append(Json value) {
     if (open_.empty()) return root = std::move(value), &root;
     Json& parent = *open_.back().node;
     if (parent.is_array()) return parent.push_back(std::move(value)), &parent.back();
-    auto& members = static_cast<Json::object_t::Container&>(parent.get_ref<Json::object_t&>());
+    Members& members = members_of(parent);
+    if (members.empty()) members.reserve(kUsualMembers);
     members.emplace_back(std::move(open_.back().key), std::move(value));
     return &members.back().second;
   }
@@ -123,6 +137,7 @@ class Builder {
     return false;
   }
 
+  static constexpr std::size_t kUsualMembers = 8;  // a larger object copies its members, as their keys are constant
   std::string_view text_, name_;
   std::vector<Open> open_;
   std::size_t values_ = 0;

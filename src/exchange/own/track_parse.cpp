@@ -1,9 +1,8 @@
 // Builds a document from a track file's tree. Checks everything that docs/track-format.md promises.
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -32,7 +31,7 @@ struct TrackParse {
   std::vector<std::string> warnings;
   std::string error;
   int version = kTrackVersion;
-  std::array<std::map<std::uint32_t, Entity>, 3> by_number;  // by Kind
+  std::array<std::unordered_map<std::uint32_t, Entity>, 3> by_number;  // by Kind
 };
 
 std::string quoted_id(Kind kind, std::uint32_t number) {
