@@ -30,7 +30,11 @@ void notify(Session& session, const base::Status& error) {
   notify(session, NoticeKind::error, refused ? base::sentence(error.message) : error.message);
 }
 
-bool dirty(const Finder& find) { return find(Want::document_hash).document_hash != find.session().file.saved_hash; }
+bool dirty(const Finder& find) {
+  const History& history = find.session().history;
+  if (history.in_gesture && !history.gesture_label.empty()) return true;
+  return find(Want::document_hash).document_hash != find.session().file.saved_hash;
+}
 
 bool is_own_file(const Session& session, const std::filesystem::path& path) {
   const std::filesystem::path& own = session.file.path;
