@@ -76,6 +76,19 @@ TEST_F(HistoryOfEdits, a_gesture_that_changed_nothing_is_no_step) {
   EXPECT_TRUE(session.history.undo.empty());
 }
 
+TEST_F(HistoryOfEdits, a_gesture_that_moved_anything_counts_as_unsaved_until_its_end) {
+  good("gesture.begin");
+  EXPECT_FALSE(dirty(session));
+  good("datum 9");
+  good("datum -1.7");  // as it is saved
+  EXPECT_TRUE(dirty(session));
+  EXPECT_NE(session.findings.memory.document_hash.key, session.edits) << "a hash was made";
+  good("gesture.end");
+  EXPECT_FALSE(dirty(session));
+  good("datum 9");
+  EXPECT_TRUE(dirty(session));
+}
+
 TEST_F(HistoryOfEdits, gestures_open_and_close_in_pairs) {
   refused("gesture.end", "no gesture");
   refused("gesture.cancel", "no gesture");
@@ -134,8 +147,8 @@ TEST_F(HistoryOfEdits, a_step_takes_the_memory_of_what_it_changes) {
   start_on(test::ring_document(kKnots, 9000));
   const std::uint64_t start = world::hash(session.document);
   const std::size_t knots = kKnots * sizeof(world::Knot);
-  for (const char* const few : {"move @k777 to 1 2 3", "split @s5000 at 0.4", "remove @k9000", "equip @s3 lift",
-                                "roll @k12 30", "name \"Another\""}) {
+  for (const char* const few : {"move @k777 to 1 2 3", "split @s5000 at 0.4", "remove @k9000", "equip @s3 as lift",
+                                "roll @k12 to 30", "name \"Another\""}) {
     const std::size_t before = session.history.bytes;
     good(few);
     EXPECT_LT(session.history.bytes - before, 65'536u) << few;
