@@ -195,6 +195,7 @@ double ArcLengthMap::distance(double t) const {
   if (!(t > 0.0)) return 0.0;
   if (t >= 1.0) return length();
   const int interval = std::min(static_cast<int>(t * kIntervals), kIntervals - 1);
+  if (t * kIntervals == interval) return table_[static_cast<std::size_t>(interval)];
   return table_[static_cast<std::size_t>(interval)] + partial(interval, t);
 }
 
