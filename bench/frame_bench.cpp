@@ -1,15 +1,17 @@
-// Frames of 5,000 segments at 64 steps, drawn off screen: processor time outside OpenGL (panels, commands, derived
-// data, the cache), for a still frame and for a frame of a knot drag; and of 1,000 segments at 1280x720 while a train
-// runs. Beside them a memset of the bytes of all polylines and of those that a drag uploads, so that the ratio is
+// Frames of 5,000 and 100,000 segments at 64 steps, drawn off screen: processor time outside OpenGL (panels, commands,
+// derived data, the cache), for a still frame and for a frame of a knot drag; and of 1,000 segments at 1280x720 while a
+// train runs. Beside them a memset of the bytes of all polylines and of those that a drag uploads, so that the ratio is
 // comparable between machines.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include "app/frame.h"
 #include "app/program.h"
+#include "bench_tracks.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
@@ -18,7 +20,7 @@
 namespace coaster {
 namespace {
 
-constexpr int kSegments = 5000, kRiddenSegments = 1000;
+constexpr int kSegments = 5000, kRiddenSegments = 1000, kManySegments = 100'000;
 
 // Returns a closed ring with hills, ten metres per segment.
 world::Document ring(int segments) {
@@ -37,13 +39,13 @@ world::Document ring(int segments) {
   return document;
 }
 
-std::unique_ptr<app::Program> open_ring(int segments, platform::Size size) {
+std::unique_ptr<app::Program> open_track(world::Document document, platform::Size size) {
   app::Options options;
   options.headless = true;
   auto program = app::make_program(options, size, 0);
   if (!program.ok()) return nullptr;
   edit::Session& session = (*program)->session;
-  session.document = ring(segments);
+  session.document = std::move(document);
   sim::derive(session.document, session.settings, session.measuring.clock, session.derived);
   sim::reset(session.document, session.derived, session.motion);
   session.settings.camera.target = session.document.entities.get<world::Knot>(session.document.track.knots[0]).position;
@@ -62,14 +64,14 @@ double memset_ms(const platform::Surface& clock, std::vector<unsigned char>& byt
   return (clock.clock() - before) * 1e3 / times;
 }
 
-void frame(benchmark::State& state, bool drag) {
-  auto program = open_ring(kSegments, {640, 360});
+void frame(benchmark::State& state, int segments, bool drag) {
+  auto program = open_track(segments == kSegments ? ring(segments) : bench::circuit(segments), {640, 360});
   if (!program) return state.SkipWithError("no off-screen OpenGL");
   const world::Entity knot = program->session.document.track.knots[2500];
   const world::Name name = world::name_of(program->session.document, knot);
   const glm::vec3 at = world::knot(program->session.document, knot).position;
   if (drag) (void)app::apply(*program, edit::BeginGesture{});
-  std::vector<unsigned char> bytes((drag ? 2 : kSegments) * 65 * sizeof(float) * 6);
+  std::vector<unsigned char> bytes(static_cast<std::size_t>(drag ? 2 : segments) * 65 * sizeof(float) * 6);
   double outside = 0, frames = 0, set = 0;
   for (auto _ : state) {
     double edit_ms = 0;
@@ -91,7 +93,7 @@ void frame(benchmark::State& state, bool drag) {
 
 // With panels and a running train, in the default view.
 void ride_1000(benchmark::State& state) {
-  auto program = open_ring(kRiddenSegments, {1280, 720});
+  auto program = open_track(ring(kRiddenSegments), {1280, 720});
   if (!program) return state.SkipWithError("no off-screen OpenGL");
   (void)app::apply(*program, edit::RideStart{});
   app::run_frame(*program, {platform::Tick{1.0 / 60}}, 2);
@@ -113,8 +115,10 @@ void ride_1000(benchmark::State& state) {
 }
 
 BENCHMARK(ride_1000)->Unit(benchmark::kMillisecond)->Iterations(20);
-BENCHMARK_CAPTURE(frame, still_5000, false)->Unit(benchmark::kMillisecond)->Iterations(10);
-BENCHMARK_CAPTURE(frame, drag_5000, true)->Unit(benchmark::kMillisecond)->Iterations(10);
+BENCHMARK_CAPTURE(frame, still_5000, kSegments, false)->Unit(benchmark::kMillisecond)->Iterations(10);
+BENCHMARK_CAPTURE(frame, drag_5000, kSegments, true)->Unit(benchmark::kMillisecond)->Iterations(10);
+BENCHMARK_CAPTURE(frame, still_100000, kManySegments, false)->Unit(benchmark::kMillisecond)->Iterations(10);
+BENCHMARK_CAPTURE(frame, drag_100000, kManySegments, true)->Unit(benchmark::kMillisecond)->Iterations(10);
 
 }  // namespace
 }  // namespace coaster

@@ -1,0 +1,102 @@
+// Very long tracks: processor time and memory of what opening one takes, and of a step of undo. Each size is measured
+// in a process of its own, so that memory is what it adds to the process.
+#include <benchmark/benchmark.h>
+
+#include <malloc.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <ctime>
+#include <fstream>
+#include <string>
+
+#include "bench_tracks.h"
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_shape.h"
+#include "edit/perform/apply.h"
+#include "edit/session/history.h"
+#include "exchange/own/track_file.h"
+#include "sim/shape/rail_tables.h"
+#include "sim/solids/conflicts.h"
+
+namespace coaster {
+namespace {
+
+double cpu_seconds() {  // of all threads
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double resident_mb() {
+  std::ifstream file("/proc/self/statm");
+  double total = 0, resident = 0;
+  file >> total >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+enum Part { parse, derive, conflicts, tables, command, parts };
+constexpr std::array<const char*, parts> kNames{"parse", "derive", "conflicts", "tables", "command"};
+struct Figures {
+  std::array<double, parts> seconds{}, mb{};
+  double undo_kb_few = 0, undo_kb_all = 0;
+};
+
+// Measures one part and adds what it took.
+void part(Figures& figures, Part part, auto work) {
+  malloc_trim(0);  // so that what an earlier part freed is not counted as had
+  const double seconds = cpu_seconds(), mb = resident_mb();
+  work();
+  figures.seconds[part] = cpu_seconds() - seconds, figures.mb[part] = resident_mb() - mb;
+}
+
+Figures measure(const std::string& text) {
+  Figures figures;
+  edit::Session session = edit::make_session({});
+  base::Files files;
+  part(figures, parse, [&] { session.document = std::move(exchange::parse_track(text, "bench")->document); });
+  part(figures, derive, [&] { sim::derive(session.document, session.settings, {}, session.derived); });
+  sim::reset(session.document, session.derived, session.motion);
+  sim::Conflicts found;
+  part(figures, conflicts, [&] { benchmark::DoNotOptimize(found.update(session.derived).size()); });
+  sim::RailTables rails;
+  part(figures, tables, [&] { rails.update(session.derived, world::riders_height(session.document)); });
+  part(figures, command, [&] {
+    (void)edit::apply(session, files, edit::MoveKnot{{{world::Kind::knot, 500}}, {1, 2, 3}});
+  });
+  figures.undo_kb_few = static_cast<double>(session.history.bytes) / 1e3;
+  (void)edit::apply(session, files, edit::Reverse{});
+  figures.undo_kb_all = static_cast<double>(session.history.bytes) / 1e3 - figures.undo_kb_few;
+  return figures;
+}
+
+void scale(benchmark::State& state) {
+  const std::string text = exchange::print_track(bench::circuit(static_cast<int>(state.range(0))));
+  Figures figures;
+  for (auto _ : state) {
+    int ends[2];
+    if (pipe(ends) != 0) return state.SkipWithError("no pipe");
+    const pid_t child = fork();
+    if (child == 0) {
+      figures = measure(text);
+      (void)!write(ends[1], &figures, sizeof figures);
+      _exit(0);
+    }
+    const bool whole = read(ends[0], &figures, sizeof figures) == static_cast<ssize_t>(sizeof figures);
+    waitpid(child, nullptr, 0);
+    close(ends[0]), close(ends[1]);
+    if (!whole) return state.SkipWithError("the measurement ended early");
+  }
+  for (std::size_t i = 0; i < parts; ++i) {
+    state.counters[std::string("cpu_s_") + kNames[i]] = figures.seconds[i];
+    if (i != command) state.counters[std::string("mb_") + kNames[i]] = figures.mb[i];
+  }
+  state.counters["kb_undo_of_one_knot"] = figures.undo_kb_few;
+  state.counters["kb_undo_of_all_knots"] = figures.undo_kb_all;
+}
+
+BENCHMARK(scale)->Arg(1000)->Arg(5000)->Arg(20000)->Arg(100000)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+}  // namespace
+}  // namespace coaster
