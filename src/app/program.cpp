@@ -132,6 +132,9 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   if (const base::Status started = start_graphics(*program, {size, "coaster", true, true, lost}, samples); !started)
     return started;
   platform::Surface* const screen = program->surface.get();
+  if (options.headless)
+    base::print_error(
+        fmt::format("Drawing with {}: {}, OpenGL {}", screen->library(), program->gl.renderer, program->gl.version));
   for (const curve::EvaluatedBy stage : {curve::EvaluatedBy::vertex_shader, curve::EvaluatedBy::geometry_shader,
                                          curve::EvaluatedBy::tessellation_shader})
     program->stats.stage_refusals[static_cast<std::size_t>(stage)] = program->renderer->refusal(stage);

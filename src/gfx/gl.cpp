@@ -55,6 +55,7 @@ base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc) {
                         fmt::format("OpenGL: the driver lacks {} ({})", missing, text_of(gl, GL_VERSION))};
   gl.GetIntegerv(GL_MAX_SAMPLES, &gl.max_samples);
   gl.renderer = text_of(gl, GL_RENDERER);
+  gl.version = text_of(gl, GL_VERSION);
   return gl;
 }
 

@@ -60,7 +60,8 @@ struct Gl {
 #undef X
   int major = 0, minor = 0;
   int max_samples = 0;
-  std::string renderer;  // GL_RENDERER, for the statistics panel
+  std::string renderer;  // GL_RENDERER: "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string version;   // GL_VERSION: "4.5 (Core Profile) Mesa 22.3.6"
 
   bool at_least(int wanted_major, int wanted_minor) const {
     return major > wanted_major || (major == wanted_major && minor >= wanted_minor);

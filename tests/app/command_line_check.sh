@@ -105,6 +105,17 @@ for driver in GALLIUM_DRIVER=none_such MESA_GLSL_VERSION_OVERRIDE=130 MESA_GL_VE
   [ "$(grep -vc '^error: ' "$OUT/stderr")" = 1 ] || fail "$driver: expected one line: $(cat "$OUT/stderr")"
 done
 expect_text stderr "OpenGL 3.3 is needed"
+# Which library draws; a report needs none.
+for library in osmesa:OSMesa egl:EGL; do
+  COASTER_HEADLESS=${library%:*} "$COASTER" --headless --script "$OUT/hash.coaster" --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr"
+  case $? in
+    0) grep -qE "^Drawing with ${library#*:}: .+, OpenGL [0-9.]+" "$OUT/stderr" || fail "$library: $(cat "$OUT/stderr")" ;;
+    4) expect_text stderr "was not found" ;; # not installed
+    *) fail "$library: $(cat "$OUT/stderr")" ;;
+  esac
+done
+expect_code 0 --report "$SOURCE/tracks/loop.json"
+grep -q "^Drawing" "$OUT/stderr" && fail "--report draws"
 env GALLIUM_DRIVER=llvmpipe "$COASTER" --headless --script "$OUT/hash.coaster" --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr" || fail "a driver that works: $(cat "$OUT/stderr")"
 env -u DISPLAY -u WAYLAND_DISPLAY "$COASTER" "$SOURCE/tracks/loop.json" >"$OUT/stdout" 2>"$OUT/stderr"
 [ $? = 4 ] || fail "no display: expected exit code 4"

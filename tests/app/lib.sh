@@ -15,6 +15,8 @@ expect_code() {
 }
 expect_text() { grep -qF -- "$2" "$OUT/$1" || fail "$1 has no '$2': $(head -c 400 "$OUT/$1")"; }
 expect_empty() { [ ! -s "$OUT/$1" ] || fail "$1 is not empty: $(head -c 400 "$OUT/$1")"; }
+# The lines on stderr but the one that names what draws.
+messages() { grep -v '^Drawing with ' "$OUT/stderr"; }
 fail() {
   echo "FAILED: $*" >&2
   failures=$((failures + 1))

@@ -66,7 +66,7 @@ if [ -n "$limited" ]; then
     case $code in
       0) ended=$((ended + 1)) ;;
       70)
-        [ "$(wc -l <"$OUT/stderr")" = 1 ] || fail "allocation $n: expected one line: $(cat "$OUT/stderr")"
+        [ "$(messages | wc -l)" = 1 ] || fail "allocation $n: expected one line: $(cat "$OUT/stderr")"
         expect_text stderr "Out of memory."
         if grep -q "Unsaved changes are kept for the next start" "$OUT/stderr"; then
           saved=$((saved + 1))

@@ -65,7 +65,7 @@ for word in frame-%05d.png -framerate 30 12 yuv420p mp4 gif; do grep -qx -- "$wo
 # A failure of ffmpeg is one line, and no failure of the program.
 with_ffmpeg bad 0 --headless --script "$OUT/time.coaster" --out "$OUT/run" --movie "$OUT/m2"
 expect_text stderr "Saved 12 pictures in $OUT/m2. There is no movie.mp4 because ffmpeg failed: Unknown encoder 'libx264'"
-[ "$(wc -l <"$OUT/stderr")" = 1 ] || fail "more than one line about ffmpeg"
+[ "$(messages | wc -l)" = 1 ] || fail "more than one line about ffmpeg"
 expect_pictures "$OUT/m2" 12
 
 # One lap of a track, and as many pictures as asked for.

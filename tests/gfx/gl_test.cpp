@@ -27,6 +27,7 @@ TEST(gl, a_context_comes_up_with_the_needed_version) {
   ASSERT_TRUE(gl.ok()) << gl.status().message;
   EXPECT_GE(10 * gl->major + gl->minor, 33);
   EXPECT_FALSE(gl->renderer.empty());
+  EXPECT_TRUE(gl->version.starts_with(std::to_string(gl->major) + "." + std::to_string(gl->minor))) << gl->version;
   EXPECT_EQ(gl->GetError(), GLenum(GL_NO_ERROR));
 }
 
