@@ -144,9 +144,12 @@ base::Status compare_picture(Program& program, const std::string& name, const st
   if (!difference.same_size)
     return {base::Code::expectation, fmt::format("the picture is {}x{}, the golden one {}x{}", picture.width,
                                                  picture.height, reference->width, reference->height)};
-  return {base::Code::expectation,
-          fmt::format("the picture differs from {} in {} pixels, at most {} in a block; see {}", golden.string(),
-                      difference.pixels, difference.worst_block, at("html").string())};
+  return {
+      base::Code::expectation,
+      fmt::format("the picture differs from {} in {} pixels, {} of them in an 8x8 block; another driver may change {} "
+                  "and {}; see {}",
+                  golden.string(), difference.pixels, difference.worst_block, difference.most_pixels,
+                  gfx::Difference::kMostInBlock, at("html").string())};
 }
 
 }  // namespace coaster::app

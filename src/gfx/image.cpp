@@ -8,9 +8,9 @@
 namespace coaster::gfx {
 namespace {
 
+constexpr int kBlock = 8;
 constexpr int kChannelTolerance = 16;       // of 255
 constexpr double kPixelTolerance = 0.0005;  // of all pixels
-constexpr int kBlock = 8, kBlockTolerance = 8;
 
 bool differs(const std::uint8_t* a, const std::uint8_t* b) {
   for (int c = 0; c < 4; ++c)
@@ -48,8 +48,8 @@ Difference compare(const Image& picture, const Image& golden) {
       out[3] = 255;
     }
   }
-  const double allowed = kPixelTolerance * double(width) * double(height);
-  result.acceptable = double(result.pixels) <= allowed && result.worst_block <= kBlockTolerance;
+  result.most_pixels = static_cast<long>(kPixelTolerance * double(width) * double(height));
+  result.acceptable = result.pixels <= result.most_pixels && result.worst_block <= Difference::kMostInBlock;
   return result;
 }
 

@@ -65,6 +65,9 @@ expect_code 1 --headless --script "$OUT/snap.coaster" --out "$OUT/run"
 expect_text stderr "--update-goldens"
 expect_code 0 --headless --script "$OUT/snap.coaster" --out "$OUT/run" --update-goldens
 expect_code 0 --headless --script "$OUT/snap.coaster" --out "$OUT/run"
+script other 'load "'"$SOURCE"'/tracks/loop.json"\nsnap "none"\n'
+expect_code 1 --headless --script "$OUT/other.coaster" --out "$OUT/run"
+expect_text stderr "of them in an 8x8 block; another driver may change 115 and 8; see "
 script changed 'env size 600x300\nsnap "none"\n'
 expect_code 1 --headless --script "$OUT/changed.coaster" --out "$OUT/run"
 script hash 'load "'"$SOURCE"'/tracks/loop.json"\nlog hash document\n'
