@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "exchange/own/json_text.h"
+#include "exchange/own/json_values.h"
 #include "sim/ride/ride.h"
 
 namespace coaster::app {
@@ -72,23 +72,22 @@ std::string to_text(const RideSummary& s) {
 }
 
 std::string to_json(const RideSummary& s) {
-  const exchange::Json json{{"name", s.name},
-                            {"knots", s.knots},
-                            {"segments", s.segments},
-                            {"closed", s.closed},
-                            {"length_m", s.length},
-                            {"time_s", static_cast<double>(s.ticks) * world::kTick},
-                            {"laps", s.laps},
-                            {"distance_m", s.distance},
-                            {"top_speed_m_s", s.top_speed},
-                            {"highest_m", s.highest},
-                            {"lowest_m", s.lowest},
-                            {"most_up_g", s.most_up},
-                            {"least_up_g", s.least_up},
-                            {"most_side_g", s.most_side},
-                            {"energy_drift", s.worst_drift},
-                            {"end", s.end}};
-  return exchange::json_file(json);
+  return exchange::json_members({{"name", s.name},
+                                 {"knots", static_cast<std::int64_t>(s.knots)},
+                                 {"segments", static_cast<std::int64_t>(s.segments)},
+                                 {"closed", s.closed},
+                                 {"length_m", s.length},
+                                 {"time_s", static_cast<double>(s.ticks) * world::kTick},
+                                 {"laps", s.laps},
+                                 {"distance_m", s.distance},
+                                 {"top_speed_m_s", s.top_speed},
+                                 {"highest_m", s.highest},
+                                 {"lowest_m", s.lowest},
+                                 {"most_up_g", s.most_up},
+                                 {"least_up_g", s.least_up},
+                                 {"most_side_g", s.most_side},
+                                 {"energy_drift", s.worst_drift},
+                                 {"end", s.end}});
 }
 
 }  // namespace coaster::app

@@ -1,10 +1,10 @@
 // snap, shot, dump, log, and the evidence of a failure.
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include <fmt/format.h>
 
-#include "exchange/own/json_text.h"
+#include "exchange/own/json_values.h"
 #include "exchange/own/track_file.h"
 #include "query/condition.h"
 #include "script/paths.h"
@@ -13,14 +13,12 @@
 namespace coaster::script {
 namespace {
 
-using exchange::Json;
-
-Json to_json(const query::Value& value) {
+exchange::JsonValue to_json(const query::Value& value) {
   struct Visitor {
-    Json operator()(double v) const { return std::isfinite(v) ? Json(v) : Json(nullptr); }
-    Json operator()(const std::string& v) const { return v; }
-    Json operator()(const query::Ranked& v) const { return v.text; }
-    Json operator()(glm::dvec3 v) const { return {v.x, v.y, v.z}; }
+    exchange::JsonValue operator()(double v) const { return v; }
+    exchange::JsonValue operator()(const std::string& v) const { return v; }
+    exchange::JsonValue operator()(const query::Ranked& v) const { return v.text; }
+    exchange::JsonValue operator()(glm::dvec3 v) const { return std::array{v.x, v.y, v.z}; }
   };
   return std::visit(Visitor{}, value);
 }
@@ -46,21 +44,21 @@ std::vector<std::string> arguments_of(std::string_view argument, const world::Do
 // Returns a JSON object of all queries; queries with an argument appear once per entity (document and motion for hash).
 std::string state_json(const query::Context& context) {
   constexpr std::size_t kMostKnots = 1000;  // values of single knots are left out of larger tracks
-  Json all = Json::object();
+  exchange::JsonMembers all;
   for (const query::Query& query : query::queries()) {
     const std::string name(query.name);
     if (query.argument.empty()) {
       const auto value = query.evaluate(context, "");
-      all[name] = value ? to_json(*value) : Json(nullptr);
+      all.emplace_back(name, value ? to_json(*value) : nullptr);
       continue;
     }
     if (context.session.document.track.knots.size() > kMostKnots) continue;
     for (const std::string& argument : arguments_of(query.argument, context.session.document)) {
       const auto value = query.evaluate(context, argument);
-      if (value) all[fmt::format("{} {}", name, argument)] = to_json(*value);
+      if (value) all.emplace_back(fmt::format("{} {}", name, argument), to_json(*value));
     }
   }
-  return exchange::json_file(all);
+  return exchange::json_members(all);
 }
 
 // Returns one line per widget: path, kind, position, size, value, state.
