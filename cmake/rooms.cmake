@@ -1,22 +1,27 @@
-# coaster_room(NAME [USES room ...] [LINK library ...])
+# coaster_room(NAME [COLD] [USES room ...] [LINK library ...])
 # One static library coaster_NAME from the .cpp files in and below src/NAME. Rooms include each other's headers as "room/file.h"; which room may
-# include which is checked by tools/check_layers.
-# Precompiled headers of the standard library and GLM for all rooms: they save a third of a file's compile time. Sources include what
-# they need all the same; clang-tidy (tools/lint) reads them without.
+# include which is checked by tools/check_layers. COLD: optimised builds compile it with -O1. That takes two thirds of -O2's time, and nobody
+# notices its own: such rooms wait for people and files.
+# Precompiled headers of the standard library, GLM and fmt for all rooms: they save a third of a file's compile time. Sources include what
+# they need all the same; clang-tidy (tools/lint) reads them without. gcc compiles what uses them at their level of optimisation, so each
+# level has its own: coaster_precompile(TARGET OPTIONS) adds the options to the target and to its headers.
 option(COASTER_PRECOMPILE "Precompile the standard headers" ON)
-function(coaster_precompile target)
+function(coaster_precompile target options)
+  target_compile_options(${target} PRIVATE ${options})
   if(NOT COASTER_PRECOMPILE)
     return()
   endif()
-  if(NOT TARGET coaster_headers)
+  string(MAKE_C_IDENTIFIER "coaster_headers${options}" headers)
+  if(NOT TARGET ${headers})
     set(empty ${CMAKE_BINARY_DIR}/precompiled.cpp)
     file(WRITE ${empty} "")
-    add_library(coaster_headers OBJECT ${empty})
-    target_link_libraries(coaster_headers PRIVATE glm::glm)
-    target_precompile_headers(coaster_headers PRIVATE <algorithm> <array> <cmath> <cstdint> <cstdio> <deque> <filesystem> <functional> <map>
-      <memory> <optional> <set> <span> <string> <string_view> <tuple> <utility> <variant> <vector> <glm/glm.hpp>)
+    add_library(${headers} OBJECT ${empty})
+    target_compile_options(${headers} PRIVATE ${options})
+    target_link_libraries(${headers} PRIVATE glm::glm coaster_fmt)
+    target_precompile_headers(${headers} PRIVATE <algorithm> <array> <cmath> <cstdint> <cstdio> <deque> <filesystem> <functional> <map>
+      <memory> <optional> <set> <span> <string> <string_view> <tuple> <utility> <variant> <vector> <fmt/format.h> <glm/glm.hpp>)
   endif()
-  target_precompile_headers(${target} REUSE_FROM coaster_headers)
+  target_precompile_headers(${target} REUSE_FROM ${headers})
 endfunction()
 
 # Compiles up to `most` sources of a target as one in builds of the whole suite. So names in unnamed namespaces must be
@@ -26,7 +31,7 @@ function(coaster_unity target most)
 endfunction()
 
 function(coaster_room name)
-  cmake_parse_arguments(room "" "" "USES;LINK" ${ARGN})
+  cmake_parse_arguments(room "COLD" "" "USES;LINK" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/app/main\\.cpp$")
   if(COASTER_WINDOW)
@@ -43,9 +48,13 @@ function(coaster_room name)
   target_include_directories(coaster_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/src)
   list(TRANSFORM room_USES PREPEND coaster_)
   target_link_libraries(coaster_${name} PUBLIC ${room_USES} ${room_LINK})
-  coaster_precompile(coaster_${name})
+  if(room_COLD AND CMAKE_BUILD_TYPE STREQUAL "Release")
+    coaster_precompile(coaster_${name} -O1)
+  else()
+    coaster_precompile(coaster_${name} "")
+  endif()
   if(COASTER_UNITY STREQUAL "all")
-    coaster_unity(coaster_${name} 24)
+    coaster_unity(coaster_${name} 40)
     target_compile_options(coaster_${name} PRIVATE -Wno-shadow)  # a local may have the name of a constant in another file
   endif()
 endfunction()
