@@ -19,7 +19,8 @@ enum class Layer : std::uint8_t {
   limits,
   supports,
   knots,
-  conflicts
+  conflicts,
+  legend
 };
 
 // By name in scripts and recordings: "show comb on".
@@ -39,10 +40,11 @@ inline constexpr base::NameRow kLayers[] = {
     {"supports", "Supports", "Supports, built automatically and clear of the trains."},
     {"knots", "Knots", "Knots and their handles. Hidden ones can still be selected."},
     {"conflicts", "Conflicts", "Where the track lacks clearance from itself or folds."},
+    {"legend", "Legend", "Numbers of the track's colours."},
 };
 constexpr std::span<const base::NameRow> rows_of(Layer) { return kLayers; }
 
-// A set of layers. By default: polyline, supports, knots and conflicts.
+// A set of layers. By default: polyline, supports, knots, conflicts and legend.
 class Layers {
  public:
   bool has(Layer layer) const { return (bits_ & bit(layer)) != 0; }
@@ -53,7 +55,8 @@ class Layers {
   static constexpr std::uint16_t bit(Layer layer) {
     return static_cast<std::uint16_t>(1u << static_cast<unsigned>(layer));
   }
-  std::uint16_t bits_ = bit(Layer::polyline) | bit(Layer::supports) | bit(Layer::knots) | bit(Layer::conflicts);
+  std::uint16_t bits_ =
+      bit(Layer::polyline) | bit(Layer::supports) | bit(Layer::knots) | bit(Layer::conflicts) | bit(Layer::legend);
 };
 
 }  // namespace coaster::world

@@ -17,7 +17,7 @@ void expect_names(const Rows& rows, std::size_t count) {
 }
 
 TEST(laboratory, every_layer_colouring_and_page_has_a_row_of_its_own) {
-  expect_names(kLayers, static_cast<std::size_t>(Layer::conflicts) + 1);
+  expect_names(kLayers, static_cast<std::size_t>(Layer::legend) + 1);
   expect_names(kColourings, static_cast<std::size_t>(Colouring::error) + 1);
   expect_names(kLabPages, static_cast<std::size_t>(LabPage::riders) + 1);
   EXPECT_EQ(kLayers[static_cast<std::size_t>(Layer::rounding)].name, "rounding");

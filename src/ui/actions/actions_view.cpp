@@ -94,6 +94,8 @@ constexpr Action kViewActions[] = {
      layer_shown<Layer::supports>},
     {"Conflicts", "View", kNoKey, kInDrag, "Show or hide places without clearance.", show_or_hide<Layer::conflicts>,
      kAlways, layer_shown<Layer::conflicts>},
+    {"Legend", "View", kNoKey, kInDrag, "Show or hide the numbers of the track's colours.", show_or_hide<Layer::legend>,
+     kAlways, layer_shown<Layer::legend>},
     {"Next conflict", "View", kNoKey, kInDrag, "Go to the next place where the track lacks clearance from itself.",
      next_conflict, kInConflict},
     {"Worst jolt", "View", kNoKey, kInDrag, "Go to the knot whose jumps of curvature and roll riders feel most.",

@@ -31,7 +31,7 @@ void draw_bar(ImDrawList& list, ImVec2 at, float width, float height) {
 
 void draw_legend(Ui& ui, const view::Viewport& scene) {
   const world::Settings& settings = ui.session().settings;
-  if (settings.lab->colouring == world::Colouring::plain) return;
+  if (settings.lab->colouring == world::Colouring::plain || !settings.lab->layers.has(world::Layer::legend)) return;
   const world::ColouringRow& row = base::row_of(settings.lab->colouring);
   const float scale = ui.scale, margin = std::floor(14 * scale), pad = std::floor(10 * scale),
               bar = std::floor(11 * scale);
