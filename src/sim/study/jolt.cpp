@@ -9,21 +9,21 @@
 namespace coaster::sim {
 namespace {
 
-constexpr int kRate = 50;  // entries per 1 / cutoff
+constexpr int kEntriesPerCutoff = 50;  // entries per 1 / cutoff
 
 // Responses of the low-pass of 1 Hz to a unit impulse and a unit step. Later than this both are closer to their ends
 // than they have been.
 struct Responses {
-  std::array<float, kRate * 3 / 2> impulse{}, step{};
+  std::array<float, kEntriesPerCutoff * 3 / 2> impulse{}, step{};
 };
 
 const Responses& responses() {
   static const Responses kResponses = [] {
     Responses r;
-    r.impulse[1] = kRate;
+    r.impulse[1] = kEntriesPerCutoff;
     std::fill(r.step.begin() + 1, r.step.end(), 1.0f);
-    low_pass(r.impulse, kRate, 1);
-    low_pass(r.step, kRate, 1);
+    low_pass(r.impulse, kEntriesPerCutoff, 1);
+    low_pass(r.step, kEntriesPerCutoff, 1);
     return r;
   }();
   return kResponses;
