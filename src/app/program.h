@@ -26,10 +26,10 @@ namespace coaster::app {
 
 // Time that goes by, s.
 struct FrameClock {
-  double seconds = 0;         // since the start, by the events
-  double tick_debt = 0;       // that passed and is not ticked yet
-  double last_frame = 0;      // of a window, by the surface's clock
-  double smoothed_frame = 0;  // how long a window's frames take
+  double seconds = 0;                    // since the start, by the events
+  double tick_debt = 0;                  // that passed and is not ticked yet
+  double last_frame = 0;                 // of a window, by the surface's clock
+  double smoothed_frame = 0;             // how long a window's frames take
   double idle_from = 1, idle_until = 0;  // a window is idle between them (idle.h)
 };
 
