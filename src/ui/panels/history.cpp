@@ -36,8 +36,7 @@ void history_panel(Ui& ui) {
   const double megabytes = static_cast<double>(history.bytes) / (1 << 20);
   read_out(ui, "Steps", fmt::format("{} undo, {} redo", undo, redo), "",
            "Steps that can be undone and redone. Camera, panels and selection are not included.");
-  read_out(ui, "Memory", fixed(megabytes, 2), "MiB",
-           "Memory of the steps. Beyond 256 MiB the oldest are dropped.");
+  read_out(ui, "Memory", fixed(megabytes, 2), "MiB", "Memory of the steps. Beyond 256 MiB the oldest are dropped.");
   const std::size_t first = undo > kMostShown ? undo - kMostShown : 0;
   if (first == 0 && undo > 0 && step_row(ui, "Start", "Start", palette().dim, "Undo everything."))
     repeat<edit::Undo>(ui, undo);
