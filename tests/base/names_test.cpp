@@ -68,7 +68,7 @@ TEST(names, every_enumerator_has_its_row_and_a_name_of_its_own) {
   expect_rows_up_to(world::SnapTo::ground);
   expect_rows_up_to(world::Theme::high_contrast);
   expect_rows_up_to(world::Style::blueprint);
-  expect_rows_up_to(world::Layer::conflicts);
+  expect_rows_up_to(world::Layer::legend);
   expect_rows_up_to(world::Colouring::error);
   expect_rows_up_to(world::LabPage::riders);
   expect_rows_up_to(world::ElementKind::corkscrew);
