@@ -45,10 +45,10 @@ void side(Ui& ui, const sim::Ghost& ghost, const sim::Ratings& r, bool within_li
 }
 
 constexpr TableColumn kRedColumns[] = {
-    {"Where", "m", 1.2f, "Distance along the track. Click to move the train there."},
-    {"Force", "", 1.6f, "Direction of the force."},
-    {"Actual###Is", "g", 0.8f, "Low-pass filtered, where the limit is exceeded most."},
-    {"Limit###May", "g", 0.8f, "Limit for this duration by the envelope (command envelope). Not a compliance check."}};
+    {"Where", "m", 1.1f, "Distance along the track. Click to move the train there."},
+    {"Force", "", 1.2f, "Direction of the force."},
+    {"Actual###Is", "g", 1.1f, "Low-pass filtered, where the limit is exceeded most."},
+    {"Limit###May", "g", 1.0f, "Limit for this duration by the envelope (command envelope). Not a compliance check."}};
 
 std::string advice_text(const edit::Session& session, const std::optional<sim::Advice>& advice) {
   if (!advice) return "Moving one nearby knot does not help.";
@@ -115,7 +115,7 @@ void forces_page(Ui& ui) {
   if (red.empty()) return;
   if (parts > 1) ImGui::SameLine(0, gap);
   ImGui::BeginGroup();
-  red_table(ui, red, height, parts < 3);
+  red_table(ui, red, height, width < 440 * ui.scale);
   ImGui::EndGroup();
 }
 

@@ -56,13 +56,17 @@ bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> co
   for (std::size_t i = 0; i < columns.size(); ++i) {
     ImGui::TableSetColumnIndex(static_cast<int>(i));
     const TableColumn& column = columns[i];
-    const std::string words = column.unit.empty() ? std::string(shown(column.title))
-                                                  : fmt::format("{} ({})", shown(column.title), column.unit);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;
+    std::string words(shown(column.title)), tooltip(column.tooltip);
+    if (!column.unit.empty()) {
+      const std::string whole = fmt::format("{} ({})", words, column.unit);
+      if (text_size(whole).x <= room) words = whole;
+      else tooltip += fmt::format(" Unit: {}.", column.unit);
+    }
     draw_cell(ui, {words, palette().dim, i == 0});
     ImGui::Dummy({room, ImGui::GetTextLineHeight()});
-    note(ui, fmt::format("{}/{}", label, column.title), "label", column.tooltip, true, words, at,
+    note(ui, fmt::format("{}/{}", label, column.title), "label", tooltip, true, words, at,
          {at.x + room, at.y + ImGui::GetTextLineHeight()});
   }
   return true;
