@@ -14,8 +14,7 @@ class FilmingTest : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    program_.reset();  // its context goes before that of the next is the current one
-    program_ = make_drawing();
+    restart_drawing();
     if (const char* const path = std::getenv("PATH")) path_ = path;
     ::setenv("PATH", folder_.c_str(), 1);  // no ffmpeg there: pictures alone
   }

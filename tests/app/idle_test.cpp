@@ -15,8 +15,7 @@ class Idle : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    program_.reset();  // its context goes before that of the next is the current one
-    program_ = make_drawing();
+    restart_drawing();
     build_track(*program_);
     surface(*program_).window = true;
   }

@@ -74,6 +74,11 @@ class ProgramTest : public testing::Test {
     program->renderer = std::move(*renderer);
     return program;
   }
+  // Makes the test's program one that draws. The former one's context goes first: the next one is the current one.
+  void restart_drawing() {
+    program_.reset();
+    program_ = make_drawing();
+  }
   static FakeSurface& surface(Program& program) { return static_cast<FakeSurface&>(*program.surface); }
 
   // Three knots, off-origin and skew, with a cart.
