@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <fmt/format.h>
-
 #include "app/frame.h"
 #include "app/pictures.h"
 #include "base/console.h"

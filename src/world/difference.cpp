@@ -42,7 +42,7 @@ std::vector<Stretch> middle_of(const std::vector<T>& other, const std::vector<T>
 // would take more than the items between them.
 template <class T>
 std::vector<Stretch> places_of(const std::vector<T>& other, const std::vector<T>& column) {
-  constexpr std::size_t kBlock = 64, kJoin = sizeof(ColumnEdit<T>) / sizeof(T);
+  constexpr std::size_t kBlock = 64, kEdit = sizeof(ColumnEdit<T>), kItem = sizeof(T), kJoin = kEdit / kItem;
   const std::size_t common = std::min(other.size(), column.size());
   std::vector<Stretch> places;
   for (std::size_t i = 0; i < common; ++i) {
