@@ -43,7 +43,10 @@ Answer camera_yaw(const Context& c, View) { return number(c.session.settings.cam
 Answer camera_pitch(const Context& c, View) { return number(c.session.settings.camera.pitch_deg); }
 
 Answer tick(const Context& c, View) { return number(c.session.tick); }
-Answer entities(const Context& c, View) { return number(c.session.document.entities.size()); }
+Answer entities(const Context& c, View) {
+  const world::Entities& all = c.session.document.entities;
+  return number(all.size() - all.pool<world::Section>().size());
+}
 
 constexpr std::array kSessionRows{
     Query{"selected", "", "", "The selection, such as k4; none if nothing is selected.", selected},

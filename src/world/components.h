@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include "world/element.h"
 #include "world/entity.h"
 #include "world/fields.h"
 #include "world/registry.h"
@@ -17,7 +18,7 @@ namespace coaster::world {
 inline constexpr float kMaxCoordinate = 100'000.0f;  // m, of positions
 inline constexpr float kMinHandle = 0.01f;           // m
 inline constexpr float kMaxHandle = 10'000.0f;       // m
-inline constexpr std::size_t kMaxNameBytes = 200;    // of a track's name
+inline constexpr std::size_t kMaxNameBytes = 200;    // of a track's name and a section's title
 inline constexpr int kMaxTurns = 16;                 // whole turns of roll within a segment
 inline constexpr float kMaxSpin = 20.0f;             // rad/m, of a knot
 inline constexpr double kMaxSpeed = 150.0;           // m/s, of the start speed
@@ -77,9 +78,27 @@ struct Knot {
 struct Segment {
   Entity from, to;
   std::int32_t turns = 0;  // whole turns about the tangent added to the smallest twist between the knots' `up`
-  // Not the knots: they follow from the order of travel.
+  Entity section;
+  // Not the knots and the section: they follow from the order of travel.
   static constexpr void fields(auto visit) { visit(Field{"turns", -kMaxTurns, kMaxTurns}, &Segment::turns); }
   friend bool operator==(const Segment&, const Segment&) = default;
+};
+
+// What a section was planned as. A free one was shaped by hand.
+enum class SectionKind : std::uint8_t { free, element };
+inline constexpr base::NameRow kSectionKinds[] = {{"free", "Hand-shaped", "Shaped knot by knot."},
+                                                  {"element", "Element", "Planned as an element of the palette."}};
+constexpr std::span<const base::NameRow> rows_of(SectionKind) { return kSectionKinds; }
+
+// A run of neighbouring segments that is one part of the ride to its builder. While it is not free, its knots are as
+// they were planned, or moved as a whole.
+struct Section {
+  std::string title;  // UTF-8, at most kMaxNameBytes; empty: it is shown by its kind
+  SectionKind kind = SectionKind::free;
+  Element element = {};  // with its parameters, if it was planned as one; else as here
+  // Not what it was planned as: files and hashes have the names of kind and parameters.
+  static constexpr void fields(auto visit) { visit(Field{"title"}, &Section::title); }
+  friend bool operator==(const Section&, const Section&) = default;
 };
 
 inline constexpr float kCarLength = 2.2f;  // m
@@ -160,6 +179,6 @@ struct Extra {
 
 // Components that may stand on a segment: files have their fields among the segment's, copies of the segment have them.
 using Fittings = ComponentList<Equipment>;
-using Entities = RegistryOf<ComponentList<Name, Knot, Segment, Cart, Extra>, Fittings>;
+using Entities = RegistryOf<ComponentList<Name, Knot, Segment, Cart, Section, Extra>, Fittings>;
 
 }  // namespace coaster::world

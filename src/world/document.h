@@ -37,8 +37,8 @@ struct Document {
   double heartline = 1.1;         // m above the rails, height of the riders' hearts, for which forces are given
   bool rollback_fails = true;     // true: a rollback ends the ride
   TrackCurve curve = TrackCurve::rails;
-  Extra extra;                                 // unknown top-level members of the file
-  std::array<std::uint32_t, 3> last_number{};  // by Kind: the last number assigned
+  Extra extra;                                                      // unknown top-level members of the file
+  std::array<std::uint32_t, base::count_of<Kind>()> last_number{};  // by Kind: the last number assigned
   // How the track is ridden.
   static constexpr void fields(auto visit) {
     visit(Field{"start_speed", -kMaxSpeed, kMaxSpeed}, &Document::start_speed);

@@ -114,6 +114,12 @@ struct Element {
 // Returns an element with the row's default values, to the left.
 Element usual_element(ElementKind kind);
 
+// True for a row of the table, a side that it has, values within its limits, and 0 beyond its parameters.
+bool within_limits(const Element& element);
+
+// Returns the element with its values brought within their limits.
+Element limited(Element element);
+
 // Returns the value of a parameter that the element's row has (COASTER_CHECK).
 double value_of(const Element& element, std::string_view parameter);
 

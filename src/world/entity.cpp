@@ -6,7 +6,7 @@
 namespace coaster::world {
 namespace {
 
-constexpr std::string_view kLetters = "ksc";  // in the order of Kind
+constexpr std::string_view kLetters = "kscq";  // in the order of Kind
 
 }  // namespace
 

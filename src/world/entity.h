@@ -21,11 +21,11 @@ struct Entity {
 };
 inline constexpr Entity kNone{};
 
-enum class Kind : std::uint8_t { knot, segment, cart };
-inline constexpr base::NameRow kKinds[] = {{"knot"}, {"segment"}, {"cart"}};
+enum class Kind : std::uint8_t { knot, segment, cart, section };
+inline constexpr base::NameRow kKinds[] = {{"knot"}, {"segment"}, {"cart"}, {"section"}};
 constexpr std::span<const base::NameRow> rows_of(Kind) { return kKinds; }
 
-// The name of an entity: k3, s2, c1. Numbers start at 1, are unique within a kind and are never reused within a
+// The name of an entity: k3, s2, c1, q4. Numbers start at 1, are unique within a kind and are never reused within a
 // document, so undo restores the same name.
 struct Name {
   Kind kind = Kind::knot;

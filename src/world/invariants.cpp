@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "world/document.h"
+#include "base/utf8.h"
+#include "world/sections.h"
 
 namespace coaster::world {
 namespace {
@@ -47,9 +48,9 @@ Broken broken_names(const Document& document) {
       return to_text(name) + ": number beyond the last one given";
     if (!document.entities.alive(e)) return to_text(name) + ": names a dead entity";
     const bool knot_here = document.entities.find<Knot>(e), segment_here = document.entities.find<Segment>(e),
-               cart_here = document.entities.find<Cart>(e);
+               cart_here = document.entities.find<Cart>(e), section_here = document.entities.find<Section>(e);
     if (knot_here != (name.kind == Kind::knot) || segment_here != (name.kind == Kind::segment) ||
-        cart_here != (name.kind == Kind::cart))
+        cart_here != (name.kind == Kind::cart) || section_here != (name.kind == Kind::section))
       return to_text(name) + ": components of another kind";
   }
   return {};
@@ -82,6 +83,29 @@ Broken broken_chain(const Document& document) {
   return {};
 }
 
+bool sound(const Section& section) {
+  if (section.title.size() > kMaxNameBytes || !base::is_printable_utf8(section.title)) return false;
+  if (!base::has_row(section.kind)) return false;
+  return section.kind == SectionKind::element ? within_limits(section.element) : section.element == Element{};
+}
+
+// Each segment belongs to a section, and the segments of a section are neighbours.
+Broken broken_sections(const Document& document) {
+  const std::vector<SectionRun> runs = sections_of(document);
+  for (const SectionRun& run : runs) {
+    const Section* const section = document.entities.find<Section>(run.section);
+    if (!section) return label_of(document, document.track.segments[run.first]) + ": in no section";
+    if (!sound(*section)) return label_of(document, run.section) + ": title or parameters beyond the limits";
+  }
+  std::vector<Entity> seen;
+  for (const SectionRun& run : runs) seen.push_back(run.section);
+  std::ranges::sort(seen);
+  if (const auto twice = std::ranges::adjacent_find(seen); twice != seen.end())
+    return label_of(document, *twice) + ": its segments are not neighbours";
+  if (document.entities.pool<Section>().size() != runs.size()) return "a section without segments";
+  return {};
+}
+
 }  // namespace
 
 std::optional<std::string> broken_invariant(const Document& document) {
@@ -89,6 +113,7 @@ std::optional<std::string> broken_invariant(const Document& document) {
   if (!within(document.datum, -double{kMaxCoordinate}, double{kMaxCoordinate})) return "datum beyond the limit";
   if (Broken broken = broken_names(document)) return broken;
   if (Broken broken = broken_chain(document)) return broken;
+  if (Broken broken = broken_sections(document)) return broken;
   for (const Entity e : document.track.knots)
     if (Broken broken = broken_knot(document, e)) return broken;
   const auto& carts = document.entities.pool<Cart>();

@@ -6,6 +6,7 @@
 
 #include "base/hash.h"
 #include "world/motion.h"
+#include "world/sections.h"
 
 namespace coaster::world {
 namespace {
@@ -46,6 +47,33 @@ void add_fittings(base::Hasher& hasher, const Document& document, Entity segment
   });
 }
 
+// True if nobody has made sections: all segments are one free section without a title. It adds nothing, so that tracks
+// keep the hash that they had before there were sections.
+bool undivided(const Document& document, const std::vector<SectionRun>& runs) {
+  if (runs.empty()) return true;
+  const Entity e = runs.front().section;
+  const Section* const section = document.entities.find<Section>(e);
+  return runs.size() == 1 && (!section || *section == Section{}) && !document.entities.find<Extra>(e);
+}
+
+void add_sections(base::Hasher& hasher, const Document& document) {
+  const std::vector<SectionRun> runs = sections_of(document);
+  if (undivided(document, runs)) return;
+  hasher.add(runs.size());
+  for (const SectionRun& run : runs) {
+    const Section& s = section(document, run.section);
+    hasher.add(number_of(document, run.section));
+    hasher.add(run.count);
+    add_component(hasher, document, s);
+    hasher.add(kind_name(s));
+    if (s.kind == SectionKind::element) {
+      hasher.add(s.element.right);
+      for (std::size_t i = 0; i < base::row_of(s.element.kind).parameters.size(); ++i) hasher.add(s.element.values[i]);
+    }
+    add_extra(hasher, document, run.section);
+  }
+}
+
 }  // namespace
 
 std::uint64_t hash(const Document& document) {
@@ -67,6 +95,7 @@ std::uint64_t hash(const Document& document) {
     add_fittings(hasher, document, e);
     add_extra(hasher, document, e);
   }
+  add_sections(hasher, document);
   const auto& carts = document.entities.pool<Cart>();
   hasher.add(carts.size());
   for (const Entity e : by_number(document, carts.entities())) {

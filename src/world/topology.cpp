@@ -18,10 +18,33 @@ Entity create_named(Document& document, Kind kind) {
   return e;
 }
 
-Entity create_segment(Document& document, Entity from, Entity to) {
-  const Entity e = create_named(document, Kind::segment);
-  document.entities.put(e, Segment{from, to, 0});
+Entity create_section(Document& document) {
+  const Entity e = create_named(document, Kind::section);
+  document.entities.put(e, Section{});
   return e;
+}
+
+Entity create_segment(Document& document, Entity from, Entity to, Entity section) {
+  const Entity e = create_named(document, Kind::segment);
+  document.entities.put(e, Segment{from, to, 0, section});
+  return e;
+}
+
+// Adds a segment at the end of the order: to the last section if it is free, else to a new one.
+void push_segment(Document& document, Entity from, Entity to) {
+  std::vector<Entity>& segments = document.track.segments;
+  Entity into = segments.empty() ? kNone : segment(document, segments.back()).section;
+  const Section* const last = document.entities.find<Section>(into);
+  const Entity e = create_segment(document, from, to, kNone);
+  if (!last || last->kind != SectionKind::free) into = create_section(document);
+  document.entities.get<Segment>(e).section = into;
+  segments.push_back(e);
+}
+
+// The section of the segment at that index; kNone beyond the order's ends.
+Entity section_at(const Document& document, std::size_t index) {
+  const std::vector<Entity>& segments = document.track.segments;
+  return index < segments.size() ? segment(document, segments[index]).section : kNone;
 }
 
 template <class Fn>
@@ -39,6 +62,9 @@ void remove_carts_on(Document& document, Entity segment_entity) {
 void remove_segment(Document& document, std::size_t index) {
   std::vector<Entity>& segments = document.track.segments;
   remove_carts_on(document, segments[index]);
+  const Entity section = section_at(document, index);
+  const bool last_of_it = section_at(document, index - 1) != section && section_at(document, index + 1) != section;
+  if (last_of_it && document.entities.alive(section)) document.entities.destroy(section);
   document.entities.destroy(segments[index]);
   segments.erase(segments.begin() + static_cast<std::ptrdiff_t>(index));
 }
@@ -78,7 +104,7 @@ Entity append_knot(Document& document, const Knot& value) {
   COASTER_CHECK(!track.closed, "only an open track has an end to append to");
   const Entity e = create_named(document, Kind::knot);
   document.entities.put(e, value);
-  if (!track.knots.empty()) track.segments.push_back(create_segment(document, track.knots.back(), e));
+  if (!track.knots.empty()) push_segment(document, track.knots.back(), e);
   track.knots.push_back(e);
   return e;
 }
@@ -109,7 +135,7 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
 
   const Entity e = create_named(document, Kind::knot);
   document.entities.put(e, middle);
-  const Entity second = create_segment(document, e, to);
+  const Entity second = create_segment(document, e, to, segment(document, first).section);
   document.entities.get<Segment>(first).to = e;
   copy_fittings(document, first, second);
   const auto place = static_cast<std::ptrdiff_t>(*index) + 1;
@@ -155,7 +181,7 @@ void set_closed(Document& document, bool closed) {
   Track& track = document.track;
   if (closed == track.closed || track.knots.size() < 2) return;
   if (closed) {
-    track.segments.push_back(create_segment(document, track.knots.back(), track.knots.front()));
+    push_segment(document, track.knots.back(), track.knots.front());
   } else {
     for_carts_on(document, track.segments.back(),
                  [&](Cart& cart) { cart.segment = track.segments.front(), cart.fraction = 0; });
@@ -191,6 +217,29 @@ bool weld_ends(Document& document) {
   track.knots.pop_back();
   track.closed = true;
   return true;
+}
+
+Entity make_section(Document& document, std::size_t first, std::size_t count, Section value) {
+  const std::vector<Entity>& segments = document.track.segments;
+  COASTER_CHECK(count > 0 && first + count <= segments.size(), "a section has segments of the track");
+  const Entity before = section_at(document, first - 1), after = section_at(document, first + count);
+  const auto put = [&](std::size_t i, Entity e) { document.entities.get<Segment>(segments[i]).section = e; };
+  if (before == after && before.valid()) {
+    const Entity rest = create_section(document);
+    for (std::size_t i = first + count; section_at(document, i) == before; ++i) put(i, rest);
+  }
+  Entity made;
+  for (std::size_t i = first; i < first + count; ++i) {
+    const Entity former = section_at(document, i);
+    const bool whole = former != before && former != after && document.entities.alive(former);
+    if (whole && !made.valid()) made = former;
+    else if (whole && former != made) document.entities.destroy(former);
+    put(i, kNone);
+  }
+  if (!made.valid()) made = create_section(document);
+  for (std::size_t i = first; i < first + count; ++i) put(i, made);
+  document.entities.put(made, std::move(value));
+  return made;
 }
 
 }  // namespace coaster::world

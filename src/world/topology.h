@@ -1,5 +1,7 @@
-// The only functions that add, remove or reorder knots, segments and trains. They keep every invariant of Document;
-// they do no undo and no checks of user input (edit/perform/apply.cpp does).
+// The only functions that add, remove or reorder knots, segments, sections and trains. They keep every invariant of
+// Document: a new segment at the track's end extends the last section if that is free, else it begins a new one; both
+// halves of a segment stay in its section; a section without segments is removed. They do no undo and no checks of user
+// input (edit/perform/apply.cpp does).
 #pragma once
 
 #include "world/document.h"
@@ -39,6 +41,10 @@ void reverse(Document& document);
 // Closes an open track of 3 knots or more by merging its last knot into the first: the last segment ends there, no
 // segment is added. Returns false and changes nothing for other tracks.
 bool weld_ends(Document& document);
+
+// Makes `count` segments from index `first` one section. It keeps the name of the first section that lies wholly among
+// them. What is left of a section on both sides becomes two: the part after them is a new free one.
+Entity make_section(Document& document, std::size_t first, std::size_t count, Section value);
 
 // Recomputes knots with automatic joints, and equalises handle lengths of smooth joints (the outgoing one wins: an edit
 // of the incoming one must set both). Idempotent to the bit. Linear in the track's length, 20 ns per knot.

@@ -29,7 +29,7 @@ class RandomCommands {
     C::fields(command, [&](std::string_view, auto& value) { fill(value); });
     return command;
   }
-  world::Name name() { return {static_cast<world::Kind>(below(3)), 1 + below(9)}; }
+  world::Name name() { return {static_cast<world::Kind>(below(4)), 1 + below(9)}; }
   double number() { return uniform(-1, 1) * std::exp2(uniform(-20, 12)); }
   void fill(edit::Target& v) { v.name = below(9) ? name() : world::Name{}; }
   void fill(edit::HandleTarget& v) {

@@ -40,6 +40,8 @@ std::string_view sample_argument(const Query& query) {
   if (query.argument == "@knot") return "@k2";
   if (query.argument == "@segment") return "@s3";
   if (query.argument == "@cart") return "@c1";
+  if (query.argument == "@section") return "@q1";
+  if (query.argument == "@section.PARAMETER") return "@q1.height";
   if (query.argument == kOfMeasurements) return "horner/64";
   if (query.argument == "DISTANCE[/SEAT]") return "7.5/back";
   // "document|motion": one of the words.

@@ -44,6 +44,25 @@ TEST(invariants, every_broken_promise_is_noticed) {
   expect_broken([](Document& d) { std::swap(d.track.knots[0], d.track.knots[1]); }, "lead");
   expect_broken([](Document& d) { d.entities.get<Segment>(d.track.segments[0]).turns = 17; }, "turns");
   expect_broken([](Document& d) { d.entities.get<Cart>(find(d, {Kind::cart, 1})).fraction = 1; }, "c1: fraction");
+  const auto section_of = [](Document& d) -> Section& { return d.entities.pool<Section>().items().front(); };
+  expect_broken([](Document& d) { d.entities.get<Segment>(d.track.segments[1]).section = kNone; }, "s2: in no section");
+  expect_broken(
+      [](Document& d) {
+        make_section(d, 1, 1, {}),
+            d.entities.get<Segment>(d.track.segments[1]).section = segment(d, d.track.segments[0]).section;
+      },
+      "a section without segments");
+  expect_broken(
+      [](Document& d) {
+        make_section(d, 1, 1, {});
+        d.entities.get<Segment>(d.track.segments[3]).section = segment(d, d.track.segments[0]).section;
+      },
+      "q1: its segments are not neighbours");
+  expect_broken([&](Document& d) { section_of(d).title.assign(kMaxNameBytes + 1, 'x'); }, "q1: title");
+  expect_broken([&](Document& d) { section_of(d).title = "a\n"; }, "q1: title");
+  expect_broken([&](Document& d) { section_of(d).element = usual_element(ElementKind::loop); }, "q1: title or param");
+  expect_broken([&](Document& d) { section_of(d).kind = SectionKind::element; }, "q1: title or parameters");
+  expect_broken([](Document& d) { d.entities.put(segment(d, d.track.segments[0]).section, Name{Kind::cart, 2}); }, "");
   expect_broken(
       [](Document& d) {
         d.entities.get<Cart>(find(d, {Kind::cart, 1})).segment = kNone;

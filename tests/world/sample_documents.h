@@ -71,6 +71,15 @@ inline world::Document random_document(std::uint32_t seed) {
     if (whole(2)) knot.spin = static_cast<float>(uniform(-0.4, 0.4));
     if (whole(2)) knot.spin_kind = world::SpinKind::set;
   }
+  for (int i = whole(4); i > 0 && !d.track.segments.empty(); --i) {
+    const int count = static_cast<int>(d.track.segments.size()), first = whole(count);
+    world::Section section{whole(2) ? "Première" : "", static_cast<world::SectionKind>(whole(2)), {}};
+    if (section.kind == world::SectionKind::element)
+      section.element = world::usual_element(static_cast<world::ElementKind>(whole(8)));
+    const world::Entity made = world::make_section(d, static_cast<std::size_t>(first),
+                                                   static_cast<std::size_t>(1 + whole(count - first)), section);
+    if (whole(4) == 0) d.entities.put(made, world::Extra{R"({"theme":"night"})"});
+  }
   return d;
 }
 

@@ -56,6 +56,35 @@ TEST(state_hash, every_member_counts) {
   EXPECT_TRUE(differs([](Document& d) { add_cart(d, d.track.segments[0], 0); }));
 }
 
+// Tracks that nobody divided keep the hash that they had before there were sections.
+TEST(state_hash, sections_count_where_somebody_made_one) {
+  const Document plain = test::sample_document();
+  const auto differs = [&](Section value, std::size_t first, std::size_t count) {
+    Document d = plain;
+    make_section(d, first, count, std::move(value));
+    return hash(d) != hash(plain);
+  };
+  EXPECT_FALSE(differs({}, 0, 4));
+  EXPECT_TRUE(differs({}, 0, 3));
+  EXPECT_TRUE(differs({"Hill", {}, {}}, 0, 4));
+  const Section loop{{}, SectionKind::element, usual_element(ElementKind::loop)};
+  EXPECT_TRUE(differs(loop, 0, 4));
+  Document d = plain;
+  make_section(d, 0, 4, loop);
+  const std::uint64_t before = hash(d);
+  Section& section = d.entities.pool<Section>().items().front();
+  section.element.values[2] += 1e-9;
+  EXPECT_NE(hash(d), before);
+  section.element = loop.element, section.element.right = true;
+  EXPECT_NE(hash(d), before);
+  section.element = usual_element(ElementKind::corkscrew);
+  EXPECT_NE(hash(d), before);
+  section = loop;
+  EXPECT_EQ(hash(d), before);
+  d.entities.put(segment(d, d.track.segments[0]).section, Extra{"{}"});
+  EXPECT_NE(hash(d), before);
+}
+
 TEST(state_hash, slots_and_numbers_to_come_do_not_count) {
   // The same content by another way: two carts taken away and added in the other order.
   Document a = plain_document(), b = plain_document();

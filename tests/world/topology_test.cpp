@@ -147,7 +147,7 @@ TEST(topology, closing_needs_two_knots) {
 RC_GTEST_PROP(topology, any_sequence_keeps_every_invariant, ()) {
   Document d = test::random_document(*rc::gen::arbitrary<std::uint32_t>());
   const auto steps = *rc::gen::container<std::vector<std::pair<int, int>>>(
-      rc::gen::pair(rc::gen::inRange(0, 6), rc::gen::inRange(0, 1000)));
+      rc::gen::pair(rc::gen::inRange(0, 8), rc::gen::inRange(0, 1000)));
   for (const auto& step : steps) {
     const int what = step.first, where = step.second;
     const auto pick = [&](const std::vector<Entity>& v) { return v[static_cast<std::size_t>(where) % v.size()]; };
@@ -157,6 +157,12 @@ RC_GTEST_PROP(topology, any_sequence_keeps_every_invariant, ()) {
       split_segment(d, pick(d.track.segments), (where + 0.5) / 1000, {0, 1, 0.1f});
     if (what == 3) set_closed(d, !d.track.closed);
     if (what == 4 && !d.track.segments.empty()) add_cart(d, pick(d.track.segments), where / 1000.0);
+    if (const std::size_t count = d.track.segments.size(); what == 5 && count > 0) {
+      const std::size_t first = static_cast<std::size_t>(where) % count;
+      make_section(d, first, 1 + static_cast<std::size_t>(where / 17) % (count - first), {"a title", {}, {}});
+    }
+    if (what == 6) reverse(d);
+    if (what == 7) weld_ends(d);
     settle_joints(d);
     const auto broken = broken_invariant(d);
     RC_ASSERT(broken == std::nullopt);

@@ -51,12 +51,13 @@ struct Field {
 };
 using Fields = std::vector<Field>;
 
-constexpr std::string_view kAnyTarget = "@knot|@segment|@cart|none";
+constexpr std::string_view kAnyTarget = "@knot|@segment|@cart|@section|none";
 
 template <class C>
 constexpr std::string_view target_usage() {
   if constexpr (requires(C c) { c.segment; }) return "@segment";
   else if constexpr (requires(C c) { c.cart; }) return "@cart";
+  else if constexpr (requires(C c) { c.section; }) return "@section";
   else if constexpr (std::is_same_v<C, RemoveKnot>) return "@knot|@cart";
   else if constexpr (requires(C c) { c.knot; }) return "@knot";
   else return kAnyTarget;

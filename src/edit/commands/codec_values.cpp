@@ -67,7 +67,7 @@ bool read_value(base::Words& words, Knots& value) {
 }
 
 bool read_value(base::Words& words, Target& value) {
-  constexpr std::string_view kExpected = "an entity such as @k3, @s2 or @c1";
+  constexpr std::string_view kExpected = "an entity such as @k3, @s2, @c1 or @q1";
   const base::Token* const word = words.take(kExpected);
   if (!word) return false;
   if (word->text == "none") return value = {}, true;

@@ -9,6 +9,7 @@
 #include "base/portable_math.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/command_list.h"
+#include "edit/perform/hand_shaped.h"
 #include "edit/perform/motion_follow.h"
 #include "edit/perform/perform.h"
 #include "edit/perform/set.h"
@@ -48,9 +49,8 @@ void share_turns(Session& session, const MotionFollowUp& split, const sim::Roll&
   if (changed) derive(session);
 }
 
-// Restores everything that must hold after a change of the document.
+// Restores everything that must hold after a change of the document whose joints are settled.
 void follow_document(Session& session, const Change& change, const sim::Roll& roll_before) {
-  world::settle_joints(session.document);
   derive(session);
   if (change.motion.kind == MotionFollowUp::Kind::split) share_turns(session, change.motion, roll_before);
   if (sim::set_automatic_spins(session.derived, change.respun, session.document)) derive(session);
@@ -65,8 +65,11 @@ Status document_command(Session& session, const C& command, Change& change) {
   History& history = session.history;
   std::optional<world::Document> before;  // inside a gesture, the gesture's start is the snapshot
   if (!history.in_gesture) before = session.document;
+  const std::vector<PlannedSection> planned = planned_sections(session.document);
   const Status status = perform(session, change, command);
   if (!status) return status;
+  world::settle_joints(session.document);
+  free_hand_shaped(planned, session, change);
   // The derived data are still those of the previous document.
   const sim::SegmentShape* const split = session.derived.segments.find(change.motion.first);
   follow_document(session, change, split ? split->roll : sim::Roll{});

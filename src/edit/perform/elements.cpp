@@ -68,6 +68,8 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
   open_out(document, plan.fit.knots.front());
   for (std::size_t k = 1; k < plan.fit.knots.size(); ++k)
     change.select = world::append_knot(document, plan.fit.knots[k]);
+  world::make_section(document, document.track.segments.size() - plan.spans(), plan.spans(),
+                      {{}, world::SectionKind::element, world::limited(plan.element)});
   // As for the first appended segment: without a train there would be nothing to watch.
   if (document.track.segments.size() == plan.spans() && document.entities.pool<world::Cart>().size() == 0)
     world::add_cart(document, document.track.segments.front(), 0.0);

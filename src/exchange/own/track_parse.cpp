@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/utf8.h"
 #include "exchange/own/json_fields.h"
+#include "exchange/own/section_text.h"
 #include "exchange/own/track_file.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"
@@ -31,7 +32,7 @@ struct TrackParse {
   std::vector<std::string> warnings;
   std::string error;
   int version = kTrackVersion;
-  std::array<std::unordered_map<std::uint32_t, Entity>, 3> by_number;  // by Kind
+  std::array<std::unordered_map<std::uint32_t, Entity>, base::count_of<Kind>()> by_number;  // by Kind
 };
 
 std::string quoted_id(Kind kind, std::uint32_t number) {
@@ -174,7 +175,7 @@ bool read_fitting(TrackParse& parse, Fields& fields, Entity segment) {
 bool read_segment(TrackParse& parse, const Json& value, std::size_t index) {
   Fields fields(value, {"segments", index}, parse.error);
   const auto& knots = parse.document.track.knots;
-  world::Segment segment{knots[index], knots[(index + 1) % knots.size()], 0};
+  world::Segment segment{knots[index], knots[(index + 1) % knots.size()], 0, {}};
   Entity e;
   if (!create(parse, fields, Kind::segment, e)) return false;
   for (const auto& [member, knot] : {std::pair{"from", segment.from}, std::pair{"to", segment.to}}) {
@@ -192,6 +193,34 @@ bool read_segment(TrackParse& parse, const Json& value, std::size_t index) {
   parse.document.track.segments.push_back(e);
   keep_unknown(parse, fields, e);
   return true;
+}
+
+// Reads the section of the segments from index `first` on, and moves `first` beyond them.
+bool read_section(TrackParse& parse, const Json& value, std::size_t index, std::size_t& first) {
+  Fields fields(value, {"sections", index}, parse.error);
+  const std::vector<Entity>& segments = parse.document.track.segments;
+  Entity e;
+  world::Section section;
+  std::size_t count = 0;
+  if (!create(parse, fields, Kind::section, e)) return false;
+  if (!read_section_members(fields, segments.size() - first, section, count)) return false;
+  for (; count > 0; --count) parse.document.entities.get<world::Segment>(segments[first++]).section = e;
+  parse.document.entities.put(e, std::move(section));
+  keep_unknown(parse, fields, e);
+  return true;
+}
+
+// Files before version 3 have no sections: all they hold is one free section.
+bool read_sections(TrackParse& parse, Fields& fields) {
+  const std::size_t count = parse.document.track.segments.size();
+  if (parse.version < 3 && !fields.has("sections"))
+    return count == 0 || world::make_section(parse.document, 0, count, {}).valid();
+  const Json* const sections = fields.list("sections");
+  std::size_t first = 0;
+  for (std::size_t i = 0; sections && i < sections->size(); ++i)
+    if (!read_section(parse, (*sections)[i], i, first)) return false;
+  return sections && (first == count ||
+                      fields.fail("sections", fmt::format("expected {} segments in all, found {}", count, first)));
 }
 
 bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
@@ -226,6 +255,7 @@ bool read_lists(TrackParse& parse, Fields& fields) {
                                                  closed ? " knots of a closed track" : " knots of an open track"));
   for (std::size_t i = 0; i < segments->size(); ++i)
     if (!read_segment(parse, (*segments)[i], i)) return false;
+  if (!read_sections(parse, fields)) return false;
   for (std::size_t i = 0; i < carts->size(); ++i)
     if (!read_cart(parse, (*carts)[i], i)) return false;
   parse.document.extra.json = fields.unknown(parse.warnings);

@@ -6,7 +6,9 @@
 
 #include "base/text.h"
 #include "exchange/own/json_reader.h"
+#include "exchange/own/section_text.h"
 #include "exchange/own/track_file.h"
+#include "world/sections.h"
 
 namespace coaster::exchange {
 namespace {
@@ -90,14 +92,19 @@ std::string cart_line(const Document& document, Entity e) {
                      extra_members(document, e));
 }
 
+std::string section_line(const Document& document, const world::SectionRun& run) {
+  return fmt::format("{{\"id\": {}, {}{}", id(document, run.section),
+                     section_members(world::section(document, run.section), run.count),
+                     extra_members(document, run.section));
+}
+
 // ,\n  "key": [ one line each ]
-template <class Line>
-void print_list(std::string& out, std::string_view key, const Document& document, const std::vector<Entity>& entities,
+template <class Item, class Line>
+void print_list(std::string& out, std::string_view key, const Document& document, const std::vector<Item>& items,
                 Line line) {
   out += fmt::format(",\n  \"{}\": [", key);
-  for (std::size_t i = 0; i < entities.size(); ++i)
-    out += (i == 0 ? "\n    " : ",\n    ") + line(document, entities[i]);
-  out += entities.empty() ? "]" : "\n  ]";
+  for (std::size_t i = 0; i < items.size(); ++i) out += (i == 0 ? "\n    " : ",\n    ") + line(document, items[i]);
+  out += items.empty() ? "]" : "\n  ]";
 }
 
 }  // namespace
@@ -108,6 +115,7 @@ std::string print_track(const Document& document) {
                                 members(document, document, ",\n  "));
   print_list(out, "knots", document, document.track.knots, knot_line);
   print_list(out, "segments", document, document.track.segments, segment_line);
+  print_list(out, "sections", document, world::sections_of(document), section_line);
   std::vector<Entity> carts = document.entities.pool<world::Cart>().entities();
   std::sort(carts.begin(), carts.end(),
             [&](Entity a, Entity b) { return world::name_of(document, a) < world::name_of(document, b); });

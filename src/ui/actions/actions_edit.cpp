@@ -17,7 +17,7 @@ using world::Aids;
 using world::Kind;
 
 constexpr Condition kRemovable{
-    [](const Act& act) { return selected(act) != nullptr && !selected_is(act, Kind::segment); },
+    [](const Act& act) { return selected_is(act, Kind::knot) || selected_is(act, Kind::cart); },
     "Select a knot or a cart first."};
 constexpr Condition kKnotSelected{[](const Act& act) { return selected_is(act, Kind::knot); }, "Select a knot first."};
 constexpr Condition kAnyKnots{[](const Act& act) { return !act.ui.session().document.track.knots.empty(); },

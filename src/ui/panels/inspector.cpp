@@ -242,7 +242,7 @@ void inspector_panel(Ui& ui) {
     heading(ui, "Nothing selected", "Click a knot, the curve or a cart to select it.");
     return;
   }
-  constexpr const char* kKinds[] = {"Knot", "Segment", "Cart"};
+  constexpr const char* kKinds[] = {"Knot", "Segment", "Cart", "Section"};
   if (const std::vector<Entity> knots = world::selected_knots(session.document, session.settings); knots.size() > 1) {
     read_out(ui, "Selected", std::to_string(knots.size()) + " knots", "",
              fmt::format("Shift+click adds or removes a knot, {} draws a box.", ui.keys.shown("Box select")));
@@ -259,6 +259,7 @@ void inspector_panel(Ui& ui) {
     case Kind::knot: knot_inspector(ui, selected, *name); break;
     case Kind::segment: segment_inspector(ui, selected, *name); break;
     case Kind::cart: cart_inspector(ui, selected); break;
+    case Kind::section: break;
   }
   ImGui::PopID();
 }

@@ -104,7 +104,7 @@ void building(Ui& ui) {
   const edit::Session& session = ui.session();
   const world::Name* selected = session.document.entities.find<world::Name>(session.settings.selected);
   const bool on_segment = selected != nullptr && selected->kind == Kind::segment;
-  const bool removable = selected != nullptr && selected->kind != Kind::segment;
+  const bool removable = selected != nullptr && (selected->kind == Kind::knot || selected->kind == Kind::cart);
   const std::size_t knots = session.document.track.knots.size();
   const bool closed = session.document.track.closed;
 

@@ -200,6 +200,7 @@ RC_GTEST_PROP(apply, any_session_keeps_every_invariant_and_repeats_to_the_bit, (
     base::Files files;
     Session session = make_session({});
     session.document = test::random_document(seed);
+    sim::derive(session.document, session.settings, {}, session.derived);
     RC_ASSERT(apply(session, files, SetDatum{1.5}).ok());
     test::RandomCommands random(seed);
     for (int i = 0; i < 60; ++i) {

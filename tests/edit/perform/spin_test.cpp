@@ -154,14 +154,14 @@ TEST_F(Spins, files_keep_spins_and_their_kinds) {
   const auto again = exchange::parse_track(exchange::print_track(session.document), "t");
   ASSERT_TRUE(again) << again.status().message;
   EXPECT_EQ(world::hash(again->document), world::hash(session.document));
-  EXPECT_EQ(again->version, 2);
+  EXPECT_EQ(again->version, exchange::kTrackVersion);
   for (std::size_t i = 0; i < 8; ++i)
     EXPECT_EQ(world::knot(again->document, again->document.track.knots[i]).spin, spin(i)) << i;
 }
 
-TEST_F(Spins, files_of_version_1_open_with_automatic_spins_and_saving_tells_of_version_2) {
+TEST_F(Spins, files_of_version_1_open_with_automatic_spins_and_saving_tells_of_the_newest) {
   std::string text = exchange::print_track(rolling());
-  text.replace(text.find("\"version\": 2"), 12, "\"version\": 1");
+  text.replace(text.find("\"version\": 3"), 12, "\"version\": 1");
   for (std::size_t at; (at = text.find(", \"spin\": ")) != std::string::npos;)
     text.erase(at, text.find_first_of(",}", at + 10) - at);
   const auto old = exchange::parse_track(text, "t");
@@ -173,9 +173,9 @@ TEST_F(Spins, files_of_version_1_open_with_automatic_spins_and_saving_tells_of_v
   ASSERT_TRUE(files.write_atomic(folder.path() / "old.json", text));
   good("load " + from);
   good("save " + to);
-  EXPECT_NE(session.notices.list.back().text.find("version 2"), std::string::npos);
+  EXPECT_NE(session.notices.list.back().text.find("version 3"), std::string::npos);
   good("save " + to);
-  EXPECT_EQ(session.notices.list.back().text.find("version 2"), std::string::npos);
+  EXPECT_EQ(session.notices.list.back().text.find("version 3"), std::string::npos);
 }
 
 }  // namespace perform_spin_test

@@ -1,11 +1,15 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/hash.h"
 #include "exchange/bad_file.h"
+#include "exchange/formats.h"
 #include "exchange/own/track_file.h"
 #include "world/sample_documents.h"
+#include "world/sections.h"
 
 namespace coaster::exchange {
 namespace track_parse_test {
@@ -58,7 +62,8 @@ TEST(track_parse, a_file_written_by_hand_becomes_a_document) {
   const world::Knot& first = world::knot(d, world::find(d, {world::Kind::knot, 7}));
   EXPECT_EQ(first.tangent, glm::vec3(1, 0, 0));
   EXPECT_EQ(first.up, glm::vec3(0, 1, 0));
-  EXPECT_EQ(d.last_number, (std::array<std::uint32_t, 3>{7, 4, 3}));
+  EXPECT_EQ(d.last_number, (std::array<std::uint32_t, 4>{7, 4, 3, 1}));
+  EXPECT_EQ(d.entities.get<world::Section>(world::segment(d, d.track.segments[0]).section), world::Section{});
   EXPECT_EQ(world::segment(d, d.track.segments[0]).turns, -2);
 }
 
@@ -93,9 +98,9 @@ TEST(track_parse, the_head_is_checked) {
   expect_error("[]", "t.json: error: expected an object, found an array of 0");
   expect_error("{}", "format: missing");
   expect_error(with("coaster-track", "other"), "format: expected \"coaster-track\", found \"other\"");
-  expect_error(with("\"version\": 2", "\"version\": 3"), "version 3 is newer than this program supports (2)");
-  expect_error(with("\"version\": 2", "\"version\": 0"), "version: expected a whole number");
-  expect_error(with("\"version\": 2", "\"version\": 1.5"), "version: expected a whole number");
+  expect_error(with("\"version\": 3", "\"version\": 4"), "version 4 is newer than this program supports (3)");
+  expect_error(with("\"version\": 3", "\"version\": 0"), "version: expected a whole number");
+  expect_error(with("\"version\": 3", "\"version\": 1.5"), "version: expected a whole number");
   expect_error(with("\"closed\": false", "\"closed\": 0"), "closed: expected true or false, found 0");
   expect_error(with("\"start_speed\": 3.3", "\"start_speed\": 151"), "start_speed: expected a number");
   expect_error(with("\"datum\": -1.7", "\"datum\": \"x\""), "datum: expected a number");
@@ -149,6 +154,63 @@ TEST(track_parse, segments_must_follow_the_order_of_the_knots) {
   std::string closed_alone = one_knot(kGood);
   closed_alone.replace(closed_alone.find("false"), 5, "true");
   expect_error(closed_alone, "closed: a closed track has at least 2 knots");
+}
+
+TEST(track_parse, sections_are_checked) {
+  constexpr const char* kOne = R"({"id": "q1", "segments": 4, "kind": "free"})";
+  const auto sections = [&](const std::string& lines) { return with(kOne, lines); };
+  const auto one = [&](const std::string& members) {
+    return sections(R"({"id": "q7", "segments": 4, )" + members + "}");
+  };
+  EXPECT_EQ(error_of(one(R"("kind": "helix")")), "");
+  EXPECT_EQ(error_of(one(R"("kind": "helix", "side": "right", "turns": 0.25, "title": "")")), "");
+  expect_error(with("\"sections\":", "\"parts\":"), "sections: missing; expected an array");
+  expect_error(sections(""), "sections: expected 4 segments in all, found 0");
+  expect_error(sections(R"({"id": "q1", "segments": 3, "kind": "free"})"),
+               "sections: expected 4 segments in all, found 3");
+  expect_error(sections(R"({"id": "q1", "segments": 5, "kind": "free"})"),
+               "sections[0].segments: expected at most the 4 segments that are left, found 5");
+  expect_error(sections(R"({"id": "q1", "segments": 4, "kind": "free"}, {"id": "q2", "segments": 1, "kind": "free"})"),
+               "sections[1].segments: expected at most the 0 segments");
+  expect_error(sections(R"({"id": "q1", "segments": 0, "kind": "free"})"), "sections[0].segments: expected a whole");
+  expect_error(sections(R"({"id": "s1", "segments": 4, "kind": "free"})"),
+               "sections[0].id: expected an id such as \"q3\", found \"s1\"");
+  expect_error(sections(R"({"id": "q1", "segments": 2, "kind": "free"}, {"id": "q1", "segments": 2, "kind": "free"})"),
+               "sections[1].id: \"q1\" is already used");
+  expect_error(one(R"("kind": "spiral")"), "sections[0].kind: expected \"free\", \"straight\", ");
+  expect_error(one(R"("kind": "loop", "side": "up")"),
+               "sections[0].side: expected \"left\" or \"right\", found \"up\"");
+  expect_error(one(R"("kind": "loop", "height": 101)"),
+               "sections[0].height: expected a number from 3 to 100, found 101");
+  expect_error(one(R"("kind": "free", "title": "a\nb")"), "sections[0].title: expected a line of at most 200 bytes");
+  expect_error(one(R"("kind": "free", "title": ")" + std::string(201, 'x') + "\""), "sections[0].title");
+}
+
+TEST(track_parse, the_samples_of_all_versions_open) {
+  const auto sample_of = [](int version) {
+    base::Files files;
+    const auto loaded = load_track(files, fmt::format("{}/tests/tracks/version_{}.json", COASTER_SOURCE_DIR, version));
+    EXPECT_TRUE(loaded) << loaded.status().message;
+    EXPECT_EQ(loaded->version, version);
+    EXPECT_TRUE(loaded->warnings.empty());
+    EXPECT_EQ(loaded->document.track.knots.size(), 3u);
+    return loaded->document;
+  };
+  for (const int version : {1, 2}) {
+    const world::Document d = sample_of(version);
+    ASSERT_EQ(world::sections_of(d).size(), 1u);
+    EXPECT_EQ(world::section(d, world::sections_of(d)[0].section), world::Section{});
+  }
+  EXPECT_EQ(base::hex16(world::hash(sample_of(1))), "02344b93f6f5af73");
+  EXPECT_EQ(base::hex16(world::hash(sample_of(2))), "b79461c039cf1013");
+  const world::Document d = sample_of(3);
+  const std::vector<world::SectionRun> runs = world::sections_of(d);
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(world::label_of(d, runs[0].section), "q4");
+  EXPECT_EQ(world::title_of(world::section(d, runs[0].section)), "D\u00e9part");
+  const world::Section& loop = world::section(d, runs[1].section);
+  EXPECT_EQ(loop.element, (world::Element{world::ElementKind::loop, true, {18.5, 90, 4}}));
+  EXPECT_EQ(base::hex16(world::hash(d)), "86c2ef1d14f0cbed");
 }
 
 TEST(track_parse, carts_are_checked) {

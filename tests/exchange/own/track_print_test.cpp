@@ -16,9 +16,12 @@ TEST(track_print, the_layout_is_one_knot_a_line) {
   knot.position.x = 30;
   world::append_knot(d, knot);
   world::add_cart(d, d.track.segments[0], 0.25);
+  world::Section bend{"Home \"bend\"", world::SectionKind::element, world::usual_element(world::ElementKind::curve)};
+  bend.element.right = true, bend.element.values[0] = 30.5;
+  world::make_section(d, 0, 1, bend);
   EXPECT_EQ(print_track(d), R"({
   "format": "coaster-track",
-  "version": 2,
+  "version": 3,
   "name": "A \"b\"",
   "closed": false,
   "start_speed": 1,
@@ -29,6 +32,9 @@ TEST(track_print, the_layout_is_one_knot_a_line) {
   ],
   "segments": [
     {"id": "s1", "from": "k1", "to": "k2", "turns": 0}
+  ],
+  "sections": [
+    {"id": "q1", "segments": 1, "kind": "curve", "side": "right", "radius": 30.5, "angle": 90, "bank": 40, "speed": 0, "title": "Home \"bend\""}
   ],
   "carts": [
     {"id": "c1", "segment": "s1", "fraction": 0.25}

@@ -1,0 +1,92 @@
+// Queries of the track's sections.
+#include <algorithm>
+#include <array>
+
+#include "base/words.h"
+#include "query/rows.h"
+#include "world/sections.h"
+
+namespace coaster::query {
+namespace {
+
+// Returns the value of `function` for the segments of the section that the argument names.
+template <class Function>
+Answer of_run(const Context& c, View argument, Function function) {
+  return of_entity(c, argument, world::Kind::section,
+                   [&](world::Entity e) { return function(world::run_of(c.session.document, e)); });
+}
+std::string knot_at(const Context& c, std::size_t index) {
+  const auto& knots = c.session.document.track.knots;
+  return world::label_of(c.session.document, knots[index % knots.size()]);
+}
+
+Answer sections(const Context& c, View) { return number(c.session.document.entities.pool<world::Section>().size()); }
+Answer section_kind(const Context& c, View argument) {
+  return of_entity(c, argument, world::Kind::section, [&](world::Entity e) {
+    return std::string(world::kind_name(world::section(c.session.document, e)));
+  });
+}
+Answer section_title(const Context& c, View argument) {
+  return of_entity(c, argument, world::Kind::section,
+                   [&](world::Entity e) { return world::title_of(world::section(c.session.document, e)); });
+}
+Answer section_segments(const Context& c, View argument) {
+  return of_run(c, argument, [](const world::SectionRun& run) { return run.count; });
+}
+Answer section_length(const Context& c, View argument) {
+  return of_run(c, argument, [&](const world::SectionRun& run) {
+    const std::vector<double>& starts = c.session.derived.starts;
+    return starts[run.end()] - starts[run.first];
+  });
+}
+Answer section_first(const Context& c, View argument) {
+  return of_run(c, argument, [&](const world::SectionRun& run) { return knot_at(c, run.first); });
+}
+Answer section_last(const Context& c, View argument) {
+  return of_run(c, argument, [&](const world::SectionRun& run) { return knot_at(c, run.end()); });
+}
+Answer section_of(const Context& c, View argument) {
+  return of_entity(c, argument, world::Kind::segment, [&](world::Entity e) {
+    return world::label_of(c.session.document, world::segment(c.session.document, e).section);
+  });
+}
+// The argument is "@q1.height".
+Answer section_value(const Context& c, View argument) {
+  const std::size_t dot = std::min(argument.find('.'), argument.size());
+  const auto entity = entity_of(c, argument.substr(0, dot), world::Kind::section);
+  if (!entity) return entity.status();
+  const View wanted = argument.substr(std::min(dot + 1, argument.size()));
+  const world::Section& section = world::section(c.session.document, *entity);
+  std::vector<std::string> names;
+  for (const world::ElementRow& row : world::elements()) {
+    const bool own = section.kind == world::SectionKind::element && &row == &base::row_of(section.element.kind);
+    for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+      if (own && row.parameters[i].name == wanted) return number(section.element.values[i]);
+      names.emplace_back(row.parameters[i].name);
+    }
+  }
+  if (std::find(names.begin(), names.end(), wanted) != names.end()) return text("none");
+  return base::Status{base::Code::usage, fmt::format("no element has a parameter {}{}", base::quoted(wanted),
+                                                     base::suggestion(wanted, names))};
+}
+
+constexpr std::array kSectionRows{
+    Query{"sections", "", "", "Number of sections of the track.", sections},
+    Query{"section.of", "@segment", "", "The section of a segment, such as q2.", section_of},
+    Query{"section.kind", "@section", "", "What a section was planned as, such as loop; free if shaped by hand.",
+          section_kind},
+    Query{"section.title", "@section", "", "A section's title; without one its kind.", section_title},
+    Query{"section.value", "@section.PARAMETER", "",
+          "A parameter that a section was planned with, such as @q2.height; none if it has no such parameter.",
+          section_value},
+    Query{"section.length", "@section", "m", "A section's length.", section_length},
+    Query{"section.segments", "@section", "", "Number of a section's segments.", section_segments},
+    Query{"section.first", "@section", "", "The knot where a section begins.", section_first},
+    Query{"section.last", "@section", "", "The knot where a section ends.", section_last},
+};
+
+}  // namespace
+
+std::span<const Query> section_rows() { return kSectionRows; }
+
+}  // namespace coaster::query

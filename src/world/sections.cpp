@@ -1,0 +1,46 @@
+#include "world/sections.h"
+
+#include <algorithm>
+
+namespace coaster::world {
+
+std::vector<SectionRun> sections_of(const Document& document) {
+  std::vector<SectionRun> runs;
+  const std::vector<Entity>& segments = document.track.segments;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Entity section = segment(document, segments[i]).section;
+    if (i == 0 || runs.back().section != section) runs.push_back({section, i, 0});
+    ++runs.back().count;
+  }
+  return runs;
+}
+
+SectionRun run_of(const Document& document, Entity section) {
+  const std::vector<Entity>& segments = document.track.segments;
+  const auto inside = [&](Entity e) { return segment(document, e).section == section; };
+  const auto first = std::find_if(segments.begin(), segments.end(), inside);
+  COASTER_CHECK(first != segments.end(), "a section has segments");
+  const auto last = std::find_if_not(first, segments.end(), inside);
+  return {section, static_cast<std::size_t>(first - segments.begin()), static_cast<std::size_t>(last - first)};
+}
+
+Entity section_of_knot(const Document& document, Entity knot) {
+  const Neighbours sides = neighbours(document, knot);
+  if (sides.before.valid()) return segment(document, sides.before).section;
+  return sides.after.valid() ? segment(document, sides.after).section : kNone;
+}
+
+const Section& section(const Document& document, Entity e) { return document.entities.get<Section>(e); }
+bool is_free(const Document& document, Entity e) { return section(document, e).kind == SectionKind::free; }
+
+std::string_view kind_name(const Section& section) {
+  return section.kind == SectionKind::element ? base::name_of(section.element.kind) : base::name_of(section.kind);
+}
+
+std::string title_of(const Section& section) {
+  if (!section.title.empty()) return section.title;
+  return std::string(section.kind == SectionKind::element ? base::row_of(section.element.kind).label
+                                                          : base::row_of(section.kind).label);
+}
+
+}  // namespace coaster::world

@@ -1,0 +1,36 @@
+// Sections of the track, to read. topology.h changes them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "world/document.h"
+
+namespace coaster::world {
+
+// The segments of a section: `count` of them from index `first` of the track.
+struct SectionRun {
+  Entity section;
+  std::size_t first = 0, count = 0;
+  std::size_t end() const { return first + count; }
+  friend bool operator==(const SectionRun&, const SectionRun&) = default;
+};
+
+// Returns the sections in the order of travel. Linear in the number of segments, a few ns each.
+std::vector<SectionRun> sections_of(const Document& document);
+// Returns the segments of a living section.
+SectionRun run_of(const Document& document, Entity section);
+// Returns the section that begins or ends at the knot or contains it inside; of two the earlier one. kNone if the knot
+// has no segment.
+Entity section_of_knot(const Document& document, Entity knot);
+
+const Section& section(const Document& document, Entity e);
+bool is_free(const Document& document, Entity section);
+
+// Returns "free" or the name of the element, as scripts and files have it.
+std::string_view kind_name(const Section& section);
+// Returns its title, or without one what it is: "Loop".
+std::string title_of(const Section& section);
+
+}  // namespace coaster::world
