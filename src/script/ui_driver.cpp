@@ -93,6 +93,13 @@ int kinship(std::string_view a, std::string_view b) {
   return panel_of(a) == panel_of(b) ? 1 : 0;
 }
 
+// True if the wheel over `other` may scroll `widget`: menus scroll by themselves, and so do lists.
+bool may_scroll_together(const WidgetState& widget, const WidgetState& other) {
+  if (kinship(widget.path, other.path) == 2) return true;
+  return panel_of(widget.path) != "Menu" && panel_of(other.path) != "Menu" && other.kind != "menu" &&
+         other.kind != "item";
+}
+
 // Turns the wheel over the widget's column: at a visible widget of it, preferably of the same group.
 Failure UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
   float last_y = widget.y;
@@ -101,9 +108,7 @@ Failure UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
     const WidgetState* over = nullptr;
     const float x = middle(widget).x;
     for (const WidgetState& other : widgets_) {
-      if (!other.visible || other.covered || panel_of(other.path) == "Menu" || other.kind == "menu" ||
-          other.kind == "item")
-        continue;
+      if (!other.visible || other.covered || !may_scroll_together(widget, other)) continue;
       if (x < other.x || x > other.x + other.width) continue;
       if (!over || kinship(other.path, widget.path) > kinship(over->path, widget.path)) over = &other;
     }
@@ -212,7 +217,8 @@ Failure UiDriver::drag_to(std::string_view path, double value) {
     (*number < value ? low : high) = x;
   }
   if (Failure up = release(MouseButton{Button::left, false, {}}, frames_.commands(), false); !up) return up;
-  return there ? Failure{} : type(path, base::to_text(value));
+  // A plot takes no text: there the nearest pixel has to do.
+  return there || widget_.kind == "plot" ? Failure{} : type(path, base::to_text(value));
 }
 
 Failure UiDriver::open(std::string_view path, bool open) {
