@@ -29,6 +29,8 @@ constexpr std::array kUnits{Unit{"m", Dimension::length, 1},
                             Unit{"m/s\u00B2", Dimension::acceleration, 1},
                             Unit{"m/s^2", Dimension::acceleration, 1},
                             Unit{"m/s2", Dimension::acceleration, 1},
+                            Unit{"ft/s\u00B2", Dimension::acceleration, 0.3048},
+                            Unit{"ft/s^2", Dimension::acceleration, 0.3048},
                             Unit{"g", Dimension::acceleration, 9.80665},
                             Unit{"s", Dimension::time, 1},
                             Unit{"ms", Dimension::time, 0.001},
@@ -37,12 +39,16 @@ constexpr std::array kUnits{Unit{"m", Dimension::length, 1},
                             Unit{"deg", Dimension::angle, 1},
                             Unit{"degrees", Dimension::angle, 1},
                             Unit{"rad", Dimension::angle, 180 / kPi},
+                            Unit{"\u00B0/m", Dimension::spin, 1},
+                            Unit{"deg/m", Dimension::spin, 1},
+                            Unit{"\u00B0/ft", Dimension::spin, 1 / 0.3048},
+                            Unit{"deg/ft", Dimension::spin, 1 / 0.3048},
                             Unit{"kg", Dimension::mass, 1},
                             Unit{"t", Dimension::mass, 1000},
                             Unit{"lb", Dimension::mass, 0.45359237}};
 
-constexpr std::array<std::string_view, 6> kDimensions{"a length", "a speed",  "an acceleration",
-                                                      "a time",   "an angle", "a mass"};
+constexpr std::array<std::string_view, 7> kDimensions{
+    "a length", "a speed", "an acceleration", "a time", "an angle", "an angle by length", "a mass"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_sign(char c) { return c == '+' || c == '-'; }

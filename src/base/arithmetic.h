@@ -9,7 +9,7 @@
 
 namespace coaster::base {
 
-enum class Dimension : std::uint8_t { length, speed, acceleration, time, angle, mass };
+enum class Dimension : std::uint8_t { length, speed, acceleration, time, angle, spin, mass };
 
 struct Unit {
   std::string_view name;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/names.h"
+#include "base/units.h"
 #include "world/setting_row.h"
 
 namespace coaster::world {
@@ -28,6 +29,7 @@ struct Look {
   float ui_scale = 1;
   Theme theme = Theme::dark;
   Style style = Style::day;
+  base::Units units = base::Units::m_s;
   bool shadows = true;
   float sound = 0.5f;
   bool show_panels = true;
@@ -39,6 +41,8 @@ struct Look {
       setting(&Look::ui_scale, "scale", "Scale of the panels.", {.low = 0.75, .high = 3, .kept_as = "ui_scale"}),
       setting(&Look::theme, "theme", "Colours of the panels.", {.kept_as = "theme"}),
       setting(&Look::style, "style", "Light of the scene.", {.kept_as = "style"}),
+      setting(&Look::units, "units", "Units that lengths and speeds are shown and typed in. Scripts stay metric.",
+              {.kept_as = "units"}),
       setting(&Look::shadows, "shadows", "Whether track and trains cast shadows. Frames cost less without them.",
               {.kept_as = "shadows"}),
       setting(&Look::sound, "sound", "Ride volume. 0 mutes it.", {.low = 0, .high = 1, .kept_as = "sound"}),

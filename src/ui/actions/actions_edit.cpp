@@ -100,7 +100,7 @@ constexpr Action kEditActions[] = {
     {"Box select", "Edit", key(Key::b), 0, "Drag a box around knots. Shift+drag adds, Ctrl+drag removes.", box_select,
      kAnyKnots},
     {"Move", "Edit", key(Key::g), 0,
-     "Move the selected knots. X, Y, Z: along an axis. Shift+axis: in a plane. Type metres.",
+     "Move the selected knots. X, Y, Z: along an axis. Shift+axis: in a plane. Or type a number.",
      transform<TransformKind::move>, kKnotSelected},
     {"Rotate", "Edit", key(Key::r), 0,
      "Rotate the selected knots about their centre. X, Y, Z: about an axis. Type degrees.",

@@ -32,9 +32,9 @@ void read_query(Ui& ui, std::string_view label, std::string_view name, std::stri
   std::string words = "--";
   if (const auto value = value_of(ui, name, shown.argument)) {
     const double* real = std::get_if<double>(&*value);
-    words = real != nullptr ? fixed(*real * shown.factor, shown.decimals) : query::to_text(*value);
+    words = real != nullptr ? digits(ui, *real * shown.factor, shown.decimals, unit) : query::to_text(*value);
   }
-  read_out(ui, label, words, unit, tooltip, shown.warns);
+  read_out(ui, label, words, base::shown_in(ui.units, unit).name, tooltip, shown.warns);
 }
 
 exchange::UserSettings& change_kept(Ui& ui) { return ui.out.settings.emplace(ui.state.kept->settings); }

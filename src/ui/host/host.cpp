@@ -185,7 +185,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   if (ui.state.lesson == nullptr || tool.transform().active())
     draw_foot_line(ui, tool, layout.scene);  // a lesson has its own hint
   draw_legend(ui, layout.scene);
-  toasts.draw(layout.scene, ui.scale, ui.state.seconds, ui.state.scripted);
+  toasts.draw(ui, layout.scene);
   for (const edit::Command& command : ui.out.commands)
     if (command.is<edit::Load>() || command.is<edit::NewTrack>() || command.is<edit::StartChallenge>()) {
       frame_next = true;
@@ -235,7 +235,7 @@ Output Host::build(const platform::Events& events, const State& state, int width
   const std::function<void(const std::string&)> warn = [&](const std::string& text) {
     p.toasts.show(edit::NoticeKind::warning, text, state.seconds);
   };
-  Ui ui{{p.list, p.entry, p.gesture, p.rest, begin_gesture, warn, scale, {}},
+  Ui ui{{p.list, p.entry, p.gesture, p.rest, begin_gesture, warn, scale, {}, state.session.settings.look->units},
         state,
         out,
         p.lab,

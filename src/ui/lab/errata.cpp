@@ -18,22 +18,24 @@ namespace {
 
 // One claim: the paper's words and number, then the right number and why.
 void claim_row(Ui& ui, const sim::Erratum& e) {
-  const auto number = [](double value, std::string_view unit) {
+  const auto number = [&](double value, std::string_view unit) {
     const std::string_view sign = unit == "m^2" ? "m\u00B2" : unit == "deg" ? "\u00B0" : unit;
-    return fmt::format("{}{}{}", significant(value, 4), sign.empty() ? "" : " ", sign);
+    const base::ShownUnit users = base::shown_in(ui.units, sign);
+    return fmt::format("{}{}{}", significant(value * users.factor, 4), sign.empty() ? "" : " ", users.name);
   };
   const std::string wrong = number(e.wrong, e.wrong_unit), right = number(e.right, e.unit);
   ImGui::TableNextRow();
   ImGui::TableSetColumnIndex(0);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  tinted(e.claim, palette().text);
+  const std::string explanation = in_units(ui, e.explanation);
+  tinted(in_units(ui, e.claim), palette().text);
   ImGui::TableSetColumnIndex(1);
   tinted_line(wrong, palette().error);
   ImGui::TableSetColumnIndex(2);
   tinted_line(right, palette().good);
   ImGui::TableSetColumnIndex(3);
-  tinted(e.explanation, palette().dim);
+  tinted(explanation, palette().dim);
   ImGui::TableSetColumnIndex(0);
   note(ui, fmt::format("Erratum {}", e.name), "label", e.explanation, true, fmt::format("{} | {}", wrong, right), low,
        {low.x + width, low.y + ImGui::GetTextLineHeight()});

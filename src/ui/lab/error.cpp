@@ -78,12 +78,15 @@ void side(Ui& ui, const ErrorStudy& one) {
   if (const auto to = number(ui, "Magnification###Magnified", magnification,
                              "Magnification of the error in the rounding layer, 1 to 10,000,000."))
     ui.emit(edit::Set<&world::LabView::magnification>{*to});
-  read_out(ui, "Largest error", significant(one.largest, 3), "mm",
-           "Largest error of the selected evaluator on the segment.");
-  read_out(ui, "Seam", significant(one.seam, 3), "mm",
-           "Length of the jump at the last step. The last vertex is pinned to p\u2083, so the accumulated error "
-           "appears there.");
-  read_out(ui, "Bound", significant(one.bound, 3), "mm", "Error bound of the method for this segment.");
+  const base::ShownUnit unit = base::shown_in(ui.units, "mm");
+  const auto row = [&](std::string_view label, double millimetres, std::string_view tooltip) {
+    read_out(ui, label, significant(millimetres * unit.factor, 3), unit.name, tooltip);
+  };
+  row("Largest error", one.largest, "Largest error of the selected evaluator on the segment.");
+  row("Seam", one.seam,
+      "Length of the jump at the last step. The last vertex is pinned to p\u2083, so the accumulated error appears "
+      "there.");
+  row("Bound", one.bound, "Error bound of the method for this segment.");
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ void side(Ui& ui, const sim::Ghost& ghost, const sim::Ratings& r, bool within_li
   layer_box(ui, world::Layer::limits);
   if (within_limits) small_note("All forces are within limits.");
   read_out(ui, ghost.lap ? "Lap time" : "Ride time", fixed(r.seconds, 2), "s", "Time of the whole simulated ride.");
-  read_out(ui, "Top speed", fixed(r.top_speed.value, 2), "m/s", "Highest speed of the ride.");
+  read_out(ui, "Top speed", r.top_speed.value, 2, "m/s", "Highest speed of the ride.");
   read_out(ui, "Vertical", fmt::format("{} .. {}", fixed(r.up_least.value, 2), fixed(r.up_most.value, 2)), "g",
            "Smallest and largest, low-pass filtered at 5 Hz, all cars.");
   read_out(ui, "Lateral", fixed(r.side_most.value, 2), "g", "Largest to either side, low-pass filtered.");
@@ -72,15 +72,15 @@ void red_table(Ui& ui, std::span<const sim::RedSpan> red, float height, bool bri
       ui.lab.advice =
           advice_text(session, sim::advise(session.document, edit::chosen_cart(session), session.limits.envelope,
                                            red[static_cast<std::size_t>(ui.lab.red_chosen)]));
-    if (!ui.lab.advice.empty()) small_note(ui.lab.advice);
+    if (!ui.lab.advice.empty()) small_note(in_units(ui, ui.lab.advice));
     height -= 2 * ImGui::GetFrameHeightWithSpacing();
   }
   if (!begin_table(ui, "Red spans", kRedColumns, height)) return;
   for (std::size_t i = 0; i < red.size(); ++i) {
     const sim::RedSpan& span = red[i];
+    const std::string from = digits(ui, span.from_distance, 1, "m");
     const Cell cells[] = {
-        {brief ? fixed(span.from_distance, 1)
-               : fmt::format("{}..{}", fixed(span.from_distance, 1), fixed(span.to_distance, 1))},
+        {brief ? from : fmt::format("{}..{}", from, digits(ui, span.to_distance, 1, "m"))},
         {std::string(brief ? base::name_of(span.axis) : base::row_of(span.axis).label), kPlainColour, true},
         {fixed(span.worst, 2), kBadColour},
         {fixed(span.allowed, 2)}};

@@ -64,10 +64,10 @@ void side(Ui& ui, const Probe& probe) {
     alone = !(alone && beside_last(ui, base::row_of(layer).label));
     layer_box(ui, layer);
   }
-  read_out(ui, "Curvature", fixed(curve::curvature(probe.shape->key.cubic, probe.t), 5), "1/m",
+  read_out(ui, "Curvature", curve::curvature(probe.shape->key.cubic, probe.t), 5, "1/m",
            "Curvature at the probe: 1 / radius of the osculating circle.");
   const auto frame = curve::frenet(probe.shape->key.cubic, probe.t);
-  read_out(ui, "Torsion", frame ? fixed(frame->torsion, 5) : "--", "1/m",
+  read_out(ui, "Torsion", frame ? digits(ui, frame->torsion, 5, "1/m") : "--", base::shown_in(ui.units, "1/m").name,
            "Torsion at the probe. Undefined where curvature is 0.");
   const double left_over = base::degrees(sim::loop_twist(derived));
   read_out(ui, "Closing twist###Twist left over", derived.closed ? fixed(left_over, 2) : "--", "\u00B0",

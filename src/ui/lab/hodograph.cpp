@@ -82,8 +82,8 @@ void hodograph_page(Ui& ui) {
   triple(ui, "B'(t)", "B'(t)", kTangentColour, b, 3, "m", "The derivative with respect to t at the probe.");
   triple(ui, "B''(t)", "B''(t)", kConstructionColour, curve::second_derivative(probe->shape->key.cubic, probe->t), 3,
          "m", "The second derivative at the probe.");
-  read_out(ui, "|B'(t)|", fixed(glm::length(b), 3), "m", "Metres of track per unit of t at the probe.");
-  read_out(ui, "Curvature", fixed(curve::curvature(probe->shape->key.cubic, probe->t), 5), "1/m",
+  read_out(ui, "|B'(t)|", glm::length(b), 3, "m", "Length of track per unit of t at the probe.");
+  read_out(ui, "Curvature", curve::curvature(probe->shape->key.cubic, probe->t), 5, "1/m",
            "|B' \u00D7 B''| / |B'|\u00B3.");
   two_pictures(
       ui, page, [&](float width, float height) { shape_plot(ui, *probe, d, width, height); },

@@ -73,7 +73,7 @@ void row_of(Ui& ui, const JointRow& row, double speed, std::span<const sim::Jolt
   const std::string geometric(base::name_of(row.joint.geometric)), parametric(base::name_of(row.joint.parametric));
   const Cell cells[] = {{name, kPlainColour, true},        {geometric, tint, true},
                         {parametric, kPlainColour, true},  {fixed(base::degrees(row.joint.angle), 3)},
-                        {fixed(row.joint.speed_ratio, 3)}, {fixed(row.joint.curvature_jump, 5)},
+                        {fixed(row.joint.speed_ratio, 3)}, {digits(ui, row.joint.curvature_jump, 5, "1/m")},
                         {fixed(step, 2), tint_of(step)},   {fixed(jolt, 2), tint_of(jolt)}};
   if (table_row(ui, "Joint " + name, cells, selected, fmt::format("{} {} {} g", geometric, parametric, fixed(step, 2)),
                 "Click to select the knot.") &&
@@ -101,7 +101,7 @@ void side(Ui& ui, const JointList& list, double speed) {
   const double largest = list.rows.empty() ? 0 : list.rows[list.by_jump.front()].joint.curvature_jump;
   read_out(ui, "All joints", std::to_string(list.rows.size()), "", "Number of joints between segments.");
   read_out(ui, "G2 joints###Of them G2", std::to_string(smooth), "", "Joints with continuous curvature.");
-  read_out(ui, "Speed", fixed(speed, 2), "m/s", "Current speed of the first cart. The g-steps use it.");
+  read_out(ui, "Speed", speed, 2, "m/s", "Current speed of the first cart. The g-steps use it.");
   read_out(ui, "Largest g-step", fixed(sim::g_step(largest, speed), 2), "g",
            "Largest g-step of the track at this speed.");
   read_query(ui, "Largest jolt", "ride.jolt_max", "Largest jolt of the whole ride.");

@@ -115,7 +115,10 @@ constexpr TableColumn kOfTrack[] = {
     {"Track error", "m", 1.3f, "Error of the track's length."},
 };
 
-std::string signed_error(double error) { return (error < 0 ? "\u2212" : "") + significant(std::abs(error), 2); }
+std::string signed_error(const Ui& ui, double metres) {
+  const double error = metres * base::shown_in(ui.units, "m").factor;
+  return (error < 0 ? "\u2212" : "") + significant(std::abs(error), 2);
+}
 
 void row_of(Ui& ui, std::size_t i, const LengthRow& row, bool segment, bool track) {
   const ArcLengthMethod& method = curve::arc_length_methods()[i];
@@ -123,17 +126,17 @@ void row_of(Ui& ui, std::size_t i, const LengthRow& row, bool segment, bool trac
   const bool timed = !ui.state.scripted && row.microseconds > 0;
   std::vector<Cell> cells{{std::string(method.label), kPlainColour, true, 0, row_colour(i)}};
   if (segment) {
-    cells.push_back({fixed(row.length, 5)});
-    cells.push_back({signed_error(row.error)});
+    cells.push_back({digits(ui, row.length, 5, "m")});
+    cells.push_back({signed_error(ui, row.error)});
     cells.push_back({std::to_string(row.evaluations)});
     cells.push_back({timed ? fixed(row.microseconds, 2) : "--"});
   }
   if (track) {
-    cells.push_back({row.track_known ? fixed(row.track_length, 4) : "--"});
-    cells.push_back({row.track_known ? signed_error(row.track_error) : "--"});
+    cells.push_back({row.track_known ? digits(ui, row.track_length, 4, "m") : "--"});
+    cells.push_back({row.track_known ? signed_error(ui, row.track_error) : "--"});
   }
   const bool chosen = static_cast<std::size_t>(settings.evaluation->arc_length) == i;
-  const std::string value = fixed(row.length, 6) + " m";
+  const std::string value = measured(ui, row.length, 6, "m");
   if (table_row(ui, fmt::format("Length by {}", method.label), cells, chosen, value, method.formula) && !chosen)
     ui.emit(edit::Set<&world::Evaluation::arc_length>{static_cast<curve::ArcLengthId>(i)});
 }

@@ -36,6 +36,7 @@ void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, f
   std::vector<std::string> titles;
   for (const int steps : sim::kMeasuredSteps) titles.push_back(std::to_string(steps));
   for (const std::string& title : titles) columns.push_back({title, "", 1.0f, "Steps per segment."});
+  const base::ShownUnit millimetre = base::shown_in(ui.units, "mm");
   Extent all;
   for (const sim::MeasuredRow& row : m.rows)
     for (const sim::MeasuredCell& cell : row.cells)
@@ -50,7 +51,7 @@ void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, f
         const bool hidden_time = time && (ui.state.scripted || cell.ns_per_point <= 0);
         const std::string words = cell.rounds == 0 || hidden_time ? "--"
                                   : time                          ? fixed(cell.ns_per_point, 2)
-                                                                  : significant(cell.worst_error * 1e3, 2);
+                                         : significant(cell.worst_error * 1e3 * millimetre.factor, 2);
         cells.push_back(
             {words, kPlainColour, false, hidden_time || cell.rounds == 0 ? 0 : heat(value_of_cell(cell, time), all)});
         values += (values.empty() ? "" : " ") + words;

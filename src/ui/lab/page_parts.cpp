@@ -130,7 +130,7 @@ void triple_heading(Ui& ui, std::string_view unit) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x;
   for (int i = 0; i < 3; ++i) {
-    const std::string words = fmt::format("{} ({})", "xyz"[i], unit);
+    const std::string words = fmt::format("{} ({})", "xyz"[i], base::shown_in(ui.units, unit).name);
     draw_text(*ImGui::GetWindowDrawList(), {column_edge(ui, at, room, i) - text_size(words).x, at.y}, palette().dim,
               words);
   }
@@ -147,11 +147,11 @@ void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t
   draw_text(list, at, ink(rgb), shown);
   std::string words;
   for (int i = 0; i < 3; ++i) {
-    const std::string digits = fixed(value[i], decimals);
-    words += (i > 0 ? " " : "") + digits;
-    draw_text(list, {column_edge(ui, at, room, i) - text_size(digits).x, at.y}, palette().text, digits);
+    const std::string one = digits(ui, value[i], decimals, unit);
+    words += (i > 0 ? " " : "") + one;
+    draw_text(list, {column_edge(ui, at, room, i) - text_size(one).x, at.y}, palette().text, one);
   }
-  if (!unit.empty()) words += " " + std::string(unit);
+  if (!unit.empty()) words += fmt::format(" {}", base::shown_in(ui.units, unit).name);
   ImGui::Dummy({room, line});
   note_item(ui, path, "label", tooltip, true, words);
   ImGui::PopFont();

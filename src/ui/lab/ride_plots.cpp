@@ -132,14 +132,14 @@ double RidePlots::place_at(double x) const {
   return study_->curves.place[std::min(static_cast<std::size_t>(at - axis().begin()), axis().size() - 1)];
 }
 
-std::string RidePlots::shown_at(RideValue value, double x) const {
+std::string RidePlots::shown_at(const Ui& ui, RideValue value, double x) const {
   const auto at = std::lower_bound(axis().begin(), axis().end(), x);
   const std::size_t i = std::min(static_cast<std::size_t>(at - axis().begin()), axis().size() - 1);
   const auto v = static_cast<std::size_t>(value);
   const std::vector<double>&least = study_->curves.least[v], &most = study_->curves.most[v];
   const int decimals = std::abs(least[i]) < 100 ? 2 : 1;
-  return most.empty() ? fixed(least[i], decimals)
-                      : fmt::format("{} .. {}", fixed(least[i], decimals), fixed(most[i], decimals));
+  const auto words = [&](double one) { return digits(ui, one, decimals, base::row_of(value).unit); };
+  return most.empty() ? words(least[i]) : fmt::format("{} .. {}", words(least[i]), words(most[i]));
 }
 
 void RidePlots::plot(Ui& ui, RideValue value, std::string_view label, float width, float height) const {
@@ -148,7 +148,7 @@ void RidePlots::plot(Ui& ui, RideValue value, std::string_view label, float widt
   const std::vector<double>&least = study_->curves.least[v], &most = study_->curves.most[v];
   const std::optional<double> shown = mark_ ? mark_ : train_;
   std::vector<Series> series{
-      {shown ? shown_at(value, *shown) : "", axis(), least, colour_of(value), SeriesKind::line, 1.8f, most}};
+      {shown ? shown_at(ui, value, *shown) : "", axis(), least, colour_of(value), SeriesKind::line, 1.8f, most}};
   if (value == RideValue::jerk && most.empty())
     for (const auto& [part, name] : {std::pair{RideValue::jerk_up, "vertical"},
                                      {RideValue::jerk_side, "lateral"},
@@ -172,7 +172,7 @@ void RidePlots::plot(Ui& ui, RideValue value, std::string_view label, float widt
   const auto drag = ui::plot(
       ui, label, picture, fmt::format("{} The whole ride over the current track. Drag to move the train.", row.help));
   const ImVec2 low = ImGui::GetItemRectMin(), high(ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight());
-  if (shown) note(ui, fmt::format("{}/value", label), "label", "", true, shown_at(value, *shown), low, high);
+  if (shown) note(ui, fmt::format("{}/value", label), "label", "", true, shown_at(ui, value, *shown), low, high);
   if (pointed) ui.pointed = pick_at(ui.session().derived, place_at(*pointed));
   if (drag) ui.emit(edit::RideSeek{place_at(drag->x) + behind_});
 }

@@ -33,7 +33,7 @@ class RidePlots {
   const std::vector<double>& axis() const { return over_time_ ? study_->curves.time : study_->curves.place; }
   std::optional<double> at_place(double distance) const;
   double place_at(double x) const;
-  std::string shown_at(sim::RideValue value, double x) const;
+  std::string shown_at(const Ui& ui, sim::RideValue value, double x) const;
 
   const sim::Ghost* ride_ = nullptr;
   const SeatStudy* study_ = nullptr;

@@ -58,15 +58,18 @@ bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> co
     const TableColumn& column = columns[i];
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;
-    std::string words(shown(column.title)), tooltip(column.tooltip);
+    std::string words = in_units(ui, shown(column.title)), tooltip(column.tooltip);
+    const std::string name =
+        words == shown(column.title) ? std::string(column.title) : fmt::format("{}###{}", words, id_of(column.title));
     if (!column.unit.empty()) {
-      const std::string whole = fmt::format("{} ({})", words, column.unit);
+      const std::string_view unit = base::shown_in(ui.units, column.unit).name;
+      const std::string whole = fmt::format("{} ({})", words, unit);
       if (text_size(whole).x <= room) words = whole;
-      else tooltip += fmt::format(" Unit: {}.", column.unit);
+      else tooltip += fmt::format(" Unit: {}.", unit);
     }
     draw_cell(ui, {words, palette().dim, i == 0});
     ImGui::Dummy({room, ImGui::GetTextLineHeight()});
-    note(ui, fmt::format("{}/{}", label, column.title), "label", tooltip, true, words, at,
+    note(ui, fmt::format("{}/{}", label, name), "label", tooltip, true, words, at,
          {at.x + room, at.y + ImGui::GetTextLineHeight()});
   }
   return true;

@@ -15,7 +15,7 @@ namespace coaster::ui {
 inline constexpr std::uint32_t kPlainColour = 0xE6E9EF, kGoodColour = 0x4FB477, kBadColour = 0xE5534B;
 
 struct TableColumn {
-  std::string_view title, unit;  // a heading too narrow for both shows the title alone, and the unit in its tooltip
+  std::string_view title, unit;  // unit: metric. A heading too narrow for both has the unit in its tooltip.
   float weight = 1;              // share of the width
   std::string_view tooltip;
 };

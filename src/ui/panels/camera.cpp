@@ -40,7 +40,7 @@ void camera_panel(Ui& ui) {
   setting_slider<&CameraFeel::widening_deg>(ui, "Widening", 0,
                                             "Widening of the rider's field of view at 30 m/s, 0 to 20 degrees.");
   setting_slider<&CameraFeel::chase_distance>(
-      ui, "Chase distance", 0, "Distance of the chase camera from a single car, in metres. Longer trains add to it.");
+      ui, "Chase distance", 0, "Distance of the chase camera from a single car, 5 to 60 m. Longer trains add to it.");
   setting_box<&CameraFeel::head_bob>(ui, "Head-bob", "The rider's head moves with g and vibrates slightly.");
   setting_box<&CameraFeel::reduced_motion>(ui, "Reduced motion",
                                            "Level horizon, cuts between cameras, no head-bob, no widening.");

@@ -23,23 +23,23 @@ using exchange::RuleList;
 // A mark, the rule's words, and its value: on the right where there is room beside the words, else below them.
 void rule_row(Ui& ui, const query::Rule& rule, const exchange::ChallengeRule& words) {
   const query::Finding finding = query::look_at(ui.state.find, rule);
+  const std::string found = in_units(ui, finding.found), text = in_units(ui, words.text);
   const float line = ImGui::GetTextLineHeight(), mark = std::floor(line * 0.86f),
               indent = std::floor(mark + 8 * ui.scale);
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x, value = text_size(finding.found).x,
-              gap = std::floor(10 * ui.scale);
-  const ImVec2 size = ImGui::CalcTextSize(words.text.c_str(), nullptr, false, room - indent);
+  const float room = ImGui::GetContentRegionAvail().x, value = text_size(found).x, gap = std::floor(10 * ui.scale);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, room - indent);
   const bool beside = size.y < 1.5f * line && indent + size.x + gap + value <= room;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_mark(list, {low.x, std::floor(low.y + (line - mark) * 0.5f)}, mark, finding.holds);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + indent, low.y}, packed(palette().text),
-               words.text.c_str(), nullptr, room - indent + 1);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + indent, low.y}, packed(palette().text), text.c_str(),
+               nullptr, room - indent + 1);
   const float y = beside ? low.y : low.y + size.y;
-  draw_text(list, {low.x + room - value, y}, finding.holds ? palette().good : palette().dim, finding.found);
+  draw_text(list, {low.x + room - value, y}, finding.holds ? palette().good : palette().dim, found);
   const float height = beside ? line : size.y + line;
   ImGui::Dummy({room, height});
   const std::string where = finding.place ? fmt::format(" (at {} m)", fixed(*finding.place, 1)) : "";
-  note(ui, words.text, "label", words.expect + where, true, (finding.holds ? "met " : "not met ") + finding.found, low,
+  note(ui, words.text, "label", words.expect + where, true, (finding.holds ? "met " : "not met ") + found, low,
        {low.x + room, low.y + height});
 }
 

@@ -77,12 +77,12 @@ void outcome(Ui& ui, const sim::ElementPlan& plan) {
   read_query(ui, "Fit error", "element.error", "Largest distance between the ideal curve and the spans.",
              {.decimals = 1, .unit = "mm", .factor = 1000});
   if (plan.lowest < 0)
-    read_out(ui, "Below ground###In the ground", fixed(-plan.lowest, 1), "m",
-             "Depth below the ground. That part is red.", true);
+    read_out(ui, "Below ground###In the ground", -plan.lowest, 1, "m", "Depth below the ground. That part is red.",
+             true);
   if (const double missing = sim::worst(ui.find(edit::Want::room).room); missing > 0)
-    read_out(ui, "Missing clearance###Lacks room", fixed(missing, 1), "m",
+    read_out(ui, "Missing clearance###Lacks room", missing, 1, "m",
              "Missing clearance to other track. That part is yellow.", true);
-  for (const std::string& line : plan.lines) tinted(line, palette().warning);
+  for (const std::string& line : plan.lines) tinted(in_units(ui, line), palette().warning);
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ void elements_panel(Ui& ui) {
   const sim::ElementPlan& plan = *ui.find(edit::Want::element).element;
   const bool possible = plan.refusal.empty();
   if (possible) outcome(ui, plan);
-  else tinted(base::sentence(plan.refusal), palette().warning);
+  else tinted(in_units(ui, base::sentence(plan.refusal)), palette().warning);
   const std::string help =
       fmt::format("Place the element at the open end of the track. {} hides the preview.", ui.keys.shown("Cancel"));
   if (button(ui, "Place", with_keys(ui.keys, help, "Place element"), possible, ImGui::GetContentRegionAvail().x))

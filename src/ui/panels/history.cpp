@@ -42,15 +42,15 @@ void history_panel(Ui& ui) {
     repeat<edit::Undo>(ui, undo);
   for (std::size_t i = first; i < undo; ++i) {
     const bool now = i + 1 == undo;
-    if (step_row(ui, fmt::format("{}  {}", i + 1, history.undo[i].label), std::to_string(i + 1),
+    if (step_row(ui, fmt::format("{}  {}", i + 1, in_units(ui, history.undo[i].label)), std::to_string(i + 1),
                  now ? palette().accent : palette().text, now ? "The current step." : "Undo to this step."))
       repeat<edit::Undo>(ui, undo - 1 - i);
   }
   // The redo stack has the next step last.
   for (std::size_t k = 0; k < std::min(redo, kMostShown); ++k) {
     const std::size_t number = undo + k + 1;
-    if (step_row(ui, fmt::format("{}  {}", number, history.redo[redo - 1 - k].label), std::to_string(number),
-                 palette().dim, "Redo to this step."))
+    if (step_row(ui, fmt::format("{}  {}", number, in_units(ui, history.redo[redo - 1 - k].label)),
+                 std::to_string(number), palette().dim, "Redo to this step."))
       repeat<edit::Redo>(ui, k + 1);
   }
 }

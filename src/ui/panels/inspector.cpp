@@ -129,7 +129,7 @@ void knot_inspector(Ui& ui, Entity entity, Name name) {
   heading(
       ui, "Position (m)",
       "Position of the knot: x, height y, z. Drag it in the viewport; Shift moves it vertically, Ctrl horizontally.");
-  if (const auto c = position_fields(ui, knot, "Drag, or click and type a value in metres.")) {
+  if (const auto c = position_fields(ui, knot, "Drag, or click and type a value.")) {
     glm::vec3 to = knot.position;
     to[c->index] = to_float(c->value);
     ui.emit(edit::MoveKnot{{name}, to});
@@ -144,7 +144,7 @@ void knot_inspector(Ui& ui, Entity entity, Name name) {
   heading(ui, "Handles (m)",
           "Distances to the control points before (in) and after (out) the knot: a third of the parametric speed.");
   handle_fields(ui, name, knot, knot.joint == world::JointKind::smooth,
-                "Drag, or click and type a value in metres. A smooth joint keeps both equal.");
+                "Drag, or click and type a value. A smooth joint keeps both equal.");
   roll_field(ui, name, knot, "Bank of the track at the knot, in degrees. Positive to the rider's right.");
   spin_fields(ui, name, knot);
   roll_rate(ui, knot);
@@ -196,11 +196,11 @@ void segment_inspector(Ui& ui, Entity entity, Name name) {
   if (shape == nullptr) return;
   const double t = session.settings.selected_t;
   const glm::dvec3 at = curve::point(shape->key.cubic, t);
-  read_out(ui, "Length", fixed(shape->measured_length, 3), "m", "Arc length, by the method selected in Evaluation.");
-  read_out(ui, "Distance here###Distance there", fixed(shape->arc.distance(t), 3), "m",
+  read_out(ui, "Length", shape->measured_length, 3, "m", "Arc length, by the method selected in Evaluation.");
+  read_out(ui, "Distance here###Distance there", shape->arc.distance(t), 3, "m",
            "Arc length from the segment's start to position t.");
-  read_out(ui, "Height here###Height there", fixed(at.y, 3), "m", "Height at position t.");
-  read_out(ui, "Curvature here###Curvature there", fixed(curve::curvature(shape->key.cubic, t), 5), "1/m",
+  read_out(ui, "Height here###Height there", at.y, 3, "m", "Height at position t.");
+  read_out(ui, "Curvature here###Curvature there", curve::curvature(shape->key.cubic, t), 5, "1/m",
            "Curvature at position t: |B' \u00D7 B''| / |B'|\u00B3.");
   read_out(ui, "Twist", fixed(base::degrees(shape->roll.twist), 2), "\u00B0",
            "Roll between the frames of the two knots.");
@@ -220,9 +220,9 @@ void cart_inspector(Ui& ui, Entity entity) {
   const world::CartMotion* motion = session.motion.carts.find(entity);
   if (motion == nullptr) return;
   read_out(ui, "Now on", world::label_of(session.document, motion->segment), "", "The segment that the cart is on.");
-  read_out(ui, "Speed", fixed(motion->speed, 2), "m/s", "Speed along the track. Negative: backwards.");
-  read_out(ui, "Distance", fixed(motion->track_distance, 2), "m", "Distance from the start of the track.");
-  read_out(ui, "Travelled", fixed(motion->travelled, 2), "m",
+  read_out(ui, "Speed", motion->speed, 2, "m/s", "Speed along the track. Negative: backwards.");
+  read_out(ui, "Distance", motion->track_distance, 2, "m", "Distance from the start of the track.");
+  read_out(ui, "Travelled", motion->travelled, 2, "m",
            "Distance travelled since the start. Backwards counts as negative.");
   read_out(ui, "Lap", std::to_string(motion->laps), "", "Laps completed since the start.");
   if (session.derived.order.empty()) return;

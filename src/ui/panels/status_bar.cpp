@@ -22,7 +22,7 @@ struct Part {
 
 std::string real(const Ui& ui, std::string_view name, int decimals, const char* unit) {
   const auto number = number_of(ui, name);
-  return number ? fmt::format("{} {}", fixed(*number, decimals), unit) : "--";
+  return number ? measured(ui, *number, decimals, unit) : "--";
 }
 
 std::vector<Part> parts(const Ui& ui) {
@@ -85,9 +85,9 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
       const std::uint32_t tint = last.kind == edit::NoticeKind::error     ? palette().error
                                  : last.kind == edit::NoticeKind::warning ? palette().warning
                                                                           : palette().dim;
-      const std::string words = shortened(last.text, right - x);
+      const std::string message = in_units(ui, last.text), words = shortened(message, right - x);
       draw(words, tint, right - text_size(words).x);
-      place("Message", last.text, last.text, right - text_size(words).x, right);
+      place("Message", message, message, right - text_size(words).x, right);
     }
   }
   ImGui::End();

@@ -65,7 +65,7 @@ void deviation(Ui& ui) {
   const auto row = [&](std::string_view label, std::string_view distance, std::string_view angle,
                        std::string_view tooltip) {
     const double m = number_of(ui, distance).value_or(0), degrees = number_of(ui, angle).value_or(0);
-    read_out(ui, label, fmt::format("{} mm, {}\u00B0", fixed(1e3 * m, 2), fixed(degrees, 3)), "", tooltip);
+    read_out(ui, label, fmt::format("{}, {}\u00B0", measured(ui, 1e3 * m, 2, "mm"), fixed(degrees, 3)), "", tooltip);
   };
   row("Largest deviation", "import.max_error", "import.frame_error",
       "Largest distance of the imported file's positions from the track, and largest angle between the frames there, "
@@ -142,15 +142,19 @@ void building(Ui& ui) {
 
 void start(Ui& ui) {
   const world::Document& document = ui.session().document;
-  Number now{.value = document.start_speed,
-             .unit = "m/s",
-             .low = -world::kMaxSpeed,
-             .high = world::kMaxSpeed,
-             .largest = 1e300};
-  if (const auto to = number(ui, "Start speed", now, "Start speed of the carts. Negative: backwards."))
+  const Number speed{.value = document.start_speed,
+                     .unit = "m/s",
+                     .low = -world::kMaxSpeed,
+                     .high = world::kMaxSpeed,
+                     .largest = 1e300};
+  if (const auto to = number(ui, "Start speed", speed, "Start speed of the carts. Negative: backwards."))
     ui.emit(edit::SetStartSpeed{*to});
-  now.value = document.datum, now.unit = "m", now.low = -world::kMaxCoordinate, now.high = world::kMaxCoordinate;
-  if (const auto to = number(ui, "Datum", now, "Height of zero potential energy.")) ui.emit(edit::SetDatum{*to});
+  const Number datum{.value = document.datum,
+                     .unit = "m",
+                     .low = -world::kMaxCoordinate,
+                     .high = world::kMaxCoordinate,
+                     .largest = 1e300};
+  if (const auto to = number(ui, "Datum", datum, "Height of zero potential energy.")) ui.emit(edit::SetDatum{*to});
 }
 
 void file(Ui& ui) {

@@ -72,43 +72,47 @@ PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 
   area.scale = ui.scale;
   area.text_px = small_pixels();
   area.pretty = has_glyph(*ImGui::GetFont(), 0x207B);
+  area.x_unit = base::shown_in(ui.units, p.x.unit), area.y_unit = base::shown_in(ui.units, p.y.unit);
   area.x = range_of(p.x, data.x, p.square ? 0.08 : 0);
   area.y = range_of(p.y, data.y, p.square ? 0.08 : 0.06);
   const float line = area.text_px, gap = std::floor(4 * ui.scale);
-  const float x_title = p.square ? 0 : small_size(axis_title(p.x)).x;  // one title speaks for both axes of a shape
+  const float x_title =
+      p.square ? 0 : small_size(axis_title(p.x, area.x_unit)).x;  // one title speaks for both axes of a shape
   area.title_beside = x_title <= 4 * line;
-  const float above = axis_title(p.y).empty() ? line * 0.5f : line + gap,
+  const float above = axis_title(p.y, area.y_unit).empty() ? line * 0.5f : line + gap,
               below = line + gap + (area.title_beside ? 0 : line);
   const float right = area.title_beside && x_title > 0 ? x_title + line + gap : line;
   area.low = {std::floor(low.x + 3 * line), std::floor(low.y + above)};
   area.high = {std::max(std::floor(high.x - right), area.low.x + 1),
                std::max(std::floor(high.y - below), area.low.y + 1)};
   if (p.square) make_square(area);
-  area.y_ticks = ticks(area.y, most_ticks(area.high.y - area.low.y, 1.9f * line));
+  area.y_ticks = ticks(scaled(area.y, area.y_unit.factor), most_ticks(area.high.y - area.low.y, 1.9f * line));
   float widest = p.labels;
   for (const double tick : area.y_ticks.major)
-    widest = std::max(widest, small_size(tick_text(area.y, area.y_ticks, tick, area.pretty)).x);
+    widest =
+        std::max(widest, small_size(tick_text(scaled(area.y, area.y_unit.factor), area.y_ticks, tick, area.pretty)).x);
   area.low.x = std::min(std::floor(low.x + widest + 2 * gap), area.high.x - 1);
   if (p.square) {
     make_square(area);
-    area.y_ticks = ticks(area.y, most_ticks(area.high.y - area.low.y, 1.9f * line));
+    area.y_ticks = ticks(scaled(area.y, area.y_unit.factor), most_ticks(area.high.y - area.low.y, 1.9f * line));
   }
-  area.x_ticks = ticks(area.x, most_ticks(area.high.x - area.low.x, 4.0f * line));
+  area.x_ticks = ticks(scaled(area.x, area.x_unit.factor), most_ticks(area.high.x - area.low.x, 4.0f * line));
   return area;
 }
 
-// A multiple of a round step that is at most a pixel, within the axis.
+// A multiple of a round step of the shown unit that is at most a pixel, within the axis.
 double snapped(const PlotArea& area, float mouse_x) {
   const double part = (mouse_x - area.low.x) / std::max(1.0f, area.high.x - area.low.x);
-  const double value = value_at(area.x, part);
-  if (area.x.scale == AxisScale::logarithmic) return value;
-  const double pixel = (area.x.high - area.x.low) / std::max(1.0f, area.high.x - area.low.x);
+  if (area.x.scale == AxisScale::logarithmic) return value_at(area.x, part);
+  const AxisRange axis = scaled(area.x, area.x_unit.factor);
+  const double value = value_at(axis, part);
+  const double pixel = (axis.high - axis.low) / std::max(1.0f, area.high.x - area.low.x);
   const double power = std::pow(10.0, std::floor(std::log10(pixel)));
   const double step = power * (5 * power <= pixel ? 5 : 2 * power <= pixel ? 2 : 1);
   // Multiplying by the count of steps in one has fewer decimals than multiplying by the step.
   const double steps = std::round(value / step), inverse = std::round(1 / step);
   const double rounded = inverse >= 1 ? steps / inverse : steps * step;
-  return std::clamp(rounded, area.x.low, area.x.high);
+  return std::clamp(base::metric_value(rounded, area.x_unit), area.x.low, area.x.high);
 }
 
 void draw_cursor(ImDrawList& list, const PlotArea& area, double x, bool hot) {
@@ -172,11 +176,12 @@ std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot
   list.PopClipRect();
 
   const std::string value = !p.value.empty() ? p.value
-                            : p.cursor       ? significant(*p.cursor, 6, false)
+                            : p.cursor       ? significant(*p.cursor * area.x_unit.factor, 6, false)
                             : any            ? ""
                                              : std::string(p.empty);
   note(ui, label, "plot", any ? "" : tooltip, true, value, area.low, area.high);
-  note(ui, fmt::format("{}/axes", label), "label", tooltip, true, axis_title(p.y), low, {high.x, area.low.y});
+  note(ui, fmt::format("{}/axes", label), "label", tooltip, true, axis_title(p.y, area.y_unit), low,
+       {high.x, area.low.y});
   if (!held || !any) return std::nullopt;
   const double up = (area.high.y - mouse.y) / (area.high.y - area.low.y);
   const PlotDrag wanted{

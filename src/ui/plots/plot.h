@@ -41,7 +41,7 @@ struct Spot {
 };
 
 struct PlotAxis {
-  std::string title = {}, unit = {};  // drawn as "title (unit)"
+  std::string title = {}, unit = {};  // drawn as "title (unit)", in the user's unit; all values are metric
   AxisScale scale = AxisScale::linear;
   std::optional<double> low = {}, high = {};  // else from the data
 };

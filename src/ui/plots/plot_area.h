@@ -9,18 +9,20 @@ namespace coaster::ui {
 
 struct PlotArea {
   AxisRange x, y;
-  Ticks x_ticks, y_ticks;
-  ImVec2 low, high;           // px, of the data
-  float scale = 1;            // px a design px
-  float text_px = 13;         // height of a line of small text
-  bool pretty = true;         // the font has superscripts
-  bool title_beside = false;  // the x axis' title stands in the row of its ticks
+  base::ShownUnit x_unit, y_unit;  // that the axes are in
+  Ticks x_ticks, y_ticks;          // round in these units
+  ImVec2 low, high;                // px, of the data
+  float scale = 1;                 // px a design px
+  float text_px = 13;              // height of a line of small text
+  bool pretty = true;              // the font has superscripts
+  bool title_beside = false;       // the x axis' title stands in the row of its ticks
 
   // NaN where a value has no place.
   ImVec2 at(double x_value, double y_value) const;
 };
 
-std::string axis_title(const PlotAxis& axis);  // "title (unit)"
+std::string axis_title(const PlotAxis& axis, const base::ShownUnit& unit);  // "title (unit)"
+AxisRange scaled(const AxisRange& axis, double factor);
 void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 outer_low);
 void draw_series(ImDrawList& list, const PlotArea& area, const Series& series);
 void draw_levels_and_spots(ImDrawList& list, const PlotArea& area, const Plot& plot);

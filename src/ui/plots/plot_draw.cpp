@@ -18,9 +18,11 @@ ImVec2 PlotArea::at(double x_value, double y_value) const {
           high.y - static_cast<float>(place(part_of(y, y_value))) * (high.y - low.y)};
 }
 
-std::string axis_title(const PlotAxis& axis) {
-  return axis.unit.empty() ? axis.title : fmt::format("{} ({})", axis.title, axis.unit);
+std::string axis_title(const PlotAxis& axis, const base::ShownUnit& unit) {
+  return axis.unit.empty() ? axis.title : fmt::format("{} ({})", axis.title, unit.name);
 }
+
+AxisRange scaled(const AxisRange& axis, double factor) { return {axis.low * factor, axis.high * factor, axis.scale}; }
 
 namespace {
 
@@ -133,26 +135,29 @@ void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 
     const float x = std::floor(area.at(value, area.y.high).x) + 0.5f;
     if (x >= area.low.x - 1 && x <= area.high.x + 1) list.AddLine({x, area.low.y}, {x, area.high.y}, tint);
   };
-  for (const double v : area.y_ticks.minor) row(v, minor);
-  for (const double v : area.x_ticks.minor) column(v, minor);
-  for (const double v : area.y_ticks.major) {
+  for (const double v : area.y_ticks.minor) row(v / area.y_unit.factor, minor);
+  for (const double v : area.x_ticks.minor) column(v / area.x_unit.factor, minor);
+  const AxisRange shown_x = scaled(area.x, area.x_unit.factor), shown_y = scaled(area.y, area.y_unit.factor);
+  for (const double tick : area.y_ticks.major) {
+    const double v = tick / area.y_unit.factor;
     row(v, v == 0 ? packed(palette().dim, 0.7f) : major);
-    const std::string text = tick_text(area.y, area.y_ticks, v, area.pretty);
+    const std::string text = tick_text(shown_y, area.y_ticks, tick, area.pretty);
     const ImVec2 size = small_size(text);
     const float y =
         std::clamp(area.at(area.x.low, v).y - size.y * 0.5f, area.low.y - size.y * 0.15f, area.high.y - size.y * 0.6f);
     draw_ink(list, {area.low.x - size.x - gap, y}, palette().dim, text);
   }
-  for (const double v : area.x_ticks.major) {
+  for (const double tick : area.x_ticks.major) {
+    const double v = tick / area.x_unit.factor;
     column(v, v == 0 && plot.square ? packed(palette().dim, 0.7f) : major);
-    const std::string text = tick_text(area.x, area.x_ticks, v, area.pretty);
+    const std::string text = tick_text(shown_x, area.x_ticks, tick, area.pretty);
     const ImVec2 size = small_size(text);
     draw_ink(list, {std::max(outer_low.x, area.at(v, area.y.low).x - size.x * 0.5f), area.high.y + gap * 0.5f},
              palette().dim, text);
   }
-  draw_ink(list, outer_low, palette().text, axis_title(plot.y));
+  draw_ink(list, outer_low, palette().text, axis_title(plot.y, area.y_unit));
   if (plot.square) return;
-  const std::string title = axis_title(plot.x);
+  const std::string title = axis_title(plot.x, area.x_unit);
   const ImVec2 size = small_size(title);
   const float below = area.high.y + gap * 0.5f;
   if (area.title_beside) draw_ink(list, {area.high.x + line, below}, palette().text, title);
@@ -200,7 +205,7 @@ void draw_levels_and_spots(ImDrawList& list, const PlotArea& area, const Plot& p
 // In the row of the y axis' title, from the right.
 void draw_legend(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 outer_low) {
   const float gap = 5 * area.scale, mark = 12 * area.scale;
-  const float left = outer_low.x + small_size(axis_title(plot.y)).x + 2 * gap;
+  const float left = outer_low.x + small_size(axis_title(plot.y, area.y_unit)).x + 2 * gap;
   float total = 0;
   for (const Series& s : plot.series)
     if (!s.label.empty()) total += mark + gap + small_size(s.label).x + 2 * gap;
@@ -231,15 +236,16 @@ void draw_readout(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVe
   std::stable_sort(found.begin(), found.end(),
                    [](const Nearest& a, const Nearest& b) { return a.distance < b.distance; });
   if (found.size() > kMost) found.resize(kMost);
-  const auto words = [&](const std::string& name, double value, const PlotAxis& axis) {
-    return fmt::format("{} {}{}{}", name, significant(value, 4, area.pretty), axis.unit.empty() ? "" : " ", axis.unit);
+  const auto words = [&](const std::string& name, double value, const base::ShownUnit& unit) {
+    return fmt::format("{} {}{}{}", name, significant(value * unit.factor, 4, area.pretty),
+                       unit.name.empty() ? "" : " ", unit.name);
   };
   std::vector<std::pair<std::uint32_t, std::string>> lines;
   const Nearest& first = found.front();
-  lines.emplace_back(palette().text, words(plot.x.title, first.series->x[first.index], plot.x));
+  lines.emplace_back(palette().text, words(plot.x.title, first.series->x[first.index], area.x_unit));
   for (const Nearest& one : found) {
     const Series& s = *one.series;
-    lines.emplace_back(s.colour, words(s.label.empty() ? plot.y.title : s.label, s.y[one.index], plot.y));
+    lines.emplace_back(s.colour, words(s.label.empty() ? plot.y.title : s.label, s.y[one.index], area.y_unit));
     list.AddCircleFilled(one.place, 3 * area.scale, packed(ink(s.colour)));
   }
   float width = 0;

@@ -43,7 +43,8 @@ void draw_row(const Ui& ui, const ChallengeEntry& entry, int medal, ImVec2 low, 
   const float line = ImGui::GetTextLineHeight();
   const float top = std::floor(low.y + pad * 0.75f + line + 2 * ui.scale);
   const ImVec4 clip(left, low.y, high.x - pad, top + 2 * small_pixels());  // two lines
-  list.AddText(small_font(), small_pixels(), {left, top}, packed(palette().dim), entry.help().c_str(), nullptr,
+  const std::string help = in_units(ui, entry.help());
+  list.AddText(small_font(), small_pixels(), {left, top}, packed(palette().dim), help.c_str(), nullptr,
                high.x - pad - left, &clip);
 }
 

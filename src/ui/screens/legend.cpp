@@ -33,6 +33,7 @@ void draw_legend(Ui& ui, const view::Viewport& scene) {
   const world::Settings& settings = ui.session().settings;
   if (settings.lab->colouring == world::Colouring::plain || !settings.lab->layers.has(world::Layer::legend)) return;
   const world::ColouringRow& row = base::row_of(settings.lab->colouring);
+  const base::ShownUnit unit = base::shown_in(ui.units, row.unit);
   const float scale = ui.scale, margin = std::floor(14 * scale), pad = std::floor(10 * scale),
               bar = std::floor(11 * scale);
   const float text = small_pixels();
@@ -43,10 +44,10 @@ void draw_legend(Ui& ui, const view::Viewport& scene) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + height + pad},
                      packed(palette().background, 0.82f), std::floor(6 * scale));
-  draw_small(list, low, palette().text, fmt::format("{} ({})", row.label, row.unit));
+  draw_small(list, low, palette().text, fmt::format("{} ({})", row.label, unit.name));
   const ImVec2 bar_at(low.x, low.y + text + std::floor(5 * scale));
   draw_bar(list, bar_at, width, bar);
-  const AxisRange axis{ui.state.stats.colour_low, ui.state.stats.colour_high};
+  const AxisRange axis{ui.state.stats.colour_low * unit.factor, ui.state.stats.colour_high * unit.factor};
   const Ticks marks = ticks(axis, 6);
   float free_from = low.x;  // texts that would touch the one before are left out
   for (const double value : marks.major) {

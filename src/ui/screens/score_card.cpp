@@ -44,10 +44,9 @@ void numbers(Ui& ui, const edit::RideResult& result) {
   if (result.end == RideEnd::failed)
     read_out(ui, "Time", fixed(result.seconds, 2), "s", "Time from the start to the failure.");
   else read_out(ui, result.end == RideEnd::lap ? "Lap time" : "Time", fixed(r.seconds, 2), "s", "Time of the ride.");
-  read_out(ui, "Length", fixed(r.length, 1), "m", "Length of the track.");
-  read_out(ui, "Top speed", fixed(r.top_speed.value, 1), "m/s", "Highest speed of the ride.");
-  read_out(ui, "Highest drop", fixed(r.highest_drop, 1), "m",
-           fmt::format("Largest of {} descents of 3 m or more.", r.drops));
+  read_out(ui, "Length", r.length, 1, "m", "Length of the track.");
+  read_out(ui, "Top speed", r.top_speed.value, 1, "m/s", "Highest speed of the ride.");
+  read_out(ui, "Highest drop", r.highest_drop, 1, "m", fmt::format("Largest of {} descents of 3 m or more.", r.drops));
   read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "Time with vertical g below 0.");
   read_out(ui, "Vertical g", fmt::format("{} .. {}", fixed(r.up_least.value, 2), fixed(r.up_most.value, 2)), "g",
            "Smallest and largest, low-pass filtered, all cars.");

@@ -31,6 +31,7 @@ void look(Ui& ui) {
   scale(ui);
   setting_list<&world::Look::theme>(ui, "Theme", "Colours of the panels.");
   setting_list<&world::Look::style>(ui, "Scene", "Light, sky and ground.");
+  setting_list<&world::Look::units>(ui, "Units", "Units of lengths and speeds. Files and scripts stay metric.");
   const bool built = platform::sound_library() != "none";
   if (const auto to = slider(ui, "Sound (%)", static_cast<int>(std::lround(100 * ui.session().settings.look->sound)), 0,
                              100, false, built ? "Ride volume. 0 mutes it." : "This build has no sound (OpenAL)."))

@@ -93,7 +93,7 @@ bool StartScreen::draw(Ui& ui, const Card& card, float width) {
   const float medal = std::floor(26 * ui.scale);
   if (card.medal > 0) draw_medal(list, {high.x - medal - 4 * ui.scale, low.y + 4 * ui.scale}, medal, card.medal, true);
   const std::string length =
-      card.name.empty() && picture != nullptr && picture->length > 0 ? fixed(picture->length, 0) + " m" : "";
+      card.name.empty() && picture != nullptr && picture->length > 0 ? measured(ui, picture->length, 0, "m") : "";
   const float foot = high.y + 0.2f * line, room = text_size(length).x;
   list.PushClipRect(low, {high.x - room - 4 * ui.scale, high.y + 1.4f * line}, true);
   draw_text(list, {low.x + 2, foot}, palette().text, name);

@@ -46,13 +46,16 @@ double Toasts::still_for(double seconds) const {
   return std::max(0.0, lifetime(kind) - kFade - (seconds - since));
 }
 
-void Toasts::draw(const view::Viewport& viewport, float scale, double seconds, bool scripted) const {
+void Toasts::draw(const Ui& ui, const view::Viewport& viewport) const {
   if (shown.empty()) return;
+  const std::string words = in_units(ui, shown);
+  const float scale = ui.scale;
+  const double seconds = ui.state.seconds;
   const float alpha =
-      scripted ? 1.0f : static_cast<float>(std::clamp((lifetime(kind) - (seconds - since)) / kFade, 0.0, 1.0));
+      ui.state.scripted ? 1.0f : static_cast<float>(std::clamp((lifetime(kind) - (seconds - since)) / kFade, 0.0, 1.0));
   const float margin = 12 * scale, pad = 10 * scale, bar = 4 * scale;
   const float room = std::max(40.0f, std::min(520 * scale, viewport.width - 2 * margin) - 2 * pad - bar);
-  const ImVec2 size = ImGui::CalcTextSize(shown.c_str(), nullptr, false, room);
+  const ImVec2 size = ImGui::CalcTextSize(words.c_str(), nullptr, false, room);
   const float width = size.x + 2 * pad + bar, height = size.y + 2 * pad * 0.8f;
   const ImVec2 low(std::floor(viewport.x + (viewport.width - width) * 0.5f),
                    std::floor(viewport.y + viewport.height - height - margin));
@@ -63,7 +66,7 @@ void Toasts::draw(const view::Viewport& viewport, float scale, double seconds, b
                      ImDrawFlags_RoundCornersLeft);
   list.AddRect(low, high, packed(palette().border, alpha), 4 * scale);
   list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + bar + pad, low.y + pad * 0.8f},
-               packed(palette().text, alpha), shown.c_str(), nullptr, room + 1);
+               packed(palette().text, alpha), words.c_str(), nullptr, room + 1);
 }
 
 }  // namespace coaster::ui

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "edit/session/session.h"
+#include "ui/context/ui.h"
 #include "view/camera.h"
 
 namespace coaster::ui {
@@ -21,7 +22,7 @@ struct Toasts {
   void show(edit::NoticeKind what, std::string text, double seconds);
   // Returns the time from `seconds` until it begins to fade; 0 then, infinity without a notice.
   double still_for(double seconds) const;
-  void draw(const view::Viewport& viewport, float scale, double seconds, bool scripted) const;
+  void draw(const Ui& ui, const view::Viewport& viewport) const;
 };
 
 }  // namespace coaster::ui

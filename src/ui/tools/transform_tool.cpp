@@ -52,6 +52,7 @@ void TransformTool::begin(Ui& ui, TransformKind kind, Constraint constraint, std
   if (knots.empty()) return;
   *this = {};
   active_ = true;
+  length_ = base::shown_in(ui.units, "m");
   kind_ = kind, constraint_ = constraint, button_ = button;
   knots_ = named_knots(session.document, knots);
   glm::dvec3 sum(0);
@@ -69,7 +70,8 @@ std::size_t TransformTool::fields() const {
 
 std::optional<double> TransformTool::typed(std::size_t field) const {
   const base::Result<double> value = base::evaluate(text_[field]);
-  return value ? std::optional(*value) : std::nullopt;
+  if (!value) return std::nullopt;
+  return kind_ == TransformKind::move ? base::metric_value(*value, length_) : *value;
 }
 std::string TransformTool::mistyped() const {
   for (std::size_t field = 0; field < fields(); ++field) {
@@ -138,8 +140,8 @@ edit::Command TransformTool::command(const Ui& ui, const view::View& view) {
     const glm::vec3 by = movement(ui, view);
     shown_ = fmt::format("Move{}:", along);
     for (int i = 0; i < 3; ++i)
-      if (constraint_.allows(i)) shown_ += " " + fixed(by[i], 3);
-    shown_ += " m";
+      if (constraint_.allows(i)) shown_ += " " + digits(ui, by[i], 3, "m");
+    shown_ += fmt::format(" {}", length_.name);
     return edit::Translate{knots_, by, true};
   }
   if (kind_ == TransformKind::rotate) {

@@ -47,6 +47,7 @@ class TransformTool {
   glm::vec3 pivot_{0}, active_start_{0};  // m: the mean, and the active knot, when it began
   glm::vec2 start_{0}, last_{0};          // px
   double angle_ = 0;                      // radians, gathered over more than half a turn
+  base::ShownUnit length_;                // of typed distances
   std::array<std::string, 3> text_;       // what is typed
   std::size_t field_ = 0;
   std::string sent_, shown_;  // the last command, and what the status says of it

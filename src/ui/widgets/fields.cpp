@@ -61,6 +61,26 @@ std::optional<double> parse(WidgetFrame& ui, std::string_view label, const Numbe
   return std::nullopt;
 }
 
+// A number field in the user's units.
+struct UsersNumber {
+  Number shown;
+  base::ShownUnit unit;
+};
+UsersNumber in_users_units(const WidgetFrame& ui, const Number& metric) {
+  const base::ShownUnit unit = base::shown_in(ui.units, metric.typed_in);
+  Number n = metric;
+  for (double* const value : {&n.value, &n.step, &n.low, &n.high, &n.largest}) *value *= unit.factor;
+  n.decimals += unit.more_decimals;
+  n.typed_in = unit.name.data();
+  if (metric.unit[0] != 0) n.unit = n.typed_in;
+  return {n, unit};
+}
+
+std::optional<double> in_metric(std::optional<double> shown, const base::ShownUnit& unit, const Number& metric) {
+  if (!shown) return std::nullopt;
+  return std::clamp(base::metric_value(*shown, unit), -metric.largest, metric.largest);
+}
+
 // Returns whether the mouse opens a field for typing: Ctrl+click or double-click; with `plain_click` also the release
 // of a click.
 bool wants_typing(ImGuiID id, ImVec2 low, ImVec2 high, bool plain_click) {
@@ -118,8 +138,9 @@ std::optional<double> drag(WidgetFrame& ui, const Number& n, ImGuiID id) {
 }
 
 // One field at the cursor, `width` wide.
-std::optional<double> field(WidgetFrame& ui, std::string_view label, const Number& n, std::string_view name,
+std::optional<double> field(WidgetFrame& ui, std::string_view label, const Number& metric, std::string_view name,
                             std::uint32_t name_colour, float width, std::string_view tooltip, bool enabled) {
+  const auto [n, unit] = in_users_units(ui, metric);
   ImGui::PushID(label.data(), label.data() + label.size());
   ImGui::BeginDisabled(!enabled);
   const ImGuiID drag_id = ImGui::GetID("##drag");
@@ -129,7 +150,8 @@ std::optional<double> field(WidgetFrame& ui, std::string_view label, const Numbe
   if (begin) ImGui::ClearActiveID();
   ImGui::SetNextItemWidth(width);
   if (begin || ui.entry.id == ImGui::GetID("##type")) {
-    if (typed(ui, "##type", base::to_text(n.value), begin) == Typing::complete) result = parse(ui, label, n);
+    const std::string initial = unit.factor == 1 ? base::to_text(n.value) : fmt::format("{:.9g}", n.value);
+    if (typed(ui, "##type", initial, begin) == Typing::complete) result = parse(ui, label, n);
   } else {
     result = drag(ui, n, drag_id);
     draw_number(ui, n, name, name_colour, low, high, enabled);
@@ -137,7 +159,7 @@ std::optional<double> field(WidgetFrame& ui, std::string_view label, const Numbe
   ImGui::EndDisabled();
   ImGui::PopID();
   note(ui, label, "number", tooltip, enabled, fixed(n.value, n.decimals), low, high);
-  return result;
+  return in_metric(result, unit, metric);
 }
 
 }  // namespace
@@ -166,8 +188,9 @@ std::optional<Changed> numbers(WidgetFrame& ui, std::string_view group, std::spa
 namespace {
 
 // A slider from `n.low` to `n.high`.
-std::optional<double> slide(WidgetFrame& ui, std::string_view label, const Number& n, std::string_view tooltip,
+std::optional<double> slide(WidgetFrame& ui, std::string_view label, const Number& metric, std::string_view tooltip,
                             bool logarithmic) {
+  const auto [n, unit] = in_users_units(ui, metric);
   const double value = n.value, low = n.low, high = n.high;
   begin_row(label);
   const float width = ImGui::CalcItemWidth();
@@ -197,7 +220,7 @@ std::optional<double> slide(WidgetFrame& ui, std::string_view label, const Numbe
   }
   ImGui::PopID();
   note(ui, label, "slider", tooltip, true, digits, from, to);
-  return result;
+  return in_metric(result, unit, metric);
 }
 
 constexpr double kLargestSlid = 2e9;  // fits an int
@@ -205,8 +228,8 @@ constexpr double kLargestSlid = 2e9;  // fits an int
 }  // namespace
 
 std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
-                                  int decimals, std::string_view tooltip, bool logarithmic) {
-  const Number n{.value = value, .decimals = decimals, .low = low, .high = high, .largest = kLargestSlid};
+                                  int decimals, std::string_view tooltip, bool logarithmic, const char* unit) {
+  const Number n{.value = value, .unit = unit, .decimals = decimals, .low = low, .high = high, .largest = kLargestSlid};
   return slide(ui, label, n, tooltip, logarithmic);
 }
 

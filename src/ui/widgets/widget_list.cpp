@@ -54,6 +54,11 @@ std::string joined(std::string_view path, bool ids) {
 
 std::string_view shown(std::string_view label) { return label.substr(0, label.find(kId)); }
 
+std::string_view id_of(std::string_view label) {
+  const std::size_t mark = label.find(kId);
+  return mark == std::string_view::npos ? label : label.substr(mark + kId.size());
+}
+
 void WidgetList::clear() {
   widgets_.clear();
   windows_.clear();

@@ -13,6 +13,7 @@ namespace coaster::ui {
 
 // A label "Shown###Id" shows its first part and keeps the second as its id; others are their own id.
 std::string_view shown(std::string_view label);
+std::string_view id_of(std::string_view label);
 
 // A widget as last drawn, for scripts: path "Panel/Label" or "Panel/Group/Label".
 struct Widget {

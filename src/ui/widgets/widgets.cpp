@@ -48,7 +48,7 @@ void note(WidgetFrame& ui, std::string_view label, std::string_view kind, std::s
   const bool over = ImGui::IsWindowHovered() && ImRect(low, high).Contains(ImGui::GetIO().MousePos);
   if (over && !tooltip.empty() && !ImGui::IsAnyMouseDown()) {
     ui.rest.next = path;
-    if (ui.rest.path == path && ui.rest.seconds > kTooltipRest) show_tooltip(tooltip, ui.scale);
+    if (ui.rest.path == path && ui.rest.seconds > kTooltipRest) show_tooltip(in_units(ui, tooltip), ui.scale);
   }
   ui.list.add(path, kind, {low.x, low.y}, {high.x, high.y}, enabled, std::move(value));
 }
@@ -57,6 +57,17 @@ void note_item(WidgetFrame& ui, std::string_view label, std::string_view kind, s
                std::string value) {
   note(ui, label, kind, tooltip, enabled, std::move(value), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
 }
+
+std::string digits(const WidgetFrame& ui, double value, int decimals, std::string_view metric) {
+  const base::ShownUnit unit = base::shown_in(ui.units, metric);
+  return fixed(value * unit.factor, decimals + unit.more_decimals);
+}
+
+std::string measured(const WidgetFrame& ui, double value, int decimals, std::string_view metric) {
+  return fmt::format("{} {}", digits(ui, value, decimals, metric), base::shown_in(ui.units, metric).name);
+}
+
+std::string in_units(const WidgetFrame& ui, std::string_view words) { return base::in_units(words, ui.units); }
 
 std::string hidden(std::string_view label) { return "##" + std::string(label); }
 
@@ -120,8 +131,10 @@ bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bo
 }
 
 void heading(WidgetFrame& ui, std::string_view label, std::string_view tooltip) {
-  tinted_line(shown(label), palette().dim);
-  note_item(ui, label, "label", tooltip, true);
+  const std::string words = in_units(ui, shown(label));
+  tinted_line(words, palette().dim);
+  note_item(ui, words == shown(label) ? std::string(label) : fmt::format("{}###{}", words, id_of(label)), "label",
+            tooltip, true);
 }
 
 void tinted_line(std::string_view words, std::uint32_t rgb) {
@@ -137,8 +150,9 @@ void tinted(std::string_view words, std::uint32_t rgb) {
 }
 
 void paragraph(WidgetFrame& ui, std::string_view label, std::string_view words, std::uint32_t rgb) {
-  tinted(words, rgb);
-  note_item(ui, label, "label", "", true, std::string(words));
+  const std::string shown_words = in_units(ui, words);
+  tinted(shown_words, rgb);
+  note_item(ui, label, "label", "", true, shown_words);
 }
 
 bool button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, bool enabled, float width) {
@@ -228,6 +242,11 @@ void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, s
   }
   ImGui::Dummy({room, height});
   note_item(ui, label, "label", tooltip, true, fmt::format("{}{}{}", value, unit.empty() ? "" : " ", unit));
+}
+
+void read_out(WidgetFrame& ui, std::string_view label, double value, int decimals, std::string_view metric,
+              std::string_view tooltip, bool warns) {
+  read_out(ui, label, digits(ui, value, decimals, metric), base::shown_in(ui.units, metric).name, tooltip, warns);
 }
 
 std::string fixed(double value, int decimals) {

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "base/names.h"
+#include "base/units.h"
 #include "ui/widgets/widget_list.h"
 
 namespace coaster::ui {
@@ -46,7 +47,16 @@ struct WidgetFrame {
   const std::function<void(const std::string& text)>& warn;  // shows a notice about input that changes nothing
   float scale = 1;                                           // px a design px
   std::string panel;                                         // first part of the paths
+  base::Units units = base::Units::m_s;                      // that values and words are shown in
 };
+
+// Widgets get metric values and words, and show them in the user's units (base/units.h): the numbers and units of
+// read-outs, fields and plots, and the lengths and speeds in headings, paragraphs and tooltips. What is typed or
+// dragged comes back metric. Text that a caller draws goes through one of these: the number, the number with its unit,
+// words.
+std::string digits(const WidgetFrame& ui, double value, int decimals, std::string_view metric);
+std::string measured(const WidgetFrame& ui, double value, int decimals, std::string_view metric);
+std::string in_units(const WidgetFrame& ui, std::string_view words);
 
 glm::vec2 mouse_position();                  // px
 std::string hidden(std::string_view label);  // "##label": an id without a drawn label
@@ -124,7 +134,7 @@ std::optional<E> combo_of(WidgetFrame& ui, std::string_view label, E current, st
 
 struct Number {
   double value = 0;
-  const char* unit = "";
+  const char* unit = "";  // metric
   int decimals = 2;
   double step = 0.05;        // per pixel of a drag
   double low = 0, high = 0;  // of drags; what is typed goes out as it is, for the command to clamp (low == high: none)
@@ -148,12 +158,16 @@ std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, in
                           std::string_view tooltip);
 // The same for a real number, shown with and rounded to `decimals`.
 std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
-                                  int decimals, std::string_view tooltip, bool logarithmic = false);
+                                  int decimals, std::string_view tooltip, bool logarithmic = false,
+                                  const char* unit = "");
 // A text field. Returns the text on Enter, or when it loses focus changed.
 std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const std::string& value,
                                 std::string_view tooltip);
 
-// Label left, value and unit right, in the warning colour if it `warns`.
+// Label left, value and unit right, in the warning colour if it `warns`. Text is shown as it is, a number in the user's
+// units.
+void read_out(WidgetFrame& ui, std::string_view label, double value, int decimals, std::string_view metric,
+              std::string_view tooltip, bool warns = false);
 void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, std::string_view unit,
               std::string_view tooltip, bool warns = false);
 // "12345.60", without a "-" before zero.

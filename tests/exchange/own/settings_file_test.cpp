@@ -60,6 +60,7 @@ TEST(settings_file, the_file_of_a_new_user_is_this) {
   "ui_scale": 1,
   "theme": "dark",
   "style": "day",
+  "units": "m_s",
   "shadows": true,
   "sound": 0.5,
   "panels": true,

@@ -1,0 +1,38 @@
+// The units that lengths and speeds are shown and typed in. Everything else is metric: documents, files, scripts,
+// queries, and what panels pass to widgets.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/names.h"
+
+namespace coaster::base {
+
+enum class Units : std::uint8_t { m_s, kmh, feet };
+inline constexpr NameRow kUnitSystems[] = {{"m_s", "Metres, m/s", "Lengths in metres, speeds in metres per second."},
+                                           {"kmh", "Metres, km/h", "Lengths in metres, speeds in km/h."},
+                                           {"feet", "Feet, mph", "Lengths in feet, speeds in miles per hour."}};
+constexpr std::span<const NameRow> rows_of(Units) { return kUnitSystems; }
+
+// How values of a metric unit are shown.
+struct ShownUnit {
+  std::string_view name;  // ends in a null
+  double factor = 1;      // shown = factor * metric
+  int more_decimals = 0;  // that keep the precision of the metric value
+};
+// The unit that shows values of a metric one: "m", "mm", "m/s", "1/m" and their like. Other units are shown as they
+// are.
+ShownUnit shown_in(Units units, std::string_view metric);
+
+// Returns the metric value of a shown one, rounded to 15 digits, so that 33 ft is 10.0584 m.
+double metric_value(double shown, const ShownUnit& unit);
+
+// Rewrites the lengths and speeds of a sentence: "Rolled back 2 m." becomes "Rolled back 6.56 ft.", "0 to 20 m/s"
+// becomes "0 to 44.7 mph", "Position (m)" becomes "Position (ft)". Keeps the decimals, and at least three digits that
+// are not zeros at the end. Leaves text in double quotes as it is.
+std::string in_units(std::string_view text, Units units);
+
+}  // namespace coaster::base
