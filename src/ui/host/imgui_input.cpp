@@ -2,6 +2,7 @@
 #include "ui/host/imgui_input.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -57,6 +58,36 @@ void ImGuiInput::take_text(const std::string& utf8, bool ctrl) {
   ImGui::GetIO().AddInputCharactersUTF8(utf8.c_str());
 }
 
+void ImGuiInput::take_button(const platform::MouseButton& event) {
+  constexpr double kSeconds = 0.3;  // between the presses of a double click
+  constexpr float kReach = 6;       // px
+  const auto button = static_cast<std::size_t>(event.button);
+  Press& last = presses_[button];
+  const bool twice = event.down && !last.twice && time_ - last.time <= kSeconds &&
+                     std::hypot(mouse_.x - last.at.x, mouse_.y - last.at.y) <= kReach;
+  if (event.down) last = {time_, mouse_, twice};
+  waiting_.push_back({button, event.down, twice, mouse_, event.modifiers});
+}
+
+// Shows ImGui the mouse: where the buttons changed if they did, else where it is now.
+void ImGuiInput::show_mouse(ImVec2 wheel) {
+  ImGuiIO& io = ImGui::GetIO();
+  Buttons changed{};
+  ImVec2 at = mouse_;
+  while (!waiting_.empty() && !changed[waiting_.front().button]) {
+    const Change& change = waiting_.front();
+    changed[change.button] = true;
+    down_[change.button] = change.down;
+    at = change.at;
+    modifiers_ = change.modifiers;
+    // ImGui compares times of frames: it takes every press for a second one, or none.
+    if (change.down) io.MouseDoubleClickTime = io.MouseDoubleClickMaxDist = change.twice ? FLT_MAX : 0.0f;
+    waiting_.pop_front();
+  }
+  set_mouse(at, wheel);
+  for (std::size_t i = 0; i < down_.size(); ++i) set_button(static_cast<int>(i), down_[i]);
+}
+
 void ImGuiInput::feed(const platform::Events& events, int width, int height, bool text_has_keyboard) {
   static_assert(std::tuple_size_v<Keys> == std::size(kKeys));
   ImGuiIO& io = ImGui::GetIO();
@@ -65,18 +96,17 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
   bool ctrl = false;
   ImVec2 wheel;
   Keys keys = held_;
-  Buttons pressed{};
   if (!late_text_.empty()) take_text(std::exchange(late_text_, {}), false);
-  for (const platform::Event& event : events) {
+  for (const platform::Event& event : events)
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) seconds += static_cast<float>(tick->dt);
-    else if (const auto* const move = std::get_if<platform::MouseMove>(&event)) mouse_ = {move->x, move->y};
+  time_ += static_cast<double>(seconds);
+  for (const platform::Event& event : events) {
+    if (const auto* const move = std::get_if<platform::MouseMove>(&event)) mouse_ = {move->x, move->y};
     else if (const auto* const turn = std::get_if<platform::Wheel>(&event)) wheel.x += turn->dx, wheel.y += turn->dy;
     else if (const auto* const press = std::get_if<platform::MouseButton>(&event)) {
-      const auto button = static_cast<std::size_t>(press->button);
       modifiers_ = press->modifiers;
       ctrl = ctrl || press->modifiers.ctrl;
-      down_[button] = press->down;
-      pressed[button] = pressed[button] || press->down;
+      take_button(*press);
     } else if (const auto* const key = std::get_if<platform::KeyPress>(&event)) {
       modifiers_ = key->modifiers;
       ctrl = ctrl || key->modifiers.ctrl;
@@ -85,12 +115,12 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
       take_text(text->utf8, ctrl);
     } else if (const auto* const focus = std::get_if<platform::Focus>(&event); focus != nullptr && !focus->focused) {
       modifiers_ = {};
+      waiting_.clear();
       down_ = {};
       held_ = {};
     }
   }
-  set_mouse(mouse_, wheel);
-  for (std::size_t i = 0; i < down_.size(); ++i) set_button(static_cast<int>(i), down_[i] || pressed[i]);
+  show_mouse(wheel);
   for (std::size_t i = 0; i < keys.size(); ++i) set_key(kKeys[i].second, keys[i]);
   set_modifiers(modifiers_.ctrl, modifiers_.shift, modifiers_.alt);
   io.DeltaTime = seconds > 0 ? seconds : 1e-4f;  // ImGui asserts a positive step

@@ -1,11 +1,13 @@
-// Feeds a frame's events to Dear ImGui. If a press and its release are in one frame, ImGui sees the release a frame
-// later.
+// Feeds a frame's events to Dear ImGui. ImGui sees one change of a button per frame, at the place where it happened:
+// further ones wait for the next frames. Double clicks count by the time and the place of the presses, so they do not
+// depend on the frame rate. The time of an event is that of its poll.
 #pragma once
 
 #include <imgui.h>
 
 #include <array>
 #include <cfloat>
+#include <deque>
 #include <string>
 
 #include "platform/events.h"
@@ -23,7 +25,25 @@ class ImGuiInput {
   using Keys = std::array<bool, 22>;  // by the rows of kKeys
   void take_key(const platform::KeyPress& event, bool text_has_keyboard, Keys& shown);
   void take_text(const std::string& utf8, bool ctrl);
+  void take_button(const platform::MouseButton& event);
+  void show_mouse(ImVec2 wheel);
 
+  // A change of a button that ImGui has not seen, and the last press of a button.
+  struct Change {
+    std::size_t button;
+    bool down, twice;
+    ImVec2 at;
+    platform::Modifiers modifiers;
+  };
+  struct Press {
+    double time = -1e9;  // s
+    ImVec2 at;
+    bool twice = false;  // the second one of a double click
+  };
+
+  double time_ = 0;  // s, the sum of the ticks
+  std::deque<Change> waiting_;
+  std::array<Press, 3> presses_;
   ImVec2 mouse_{-FLT_MAX, -FLT_MAX};  // ImGui's "nowhere"
   Buttons down_{};
   Keys held_{};

@@ -22,8 +22,8 @@ struct ImGuiInputTest : testing::Test {
   ~ImGuiInputTest() override { ImGui::DestroyContext(context); }
 
   // What ImGui sees during a frame with these events.
-  void frame(platform::Events events) {
-    events.emplace_back(platform::Tick{1.0 / 60});
+  void frame(platform::Events events, double seconds = 1.0 / 60) {
+    events.emplace_back(platform::Tick{seconds});
     input.feed(events, 640, 360, true);
     ImGui::NewFrame();
     const ImGuiIO& io = ImGui::GetIO();
@@ -31,6 +31,8 @@ struct ImGuiInputTest : testing::Test {
     wheel = io.MouseWheel;
     ctrl = io.KeyCtrl;
     clicked = io.MouseClicked[0];
+    clicks += clicked ? 1 : 0;
+    double_clicks += ImGui::IsMouseDoubleClicked(0) ? 1 : 0;
     down = io.MouseDown[0];
     a_pressed = ImGui::IsKeyPressed(ImGuiKey_A);
     text = io.InputQueueCharacters.Size;
@@ -42,7 +44,8 @@ struct ImGuiInputTest : testing::Test {
   ImVec2 mouse;
   float wheel = 0;
   bool ctrl = false, clicked = false, down = false, a_pressed = false;
-  int text = 0;
+  int text = 0, clicks = 0, double_clicks = 0;
+  const platform::MouseButton kDown{Button::left, true, {}}, kUp{Button::left, false, {}};
 };
 
 TEST_F(ImGuiInputTest, a_chord_arrives_in_the_frame_of_its_key) {
@@ -69,6 +72,50 @@ TEST_F(ImGuiInputTest, a_click_within_a_frame_is_released_in_the_next) {
   EXPECT_TRUE(clicked && down);
   frame({});
   EXPECT_FALSE(down);
+}
+
+TEST_F(ImGuiInputTest, two_clicks_within_0_3_s_are_a_double_click_at_any_frame_rate) {
+  for (const double frame_time : {1.0 / 240, 1.0 / 60, 1.0 / 20, 1.0 / 5})
+    for (const double between : {0.05, 0.2, 0.29, 0.36, 0.6}) {
+      frame({}, 5);
+      clicks = double_clicks = 0;
+      // Each event goes to the first poll after it.
+      const double events[] = {0.001, 0.001 + 0.4 * between, 0.001 + between, 0.001 + 1.4 * between};
+      std::size_t next = 0;
+      double polled = 0, last_poll = 0, presses[2] = {};
+      for (; next < 4 || polled < last_poll + 4 * frame_time; polled += frame_time) {
+        platform::Events batch;
+        for (; next < 4 && events[next] <= polled; ++next) {
+          batch.emplace_back(next % 2 == 0 ? kDown : kUp);
+          presses[next / 2] = next % 2 == 0 ? polled : presses[next / 2];
+          last_poll = polled;
+        }
+        frame(batch, frame_time);
+      }
+      EXPECT_EQ(clicks, 2) << frame_time << " " << between;
+      EXPECT_EQ(double_clicks, presses[1] - presses[0] < 0.3 ? 1 : 0) << frame_time << " " << between;
+      if (frame_time < 0.01) EXPECT_EQ(double_clicks, between < 0.3 ? 1 : 0);
+    }
+}
+
+TEST_F(ImGuiInputTest, two_clicks_in_one_frame_are_a_double_click_and_a_third_one_is_not) {
+  frame({kDown, kUp, kDown, kUp, kDown, kUp}, 0.2);
+  for (int i = 0; i < 6; ++i) frame({}, 0.2);
+  EXPECT_EQ(clicks, 3);
+  EXPECT_EQ(double_clicks, 1);
+  EXPECT_FALSE(down);
+}
+
+TEST_F(ImGuiInputTest, clicks_at_two_places_are_no_double_click_and_each_counts_where_it_was) {
+  frame({platform::MouseMove{30, 40}, kDown, kUp, platform::MouseMove{37, 40}, kDown, platform::MouseMove{90, 90}});
+  EXPECT_TRUE(clicked && mouse.x == 30 && mouse.y == 40);
+  frame({});
+  EXPECT_FALSE(down);
+  frame({});
+  EXPECT_TRUE(clicked && mouse.x == 37 && mouse.y == 40);
+  frame({});
+  EXPECT_TRUE(down && mouse.x == 90 && mouse.y == 90);
+  EXPECT_EQ(double_clicks, 0);
 }
 
 TEST_F(ImGuiInputTest, text_beside_ctrl_arrives_a_frame_later) {
