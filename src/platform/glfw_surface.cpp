@@ -225,6 +225,10 @@ base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options
   };
   if (!set("DISPLAY") && !set("WAYLAND_DISPLAY"))
     return base::Status{base::Code::graphics, "no display (DISPLAY and WAYLAND_DISPLAY are not set); use --headless"};
+#ifdef GLFW_PLATFORM
+  // Of its own accord GLFW tries Wayland first, whose library prints a line where there is none.
+  if (!set("WAYLAND_DISPLAY")) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
   if (!glfwInit())
     return base::Status{base::Code::graphics, fmt::format("no window system: {}; use --headless", last_error())};
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);

@@ -94,6 +94,9 @@ def main():
         wait_for("the window", lambda: subprocess.run(["xdotool", "search", "--name", "coaster"], env=environment,
                                                       capture_output=True, text=True).stdout.strip())
         wait_for("the first frames", lambda: "ticks" in recorded() or (folder / "log.txt").stat().st_size > 0)
+        # Keys that come before go to no window.
+        wait_for("the keyboard's focus", lambda: "coaster" in subprocess.run(
+            ["xdotool", "getwindowfocus", "getwindowname"], env=environment, capture_output=True, text=True).stdout)
         xdo("key", "Tab")
         wait_for("the panels to be hidden", lambda: "panels off" in recorded())
         xdo("mousemove", *pixel_of((0, 10, 0), wait_for("the camera", lambda: re.search(r"^camera .*\n", recorded(), re.M) and recorded())))
