@@ -1,5 +1,6 @@
 #include "app/scene.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "sim/ride/ride.h"
@@ -14,6 +15,20 @@ bool is_riding(const Program& program, const Look& look) {
   const world::CameraMode mode = program.picture.rig.mode;
   const bool with_train = mode == world::CameraMode::ride || mode == world::CameraMode::chase;
   return look.alone || (with_train && program.session.motion.state == world::RideState::running);
+}
+
+// Ways home are not searched for while a drag changes the track.
+bool shows_circuit(const Program& program, const Look& look) {
+  return look.settings.aids->circuit > 0 && !program.session.history.in_gesture;
+}
+
+// The palette's element or a way home, as the overlay shows it.
+void mark_plan(const Program& program, const Look& look, const edit::Findings& found, view::Findings& marked) {
+  if (look.settings.aids->show_element) marked.element = found.element, marked.narrow = found.room;
+  if (!shows_circuit(program, look) || found.circuit->list.empty()) return;
+  const std::size_t last = found.circuit->list.size() - 1,
+                    wanted = static_cast<std::size_t>(look.settings.aids->circuit) - 1;
+  marked.element = &found.circuit->list[std::min(wanted, last)].plan, marked.narrow = {};
 }
 
 }  // namespace
@@ -38,6 +53,7 @@ edit::Want wanted_by(const Look& look, const Program& program) {
   if (layers.has(world::Layer::limits)) wanted = wanted | Want::overloads | Want::jolts;
   if (layers.has(world::Layer::supports)) wanted = wanted | Want::supports;
   if (look.settings.aids->show_element) wanted = wanted | Want::element | Want::room;
+  if (shows_circuit(program, look)) wanted = wanted | Want::circuit;
   return wanted;
 }
 
@@ -51,7 +67,7 @@ gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findin
     marked.folds = found.folds;
   }
   if (layers.has(world::Layer::limits)) marked.spans = found.overloads, marked.jolts = found.jolts;
-  if (look.settings.aids->show_element) marked.element = found.element, marked.narrow = found.room;
+  mark_plan(program, look, found, marked);
   const view::Overlay overlay =
       view::build_overlay(session.document, session.derived, look.settings, look.view, look.hovered, marked);
   const std::vector<sim::Pose> carts = cart_poses(session);
@@ -86,6 +102,7 @@ void draw_scene_alone(Program& program, const view::View& view, platform::Size s
   settings.selected = world::kNone;
   settings.also.clear();
   settings.aids->show_gizmo = settings.aids->show_element = false;
+  settings.aids->circuit = 0;
   settings.lab->layers.set(world::Layer::polyline, false);
   const Look look{settings, view, {}, true};
   (void)draw_scene(program, look, edit::find(program.session, wanted_by(look, program)), size);

@@ -40,6 +40,26 @@ Answer lowest(const Context& c, View) { return number(plan(c).lowest); }
 Answer missing(const Context& c, View) { return number(sim::worst(c.find(edit::Want::room).room)); }
 Answer refusal(const Context& c, View) { return text(plan(c).refusal.empty() ? "none" : plan(c).refusal); }
 
+const sim::CircuitProposals& circuit(const Context& c) { return *c.find(edit::Want::circuit).circuit; }
+Answer proposals(const Context& c, View) { return number(circuit(c).list.size()); }
+template <class Function>
+Answer of_proposal(const Context& c, View argument, Function function) {
+  const std::vector<sim::CircuitProposal>& list = circuit(c).list;
+  for (std::size_t i = 0; i < sim::kMostProposals; ++i)
+    if (argument == std::to_string(i + 1)) return number(i < list.size() ? function(list[i]) : 0.0);
+  return base::Status{base::Code::usage,
+                      fmt::format("expected 1 to {}, found {}", sim::kMostProposals, base::quoted(argument))};
+}
+Answer circuit_length(const Context& c, View argument) {
+  return of_proposal(c, argument, [](const sim::CircuitProposal& p) { return p.plan.length; });
+}
+Answer circuit_g(const Context& c, View argument) {
+  return of_proposal(c, argument, [](const sim::CircuitProposal& p) { return p.felt.most; });
+}
+Answer circuit_refusal(const Context& c, View) {
+  return text(circuit(c).refusal.empty() ? "none" : circuit(c).refusal);
+}
+
 constexpr std::array kElementRows{
     Query{"element", "", "",
           "The palette's element: straight, curve, helix, climb, dive, camelback, loop or corkscrew.", element},
@@ -60,6 +80,10 @@ constexpr std::array kElementRows{
     Query{"element.lowest", "", "m", "Lowest height of its rails above the ground.", lowest},
     Query{"element.missing", "", "m", "Clearance missing between it and other track; 0 if there is enough.", missing},
     Query{"element.refusal", "", "", "Why it cannot be placed; none if it can.", refusal},
+    Query{"complete.proposals", "", "", "Number of ways from the open end to the first knot: 0 to 3.", proposals},
+    Query{"complete.length", "1|2|3", "m", "Length of a way home; 0 without it.", circuit_length},
+    Query{"complete.worst_g", "1|2|3", "g", "Largest vertical g on a way home; 0 without it.", circuit_g},
+    Query{"complete.refusal", "", "", "Why there is no way home; none if there is one.", circuit_refusal},
 };
 
 }  // namespace

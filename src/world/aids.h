@@ -11,6 +11,7 @@ struct Aids {
   bool show_gizmo = true;
   bool append_mode = false;
   bool show_element = false;
+  int circuit = 0;  // the previewed way home, from 1; 0: none
   friend bool operator==(const Aids&, const Aids&) = default;
 
   static constexpr auto kRows = std::tuple{
@@ -21,7 +22,9 @@ struct Aids {
       setting(&Aids::show_gizmo, "gizmo", "Whether arrows show that move the selected knots.",
               {.kept_as = "gizmo", .on_for_user = true}),
       setting(&Aids::append_mode, "append_mode", "Whether a click on the ground appends a knot."),
-      setting(&Aids::show_element, "element.preview", "Whether the palette's element shows where it would go.")};
+      setting(&Aids::show_element, "element.preview", "Whether the palette's element shows where it would go."),
+      setting(&Aids::circuit, "complete.choose", "Way home that shows, from 1: see complete. 0: none.",
+              {.low = 0, .high = 3})};
 };
 
 }  // namespace coaster::world

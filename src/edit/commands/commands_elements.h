@@ -21,6 +21,14 @@ struct ChooseElement {
   COASTER_FIELDS(visit("", self.what))
 };
 
-using ElementCommands = CommandList<PlaceElement, ChooseElement>;
+struct CompleteCircuit {
+  int proposal = 1;
+  COASTER_COMMAND(CompleteCircuit, "complete",
+                  "Close the track by a way from its open end to its first knot: one of up to three proposals.",
+                  Effect::document);
+  COASTER_FIELDS(visit("", self.proposal))
+};
+
+using ElementCommands = CommandList<PlaceElement, ChooseElement, CompleteCircuit>;
 
 }  // namespace coaster::edit

@@ -77,6 +77,32 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
   return {};
 }
 
+Status perform(Session& session, Change& change, const CompleteCircuit& command) {
+  const sim::CircuitProposals& found = *find(session, Want::circuit).circuit;
+  if (!found.refusal.empty()) return refused(found.refusal);
+  if (command.proposal < 1 || static_cast<std::size_t>(command.proposal) > found.list.size())
+    return refused(fmt::format("there {} {} proposal{}", found.list.size() == 1 ? "is" : "are", found.list.size(),
+                               found.list.size() == 1 ? "" : "s"));
+  const sim::CircuitProposal& proposal = found.list[static_cast<std::size_t>(command.proposal) - 1];
+  const std::vector<world::Knot>& knots = proposal.plan.fit.knots;
+  if (const Status room = room_for(session, knots.size() - 2, knots.size() - 1); !room) return room;
+  world::Document& document = session.document;
+  open_out(document, knots.front());
+  for (std::size_t k = 1; k + 1 < knots.size(); ++k) change.select = world::append_knot(document, knots[k]);
+  world::set_closed(document, true);
+  world::make_section(document, document.track.segments.size() - proposal.plan.spans(), proposal.plan.spans(),
+                      {"Complete circuit"});
+  world::Knot& first = document.entities.get<world::Knot>(document.track.knots.front());
+  first.joint = world::JointKind::aligned;
+  first.in_length = knots.back().in_length;
+  change.note = fmt::format(
+      "Completed the circuit: {:.1f} m, {} {}, at most {:.1f} g.{}", proposal.plan.length, proposal.plan.spans(),
+      proposal.plan.spans() == 1 ? "span" : "spans", proposal.felt.most,
+      found.assumed ? fmt::format(" No train reaches the open end: planned for {} m/s.", base::to_text(found.speed))
+                    : "");
+  return {};
+}
+
 Status perform(Session& session, Change&, const ChooseElement& command) {
   if (const Status good = well_formed(command.what); !good) return good;
   session.settings.element = command.what;

@@ -92,19 +92,23 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
   const bool by_ride = base::row_of(session.settings.lab->colouring).of_ride;
   if (has(wanted, Want::document_hash))
     found.document_hash = memory.document_hash.get(session.edits, [&] { return world::hash(session.document); });
-  if (has(wanted, Want::ride | Want::ratings | Want::overloads | Want::seat | Want::riders | Want::jolts) ||
+  if (has(wanted,
+          Want::ride | Want::ratings | Want::overloads | Want::seat | Want::riders | Want::jolts | Want::circuit) ||
       (has(wanted, Want::values) && by_ride))
     find_ride(session);
   if (has(wanted, Want::ratings)) find_ratings(session);
   if (has(wanted, Want::seat | Want::riders)) find_riders(session, has(wanted, Want::riders));
   if (has(wanted, Want::overloads)) find_overloads(session);
   if (has(wanted, Want::jolts)) find_jolts(session);
-  if (has(wanted, Want::conflicts | Want::room)) found.conflicts = memory.conflicts.update(session.derived);
+  if (has(wanted, Want::conflicts | Want::room | Want::circuit))
+    found.conflicts = memory.conflicts.update(session.derived);
   if (has(wanted, Want::folds)) found.folds = memory.folds.update(session.derived);
   if (has(wanted, Want::element | Want::room)) found.element = &memory.elements.plan(element, session.document);
   if (has(wanted, Want::room))
     found.room =
         memory.room.update(*found.element, memory.conflicts, session.derived, world::rails_height(session.document));
+  if (has(wanted, Want::circuit))
+    found.circuit = &memory.circuit.update(session.document, session.derived, memory.conflicts, found.ride);
   if (has(wanted, Want::breaks)) found.breaks = memory.breaks.update(session.derived);
   if (has(wanted, Want::values)) find_values(session);
   if (has(wanted, Want::supports)) {

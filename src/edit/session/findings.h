@@ -15,6 +15,7 @@
 #include "sim/shape/shape_distance.h"
 #include "sim/solids/conflicts.h"
 #include "sim/solids/supports.h"
+#include "sim/study/complete_circuit.h"
 #include "sim/study/element_room.h"
 #include "sim/study/jolt.h"
 #include "sim/study/ratings.h"
@@ -26,7 +27,7 @@ namespace coaster::edit {
 struct Session;
 
 // What find() is asked for: one of these, or several joined by |.
-enum class Want : std::uint16_t {
+enum class Want : std::uint32_t {
   nothing = 0,
   document_hash = 1,
   ride = 2,        // of the chosen cart (chosen_cart), and the tables of the rails
@@ -42,13 +43,14 @@ enum class Want : std::uint16_t {
   seat = 2048,       // what the riders of the chosen seat feel during that ride
   riders = 4096,     // the same of all cars
   folds = 8192,      // of the rails
-  jolts = 16384      // of that ride, at the joints
+  jolts = 16384,     // of that ride, at the joints
+  circuit = 32768    // ways from the open end to the first knot
 };
 constexpr Want operator|(Want a, Want b) {
-  return static_cast<Want>(static_cast<std::uint16_t>(a) | static_cast<std::uint16_t>(b));
+  return static_cast<Want>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
 }
 constexpr bool has(Want all, Want one) {
-  return (static_cast<std::uint16_t>(all) & static_cast<std::uint16_t>(one)) != 0;
+  return (static_cast<std::uint32_t>(all) & static_cast<std::uint32_t>(one)) != 0;
 }
 
 // A member is true of the session when find() has just been asked for it; pointers and spans are good until the next
@@ -64,7 +66,8 @@ struct Findings {
   std::span<const sim::Fold> folds;          // in the track's order
   std::span<const sim::Jolt> jolts;          // by the knots' index in the track; none without a ride
   const sim::ElementPlan* element = nullptr;
-  std::span<const sim::Narrow> room;  // parts of the element that lack it
+  std::span<const sim::Narrow> room;               // parts of the element that lack it
+  const sim::CircuitProposals* circuit = nullptr;  // never null after Want::circuit
   std::span<const sim::FrenetBreak> breaks;
   const sim::TrackValues* values = nullptr;
   const sim::Supports* supports = nullptr;
@@ -82,6 +85,7 @@ struct Findings {
     sim::Folds folds;
     sim::ElementMemo elements;
     sim::ElementRoom room;
+    sim::CircuitMemo circuit;
     sim::FrenetBreaks breaks;
     sim::TrackValueMemo values;
     sim::Supports supports;

@@ -33,27 +33,6 @@ double derivative_at(const double* x, const double* y, int at) {
   return sum;
 }
 
-// Sets the spin of every point: the derivative of its angle against the rotation-minimising frame, by four points of
-// its piece; at a break the mean of both sides.
-void measure_spins(ElementCurve& curve) {
-  std::vector<ElementPoint>& points = curve.points;
-  std::vector<double> angles{0}, places{0};
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const ElementPoint &a = points[i - 1], &b = points[i];
-    const curve::Frame carried = curve::transport({a.tangent, a.up}, a.position, b.position, b.tangent);
-    angles.push_back(angles.back() + curve::signed_angle(carried.up, b.up, b.tangent));
-    places.push_back(b.s);
-  }
-  for (std::size_t p = 0; p + 1 < curve.breaks.size(); ++p) {
-    const std::size_t first = curve.breaks[p], last = curve.breaks[p + 1];
-    for (std::size_t i = first; i <= last; ++i) {
-      const std::size_t from = std::clamp(i, first + 1, last - 2) - 1;
-      const double spin = derivative_at(&places[from], &angles[from], static_cast<int>(i - from));
-      points[i].spin = i == first && p > 0 ? 0.5 * (points[i].spin + spin) : spin;
-    }
-  }
-}
-
 }  // namespace
 
 dvec2 integral(double length, int steps, const std::function<dvec2(double)>& f) {
@@ -157,6 +136,35 @@ void ElementPath::add(const Bend& bend) {
   add({bend.ramp(), bend.arc(), bend.ramp()}, [&](double u) { return upright_rate(bend.angle(u), bend.bend(u)); });
 }
 
+void measure_spins(ElementCurve& curve) {
+  std::vector<ElementPoint>& points = curve.points;
+  std::vector<double> angles{0}, places{0};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const ElementPoint &a = points[i - 1], &b = points[i];
+    const curve::Frame carried = curve::transport({a.tangent, a.up}, a.position, b.position, b.tangent);
+    angles.push_back(angles.back() + curve::signed_angle(carried.up, b.up, b.tangent));
+    places.push_back(b.s);
+  }
+  for (std::size_t p = 0; p + 1 < curve.breaks.size(); ++p) {
+    const std::size_t first = curve.breaks[p], last = curve.breaks[p + 1];
+    for (std::size_t i = first; i <= last; ++i) {
+      const std::size_t from = std::clamp(i, first + 1, last - 2) - 1;
+      const double spin = derivative_at(&places[from], &angles[from], static_cast<int>(i - from));
+      points[i].spin = i == first && p > 0 ? 0.5 * (points[i].spin + spin) : spin;
+    }
+  }
+}
+
+void merge_short_pieces(ElementCurve& curve) {
+  std::vector<std::size_t> breaks{0};
+  for (const std::size_t at : curve.breaks)
+    if (curve.points[at].s - curve.points[breaks.back()].s >= kShortestSpan &&
+        curve.length() - curve.points[at].s >= kShortestSpan)
+      breaks.push_back(at);
+  breaks.push_back(curve.points.size() - 1);
+  curve.breaks = std::move(breaks);
+}
+
 ElementCurve ElementPath::finish(double reach) {
   double fade = curve_.length();
   for (const std::size_t at : curve_.breaks)
@@ -171,14 +179,7 @@ ElementCurve ElementPath::finish(double reach) {
     p.up = curve::perpendicular(p.tangent, curve::rotate(p.up, p.tangent, start_roll_ + over.angle(p.s)));
     p.spin += over.spin(p.s);
   }
-  // A piece too short for a span of its own is merged with a neighbour.
-  std::vector<std::size_t> breaks{0};
-  for (const std::size_t at : curve_.breaks)
-    if (curve_.points[at].s - curve_.points[breaks.back()].s >= kShortestSpan &&
-        curve_.length() - curve_.points[at].s >= kShortestSpan)
-      breaks.push_back(at);
-  breaks.push_back(curve_.points.size() - 1);
-  curve_.breaks = std::move(breaks);
+  merge_short_pieces(curve_);
   return std::move(curve_);
 }
 

@@ -30,6 +30,12 @@ struct ElementCurve {
   double length() const { return points.empty() ? 0 : points.back().s; }
 };
 
+// Sets the spin of every point: the derivative of its angle against the rotation-minimising frame, by four points of
+// its piece; at a break the mean of both sides. Pieces need 4 points.
+void measure_spins(ElementCurve& curve);
+// Merges pieces too short for a span of their own with a neighbour.
+void merge_short_pieces(ElementCurve& curve);
+
 // A piece at its parameter u, in the axes of the builder: first and second derivative by u, and the up vector.
 struct ElementRate {
   glm::dvec3 d1{1, 0, 0}, d2{0};

@@ -228,33 +228,45 @@ const std::vector<Conflict>& Conflicts::update(const Derived& derived) {
   return found_;
 }
 
-std::vector<Narrow> Conflicts::against(const Derived& derived, std::span<const LinePoint> line) const {
+std::vector<Narrow> Conflicts::against(const Derived& derived, std::span<const LinePoint> line,
+                                       const LineTerms& terms) const {
   std::vector<Narrow> out;
+  const double reach = kReach + terms.margin, whole = line.empty() ? 0.0 : double{line.back().s};
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const LinePoint &p = line[i], &q = line[i + 1];
     const double length = length_of(p, q);
-    double missing = 0;
+    Narrow narrow{double{p.s}, double{q.s}, 0};
+    const auto compare = [&](const LinePoint& r, const LinePoint& t, double at) {
+      const double missing = missing_between(r, t, p, q) + terms.margin;
+      if (missing > narrow.missing) narrow.missing = missing, narrow.other = at;
+    };
     for (std::size_t k = 0; k < i && double{p.s} - double{line[k + 1].s} >= kSameStretch; ++k)
-      if (beyond_reach(line[k], line[k + 1], p, q, length + length_of(line[k], line[k + 1])) <= 0)
-        missing = std::max(missing, missing_between(line[k], line[k + 1], p, q));
+      if (beyond_reach(line[k], line[k + 1], p, q, length + length_of(line[k], line[k + 1])) <= terms.margin)
+        compare(line[k], line[k + 1], -1);
     const curve::Box box =
-        widened({glm::min(p.position, q.position), glm::max(p.position, q.position)}, static_cast<float>(kReach));
+        widened({glm::min(p.position, q.position), glm::max(p.position, q.position)}, static_cast<float>(reach));
     const auto off_curve = static_cast<float>(derived.order.empty() ? 0.0 : std::abs(derived.shape_at(0).key.rails));
     all_near(derived.tree, widened(box, off_curve), [&](std::size_t index) {
       const Entry& entry = entries_.get(derived.order[index]);
+      const double start = derived.starts[index];
       for (std::size_t k = 0; k + 1 < entry.places.size(); ++k) {
         const LinePoint &r = entry.places[k], &t = entry.places[k + 1];
-        if (derived.length - derived.starts[index] - double{t.s} + double{p.s} < kSameStretch) continue;
-        if (const double beyond = beyond_reach(r, t, p, q, entry.longest + length); beyond > 0)
+        if (derived.length - start - double{t.s} + double{p.s} < kSameStretch) continue;
+        if (terms.comes_home && whole - double{q.s} + start + double{r.s} < kSameStretch) continue;
+        if (const double beyond = beyond_reach(r, t, p, q, entry.longest + length) - terms.margin; beyond > 0)
           k += chords_within(beyond, entry.longest);
-        else missing = std::max(missing, missing_between(r, t, p, q));
+        else compare(r, t, start + double{r.s});
       }
       return true;
     });
-    if (!(missing > 0)) continue;
-    if (!out.empty() && out.back().to == double{p.s})
-      out.back().to = double{q.s}, out.back().missing = std::max(out.back().missing, missing);
-    else out.push_back({double{p.s}, double{q.s}, missing});
+    if (!(narrow.missing > 0)) continue;
+    if (out.empty() || out.back().to != narrow.from) {
+      out.push_back(narrow);
+      continue;
+    }
+    Narrow& last = out.back();
+    last.to = narrow.to;
+    if (narrow.missing > last.missing) last.missing = narrow.missing, last.other = narrow.other;
   }
   return out;
 }

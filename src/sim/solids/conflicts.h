@@ -38,6 +38,13 @@ struct LinePoint {
 struct Narrow {
   double from = 0, to = 0;  // m along the line
   double missing = 0;       // m, as in a conflict
+  double other = -1;        // m along the track, the narrowest place; below 0: an earlier part of the line
+};
+
+// A line that is not yet track, beside what it continues.
+struct LineTerms {
+  bool comes_home = false;  // it ends at the track's first knot
+  double margin = 0;        // m of clearance asked for on top
 };
 
 // Returns the largest missing clearance, m; 0 if there is none.
@@ -51,7 +58,8 @@ class Conflicts {
   const std::vector<Conflict>& update(const Derived& derived);
   // Returns where the line of rails would conflict with the track as of the last update, or with itself, if it
   // continued the track's open end.
-  std::vector<Narrow> against(const Derived& derived, std::span<const LinePoint> line) const;
+  std::vector<Narrow> against(const Derived& derived, std::span<const LinePoint> line,
+                              const LineTerms& terms = {}) const;
   int looked_at() const { return looked_at_; }  // segments checked in the last update
 
  private:

@@ -3,10 +3,7 @@
 #include <algorithm>
 
 namespace coaster::sim {
-namespace {
 
-// Returns points of the rails, `rails` m above the ideal curve, at least kConflictStep apart along it, both ends
-// included.
 std::vector<LinePoint> line_of(const ElementCurve& curve, double rails) {
   constexpr double kMostChords = 600;
   const double step = std::max(kConflictStep, curve.length() / kMostChords);
@@ -16,8 +13,6 @@ std::vector<LinePoint> line_of(const ElementCurve& curve, double rails) {
       line.push_back({glm::vec3(p.position + rails * p.up), glm::vec3(p.up), static_cast<float>(p.s)});
   return line;
 }
-
-}  // namespace
 
 const std::vector<Narrow>& ElementRoom::update(const ElementPlan& plan, const Conflicts& conflicts,
                                                const Derived& derived, double rails) {

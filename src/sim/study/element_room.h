@@ -8,6 +8,10 @@
 
 namespace coaster::sim {
 
+// Returns points of the rails, `rails` m above an ideal curve, at least kConflictStep apart along it, both ends
+// included.
+std::vector<LinePoint> line_of(const ElementCurve& curve, double rails);
+
 // The parts of a plan whose rails, on or below its ideal curve, conflict with track or with themselves; cached while
 // plan and track are unchanged.
 class ElementRoom {

@@ -7,6 +7,7 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_session.h"
 #include "ui/actions/actions_parts.h"
+#include "ui/context/ways_home.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -71,6 +72,7 @@ void escape(Act& act) {
   if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, true);
   else if (card_shows(act.ui.session())) act.ui.emit(edit::CloseCard{});
   else if (on<&Aids::append_mode>(act)) toggle<&Aids::append_mode>(act);
+  else if (act.ui.session().settings.aids->circuit > 0) act.ui.emit(edit::Set<&Aids::circuit>{0});
   else if (on<&Aids::show_element>(act)) toggle<&Aids::show_element>(act);
   else if (selected(act) != nullptr) act.ui.emit(edit::Select{});
 }
@@ -83,12 +85,20 @@ void insert_point(Act& act) {
     act.ui.emit(edit::SplitSegment{{*selected(act)}, session.settings.selected_t});
 }
 
-// The palette's element, where its preview shows.
+// The palette's element or a way home, where its preview shows.
 bool fits(const Act& act) {
+  if (act.ui.session().settings.aids->circuit > 0) return act.ui.find(edit::Want::circuit).circuit->refusal.empty();
   return on<&Aids::show_element>(act) && act.ui.find(edit::Want::element).element->refusal.empty();
 }
 constexpr Condition kPlaceable{fits, "Choose an element first. Its preview must fit the open end."};
-void place_element(Act& act) { act.ui.emit(edit::PlaceElement{act.ui.session().settings.element}); }
+void place_element(Act& act) {
+  if (act.ui.session().settings.aids->circuit > 0) place_way_home(act.ui);
+  else act.ui.emit(edit::PlaceElement{act.ui.session().settings.element});
+}
+
+constexpr Condition kCompletable{[](const Act& act) { return completable(act.ui.session().document); },
+                                 "Only an open track with a segment can be completed."};
+void complete_circuit(Act& act) { show_ways_home(act.ui); }
 
 constexpr Action kEditActions[] = {
     {"Undo", "Edit", ctrl(Key::z), kRepeats | kInDrag, "Undo the last step. Cancels a drag in progress.", undo,
@@ -118,8 +128,10 @@ constexpr Action kEditActions[] = {
      "Insert a knot under the cursor or at the selected position. The shape is unchanged.", insert_point, kInsertable},
     {"Append points", "Edit", key(Key::a), 0, "Click on the ground to append knots to an open track.",
      toggle<&Aids::append_mode>, kAlways, on<&Aids::append_mode>},
-    {"Place element", "Edit", key(Key::enter), 0, "Place the previewed element at the open end of the track.",
-     place_element, kPlaceable},
+    {"Place element", "Edit", key(Key::enter), 0,
+     "Place the previewed element at the open end of the track, or the previewed way home.", place_element, kPlaceable},
+    {"Complete circuit", "Edit", shift(Key::c), 0, "Show ways from the open end of the track to its first knot.",
+     complete_circuit, kCompletable},
 
     {"Cancel", "", key(Key::escape), kInDrag,
      "Cancel a drag, close a list or the score card, end append mode, hide the preview, or clear the selection.",

@@ -4,6 +4,7 @@
 #include "edit/commands/commands_lab.h"
 #include "ui/actions/actions_parts.h"
 #include "ui/actions/command_palette.h"
+#include "ui/context/ways_home.h"
 #include "ui/tools/fly_keys.h"
 
 namespace coaster::ui {
@@ -71,6 +72,11 @@ constexpr double kProbeStep = 1.0 / 64;
 void probe_back(Act& act) { step_probe(act, -kProbeStep); }
 void probe_on(Act& act) { step_probe(act, kProbeStep); }
 
+void panels_or_next_way(Act& act) {
+  if (act.ui.session().settings.aids->circuit > 0) next_way_home(act.ui);
+  else toggle<&Look::show_panels>(act);
+}
+
 bool coloured(const Act& act) { return !is<&world::LabView::colouring, world::Colouring::plain>(act); }
 void next_colouring(Act& act) {
   act.ui.emit(edit::Set<&world::LabView::colouring>{base::next_of(act.ui.session().settings.lab->colouring)});
@@ -102,8 +108,9 @@ constexpr Action kViewActions[] = {
      worst_jolt, kRidden},
     {"Gizmo", "View", kNoKey, kInDrag, "Show or hide the arrows that move the selected knots.",
      toggle<&Aids::show_gizmo>, kAlways, on<&Aids::show_gizmo>},
-    {"Panels", "View", key(Key::tab), 0, "Show or hide menu, panels and status bar.", toggle<&Look::show_panels>,
-     kAlways, on<&Look::show_panels>},
+    {"Panels", "View", key(Key::tab), 0,
+     "Show or hide menu, panels and status bar. While ways home show: the next of them.", panels_or_next_way, kAlways,
+     on<&Look::show_panels>},
     {"Next track colours", "View", key(Key::k), 0,
      "Colour the track by speed, height, g, jerk, roll, curvature, error, or not at all.", next_colouring, kAlways,
      coloured},

@@ -10,6 +10,7 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_settings.h"
 #include "ui/context/rows.h"
+#include "ui/context/ways_home.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 #include "world/aids.h"
@@ -40,6 +41,7 @@ void choices(Ui& ui) {
     const bool pressed = icon_button(ui, icon_of(kind), rows[i].label, rows[i].help, true, width, true);
     if (chosen) ImGui::PopStyleColor();
     if (!pressed) continue;
+    if (settings.aids->circuit > 0) ui.emit(edit::Set<&world::Aids::circuit>{0});
     if (chosen) ui.emit(edit::Set<&world::Aids::show_element>{false});
     else if (settings.element.kind == kind) ui.emit(edit::Set<&world::Aids::show_element>{true});
     else ui.emit(edit::ChooseElement{world::usual_element(kind)});
@@ -85,11 +87,41 @@ void outcome(Ui& ui, const sim::ElementPlan& plan) {
   for (const std::string& line : plan.lines) tinted(in_units(ui, line), palette().warning);
 }
 
+// The button that completes the circuit and, while they show, the ways home.
+void circuit(Ui& ui) {
+  const world::Aids& aids = *ui.session().settings.aids;
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool shown = aids.circuit > 0, open = completable(ui.session().document);
+  if (button(ui, "Complete circuit",
+             with_keys(ui.keys, "Show up to three ways from the open end of the track to its first knot.",
+                       "Complete circuit"),
+             open, width)) {
+    if (shown) ui.emit(edit::Set<&world::Aids::circuit>{0});
+    else show_ways_home(ui);
+  }
+  if (!shown || !open) return;
+  const sim::CircuitProposals& found = *ui.find(edit::Want::circuit).circuit;
+  if (!found.refusal.empty()) return tinted(in_units(ui, base::sentence(found.refusal)), palette().warning);
+  const std::size_t at = shown_way_home(aids, found);
+  const sim::CircuitProposal& way = found.list[at];
+  read_out(ui, "Way home", fmt::format("{} of {}", at + 1, found.list.size()), "",
+           fmt::format("{} shows the next one.", ui.keys.shown("Panels")));
+  read_out(ui, "Length home", way.plan.length, 1, "m", "Length of this way home.");
+  read_out(ui, "Worst g", way.felt.most, 1, "g", "Largest vertical g on this way home.");
+  if (found.assumed)
+    tinted(in_units(ui, fmt::format("No train reaches the open end. Planned for {} m/s.", base::to_text(found.speed))),
+           palette().warning);
+  const std::string help = fmt::format("Close the track by this way. {} hides it.", ui.keys.shown("Cancel"));
+  if (found.list.size() > 1 && button(ui, "Next way home", "Show the next way home.", true, width)) next_way_home(ui);
+  if (button(ui, "Place way home", with_keys(ui.keys, help, "Place element"), true, width)) place_way_home(ui);
+}
+
 }  // namespace
 
 void elements_panel(Ui& ui) {
   const edit::Session& session = ui.session();
   choices(ui);
+  circuit(ui);
   if (!session.settings.aids->show_element) return;
   parameters(ui);
   const sim::ElementPlan& plan = *ui.find(edit::Want::element).element;

@@ -1,0 +1,128 @@
+#include "sim/plan/circuit_heights.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coaster::sim {
+namespace {
+
+constexpr double kSteepestChange = 1.875;  // of 10v^3 - 15v^4 + 6v^5
+constexpr double kShortestBend = 6;        // m
+
+double bend_length(double from, double to, const HeightLimits& limits) {
+  if (from == to) return 0;
+  return std::max(kShortestBend, kSteepestChange * std::abs(to - from) * (to < from ? limits.crest : limits.valley));
+}
+
+// From a slope by a steady one to level.
+struct ToLevel {
+  double bend = 0, steady = 0, out = 0, slope = 0;  // m, m, m, and the steady slope
+  double length() const { return bend + steady + out; }
+};
+
+// Returns the shortest way from a slope to level that rises by `rise`: bends alone where the slope between them stays
+// within the limit, else with a steady part. The rise of bends alone does not fall with the slope between them, but for
+// the shortest bends; bisection finds one of the slopes.
+ToLevel to_level(double slope, double rise, const HeightLimits& limits) {
+  constexpr int kSteps = 60;
+  const auto bends = [&](double middle) {
+    ToLevel way;
+    way.slope = middle;
+    way.bend = bend_length(slope, middle, limits), way.out = bend_length(middle, 0, limits);
+    return way;
+  };
+  const auto risen = [&](const ToLevel& way) {
+    return 0.5 * (slope + way.slope) * way.bend + 0.5 * way.slope * way.out;
+  };
+  const double steepest = std::max(limits.steepest, std::abs(slope));
+  double low = -steepest, high = steepest;
+  for (const double end : {low, high}) {
+    ToLevel way = bends(end);
+    const double steady = (rise - risen(way)) / end;
+    if (steady < 0) continue;
+    way.steady = steady;
+    return way;
+  }
+  for (int i = 0; i < kSteps; ++i) {
+    const double middle = 0.5 * (low + high);
+    (risen(bends(middle)) < rise ? low : high) = middle;
+  }
+  ToLevel way = bends(0.5 * (low + high));
+  // What bisection leaves at a step of the rise goes into a steady part.
+  const double left = rise - risen(way);
+  if (std::abs(left) > 1e-9 && way.slope != 0) way.steady = left / way.slope;
+  return way;
+}
+
+}  // namespace
+
+void Heights::add(double length, double from, double to) {
+  if (length > 0 && count < pieces.size()) pieces[count++] = {length, from, to};
+}
+
+double Heights::length() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) sum += pieces[i].length;
+  return sum;
+}
+
+std::vector<double> Heights::breaks() const {
+  std::vector<double> at;
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) at.push_back(sum += pieces[i].length);
+  return at;
+}
+
+Heights::At Heights::at(double u) const {
+  At result{start, 0, 0};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [length, from, to] = pieces[i];
+    const bool here = u < length || i + 1 == count;
+    const double v = here ? std::clamp(u / length, 0.0, 1.0) : 1.0, w = v * v * v, change = to - from;
+    result.height += length * (from * v + change * v * w * (2.5 - 3.0 * v + v * v));
+    if (here) {
+      result.slope = from + change * w * (10.0 - 15.0 * v + 6.0 * v * v);
+      result.change = change * 30.0 * v * v * (1.0 - v) * (1.0 - v) / length;
+      break;
+    }
+    u -= length;
+  }
+  return result;
+}
+
+std::optional<Heights> steady_heights(const HeightEnds& e, const HeightLimits& limits) {
+  constexpr int kRounds = 60;  // each leaves about half of the error
+  double slope = e.length > 0 ? (e.to - e.from) / e.length : 0, first = 0, last = 0;
+  for (int i = 0; i < kRounds; ++i) {
+    first = bend_length(e.slope_from, slope, limits), last = bend_length(slope, e.slope_to, limits);
+    const double room = e.length - 0.5 * (first + last);
+    if (first + last > e.length || !(room > 0)) return std::nullopt;
+    slope = (e.to - e.from - 0.5 * first * e.slope_from - 0.5 * last * e.slope_to) / room;
+  }
+  if (std::abs(slope) > std::max({limits.steepest, std::abs(e.slope_from), std::abs(e.slope_to)})) return std::nullopt;
+  Heights heights;
+  heights.start = e.from;
+  heights.add(first, e.slope_from, slope);
+  heights.add(e.length - first - last, slope, slope);
+  heights.add(last, slope, e.slope_to);
+  return heights;
+}
+
+// The part down to the end is that up from it, backwards.
+std::optional<Heights> heights_by_way_of(double level, const HeightEnds& e, const HeightLimits& limits) {
+  const ToLevel in = to_level(e.slope_from, level - e.from, limits), out = to_level(-e.slope_to, level - e.to, limits);
+  const double flat = e.length - in.length() - out.length();
+  if (flat < 0 || in.steady < 0 || out.steady < 0) return std::nullopt;
+  Heights heights;
+  heights.start = e.from;
+  heights.add(in.bend, e.slope_from, in.slope);
+  heights.add(in.steady, in.slope, in.slope);
+  heights.add(in.out, in.slope, 0);
+  heights.add(flat, 0, 0);
+  heights.add(out.out, 0, -out.slope);
+  heights.add(out.steady, -out.slope, -out.slope);
+  heights.add(out.bend, -out.slope, e.slope_to);
+  return heights;
+}
+
+}  // namespace coaster::sim

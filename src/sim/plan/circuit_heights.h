@@ -1,0 +1,48 @@
+// Heights of a way home over its length in plan: slopes that change smoothly from the open end's to the first knot's.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace coaster::sim {
+
+// The slope (m per metre in plan) goes from one value to another as 10v^3 - 15v^4 + 6v^5 over the length, so that the
+// curvature and its rate are 0 at both ends.
+struct HeightPiece {
+  double length = 0, from = 0, to = 0;
+};
+
+struct Heights {
+  double start = 0;  // m
+  std::array<HeightPiece, 7> pieces{};
+  std::size_t count = 0;
+
+  // Leaves out pieces of no length.
+  void add(double length, double from, double to);
+  double length() const;
+  std::vector<double> breaks() const;  // m from the start, ascending
+  struct At {
+    double height, slope, change;  // m; its derivatives by the length in plan
+  };
+  At at(double u) const;
+};
+
+struct HeightLimits {
+  double crest = 30, valley = 30;  // m, least radii
+  double steepest = 0.6;           // slope of the parts between bends
+};
+
+struct HeightEnds {
+  double length;    // m in plan
+  double from, to;  // m
+  double slope_from, slope_to;
+};
+
+// Returns one slope all the way; nothing if it would be steeper than the limit or the bends have no room.
+std::optional<Heights> steady_heights(const HeightEnds& ends, const HeightLimits& limits);
+// Climbs or descends to a height, stays level there, and goes on to the end; nothing if that has no room.
+std::optional<Heights> heights_by_way_of(double level, const HeightEnds& ends, const HeightLimits& limits);
+
+}  // namespace coaster::sim

@@ -1,0 +1,158 @@
+#include "sim/plan/circuit_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "world/motion.h"
+
+namespace coaster::sim {
+namespace {
+
+using world::kGravity;
+
+constexpr double kStraights[] = {0, 10, 25, 50, 100};  // m before the first turn and after the second
+constexpr double kSideG[] = {0.8, 1.4, 2.2};           // g that a turn adds, before banking
+constexpr double kLeastRadii[] = {18, 12, 8};          // m
+constexpr double kLeadG = 2.2, kLeadCrestG = 0.9;      // g that a lead's bend adds or takes away
+constexpr int kSteps = 48;
+constexpr double kFarthestHome = 3000;  // m, straight from the open end to the first knot
+
+// The radius at which a bend adds that many g, m.
+double radius_for(double square, double g, double least) { return std::max(least, square / (g * kGravity)); }
+
+HeightLimits limits_for(double square, bool tight) {
+  constexpr double kShortest = 12;  // m
+  return {radius_for(square, tight ? 1.1 : 0.7, kShortest), radius_for(square, tight ? 2.2 : 1.2, kShortest),
+          kSteepestHome};
+}
+
+double lead_radius(const TrackEnd& end, double square) {
+  constexpr double kShortest = 10;  // m
+  return radius_for(square, end.forward.y > 0 ? kLeadCrestG : kLeadG, kShortest);
+}
+
+std::string metres(double value) { return base::to_text(std::round(value * 10) / 10) + " m"; }
+
+// Returns why there can be no way home at all; empty: there may be.
+std::string hopeless(const CircuitTask& task) {
+  for (const auto& [end, name] : {std::pair{&task.from, "the open end"}, std::pair{&task.home, "the first knot"}})
+    if (const double k = glm::length(end->curvature); k > kSharpestEnd)
+      return fmt::format("{} is too sharp: its radius is {}", name, metres(1.0 / k));
+  const double rise = task.home.position.y - task.from.position.y,
+               gap = glm::distance(task.home.position, task.from.position);
+  if (gap > kFarthestHome)
+    return fmt::format("the first knot is too far away: {}, where the limit is {}", metres(gap), metres(kFarthestHome));
+  if (task.coasts && square_speed(task, rise, gap) < slowest(task) * slowest(task))
+    return fmt::format("the train is too slow: it would reach the first knot, {} higher, at less than {} m/s",
+                       metres(rise), base::to_text(slowest(task)));
+  return {};
+}
+
+// Levels between the ends worth trying: over and under other track, and at the heights of both ends.
+std::vector<double> levels_between(const CircuitCandidates& c, double floor) {
+  const double low = std::min(c.in.height, c.out.height), high = std::max(c.in.height, c.out.height);
+  std::vector<double> levels{low, high, 0.5 * (low + high), low - 4, high + 4, high + 8, high + 14};
+  std::erase_if(levels, [&](double level) { return level < floor; });
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
+
+double floor_of(const CircuitTask& task) {
+  const double ends = std::min(task.from.position.y, task.home.position.y);
+  return std::min(kLowestRails - task.rails, ends) - 0.01;
+}
+
+HeightEnds ends_of(const CircuitCandidates& c, const Turns& turns) {
+  return {turns.length(), c.in.height, c.out.height, c.in.slope, c.out.slope};
+}
+
+double fastest_square(const CircuitTask& task, double lowest) {
+  return std::max(1.0, square_speed(task, std::min(0.0, lowest - task.from.position.y), 0));
+}
+
+std::optional<Heights> heights_of(const CircuitCandidates& c, const CircuitCandidate& candidate, const Turns& turns) {
+  const HeightEnds ends = ends_of(c, turns);
+  const double level =
+      candidate.level < 0 ? std::min(ends.from, ends.to) : c.levels[static_cast<std::size_t>(candidate.level)];
+  const HeightLimits limits =
+      limits_for(fastest_square(c.task, std::min({level, ends.from, ends.to})), candidate.tight);
+  return candidate.level < 0 ? steady_heights(ends, limits) : heights_by_way_of(level, ends, limits);
+}
+
+// Adds a candidate, or counts why not. Returns whether the heights had room.
+bool consider(CircuitCandidate candidate, double floor, CircuitWay& way, CircuitCandidates& c) {
+  const std::optional<Heights> heights = heights_of(c, candidate, way.turns);
+  if (!heights) return false;
+  way.heights = *heights;
+  if (lowest_of(*heights) < floor) {
+    ++c.losses.buried;
+    return true;
+  }
+  const std::optional<FeltRange> felt = estimate(c.task, way, kSteps);
+  if (!felt) {
+    ++c.losses.slow;
+  } else if (!felt->within()) {
+    ++c.losses.forced, c.losses.least_g = std::min(c.losses.least_g, felt->most);
+  } else {
+    candidate.cost = way.turns.length() + kCostOfG * (felt->most + felt->side);
+    c.list.push_back(candidate);
+  }
+  return true;
+}
+
+}  // namespace
+
+CircuitWay CircuitCandidates::rough(const CircuitCandidate& candidate) const {
+  CircuitWay way{in, out, turns[candidate.turns].rough, {}};
+  if (const std::optional<Heights> heights = heights_of(*this, candidate, way.turns)) way.heights = *heights;
+  return way;
+}
+
+std::optional<CircuitWay> CircuitCandidates::exact(const CircuitCandidate& candidate) const {
+  const std::optional<Turns> found = exact_turns(in.pose, out.pose, turns[candidate.turns]);
+  if (!found) return std::nullopt;
+  const std::optional<Heights> heights = heights_of(*this, candidate, *found);
+  if (!heights) return std::nullopt;
+  return CircuitWay{in, out, *found, *heights};
+}
+
+CircuitCandidates circuit_candidates(const CircuitTask& task) {
+  CircuitCandidates c;
+  c.task = task;
+  c.refusal = hopeless(task);
+  if (!c.refusal.empty()) return c;
+  const double rise = task.home.position.y - task.from.position.y, start = task.speed * task.speed,
+               end = std::max(1.0, square_speed(task, rise, glm::distance(task.home.position, task.from.position)));
+  c.arrival = std::sqrt(end);
+  c.in = lead_from(task.from, lead_radius(task.from, start));
+  TrackEnd back = task.home;
+  back.forward = -back.forward;
+  c.out = lead_to(task.home, lead_radius(back, end));
+  const double floor = floor_of(task);
+  if (std::min(c.in.height, c.out.height) < floor) {
+    c.refusal = "the ground is in the way: the track is too steep there to be levelled above it";
+    return c;
+  }
+  c.levels = levels_between(c, floor);
+  std::array<double, std::size(kSideG)> radii{};
+  for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = radius_for(std::max(start, end), kSideG[i], kLeastRadii[i]);
+  c.turns = turn_choices(c.in.pose, c.out.pose, radii, kStraights);
+  CircuitWay way{c.in, c.out, {}, {}};
+  for (std::size_t i = 0; i < c.turns.size(); ++i) {
+    way.turns = c.turns[i].rough;
+    for (int level = -1; level < static_cast<int>(c.levels.size()); ++level) {
+      const bool room = consider({i, level, false, 0}, floor, way, c) || consider({i, level, true, 0}, floor, way, c);
+      if (!room) ++c.losses.steep;
+    }
+  }
+  std::stable_sort(c.list.begin(), c.list.end(),
+                   [](const CircuitCandidate& a, const CircuitCandidate& b) { return a.cost < b.cost; });
+  return c;
+}
+
+}  // namespace coaster::sim

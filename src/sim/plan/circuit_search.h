@@ -1,0 +1,41 @@
+// The candidates of a way home: turns of several radii to both sides, with several heights between them, cheapest
+// first. Whether they have room is not looked at here.
+#pragma once
+
+#include "sim/plan/circuit_way.h"
+
+namespace coaster::sim {
+
+struct CircuitCandidate {
+  std::size_t turns = 0;  // index into `CircuitCandidates::turns`
+  int level = -1;         // index into `levels`; below 0: one slope all the way
+  bool tight = false;     // with bends of the smaller radii
+  double cost = 0;        // m: its length, and kCostOfG for each g
+};
+inline constexpr double kCostOfG = 25;  // m of length that a rider would go round for 1 g less
+
+// Why candidates were left out.
+struct CircuitLosses {
+  int steep = 0, buried = 0, slow = 0, forced = 0;
+  double least_g = 1e9;  // the least of the largest felt g among those left out for it
+};
+
+struct CircuitCandidates {
+  CircuitTask task;
+  Lead in, out;
+  std::vector<double> levels;  // m
+  std::vector<TurnChoice> turns;
+  std::vector<CircuitCandidate> list;  // by cost
+  CircuitLosses losses;
+  double arrival = 0;   // m/s at the first knot, about
+  std::string refusal;  // why there can be no way at all; empty: see `list`
+
+  // Return the way of a candidate: with turns that are wrong by about a centimetre, and exact.
+  CircuitWay rough(const CircuitCandidate& candidate) const;
+  std::optional<CircuitWay> exact(const CircuitCandidate& candidate) const;
+};
+
+// Takes about 50 ms.
+CircuitCandidates circuit_candidates(const CircuitTask& task);
+
+}  // namespace coaster::sim

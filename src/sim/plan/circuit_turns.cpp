@@ -1,0 +1,184 @@
+#include "sim/plan/circuit_turns.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/portable_math.h"
+
+namespace coaster::sim {
+namespace {
+
+using base::kPi;
+using glm::dvec2;
+
+constexpr int kGrid = 144;  // steps of a whole turn
+constexpr double kGridStep = 2.0 * kPi / kGrid;
+constexpr double kUnit = 1000;  // m, a radius at which no bend is too short
+
+dvec2 along(double heading) {
+  const auto [sin, cos] = base::sin_cos(heading);
+  return {cos, sin};
+}
+dvec2 swung(dvec2 v, double heading) {
+  const dvec2 e = along(heading);
+  return {v.x * e.x - v.y * e.y, v.x * e.y + v.y * e.x};
+}
+
+// Displacements of bends by their angle, up to two whole turns, for a radius of 1 m and the heading 0.
+struct TurnTable {
+  std::array<dvec2, 2 * kGrid + 1> moved{};
+  std::array<double, 2 * kGrid + 1> length{};
+  TurnTable() {
+    for (std::size_t i = 1; i < moved.size(); ++i) {
+      const Bend bend{0, static_cast<double>(i) * kGridStep, kUnit};
+      moved[i] = bend.run_and_rise() / kUnit, length[i] = bend.length() / kUnit;
+    }
+  }
+  dvec2 at(double angle, double radius) const {
+    const double place = angle / kGridStep;
+    const auto i = std::min(static_cast<std::size_t>(place), moved.size() - 2);
+    const double share = place - static_cast<double>(i);
+    const double whole = length[i] + share * (length[i + 1] - length[i]);
+    const double real = radius * whole < Bend::kShortest && whole > 0 ? Bend::kShortest / whole : radius;
+    return real * (moved[i] + share * (moved[i + 1] - moved[i]));
+  }
+};
+
+dvec2 exact_moved(double angle, double radius) { return Bend{0, angle, radius}.run_and_rise(); }
+
+// What remains after a first turn by `turn`, seen along the heading between the turns.
+struct Rest {
+  double ahead = 0, aside = 0;  // m
+  double second = 0;            // rad, the second turn
+};
+
+template <class Moved>
+Rest rest_after(const PlanPose& from, const PlanPose& to, const TurnChoice& c, double turn, const Moved& moved) {
+  const double heading = from.heading + c.first * turn;
+  double second = c.second * (to.heading - heading) / (2.0 * kPi);
+  second = (second - std::floor(second) + c.more_second) * 2.0 * kPi;
+  const auto shift = [&](double angle, int side, double at) {
+    const dvec2 m = moved(angle, c.radius);
+    return swung({m.x, side * m.y}, at);
+  };
+  const dvec2 rest = to.place - from.place - c.before * along(from.heading) - c.after * along(to.heading) -
+                     shift(turn, c.first, from.heading) - shift(second, c.second, heading);
+  const dvec2 e = along(heading);
+  return {glm::dot(rest, e), rest.y * e.x - rest.x * e.y, second};
+}
+
+Turns turns_of(const PlanPose& from, const TurnChoice& c, double turn, const Rest& rest) {
+  const double heading = from.heading + c.first * turn;
+  return {c.before, std::max(0.0, rest.ahead), c.after, Bend{from.heading, heading, c.radius},
+          Bend{heading, heading + c.second * rest.second, c.radius}};
+}
+
+// Adds the roots of the rest's `aside` over the first turn's angle.
+void add_roots(const PlanPose& from, const PlanPose& to, TurnChoice c, std::vector<TurnChoice>& out) {
+  static const TurnTable kTable;
+  const auto moved = [](double angle, double radius) { return kTable.at(angle, radius); };
+  const int begin = c.more_first * kGrid;
+  Rest last = rest_after(from, to, c, begin * kGridStep, moved);
+  const auto take = [&](double low, double high, double turn) {
+    const Rest rest = rest_after(from, to, c, turn, moved);
+    if (rest.ahead < -0.05) return;
+    c.low = low, c.high = high, c.rough = turns_of(from, c, turn, rest);
+    out.push_back(c);
+  };
+  if (last.aside == 0) take(begin * kGridStep, begin * kGridStep, begin * kGridStep);
+  for (int i = begin + 1; i <= begin + kGrid; ++i) {
+    const Rest next = rest_after(from, to, c, i * kGridStep, moved);
+    if ((last.aside < 0) != (next.aside < 0) && std::abs(last.second - next.second) < kPi)
+      take((i - 1) * kGridStep, i * kGridStep, (i - 1 + last.aside / (last.aside - next.aside)) * kGridStep);
+    last = next;
+  }
+}
+
+struct TurnPart {
+  double begin, length;
+  const Bend* bend;  // null: straight
+  double heading;
+};
+std::array<TurnPart, 5> turn_parts(const Turns& t) {
+  std::array<TurnPart, 5> parts{{{0, t.before, nullptr, t.first.from},
+                                 {0, t.first.length(), &t.first, 0},
+                                 {0, t.between, nullptr, t.first.to},
+                                 {0, t.second.length(), &t.second, 0},
+                                 {0, t.after, nullptr, t.second.to}}};
+  for (std::size_t i = 1; i < parts.size(); ++i) parts[i].begin = parts[i - 1].begin + parts[i - 1].length;
+  return parts;
+}
+
+}  // namespace
+
+std::vector<double> Turns::breaks() const {
+  std::vector<double> at;
+  for (const TurnPart& part : turn_parts(*this)) {
+    if (part.bend != nullptr && part.length > 0)
+      at.insert(at.end(),
+                {part.begin, part.begin + part.bend->ramp(), part.begin + part.bend->ramp() + part.bend->arc()});
+    at.push_back(part.begin + part.length);
+  }
+  return at;
+}
+
+double Turns::angle(double u) const {
+  for (const TurnPart& part : turn_parts(*this))
+    if (u <= part.begin + part.length) return part.bend != nullptr ? part.bend->angle(u - part.begin) : part.heading;
+  return second.to;
+}
+
+double Turns::bend(double u) const {
+  for (const TurnPart& part : turn_parts(*this))
+    if (u <= part.begin + part.length) return part.bend != nullptr ? part.bend->bend(u - part.begin) : 0.0;
+  return 0;
+}
+
+std::vector<TurnChoice> turn_choices(const PlanPose& from, const PlanPose& to, std::span<const double> radii,
+                                     std::span<const double> straights) {
+  std::vector<TurnChoice> choices;
+  const auto add_sides = [&](TurnChoice c) {
+    for (c.first = -1; c.first <= 1; c.first += 2)
+      for (c.second = -1; c.second <= 1; c.second += 2) add_roots(from, to, c, choices);
+  };
+  TurnChoice c;
+  for (const double radius : radii) {
+    c.radius = radius;
+    for (const double before : straights)
+      for (const double after : straights) c.before = before, c.after = after, add_sides(c);
+    c.before = c.after = 0;
+    c.more_first = 1, add_sides(c), c.more_first = 0;
+    c.more_second = 1, add_sides(c), c.more_second = 0;
+  }
+  return choices;
+}
+
+// By regula falsi (Illinois): a few steps from a bracket of 2.5 degrees.
+std::optional<Turns> exact_turns(const PlanPose& from, const PlanPose& to, const TurnChoice& choice) {
+  constexpr int kSteps = 60;
+  constexpr double kDone = 1e-11;  // m
+  const auto rest = [&](double turn) { return rest_after(from, to, choice, turn, exact_moved); };
+  // The interpolated root may lie just outside the exact bracket.
+  double low = std::max(0.0, choice.low - 0.01), high = choice.high + 0.01;
+  if (choice.low == choice.high) low = high = choice.low;
+  const Rest at_low = rest(low), at_high = rest(high);
+  Rest here = at_low;
+  double turn = low, aside_low = at_low.aside, aside_high = at_high.aside;
+  if (low < high && ((aside_low < 0) == (aside_high < 0) || std::abs(at_low.second - at_high.second) > kPi))
+    return std::nullopt;
+  int side = 0;  // of the last two steps
+  for (int i = 0; i < kSteps && low < high; ++i) {
+    turn = (low * aside_high - high * aside_low) / (aside_high - aside_low);
+    here = rest(turn);
+    if (std::abs(here.aside) < kDone) break;
+    const bool above = (here.aside < 0) == (aside_high < 0);
+    (above ? high : low) = turn, (above ? aside_high : aside_low) = here.aside;
+    if (side == (above ? 1 : -1)) (above ? aside_low : aside_high) *= 0.5;
+    side = above ? 1 : -1;
+  }
+  if (!(std::abs(here.aside) < 1e-8) || here.ahead < 0) return std::nullopt;
+  return turns_of(from, choice, turn, here);
+}
+
+}  // namespace coaster::sim

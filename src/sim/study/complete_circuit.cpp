@@ -1,0 +1,214 @@
+#include "sim/study/complete_circuit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "curve/continuity.h"
+#include "curve/frames.h"
+#include "sim/study/element_room.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kRoughStep = 3, kRoughMargin = 0.3, kMargin = 0.15;  // m: chords differ from those of the track later
+constexpr int kMostFailures = 30;  // of candidates that turn the same way and reach the same level
+constexpr double kApart = 8;       // m between the middles of two proposals
+
+// Where the ways home that failed for other track came nearest to it.
+struct Obstacles {
+  struct Place {
+    int count = 0;
+    double sum = 0;  // m along the track
+  };
+  std::map<int, Place> places;  // by tens of metres along the track; below 0: the way itself
+  int count = 0;
+  void add(std::span<const Narrow> parts) {
+    const Narrow& worst = *std::max_element(parts.begin(), parts.end(),
+                                            [](const Narrow& a, const Narrow& b) { return a.missing < b.missing; });
+    Place& place = places[worst.other < 0 ? -1 : static_cast<int>(worst.other / 10)];
+    ++place.count, place.sum += worst.other, ++count;
+  }
+  std::string refusal() const {
+    const auto& [tens, place] = *std::max_element(
+        places.begin(), places.end(), [](const auto& a, const auto& b) { return a.second.count < b.second.count; });
+    if (tens < 0) return "the way itself is in the way: every way home would cross itself";
+    return fmt::format("other track is in the way: ways home come too close to it, most often at {} m",
+                       std::round(place.sum / place.count));
+  }
+};
+
+std::vector<LinePoint> rough_points(const std::vector<WayPlace>& places, double after) {
+  std::vector<LinePoint> line;
+  for (const WayPlace& p : places) line.push_back({glm::vec3(p.rails), glm::vec3(p.up), static_cast<float>(p.s)});
+  // What is left out behind the last place still counts as distance from the first knot.
+  if (!line.empty()) line.push_back(line.back()), line.back().s += static_cast<float>(after);
+  return line;
+}
+
+bool buried(const CircuitTask& task, const ElementCurve& curve) {
+  const double floor =
+      std::min(kLowestRails, std::min(task.from.position.y, task.home.position.y) + std::min(task.rails, 0.0)) - 0.05;
+  return std::any_of(curve.points.begin(), curve.points.end(),
+                     [&](const ElementPoint& p) { return (p.position + task.rails * p.up).y < floor; });
+}
+
+bool resembles(const ElementPlan& a, const ElementPlan& b) {
+  for (const double share : {0.3, 0.5, 0.7}) {
+    const auto at = [&](const ElementPlan& plan) {
+      const auto& points = plan.ideal.points;
+      return points[static_cast<std::size_t>(share * static_cast<double>(points.size() - 1))].position;
+    };
+    if (glm::distance(at(a), at(b)) > kApart) return false;
+  }
+  return true;
+}
+
+ElementPlan plan_of(ElementCurve curve) {
+  ElementPlan plan;
+  plan.ideal = std::move(curve);
+  plan.length = plan.ideal.length();
+  plan.lowest = plan.ideal.points.front().position.y;
+  for (const ElementPoint& p : plan.ideal.points) plan.lowest = std::min(plan.lowest, p.position.y);
+  return plan;
+}
+
+// One search: what it has found and why others failed.
+struct Search {
+  const CircuitCandidates& candidates;
+  const Derived& derived;
+  const Conflicts& conflicts;
+  CircuitProposals found;
+  Obstacles obstacles;
+  int forced = 0, buried_ones = 0, unfit = 0;
+  double least_g = 1e9;
+
+  // Returns whether the way has room, roughly.
+  bool has_room(const CircuitCandidate& candidate) {
+    const CircuitWay way = candidates.rough(candidate);
+    const std::vector<Narrow> narrow = conflicts.against(
+        derived, rough_points(rough_line(candidates.task, way, kRoughStep), way.out.length), {true, kRoughMargin});
+    if (!narrow.empty()) obstacles.add(narrow);
+    return narrow.empty();
+  }
+
+  // Adds the proposal of a candidate, unless it fails or resembles another.
+  void propose(const CircuitCandidate& candidate) {
+    const CircuitTask& task = candidates.task;
+    const std::optional<CircuitWay> way = candidates.exact(candidate);
+    if (!way) return;
+    CircuitProposal proposal{plan_of(way_curve(task, *way)), {}};
+    ElementPlan& plan = proposal.plan;
+    for (const CircuitProposal& other : found.list)
+      if (resembles(plan, other.plan)) return;
+    proposal.felt = felt_on(task, plan.ideal);
+    if (!proposal.felt.within()) {
+      ++forced, least_g = std::min(least_g, proposal.felt.most);
+      return;
+    }
+    if (buried(task, plan.ideal)) {
+      ++buried_ones;
+      return;
+    }
+    const std::vector<Narrow> narrow = conflicts.against(derived, line_of(plan.ideal, task.rails), {true, kMargin});
+    if (!narrow.empty()) return obstacles.add(narrow);
+    plan.fit = fit_element(plan.ideal);
+    if (!plan.fit.within) ++unfit;
+    else found.list.push_back(std::move(proposal));
+  }
+
+  void run() {
+    std::map<std::array<int, 5>, int> failures;
+    int tried = 0;
+    for (const CircuitCandidate& candidate : candidates.list) {
+      if (found.list.size() == kMostProposals || tried == kMostTried) break;
+      const TurnChoice& turns = candidates.turns[candidate.turns];
+      int& failed = failures[{turns.first, turns.second, turns.more_first, turns.more_second, candidate.level}];
+      if (failed >= kMostFailures) continue;
+      ++tried;
+      const std::size_t before = found.list.size();
+      if (has_room(candidate)) propose(candidate);
+      if (found.list.size() == before) ++failed;
+    }
+  }
+
+  std::string why_not() const {
+    const CircuitLosses& losses = candidates.losses;
+    if (obstacles.count > 0) return obstacles.refusal();
+    if (forced > 0 || losses.forced > 0) {
+      const double least = std::min(least_g, losses.least_g);
+      return fmt::format("the train is too fast for the room there: {} m/s at the open end, and at least {:.1f} g",
+                         base::to_text(std::round(candidates.task.speed * 10) / 10), least);
+    }
+    if (buried_ones > 0 || losses.buried > 0) return "the ground is in the way: every way home runs below it";
+    if (losses.slow > 0) return "the train is too slow: it stops on every way home";
+    if (unfit > 0) return "the ends are too sharp or too far from the origin for a fit within 1 cm";
+    return fmt::format(
+        "the slope is too steep: the first knot is {:.1f} m higher than the open end, with no room to "
+        "climb or descend",
+        candidates.task.home.position.y - candidates.task.from.position.y);
+  }
+};
+
+}  // namespace
+
+std::optional<CircuitTask> circuit_task(const world::Document& document, const Ghost* ride) {
+  const std::optional<TrackEnd> end = open_end(document);
+  if (!end || document.track.segments.empty()) return std::nullopt;
+  CircuitTask task;
+  task.from = *end;
+  const world::Knot& first = world::knot(document, document.track.knots.front());
+  task.home.position = dvec3(first.position);
+  task.home.forward = glm::normalize(dvec3(first.tangent));
+  task.home.up = curve::perpendicular(task.home.forward, dvec3(first.up));
+  task.home.spin = first.spin;
+  task.home.curvature = curve::across(
+      curve::curvature_vector(world::cubic_of(document, document.track.segments.front()), 0.0), task.home.forward);
+  if (glm::length(task.home.curvature) < kStraightEnd) task.home.curvature = dvec3(0);
+  task.rails = world::rails_height(document), task.riders = world::riders_height(document);
+  task.speed = kAssumedSpeed, task.coasts = false;
+  if (ride != nullptr && ride->end == world::FailureKind::off_end && ride->samples.back().speed > 0) {
+    task.speed = ride->samples.back().speed, task.coasts = true;
+    task.losses = document.resistance;
+    task.losses.drag *= static_cast<float>(double{world::kCarMass} / ride->start.mass);
+  }
+  return task;
+}
+
+CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts) {
+  const CircuitCandidates candidates = circuit_candidates(task);
+  Search search{candidates, derived, conflicts, {}, {}};
+  search.found.speed = task.speed, search.found.assumed = !task.coasts;
+  if (candidates.refusal.empty()) search.run();
+  CircuitProposals found = std::move(search.found);
+  std::stable_sort(found.list.begin(), found.list.end(), [](const CircuitProposal& a, const CircuitProposal& b) {
+    const auto cost = [](const CircuitProposal& p) { return p.plan.length + kCostOfG * (p.felt.most + p.felt.side); };
+    return cost(a) < cost(b);
+  });
+  if (found.list.empty()) found.refusal = candidates.refusal.empty() ? search.why_not() : candidates.refusal;
+  return found;
+}
+
+const CircuitProposals& CircuitMemo::update(const world::Document& document, const Derived& derived,
+                                            const Conflicts& conflicts, const Ghost* ride) {
+  const std::optional<CircuitTask> task = circuit_task(document, ride);
+  if (!task) {
+    task_.reset();
+    found_ = {};
+    found_.refusal = document.track.closed ? "the track is closed: open it first" : "the track has no segment yet";
+    return found_;
+  }
+  if (task_ == task && build_ == derived.last_build && order_ == derived.order) return found_;
+  task_ = task, build_ = derived.last_build, order_ = derived.order;
+  found_ = complete_circuit(*task, derived, conflicts);
+  for (CircuitProposal& proposal : found_.list) proposal.plan.serial = ++serial_;
+  return found_;
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,50 @@
+// Completes a circuit: up to three different ways from the track's open end to its first knot, with curvature and spin
+// continuous at both joints, clear of other track and within what riders bear (docs/elements.md).
+#pragma once
+
+#include "sim/plan/circuit_search.h"
+#include "sim/plan/elements.h"
+#include "sim/ride/ghost.h"
+#include "sim/solids/conflicts.h"
+
+namespace coaster::sim {
+
+inline constexpr std::size_t kMostProposals = 3;
+
+struct CircuitProposal {
+  // Its last knot is the track's first, with the new incoming handle.
+  ElementPlan plan;
+  FeltRange felt;  // g, at the speeds that follow from the energy
+};
+
+struct CircuitProposals {
+  std::vector<CircuitProposal> list;  // best first: by length and felt g
+  std::string refusal;                // why there is none; empty if there is one
+  double speed = 0;                   // m/s at the open end
+  bool assumed = false;               // that speed: no train reaches the open end
+};
+
+// Returns what is to be completed: `ride` is the train's ghost on the open track, null without a train. Nothing for a
+// closed track and one without a segment.
+std::optional<CircuitTask> circuit_task(const world::Document& document, const Ghost* ride);
+inline constexpr double kAssumedSpeed = 10;  // m/s, where no train reaches the open end
+
+// `conflicts` and `derived` are the open track's and up to date. Tries at most kMostTried candidates: below 1 s.
+CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts);
+inline constexpr int kMostTried = 1200;
+
+// Caches the proposals while task and track are unchanged.
+class CircuitMemo {
+ public:
+  // Refused for a track that cannot be completed.
+  const CircuitProposals& update(const world::Document& document, const Derived& derived, const Conflicts& conflicts,
+                                 const Ghost* ride);
+
+ private:
+  std::optional<CircuitTask> task_;
+  std::uint64_t build_ = 0, serial_ = 0;
+  std::vector<world::Entity> order_;
+  CircuitProposals found_;
+};
+
+}  // namespace coaster::sim

@@ -1,0 +1,18 @@
+// What panels and keys do with the ways that complete a circuit.
+#pragma once
+
+#include "ui/context/ui.h"
+
+namespace coaster::ui {
+
+// Whether a track is open and has a segment.
+bool completable(const world::Document& document);
+// Returns the index of the way that shows.
+std::size_t shown_way_home(const world::Aids& aids, const sim::CircuitProposals& found);
+// Shows the first way and hides the palette's element.
+void show_ways_home(Ui& ui);
+void next_way_home(Ui& ui);
+// Closes the track by the way that shows, if there is one, and ends the preview.
+void place_way_home(Ui& ui);
+
+}  // namespace coaster::ui

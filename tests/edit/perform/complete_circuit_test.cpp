@@ -1,0 +1,237 @@
+// Circuits completed from random open tracks: joints, clearance, g and bounds are checked on the finished document, by
+// other means than the planner's.
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "base/hash.h"
+#include "curve/continuity.h"
+#include "edit/commands/commands_elements.h"
+#include "edit/session_fixture.h"
+#include "sim/shape/rails.h"
+#include "world/aids.h"
+
+namespace coaster::edit {
+namespace perform_complete_circuit_test {
+
+using glm::dvec3;
+
+// A point of the rails, at a distance along the track.
+struct Sample {
+  double s;
+  dvec3 rails, up;
+};
+
+class CompleteCircuitTest : public test::SessionTest {
+ protected:
+  CompleteCircuitTest() : SessionTest(world::Document{}) {}
+
+  const sim::CircuitProposals& proposals() { return *find(session, Want::circuit).circuit; }
+  std::uint32_t below(std::uint32_t n) { return bits_() % n; }
+  double uniform(double low, double high) { return low + (high - low) * (bits_() / 4294967296.0); }
+
+  // A station, then up to six elements as a player would choose them; those below the ground or in the way of others
+  // are left out.
+  void random_track(std::uint32_t seed) {
+    bits_.seed(seed);
+    start_on(world::Document{});
+    good(fmt::format("append at {} {} {}", uniform(-80, 80), uniform(2, 6), uniform(-80, 80)));
+    const double heading = uniform(0, 6.28);
+    const glm::vec3 at = knot(1).position;
+    good(fmt::format("append at {} {} {}", at.x + 20 * std::cos(heading), at.y, at.z + 20 * std::sin(heading)));
+    good(fmt::format("start_speed {}", uniform(16, 30)));
+    const std::uint32_t count = 1 + below(6);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const char* const side = below(2) ? "left" : "right";
+      const std::string line[] = {
+          fmt::format("element straight length {:.1f} roll {:.0f}", uniform(5, 60), below(3) ? 0 : uniform(-40, 40)),
+          fmt::format("element curve {} radius {:.1f} angle {:.0f} bank {:.0f}", side, uniform(12, 50),
+                      uniform(20, 200), uniform(0, 60)),
+          fmt::format("element climb height {:.1f} angle {:.0f}", uniform(3, 20), uniform(10, 50)),
+          fmt::format("element dive height {:.1f} angle {:.0f}", uniform(3, 20), uniform(10, 60)),
+          fmt::format("element camelback height {:.1f} speed 18", uniform(4, 10)),
+          fmt::format("element loop {} height {:.1f}", side, uniform(8, 18)),
+          fmt::format("element helix {} radius {:.1f} turns 1.2 height {:.1f}", side, uniform(12, 25), uniform(5, 14))};
+      if (!apply(line[below(7)])) continue;
+      bool bad = !find(session, Want::conflicts).conflicts.empty();
+      for (const world::Entity e : session.document.track.knots)
+        bad = bad || world::knot(session.document, e).position.y < 1.5f;
+      if (bad) good("undo");
+    }
+  }
+
+  // Every metre.
+  std::vector<Sample> samples() const {
+    std::vector<Sample> out;
+    const sim::Derived& d = session.derived;
+    for (double s = 0; s < d.length; s += 1.0) {
+      const sim::TrackPlace place = sim::place_at(d, s);
+      const sim::SegmentShape& shape = d.shape_at(place.index);
+      out.push_back({s, sim::rails_at(shape, place.s), sim::frame_at(shape, place.s).up});
+    }
+    return out;
+  }
+
+  void check(std::size_t number);
+
+  std::mt19937 bits_;
+};
+
+// The rate of the frame's roll just before and after a joint, by differences of frames carried by the least rotation.
+double roll_rate(const sim::SegmentShape& shape, double s) {
+  constexpr double kStep = 1e-3;
+  const curve::Frame a = sim::frame_at(shape, s), b = sim::frame_at(shape, s + kStep);
+  const dvec3 carried = curve::least_rotation(a.forward, b.forward, a.up, a.up);
+  return curve::signed_angle(carried, b.up, b.forward) / kStep;
+}
+
+// Every joint of the part from segment `old` on, both its ends included.
+void expect_smooth(const sim::Derived& d, std::size_t old) {
+  const std::size_t all = d.order.size();
+  for (std::size_t i = old; i <= all; ++i) {
+    const sim::SegmentShape &in = d.shape_at(i - 1), &out = d.shape_at(i % all);
+    const curve::Joint joint = curve::joint(in.key.cubic, out.key.cubic);
+    EXPECT_EQ(joint.geometric, curve::Geometric::g2) << "segment " << i << " jumps by " << joint.curvature_jump;
+    EXPECT_NEAR(roll_rate(in, in.arc.length() - 1.5e-3), roll_rate(out, 5e-4), 2e-3) << "segment " << i;
+  }
+}
+
+// Its bends are no sharper than those of either end and of the planner.
+void expect_gentle(const sim::Derived& d, std::size_t old) {
+  double most = 1 / 6.5;
+  for (const auto& [index, t] : {std::pair{old - 1, 1.0}, {std::size_t{0}, 0.0}})
+    most = std::max(most, glm::length(curve::curvature_vector(d.shape_at(index).key.cubic, t)));
+  for (std::size_t i = old; i < d.order.size(); ++i)
+    for (int k = 0; k <= 32; ++k)
+      EXPECT_LT(glm::length(curve::curvature_vector(d.shape_at(i).key.cubic, k / 32.0)), most + 2e-3);
+}
+
+// Brute force: the train's tube against the track's, of all pairs with a place behind `from`.
+void expect_clear(const std::vector<Sample>& line, double from, double length) {
+  const auto lift = [](const Sample& p, double by) { return p.rails + by * p.up; };
+  for (const Sample& a : line) {
+    if (a.s < from) continue;
+    EXPECT_GT(a.rails.y, 0.9) << a.s;
+    for (const Sample& b : line) {
+      const double apart = std::abs(a.s - b.s);
+      if (std::min(apart, length - apart) < sim::kSameStretch + 1 || glm::distance(a.rails, b.rails) > 4) continue;
+      const double room = std::min(glm::distance(lift(a, sim::kTrainLift), lift(b, -sim::kTrackDrop)),
+                                   glm::distance(lift(b, sim::kTrainLift), lift(a, -sim::kTrackDrop)));
+      ASSERT_GT(room, sim::kTrainRadius + sim::kTrackRadius) << a.s << " and " << b.s;
+    }
+  }
+}
+
+// The ghost of the whole ride feels what was promised, on the new part alone.
+void expect_felt(const sim::Ghost& ride, double from, const sim::FeltRange& promised) {
+  double most = 0, side = 0;
+  for (std::size_t i = 0; i * sim::kForceEvery < ride.samples.size(); ++i) {
+    const sim::GhostSample& sample = ride.samples[i * sim::kForceEvery];
+    if (ride.distance(i * sim::kForceEvery) < from + 1 || sample.travelled > ride.track_length - ride.start.front)
+      continue;
+    const sim::Force& f = ride.forces[i * static_cast<std::size_t>(ride.start.cars)];
+    most = std::max(most, double{f.up}), side = std::max(side, std::abs(double{f.left}));
+  }
+  EXPECT_NEAR(most, promised.most, 0.25);
+  EXPECT_LT(side, sim::kMostSide + 0.4);
+}
+
+// Places the proposal, checks the finished circuit, and undoes it.
+void CompleteCircuitTest::check(std::size_t number) {
+  const sim::CircuitProposal proposal = proposals().list[number - 1];
+  const bool arrives = !proposals().assumed;
+  const world::Document before = session.document;
+  const std::size_t old = before.track.segments.size(), steps = session.history.undo.size();
+  const double from = session.derived.length,
+               gap = static_cast<double>(glm::distance(world::knot(before, before.track.knots.back()).position,
+                                                       world::knot(before, before.track.knots.front()).position));
+  good(fmt::format("complete {}", number));
+  ASSERT_TRUE(session.document.track.closed);
+  EXPECT_EQ(session.history.undo.size(), steps + 1);
+  const double length = session.derived.length;
+  EXPECT_NEAR(length - from, proposal.plan.length, 0.05);
+  EXPECT_GE(length - from, gap - 1e-3);
+  EXPECT_LT(length - from, gap + 1200);
+  expect_smooth(session.derived, old);
+  expect_gentle(session.derived, old);
+  expect_clear(samples(), from, length);
+  EXPECT_TRUE(find(session, Want::conflicts).conflicts.empty());
+  const sim::Ghost* const ride = find(session, Want::ride).ride;
+  ASSERT_NE(ride, nullptr);
+  if (arrives) expect_felt(*ride, from, proposal.felt);
+  good("undo");
+  ASSERT_TRUE(session.document == before);
+}
+
+TEST_F(CompleteCircuitTest, random_tracks_are_closed_smoothly_clear_and_within_what_riders_bear) {
+  int tracks = 0, completed = 0, offers = 0, arrived = 0;
+  for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+    random_track(seed);
+    ++tracks;
+    const std::size_t count = proposals().list.size();
+    if (count == 0) std::printf("track %u: %s\n", seed, proposals().refusal.c_str());
+    completed += count > 0, offers += static_cast<int>(count), arrived += !proposals().assumed;
+    for (std::size_t n = 1; n <= count; ++n) {
+      SCOPED_TRACE(fmt::format("track {}, proposal {}", seed, n));
+      check(n);
+    }
+  }
+  std::printf("%d of %d tracks completed, %d proposals\n", completed, tracks, offers);
+  EXPECT_GE(completed * 10, tracks * 8);
+  EXPECT_GE(arrived, 3);  // the others are planned for the assumed speed
+}
+
+TEST_F(CompleteCircuitTest, proposals_differ_and_the_better_comes_first) {
+  good("element straight length 30"), good("element curve right radius 25 angle 90");
+  good("start_speed 14");
+  const sim::CircuitProposals& found = proposals();
+  ASSERT_EQ(found.list.size(), sim::kMostProposals);
+  const auto cost = [](const sim::CircuitProposal& p) {
+    return p.plan.length + sim::kCostOfG * (p.felt.most + p.felt.side);
+  };
+  EXPECT_LE(cost(found.list[0]), cost(found.list[1]));
+  EXPECT_LE(cost(found.list[1]), cost(found.list[2]));
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = a + 1; b < 3; ++b) {
+      double apart = 0;
+      for (const sim::ElementPoint& p : found.list[a].plan.ideal.points) {
+        double nearest = 1e9;
+        for (const sim::ElementPoint& q : found.list[b].plan.ideal.points)
+          nearest = std::min(nearest, glm::distance(p.position, q.position));
+        apart = std::max(apart, nearest);
+      }
+      EXPECT_GT(apart, 3) << a << " and " << b;
+    }
+  good("complete 2");
+  EXPECT_NE(session.notices.list.back().text.find("Completed the circuit: "), std::string::npos);
+  // Portable to the bit: gcc and clang, debug and release.
+  EXPECT_EQ(base::hex16(hash()), "38811580429e962d");
+}
+
+TEST_F(CompleteCircuitTest, says_what_is_in_the_way) {
+  refused("complete 1", "the track has no segment yet");
+  good("append at 0 3 0"), good("append at 20 3 0");
+  refused("complete 4", "there are 3 proposals");
+  refused("complete 0", "there are 3 proposals");
+  good("start_speed 0");
+  // Without a speed no train reaches the open end; from 1 m/s it would come home with 1 m/s again.
+  good("move @k1 to 0 33 0"), good("move @k2 to 20 33 0"), good("direct @k1,@k2 to 1 0 0"),
+      good("element dive height 20");
+  EXPECT_TRUE(proposals().assumed);
+  good("start_speed 1");
+  EXPECT_FALSE(proposals().assumed);
+  refused("complete 1", "the train is too slow: it would reach the first knot, 20 m higher, at less than 2 m/s");
+  // Four metres before a straight that the train must not come near.
+  start_on(world::Document{});
+  for (const char* const at : {"0 5 0", "60 5 0", "90 5 60", "60 5 95", "30 5 70", "30 5 40", "30 5 4"})
+    good(std::string("append at ") + at);
+  refused("complete 1", "other track is in the way: ways home come too close to it, most often at 29 m");
+  good("closed on");
+  refused("complete 1", "the track is closed");
+}
+
+}  // namespace perform_complete_circuit_test
+}  // namespace coaster::edit
