@@ -1,6 +1,7 @@
 #include "edit/session/findings.h"
 
 #include "edit/session/session.h"
+#include "sim/study/near_misses.h"
 #include "sim/study/seat.h"
 #include "world/lab_view.h"
 
@@ -11,16 +12,6 @@ void find_ride(Session& session) {
   Findings& found = session.findings;
   found.ride = found.memory.rides.ride(session.document, session.derived, chosen_cart(session));
   found.tables = &found.memory.rides.tables(session.document, session.derived);
-}
-
-void find_ratings(Session& session) {
-  static const sim::Ratings kNone;
-  Findings& found = session.findings;
-  const double cutoff = session.limits.envelope.cutoff;
-  found.ratings = &kNone;
-  if (found.ride != nullptr)
-    found.ratings = &found.memory.ratings.get({found.ride->serial, cutoff},
-                                              [&] { return sim::rate(*found.ride, *found.tables, cutoff); });
 }
 
 void update_riders(Session& session, sim::CarRange cars) {
@@ -63,6 +54,20 @@ void find_overloads(Session& session) {
                                                  [&] { return sim::red_spans(*found.ride, session.limits.envelope); });
 }
 
+// Needs the overloads.
+void find_ratings(Session& session) {
+  static const sim::Ratings kNone;
+  Findings& found = session.findings;
+  const sim::Envelope& envelope = session.limits.envelope;
+  found.ratings = &kNone;
+  if (found.ride == nullptr) return;
+  found.ratings = &found.memory.ratings.get({found.ride->serial, session.derived.last_build, envelope}, [&] {
+    found.memory.passed.update(session.derived);
+    const sim::NearMisses misses = sim::near_misses(*found.ride, session.derived, &found.memory.passed);
+    return sim::rate(*found.ride, *found.tables, envelope.cutoff, {misses.count(), found.overloads});
+  });
+}
+
 void find_jolts(Session& session) {
   Findings& found = session.findings;
   const double cutoff = session.limits.envelope.cutoff;
@@ -96,9 +101,9 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
           Want::ride | Want::ratings | Want::overloads | Want::seat | Want::riders | Want::jolts | Want::circuit) ||
       (has(wanted, Want::values) && by_ride))
     find_ride(session);
-  if (has(wanted, Want::ratings)) find_ratings(session);
   if (has(wanted, Want::seat | Want::riders)) find_riders(session, has(wanted, Want::riders));
-  if (has(wanted, Want::overloads)) find_overloads(session);
+  if (has(wanted, Want::overloads | Want::ratings)) find_overloads(session);
+  if (has(wanted, Want::ratings)) find_ratings(session);
   if (has(wanted, Want::jolts)) find_jolts(session);
   if (has(wanted, Want::conflicts | Want::room | Want::circuit))
     found.conflicts = memory.conflicts.update(session.derived);

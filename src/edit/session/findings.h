@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -77,7 +78,8 @@ struct Findings {
   struct Memory {
     base::Kept<std::uint64_t, std::uint64_t> document_hash;  // by Session::edits
     sim::GhostMemo rides;
-    base::Kept<std::pair<std::uint64_t, double>, sim::Ratings> ratings;  // by the ride's serial and the cutoff
+    // By the ride's serial, the build of the track and the envelope.
+    base::Kept<std::tuple<std::uint64_t, std::uint64_t, sim::Envelope>, sim::Ratings> ratings;
     base::Kept<std::pair<std::uint64_t, sim::Envelope>, std::vector<sim::RedSpan>> overloads;  // by the ride's serial
     sim::Riders riders;
     base::Kept<std::pair<std::uint64_t, double>, std::vector<sim::Jolt>> jolts;  // by the ride's serial and the cutoff
@@ -88,7 +90,7 @@ struct Findings {
     sim::CircuitMemo circuit;
     sim::FrenetBreaks breaks;
     sim::TrackValueMemo values;
-    sim::Supports supports;
+    sim::Supports supports, passed;  // shown, and passed by a ride: each counts what it rebuilds
     base::Kept<std::pair<sim::ShapeTrace, sim::ShapeTrace>, double> deviation;  // by the two tracks' traces
   } memory;
 };

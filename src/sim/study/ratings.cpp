@@ -96,9 +96,21 @@ void count_inversions(const Ghost& ghost, const RailTables& tables, Ratings& r) 
   }
 }
 
+// From 0 at 0 towards 1: half of it at `half`.
+double share(double value, double half) { return value > 0 ? value / (value + half) : 0.0; }
+
 }  // namespace
 
-Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff) {
+double excitement_of(const Ratings& r) {
+  constexpr double kMostUp = 5, kJoltFelt = 1, kJoltWeight = 0.25, kOverloadWeight = 2;
+  const double thrill = 3.4 * share(r.highest_drop, 25) + 1.2 * share(r.top_speed.value, 25) +
+                        2.2 * share(r.airtime, 3) + 1.2 * share(r.near_misses, 3) + 1.6 * share(r.inversions, 2) +
+                        1.0 * share(r.drops, 5) + 1.0 * share(std::min(r.up_most.value, kMostUp) - 1, 2.5);
+  const double pain = kJoltWeight * std::max(0.0, r.jolt_most.value - kJoltFelt) + kOverloadWeight * r.overload;
+  return std::min(10.0, thrill / (1 + pain));
+}
+
+Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff, const RideMarks& marks) {
   Ratings r;
   r.complete = ghost.lap || ghost.end == world::FailureKind::off_end;
   r.seconds = ghost.lap ? ghost.lap_time : ghost.seconds();
@@ -114,8 +126,10 @@ Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff) {
     way += std::abs(ghost.samples[i].travelled - ghost.samples[i - 1].travelled);
   r.mean_speed = ghost.seconds() > 0 ? way / ghost.seconds() : 0.0;
   const double p = r.up_most.value, n = r.up_least.value, l = r.side_most.value, d = r.drops, h = r.highest_drop;
-  r.excitement = 0.08 * p + (n < 0 ? 0.24 * std::min(-n, 2.5) : 0.0) + 0.4 * std::min(l, 1.5) +
-                 0.11 * std::min(d, 9.0) + 0.0049 * h;
+  r.near_misses = marks.near_misses;
+  for (const RedSpan& span : marks.overloads)
+    r.overload += span.allowed > 0 ? std::max(0.0, span.worst / span.allowed - 1) : 1.0;
+  r.excitement = excitement_of(r);
   r.intensity = 0.8 * p + 0.8 * (1 - n) + l + 0.14 * d + 0.0098 * h;
   r.nausea = 0.26 * p + 0.22 * (1 - n) + 0.33 * l + 0.10 * d + 0.0031 * h;
   return r;

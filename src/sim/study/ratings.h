@@ -31,15 +31,27 @@ struct Ratings {
   int drops = 0;            // descents of kDrop or more
   double highest_drop = 0;  // m
   int inversions = 0;       // number of times that riders are turned upside down
-  // By the formulas published for OpenRCT2, with real g: only their terms of vertical and lateral g and of drops.
+  int near_misses = 0;      // of track and supports (near_misses.h)
+  double overload = 0;      // sum of what overloads have beyond their limits, relative to these
+  // 0 to 10: see excitement_of(). Intensity and nausea are OpenRCT2's published terms of g and drops, with real g.
   double excitement = 0, intensity = 0, nausea = 0;
 };
 inline constexpr double kDrop = 3.0;  // m
 
+// Returns the excitement from the other members: rises with drops, speed, airtime, near misses, inversions and vertical
+// g, each by ever less, and falls with jolts and overloads. Weights and reasons: docs/ride.md.
+double excitement_of(const Ratings& ratings);
+
+// What a ride passes and exceeds, which its ghost alone does not tell.
+struct RideMarks {
+  int near_misses = 0;
+  std::span<const RedSpan> overloads = {};
+};
+
 // Returns the ratings of a ghost on these tables; `cutoff` in Hz is that of the forces' low-pass. An inversion counts
 // where the riders' up, that is the rotation-minimising frame with its banking, points below the horizon by more than
 // 0.2 and then above it again. Takes about 1 ms for a lap of a minute with one car.
-Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff);
+Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff, const RideMarks& marks = {});
 
 // Return a readable report, and the ride by time as CSV (one line per kForceEvery ticks, units in the heading, named by
 // the car whose forces it has).

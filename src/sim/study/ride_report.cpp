@@ -51,8 +51,8 @@ std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Ri
   add(out, "  {:<22} {:8.2f} s\n", "airtime", r.airtime);
   add(out, "  {:<22} {:8}, highest {:.2f} m\n", "drops", r.drops, r.highest_drop);
   add(out, "  {:<22} {:8}\n", "inversions", r.inversions);
-  add(out, "  {:<22} {:8.2f}, intensity {:.2f}, nausea {:.2f} (OpenRCT2's terms of g and drops, with real g)\n",
-      "excitement", r.excitement, r.intensity, r.nausea);
+  add(out, "  {:<22} {:8.2f}, intensity {:.2f}, nausea {:.2f} (docs/ride.md)\n", "excitement", r.excitement,
+      r.intensity, r.nausea);
   add(out, "  {:<22} {:8} (force limits by duration; not a compliance check)\n", "overloads", red.size());
   for (const RedSpan& span : red)
     add(out, "    car {:2}, {:<22} {:6.2f} g, limit {:.2f} g, {:.2f}..{:.2f} s, {:.1f}..{:.1f} m\n", span.car + 1,

@@ -41,7 +41,7 @@ void side(Ui& ui, const sim::Ghost& ghost, const sim::Ratings& r, bool within_li
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
   for (const auto& [label, value] :
        {std::pair{"Excitement", r.excitement}, {"Intensity", r.intensity}, {"Nausea", r.nausea}})
-    read_out(ui, label, fixed(value, 2), "", "After OpenRCT2's published rating terms, with real g.");
+    read_out(ui, label, fixed(value, 2), "", "From g, drops, airtime, near misses, jolts and overloads.");
 }
 
 constexpr TableColumn kRedColumns[] = {

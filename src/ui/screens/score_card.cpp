@@ -52,7 +52,7 @@ void numbers(Ui& ui, const edit::RideResult& result) {
            "Smallest and largest, low-pass filtered, all cars.");
   read_out(ui, "Lateral g", fixed(r.side_most.value, 2), "g", "Largest to either side, low-pass filtered.");
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
-  constexpr std::string_view kTerms = "After OpenRCT2's published rating terms, with real g.";
+  constexpr std::string_view kTerms = "From g, drops, airtime, near misses, jolts and overloads.";
   rating(ui, "Excitement", r.excitement, 0x4FB477, kTerms);
   rating(ui, "Intensity", r.intensity, 0xF2B84B, kTerms);
   rating(ui, "Nausea", r.nausea, 0xE5534B, kTerms);

@@ -44,9 +44,9 @@ TEST(ratings, a_flat_circle_at_constant_speed_has_constant_g) {
   EXPECT_EQ(r.airtime, 0);
   EXPECT_EQ(r.drops, 0);
   EXPECT_EQ(r.inversions, 0);
-  // The published terms, by hand: no negative g, no drop.
+  // The published terms, by hand: no negative g, no drop. What excites is the speed alone.
   const double l = speed * speed / (radius * kG);
-  EXPECT_NEAR(r.excitement, 0.08 + 0.4 * l, 0.01);
+  EXPECT_NEAR(r.excitement, 1.2 * speed / (speed + 25), 0.01);
   EXPECT_NEAR(r.intensity, 0.8 + l, 0.01);
   EXPECT_NEAR(r.nausea, 0.26 + 0.33 * l, 0.01);
 }
@@ -79,19 +79,62 @@ TEST(ratings, airtime_is_the_time_on_a_parabola_that_is_taken_too_fast) {
   EXPECT_NEAR(slow.highest.value - 5.7, speed * speed * 0.5 / (2 * kG), 1e-2);
 }
 
-// OpenRCT2 counts at most 2.5 g of what lifts riders, and at most 1.5 g to the side, 9 drops.
-TEST(ratings, negative_g_count_for_excitement_up_to_two_and_a_half) {
-  for (const double more : {0.4, 1.0, 1.9}) {
-    const double speed = 15.0;
-    const Ratings r = Rated(parabola(speed, M_PI / 4), speed * std::sqrt(1 + more), 0.0).rate();
-    EXPECT_NEAR(r.up_least.value, -2 * more, 0.1);  // q / cos^2
-    EXPECT_LT(r.side_most.value, 1.5);
-    EXPECT_EQ(r.drops, 1);
-    const double lifted = std::min(-r.up_least.value, 2.5);
-    EXPECT_NEAR(r.excitement,
-                0.08 * r.up_most.value + 0.24 * lifted + 0.4 * r.side_most.value + 0.11 + 0.0049 * r.highest_drop, 1e-3)
-        << more;
+// Every member that excites raises the excitement by ever less, and jolts and overloads lower it.
+TEST(ratings, excitement_rises_with_what_excites_and_falls_with_what_hurts) {
+  Ratings base;
+  base.highest_drop = 12, base.airtime = 1, base.drops = 2, base.near_misses = 1, base.inversions = 1;
+  base.up_most.value = 3, base.top_speed.value = 18;
+  using Step = void (*)(Ratings&);
+  for (const Step step : {Step([](Ratings& r) { r.highest_drop += 5; }), Step([](Ratings& r) { r.airtime += 1; }),
+                          Step([](Ratings& r) { r.drops += 1; }), Step([](Ratings& r) { r.near_misses += 1; }),
+                          Step([](Ratings& r) { r.inversions += 1; }), Step([](Ratings& r) { r.up_most.value += 0.9; }),
+                          Step([](Ratings& r) { r.top_speed.value += 4; })}) {
+    Ratings once = base, twice = base;
+    step(once), step(twice), step(twice);
+    const double first = excitement_of(once) - excitement_of(base), second = excitement_of(twice) - excitement_of(once);
+    EXPECT_GT(second, 0.02);
+    EXPECT_GT(first, second);
   }
+  for (const Step step :
+       {Step([](Ratings& r) { r.jolt_most.value += 1.4; }), Step([](Ratings& r) { r.overload += 0.2; })}) {
+    Ratings once = base, twice = base;
+    step(once), step(twice), step(twice);
+    EXPECT_LT(excitement_of(once), excitement_of(base) - 0.05);
+    EXPECT_LT(excitement_of(twice), excitement_of(once) - 0.05);
+  }
+}
+
+// Tracks that differ in one thing each.
+TEST(ratings, a_higher_drop_more_airtime_and_no_jolt_excite_more) {
+  double last = 0;
+  for (const float height : {8.0f, 15.0f, 25.0f, 40.0f}) {
+    world::Document d;
+    for (const auto& [x, y] : {std::pair{0.0f, height + 2},
+                               {30.0f, height + 2},
+                               {30.0f + 2.5f * height, 2.0f},
+                               {60.0f + 2.5f * height, 2.0f}})
+      world::append_knot(d, test::skew_knot({x, y, 2.7f}, {1, 0, 0}, std::max(9.0f, height), std::max(9.0f, height)));
+    const double now = Rated(d, 6.3, 0.0).rate().excitement;
+    EXPECT_GT(now, last + 0.1) << height;
+    last = now;
+  }
+  last = 0;
+  for (const double more : {-0.02, 0.02}) {  // lifted nowhere, then everywhere on the same parabola
+    const double now = Rated(parabola(15, M_PI / 4), 15 * std::sqrt(1 + more), 0.0).rate().excitement;
+    EXPECT_GT(now, last) << more;
+    last = now;
+  }
+  // The same bend, entered by a ramp of curvature or at once.
+  const auto bend = [](bool at_once) {
+    world::Document d;
+    world::append_knot(d, test::skew_knot({0, 5, 0}, {1, 0, 0}, 10, 10));
+    world::append_knot(d, test::skew_knot({40, 5, 0}, {1, 0, 0}, 13, at_once ? 8.0f : 25.0f));
+    world::append_knot(d, test::skew_knot({58, 5, 18}, {0, 0, 1}, at_once ? 8.0f : 8.0f, 8));
+    return Rated(d, 17.3, 0.0).rate();
+  };
+  const Ratings sharp = bend(true), soft = bend(false);
+  EXPECT_GT(sharp.jolt_most.value, soft.jolt_most.value + 0.5);
+  EXPECT_LT(sharp.excitement, soft.excitement);
 }
 
 TEST(ratings, inversions_are_counted_for_a_loop_and_a_corkscrew_and_not_for_a_bank) {
