@@ -64,9 +64,9 @@ double exact_length(const Document& document) {
   return sum;
 }
 
-void copy_fittings(Document& document, Entity from, Entity to) {
+void copy_fittings(const Document& original, Entity from, Document& document, Entity to) {
   Fittings::for_each([&]<class T>() {
-    if (const T* const fitting = document.entities.find<T>(from)) document.entities.put(to, T(*fitting));
+    if (const T* const fitting = original.entities.find<T>(from)) document.entities.put(to, T(*fitting));
   });
 }
 

@@ -70,8 +70,8 @@ Entity first_cart(const Document& document);
 const Knot& knot(const Document& document, Entity e);
 const Segment& segment(const Document& document, Entity e);
 
-// Puts on one segment what stands on another.
-void copy_fittings(Document& document, Entity from, Entity to);
+// Puts on one segment what stands on another, which may be of the same document.
+void copy_fittings(const Document& original, Entity from, Document& document, Entity to);
 
 // Returns the control points of a segment: p0 and p3 are exactly the knots' positions, p1 and p2 are on their tangents
 // at the handle lengths.

@@ -6,29 +6,10 @@
 #include <limits>
 
 #include "curve/arc_length.h"
+#include "world/topology_parts.h"
 
 namespace coaster::world {
 namespace {
-
-Entity create_named(Document& document, Kind kind) {
-  std::uint32_t& last = document.last_number[static_cast<std::size_t>(kind)];
-  COASTER_CHECK(last < std::numeric_limits<std::uint32_t>::max(), "numbers are never used again");
-  const Entity e = document.entities.create();
-  document.entities.put(e, Name{kind, ++last});
-  return e;
-}
-
-Entity create_section(Document& document) {
-  const Entity e = create_named(document, Kind::section);
-  document.entities.put(e, Section{});
-  return e;
-}
-
-Entity create_segment(Document& document, Entity from, Entity to, Entity section) {
-  const Entity e = create_named(document, Kind::segment);
-  document.entities.put(e, Segment{from, to, 0, section});
-  return e;
-}
 
 // Adds a segment at the end of the order: to the last section if it is free, else to a new one.
 void push_segment(Document& document, Entity from, Entity to) {
@@ -41,32 +22,10 @@ void push_segment(Document& document, Entity from, Entity to) {
   segments.push_back(e);
 }
 
-// The section of the segment at that index; kNone beyond the order's ends.
-Entity section_at(const Document& document, std::size_t index) {
-  const std::vector<Entity>& segments = document.track.segments;
-  return index < segments.size() ? segment(document, segments[index]).section : kNone;
-}
-
 template <class Fn>
 void for_carts_on(Document& document, Entity segment_entity, Fn fn) {
   for (Cart& cart : document.entities.pool<Cart>().items())
     if (cart.segment == segment_entity) fn(cart);
-}
-
-void remove_carts_on(Document& document, Entity segment_entity) {
-  const std::vector<Entity> carts = document.entities.pool<Cart>().entities();  // a copy: destroying reorders the pool
-  for (const Entity e : carts)
-    if (document.entities.get<Cart>(e).segment == segment_entity) document.entities.destroy(e);
-}
-
-void remove_segment(Document& document, std::size_t index) {
-  std::vector<Entity>& segments = document.track.segments;
-  remove_carts_on(document, segments[index]);
-  const Entity section = section_at(document, index);
-  const bool last_of_it = section_at(document, index - 1) != section && section_at(document, index + 1) != section;
-  if (last_of_it && document.entities.alive(section)) document.entities.destroy(section);
-  document.entities.destroy(segments[index]);
-  segments.erase(segments.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
 // Fractions stay below 1, where the next segment begins.
@@ -91,7 +50,48 @@ void merge_segments(Document& document, std::size_t before_index, std::size_t af
   remove_segment(document, after_index);
 }
 
+void remove_carts_on(Document& document, Entity segment_entity) {
+  const std::vector<Entity> carts = document.entities.pool<Cart>().entities();  // a copy: destroying reorders the pool
+  for (const Entity e : carts)
+    if (document.entities.get<Cart>(e).segment == segment_entity) document.entities.destroy(e);
+}
+
 }  // namespace
+
+Entity create_named(Document& document, Kind kind) {
+  std::uint32_t& last = document.last_number[static_cast<std::size_t>(kind)];
+  COASTER_CHECK(last < std::numeric_limits<std::uint32_t>::max(), "numbers are never used again");
+  const Entity e = document.entities.create();
+  document.entities.put(e, Name{kind, ++last});
+  return e;
+}
+
+Entity create_section(Document& document) {
+  const Entity e = create_named(document, Kind::section);
+  document.entities.put(e, Section{});
+  return e;
+}
+
+Entity create_segment(Document& document, Entity from, Entity to, Entity section) {
+  const Entity e = create_named(document, Kind::segment);
+  document.entities.put(e, Segment{from, to, 0, section});
+  return e;
+}
+
+Entity section_at(const Document& document, std::size_t index) {
+  const std::vector<Entity>& segments = document.track.segments;
+  return index < segments.size() ? segment(document, segments[index]).section : kNone;
+}
+
+void remove_segment(Document& document, std::size_t index) {
+  std::vector<Entity>& segments = document.track.segments;
+  remove_carts_on(document, segments[index]);
+  const Entity section = section_at(document, index);
+  const bool last_of_it = section_at(document, index - 1) != section && section_at(document, index + 1) != section;
+  if (last_of_it && document.entities.alive(section)) document.entities.destroy(section);
+  document.entities.destroy(segments[index]);
+  segments.erase(segments.begin() + static_cast<std::ptrdiff_t>(index));
+}
 
 Entity add_cart(Document& document, Entity segment_entity, double fraction) {
   const Entity e = create_named(document, Kind::cart);
@@ -137,7 +137,7 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
   document.entities.put(e, middle);
   const Entity second = create_segment(document, e, to, segment(document, first).section);
   document.entities.get<Segment>(first).to = e;
-  copy_fittings(document, first, second);
+  copy_fittings(document, first, document, second);
   const auto place = static_cast<std::ptrdiff_t>(*index) + 1;
   document.track.knots.insert(document.track.knots.begin() + place, e);
   document.track.segments.insert(document.track.segments.begin() + place, second);
@@ -217,29 +217,6 @@ bool weld_ends(Document& document) {
   track.knots.pop_back();
   track.closed = true;
   return true;
-}
-
-Entity make_section(Document& document, std::size_t first, std::size_t count, Section value) {
-  const std::vector<Entity>& segments = document.track.segments;
-  COASTER_CHECK(count > 0 && first + count <= segments.size(), "a section has segments of the track");
-  const Entity before = section_at(document, first - 1), after = section_at(document, first + count);
-  const auto put = [&](std::size_t i, Entity e) { document.entities.get<Segment>(segments[i]).section = e; };
-  if (before == after && before.valid()) {
-    const Entity rest = create_section(document);
-    for (std::size_t i = first + count; section_at(document, i) == before; ++i) put(i, rest);
-  }
-  Entity made;
-  for (std::size_t i = first; i < first + count; ++i) {
-    const Entity former = section_at(document, i);
-    const bool whole = former != before && former != after && document.entities.alive(former);
-    if (whole && !made.valid()) made = former;
-    else if (whole && former != made) document.entities.destroy(former);
-    put(i, kNone);
-  }
-  if (!made.valid()) made = create_section(document);
-  for (std::size_t i = first; i < first + count; ++i) put(i, made);
-  document.entities.put(made, std::move(value));
-  return made;
 }
 
 }  // namespace coaster::world

@@ -46,6 +46,15 @@ bool weld_ends(Document& document);
 // them. What is left of a section on both sides becomes two: the part after them is a new free one.
 Entity make_section(Document& document, std::size_t first, std::size_t count, Section value);
 
+// Gives a section that many segments. Knots and segments come and go before its last knot; new ones have that knot's
+// values and the fittings of the segment before them. The caller shapes the knots and repositions trains.
+void resize_section(Document& document, Entity section, std::size_t count);
+
+// Removes a section of an open track, the trains on it, and its knots but the first; of the track's first section its
+// knots but the last. Swaps a section of an open track with the next. The caller moves the knots of what follows.
+void remove_section(Document& document, Entity section);
+void swap_sections(Document& document, Entity section);
+
 // Recomputes knots with automatic joints, and equalises handle lengths of smooth joints (the outgoing one wins: an edit
 // of the incoming one must set both). Idempotent to the bit. Linear in the track's length, 20 ns per knot.
 void settle_joints(Document& document);

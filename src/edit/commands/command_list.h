@@ -14,6 +14,7 @@
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
@@ -29,7 +30,7 @@ auto set_commands(world::GroupList<Groups...>)
     -> decltype((set_commands<Groups>(std::make_index_sequence<std::tuple_size_v<decltype(Groups::kRows)>>()) + ...));
 
 using Commands = decltype(DocumentCommands() + ShapeCommands() + OperationCommands() + ElementCommands() +
-                          SettingsCommands() + LabCommands() + RideCommands() + SessionCommands() +
+                          SectionCommands() + SettingsCommands() + LabCommands() + RideCommands() + SessionCommands() +
                           ChallengeCommands() + set_commands(world::SettingGroups()));
 
 // The place of a command's kind in the list (COASTER_CHECK).

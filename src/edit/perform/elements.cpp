@@ -5,8 +5,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_elements.h"
-#include "edit/perform/perform.h"
-#include "sim/plan/elements.h"
+#include "edit/perform/placing.h"
 #include "world/aids.h"
 #include "world/evaluation.h"
 #include "world/topology.h"
@@ -15,13 +14,6 @@ namespace coaster::edit {
 namespace {
 
 using base::Status;
-
-Status well_formed(const world::Element& element) {
-  if (!base::has_row(element.kind)) return refused("there is no such element");
-  if (!std::all_of(element.values.begin(), element.values.end(), [](double value) { return std::isfinite(value); }))
-    return refused("expected finite numbers");
-  return {};
-}
 
 // Says what was placed, or else its warnings.
 void report(const sim::ElementPlan& plan, double missing, Change& change) {
@@ -40,7 +32,8 @@ void report(const sim::ElementPlan& plan, double missing, Change& change) {
                             static_cast<int>(std::ceil(plan.fit.error * 1000)));
 }
 
-// The end keeps its position, direction and roll; its outgoing handle becomes the first span's.
+}  // namespace
+
 void open_out(world::Document& document, const world::Knot& start) {
   if (document.track.knots.empty()) {
     world::append_knot(document, start);
@@ -51,7 +44,17 @@ void open_out(world::Document& document, const world::Knot& start) {
   last.out_length = start.out_length;
 }
 
-}  // namespace
+world::Entity place(world::Document& document, const sim::ElementPlan& plan) {
+  open_out(document, plan.fit.knots.front());
+  for (std::size_t k = 1; k < plan.fit.knots.size(); ++k) world::append_knot(document, plan.fit.knots[k]);
+  return world::make_section(document, document.track.segments.size() - plan.spans(), plan.spans(),
+                             {{}, world::SectionKind::element, world::limited(plan.element)});
+}
+
+void add_first_train(world::Document& document) {
+  if (document.entities.pool<world::Cart>().size() == 0)
+    world::add_cart(document, document.track.segments.front(), 0.0);
+}
 
 Status perform(Session& session, Change& change, const PlaceElement& command) {
   if (const Status good = well_formed(command.what); !good) return good;
@@ -65,14 +68,9 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
       !room)
     return room;
   const double missing = sim::worst(find(session, Want::room, command.what).room);
-  open_out(document, plan.fit.knots.front());
-  for (std::size_t k = 1; k < plan.fit.knots.size(); ++k)
-    change.select = world::append_knot(document, plan.fit.knots[k]);
-  world::make_section(document, document.track.segments.size() - plan.spans(), plan.spans(),
-                      {{}, world::SectionKind::element, world::limited(plan.element)});
-  // As for the first appended segment: without a train there would be nothing to watch.
-  if (document.track.segments.size() == plan.spans() && document.entities.pool<world::Cart>().size() == 0)
-    world::add_cart(document, document.track.segments.front(), 0.0);
+  place(document, plan);
+  change.select = document.track.knots.back();
+  if (document.track.segments.size() == plan.spans()) add_first_train(document);
   report(plan, missing, change);
   return {};
 }

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_operation.h"
-#include "edit/perform/perform.h"
+#include "edit/perform/equipping.h"
 #include "sim/plan/banking.h"
 #include "world/topology.h"
 
@@ -24,16 +24,9 @@ bool finite(std::initializer_list<double> values) {
 Status perform(Session& session, Change& change, const SetEquipment& command) {
   const auto segment = require(session, command.segment, world::Kind::segment);
   if (!segment) return segment.status();
-  if (!finite({command.speed, command.acceleration, command.hysteresis, command.seconds}))
-    return refused("expected finite numbers");
-  world::Equipment equipment{command.to};
-  const auto fastest = static_cast<float>(world::kMaxSpeed);
-  equipment.speed = change.clamp("speed", command.speed, 0.0f, fastest, "m/s");
-  equipment.acceleration =
-      change.clamp("acceleration", command.acceleration, world::kMinAcceleration, world::kMaxAcceleration, "m/s^2");
-  equipment.hysteresis = change.clamp("hysteresis", command.hysteresis, 0.0f, fastest, "m/s");
-  equipment.seconds = change.clamp("seconds", command.seconds, 0.0f, world::kMaxDwell, "s");
-  session.document.entities.put(*segment, equipment);
+  const base::Result<world::Equipment> equipment = equipment_of(command, change);
+  if (!equipment) return equipment.status();
+  session.document.entities.put(*segment, *equipment);
   return {};
 }
 

@@ -70,6 +70,13 @@ base::Result<world::Entity> require(const Session& session, Target target, world
   return e;
 }
 
+base::Status well_formed(const world::Element& element) {
+  if (!base::has_row(element.kind)) return refused("there is no such element");
+  if (!std::all_of(element.values.begin(), element.values.end(), [](double value) { return std::isfinite(value); }))
+    return refused("expected finite numbers");
+  return {};
+}
+
 base::Status within_budget(std::size_t segments, int steps, std::int64_t budget) {
   const std::int64_t vertices = static_cast<std::int64_t>(segments) * (steps + 1);
   if (vertices <= budget) return {};

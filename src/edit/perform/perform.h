@@ -43,6 +43,9 @@ bool finite(glm::vec3 v);
 // Returns the living entity of a target, of the wanted kind; else an error that says what is missing.
 base::Result<world::Entity> require(const Session& session, Target target, world::Kind kind);
 
+// Refused if an element is of no kind or a value of it is not finite.
+base::Status well_formed(const world::Element& element);
+
 // Refused if `segments` polylines of `steps` steps have more than `budget` vertices.
 base::Status within_budget(std::size_t segments, int steps, std::int64_t budget);
 // Refused if there is no room for that many knots and segments.

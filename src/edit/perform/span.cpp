@@ -97,7 +97,7 @@ Status perform(Session& session, Change& change, const Duplicate& command) {
     const Entity copy = world::append_knot(document, carried(change, world::knot(document, (*knots)[i]), from, to));
     const Entity segment = document.track.segments.back();
     document.entities.get<world::Segment>(segment).turns = world::segment(document, original).turns;
-    world::copy_fittings(document, original, segment);
+    world::copy_fittings(document, original, document, segment);
     if (i < more) change.also.push_back(copy);
     change.select = copy;
   }

@@ -112,6 +112,7 @@ struct Session {
   Game game;
   Measuring measuring;
   Notices notices;
+  std::string copied;  // the sections that were copied last, as the text of a track
 };
 
 void notify(Session& session, NoticeKind kind, std::string text);

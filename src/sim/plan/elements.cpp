@@ -46,19 +46,22 @@ bool within_world(const ElementCurve& curve) {
 }  // namespace
 
 std::optional<TrackEnd> open_end(const world::Document& document) {
+  if (document.track.closed) return std::nullopt;
+  if (document.track.knots.empty()) return TrackEnd{};
+  return end_at(document, document.track.knots.size() - 1);
+}
+
+TrackEnd end_at(const world::Document& document, std::size_t knot) {
   const world::Track& track = document.track;
-  if (track.closed) return std::nullopt;
   TrackEnd end;
-  if (track.knots.empty()) return end;
-  const world::Knot& last = world::knot(document, track.knots.back());
+  const world::Knot& last = world::knot(document, track.knots[knot]);
   end.position = dvec3(last.position);
   end.forward = glm::normalize(dvec3(last.tangent));
   end.up = curve::perpendicular(end.forward, dvec3(last.up));
   end.spin = last.spin;
-  if (!track.segments.empty()) {
-    const dvec3 bend = curve::curvature_vector(world::cubic_of(document, track.segments.back()), 1.0);
-    end.curvature = curve::across(bend, end.forward);
-  }
+  if (knot == 0 && !track.closed) return end;
+  const world::Entity before = knot == 0 ? track.segments.back() : track.segments[knot - 1];
+  end.curvature = curve::across(curve::curvature_vector(world::cubic_of(document, before), 1.0), end.forward);
   return end;
 }
 

@@ -29,6 +29,8 @@ struct ElementPlan {
 // Returns the end of an open track: its last knot, and the curvature of the last segment there. An empty track starts
 // at (0, 2, 0) along +X. Nothing for a closed track.
 std::optional<TrackEnd> open_end(const world::Document& document);
+// Returns the same of the knot with that index, as if the track ended there.
+TrackEnd end_at(const world::Document& document, std::size_t knot);
 
 // Plans an element. Values beyond the limits of its table are clamped; values that are not numbers become the defaults.
 // Takes a few ms.

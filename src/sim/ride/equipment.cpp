@@ -83,9 +83,16 @@ Drive stop_and_go(const EquipmentSpan& span, const Moment& now, double left, boo
 std::vector<EquipmentSpan> equipment_spans(const world::Document& document, const Derived& derived) {
   std::vector<EquipmentSpan> spans;
   if (document.entities.pool<world::Equipment>().size() == 0) return spans;
-  for (std::size_t i = 0; i < derived.order.size(); ++i)
-    if (const auto* const found = document.entities.find<world::Equipment>(derived.order[i]))
-      spans.push_back({derived.starts[i], derived.starts[i + 1], derived.order[i], *found});
+  world::Entity station;  // the section of the segment before, if that is a station
+  for (std::size_t i = 0; i < derived.order.size(); ++i) {
+    const auto* const found = document.entities.find<world::Equipment>(derived.order[i]);
+    const bool stops = found && found->kind == EquipmentKind::station;
+    const world::Entity here = stops ? world::segment(document, derived.order[i]).section : world::kNone;
+    const bool goes_on = here.valid() && here == station && spans.back().equipment == *found;
+    if (goes_on) spans.back().to = derived.starts[i + 1];
+    else if (found) spans.push_back({derived.starts[i], derived.starts[i + 1], derived.order[i], *found});
+    station = here;
+  }
   return spans;
 }
 

@@ -17,7 +17,8 @@ struct EquipmentSpan {
   world::Equipment equipment;
   friend bool operator==(const EquipmentSpan&, const EquipmentSpan&) = default;
 };
-// Returns the spans in track order.
+// Returns the spans in track order. Neighbouring segments of one section that are equal stations are one span, at whose
+// end trains stop once.
 std::vector<EquipmentSpan> equipment_spans(const world::Document& document, const Derived& derived);
 
 // The data of a train that equipment uses.

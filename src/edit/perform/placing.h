@@ -1,0 +1,17 @@
+// Adds planned track at the open end. Private to this room.
+#pragma once
+
+#include "edit/perform/perform.h"
+#include "sim/plan/elements.h"
+
+namespace coaster::edit {
+
+// Lets track with that first knot begin at the open end: the end keeps its position, direction and roll, and its
+// outgoing handle becomes the knot's. An empty track gets the knot.
+void open_out(world::Document& document, const world::Knot& start);
+// Adds what was planned at the open end as a section, and returns that.
+world::Entity place(world::Document& document, const sim::ElementPlan& plan);
+// Adds a train at the start of a track without one, so that there is something to watch.
+void add_first_train(world::Document& document);
+
+}  // namespace coaster::edit

@@ -1,0 +1,165 @@
+#include "edit/perform/replan.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "curve/arc_length.h"
+#include "edit/commands/commands_sections.h"
+#include "world/sections.h"
+#include "world/topology.h"
+
+namespace coaster::edit {
+namespace {
+
+using base::Status;
+using world::Cart;
+using world::Document;
+using world::Entity;
+using world::Knot;
+using world::SectionRun;
+
+// A section's trains as designed, by their fraction of its length.
+struct Starts {
+  std::vector<std::pair<Entity, double>> carts;
+};
+
+std::vector<double> lengths_of(const Document& document, const SectionRun& run) {
+  std::vector<double> ends{0};
+  for (std::size_t i = run.first; i < run.end(); ++i)
+    ends.push_back(ends.back() + curve::arc_length(world::cubic_of(document, document.track.segments[i])));
+  return ends;
+}
+
+Starts starts_on(const Document& document, const SectionRun& run) {
+  Starts starts;
+  const auto& carts = document.entities.pool<Cart>();
+  std::vector<double> ends;
+  for (std::size_t i = 0; i < carts.size(); ++i) {
+    const Cart& cart = carts.items()[i];
+    const std::size_t at = *world::index_of(document.track.segments, cart.segment);
+    if (at < run.first || at >= run.end()) continue;
+    if (ends.empty()) ends = lengths_of(document, run);
+    const std::size_t k = at - run.first;
+    const double s = ends[k] + cart.fraction * (ends[k + 1] - ends[k]);
+    starts.carts.emplace_back(carts.entities()[i], ends.back() > 0 ? s / ends.back() : 0.0);
+  }
+  return starts;
+}
+
+void put_back(const Starts& starts, const SectionRun& run, Document& document) {
+  if (starts.carts.empty()) return;
+  const std::vector<double> ends = lengths_of(document, run);
+  for (const auto& [e, fraction] : starts.carts) {
+    const double s = fraction * ends.back();
+    std::size_t k = 0;
+    while (k + 1 < run.count && s >= ends[k + 1]) ++k;
+    const double length = ends[k + 1] - ends[k];
+    Cart& cart = document.entities.get<Cart>(e);
+    cart.segment = document.track.segments[run.first + k];
+    cart.fraction = length > 0 ? std::clamp((s - ends[k]) / length, 0.0, std::nextafter(1.0, 0.0)) : 0.0;
+  }
+}
+
+// True if the carry moves no knot by more than is seen and felt: its joint stays G2.
+bool stays(const sim::Carry& carry) {
+  constexpr double kDistance = 1e-4, kAngle = 1e-6;  // m, rad
+  return glm::distance(carry.from, carry.to) <= kDistance && carry.cos > 0 && std::abs(carry.sin) <= kAngle;
+}
+
+// Gives the section's knots the plan's shape. Its last knot keeps what belongs to the track behind it.
+void shape_knots(const sim::ElementFit& fit, const SectionRun& run, bool follows, Document& document) {
+  const std::vector<Entity>& knots = document.track.knots;
+  const auto knot = [&](std::size_t i) -> Knot& { return document.entities.get<Knot>(knots[i % knots.size()]); };
+  Knot& start = knot(run.first);
+  start.joint = world::JointKind::aligned;
+  start.out_length = fit.knots.front().out_length;
+  for (std::size_t i = 1; i <= run.count; ++i) {
+    Knot planned = fit.knots[i];
+    Knot& into = knot(run.first + i);
+    if (i == run.count && follows)
+      planned.out_length = into.out_length, planned.spin = into.spin, planned.spin_kind = into.spin_kind;
+    into = planned;
+  }
+  for (std::size_t i = run.first; i < run.end(); ++i)
+    document.entities.get<world::Segment>(document.track.segments[i]).turns = 0;
+}
+
+Status placeable(const Session& session, const world::Track& track, const sim::ElementPlan& plan,
+                 const SectionRun& run) {
+  if (!plan.refusal.empty()) return refused(plan.refusal);
+  return room_for(session, track.knots.size() + plan.spans() - run.count,
+                  track.segments.size() + plan.spans() - run.count);
+}
+
+}  // namespace
+
+Status adopt(Session& session, Document&& next) {
+  if (const auto broken = world::broken_invariant(next)) return refused("the track would leave the world: " + *broken);
+  session.document = std::move(next);
+  return {};
+}
+
+Status carry_after(Document& document, std::size_t knot, const sim::Carry& carry) {
+  const world::Track& track = document.track;
+  if (track.closed) return refused("the track is closed, and no section of it can take up the change. Open it first");
+  for (std::size_t i = knot + 1; i < track.knots.size(); ++i) {
+    Knot& moved = document.entities.get<Knot>(track.knots[i]);
+    moved = carry.knot(moved);
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(std::abs(moved.position[axis]) <= world::kMaxCoordinate))
+        return refused(fmt::format("what follows would go beyond the limit of coordinates, {} m",
+                                   base::to_text(double{world::kMaxCoordinate})));
+  }
+  return {};
+}
+
+Status replan(const Session& session, Change& change, Document& document, Entity section, const world::Element& as) {
+  SectionRun run = world::run_of(document, section);
+  const sim::ElementPlan plan = sim::plan_element(as, sim::end_at(document, run.first));
+  if (const Status good = placeable(session, document.track, plan, run); !good) return good;
+  const std::size_t end = run.end();
+  const bool follows = document.track.closed || end < document.track.segments.size();
+  sim::Carry carry;
+  if (follows) {
+    const Knot& last = world::knot(document, document.track.knots[end % document.track.knots.size()]);
+    base::Result<sim::Carry> found = sim::carry_between(last, plan.fit.knots.back());
+    if (!found) return found.status();
+    carry = *found;
+  }
+  const Starts starts = plan.spans() == run.count ? Starts{} : starts_on(document, run);
+  const bool moves = follows && !stays(carry);
+  if (moves)
+    if (const Status carried = carry_after(document, end, carry); !carried) return carried;
+  std::optional<Knot> held;  // where nothing moves, the end stays to the bit
+  if (follows && !moves) held = world::knot(document, document.track.knots[end % document.track.knots.size()]);
+  world::resize_section(document, section, plan.spans());
+  run.count = plan.spans();
+  shape_knots(plan.fit, run, follows, document);
+  if (held) {
+    Knot& last = document.entities.get<Knot>(document.track.knots[run.end() % document.track.knots.size()]);
+    held->in_length = last.in_length, held->joint = last.joint;
+    last = *held;
+  }
+  put_back(starts, run, document);
+  world::Section& value = document.entities.get<world::Section>(section);
+  value.kind = world::SectionKind::element, value.element = world::limited(plan.element);
+  change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
+  if (plan.lowest < 0)
+    change.clamped.push_back(fmt::format("The section goes {:.1f} m below the ground.", -plan.lowest));
+  return {};
+}
+
+Status perform(Session& session, Change& change, const ChangeSection& command) {
+  const auto section = require(session, command.section, world::Kind::section);
+  if (!section) return section.status();
+  if (const Status good = well_formed(command.to); !good) return good;
+  const Document& start = session.history.gesture_start;
+  const bool anew = command.anew && session.history.in_gesture && start.entities.find<world::Section>(*section);
+  Document next = anew ? start : session.document;
+  if (const Status planned = replan(session, change, next, *section, command.to); !planned) return planned;
+  return adopt(session, std::move(next));
+}
+
+}  // namespace coaster::edit

@@ -1,0 +1,110 @@
+// Commands that copy and paste sections, as the text of a track.
+#include <fmt/format.h>
+
+#include "edit/commands/commands_sections.h"
+#include "edit/perform/placing.h"
+#include "edit/perform/replan.h"
+#include "exchange/own/track_file.h"
+#include "world/sections.h"
+#include "world/topology.h"
+
+namespace coaster::edit {
+namespace {
+
+using base::Status;
+using world::Document;
+using world::Entity;
+using world::Knot;
+using world::SectionRun;
+
+// Returns a section alone as a track.
+Document track_of(const Document& document, const SectionRun& run) {
+  Document alone;
+  alone.name = world::title_of(world::section(document, run.section));
+  alone.curve = document.curve, alone.heartline = document.heartline;
+  const auto& knots = document.track.knots;
+  for (std::size_t i = 0; i <= run.count; ++i)
+    world::append_knot(alone, world::knot(document, knots[(run.first + i) % knots.size()]));
+  for (std::size_t i = 0; i < run.count; ++i) {
+    const Entity from = document.track.segments[run.first + i], to = alone.track.segments[i];
+    alone.entities.get<world::Segment>(to).turns = world::segment(document, from).turns;
+    world::copy_fittings(document, from, alone, to);
+  }
+  for (Knot& knot : alone.entities.pool<Knot>().items())
+    if (knot.joint == world::JointKind::automatic) knot.joint = world::JointKind::aligned;
+  world::make_section(alone, 0, run.count, world::section(document, run.section));
+  return alone;
+}
+
+// Adds a hand-shaped section at the open end, turned so that it goes on from there.
+Status append_run(const Document& from, const SectionRun& run, Document& document) {
+  const auto knot = [&](std::size_t i) {
+    Knot copy = world::knot(from, from.track.knots[(run.first + i) % from.track.knots.size()]);
+    if (copy.joint == world::JointKind::automatic) copy.joint = world::JointKind::aligned;
+    return copy;
+  };
+  sim::Carry carry;
+  if (!document.track.knots.empty()) {
+    const auto found = sim::carry_between(knot(0), world::knot(document, document.track.knots.back()));
+    if (!found) return found.status();
+    carry = *found;
+  }
+  open_out(document, knot(0));
+  for (std::size_t i = 1; i <= run.count; ++i) {
+    world::append_knot(document, carry.knot(knot(i)));
+    const world::Segment& segment = world::segment(from, from.track.segments[run.first + i - 1]);
+    document.entities.get<world::Segment>(document.track.segments.back()).turns = segment.turns;
+  }
+  const std::size_t first = document.track.segments.size() - run.count;
+  world::make_section(document, first, run.count, world::section(from, run.section));
+  return {};
+}
+
+// Adds a section at the open end: planned again from there if it was planned. Its segments get the fittings of those of
+// the original; if there are more, of the last.
+Status paste(Change& change, const Document& from, const SectionRun& run, Document& document) {
+  const world::Section& value = world::section(from, run.section);
+  const std::size_t before = document.track.segments.size();
+  if (value.kind == world::SectionKind::element) {
+    const sim::ElementPlan plan = sim::plan_element(value.element, document);
+    if (!plan.refusal.empty()) return refused(plan.refusal);
+    document.entities.get<world::Section>(place(document, plan)).title = value.title;
+    change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
+  } else if (const Status appended = append_run(from, run, document); !appended) {
+    return appended;
+  }
+  for (std::size_t i = before; i < document.track.segments.size(); ++i)
+    world::copy_fittings(from, from.track.segments[run.first + std::min(i - before, run.count - 1)], document, document.track.segments[i]);
+  return {};
+}
+
+}  // namespace
+
+Status perform(Session& session, Change& change, const CopySection& command) {
+  const auto section = require(session, command.section, world::Kind::section);
+  if (!section) return section.status();
+  session.copied = exchange::print_track(track_of(session.document, world::run_of(session.document, *section)));
+  change.note = fmt::format("Copied {}.", world::title_of(world::section(session.document, *section)));
+  return {};
+}
+
+Status perform(Session& session, Change& change, const PasteSections& command) {
+  const std::string& text = command.text.empty() ? session.copied : command.text;
+  if (text.empty()) return refused("nothing was copied");
+  if (session.document.track.closed) return refused("the track is closed: open it first");
+  const auto loaded = exchange::parse_track(text, "clipboard");
+  if (!loaded) return refused(loaded.status().message);
+  Document next = session.document;
+  for (const SectionRun& run : world::sections_of(loaded->document))
+    if (const Status pasted = paste(change, loaded->document, run, next); !pasted) return pasted;
+  if (next.track.segments.size() == session.document.track.segments.size()) return refused("nothing was copied");
+  if (const Status room = room_for(session, next.track.knots.size(), next.track.segments.size()); !room) return room;
+  if (const auto broken = world::broken_invariant(next))
+    return refused("what was copied would leave the world: " + *broken);
+  if (session.document.track.segments.empty()) add_first_train(next);
+  change.select = world::segment(next, next.track.segments.back()).section;
+  session.document = std::move(next);
+  return {};
+}
+
+}  // namespace coaster::edit
