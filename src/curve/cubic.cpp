@@ -45,13 +45,19 @@ glm::dvec3 point_long_double(const Cubic& cubic, double t) {
 }
 
 glm::dvec3 unit_tangent(const Cubic& cubic, double t) {
+  const glm::vec3 a = glm::abs(cubic.p1 - cubic.p0), b = glm::abs(cubic.p2 - cubic.p1),
+                  c = glm::abs(cubic.p3 - cubic.p2);
+  const glm::vec3 most = glm::max(glm::max(a, b), c);
+  // More than `size` below, without its roots.
+  const double bound = 2.0 * double{std::max({most.x, most.y, most.z})};
+  dvec3 d = derivative(cubic, t);
+  if (const double length = glm::length(d); length > 1e-9 * bound) return d / length;
   // Where B' vanishes the direction of travel is that of the first derivative that does not. At the end of the curve it
   // is approached from before t, where an even derivative has the opposite sign.
   const double size = std::max({glm::length(dvec3(cubic.p1 - cubic.p0)), glm::length(dvec3(cubic.p2 - cubic.p1)),
                                 glm::length(dvec3(cubic.p3 - cubic.p2))});
   if (!(size > 0.0)) return {1, 0, 0};
-  const auto usable = [&](dvec3 d) { return glm::length(d) > 1e-9 * size; };
-  dvec3 d = derivative(cubic, t);
+  const auto usable = [&](dvec3 v) { return glm::length(v) > 1e-9 * size; };
   if (!usable(d)) d = (t >= 1.0 ? -1.0 : 1.0) * second_derivative(cubic, t);
   if (!usable(d)) d = third_derivative(cubic);
   return usable(d) ? d / glm::length(d) : dvec3(1, 0, 0);
