@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "base/portable_math.h"
+#include "sim/shape/deviation.h"
 #include "world/evaluation.h"
 
 namespace coaster::sim {
@@ -47,29 +48,6 @@ void build_shape(const ShapeKey& key, SegmentShape& shape) {
   build_frames(key, shape);
 }
 
-// Returns the largest distance of a vertex from the exact point at the same parameter: the evaluator's rounding error.
-// Vertices that a rounded double shows to be nearer than the worst one so far need no exact point.
-double deviation_of(const curve::Cubic& cubic, std::span<const glm::vec3> points) {
-  const curve::CoefficientsD rounded = curve::coefficients_d(cubic);
-  float largest = 1;
-  for (const glm::vec3 p : {cubic.p0, cubic.p1, cubic.p2, cubic.p3})
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  const double rounding = 1e-12 * double{largest};  // m, of a point in double: at least ten times what it can be
-  const double last = static_cast<double>(points.size()) - 1;
-  double worst = 0, enough = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const dvec3 vertex(points[i]);
-    const double t = static_cast<double>(i) / last;
-    const dvec3 near = vertex - rounded.point(t);
-    if (glm::dot(near, near) < enough) continue;
-    const dvec3 d = vertex - curve::point_long_double(cubic, t);
-    worst = std::max(worst, glm::dot(d, d));
-    const double nearest = std::max(0.0, std::sqrt(worst) - rounding);
-    enough = nearest * nearest;
-  }
-  return std::sqrt(worst);
-}
-
 ShapeKey key_of(const world::Document& document, const world::Segment& segment) {
   const world::Knot &from = world::knot(document, segment.from), &to = world::knot(document, segment.to);
   return {{from.position, world::out_handle(from), world::in_handle(to), to.position},
@@ -88,7 +66,7 @@ struct Job {
   std::size_t index = 0;
   SegmentShape* shape = nullptr;
   ShapeKey key;
-  bool reshape = false, measure = false, evaluate = false;
+  bool reshape = false, measure = false, evaluate = false, refit = false;
   double seconds = 0;  // in the evaluator's polyline function
 };
 
@@ -111,6 +89,15 @@ bool all_anew(const world::Document& document, const world::Evaluation& evaluati
          derived.made.rails != world::rails_height(document);
 }
 
+// Returns a function that finds the component of entities[i]: at once where the pool has them in that order.
+template <class T>
+auto finder(const world::Pool<T>& pool, const std::vector<world::Entity>& entities) {
+  const bool in_order = pool.entities() == entities;
+  return [&pool, &entities, in_order](std::size_t i) -> const T& {
+    return in_order ? pool.items()[i] : pool.get(entities[i]);
+  };
+}
+
 // Notes what the segments are made from. Returns the indices of those for which that is new, ascending.
 std::vector<std::size_t> take_changes(const world::Document& document, bool all, Derived& derived) {
   Derived::Made& made = derived.made;
@@ -118,8 +105,9 @@ std::vector<std::size_t> take_changes(const world::Document& document, bool all,
   std::vector<bool> changed(count, all);
   made.knots.resize(knots);
   made.segments.resize(count);
+  const auto knot_at = finder(document.entities.pool<world::Knot>(), document.track.knots);
   for (std::size_t i = 0; i < knots; ++i) {
-    const world::Knot& knot = world::knot(document, document.track.knots[i]);
+    const world::Knot& knot = knot_at(i);
     if (made.knots[i] == knot) continue;
     made.knots[i] = knot;
     if (i < count) changed[i] = true;
@@ -127,13 +115,15 @@ std::vector<std::size_t> take_changes(const world::Document& document, bool all,
     else if (document.track.closed && count > 0) changed[count - 1] = true;
   }
   const bool equipped = document.entities.pool<world::Equipment>().size() > 0;
+  const auto segment_at = finder(document.entities.pool<world::Segment>(), derived.order);
   for (std::size_t i = 0; i < count; ++i) {
-    const world::Entity e = derived.order[i];
-    const world::Equipment* const equipment = equipped ? document.entities.find<world::Equipment>(e) : nullptr;
+    const world::Equipment* const equipment =
+        equipped ? document.entities.find<world::Equipment>(derived.order[i]) : nullptr;
     const auto fitted = equipment ? std::optional(equipment->kind) : std::nullopt;
-    const std::int32_t turns = world::segment(document, e).turns;
+    const std::int32_t turns = segment_at(i).turns;
     Derived::Made::Segment& segment = made.segments[i];
-    if (segment.fitted != fitted || segment.turns != turns) changed[i] = true;
+    if (segment.fitted == fitted && segment.turns == turns) continue;
+    changed[i] = true;
     segment.fitted = fitted, segment.turns = turns;
   }
   std::vector<std::size_t> indices;
@@ -155,6 +145,7 @@ std::vector<Job> jobs_of(const world::Document& document, std::span<const std::s
     job.reshape = shape.shape_build == 0 || !(shape.key == job.key);
     job.measure = job.reshape || shape.measured_by != evaluation.arc_length || shape.measured_steps != evaluation.steps;
     job.evaluate = on_processor && (job.reshape || !(shape.polyline_key == polyline));
+    job.refit = shape.fitted != derived.made.segments[i].fitted;
     shape.fitted = derived.made.segments[i].fitted;
     shape.measured_by = evaluation.arc_length, shape.measured_steps = evaluation.steps;
     if (!on_processor) shape.polyline_key = {}, shape.deviation = 0;
@@ -220,7 +211,7 @@ void evaluate_polyline(const SegmentShape& shape, Polyline& polyline) {
 }
 
 std::optional<std::span<const ShapeChange>> Derived::changes_since(std::uint64_t build) const {
-  if (build < made.known_since) return std::nullopt;
+  if (build < made.known_since || build > last_build) return std::nullopt;
   const auto first = std::ranges::upper_bound(made.changes, build, {}, &ShapeChange::build);
   return std::span(first, made.changes.end());
 }
@@ -250,9 +241,10 @@ void derive(const world::Document& document, const world::Settings& settings, co
     for (std::size_t i = begin; i < end; ++i) work_on(evaluation, clock, polyline, jobs[i]);
   });
   gather(jobs, derived);
-  if (moved || derived.made.changes.size() > derived.order.size()) {
+  const bool unlisted = moved || std::ranges::any_of(jobs, &Job::refit);
+  if (unlisted || derived.made.changes.size() > derived.order.size()) {
     derived.made.changes.clear();
-    derived.made.known_since = moved ? ++derived.last_build : derived.last_build;
+    derived.made.known_since = unlisted ? ++derived.last_build : derived.last_build;
   }
   std::erase_if(jobs, [](const Job& job) { return !job.reshape; });
   update_tree(reordered, jobs, derived);

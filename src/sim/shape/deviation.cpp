@@ -1,0 +1,32 @@
+#include "sim/shape/deviation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coaster::sim {
+
+using glm::dvec3;
+
+// Vertices that a rounded double shows to be nearer than the worst one so far need no exact point.
+double deviation_of(const curve::Cubic& cubic, std::span<const glm::vec3> points) {
+  const curve::CoefficientsD rounded = curve::coefficients_d(cubic);
+  float largest = 1;
+  for (const glm::vec3 p : {cubic.p0, cubic.p1, cubic.p2, cubic.p3})
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  const double rounding = 1e-12 * double{largest};  // m, of a point in double: at least ten times what it can be
+  const double last = static_cast<double>(points.size()) - 1;
+  double worst = 0, enough = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const dvec3 vertex(points[i]);
+    const double t = static_cast<double>(i) / last;
+    const dvec3 near = vertex - rounded.point(t);
+    if (glm::dot(near, near) < enough) continue;
+    const dvec3 d = vertex - curve::point_long_double(cubic, t);
+    worst = std::max(worst, glm::dot(d, d));
+    const double nearest = std::max(0.0, std::sqrt(worst) - rounding);
+    enough = nearest * nearest;
+  }
+  return std::sqrt(worst);
+}
+
+}  // namespace coaster::sim
