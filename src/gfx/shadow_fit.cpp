@@ -25,6 +25,21 @@ float power_of_two(float least, float wanted) {
   return side;
 }
 
+constexpr std::size_t kRun = 64;  // segments
+
+LightBox box_of(const SunAxes& axes, const sim::SegmentShape& shape) {
+  LightBox box;
+  const curve::Cubic& c = shape.key.cubic;
+  const float margin = kTrackMargin + static_cast<float>(std::abs(shape.key.rails));
+  for (const glm::vec3 p : {c.p0, c.p1, c.p2, c.p3}) {
+    box.add(axes.of(p), margin);
+    box.add(axes.of({p.x, 0, p.z}), margin);
+  }
+  return box;
+}
+
+LightBox both(const LightBox& a, const LightBox& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+
 }  // namespace
 
 SunAxes::SunAxes(glm::vec3 towards_sun) : sun(glm::normalize(towards_sun)) {
@@ -38,18 +53,27 @@ void LightBox::add(glm::vec3 light, float margin) {
   high = glm::max(high, light + margin);
 }
 
-LightBox light_box(const SunAxes& axes, const sim::Derived& derived) {
-  LightBox box;
-  for (const world::Entity segment : derived.order) {
-    const sim::ShapeKey& key = derived.shape(segment).key;
-    const curve::Cubic& c = key.cubic;
-    const float margin = kTrackMargin + static_cast<float>(std::abs(key.rails));
-    for (const glm::vec3 p : {c.p0, c.p1, c.p2, c.p3}) {
-      box.add(axes.of(p), margin);
-      box.add(axes.of({p.x, 0, p.z}), margin);
-    }
+const LightBox& TrackBox::update(const SunAxes& axes, const sim::Derived& derived) {
+  looked_at_ = 0;
+  std::vector<std::size_t> stale;
+  const auto changes = sun_ == axes.sun ? derived.changes_since(last_build_) : std::nullopt;
+  if (changes) {
+    for (const sim::ShapeChange& change : *changes)
+      if (const std::size_t run = change.index / kRun; stale.empty() || stale.back() != run) stale.push_back(run);
+  } else {
+    runs_.resize((derived.order.size() + kRun - 1) / kRun);
+    for (std::size_t run = 0; run < runs_.size(); ++run) stale.push_back(run);
   }
-  return box;
+  sun_ = axes.sun, last_build_ = derived.last_build;
+  for (const std::size_t run : stale) {
+    const std::size_t begin = run * kRun, end = std::min(begin + kRun, derived.order.size());
+    runs_[run] = {};
+    for (std::size_t i = begin; i < end; ++i) runs_[run] = both(runs_[run], box_of(axes, derived.shape_at(i)));
+    looked_at_ += end - begin;
+  }
+  box_ = {};
+  for (const LightBox& run : runs_) box_ = both(box_, run);
+  return box_;
 }
 
 LightBox light_box(const SunAxes& axes, std::span<const sim::Pose> carts) {

@@ -1,7 +1,9 @@
 // The area of a shadow map: a square across the sunlight over the shadow casters near the eye. Pure functions, no GL.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -24,9 +26,21 @@ struct LightBox {
   bool empty() const { return low.x > high.x; }
   void add(glm::vec3 light, float margin);
 };
-// Returns the box of the track, of everything within sim::kSupportReach of it, and from there to the ground.
-// O(segments).
-LightBox light_box(const SunAxes& axes, const sim::Derived& derived);
+// The box of the track, of everything within sim::kSupportReach of it, and from there to the ground.
+class TrackBox {
+ public:
+  // Updates the box from the same Derived as before and returns it. Looks again only at what Derived::changes_since()
+  // lists, and at the rest in runs of neighbours.
+  const LightBox& update(const SunAxes& axes, const sim::Derived& derived);
+  std::size_t looked_at() const { return looked_at_; }  // segments, in the last update
+
+ private:
+  std::optional<glm::vec3> sun_;
+  std::uint64_t last_build_ = 0;
+  std::vector<LightBox> runs_;  // of kRun segments each, in the track's order
+  LightBox box_;
+  std::size_t looked_at_ = 0;
+};
 // Returns the box of the cars: 2.5 m around their middles, more for longer cars.
 LightBox light_box(const SunAxes& axes, std::span<const sim::Pose> carts);
 

@@ -25,9 +25,6 @@ void SunShadows::update(const Pass& pass, TrackCache& track, const Instances& in
   const Scene& scene = pass.scene;
   const SunAxes axes(pass.scenery.sun);
   const glm::vec3 eye = scene.view.eye, forward = view::line_of_sight(scene.view);
-  if (measured_.mesh != track.mesh_version() || measured_.sun != axes.sun) {
-    measured_ = {track.mesh_version(), axes.sun, light_box(axes, scene.derived)};
-  }
   if (!std::equal(cars_.begin(), cars_.end(), scene.carts.begin(), scene.carts.end(), same)) {
     cars_.assign(scene.carts.begin(), scene.carts.end());
     ++cars_version_;
@@ -36,7 +33,7 @@ void SunShadows::update(const Pass& pass, TrackCache& track, const Instances& in
   const auto fit = [&](const LightBox& box, float least) {
     return fit_shadow(axes, scene.shadows ? box : LightBox{}, least, eye, forward);
   };
-  const ShadowFit square = fit(measured_.box, kTrackSide);
+  const ShadowFit square = fit(track_box_.update(axes, scene.derived), kTrackSide);
   const float texel_metres = square.side / static_cast<float>(texels);
   if (track_.update(texels, axes, square, track.mesh_version(), scene.unseen,
                     [&](const glm::mat4& light) { cast_track(pass, track, light, texel_metres); }))

@@ -19,11 +19,7 @@ class SunShadows {
 
  private:
   ShadowMap track_, trains_;
-  struct {
-    std::uint64_t mesh = ~std::uint64_t{0};  // TrackCache::mesh_version() of the box
-    glm::vec3 sun{0};
-    LightBox box;
-  } measured_;
+  TrackBox track_box_;
   std::vector<sim::Pose> cars_;  // poses of the last `trains_` map
   std::uint64_t cars_version_ = 1;
 };

@@ -57,7 +57,7 @@ TEST(shadow_fit, places_on_one_ray_of_light_share_a_place_in_the_map_and_the_nea
 TEST(shadow_fit, the_whole_track_and_its_feet_are_in_the_map_while_the_eye_is_near_or_far) {
   const sim::Derived derived = test::derived_of(test::ring_document(9, 17.3));
   const SunAxes axes(kSun);
-  const LightBox box = light_box(axes, derived);
+  const LightBox box = TrackBox().update(axes, derived);
   for (const float away : {5.0f, 90.0f, 900.0f}) {
     const ShadowFit fit = fit_shadow(axes, box, 128, {away, 10, away}, {-0.7f, 0, -0.7f});
     EXPECT_EQ(fit.side, 128);
@@ -73,15 +73,46 @@ TEST(shadow_fit, the_whole_track_and_its_feet_are_in_the_map_while_the_eye_is_ne
 
 TEST(shadow_fit, nothing_throws_no_shadow) {
   const SunAxes axes(kSun);
-  EXPECT_TRUE(light_box(axes, sim::Derived{}).empty());
+  EXPECT_TRUE(TrackBox().update(axes, sim::Derived{}).empty());
   EXPECT_TRUE(light_box(axes, std::span<const sim::Pose>{}).empty());
   EXPECT_EQ(fit_shadow(axes, LightBox{}, 128, {}, {0, 0, -1}).side, 0);
+}
+
+TEST(shadow_fit, the_box_of_a_track_follows_its_changes_and_looks_only_near_them) {
+  constexpr std::size_t kSegments = 1000;
+  world::Document document = test::ring_document(kSegments, 4000);
+  world::Settings settings;
+  settings.evaluation->steps = 1;
+  sim::Derived derived;
+  TrackBox kept;
+  const auto expect_fresh = [&](const SunAxes& axes, std::size_t most) {
+    world::settle_joints(document);
+    sim::derive(document, settings, {}, derived);
+    const LightBox box = kept.update(axes, derived), fresh = TrackBox().update(axes, derived);
+    EXPECT_EQ(box.low, fresh.low);
+    EXPECT_EQ(box.high, fresh.high);
+    EXPECT_LE(kept.looked_at(), most);
+    EXPECT_EQ(kept.update(axes, derived).low, fresh.low);
+    EXPECT_EQ(kept.looked_at(), 0u);
+    return box;
+  };
+  const SunAxes axes(kSun), other({0.1f, 1, 0});
+  const LightBox ring = expect_fresh(axes, kSegments);
+  glm::vec3& place = document.entities.get<world::Knot>(document.track.knots[500]).position;
+  for (const float aside : {9000.0f, -9000.0f}) {  // widens the box, and narrows it again
+    place.y += aside;
+    const LightBox box = expect_fresh(axes, 128);
+    EXPECT_EQ(box.high == ring.high, aside < 0);
+  }
+  expect_fresh(other, kSegments);
+  world::remove_knot(document, document.track.knots[3]);
+  expect_fresh(other, kSegments);
 }
 
 TEST(shadow_fit, a_large_track_has_its_map_about_the_eye_and_all_of_it_from_far_away) {
   const sim::Derived derived = test::derived_of(test::ring_document(60, 900));
   const SunAxes axes(kSun);
-  const LightBox box = light_box(axes, derived);
+  const LightBox box = TrackBox().update(axes, derived);
   const glm::vec3 on_track = test::polyline_of(derived.shape(derived.order[11])).front();
   const ShadowFit near = fit_shadow(axes, box, 128, on_track, {1, 0, 0});
   EXPECT_EQ(near.side, 128);
