@@ -18,6 +18,9 @@ class Projector {
   Viewport viewport_;
 };
 
+// The largest number of marks that are drawn: of more, the nearest. All can be picked.
+inline constexpr std::ptrdiff_t kMostMarks = 10'000;
+
 struct PlacedMark {
   PickKind kind = PickKind::knot;
   world::Entity knot;

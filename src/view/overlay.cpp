@@ -48,7 +48,47 @@ void add_polygons(const world::Document& document, const world::Settings& settin
   }
 }
 
-Mark mark_of(const PlacedMark& placed, const world::Settings& settings, const Pick& hovered) {
+// The selection, for very many questions.
+class Selected {
+ public:
+  explicit Selected(const world::Settings& settings) : active_(settings.selected) {
+    for (const world::Entity e : settings.also) {
+      if (e.index >= also_.size()) also_.resize(e.index + 1, world::kNone);
+      also_[e.index] = e;
+    }
+  }
+  bool operator()(world::Entity e) const { return e == active_ || (e.index < also_.size() && also_[e.index] == e); }
+
+ private:
+  world::Entity active_;
+  std::vector<world::Entity> also_;  // by index
+};
+
+// Leaves out the farthest of very many knots, but neither the active nor the hovered one.
+void keep_nearest(std::vector<PlacedMark>& marks, const world::Settings& settings, const Pick& hovered) {
+  if (marks.size() <= kMostMarks) return;
+  const auto begin = marks.begin(), others = std::partition(begin, marks.end(), [&](const PlacedMark&placed) {
+                                      return placed.knot == settings.selected || placed.knot == hovered.entity;
+                                    });
+  std::nth_element(others, begin + kMostMarks, marks.end(), covers);
+  marks.resize(kMostMarks);
+}
+
+// Returns the marks to draw, far to near.
+std::vector<PlacedMark> shown_marks(const world::Document& document, const world::Settings& settings, const View& view,
+                                    const Pick& hovered, const Selected& selected, bool riding) {
+  const bool all = !riding && settings.lab->layers.has(world::Layer::knots);
+  std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
+  std::erase_if(marks, [&](const PlacedMark& placed) {
+    if (placed.kind == PickKind::spin) return riding;
+    return !all && !selected(placed.knot) && hovered != Pick{placed.kind, placed.knot};
+  });
+  keep_nearest(marks, settings, hovered);
+  std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
+  return marks;
+}
+
+Mark mark_of(const PlacedMark& placed, const world::Settings& settings, const Selected& selected, const Pick& hovered) {
   const bool under_cursor = hovered == Pick{placed.kind, placed.knot};
   const float growth = (under_cursor ? kHoveredGrowth : 1.0f) * settings.look->ui_scale;
   if (placed.kind == PickKind::spin)
@@ -56,9 +96,9 @@ Mark mark_of(const PlacedMark& placed, const world::Settings& settings, const Pi
   if (placed.kind != PickKind::knot)
     return {placed.position, kHandleHalf * growth, under_cursor ? kHandleHovered : kHandleColour, MarkShape::square};
   return {placed.position, kKnotRadius * growth,
-          placed.knot == settings.selected            ? kSelectedColour
-          : world::is_selected(settings, placed.knot) ? kAlsoColour
-                                                      : kKnotColour,
+          placed.knot == settings.selected ? kSelectedColour
+          : selected(placed.knot)          ? kAlsoColour
+                                           : kKnotColour,
           MarkShape::disc};
 }
 
@@ -91,14 +131,9 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
     add_gizmo(*gizmo, view, scale, hovered.kind, overlay);
   if (const auto ring = spin_ring_of(document, settings, view); ring && !findings.riding)
     add_spin_ring(*ring, scale, overlay);
-  const bool all = !findings.riding && settings.lab->layers.has(world::Layer::knots);
-  std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
-  std::erase_if(marks, [&](const PlacedMark& placed) {
-    const bool chosen = world::is_selected(settings, placed.knot) || hovered == Pick{placed.kind, placed.knot};
-    return placed.kind == PickKind::spin ? findings.riding : !all && !chosen;
-  });
-  std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
-  for (const PlacedMark& placed : marks) overlay.marks.push_back(mark_of(placed, settings, hovered));
+  const Selected selected(settings);
+  for (const PlacedMark& placed : shown_marks(document, settings, view, hovered, selected, findings.riding))
+    overlay.marks.push_back(mark_of(placed, settings, selected, hovered));
   add_failure(derived, findings.failure, view, scale, overlay);
   return overlay;
 }

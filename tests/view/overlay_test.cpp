@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/tracks.h"
+#include "view/marks.h"
 #include "world/aids.h"
 #include "world/look.h"
 
@@ -237,6 +238,43 @@ TEST(overlay_failure, a_failed_ride_is_marked_where_it_failed_and_one_that_goes_
   const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
   const glm::dvec3 at = curve::point(shape.key.cubic, shape.arc.parameter(place.s));
   EXPECT_LT(glm::distance(glm::dvec3(with.marks[without.marks.size()].position), at), 2.0);
+}
+
+TEST(overlay, marks_of_very_many_knots_are_those_of_the_nearest_and_of_the_active_one) {
+  constexpr int kKnots = 12'000;
+  world::Document d;
+  for (int i = 0; i < kKnots; ++i) {
+    world::Knot knot;
+    knot.position = {2.0f * static_cast<float>(i % 100), 5, -3.0f * static_cast<float>(i / 100)};
+    world::append_knot(d, knot);
+  }
+  world::Settings settings;
+  settings.camera.target = {100, 5, 0};
+  settings.camera.distance = 300;
+  const View view = orbit_view(settings.camera, kViewport);
+  const auto far = [&](world::Entity e) { return glm::distance(world::knot(d, e).position, view.eye); };
+  std::vector<world::Entity> by_distance = d.track.knots;
+  std::sort(by_distance.begin(), by_distance.end(), [&](auto a, auto b) { return far(a) < far(b); });
+  ASSERT_EQ(marks_on_screen(d, settings, view).size(), by_distance.size()) << "all are on screen";
+  const Overlay overlay = build_overlay(d, {}, settings, view, {});
+  ASSERT_EQ(overlay.marks.size(), static_cast<std::size_t>(kMostMarks));
+  const float border = far(by_distance[kMostMarks]);
+  for (const Mark& mark : overlay.marks) EXPECT_LE(glm::distance(mark.position, view.eye), border * 1.0001f);
+  EXPECT_TRUE(std::is_sorted(overlay.marks.begin(), overlay.marks.end(), [&](const Mark& a, const Mark& b) {
+    return glm::distance(a.position, view.eye) > glm::distance(b.position, view.eye) * 1.0001f;
+  }));
+  // The farthest one shows once it is active, or hovered.
+  const world::Entity last = by_distance.back();
+  const glm::vec3 place = world::knot(d, last).position;
+  const auto shows = [&](const Overlay& marks) {
+    return std::any_of(marks.marks.begin(), marks.marks.end(), [&](const Mark& m) { return m.position == place; });
+  };
+  EXPECT_FALSE(shows(overlay));
+  EXPECT_TRUE(shows(build_overlay(d, {}, settings, view, Pick{PickKind::knot, last, 0, place})));
+  settings.selected = last;
+  const Overlay active = build_overlay(d, {}, settings, view, {});
+  EXPECT_TRUE(shows(active));
+  EXPECT_LE(active.marks.size(), kMostMarks + 10u) << "and those of its gizmo";
 }
 
 }  // namespace overlay_test
