@@ -1,20 +1,24 @@
 // Frames of 5,000 and 100,000 segments at 64 steps, drawn off screen: processor time outside OpenGL (panels, commands,
 // derived data, the cache), for a still frame and for a frame of a knot drag; and of 1,000 segments at 1280x720 while a
-// train runs. Beside them a memset of the bytes of all polylines and of those that a drag uploads, so that the ratio is
-// comparable between machines.
+// train runs. Opening a file, to the end of the first picture. Beside them a memset of the bytes of all polylines and
+// of those that a drag uploads, so that the ratio is comparable between machines.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <utility>
 #include <vector>
 
 #include "app/frame.h"
 #include "app/program.h"
 #include "bench_tracks.h"
+#include "child.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
+#include "exchange/own/track_file.h"
 #include "world/topology.h"
 
 namespace coaster {
@@ -114,6 +118,43 @@ void ride_1000(benchmark::State& state) {
   state.counters["triangles"] = static_cast<double>(program->stats.triangles);
 }
 
+struct Opening {
+  double cpu_s = 0, resident_mb = 0, most_mb = 0, triangles = 0, polyline_mb = 0, upload_mb = 0;
+};
+Opening opening_of(const std::string& path) {
+  app::Options options;
+  options.headless = true;
+  const double before = bench::cpu_seconds();
+  auto program = app::make_program(options, {640, 360}, 0);
+  if (!program.ok() || !app::apply(**program, edit::Load{path})) return {};
+  app::run_frame(**program, {platform::Tick{0}}, 0);
+  const query::FrameStats& stats = (*program)->stats;
+  return {bench::cpu_seconds() - before,
+          bench::resident_mb(),
+          bench::most_resident_mb(),
+          static_cast<double>(stats.triangles),
+          static_cast<double>(stats.polyline_bytes) / 1e6,
+          static_cast<double>(stats.upload_bytes) / 1e6};
+}
+
+// Opens a file and draws one picture, without its pixels.
+void open_file(benchmark::State& state) {
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "coaster_open_bench.json";
+  std::ofstream(path) << exchange::print_track(bench::circuit(static_cast<int>(state.range(0))));
+  Opening opening;
+  for (auto _ : state)
+    if (!bench::in_child(opening, [&] { return opening_of(path.string()); }) || opening.cpu_s == 0)
+      return state.SkipWithError("not opened");
+  std::filesystem::remove(path);
+  state.counters["cpu_s_open"] = opening.cpu_s;
+  state.counters["mb_resident"] = opening.resident_mb;
+  state.counters["mb_most"] = opening.most_mb;
+  state.counters["mb_polylines"] = opening.polyline_mb;
+  state.counters["mb_uploaded"] = opening.upload_mb;
+  state.counters["triangles"] = opening.triangles;
+}
+
+BENCHMARK(open_file)->Arg(5000)->Arg(20000)->Arg(100000)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(ride_1000)->Unit(benchmark::kMillisecond)->Iterations(20);
 BENCHMARK_CAPTURE(frame, still_5000, kSegments, false)->Unit(benchmark::kMillisecond)->Iterations(10);
 BENCHMARK_CAPTURE(frame, drag_5000, kSegments, true)->Unit(benchmark::kMillisecond)->Iterations(10);

@@ -3,15 +3,12 @@
 #include <benchmark/benchmark.h>
 
 #include <malloc.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
-#include <ctime>
-#include <fstream>
 #include <string>
 
 #include "bench_tracks.h"
+#include "child.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_shape.h"
 #include "edit/perform/apply.h"
@@ -23,19 +20,6 @@
 namespace coaster {
 namespace {
 
-double cpu_seconds() {  // of all threads
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double resident_mb() {
-  std::ifstream file("/proc/self/statm");
-  double total = 0, resident = 0;
-  file >> total >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
-}
-
 enum Part { parse, derive, conflicts, tables, command, parts };
 constexpr std::array<const char*, parts> kNames{"parse", "derive", "conflicts", "tables", "command"};
 struct Figures {
@@ -46,9 +30,9 @@ struct Figures {
 // Measures one part and adds what it took.
 void part(Figures& figures, Part part, auto work) {
   malloc_trim(0);  // so that what an earlier part freed is not counted as had
-  const double seconds = cpu_seconds(), mb = resident_mb();
+  const double seconds = bench::cpu_seconds(), mb = bench::resident_mb();
   work();
-  figures.seconds[part] = cpu_seconds() - seconds, figures.mb[part] = resident_mb() - mb;
+  figures.seconds[part] = bench::cpu_seconds() - seconds, figures.mb[part] = bench::resident_mb() - mb;
 }
 
 Figures measure(const std::string& text) {
@@ -75,18 +59,8 @@ void scale(benchmark::State& state) {
   const std::string text = exchange::print_track(bench::circuit(static_cast<int>(state.range(0))));
   Figures figures;
   for (auto _ : state) {
-    int ends[2];
-    if (pipe(ends) != 0) return state.SkipWithError("no pipe");
-    const pid_t child = fork();
-    if (child == 0) {
-      figures = measure(text);
-      (void)!write(ends[1], &figures, sizeof figures);
-      _exit(0);
-    }
-    const bool whole = read(ends[0], &figures, sizeof figures) == static_cast<ssize_t>(sizeof figures);
-    waitpid(child, nullptr, 0);
-    close(ends[0]), close(ends[1]);
-    if (!whole) return state.SkipWithError("the measurement ended early");
+    if (!bench::in_child(figures, [&] { return measure(text); }))
+      return state.SkipWithError("the measurement ended early");
   }
   for (std::size_t i = 0; i < parts; ++i) {
     state.counters[std::string("cpu_s_") + kNames[i]] = figures.seconds[i];
