@@ -23,7 +23,7 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   }
   picture.name = session.document.name;
   picture.length = session.derived.length;
-  if (!renderer_) renderer_ = scenes.sibling(kSamples);
+  const auto renderer = scenes.sibling(kSamples);  // a track's own: its buffers follow one Derived
   const view::Viewport viewport{0, 0, kWidth, kHeight};
   const view::View view =
       view::orbit_view(view::frame_all(session.settings.camera, session.document, viewport), viewport);
@@ -33,8 +33,8 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   scene.show_polyline = false;
   scene.style = style;
   scene.supports = edit::find(session, edit::Want::supports).supports;
-  (void)renderer_->draw(scene, kWidth, kHeight);
-  gfx::Object texture = gfx::make_texture(gl, renderer_->read_pixels());
+  (void)renderer->draw(scene, kWidth, kHeight);
+  gfx::Object texture = gfx::make_texture(gl, renderer->read_pixels());
   picture.texture = texture.id();
   textures_[path] = std::move(texture);
   return picture;
@@ -42,15 +42,16 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
 
 void TrackPictures::update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted,
                            world::Style style) {
+  busy_ = false;
   for (const std::string& path : wanted) {
     const Source source{base::change_time(path), style};
     const auto found = sources_.find(path);
     if (found != sources_.end() && found->second == source) continue;
     made_[path] = draw(gl, scenes, path, style);
     sources_[path] = source;
+    busy_ = true;
     return;
   }
-  renderer_.reset();
 }
 
 }  // namespace coaster::app

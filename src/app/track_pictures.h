@@ -20,7 +20,7 @@ class TrackPictures {
   void update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted, world::Style style);
 
   // Returns whether the last update drew one, so that another may be due.
-  bool busy() const { return renderer_ != nullptr; }
+  bool busy() const { return busy_; }
 
   const std::map<std::string, ui::TrackPicture>& made() const { return made_; }
 
@@ -32,7 +32,7 @@ class TrackPictures {
   };
   ui::TrackPicture draw(const gfx::Gl& gl, const gfx::Renderer& scenes, const std::string& path, world::Style style);
 
-  std::unique_ptr<gfx::Renderer> renderer_;
+  bool busy_ = false;
   std::map<std::string, Source> sources_;
   std::map<std::string, gfx::Object> textures_;
   std::map<std::string, ui::TrackPicture> made_;

@@ -14,11 +14,11 @@ void draw_lines(const Pass& pass, const TrackCache& track, GpuCurves& curves) {
   const view::View& view = pass.scene.view;
   const PolylinePen pen{
       pass.view_projection, view.eye, {view.viewport.width, view.viewport.height}, kPolylineWidth, kPolylineColour};
-  const int steps = pass.scene.derived.steps;
   if (pass.stats.drawn_by != curve::EvaluatedBy::processor) {
-    const int slots = static_cast<int>(track.placed().size());
-    pass.count(2LL * slots * steps);
-    if (!pass.scene.unseen) curves.draw(pass.stats.drawn_by, {track.control_buffer(), 0, slots, steps}, pen);
+    for (const CurveSlots& run : track.control_runs()) {
+      pass.count(2LL * run.count * run.steps);
+      if (!pass.scene.unseen) curves.draw(pass.stats.drawn_by, run, pen);
+    }
     return;
   }
   pass.programs.polyline.use();

@@ -20,6 +20,12 @@ float metres_of_pixels(const view::View& view, float pixels) {
   return 2 * pixels / (view.projection[1][1] * std::max(view.viewport.height, 1.0f));
 }
 
+// Returns how far a rail is more than two pixels wide, and ties are a pixel apart.
+SweptTrack::Reach reach_of(const view::View& view) {
+  return {static_cast<float>(sim::kRailRadius) / metres_of_pixels(view, 1),
+          static_cast<float>(sim::kTieSpacing) / metres_of_pixels(view, 1)};
+}
+
 // Call with the program in use and its matrix set.
 void draw_track(const Pass& pass, const TrackCache& track) {
   if (!pass.scene.unseen) track.swept().draw();
@@ -68,12 +74,17 @@ void draw_all(const Pass& pass, const Program& program, GLenum hidden, const Tra
 
 }  // namespace
 
+void choose_levels(const view::View& view, TrackCache& track) {
+  constexpr float kUnseen = 0.25f;  // px
+  const SweptTrack::Reach reach = reach_of(view);
+  track.look_from({view.eye, metres_of_pixels(view, kUnseen), reach.full}, reach.ties);
+}
+
 void choose_detail(const view::View& view, TrackCache& track) {
-  constexpr float kRailPixels = 2;
-  const float near_metres = 2 * static_cast<float>(sim::kRailRadius) / metres_of_pixels(view, kRailPixels);
-  track.swept().look_from(view.eye, {near_metres, static_cast<float>(sim::kTieSpacing) / metres_of_pixels(view, 1)});
-  track.mesh().look_from(view.eye, near_metres);
-  track.supports().mesh().look_from(view.eye, near_metres);
+  const SweptTrack::Reach reach = reach_of(view);
+  track.swept().look_from(view.eye, reach);
+  track.mesh().look_from(view.eye, reach.full);
+  track.supports().mesh().look_from(view.eye, reach.full);
 }
 
 void cast_track(const Pass& pass, TrackCache& track, const glm::mat4& light, float texel_metres) {

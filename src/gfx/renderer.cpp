@@ -30,6 +30,7 @@ struct Renderer::Parts {
 
 // Updates the buffers from the scene: writes only what has changed, except for the few bytes of overlay and poses.
 void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
+  choose_levels(scene.view, track);
   const TrackCache::Synced synced = track.sync(scene.derived, scene.clock);
   const SupportCache::Synced held = track.supports().sync(scene.supports, scene.clock);
   stats.uploads = synced.uploads;

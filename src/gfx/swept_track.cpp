@@ -89,6 +89,12 @@ void SweptTrack::stage(const sim::SegmentShape& shape, const sim::Detail& detail
     staged_[kTies].push_back(piece_at(at, sim::kHalfTie, segment));
 }
 
+void SweptTrack::stage_far(const sim::SegmentShape& shape, const sim::Detail& detail, std::uint32_t segment) {
+  for (std::vector<Piece>& pieces : staged_) pieces.clear();
+  if (detail.most_rings == 0) return;
+  staged_[kFarTubes] = {piece_between(sim::ring_at(shape, 0), sim::ring_at(shape, shape.arc.length()), segment)};
+}
+
 // Makes room for the staged pieces.
 void SweptTrack::fit(Id& id) {
   if (id == kNone) {
@@ -120,13 +126,14 @@ void SweptTrack::put(Row& row, Range range, std::vector<Piece>& pieces) {
 void SweptTrack::measure(Segment& segment) const {
   constexpr float kReach = 1.2f;  // m, of everything about a ring
   glm::vec3 low(3e38f), high(-3e38f);
-  for (const std::size_t kind : {kTubes, kCaps})
+  for (const std::size_t kind : {kTubes, kCaps, kFarTubes})
     for (const Piece& piece : staged_[kind])
       low = glm::min(low, glm::min(piece.origin, piece.next_origin)),
       high = glm::max(high, glm::max(piece.origin, piece.next_origin));
-  if (staged_[kTubes].empty()) low = high = glm::vec3(0);
+  if (staged_[kFarTubes].empty()) low = high = glm::vec3(0);
   segment.middle = 0.5f * low + 0.5f * high;
   segment.radius = 0.5f * glm::distance(low, high) + kReach;
+  segment.far = staged_[kTubes].empty();
 }
 
 std::int64_t SweptTrack::write(Id& id) {
@@ -190,7 +197,8 @@ void SweptTrack::choose(const Reach& reach) {
   for (Id id = 0; id < segments_.size(); ++id) {
     const Segment& segment = segments_[id];
     const float metres = glm::distance(eye_, segment.middle) - segment.radius;
-    shown_[id] = static_cast<std::uint8_t>(metres > reach.full ? 1 << kFarTubes : 1 << kTubes | 1 << kCaps);
+    shown_[id] =
+        static_cast<std::uint8_t>(segment.far || metres > reach.full ? 1 << kFarTubes : 1 << kTubes | 1 << kCaps);
     if (metres <= reach.ties) shown_[id] |= 1 << kTies;
   }
   for (const Kind kind : {kTubes, kCaps, kFarTubes, kTies}) gather(kind, shown_, chosen_[kind]);
@@ -216,7 +224,8 @@ Cast SweptTrack::cast(const glm::mat4& light, float texel_metres, bool unseen) {
   const auto kinds = static_cast<std::uint8_t>(full ? 1 << kTubes | 1 << kCaps | 1 << kTies : 1 << kFarTubes);
   shown_.assign(segments_.size(), 0);
   for (Id id = 0; id < segments_.size(); ++id)
-    if (reaches(light, segments_[id].middle, segments_[id].radius)) shown_[id] = kinds;
+    if (reaches(light, segments_[id].middle, segments_[id].radius))
+      shown_[id] = segments_[id].far ? 1 << kFarTubes : kinds;
   for (const Kind kind : {kTubes, kCaps, kFarTubes, kTies}) {
     gather(kind, shown_, cast_[kind]);
     if (cast_[kind].size() > kMostRunsOfKind)

@@ -37,6 +37,8 @@ class SweptTrack {
   // Writes the pieces of a segment, into its old ranges if they fit there; an id of kNone is a new segment. stage()
   // prepares them outside GL. Returns the bytes written.
   void stage(const sim::SegmentShape& shape, const sim::Detail& detail, std::uint32_t segment);
+  // The same for a segment of which nobody sees more than a straight piece, with the same rings at its ends.
+  void stage_far(const sim::SegmentShape& shape, const sim::Detail& detail, std::uint32_t segment);
   std::int64_t write(Id& id);
   void release(Id& id);
 
@@ -72,6 +74,7 @@ class SweptTrack {
     ByKind<Range> pieces;
     glm::vec3 middle{0};
     float radius = 0;
+    bool far = false;  // it has distant tubes alone
   };
   // A mesh and its instances.
   struct Row {

@@ -1,6 +1,7 @@
 // Keeps the slots of the track's buffers equal to the derived track.
 #include "gfx/track_cache.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "sim/solids/track_mesh.h"
@@ -19,34 +20,52 @@ TrackCache::TrackCache(const Gl& gl)
 TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Clock& clock) {
   const bool on_processor = derived.evaluated_by == curve::EvaluatedBy::processor;
   synced_ = {};
+  Stopwatch watch{clock};
+  auto changes = derived.changes_since(last_build_);
+  if (!(evaluation_ == derived.made.evaluation)) changes.reset();
   if (const sim::Detail detail = sim::detail_of(derived); !(detail == detail_)) {
     detail_ = detail;
     for (Slot& slot : slots_) slot.shape_build = 0;  // every mesh again
+    changes.reset();
   }
-  Stopwatch watch{clock};
-  ++stamp_;
-  watch.time([&] {
-    for (const world::Entity segment : derived.order) slot_of(segment).seen = stamp_;
-  });
-  if (live_ > derived.order.size())
-    for (Slot& slot : slots_)
-      if (slot.segment.valid() && slot.seen != stamp_) release(slot);
+  last_build_ = derived.last_build, evaluation_ = derived.made.evaluation;
+  if (!changes) watch.time([&] { take_order(derived); });
   if (on_processor) drop_controls();
   else drop_lines();
-  held_polyline_bytes_ = 0;
-  for (const world::Entity segment : derived.order) {
-    Slot& slot = slots_[segment.index];
-    if (write_segment(derived.shape(segment), on_processor, slot, watch)) ++synced_.uploads;
-    held_polyline_bytes_ += std::int64_t(slot.line.size * sizeof(PolylineVertex) + slot.control.size * kControlBytes);
-  }
+  const auto for_changed = [&](const auto& visit) {
+    if (!changes) return std::ranges::for_each(derived.order, visit), void();
+    for (const sim::ShapeChange& change : *changes) visit(derived.order[change.index]);
+  };
+  watch.time([&] {
+    for_changed([&](world::Entity segment) { sizes_[segment.index] = size_of(derived.shape(segment).key.cubic); });
+    Sight sight = sight_;
+    if (detail_.parts) sight.reach = std::max(sight.reach, ties_);
+    levels_ = choose_levels(sizes_, derived.steps, sight);
+  });
+  for_changed([&](world::Entity segment) {
+    ++synced_.looked_at;
+    if (write_segment(derived.shape(segment), on_processor, slots_[segment.index], watch)) ++synced_.uploads;
+  });
+  change_levels(derived, on_processor, watch);
   synced_.cpu_seconds = watch.seconds;
   return synced_;
 }
 
+// Gives every segment a slot, and frees those of vanished ones.
+void TrackCache::take_order(const sim::Derived& derived) {
+  ++stamp_;
+  for (const world::Entity segment : derived.order) slot_of(segment).seen = stamp_;
+  if (live_ > derived.order.size())
+    for (Slot& slot : slots_)
+      if (slot.segment.valid() && slot.seen != stamp_) release(slot);
+}
+
 // Returns true if anything of the segment was written.
 bool TrackCache::write_segment(const sim::SegmentShape& shape, bool on_processor, Slot& slot, Stopwatch& watch) {
-  const bool line = on_processor && slot.polyline_build != shape.polyline_build;
-  const bool reshaped = slot.shape_build != shape.shape_build, solids = reshaped || slot.fitted != shape.fitted;
+  const Level held = levels_held_[slot.segment.index], wanted = level_of(slot.segment.index);
+  const bool line = on_processor && (slot.polyline_build != shape.polyline_build || held.lines != wanted.lines);
+  const bool reshaped = slot.shape_build != shape.shape_build;
+  const bool solids = reshaped || slot.fitted != shape.fitted || held.solid != wanted.solid;
   const bool control = !on_processor && (reshaped || slot.control.size == 0);
   if (line) write_polyline(shape, slot, watch);
   if (control) write_control(shape, slot);
@@ -54,9 +73,26 @@ bool TrackCache::write_segment(const sim::SegmentShape& shape, bool on_processor
   return line || control || solids;
 }
 
+// Writes the segments again that should be held more finely or more coarsely.
+void TrackCache::change_levels(const sim::Derived& derived, bool on_processor, Stopwatch& watch) {
+  if (levels_ == levels_compared_) return;
+  levels_compared_ = levels_;
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (!slots_[i].segment.valid()) continue;
+    Level wanted = level_of(i);
+    if (!on_processor) wanted.lines = levels_held_[i].lines;
+    if (levels_held_[i] == wanted) continue;
+    ++synced_.looked_at;
+    if (write_segment(derived.shape(slots_[i].segment), on_processor, slots_[i], watch)) ++synced_.uploads;
+  }
+}
+
 // Returns the slot of a segment, empty if the segment is new; releases the slot of an older generation.
 TrackCache::Slot& TrackCache::slot_of(world::Entity segment) {
-  if (segment.index >= slots_.size()) slots_.resize(segment.index + 1);
+  if (segment.index >= slots_.size()) {
+    slots_.resize(segment.index + 1);
+    sizes_.resize(slots_.size()), levels_held_.resize(slots_.size());
+  }
   Slot& slot = slots_[segment.index];
   if (slot.segment != segment) {
     if (slot.segment.valid()) release(slot);
@@ -74,29 +110,40 @@ void TrackCache::release(Slot& slot) {
   placed_.resize(control_ranges_.used());
   swept_.release(slot.swept);
   mesh_.release(slot.mesh);
+  sizes_[slot.segment.index] = {}, levels_held_[slot.segment.index] = {};
+  held_polyline_bytes_ -= bytes_of(slot);
   slot = Slot{};
   --live_;
 }
 
 void TrackCache::write_polyline(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch) {
   watch.time([&] { sim::evaluate_polyline(shape, polyline_); });
-  const auto count = static_cast<std::uint32_t>(polyline_.points.size() + 1);  // and the break
+  const std::size_t index = slot.segment.index, last = polyline_.points.size() - 1;
+  const auto lines = static_cast<std::size_t>(levels_.lines_of(sizes_[index]));
+  const auto count = static_cast<std::uint32_t>(lines + 2);  // its vertices and the break
   if (slot.line.size != count) {
     fill_breaks(slot.line);
     line_ranges_.give_back(slot.line);
+    held_polyline_bytes_ -= bytes_of(slot);
     slot.line = line_ranges_.take(count);
+    held_polyline_bytes_ += bytes_of(slot);
   }
   watch.time([&] {
     staged_line_.resize(count);
-    for (std::size_t i = 0; i + 1 < count; ++i) staged_line_[i] = {polyline_.points[i], polyline_.tangents[i]};
+    for (std::size_t i = 0; i <= lines; ++i)
+      staged_line_[i] = {polyline_.points[last * i / lines], polyline_.tangents[last * i / lines]};
     staged_line_.back() = {polyline_.points.back(), {kBreak, 0, 0}};
   });
   write_lines(slot.line);
   slot.polyline_build = shape.polyline_build;
+  levels_held_[index].lines = static_cast<int>(lines);
 }
 
 void TrackCache::write_control(const sim::SegmentShape& shape, Slot& slot) {
-  if (slot.control.size == 0) slot.control = control_ranges_.take(1);
+  if (slot.control.size == 0) {
+    slot.control = control_ranges_.take(1);
+    held_polyline_bytes_ += bytes_of(slot);
+  }
   placed_.resize(control_ranges_.used());
   placed_[slot.control.first] = {slot.segment, shape.shape_build};
   controls_.reserve(control_ranges_.used());
@@ -114,6 +161,8 @@ void TrackCache::empty_control(Range range) {
 void TrackCache::drop_lines() {
   if (line_ranges_.used() == 0) return;
   for (Slot& slot : slots_) slot.line = {}, slot.polyline_build = 0;
+  for (Level& level : levels_held_) level.lines = 0;
+  held_polyline_bytes_ = 0;
   line_ranges_ = {};
   lines_ = GrowingBuffer<PolylineVertex>(*gl_);
 }
@@ -121,9 +170,24 @@ void TrackCache::drop_lines() {
 void TrackCache::drop_controls() {
   if (control_ranges_.used() == 0) return;
   for (Slot& slot : slots_) slot.control = {};
+  held_polyline_bytes_ = 0;
   control_ranges_ = {};
   controls_ = GrowingBuffer<curve::Cubic>(*gl_);
   placed_.clear();
+}
+
+std::vector<CurveSlots> TrackCache::control_runs() const {
+  constexpr std::size_t kMostRuns = 192;
+  std::vector<CurveSlots> runs;
+  for (std::size_t k = 0; k < placed_.size(); ++k) {
+    const int lines = levels_.far_lines == levels_.steps || !placed_[k].segment.valid()
+                          ? levels_.far_lines
+                          : levels_.lines_of(sizes_[placed_[k].segment.index]);
+    if (runs.empty() || runs.back().steps != lines) runs.push_back({controls_.id(), static_cast<int>(k), 0, lines});
+    ++runs.back().count;
+  }
+  if (runs.size() > kMostRuns) runs = {{controls_.id(), 0, static_cast<int>(placed_.size()), levels_.far_lines}};
+  return runs;
 }
 
 template <class T>
@@ -134,8 +198,10 @@ void TrackCache::write(GrowingBuffer<T>& buffer, Range range, std::span<const T>
 }
 
 void TrackCache::write_solids(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch) {
+  const bool full = levels_.solid(sizes_[slot.segment.index]);
   watch.time([&] {
-    swept_.stage(shape, detail_, slot.segment.index);
+    if (full) swept_.stage(shape, detail_, slot.segment.index);
+    else swept_.stage_far(shape, detail_, slot.segment.index);
     staged_mesh_.clear();
     if (shape.fitted) sim::add_fittings(shape, *shape.fitted, staged_mesh_, detail_);
     for (sim::MeshVertex& vertex : staged_mesh_.vertices) vertex.segment = static_cast<float>(slot.segment.index);
@@ -145,6 +211,7 @@ void TrackCache::write_solids(const sim::SegmentShape& shape, Slot& slot, Stopwa
   else synced_.bytes += mesh_.write(staged_mesh_, slot.mesh, watch);
   slot.shape_build = shape.shape_build;
   slot.fitted = shape.fitted;
+  levels_held_[slot.segment.index].solid = full ? 2 : 1;
 }
 
 void TrackCache::fill_breaks(Range range) {

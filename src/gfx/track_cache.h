@@ -8,9 +8,11 @@
 #include <span>
 #include <vector>
 
+#include "gfx/gpu_curves.h"
 #include "gfx/growing_buffer.h"
 #include "gfx/mesh_pool.h"
 #include "gfx/ranges.h"
+#include "gfx/segment_levels.h"
 #include "gfx/support_cache.h"
 #include "gfx/swept_track.h"
 #include "sim/shape/detail.h"
@@ -35,10 +37,15 @@ class TrackCache {
     int uploads = 0;                  // segments with anything written
     std::int64_t bytes = 0;           // written to the track's buffers
     std::int64_t polyline_bytes = 0;  // of these, to polyline vertices or control points
+    int looked_at = 0;                // segments compared with what their slots hold
     double cpu_seconds = 0;           // time to prepare it, outside GL; 0 without a clock
   };
-  // For an unchanged track costs two comparisons per segment, no allocation, no GL call.
+  // Updates the slots from the same Derived as before. Looks only at the segments that Derived::changes_since() lists
+  // and at those whose level changes; at all of them after a change of the track's order, of equipment or of how
+  // polylines are evaluated.
   Synced sync(const sim::Derived& derived, const sim::Clock& clock);
+  // From now on very long tracks are held in full only where this shows a difference; `ties` is the reach (m) of ties.
+  void look_from(const Sight& sight, float ties) { sight_ = sight, ties_ = ties; }
 
   // Rails, spine and ties of all segments.
   SweptTrack& swept() { return swept_; }
@@ -64,6 +71,8 @@ class TrackCache {
   };
   GLuint control_buffer() const { return controls_.id(); }
   std::span<const Placed> placed() const { return placed_; }
+  // The same slots with their numbers of lines, in runs.
+  std::vector<CurveSlots> control_runs() const;
   // Bytes of all segments' polylines: control points, or 24 per vertex and per break.
   std::int64_t held_polyline_bytes() const { return held_polyline_bytes_; }
 
@@ -77,8 +86,21 @@ class TrackCache {
     SweptTrack::Id swept = SweptTrack::kNone;
     MeshPool::Id mesh = MeshPool::kNone;  // of its equipment
   };
+  void take_order(const sim::Derived& derived);
+  // How finely a segment is held; 0: not at all.
+  struct Level {
+    int lines = 0, solid = 0;
+    friend bool operator==(const Level&, const Level&) = default;
+  };
+  Level level_of(std::size_t index) const {
+    return {levels_.lines_of(sizes_[index]), levels_.solid(sizes_[index]) ? 2 : 1};
+  }
   Slot& slot_of(world::Entity segment);
+  static std::int64_t bytes_of(const Slot& slot) {
+    return std::int64_t(slot.line.size * sizeof(PolylineVertex) + slot.control.size * kControlBytes);
+  }
   void release(Slot& slot);
+  void change_levels(const sim::Derived& derived, bool on_processor, Stopwatch& watch);
   bool write_segment(const sim::SegmentShape& shape, bool on_processor, Slot& slot, Stopwatch& watch);
   void write_polyline(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch);
   void write_control(const sim::SegmentShape& shape, Slot& slot);
@@ -100,12 +122,20 @@ class TrackCache {
   SupportCache supports_;
   Object line_array_;
   Ranges line_ranges_, control_ranges_;
-  std::vector<Slot> slots_;  // by the entity's index
-  std::size_t live_ = 0;     // slots with a segment
-  std::uint64_t stamp_ = 0;  // of the current sync
-  Synced synced_;            // of the current sync
+  std::vector<Slot> slots_;         // by the entity's index
+  std::vector<SegmentSize> sizes_;  // by the entity's index
+  std::vector<Level> levels_held_;  // the same: of what is in the slot
+  std::size_t live_ = 0;            // slots with a segment
+  std::uint64_t stamp_ = 0;         // of the current sync
+  Synced synced_;                   // of the current sync
   std::int64_t held_polyline_bytes_ = 0;
-  std::vector<Placed> placed_;  // by slot of control points
+  // As of the last sync.
+  std::uint64_t last_build_ = 0;
+  world::Evaluation evaluation_;
+  Sight sight_;
+  float ties_ = 0;
+  SegmentLevels levels_, levels_compared_;  // of this sync; those that all slots were last compared with
+  std::vector<Placed> placed_;              // by slot of control points
   // Staging buffers; kept for their capacity.
   sim::Polyline polyline_;
   std::vector<PolylineVertex> staged_line_;

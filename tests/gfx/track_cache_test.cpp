@@ -34,6 +34,49 @@ TEST_P(SizedCache, a_still_frame_uploads_nothing_and_a_moved_interior_knot_two_s
   EXPECT_EQ(cache.swept().bytes(), bytes) << "a drag must not eat room";
 }
 
+TEST_P(SizedCache, only_changed_segments_are_looked_at) {
+  const int segments = GetParam();
+  Track track(test::ring_document(segments, 2.0f * static_cast<float>(segments)), 4);
+  TrackCache cache(gl_);
+  EXPECT_EQ(cache.sync(track.derived, {}).looked_at, segments);
+  EXPECT_EQ(cache.sync(track.derived, {}).looked_at, 0);
+  track.move(3, {0, 0.5f, 0});
+  EXPECT_EQ(cache.sync(track.derived, {}).looked_at, 2);
+}
+
+TEST_F(Cache, a_very_long_track_is_held_in_full_near_the_eye_alone_wherever_the_eye_was_before) {
+  constexpr int kMany = 24'000, kSteps = 64;
+  Track track(test::ring_document(kMany, 2.0f * kMany), kSteps);
+  const auto at = [&](std::size_t knot) {
+    return world::knot(track.document, track.document.track.knots[knot]).position + glm::vec3(0, 3, 0);
+  };
+  constexpr float kOff = 1e-5f, kReach = 100;
+  TrackCache cache(gl_);
+  cache.look_from({at(0), kOff, kReach}, 0);
+  EXPECT_EQ(cache.sync(track.derived, {}).uploads, kMany) << "each is written once";
+  const std::int64_t bytes = cache.held_polyline_bytes();
+  const GLsizei lines = cache.line_count();
+  const std::int64_t solid_bytes = cache.swept().bytes();
+  EXPECT_LT(solid_bytes, 2 * kMany * std::int64_t(sizeof(Piece))) << "one piece for most";
+  EXPECT_LE(bytes, kPolylineBudget * std::int64_t(sizeof(PolylineVertex)));
+  EXPECT_EQ(cache.sync(track.derived, {}).uploads, 0);
+  cache.look_from({at(0) + glm::vec3(0.1f, 0, 0.1f), kOff, kReach}, 0);
+  EXPECT_EQ(cache.sync(track.derived, {}).uploads, 0) << "a small move";
+  track.move(1, {0, 0.01f, 0});
+  EXPECT_EQ(cache.sync(track.derived, {}).uploads, 2);
+  cache.look_from({at(kMany / 2), kOff, kReach}, 0);
+  const TrackCache::Synced flown = cache.sync(track.derived, {});
+  EXPECT_GT(flown.uploads, 2);
+  EXPECT_LT(flown.uploads, kMany / 10);
+  EXPECT_EQ(flown.looked_at, flown.uploads);
+  track.move(1, {0, -0.01f, 0});
+  cache.look_from({at(0), kOff, kReach}, 0);
+  cache.sync(track.derived, {});
+  EXPECT_EQ(cache.held_polyline_bytes(), bytes);
+  EXPECT_LE(cache.line_count(), lines + lines / 8) << "room is used again";
+  EXPECT_LE(cache.swept().bytes(), solid_bytes + solid_bytes / 8);
+}
+
 TEST_F(Cache, another_evaluator_uploads_everything_once_and_another_stage_of_the_gpu_nothing) {
   Track track(test::ring_document(9, 17.3f));
   EXPECT_EQ(draw(track).uploads, 9);

@@ -1,0 +1,51 @@
+// How finely the segments of a very long track are held on the GPU: in full near the eye, coarsely where nobody sees
+// the difference. Pure functions, no GL.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <glm/glm.hpp>
+
+#include "curve/cubic.h"
+
+namespace coaster::gfx {
+
+// The largest number of vertices of polylines on the GPU, as far as fewer lines allow: 36 MB, and as many lines of two
+// triangles each. Up to here all polylines have all of their steps.
+inline constexpr std::int64_t kPolylineBudget = 1'500'000;
+// On tracks of more segments, rails and spine of a far one are a single straight piece.
+inline constexpr std::size_t kMostSolids = 20'000;
+
+// What a segment's level depends on.
+struct SegmentSize {
+  glm::vec3 middle{0};
+  float radius = 0;  // m, of a sphere around the middle that holds the curve
+  float bend = 0;    // m, the largest |B''(t)|: n equal chords are off by at most bend / (8 n^2)
+};
+SegmentSize size_of(const curve::Cubic& cubic);
+
+// What can be seen.
+struct Sight {
+  glm::vec3 eye{0};
+  float off = 0;    // m per metre of distance: curves that are off by less look the same
+  float reach = 0;  // m, up to which rails are held in full wherever they are straight, too
+  friend bool operator==(const Sight&, const Sight&) = default;
+};
+
+struct SegmentLevels {
+  int steps = 0, far_lines = 0;  // lines of a near and of a far polyline; equal if there is room for all
+  float line_off = 0;            // a far polyline is off by at most this, in metres per metre of distance
+  bool all_solid = true;         // whether all rails are held in full
+  Sight sight;                   // of an eye that moves in steps of some metres
+  int lines_of(const SegmentSize& size) const;
+  bool solid(const SegmentSize& size) const;
+  bool all() const { return all_solid && far_lines == steps; }
+  friend bool operator==(const SegmentLevels&, const SegmentLevels&) = default;
+};
+
+// Chooses the levels for segments with polylines of `steps` steps. Where there is no room for all lines that can be
+// seen, line_off is sight.off times a power of two.
+SegmentLevels choose_levels(std::span<const SegmentSize> sizes, int steps, const Sight& sight);
+
+}  // namespace coaster::gfx
