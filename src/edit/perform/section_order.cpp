@@ -19,7 +19,7 @@ using world::Entity;
 using world::Knot;
 using world::SectionRun;
 
-const Knot& knot_at(const Document& document, std::size_t index) {
+const Knot& nth_knot(const Document& document, std::size_t index) {
   const auto& knots = document.track.knots;
   return world::knot(document, knots[index % knots.size()]);
 }
@@ -59,7 +59,7 @@ world::Element mirrored(world::Element element) {
 // Mirrors a hand-shaped section across the vertical plane of its first knot's direction, and carries what follows.
 Status mirror_knots(Document& document, const SectionRun& run) {
   constexpr double kUpright = 1e-4, kSteep = 0.1;  // of unit vectors
-  const Knot start = knot_at(document, run.first), end = knot_at(document, run.end());
+  const Knot start = nth_knot(document, run.first), end = nth_knot(document, run.end());
   const dvec3 level(start.tangent.x, 0, start.tangent.z);
   if (!(glm::length(level) > kSteep)) return refused("the section begins too steep to have a left and a right");
   const dvec3 side = glm::normalize(glm::cross(level, dvec3(0, 1, 0)));
@@ -92,7 +92,7 @@ Status mirror_knots(Document& document, const SectionRun& run) {
 
 // Swaps the sections of two neighbouring runs; each begins in the frame in which the other one began or ended.
 Status swap_runs(Document& document, const SectionRun& run, const SectionRun& next) {
-  const Knot a = knot_at(document, run.first), b = knot_at(document, run.end()), c = knot_at(document, next.end());
+  const Knot a = nth_knot(document, run.first), b = nth_knot(document, run.end()), c = nth_knot(document, next.end());
   const bool follows = next.end() < document.track.segments.size();
   const auto second = sim::carry_between(b, a);
   if (!second) return second.status();
@@ -121,7 +121,7 @@ Status perform(Session& session, Change&, const DeleteSection& command) {
   Document next = session.document;
   const SectionRun run = world::run_of(next, *section);
   if (run.first > 0 && run.end() < next.track.segments.size()) {
-    const Knot start = knot_at(next, run.first), end = knot_at(next, run.end());
+    const Knot start = nth_knot(next, run.first), end = nth_knot(next, run.end());
     const auto carry = sim::carry_between(end, start);
     if (!carry) return carry.status();
     if (const Status carried = carry_after(next, run.end(), *carry); !carried) return carried;
