@@ -21,7 +21,8 @@ Answer value(const Context& c, View argument) {
   const world::ElementRow& row = base::row_of(e.kind);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
-    if (row.parameters[i].name == argument) return number(e.values[i]);
+    const world::ElementParameter& p = row.parameters[i];
+    if (p.name == argument) return p.names.empty() ? number(e.values[i]) : text(world::choice_of(p, e.values[i]).name);
     names.emplace_back(row.parameters[i].name);
   }
   for (const world::ElementRow& other : world::elements())
@@ -61,10 +62,11 @@ Answer circuit_refusal(const Context& c, View) {
 }
 
 constexpr std::array kElementRows{
-    Query{"element", "", "",
-          "The palette's element: straight, curve, helix, climb, dive, camelback, loop or corkscrew.", element},
+    Query{"element", "", "", "The palette's element, such as loop.", element},
     Query{"element.side", "", "", "left or right; none for an element without a side.", side},
-    Query{"element.value", "length|roll|radius|angle|bank|speed|turns|height|top|shift", "",
+    Query{"element.value",
+          "length|roll|radius|angle|bank|speed|ramp|turns|height|top|shift|hops|brakes|station|equipment|acceleration",
+          "",
           "A parameter of the palette's element, such as radius, within its limits; none if it has no such parameter.",
           value},
     Query{"element.error", "", "m", "Largest distance of the palette's element, as Bezier spans, from its ideal curve.",

@@ -61,7 +61,10 @@ Answer section_value(const Context& c, View argument) {
   for (const world::ElementRow& row : world::elements()) {
     const bool own = section.kind == world::SectionKind::element && &row == &base::row_of(section.element.kind);
     for (std::size_t i = 0; i < row.parameters.size(); ++i) {
-      if (own && row.parameters[i].name == wanted) return number(section.element.values[i]);
+      if (own && row.parameters[i].name == wanted)
+        return row.parameters[i].names.empty()
+                   ? number(section.element.values[i])
+                   : text(world::choice_of(row.parameters[i], section.element.values[i]).name);
       names.emplace_back(row.parameters[i].name);
     }
   }

@@ -2,6 +2,7 @@
 #include "world/element.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.h"
 
@@ -22,6 +23,7 @@ bool within_limits(const Element& element) {
     const double value = element.values[i];
     const bool named = i < row.parameters.size();
     if (named ? !(value >= row.parameters[i].low && value <= row.parameters[i].high) : value != 0) return false;
+    if (named && !row.parameters[i].names.empty() && value != std::floor(value)) return false;
   }
   return true;
 }
@@ -32,16 +34,28 @@ Element limited(Element element) {
   for (std::size_t i = 0; i < element.values.size(); ++i) {
     const bool named = i < row.parameters.size();
     element.values[i] = named ? std::clamp(element.values[i], row.parameters[i].low, row.parameters[i].high) : 0.0;
+    if (named && !row.parameters[i].names.empty()) element.values[i] = std::round(element.values[i]);
   }
   return element;
 }
 
-double value_of(const Element& element, std::string_view parameter) {
+const base::NameRow& choice_of(const ElementParameter& parameter, double value) {
+  const double last = static_cast<double>(parameter.names.size()) - 1;
+  return parameter
+      .names[value > 0 ? static_cast<std::size_t>(std::min(value, last)) : 0];  // also for what is no number
+}
+
+std::optional<double> found_value(const Element& element, std::string_view parameter) {
   const std::span<const ElementParameter> parameters = base::row_of(element.kind).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i)
     if (parameters[i].name == parameter) return element.values[i];
-  COASTER_CHECK(false, "the element has this parameter");
-  return 0;
+  return std::nullopt;
+}
+
+double value_of(const Element& element, std::string_view parameter) {
+  const std::optional<double> found = found_value(element, parameter);
+  COASTER_CHECK(found, "the element has this parameter");
+  return *found;
 }
 
 }  // namespace coaster::world

@@ -1,19 +1,39 @@
 // The elements of the palette as plain data, with their parameters, units, defaults and limits. To add one: an
-// enumerator and a row here, its shape in sim/plan/element_shapes.cpp, its icon in ui/widgets/icons.cpp.
+// enumerator and a row here, its shape in sim/plan/element_shapes_*.cpp and in the table there, its icon in
+// ui/widgets/icons.cpp.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "base/names.h"
+#include "world/equipment_kind.h"
 
 namespace coaster::world {
 
 // Rows of elements(), in its order.
-enum class ElementKind : std::uint8_t { straight, curve, helix, climb, dive, camelback, loop, corkscrew };
+enum class ElementKind : std::uint8_t {
+  straight,
+  curve,
+  helix,
+  climb,
+  dive,
+  camelback,
+  loop,
+  corkscrew,
+  s_bend,
+  overbanked_turn,
+  bunny_hops,
+  zero_g_roll,
+  immelmann,
+  dive_loop,
+  cobra_roll,
+  brake_run
+};
 
 struct ElementParameter {
   std::string_view name;   // in scripts and recordings: "radius"
@@ -22,6 +42,7 @@ struct ElementParameter {
   double usual;            // default value
   double low, high;        // values beyond are clamped with a notice
   std::string_view help;
+  std::span<const base::NameRow> names = {};  // not empty: a choice, the value is the number of its row
 };
 
 inline constexpr std::size_t kMaxElementParameters = 5;
@@ -37,10 +58,24 @@ struct ElementRow {
 namespace element_rows {
 inline constexpr std::string_view kSpeedHelp =
     "Banks for this speed: riders feel no lateral g at the tightest place. 0: use Bank.";
+// None, then the kinds of equipment.
+inline constexpr auto kEquipmentChoices = [] {
+  std::array<base::NameRow, 1 + std::size(kEquipmentKinds)> rows{{{"none", "None", "Plain track."}}};
+  for (std::size_t i = 1; i < rows.size(); ++i) rows[i] = kEquipmentKinds[i - 1];
+  return rows;
+}();
+inline constexpr ElementParameter kEquipment{
+    "equipment",      "Equipment", "", 0, 0, kEquipmentChoices.size() - 1, "Equipment of the whole element.",
+    kEquipmentChoices};
+inline constexpr ElementParameter kEquipmentSpeed{
+    "speed", "Its speed", "m/s", 4, 0, 150, "Speed of the equipment: of the chain, after the launch or brake."};
 inline constexpr ElementParameter kStraight[] = {
     {"length", "Length", "m", 30, 2, 2000, "Length of the straight."},
     {"roll", "Roll", "deg", 0, -1440, 1440,
      "Roll along it, positive to the rider's right. 0 levels out, 360 is an inline twist."},
+    kEquipment,
+    kEquipmentSpeed,
+    {"acceleration", "Acceleration", "m/s²", 3, 0.1, 60, "Acceleration of a launch, deceleration of a brake."},
 };
 inline constexpr ElementParameter kCurve[] = {
     {"radius", "Radius", "m", 25, 3, 1000, "Radius of the circle between the two ramps of curvature."},
@@ -48,6 +83,10 @@ inline constexpr ElementParameter kCurve[] = {
     {"bank", "Bank", "deg", 40, -30, 110,
      "Roll towards the inside at the tightest place. Ignored when a speed is set."},
     {"speed", "For speed", "m/s", 0, 0, 150, kSpeedHelp},
+    {"ramp", "Ramps", "m", 0, 0, 200,
+     "Length of the roll-in and of the roll-out: the ramps over which curvature and bank rise and fall. 0: a quarter "
+     "of "
+     "the angle each, at most 30 degrees."},
 };
 inline constexpr ElementParameter kHelix[] = {
     {"radius", "Radius", "m", 16, 3, 1000, "Radius in plan, between the two ramps of curvature."},
@@ -60,6 +99,8 @@ inline constexpr ElementParameter kClimb[] = {
     {"height", "Height", "m", 25, 0.5, 300, "Rise from start to end."},
     {"angle", "Angle", "deg", 35, 2, 90, "Steepest slope."},
     {"radius", "Radius", "m", 20, 3, 500, "Smallest radius of its bends."},
+    kEquipment,
+    kEquipmentSpeed,
 };
 inline constexpr ElementParameter kDive[] = {
     {"height", "Height", "m", 20, 0.5, 300, "Drop from start to end."},
@@ -83,12 +124,66 @@ inline constexpr ElementParameter kCorkscrew[] = {
     {"angle", "Axis", "deg", 45, 10, 70, "Angle between the entry and the axis of the helix."},
     {"top", "Top", "deg", 150, 0, 240, "Angle of the turn that is a true helix. It widens before and after."},
 };
+inline constexpr ElementParameter kSBend[] = {
+    {"radius", "Radius", "m", 25, 3, 1000, "Radius of both circles."},
+    {"angle", "Angle", "deg", 45, 1, 170, "Change of direction of each of the two turns."},
+    {"bank", "Bank", "deg", 40, -30, 110, "Roll towards the inside of each turn. Ignored when a speed is set."},
+    {"speed", "For speed", "m/s", 0, 0, 150, kSpeedHelp},
+};
+inline constexpr ElementParameter kOverbankedTurn[] = {
+    {"radius", "Radius", "m", 20, 8, 1000, "Radius in plan, between the two ramps of curvature."},
+    {"angle", "Angle", "deg", 180, 90, 360, "Change of direction."},
+    {"height", "Height", "m", 14, 0, 150, "Height of the top above both ends."},
+    {"bank", "Bank", "deg", 110, 0, 160, "Roll towards the inside at the top. Ignored when a speed is set."},
+    {"speed", "At speed", "m/s", 0, 0, 60,
+     "Speed at the start for which it banks: riders feel no lateral g anywhere. 0: use Bank."},
+};
+inline constexpr std::string_view kFloatSpeedHelp =
+    "Speed at the start at which riders are weightless over every crest, a parabola.";
+inline constexpr ElementParameter kBunnyHops[] = {
+    {"hops", "Hops", "", 3, 1, 12, "Number of hills."},
+    {"height", "Height", "m", 4, 1, 30, "Height of the crests above the start."},
+    {"speed", "At speed", "m/s", 16, 7, 70, kFloatSpeedHelp},
+    {"radius", "Radius", "m", 14, 3, 200, "Smallest radius of the feet and of the valleys."},
+};
+inline constexpr ElementParameter kZeroGRoll[] = {
+    {"height", "Height", "m", 20, 4, 150, "Height of the crest above the foot."},
+    {"speed", "At speed", "m/s", 28, 10, 100,
+     "Speed at the foot at which riders are weightless while they are rolled over the crest, a parabola."},
+    {"radius", "Radius", "m", 25, 3, 500, "Smallest radius of the bends at its feet."},
+};
+inline constexpr std::string_view kRollSlopeHelp =
+    "Slope of the parabola at both ends of the half roll. Larger: a longer roll.";
+inline constexpr ElementParameter kImmelmann[] = {
+    {"height", "Height", "m", 16, 4, 80, "Rise from start to end."},
+    {"speed", "At speed", "m/s", 26, 7, 100, "Speed at the start at which riders are weightless during the half roll."},
+    {"angle", "Slope", "deg", 32, 15, 60, kRollSlopeHelp},
+    {"radius", "Radius", "m", 18, 5, 100, "Smallest radius of the bend that levels out after the roll."},
+};
+inline constexpr ElementParameter kDiveLoop[] = {
+    {"height", "Height", "m", 16, 4, 80, "Drop from start to end."},
+    {"speed", "At speed", "m/s", 19, 7, 100, "Speed at the start at which riders are weightless during the half roll."},
+    {"angle", "Slope", "deg", 32, 15, 60, kRollSlopeHelp},
+    {"radius", "Radius", "m", 18, 5, 100, "Smallest radius of the bend that climbs to the roll."},
+};
+inline constexpr ElementParameter kCobraRoll[] = {
+    {"height", "Height", "m", 18, 5, 60, "Height of the two tops above the foot."},
+    {"top", "Top", "deg", 90, 0, 180, "Angle of the circle at each top. Clothoids widen it before and after."},
+};
+inline constexpr ElementParameter kBrakeRun[] = {
+    {"brakes", "Brakes", "m", 45, 5, 500, "Length of the brakes."},
+    {"station", "Station", "m", 30, 5, 500, "Length of the station after them, at least the train's."},
+    {"speed", "Speed", "m/s", 4, 0.5, 50, "Speed after the brakes."},
+    {"acceleration", "Deceleration", "m/s²", 6, 0.1, 60, "Deceleration of the brakes."},
+};
 }  // namespace element_rows
 
 inline constexpr ElementRow kElements[] = {
     {"straight", "Straight", "A straight. It can roll.", false, element_rows::kStraight},
-    {"curve", "Curve", "A banked turn: its curvature rises, stays and falls. It keeps the slope it starts with.", true,
-     element_rows::kCurve},
+    {"curve", "Banked curve###Curve",
+     "A banked turn with roll-in and roll-out: curvature and bank rise, stay and fall. It keeps the slope it starts "
+     "with.",
+     true, element_rows::kCurve},
     {"helix", "Helix", "A rising or descending helix that ends level.", true, element_rows::kHelix},
     {"climb", "Climb", "A climb that ends level, for lifts.", false, element_rows::kClimb},
     {"dive", "Dive", "A drop that ends level.", false, element_rows::kDive},
@@ -99,6 +194,29 @@ inline constexpr ElementRow kElements[] = {
     {"corkscrew", "Corkscrew",
      "An inversion around a horizontal axis. It ends upright, in the same direction, shifted sideways.", true,
      element_rows::kCorkscrew},
+    {"s_bend", "S-bend",
+     "Two banked turns, one to each side, without a straight between them. It ends in the same direction.", true,
+     element_rows::kSBend},
+    {"overbanked_turn", "Overbanked###Overbanked turn",
+     "Overbanked turn: it rises and falls while it turns, banked beyond the vertical at the top. It starts and ends "
+     "level.",
+     true, element_rows::kOverbankedTurn},
+    {"bunny_hops", "Bunny hops", "Low hills in a row, each with airtime: parabolas between valleys.", false,
+     element_rows::kBunnyHops},
+    {"zero_g_roll", "Zero-g roll", "A hill over whose crest riders float while they are rolled by 360 degrees.", true,
+     element_rows::kZeroGRoll},
+    {"immelmann", "Immelmann",
+     "Half a loop upwards, then half a roll on which riders float. It ends upright in the opposite direction, higher.",
+     true, element_rows::kImmelmann},
+    {"dive_loop", "Dive loop",
+     "Half a roll on which riders float, then half a loop downwards. It ends upright in the opposite direction, lower.",
+     true, element_rows::kDiveLoop},
+    {"cobra_roll", "Cobra roll",
+     "Two inversions: up a half loop, twisted down into a valley across the entry, and the same mirrored. It ends in "
+     "the opposite direction, shifted sideways.",
+     true, element_rows::kCobraRoll},
+    {"brake_run", "Brake run", "Level brakes, then a station: the end of a ride. A sloping end is levelled first.",
+     false, element_rows::kBrakeRun},
 };
 constexpr std::span<const ElementRow> elements() { return kElements; }
 constexpr std::span<const ElementRow> rows_of(ElementKind) { return elements(); }
@@ -120,7 +238,12 @@ bool within_limits(const Element& element);
 // Returns the element with its values brought within their limits.
 Element limited(Element element);
 
-// Returns the value of a parameter that the element's row has (COASTER_CHECK).
+// Returns the row of a parameter's choice.
+const base::NameRow& choice_of(const ElementParameter& parameter, double value);
+
+// Returns the value of a parameter; nothing if the element's row does not have it.
+std::optional<double> found_value(const Element& element, std::string_view parameter);
+// The same of a parameter that the row has (COASTER_CHECK).
 double value_of(const Element& element, std::string_view parameter);
 
 }  // namespace coaster::world

@@ -62,7 +62,9 @@ class RandomCommands {
     v = world::usual_element(kind);
     const world::ElementRow& row = base::row_of(v.kind);
     v.right = row.sided && below(2) == 1;
-    for (std::size_t i = 0; i < row.parameters.size(); ++i) v.values[i] = number();
+    for (std::size_t i = 0; i < row.parameters.size(); ++i)
+      v.values[i] = row.parameters[i].names.empty() ? number()
+                                                    : below(static_cast<std::uint32_t>(row.parameters[i].names.size()));
   }
 
   std::mt19937 bits_;

@@ -33,6 +33,7 @@ TEST(element, rows_stand_in_the_order_of_their_kinds_and_usual_values_are_within
     }
   }
   EXPECT_EQ(base::row_of(ElementKind::corkscrew).name, "corkscrew");
+  EXPECT_EQ(base::row_of(ElementKind::brake_run).name, "brake_run");
 }
 
 TEST(element, a_value_is_the_one_of_its_name) {

@@ -47,8 +47,16 @@ void open_out(world::Document& document, const world::Knot& start) {
 world::Entity place(world::Document& document, const sim::ElementPlan& plan) {
   open_out(document, plan.fit.knots.front());
   for (std::size_t k = 1; k < plan.fit.knots.size(); ++k) world::append_knot(document, plan.fit.knots[k]);
-  return world::make_section(document, document.track.segments.size() - plan.spans(), plan.spans(),
+  const std::size_t first = document.track.segments.size() - plan.spans();
+  equip(document, plan, first);
+  return world::make_section(document, first, plan.spans(),
                              {{}, world::SectionKind::element, world::limited(plan.element)});
+}
+
+void equip(world::Document& document, const sim::ElementPlan& plan, std::size_t first) {
+  for (const sim::EquippedSpans& part : plan.equipment)
+    for (std::size_t i = 0; i < part.spans; ++i)
+      document.entities.put(document.track.segments[first++], part.equipment);
 }
 
 void add_first_train(world::Document& document) {

@@ -11,6 +11,8 @@ namespace coaster::edit {
 void open_out(world::Document& document, const world::Knot& start);
 // Adds what was planned at the open end as a section, and returns that.
 world::Entity place(world::Document& document, const sim::ElementPlan& plan);
+// Puts the plan's equipment, if it has any, on its segments, from that index of the track.
+void equip(world::Document& document, const sim::ElementPlan& plan, std::size_t first);
 // Adds a train at the start of a track without one, so that there is something to watch.
 void add_first_train(world::Document& document);
 

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "curve/arc_length.h"
 #include "edit/commands/commands_sections.h"
+#include "edit/perform/placing.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -137,6 +138,7 @@ Status replan(const Session& session, Change& change, Document& document, Entity
   world::resize_section(document, section, plan.spans());
   run.count = plan.spans();
   shape_knots(plan.fit, run, follows, document);
+  equip(document, plan, run.first);
   if (held) {
     Knot& last = document.entities.get<Knot>(document.track.knots[run.end() % document.track.knots.size()]);
     held->in_length = last.in_length, held->joint = last.joint;

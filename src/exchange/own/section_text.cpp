@@ -1,5 +1,7 @@
 #include "exchange/own/section_text.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/text.h"
@@ -26,12 +28,26 @@ bool read_side(Fields& fields, world::Element& element) {
   return element.right || side == kSides[0] || fields.reject("side", R"("left" or "right")");
 }
 
+bool read_choice(Fields& fields, const world::ElementParameter& parameter, double& value) {
+  std::string name;
+  if (!fields.text(parameter.name, name)) return false;
+  const std::vector<std::string> names = base::names_in(parameter.names);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return fields.reject(parameter.name, base::alternatives(names, "\""));
+  value = static_cast<double>(found - names.begin());
+  return true;
+}
+
 bool read_parameters(Fields& fields, world::Element& element) {
   const std::span<const world::ElementParameter> parameters = base::row_of(element.kind).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const world::ElementParameter& parameter = parameters[i];
     double& value = element.values[i];
     if (!fields.has(parameter.name)) continue;
+    if (!parameter.names.empty()) {
+      if (!read_choice(fields, parameter, value)) return false;
+      continue;
+    }
     if (!fields.number(parameter.name, value, parameter.low, parameter.high)) return false;
     if (value == 0) value = 0;  // not -0, which is written as 0
   }
@@ -66,7 +82,11 @@ std::string section_members(const world::Section& section, std::size_t segments)
     if (row.sided) text += fmt::format(", \"side\": \"{}\"", kSides[section.element.right ? 1 : 0]);
     for (std::size_t i = 0; i < row.parameters.size(); ++i) {
       const double value = section.element.values[i];
-      text += fmt::format(", \"{}\": {}", row.parameters[i].name, value == 0 ? "0" : base::to_text(value));
+      const world::ElementParameter& parameter = row.parameters[i];
+      const std::string shown = !parameter.names.empty() ? json_string(world::choice_of(parameter, value).name)
+                                : value == 0             ? "0"
+                                                         : base::to_text(value);
+      text += fmt::format(", \"{}\": {}", parameter.name, shown);
     }
   }
   if (!section.title.empty()) text += ", \"title\": " + json_string(section.title);

@@ -43,12 +43,15 @@ dvec2 integral(double length, int steps, const std::function<dvec2(double)>& f) 
   return sum * step;
 }
 
-Bend::Bend(double from_angle, double to_angle, double least_radius)
-    : from(from_angle), to(to_angle), radius(least_radius) {
+Bend::Bend(double from_angle, double to_angle, double least_radius, double length_of_ramp)
+    : from(from_angle), to(to_angle), radius(least_radius), ramp_length(length_of_ramp) {
   const double angle = std::abs(to - from);
   if (angle > 0 && length() < kShortest) radius *= kShortest / length();
 }
-double Bend::ramp_angle() const { return std::min(0.25 * std::abs(to - from), kMostRampAngle); }
+double Bend::ramp_angle() const {
+  if (ramp_length > 0) return std::min(0.5 * ramp_length / radius, 0.5 * std::abs(to - from));
+  return std::min(0.25 * std::abs(to - from), kMostRampAngle);
+}
 double Bend::arc() const { return radius * std::max(0.0, std::abs(to - from) - 2.0 * ramp_angle()); }
 
 double Bend::bend(double u) const {

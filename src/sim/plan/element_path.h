@@ -51,12 +51,13 @@ ElementRate upright_rate(double angle, double bend);
 inline double smooth_step(double v) { return v * v * (3.0 - 2.0 * v); }
 
 // A bend from one angle to another: ramp, circle, ramp. Curvature rises as smooth_step() of the length from 0 to
-// 1/radius, over a quarter of the angle, at most 30 degrees, and falls in the same way.
+// 1/radius, over a quarter of the angle, at most 30 degrees, or over a given length, and falls in the same way.
 struct Bend {
   static constexpr double kShortest = 6;  // m: a slight bend gets a larger radius instead
   double from = 0, to = 0;                // rad
   double radius = 1;                      // m
-  Bend(double from_angle, double to_angle, double least_radius);
+  double ramp_length = 0;                 // m, at most radius times angle; 0: a quarter of the angle
+  Bend(double from_angle, double to_angle, double least_radius, double length_of_ramp = 0);
   double ramp_angle() const;
   double ramp() const { return 2.0 * radius * ramp_angle(); }  // m, length of each ramp
   double arc() const;                                          // m, length of the circle

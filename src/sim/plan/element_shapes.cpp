@@ -1,24 +1,21 @@
-// The lead-in from the track's end to an element, and the elements in plan: straight, curve, helix.
+// The lead-in from the track's end to an element, the straight, and the choice of the others by their rows.
 #include "sim/plan/element_shapes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "base/portable_math.h"
 #include "base/text.h"
-#include "world/motion.h"
 
 namespace coaster::sim {
 namespace {
 
 using base::kPi;
 using glm::dvec3;
-using world::ElementKind;
 
-constexpr double kMostHelixSlope = 0.6;   // m per m in plan
-constexpr double kLongestHelix = 14'000;  // m, in plan, without the ramps
 constexpr double kMostRollRate_deg = 60;  // per metre
 constexpr double kLevel = 1e-4;           // rad: smaller slopes need no levelling
 constexpr double kRollFade = 8;           // m, shortest length over which a rolled end is turned upright
@@ -68,43 +65,35 @@ void add_straight(world::Element& element, ElementPath& path, bool upright, std:
   });
 }
 
-// A turn in plan: ramp, circle, ramp, to one side. The slope dy/du is `slopes(u)` with its derivative.
-struct Round {
-  Bend bend;    // of the heading, positive to the right
-  double bank;  // rad where the curvature is largest; proportional to the curvature elsewhere
-  double roll(double u) const { return bank * bend.bend(u) * bend.radius; }
+// Rows of world::elements(), in its order. A straight is added by element_shape() itself.
+struct Adder {
+  void (*add)(ShapeTask& task);
+  bool level;  // begins level: a sloping end is levelled first
 };
-struct Slope {
-  double rise, change;  // dy/du and its derivative
-};
+constexpr Adder kAdders[] = {
+    {nullptr, false},           {add_curve, false},          {add_helix, false},     {add_climb_or_dive, false},
+    {add_climb_or_dive, false}, {add_camelback, true},       {add_loop, true},       {add_corkscrew, true},
+    {add_s_bend, false},        {add_overbanked_turn, true}, {add_bunny_hops, true}, {add_zero_g_roll, true},
+    {add_immelmann, true},      {add_dive_loop, true},       {add_cobra_roll, true}, {add_brake_run, true}};
+static_assert(std::size(kAdders) == world::elements().size());
 
-void add_round(ElementPath& path, const Round& round, const std::function<Slope(double)>& slope) {
-  const double ramp = round.bend.ramp();
-  path.add({ramp, round.bend.arc(), ramp}, [&](double u) {
-    const auto [sin, cos] = base::sin_cos(round.bend.angle(u));
-    const auto [rise, change] = slope(u);
-    const double k = round.bend.bend(u);
-    return ElementRate{{cos, rise, -sin}, {-sin * k, change, -cos * k}, dvec3(0), round.roll(u)};
-  });
-}
-
-// The bank follows from a speed: gravity and the turn together press straight into the seat.
-Round round_of(const world::Element& element, double angle) {
-  const double side = element.right ? 1.0 : -1.0, radius = world::value_of(element, "radius"),
-               speed = world::value_of(element, "speed");
-  const double bank = speed > 0 ? base::arc_tangent(speed * speed / radius, world::kGravity)
-                                : base::radians(world::value_of(element, "bank"));
-  return {{0, side * angle, radius}, bank};
-}
-
-bool begins_level(ElementKind kind) {
-  return kind == ElementKind::camelback || kind == ElementKind::loop || kind == ElementKind::corkscrew;
-}
-
-// Returns the radius in m of the bend that levels out before an element.
+// Returns the radius in m of the bend that levels out before an element: its smallest radius, if it has one, or else
+// by its height.
 double levelling_radius(const world::Element& element) {
-  return element.kind == ElementKind::camelback ? world::value_of(element, "radius")
-                                                : std::max(12.0, 1.2 * world::value_of(element, "height"));
+  if (const std::optional<double> radius = world::found_value(element, "radius")) return *radius;
+  const std::optional<double> height = world::found_value(element, "height");
+  return height ? std::max(12.0, 1.2 * *height) : 25.0;
+}
+
+// Adds the equipment that the element's parameters choose for all of it.
+void equip(const world::Element& element, ElementShape& shape) {
+  const auto choice = static_cast<int>(world::found_value(element, "equipment").value_or(0.0));
+  if (choice == 0) return;
+  world::Equipment equipment{static_cast<world::EquipmentKind>(choice - 1)};
+  equipment.speed = static_cast<float>(world::value_of(element, "speed"));
+  if (const std::optional<double> acceleration = world::found_value(element, "acceleration"))
+    equipment.acceleration = static_cast<float>(*acceleration);
+  shape.equipped.push_back({shape.curve.points.size() - 1, equipment});
 }
 
 }  // namespace
@@ -126,42 +115,6 @@ void give_way(world::Element& element, std::string_view parameter, double limit,
   }
 }
 
-void add_curve(ShapeTask& task) {
-  const double angle = base::radians(world::value_of(task.element, "angle")), least = Bend{0, angle, 1e-3}.radius;
-  if (world::value_of(task.element, "radius") < least)
-    give_way(task.element, "radius", least, "a curve of this angle would be too short", task.lines);
-  const auto [sin, cos] = base::sin_cos(task.slope);
-  const double rise = sin / cos;
-  add_round(task.path, round_of(task.element, angle), [rise](double) { return Slope{rise, 0}; });
-}
-
-// Over the first ramp the slope changes smoothly (3v^2 - 2v^3, with derivative 0 at both ends) from the end's to
-// the helix's, and over the last to 0; so the curvature of the slope is 0 at both ends.
-void add_helix(ShapeTask& task) {
-  const double most = kLongestHelix / (2.0 * kPi * world::value_of(task.element, "radius"));
-  if (world::value_of(task.element, "turns") > most)
-    give_way(task.element, "turns", most, "a helix of this radius would be longer than 15 km", task.lines);
-  const double angle = 2.0 * kPi * world::value_of(task.element, "turns");
-  const Round round = round_of(task.element, angle);
-  const double ramp = round.bend.ramp(), whole = round.bend.length(), room = whole - ramp;
-  const auto [sin, cos] = base::sin_cos(task.slope);
-  const double first = sin / cos;
-  const auto slope_for = [&](double height) { return (height - 0.5 * ramp * first) / room; };
-  double steady = slope_for(world::value_of(task.element, "height"));
-  if (std::abs(steady) > kMostHelixSlope) {
-    steady = std::clamp(steady, -kMostHelixSlope, kMostHelixSlope);
-    give_way(task.element, "height", steady * room + 0.5 * ramp * first, "a helix of this radius would be too steep",
-             task.lines);
-  }
-  add_round(task.path, round, [=](double u) {
-    const bool late = u > 0.5 * whole;
-    const double v = std::clamp((late ? whole - u : u) / ramp, 0.0, 1.0);
-    const double share = smooth_step(v), rate = 6.0 * v * (1.0 - v) / ramp;
-    return late ? Slope{steady * share, -steady * rate}
-                : Slope{first + (steady - first) * share, (steady - first) * rate};
-  });
-}
-
 ElementShape element_shape(world::Element& element, const TrackEnd& end, std::vector<std::string>& lines) {
   ElementShape shape;
   if (const double k = glm::length(end.curvature); k > kSharpestEnd) {
@@ -172,13 +125,14 @@ ElementShape element_shape(world::Element& element, const TrackEnd& end, std::ve
   const auto steep = [](dvec3 forward) { return std::abs(slope_of(forward)) > base::radians(kSteepestEnd_deg); };
   ElementPath path(end.position, end.forward, glm::length(end.curvature) < kStraightEnd ? dvec3(0) : end.curvature,
                    end.up, end.spin);
-  const bool straight = element.kind == ElementKind::straight;
+  const bool straight = element.kind == world::ElementKind::straight;
   const bool upright = !straight || !steep(end.forward);
   ease(path, upright);
   if (straight) {
     path.begin_element();
     add_straight(element, path, upright, lines);
     shape.curve = path.finish(path.curve().length());
+    equip(element, shape);
     return shape;
   }
   if (steep(end.forward) || steep(path.end().tangent)) {
@@ -187,23 +141,16 @@ ElementShape element_shape(world::Element& element, const TrackEnd& end, std::ve
     return shape;
   }
   double slope = head(path);
-  if (begins_level(element.kind) && std::abs(slope) > kLevel) {
+  const Adder& adder = kAdders[static_cast<std::size_t>(element.kind)];
+  if (adder.level && std::abs(slope) > kLevel) {
     path.add(Bend{slope, 0, levelling_radius(element)});
     slope = 0;
   }
   path.begin_element();
-  ShapeTask task{element, path, slope, lines};
-  switch (element.kind) {
-    case ElementKind::straight: break;
-    case ElementKind::curve: add_curve(task); break;
-    case ElementKind::helix: add_helix(task); break;
-    case ElementKind::climb:
-    case ElementKind::dive: add_climb_or_dive(task); break;
-    case ElementKind::camelback: add_camelback(task); break;
-    case ElementKind::loop: add_loop(task); break;
-    case ElementKind::corkscrew: add_corkscrew(task); break;
-  }
+  ShapeTask task{element, path, slope, lines, shape.equipped};
+  adder.add(task);
   shape.curve = path.finish(kRollFade);
+  equip(element, shape);
   return shape;
 }
 

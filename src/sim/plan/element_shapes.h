@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/plan/element_path.h"
+#include "world/components.h"
 #include "world/element.h"
 
 namespace coaster::sim {
@@ -17,10 +18,17 @@ struct TrackEnd {
   friend bool operator==(const TrackEnd&, const TrackEnd&) = default;
 };
 
+// Equipment of an element, from where the one before it ends, else from the start of the lead-in.
+struct EquippedPart {
+  std::size_t to = 0;  // index of the curve's point where it ends
+  world::Equipment equipment;
+};
+
 // A curve, or the reason why there is none. Values of the element that had to be limited are changed, each with a line
 // that contains the word "limit".
 struct ElementShape {
   ElementCurve curve;
+  std::vector<EquippedPart> equipped;
   std::string refusal;  // empty: there is a curve
 };
 
@@ -50,6 +58,7 @@ struct ShapeTask {
   ElementPath& path;
   double slope;
   std::vector<std::string>& lines;
+  std::vector<EquippedPart>& equipped;
 };
 void add_curve(ShapeTask& task);
 void add_helix(ShapeTask& task);
@@ -57,5 +66,13 @@ void add_climb_or_dive(ShapeTask& task);
 void add_camelback(ShapeTask& task);
 void add_loop(ShapeTask& task);
 void add_corkscrew(ShapeTask& task);
+void add_s_bend(ShapeTask& task);
+void add_overbanked_turn(ShapeTask& task);
+void add_bunny_hops(ShapeTask& task);
+void add_zero_g_roll(ShapeTask& task);
+void add_immelmann(ShapeTask& task);
+void add_dive_loop(ShapeTask& task);
+void add_cobra_roll(ShapeTask& task);
+void add_brake_run(ShapeTask& task);
 
 }  // namespace coaster::sim

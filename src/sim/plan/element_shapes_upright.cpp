@@ -1,120 +1,46 @@
-// The vertical elements: climb, dive and camelback in a vertical plane, loop and corkscrew about an axis.
-#include <algorithm>
+// The elements in a vertical plane: climb, dive, hills whose crests are parabolas, and the brake run.
 #include <cmath>
 
 #include "base/portable_math.h"
+#include "sim/plan/element_arcs.h"
 #include "sim/plan/element_shapes.h"
 #include "world/motion.h"
 
 namespace coaster::sim {
 namespace {
 
-using base::kPi;
-using glm::dvec2;
-using glm::dvec3;
-
-constexpr int kBisections = 60;
-
-// Returns the x in [low, high] at which f crosses 0 upwards, to machine accuracy.
-double root(double low, double high, const std::function<double(double)>& f) {
-  for (int i = 0; i < kBisections; ++i) {
-    const double middle = 0.5 * (low + high);
-    (f(middle) < 0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
-// The foot of a camelback, by its steepest angle: a clothoid to 1/radius, a circle, and a clothoid through the
-// inflection to the parabola's curvature -bend. The other foot is its mirror image.
-struct Foot {
-  double angle, radius, crest_bend;
-  double first, second, arc;  // m: clothoids and circle
-  double first_angle, second_angle;
-  Foot(double steepest, double least_radius, double p)
-      : angle(steepest), radius(Bend(0, steepest, least_radius).radius) {
-    const double r = radius;
-    const double cos = base::sin_cos(steepest).cos;
-    crest_bend = cos * cos * cos / p;
-    first_angle = std::min(angle / 3, kPi / 6);
-    first = 2 * r * first_angle;
-    // As fast as the first clothoid, unless it would turn back by more than a quarter of the angle after the
-    // inflection.
-    second = std::min(first * (1 + r * crest_bend), 0.5 * angle * (1 / r + crest_bend) / (crest_bend * crest_bend));
-    second_angle = 0.5 * second * (1 / r - crest_bend);
-    arc = r * (angle - first_angle - second_angle);
-  }
-  double length() const { return first + arc + second; }
-  double bend(double u) const {
-    if (u < first) return u / (first * radius);
-    if (u < first + arc) return 1 / radius;
-    return 1 / radius - (1 / radius + crest_bend) * (u - first - arc) / second;
-  }
-  double angle_at(double u) const {
-    if (u < first) return u * u / (2 * first * radius);
-    if (u < first + arc) return first_angle + (u - first) / radius;
-    const double v = u - first - arc;
-    return angle - second_angle + v / radius - (1 / radius + crest_bend) * v * v / (2 * second);
-  }
-  double rise() const {
-    constexpr int kSteps = 16;
-    double sum = 0;
-    for (const auto& [begin, part] : {dvec2(0, first), dvec2(first, arc), dvec2(first + arc, second)})
-      sum += integral(part, kSteps, [&, from = begin](double u) {
-               return dvec2(0, base::sin_cos(angle_at(from + u)).sin);
-             }).y;
-    return sum;
-  }
+// A crest between two feet. A train of speed v at the foot has v^2 - 2 g h at the crest, h higher. A body thrown from
+// there would follow the parabola of parameter p = (v^2 - 2 g h) / g, y = -x^2 / (2 p); on rails of that shape riders
+// float.
+struct Hill {
+  double p = 0;  // m
+  Foot foot;
+  double edge = 0;  // m, half the parabola's width
 };
 
-double tangent_of(double angle) {
-  const auto [sin, cos] = base::sin_cos(angle);
-  return sin / cos;
+// `least_rest`: least entry energy, relative to that of the crest.
+Hill hill_of(ShapeTask& task, double least_rest = 1.15) {
+  const double height = world::value_of(task.element, "height"), g = world::kGravity;
+  const double least = std::sqrt(2 * least_rest * g * height);
+  if (world::value_of(task.element, "speed") < least)
+    give_way(task.element, "speed", least, "a slower train cannot pass the crest", task.lines);
+  const double speed = world::value_of(task.element, "speed"), p = speed * speed / g - 2 * height,
+               radius = world::value_of(task.element, "radius");
+  const auto rise = [&](double angle) {
+    const double tangent = tangent_of(angle);
+    return Foot(angle, radius, p).rise() + 0.5 * p * tangent * tangent;
+  };
+  const double angle = root(base::radians(0.5), base::radians(78), [&](double a) { return rise(a) - height; });
+  return {p, Foot(angle, radius, p), p * tangent_of(angle)};
 }
 
-// A turn about a level axis: in the plane across the axis a teardrop of clothoid, circle, clothoid, one whole turn,
-// while it advances along the axis at a constant rate. The tangent keeps its angle to the axis, and curvature and
-// torsion keep their ratio (a generalised helix), so after a whole turn the frame is as at the start: upright and
-// straight ahead. Up is the normal: only gravity pushes sideways.
-class Winding {
- public:
-  // `top`: rad of the turn that are a circle in the plane across the axis.
-  Winding(double height, double top) : ramp_angle_(kPi - 0.5 * top) {
-    const dvec2 half = direction(0, ramp()) + direction(ramp(), 0.5 * top);  // from the foot to the apex, of radius 1
-    radius_ = height / half.y;
-    width_ = 2 * radius_ * half.x;
-    arc_ = radius_ * top;
-  }
-  double ramp() const { return 2 * radius_ * ramp_angle_; }
-  double arc() const { return arc_; }
-  double length() const { return 2 * ramp() + arc_; }  // m, in the plane across
-  double width() const { return width_; }              // m, advance of the teardrop in that plane
-  double turned(double u) const {
-    if (u <= ramp()) return u * u / (2 * radius_ * ramp());
-    if (u < ramp() + arc_) return ramp_angle_ + (u - ramp()) / radius_;
-    const double left = length() - u;
-    return 2 * kPi - left * left / (2 * radius_ * ramp());
-  }
-  double bend(double u) const { return std::clamp(std::min(u, length() - u) / ramp(), 0.0, 1.0) / radius_; }
-
- private:
-  dvec2 direction(double begin, double length) const {
-    constexpr int kSteps = 48;
-    return integral(length, kSteps, [&](double along) {
-      const double u = begin + along;
-      const auto [sin, cos] = base::sin_cos(u <= ramp() ? u * u / (2 * ramp()) : ramp_angle_ + (u - ramp()));
-      return dvec2(cos, sin);
-    });
-  }
-  double ramp_angle_, radius_ = 1, width_ = 0, arc_ = 0;
-};
-
-void add_winding(ElementPath& path, const Winding& w, double sin_axis, double side) {
-  const double cos_axis = std::sqrt(1 - sin_axis * sin_axis);
-  const dvec3 axis(sin_axis, 0, side * cos_axis), across(cos_axis, 0, -side * sin_axis), up(0, 1, 0);
-  path.add({w.ramp(), w.arc(), w.ramp()}, [&](double u) {
-    const auto [sin, cos] = base::sin_cos(w.turned(u));
-    const dvec3 normal = cos * up - sin * across;
-    return ElementRate{(sin_axis / cos_axis) * axis + cos * across + sin * up, w.bend(u) * normal, normal, 0};
+// The valley between two equal hills: like both feet, without the clothoids from and to the level.
+void add_valley(ElementPath& path, const Foot& foot) {
+  const double arc = foot.radius * (foot.angle - foot.second_angle), half = arc + foot.second;  // m
+  path.add({foot.second, 2 * arc, foot.second}, [&](double u) {
+    const double off = std::abs(u - half), on_foot = foot.first + foot.arc + off - arc;
+    const double angle = off < arc ? off / foot.radius : foot.angle_at(on_foot);
+    return upright_rate(u < half ? -angle : angle, off < arc ? 1 / foot.radius : foot.bend(on_foot));
   });
 }
 
@@ -141,52 +67,44 @@ void add_climb_or_dive(ShapeTask& task) {
   task.path.add(Bend{to, 0, radius});
 }
 
-// A train of speed v at the foot has v^2 - 2 g h at the crest, h higher. A body thrown from there would follow the
-// parabola of parameter p = (v^2 - 2 g h) / g, y = -x^2 / (2 p); on rails of that shape riders float.
 void add_camelback(ShapeTask& task) {
-  constexpr double kLeastRest = 1.15;  // least entry energy, relative to that of the crest
-  const double height = world::value_of(task.element, "height"), g = world::kGravity;
-  const double least = std::sqrt(2 * kLeastRest * g * height);
-  if (world::value_of(task.element, "speed") < least)
-    give_way(task.element, "speed", least, "a slower train cannot pass the crest", task.lines);
-  const double speed = world::value_of(task.element, "speed"), p = speed * speed / g - 2 * height,
-               radius = world::value_of(task.element, "radius");
-  const auto rise = [&](double angle) {
-    const double tangent = tangent_of(angle);
-    return Foot(angle, radius, p).rise() + 0.5 * p * tangent * tangent;
-  };
-  const double angle = root(base::radians(0.5), base::radians(78), [&](double a) { return rise(a) - height; });
-  const Foot foot(angle, radius, p);
-  const double edge = p * tangent_of(angle), whole = foot.length();
-  task.path.add({foot.first, foot.arc, foot.second},
-                [&](double u) { return upright_rate(foot.angle_at(u), foot.bend(u)); });
-  task.path.add(2 * edge, [=](double u) {
-    const double slope = (edge - u) / p;
-    return ElementRate{{1, slope, 0}, {0, -1 / p, 0}, {-slope, 1, 0}, 0};
-  });
-  const auto down = [&](double from) {
-    return [&foot, from](double u) { return upright_rate(-foot.angle_at(from - u), foot.bend(from - u)); };
-  };
-  task.path.add(foot.second, down(whole));
-  task.path.add(foot.arc, down(whole - foot.second));
-  task.path.add(foot.first, down(whole - (foot.second + foot.arc)));
+  const Hill hill = hill_of(task);
+  add_foot_up(task.path, hill.foot);
+  add_parabola(task.path, hill.p, hill.edge);
+  add_foot_down(task.path, hill.foot);
 }
 
-void add_loop(ShapeTask& task) {
-  constexpr double kMostAxis = 0.5;  // sine: 30 degrees
-  const Winding w(world::value_of(task.element, "height"), base::radians(world::value_of(task.element, "top")));
-  // Along an axis at the angle a it advances length * tan(a), of which cos(a) is sideways; the teardrop takes width *
-  // sin(a) back.
-  const double room = w.length() - w.width();
-  if (world::value_of(task.element, "shift") > kMostAxis * room)
-    give_way(task.element, "shift", kMostAxis * room, "a loop of this height would tip over sideways", task.lines);
-  add_winding(task.path, w, world::value_of(task.element, "shift") / room, task.element.right ? -1.0 : 1.0);
+void add_bunny_hops(ShapeTask& task) {
+  const double hops = std::floor(world::value_of(task.element, "hops"));
+  if (hops != world::value_of(task.element, "hops"))
+    give_way(task.element, "hops", hops, "only whole hops can be placed", task.lines);
+  const Hill hill = hill_of(task);
+  add_foot_up(task.path, hill.foot);
+  for (int hop = 1; hop <= static_cast<int>(hops); ++hop) {
+    if (hop > 1) add_valley(task.path, hill.foot);
+    add_parabola(task.path, hill.p, hill.edge);
+  }
+  add_foot_down(task.path, hill.foot);
 }
 
-void add_corkscrew(ShapeTask& task) {
-  const Winding w(world::value_of(task.element, "height"), base::radians(world::value_of(task.element, "top")));
-  add_winding(task.path, w, base::sin_cos(base::radians(world::value_of(task.element, "angle"))).sin,
-              task.element.right ? -1.0 : 1.0);
+// The faster the train on the crest, the longer the parabola on which it is rolled.
+void add_zero_g_roll(ShapeTask& task) {
+  const Hill hill = hill_of(task, 1.5);
+  add_foot_up(task.path, hill.foot);
+  add_parabola(task.path, hill.p, hill.edge, 1, 0, task.element.right ? 2 * base::kPi : -2 * base::kPi);
+  add_foot_down(task.path, hill.foot);
+}
+
+void add_brake_run(ShapeTask& task) {
+  const auto add = [&](std::string_view length, const world::Equipment& equipment) {
+    task.path.add(world::value_of(task.element, length), [](double) { return upright_rate(0, 0); });
+    task.equipped.push_back({task.path.curve().points.size() - 1, equipment});
+  };
+  world::Equipment brakes{world::EquipmentKind::brake};
+  brakes.speed = static_cast<float>(world::value_of(task.element, "speed"));
+  brakes.acceleration = static_cast<float>(world::value_of(task.element, "acceleration"));
+  add("brakes", brakes);
+  add("station", {world::EquipmentKind::station});
 }
 
 }  // namespace coaster::sim

@@ -29,9 +29,8 @@ void clamp_values(world::Element& element, std::vector<std::string>& lines) {
     const world::ElementParameter& p = row.parameters[i];
     if (!std::isfinite(value)) value = p.usual;
     const double cut = std::clamp(value, p.low, p.high);
-    if (cut == value) continue;
-    lines.push_back(beyond_limit(p, value, cut) + ".");
-    value = cut;
+    if (cut != value) lines.push_back(beyond_limit(p, value, cut) + ".");
+    value = p.names.empty() ? cut : std::round(cut);
   }
 }
 
@@ -41,6 +40,38 @@ bool within_world(const ElementCurve& curve) {
     for (int axis = 0; axis < 3; ++axis)
       if (!(std::abs(p.position[axis]) <= most)) return false;
   return true;
+}
+
+// Returns the part of a curve between two of its points.
+ElementCurve part_of(const ElementCurve& curve, std::size_t from, std::size_t to) {
+  ElementCurve part;
+  part.points.assign(curve.points.begin() + static_cast<std::ptrdiff_t>(from),
+                     curve.points.begin() + static_cast<std::ptrdiff_t>(to + 1));
+  for (ElementPoint& p : part.points) p.s -= curve.points[from].s;
+  part.breaks.push_back(0);
+  for (const std::size_t at : curve.breaks)
+    if (at > from && at < to) part.breaks.push_back(at - from);
+  part.breaks.push_back(to - from);
+  return part;
+}
+
+// Fits each part by itself, so that knots are where equipment begins and ends.
+void fit_parts(std::span<const EquippedPart> equipped, ElementPlan& plan) {
+  std::size_t from = 0;
+  for (const EquippedPart& part : equipped) {
+    ElementFit fit = fit_element(part_of(plan.ideal, from, part.to));
+    plan.equipment.push_back({fit.knots.size() - 1, part.equipment});
+    if (from == 0) {
+      plan.fit = std::move(fit);
+    } else {
+      plan.fit.knots.back().out_length = fit.knots.front().out_length;
+      plan.fit.knots.insert(plan.fit.knots.end(), fit.knots.begin() + 1, fit.knots.end());
+      plan.fit.error = std::max(plan.fit.error, fit.error), plan.fit.jump = std::max(plan.fit.jump, fit.jump);
+      plan.fit.roll_error = std::max(plan.fit.roll_error, fit.roll_error);
+      plan.fit.within = plan.fit.within && fit.within;
+    }
+    from = part.to;
+  }
 }
 
 }  // namespace
@@ -81,7 +112,8 @@ ElementPlan plan_element(const world::Element& element, const TrackEnd& end) {
     plan.refusal = fmt::format("the element goes beyond the limit of coordinates, {} m",
                                base::to_text(double{world::kMaxCoordinate}));
   if (!plan.refusal.empty()) return plan;
-  plan.fit = fit_element(plan.ideal);
+  if (shape.equipped.empty()) plan.fit = fit_element(plan.ideal);
+  else fit_parts(shape.equipped, plan);
   plan.lowest = plan.ideal.points.front().position.y;
   for (const ElementPoint& p : plan.ideal.points) plan.lowest = std::min(plan.lowest, p.position.y);
   return plan;

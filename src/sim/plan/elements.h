@@ -13,12 +13,19 @@
 
 namespace coaster::sim {
 
+// Equipment of consecutive spans, from the first one on.
+struct EquippedSpans {
+  std::size_t spans = 0;
+  world::Equipment equipment;
+};
+
 struct ElementPlan {
   std::string refusal;             // why it cannot be placed; empty if it can
   std::vector<std::string> lines;  // one for each value that was clamped
   world::Element element;          // with clamped values
   ElementCurve ideal;
-  ElementFit fit;            // fit.knots.front() is the track's end, with its new outgoing handle
+  ElementFit fit;  // fit.knots.front() is the track's end, with its new outgoing handle
+  std::vector<EquippedSpans> equipment;
   double length = 0;         // m, of the ideal curve with its lead-in
   double lead = 0;           // m, of the lead-in: easing and levelling
   double lowest = 0;         // m, least height of the rails above the ground; negative: below it

@@ -29,7 +29,7 @@ void choices(Ui& ui) {
   float widest = 0;
   ImGui::PushFont(small_font());
   for (const world::ElementRow& row : rows)
-    widest = std::max(widest, text_size(row.label).x + std::floor(4 * ui.scale));
+    widest = std::max(widest, text_size(shown(row.label)).x + std::floor(4 * ui.scale));
   ImGui::PopFont();
   const int columns = std::clamp(static_cast<int>((room + gap) / (widest + gap)), 1, 4);
   const float width = std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
@@ -59,6 +59,14 @@ void parameters(Ui& ui) {
   }
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
     const world::ElementParameter& p = row.parameters[i];
+    if (!p.names.empty()) {
+      std::vector<Choice> choices;
+      for (const base::NameRow& choice : p.names)
+        choices.push_back({std::string(choice.label), std::string(choice.help)});
+      if (const auto to = combo(ui, p.label, choices, static_cast<int>(element.values[i]), p.help))
+        element.values[i] = *to, changed = true;
+      continue;
+    }
     const double range = p.high - p.low, step = range > 100 ? 0.1 : range > 20 ? 0.05 : 0.01;
     const Number now{.value = element.values[i],
                      .unit = p.unit.data(),

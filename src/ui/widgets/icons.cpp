@@ -34,6 +34,36 @@ constexpr std::array kLoop{Stroke{{0.02f, 0.92f}, {0.6f, 0.92f}, {0.86f, 0.66f},
 constexpr std::array kCorkscrew{Stroke{{0.02f, 0.7f}, {0.3f, 0.7f}, {0.62f, 0.62f}, {0.6f, 0.3f}},
                                 Stroke{{0.6f, 0.3f}, {0.58f, 0.1f}, {0.34f, 0.1f}, {0.36f, 0.34f}},
                                 Stroke{{0.36f, 0.34f}, {0.4f, 0.75f}, {0.7f, 0.85f}, {0.98f, 0.85f}}};
+constexpr std::array kSBend{Stroke{{0.02f, 0.86f}, {0.6f, 0.86f}, {0.4f, 0.16f}, {0.98f, 0.16f}}};
+constexpr std::array kOverbankedTurn{Stroke{{0.06f, 0.92f}, {0.1f, 0.1f}, {0.9f, 0.1f}, {0.94f, 0.92f}},
+                                     line({0.5f, 0.3f}, {0.5f, 0.62f}), line({0.22f, 0.5f}, {0.36f, 0.66f}),
+                                     line({0.78f, 0.5f}, {0.64f, 0.66f})};
+constexpr std::array kBunnyHops{Stroke{{0.02f, 0.7f}, {0.12f, 0.7f}, {0.1f, 0.35f}, {0.19f, 0.35f}},
+                                Stroke{{0.19f, 0.35f}, {0.3f, 0.35f}, {0.24f, 0.7f}, {0.35f, 0.7f}},
+                                Stroke{{0.35f, 0.7f}, {0.45f, 0.7f}, {0.4f, 0.35f}, {0.5f, 0.35f}},
+                                Stroke{{0.5f, 0.35f}, {0.6f, 0.35f}, {0.55f, 0.7f}, {0.65f, 0.7f}},
+                                Stroke{{0.65f, 0.7f}, {0.76f, 0.7f}, {0.7f, 0.35f}, {0.81f, 0.35f}},
+                                Stroke{{0.81f, 0.35f}, {0.9f, 0.35f}, {0.88f, 0.7f}, {0.98f, 0.7f}}};
+constexpr std::array kZeroGRoll{Stroke{{0.02f, 0.9f}, {0.3f, 0.9f}, {0.28f, 0.42f}, {0.5f, 0.42f}},
+                                Stroke{{0.5f, 0.42f}, {0.72f, 0.42f}, {0.7f, 0.9f}, {0.98f, 0.9f}},
+                                Stroke{{0.3f, 0.26f}, {0.36f, 0.0f}, {0.64f, 0.0f}, {0.7f, 0.26f}},
+                                line({0.7f, 0.26f}, {0.58f, 0.2f}), line({0.7f, 0.26f}, {0.77f, 0.13f})};
+constexpr std::array kImmelmann{Stroke{{0.02f, 0.92f}, {0.7f, 0.92f}, {0.96f, 0.78f}, {0.96f, 0.5f}},
+                                Stroke{{0.96f, 0.5f}, {0.96f, 0.22f}, {0.78f, 0.1f}, {0.55f, 0.12f}},
+                                Stroke{{0.55f, 0.12f}, {0.34f, 0.14f}, {0.3f, 0.34f}, {0.02f, 0.34f}}};
+constexpr std::array kDiveLoop{Stroke{{0.02f, 0.34f}, {0.3f, 0.34f}, {0.34f, 0.14f}, {0.55f, 0.12f}},
+                               Stroke{{0.55f, 0.12f}, {0.78f, 0.1f}, {0.96f, 0.22f}, {0.96f, 0.5f}},
+                               Stroke{{0.96f, 0.5f}, {0.96f, 0.78f}, {0.7f, 0.92f}, {0.02f, 0.92f}},
+                               line({0.02f, 0.92f}, {0.16f, 0.82f}), line({0.02f, 0.92f}, {0.16f, 1.0f})};
+constexpr std::array kCobraRoll{Stroke{{0.2f, 0.98f}, {0.3f, 0.6f}, {0.46f, 0.5f}, {0.42f, 0.24f}},
+                                Stroke{{0.42f, 0.24f}, {0.38f, 0.0f}, {0.02f, 0.04f}, {0.08f, 0.34f}},
+                                Stroke{{0.08f, 0.34f}, {0.16f, 0.74f}, {0.84f, 0.74f}, {0.92f, 0.34f}},
+                                Stroke{{0.92f, 0.34f}, {0.98f, 0.04f}, {0.62f, 0.0f}, {0.58f, 0.24f}},
+                                Stroke{{0.58f, 0.24f}, {0.54f, 0.5f}, {0.7f, 0.6f}, {0.8f, 0.98f}}};
+constexpr std::array kBrakeRun{line({0.02f, 0.6f}, {0.98f, 0.6f}),   line({0.14f, 0.44f}, {0.14f, 0.76f}),
+                               line({0.28f, 0.44f}, {0.28f, 0.76f}), line({0.42f, 0.44f}, {0.42f, 0.76f}),
+                               line({0.58f, 0.2f}, {0.98f, 0.2f}),   line({0.66f, 0.2f}, {0.66f, 0.56f}),
+                               line({0.9f, 0.2f}, {0.9f, 0.56f})};
 constexpr std::array kReset{Stroke{{0.26f, 0.24f}, {0.6f, -0.02f}, {0.98f, 0.26f}, {0.9f, 0.62f}},
                             Stroke{{0.9f, 0.62f}, {0.78f, 1.02f}, {0.2f, 1.02f}, {0.1f, 0.6f}},
                             line({0.26f, 0.24f}, {0.24f, 0.0f}), line({0.26f, 0.24f}, {0.5f, 0.3f})};
@@ -44,8 +74,9 @@ constexpr Icon::Bar kStepBar[] = {{{0.74f, 0.06f}, {0.92f, 0.94f}}},
                     kPauseBars[] = {{{0.14f, 0.06f}, {0.4f, 0.94f}}, {{0.6f, 0.06f}, {0.86f, 0.94f}}};
 
 // Rows of world::elements(), in its order.
-constexpr Icon kElementIcons[] = {{kStraight}, {kCurve},     {kHelix}, {kClimb},
-                                  {kDive},     {kCamelback}, {kLoop},  {kCorkscrew}};
+constexpr Icon kElementIcons[] = {
+    {kStraight}, {kCurve},          {kHelix},     {kClimb},     {kDive},      {kCamelback}, {kLoop},      {kCorkscrew},
+    {kSBend},    {kOverbankedTurn}, {kBunnyHops}, {kZeroGRoll}, {kImmelmann}, {kDiveLoop},  {kCobraRoll}, {kBrakeRun}};
 static_assert(std::size(kElementIcons) == world::elements().size());
 
 // Into the square of `size` px whose top left is `low`.

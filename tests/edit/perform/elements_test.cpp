@@ -47,7 +47,7 @@ TEST_F(PerformElementsTest, one_after_the_other_they_make_a_track_whose_every_jo
   }
   EXPECT_EQ(session.history.undo.size(), 8u);
   // Portable to the bit: gcc and clang, debug and release.
-  EXPECT_EQ(base::hex16(hash()), "32f731ba5e8a50a6");
+  EXPECT_EQ(base::hex16(hash()), "3ab85c4712c2c5a1");
   world::Document undivided = session.document;
   world::make_section(undivided, 0, undivided.track.segments.size(), {});
   EXPECT_EQ(base::hex16(world::hash(undivided)), "9fa8ec073e8bc0ca");
@@ -87,8 +87,9 @@ TEST_F(PerformElementsTest, it_goes_on_from_a_bent_rolled_and_sloping_end_as_smo
   good("roll @k3 to 35");
   good("handle @k3.in to 35 28 -1");
   const glm::vec3 tangent = knot(3).tangent, up = knot(3).up;
-  for (const char* name : {"straight", "curve", "helix", "climb", "dive", "camelback", "loop", "corkscrew"}) {
-    good(std::string("element ") + name);
+  for (const world::ElementRow& row : world::elements()) {
+    const std::string_view name = row.name;
+    good("element " + std::string(name));
     EXPECT_EQ(knot(3).tangent, tangent) << name;
     EXPECT_EQ(knot(3).up, up) << name;
     const auto& segments = session.document.track.segments;
@@ -128,6 +129,36 @@ TEST_F(PerformElementsTest, what_cannot_be_placed_is_refused_and_limits_are_told
   refused("element helix turns 12 radius 30", "vertex budget");
 }
 
+TEST_F(PerformElementsTest, elements_bring_their_equipment) {
+  // Returns the length of all segments with that equipment, m; they are straight or longer than their chords.
+  const auto equipped = [&](world::EquipmentKind kind) {
+    double sum = 0;
+    for (const world::Entity segment : session.document.track.segments)
+      if (const auto* found = session.document.entities.find<world::Equipment>(segment); found && found->kind == kind)
+        sum += session.derived.shape(segment).arc.length();
+    return sum;
+  };
+  good("element straight length 20 equipment launch speed 18 acceleration 4");
+  EXPECT_NEAR(equipped(world::EquipmentKind::launch), 20, 1e-4);
+  const auto* launch = session.document.entities.find<world::Equipment>(session.document.track.segments[0]);
+  ASSERT_NE(launch, nullptr);
+  EXPECT_EQ(launch->speed, 18);
+  EXPECT_EQ(launch->acceleration, 4);
+  const std::size_t before = session.document.track.segments.size();
+  good("element climb height 30 angle 30 equipment lift");
+  const std::size_t climb = session.document.track.segments.size() - before;
+  EXPECT_GE(equipped(world::EquipmentKind::lift), 30 / std::sin(M_PI / 6));
+  EXPECT_EQ(session.document.entities.pool<world::Equipment>().size(), 1 + climb);
+  good("element curve");
+  EXPECT_EQ(session.document.entities.pool<world::Equipment>().size(), 1 + climb) << "plain";
+  good("element brake_run brakes 41 station 23 speed 3 acceleration 7");
+  EXPECT_NEAR(equipped(world::EquipmentKind::brake), 41, 1e-3);
+  EXPECT_NEAR(equipped(world::EquipmentKind::station), 23, 1e-3);
+  expect_g2();
+  good("undo");
+  EXPECT_EQ(equipped(world::EquipmentKind::brake), 0);
+}
+
 TEST_F(PerformElementsTest, choosing_shows_the_preview_and_changes_no_document) {
   const std::uint64_t before = hash();
   EXPECT_FALSE(session.settings.aids->show_element);
@@ -147,7 +178,10 @@ TEST_F(PerformElementsTest, choosing_shows_the_preview_and_changes_no_document) 
 TEST_F(PerformElementsTest, elements_read_and_print_in_their_own_words) {
   EXPECT_EQ(print(command("element loop height 20 right")), "element loop right height 20 top 90 shift 3.5");
   EXPECT_EQ(print(command("element dive angle 70 height 40 angle 60")), "element dive height 40 angle 60 radius 22");
-  for (const auto& [line, message] : {std::pair{"element lopo", "did you mean \"loop\""},
+  EXPECT_EQ(print(command("element climb equipment lift")),
+            "element climb height 25 angle 35 radius 20 equipment lift speed 4");
+  for (const auto& [line, message] : {std::pair{"element climb equipment chain", "expected none|station|lift"},
+                                      {"element lopo", "did you mean \"loop\""},
                                       {"element dive left", "expected height|angle|radius"},
                                       {"element loop hight 3", "did you mean \"height\""},
                                       {"element loop height", "a number"},

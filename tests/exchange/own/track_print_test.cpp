@@ -34,7 +34,7 @@ TEST(track_print, the_layout_is_one_knot_a_line) {
     {"id": "s1", "from": "k1", "to": "k2", "turns": 0}
   ],
   "sections": [
-    {"id": "q1", "segments": 1, "kind": "curve", "side": "right", "radius": 30.5, "angle": 90, "bank": 40, "speed": 0, "title": "Home \"bend\""}
+    {"id": "q1", "segments": 1, "kind": "curve", "side": "right", "radius": 30.5, "angle": 90, "bank": 40, "speed": 0, "ramp": 0, "title": "Home \"bend\""}
   ],
   "carts": [
     {"id": "c1", "segment": "s1", "fraction": 0.25}

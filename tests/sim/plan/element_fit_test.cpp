@@ -115,7 +115,8 @@ TEST(element_fit, the_error_of_a_plane_curve_falls_with_the_sixth_power_of_the_s
 }
 
 TEST(element_fit, usual_elements_take_few_spans) {
-  const int most[] = {1, 5, 15, 7, 5, 8, 10, 12};
+  const int most[] = {1, 5, 15, 7, 5, 8, 10, 12, 8, 12, 16, 12, 12, 12, 21, 2};
+  ASSERT_EQ(std::size(most), world::elements().size());
   for (std::size_t kind = 0; kind < std::size(most); ++kind) {
     const ElementPlan plan = plan_element(world::usual_element(static_cast<world::ElementKind>(kind)),
                                           TrackEnd{{0, 50, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}});

@@ -3,66 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/random_elements.h"
+#include "sim/built_elements.h"
 
 namespace coaster::sim {
 namespace element_shapes_test {
 
 using glm::dvec3;
+using test::Built;
+using test::expect_ahead;
+using test::expect_upright;
+using test::for_random;
+using test::kDegree;
 using world::ElementKind;
-
-constexpr double kDegree = M_PI / 180;
-
-struct Built {
-  world::Element element;  // as clamped
-  TrackEnd end;
-  ElementCurve curve;
-  double value(std::string_view name) const { return world::value_of(element, name); }
-  const ElementPoint& first() const { return curve.points[curve.lead]; }
-  const ElementPoint& last() const { return curve.points.back(); }
-  dvec3 way() const { return last().position - first().position; }
-  dvec3 heading() const { return glm::normalize(dvec3(first().tangent.x, 0, first().tangent.z)); }
-  dvec3 left() const { return glm::cross(dvec3(0, 1, 0), heading()); }
-  double side() const { return element.right ? -1 : 1; }
-  // m, where the roll of the start has faded out
-  double faded() const {
-    for (const std::size_t at : curve.breaks)
-      if (curve.points[at].s >= 8) return curve.points[at].s;
-    return curve.length();
-  }
-  double top() const {
-    double y = -1e9;
-    for (std::size_t i = curve.lead; i < curve.points.size(); ++i) y = std::max(y, curve.points[i].position.y);
-    return y - first().position.y;
-  }
-};
-
-// Calls check(built) for `count` elements of the kind that can be built.
-template <class Check>
-void for_random(ElementKind kind, int count, Check check) {
-  test::RandomElements random(100 + static_cast<std::uint32_t>(kind));
-  for (int i = 0; i < count; ++i) {
-    Built built{random.of_kind(kind), random.end(), {}};
-    std::vector<std::string> lines;
-    ElementShape shape = element_shape(built.element, built.end, lines);
-    if (!shape.refusal.empty()) {
-      EXPECT_NE(shape.refusal.find("steeper"), std::string::npos) << shape.refusal;
-      continue;
-    }
-    for (const std::string& line : lines) EXPECT_NE(line.find("limit"), std::string::npos) << line;
-    built.curve = std::move(shape.curve);
-    check(built);
-  }
-}
-
-void expect_upright(const ElementPoint& p) {
-  EXPECT_NEAR(glm::dot(p.up, glm::cross(p.tangent, dvec3(0, 1, 0))), 0, 1e-9) << "no roll";
-  EXPECT_GT(p.up.y, 0);
-}
-void expect_ahead(const Built& b) {
-  EXPECT_LT(glm::length(b.last().tangent - b.heading()), 1e-9) << "level and straight ahead";
-  expect_upright(b.last());
-}
 
 TEST(element_shapes, a_straight_is_as_long_as_it_says_and_goes_where_it_started_for) {
   for_random(ElementKind::straight, 60, [](const Built& b) {
