@@ -15,6 +15,12 @@ Element usual_element(ElementKind kind) {
   return element;
 }
 
+std::array<Element, elements().size()> usual_elements() {
+  std::array<Element, elements().size()> all;
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = usual_element(static_cast<ElementKind>(i));
+  return all;
+}
+
 bool within_limits(const Element& element) {
   if (!base::has_row(element.kind)) return false;
   const ElementRow& row = base::row_of(element.kind);
@@ -41,8 +47,7 @@ Element limited(Element element) {
 
 const base::NameRow& choice_of(const ElementParameter& parameter, double value) {
   const double last = static_cast<double>(parameter.names.size()) - 1;
-  return parameter
-      .names[value > 0 ? static_cast<std::size_t>(std::min(value, last)) : 0];  // also for what is no number
+  return parameter.names[value > 0 ? static_cast<std::size_t>(std::min(value, last)) : 0];  // NaN: the first
 }
 
 std::optional<double> found_value(const Element& element, std::string_view parameter) {

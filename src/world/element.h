@@ -229,8 +229,9 @@ struct Element {
   friend bool operator==(const Element&, const Element&) = default;
 };
 
-// Returns an element with the row's default values, to the left.
+// Returns an element with the row's default values, to the left; and all of them, by kind.
 Element usual_element(ElementKind kind);
+std::array<Element, elements().size()> usual_elements();
 
 // True for a row of the table, a side that it has, values within its limits, and 0 beyond its parameters.
 bool within_limits(const Element& element);

@@ -1,6 +1,7 @@
 // What panels, tools, actions and screens work with during one build.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "ui/context/output.h"
 #include "ui/context/state.h"
 #include "ui/widgets/widgets.h"
+#include "world/element.h"
 
 namespace coaster::ui {
 
@@ -33,13 +35,19 @@ struct Want {
   std::string path;  // of load and challenge
 };
 
+// What panels keep between frames.
+struct Inputs {
+  std::string file;    // the path in Track/File
+  double radius = 20;  // m, the number in Shape/Radius
+  std::array<world::Element, world::elements().size()> elements = world::usual_elements();  // the palette's, by kind
+};
+
 // Is a WidgetFrame, so that panels hand it to widgets as it is.
 struct Ui : WidgetFrame {
   const State& state;
   Output& out;
   LabCache& lab;
-  std::string& file;  // the path in Track/File
-  double& radius;     // the number in Shape/Radius, m
+  Inputs& inputs;
   const KeyMap& keys;
   std::string_view renderer;  // GL_RENDERER
   const view::Pick& hovered;  // what the mouse pointed at in the frame before, in the viewport or a plot

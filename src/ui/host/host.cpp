@@ -75,13 +75,12 @@ struct Host::Parts {
   StartScreen start;
   std::optional<Widget> lessons_widget;  // the widget that the lesson is about, as last drawn
   KeyMap keys;
-  std::string file;               // in the field Track/File
+  Inputs inputs;
   std::filesystem::path file_of;  // the session's path it was taken from
   ViewportTool tool;
   FlyKeys fly_keys;
   Gamepad gamepad;
   CommandPalette palette;
-  double radius = 20;  // in Shape/Radius, m
   view::View view;
   view::Pick hovered;
   bool frame_next = false;  // frame the track that the last frame's commands loaded
@@ -116,7 +115,7 @@ void Host::Parts::follow_session(const State& state) {
   toasts.update(state.session, state.seconds, state.scripted);
   if (state.session.file.path != file_of) {
     file_of = state.session.file.path;
-    file = file_of.string();
+    inputs.file = file_of.string();
   }
   if (gesture.open && !state.session.history.in_gesture) {  // undone, or ended by a script
     gesture = {};
@@ -239,8 +238,7 @@ Output Host::build(const platform::Events& events, const State& state, int width
         state,
         out,
         p.lab,
-        p.file,
-        p.radius,
+        p.inputs,
         p.keys,
         p.gl.renderer,
         p.hovered};

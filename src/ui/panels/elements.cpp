@@ -44,7 +44,7 @@ void choices(Ui& ui) {
     if (settings.aids->circuit > 0) ui.emit(edit::Set<&world::Aids::circuit>{0});
     if (chosen) ui.emit(edit::Set<&world::Aids::show_element>{false});
     else if (settings.element.kind == kind) ui.emit(edit::Set<&world::Aids::show_element>{true});
-    else ui.emit(edit::ChooseElement{world::usual_element(kind)});
+    else ui.emit(edit::ChooseElement{ui.inputs.elements[i]});
   }
 }
 
@@ -128,6 +128,8 @@ void circuit(Ui& ui) {
 
 void elements_panel(Ui& ui) {
   const edit::Session& session = ui.session();
+  if (const Element& now = session.settings.element; session.settings.aids->show_element)
+    ui.inputs.elements[static_cast<std::size_t>(now.kind)] = now;
   choices(ui);
   circuit(ui);
   if (!session.settings.aids->show_element) return;

@@ -116,12 +116,13 @@ void shape_panel(Ui& ui) {
       across[i] = 1;
       ui.emit(edit::Mirror{knots, across, middle_of(session, knots)});
     }
-  if (const auto to = number(ui, "Radius", {.value = ui.radius, .unit = "m", .step = 0.1, .low = 0.1, .high = 1e5},
-                             "Radius of curvature for Set radius."))
-    ui.radius = *to;
+  if (const auto to =
+          number(ui, "Radius", {.value = ui.inputs.radius, .unit = "m", .step = 0.1, .low = 0.1, .high = 1e5},
+                 "Radius of curvature for Set radius."))
+    ui.inputs.radius = *to;
   if (button(ui, "Set radius", "Give the knots this radius of curvature by changing their handle lengths.",
              any && count < on_track, -1))
-    ui.emit(edit::SetRadius{knots, ui.radius});
+    ui.emit(edit::SetRadius{knots, ui.inputs.radius});
   whole_track(ui);
   snapping(ui);
 }

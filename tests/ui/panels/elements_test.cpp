@@ -42,6 +42,23 @@ TEST_F(PanelElementsTest, place_adds_what_is_shown_in_one_step_of_undo) {
   EXPECT_EQ(session_.history.undo.size(), steps + 1);
 }
 
+TEST_F(PanelElementsTest, the_palette_keeps_the_parameters_of_each_element) {
+  click("Elements/Curve");
+  type("Elements/Radius", "18");
+  click("Elements/Right");
+  click("Elements/Climb");
+  type("Elements/Height", "31");
+  frames(2);
+  click("Elements/Curve");
+  frames(2);
+  EXPECT_EQ(session_.settings.element.kind, world::ElementKind::curve);
+  EXPECT_EQ(world::value_of(session_.settings.element, "radius"), 18);
+  EXPECT_TRUE(session_.settings.element.right);
+  click("Elements/Climb");
+  frames(2);
+  EXPECT_EQ(world::value_of(session_.settings.element, "height"), 31);
+}
+
 TEST_F(PanelElementsTest, enter_places_and_escape_and_a_second_click_hide_the_preview) {
   const std::size_t before = knots();
   key(platform::Key::enter);
