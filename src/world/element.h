@@ -180,7 +180,7 @@ inline constexpr ElementParameter kBrakeRun[] = {
 
 inline constexpr ElementRow kElements[] = {
     {"straight", "Straight", "A straight. It can roll.", false, element_rows::kStraight},
-    {"curve", "Banked curve###Curve",
+    {"curve", "Banked curve",
      "A banked turn with roll-in and roll-out: curvature and bank rise, stay and fall. It keeps the slope it starts "
      "with.",
      true, element_rows::kCurve},
@@ -197,7 +197,7 @@ inline constexpr ElementRow kElements[] = {
     {"s_bend", "S-bend",
      "Two banked turns, one to each side, without a straight between them. It ends in the same direction.", true,
      element_rows::kSBend},
-    {"overbanked_turn", "Overbanked###Overbanked turn",
+    {"overbanked_turn", "Overbanked",
      "Overbanked turn: it rises and falls while it turns, banked beyond the vertical at the top. It starts and ends "
      "level.",
      true, element_rows::kOverbankedTurn},

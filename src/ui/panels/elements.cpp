@@ -29,7 +29,7 @@ void choices(Ui& ui) {
   float widest = 0;
   ImGui::PushFont(small_font());
   for (const world::ElementRow& row : rows)
-    widest = std::max(widest, text_size(shown(row.label)).x + std::floor(4 * ui.scale));
+    widest = std::max(widest, text_size(row.label).x + std::floor(4 * ui.scale));
   ImGui::PopFont();
   const int columns = std::clamp(static_cast<int>((room + gap) / (widest + gap)), 1, 4);
   const float width = std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
@@ -38,7 +38,10 @@ void choices(Ui& ui) {
     const auto kind = static_cast<ElementKind>(i);
     const bool chosen = settings.aids->show_element && settings.element.kind == kind;
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    const bool pressed = icon_button(ui, icon_of(kind), rows[i].label, rows[i].help, true, width, true);
+    // Scripts may say "Curve" for "Banked curve".
+    const std::string label =
+        kind == ElementKind::curve ? fmt::format("{}###Curve", rows[i].label) : std::string(rows[i].label);
+    const bool pressed = icon_button(ui, icon_of(kind), label, rows[i].help, true, width, true);
     if (chosen) ImGui::PopStyleColor();
     if (!pressed) continue;
     if (settings.aids->circuit > 0) ui.emit(edit::Set<&world::Aids::circuit>{0});

@@ -17,7 +17,7 @@ struct PanelElementsTest : Stage {
 TEST_F(PanelElementsTest, every_element_has_its_button_its_fields_and_its_help) {
   for (std::size_t i = 0; i < world::elements().size(); ++i) {
     const world::ElementRow& row = world::elements()[i];
-    click("Elements/" + std::string(shown(row.label)));
+    click("Elements/" + std::string(row.label));
     frames(2);
     EXPECT_TRUE(session_.settings.aids->show_element);
     EXPECT_EQ(static_cast<std::size_t>(session_.settings.element.kind), i);
