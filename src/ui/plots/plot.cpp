@@ -17,21 +17,24 @@ namespace coaster::ui {
 namespace {
 
 struct Data {
-  Extent x, y;
+  Extent x, y, right;
 };
+
+void add_series(const Series& s, const PlotAxis& x_axis, const PlotAxis& y_axis, Extent& x, Extent& y) {
+  const std::size_t n = std::min(s.x.size(), s.y.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!std::isfinite(s.x[i]) || !std::isfinite(s.y[i])) continue;
+    x.add(s.x[i], x_axis.scale);
+    y.add(s.y[i], y_axis.scale);
+    if (!s.high.empty()) y.add(s.high[i], y_axis.scale);
+  }
+  if (s.kind == SeriesKind::bars) y.add(0, y_axis.scale);
+}
 
 Data extent_of(const Plot& p) {
   Data data;
-  for (const Series& s : p.series) {
-    const std::size_t n = std::min(s.x.size(), s.y.size());
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!std::isfinite(s.x[i]) || !std::isfinite(s.y[i])) continue;
-      data.x.add(s.x[i], p.x.scale);
-      data.y.add(s.y[i], p.y.scale);
-      if (!s.high.empty()) data.y.add(s.high[i], p.y.scale);
-    }
-    if (s.kind == SeriesKind::bars) data.y.add(0, p.y.scale);
-  }
+  for (const Series& s : p.series) add_series(s, p.x, p.y, data.x, data.y);
+  for (const Series& s : p.right_series) add_series(s, p.x, p.right, data.x, data.right);
   if (!data.x.empty())
     for (const Level& level : p.levels) data.y.add(level.y, p.y.scale);
   for (const Spot& spot : p.spots) {
@@ -65,6 +68,17 @@ void make_square(PlotArea& area) {
 
 int most_ticks(float room, float each) { return std::max(2, static_cast<int>(room / each)); }
 
+// The labels of the right axis take their room from the data.
+void lay_out_right(const Plot& p, const Data& data, float gap, PlotArea& area) {
+  if (data.right.empty()) return;
+  area.right = range_of(p.right, data.right, 0.06);
+  area.right_ticks = ticks(area.right, most_ticks(area.high.y - area.low.y, 1.9f * area.text_px));
+  float widest = small_size(p.right.title).x;
+  for (const double tick : area.right_ticks.major)
+    widest = std::max(widest, small_size(tick_text(area.right, area.right_ticks, tick, area.pretty)).x);
+  area.high.x = std::max(std::floor(area.high.x - widest - gap), area.low.x + 1);
+}
+
 // Lays out the plot: labels of the y axis left, its title and the legend above; labels of the x axis below, its title
 // at their end if it is short, else in its own row.
 PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 low, ImVec2 high) {
@@ -96,6 +110,7 @@ PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 
     make_square(area);
     area.y_ticks = ticks(scaled(area.y, area.y_unit.factor), most_ticks(area.high.y - area.low.y, 1.9f * line));
   }
+  lay_out_right(p, data, gap, area);
   area.x_ticks = ticks(scaled(area.x, area.x_unit.factor), most_ticks(area.high.x - area.low.x, 4.0f * line));
   return area;
 }
@@ -135,6 +150,9 @@ void draw_all(ImDrawList& list, const PlotArea& area, const Plot& p, ImVec2 oute
   draw_grid(list, area, p, outer_low);
   list.PushClipRect({area.low.x - 1, area.low.y - 1}, {area.high.x + 1, area.high.y + 1}, true);
   if (any) {
+    PlotArea right = area;
+    right.y = area.right;
+    for (const Series& s : p.right_series) draw_series(list, right, s);
     for (const Series& s : p.series) draw_series(list, area, s);
     draw_levels_and_spots(list, area, p);
   } else {
@@ -154,7 +172,7 @@ std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot
   const ImVec2 size(std::max(least, p.width > 0 ? p.width : room.x), std::max(least, p.height > 0 ? p.height : room.y));
   const ImVec2 high(low.x + size.x, low.y + size.y);
   const Data data = extent_of(p);
-  const bool any = !data.x.empty() && !data.y.empty();
+  const bool any = !data.x.empty() && !(data.y.empty() && data.right.empty());
   const PlotArea area = lay_out(ui, p, data, low, high);
 
   ImGui::PushID(label.data(), label.data() + label.size());

@@ -49,6 +49,8 @@ struct PlotAxis {
 struct Plot {
   PlotAxis x, y;
   std::span<const Series> series;
+  PlotAxis right = {};  // linear, of right_series, at the right edge; its title is drawn as it is
+  std::span<const Series> right_series = {};
   std::span<const Level> levels = {};
   std::span<const Spot> spots = {};
   std::optional<double> cursor = {};         // a vertical line here; dragging returns a new one

@@ -8,9 +8,10 @@
 namespace coaster::ui {
 
 struct PlotArea {
-  AxisRange x, y;
+  AxisRange x, y, right;
   base::ShownUnit x_unit, y_unit;  // that the axes are in
   Ticks x_ticks, y_ticks;          // round in these units
+  Ticks right_ticks;               // none without series of the right axis
   ImVec2 low, high;                // px, of the data
   float scale = 1;                 // px a design px
   float text_px = 13;              // height of a line of small text

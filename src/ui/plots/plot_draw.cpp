@@ -155,6 +155,15 @@ void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 
     draw_ink(list, {std::max(outer_low.x, area.at(v, area.y.low).x - size.x * 0.5f), area.high.y + gap * 0.5f},
              palette().dim, text);
   }
+  for (const double v : area.right_ticks.major) {
+    const std::string text = tick_text(area.right, area.right_ticks, v, area.pretty);
+    const float part = static_cast<float>(part_of(area.right, v)), height = small_size(text).y;
+    const float y = std::clamp(area.high.y - part * (area.high.y - area.low.y) - height * 0.5f,
+                               area.low.y - height * 0.15f, area.high.y - height * 0.6f);
+    draw_ink(list, {area.high.x + gap, y}, palette().dim, text);
+  }
+  if (!area.right_ticks.major.empty())
+    draw_ink(list, {area.high.x + gap, outer_low.y}, palette().text, plot.right.title);
   draw_ink(list, outer_low, palette().text, axis_title(plot.y, area.y_unit));
   if (plot.square) return;
   const std::string title = axis_title(plot.x, area.x_unit);
