@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "edit/commands/commands_settings.h"
+#include "world/look.h"
+
 namespace coaster::script {
 namespace {
 
@@ -77,12 +80,31 @@ Failure UiDriver::open_way_to(std::string_view path) {
   return {};
 }
 
+// Looks for a widget that is not here in each other workspace, and returns to the present one. Returns the refusal that
+// names the first that has it; `missing` where none has.
+Failure UiDriver::refuse_missing(std::string_view path, const base::Status& missing) {
+  using world::Workspace;
+  const Workspace here = frames_.host().context().session.settings.look->workspace;
+  const auto go_to = [&](Workspace workspace) {
+    return frames_.apply(edit::Set<&world::Look::workspace>{workspace}) && frames_.settle_panels();
+  };
+  std::string_view there;
+  for (const Workspace workspace : {Workspace::build, Workspace::ride, Workspace::laboratory}) {
+    if (workspace == here || !there.empty() || !go_to(workspace) || !open_way_to(path)) continue;
+    if (!find_widgets(frames_.host().widgets(), path).empty()) there = base::name_of(workspace);
+  }
+  if (!go_to(here) || there.empty()) return failure(missing);
+  return failed(
+      fmt::format("{} is in the workspace {}: write \"workspace {}\" before", base::quoted(path), there, there));
+}
+
 Failure UiDriver::find(std::string_view path, WidgetState& widget) {
   if (const base::Status settled = frames_.settle_panels(); !settled) return failure(settled);
   if (Failure opened = open_way_to(path); !opened) return opened;
   widgets_ = frames_.host().widgets();
   const auto found = find_widget(widgets_, path);
-  if (!found) return failure(found.status());
+  if (!found)
+    return find_widgets(widgets_, path).empty() ? refuse_missing(path, found.status()) : failure(found.status());
   widget = widgets_[*found];
   return {};
 }
@@ -258,34 +280,6 @@ Failure UiDriver::scroll(std::string_view path, double notches) {
       return turned;
   }
   return {};
-}
-
-Failure Runner::perform(const UiAction& ui) {
-  UiDriver driver(frames_);
-  const std::string& path = ui.path.text;
-  std::error_code ignored;
-  const bool below_out = ui.text == "$OUT" || ui.text.starts_with("$OUT/");  // text fields that name files
-  const std::string words =
-      below_out ? std::filesystem::absolute(options_.out, ignored).string() + ui.text.substr(4) : ui.text;
-  const auto act = [&]() -> Failure {
-    switch (ui.verb) {
-      case UiAction::Verb::click: return driver.click(path);
-      case UiAction::Verb::doubleclick: return driver.click(path, 2);
-      case UiAction::Verb::hover: return driver.reach(path);
-      case UiAction::Verb::check: return driver.check(path, ui.on);
-      case UiAction::Verb::type: return driver.type(path, words);
-      case UiAction::Verb::drag_by: return driver.drag_by(path, static_cast<float>(ui.number));
-      case UiAction::Verb::drag_to: return driver.drag_to(path, *base::parse_double(ui.text));
-      case UiAction::Verb::open: return driver.open(path, true);
-      case UiAction::Verb::close: return driver.open(path, false);
-      case UiAction::Verb::menu: return driver.menu(path);
-      case UiAction::Verb::scroll: return driver.scroll(path, ui.number);
-    }
-    return {};
-  };
-  Failure result = act();
-  if (!result && result.column == 0) result.column = ui.path.column;
-  return result;
 }
 
 }  // namespace coaster::script

@@ -15,7 +15,7 @@ class UiDriver {
 
   // Moves the cursor onto the widget, which must be unique, visible, enabled and uncovered. Opens headers and menus on
   // the path. Errors: Code::usage if no or several widgets match the path; Code::expectation with the reason if it
-  // cannot be reached.
+  // cannot be reached, such as the workspace that shows it.
   Failure reach(std::string_view path);
   Failure click(std::string_view path, int clicks = 1);
   // Clicks if the widget is in the other state.
@@ -37,6 +37,7 @@ class UiDriver {
   Failure release(platform::Event event, std::uint64_t commands_before, bool can_wait);
   // Finds the widget as last drawn, after opening headers on its path.
   Failure find(std::string_view path, WidgetState& widget);
+  Failure refuse_missing(std::string_view path, const base::Status& missing);
   Failure open_way_to(std::string_view path);
   Failure open_one(WidgetState widget);
   Failure bring_into_sight(std::string_view path, WidgetState& widget);

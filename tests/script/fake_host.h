@@ -10,6 +10,7 @@
 #include "edit/session/session.h"
 #include "script/grammar.h"
 #include "script/runner.h"
+#include "world/look.h"
 
 namespace coaster::script {
 
@@ -18,6 +19,8 @@ struct FakeHost {
   base::Files files;
   query::FrameStats stats;
   std::vector<WidgetState> widgets;
+  world::Workspace elsewhere = world::Workspace::ride;  // has other widgets
+  std::vector<WidgetState> elsewhere_widgets;
   std::vector<std::pair<platform::Events, int>> frames;  // what each frame was given
   std::vector<edit::Command> at_release;                 // applied in frames where the left button goes up over them
   std::vector<std::string> printed;
@@ -37,7 +40,7 @@ struct FakeHost {
       toast = session.notices.list.empty() ? "" : session.notices.list.back().text;
       return {session, stats, toast, "title"};
     };
-    h.widgets = [this] { return widgets; };
+    h.widgets = [this] { return session.settings.look->workspace == elsewhere ? elsewhere_widgets : widgets; };
     h.pixel_of = [this](const AimPoint& aim) -> base::Result<glm::vec2> {
       const auto position = position_of(aim);
       if (!position) return position.status();

@@ -76,6 +76,22 @@ TEST(ui_driver, disabled_covered_hidden_missing_and_ambiguous_widgets_are_refuse
   EXPECT_EQ(run_lines(fake, "expect enabled \"A/off\"\n").code, base::Code::expectation);
 }
 
+TEST(ui_driver, a_widget_of_another_workspace_is_refused_with_its_name_and_the_workspace_stays) {
+  FakeHost fake;
+  fake.widgets = {widget("Elements/Loop")};
+  fake.elsewhere_widgets = {widget("Ride/Place")};
+  const base::Status refused = run_lines(fake, "workspace build\nui.click \"Ride/Place\"\n");
+  EXPECT_EQ(refused.code, base::Code::expectation);
+  EXPECT_NE(refused.message.find("\"Ride/Place\" is in the workspace ride: write \"workspace ride\" before"),
+            std::string::npos)
+      << refused.message;
+  EXPECT_EQ(fake.session.settings.look->workspace, world::Workspace::build);
+  EXPECT_TRUE(run_lines(fake, "workspace ride\nui.click \"Ride/Place\"\n").ok());
+  const base::Status nowhere = run_lines(fake, "workspace build\nui.click \"Elements/Lop\"\n");
+  EXPECT_EQ(nowhere.code, base::Code::usage);
+  EXPECT_NE(nowhere.message.find("no widget \"Elements/Lop\""), std::string::npos) << nowhere.message;
+}
+
 TEST(ui_driver, check_clicks_only_a_box_that_shows_the_other) {
   FakeHost fake;
   fake.widgets = {widget("A/box", "checkbox", "on")};
