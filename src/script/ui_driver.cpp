@@ -124,26 +124,26 @@ bool may_scroll_together(const WidgetState& widget, const WidgetState& other) {
 
 // Turns the wheel over the widget's column: at a visible widget of it, preferably of the same group.
 Failure UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
-  float last_y = widget.y;
-  int stuck = 0;
-  for (int i = 0; i < kMostScrolls && !widget.visible && stuck < 3; ++i) {
+  std::vector<std::string> useless;  // widgets over which the wheel moved nothing
+  for (int i = 0; i < kMostScrolls && !widget.visible; ++i) {
     const WidgetState* over = nullptr;
     const float x = middle(widget).x;
     for (const WidgetState& other : widgets_) {
       if (!other.visible || other.covered || !may_scroll_together(widget, other)) continue;
       if (x < other.x || x > other.x + other.width) continue;
+      if (std::find(useless.begin(), useless.end(), other.path) != useless.end()) continue;
       if (!over || kinship(other.path, widget.path) > kinship(over->path, widget.path)) over = &other;
     }
     if (!over) break;
     const MouseMove at{x, middle(*over).y};
+    const std::string turned_over = over->path;
     const float notch = widget.y > at.y ? -1.0f : 1.0f;
     if (Failure turned = frame({at, platform::Wheel{0, notch}}); !turned) return turned;
     if (const base::Status settled = frames_.settle_panels(); !settled) return failure(settled);
     const WidgetState* const moved = now(path);
     if (!moved) break;
+    if (moved->y == widget.y) useless.push_back(turned_over);
     widget = *moved;
-    stuck = widget.y == last_y ? stuck + 1 : 0;
-    last_y = widget.y;
   }
   return {};
 }
