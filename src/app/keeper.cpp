@@ -230,6 +230,8 @@ void start_keeping(Program& program, const base::UserFolders& folders, const bas
     settings.session.look->show_panels = at_first.show_panels;
     settings.session.look->laboratory_height = at_first.laboratory_height;
     settings.session.look->show_laboratory = at_first.show_laboratory;
+    settings.session.look->workspace = at_first.workspace;
+    settings.session.look->graph_height = at_first.graph_height;
     settings.window.reset();
     program.ui->reset_layout();
   }

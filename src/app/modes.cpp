@@ -170,6 +170,9 @@ int run_window(const Options& options) {
   Program& p = **program;
   start_keeping(p, folders, {}, options.reset_layout);
   platform::watch_signals();
+  // `all` is for scripts, and for users who never chose a workspace.
+  if (p.session.settings.look->workspace == world::Workspace::all)
+    (void)apply(p, edit::Set<&world::Look::workspace>{world::Workspace::build});
   p.keeper->unasked = options.file.empty();
   if (const base::Status opened = open_track(p, track_of(options)); !opened) return finish(opened);
   p.keeper->unasked = false;

@@ -25,6 +25,15 @@ inline constexpr base::NameRow kStyles[] = {
     {"blueprint", "Blueprint", "Lines on blue, for the laboratory and for print."}};
 constexpr std::span<const base::NameRow> rows_of(Style) { return kStyles; }
 
+// What of the panels shows; by name in scripts and in the settings file.
+enum class Workspace : std::uint8_t { all, build, ride, laboratory };
+inline constexpr base::NameRow kWorkspaces[] = {
+    {"all", "All", "Every panel."},
+    {"build", "Build", "Place elements, change them, and see their forces."},
+    {"ride", "Ride", "The view, and a slim bar to ride with."},
+    {"laboratory", "Laboratory", "Evaluators, resolution, arc length, and pages about the curves."}};
+constexpr std::span<const base::NameRow> rows_of(Workspace) { return kWorkspaces; }
+
 struct Look {
   float ui_scale = 1;
   Theme theme = Theme::dark;
@@ -35,6 +44,8 @@ struct Look {
   bool show_panels = true;
   bool show_laboratory = false;
   float laboratory_height = 0;
+  Workspace workspace = Workspace::all;
+  float graph_height = 0;
   friend bool operator==(const Look&, const Look&) = default;
 
   static constexpr auto kRows = std::tuple{
@@ -51,7 +62,13 @@ struct Look {
               {.kept_as = "laboratory"}),
       setting(&Look::laboratory_height, "laboratory_height",
               "Height of the laboratory as a share of the height between menu and status bar. 0: chosen by its page.",
-              {.low = 0, .high = 0.75, .kept_as = "laboratory_height"})};
+              {.low = 0, .high = 0.75, .kept_as = "laboratory_height"}),
+      setting(&Look::workspace, "workspace", "Panels that show: all, or those to build, to ride or to study curves.",
+              {.kept_as = "workspace"}),
+      setting(&Look::graph_height, "graph_height",
+              "Height of the force graph in Build as a share of the height between menu and status bar. 0: by the "
+              "window's size.",
+              {.low = 0, .high = 0.6, .kept_as = "graph_height"})};
 };
 
 }  // namespace coaster::world

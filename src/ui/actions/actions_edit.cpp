@@ -100,6 +100,17 @@ constexpr Condition kCompletable{[](const Act& act) { return completable(act.ui.
                                  "Only an open track with a segment can be completed."};
 void complete_circuit(Act& act) { show_ways_home(act.ui); }
 
+// The first press shows the preview of the present one.
+void step_element(Act& act, std::size_t by) {
+  if (act.ui.session().settings.aids->circuit > 0) act.ui.emit(edit::Set<&Aids::circuit>{0});
+  if (!on<&Aids::show_element>(act)) return toggle<&Aids::show_element>(act);
+  const std::size_t count = world::elements().size();
+  const auto now = static_cast<std::size_t>(act.ui.session().settings.element.kind);
+  act.ui.emit(edit::ChooseElement{act.ui.inputs.elements[(now + by) % count]});
+}
+void next_element(Act& act) { step_element(act, 1); }
+void previous_element(Act& act) { step_element(act, world::elements().size() - 1); }
+
 constexpr Action kEditActions[] = {
     {"Undo", "Edit", ctrl(Key::z), kRepeats | kInDrag, "Undo the last step. Cancels a drag in progress.", undo,
      kCanUndo},
@@ -132,6 +143,10 @@ constexpr Action kEditActions[] = {
      "Place the previewed element at the open end of the track, or the previewed way home.", place_element, kPlaceable},
     {"Complete circuit", "Edit", shift(Key::c), 0, "Show ways from the open end of the track to its first knot.",
      complete_circuit, kCompletable},
+    {"Next element", "Edit", key(Key::n), kRepeats, "Choose the next element of the palette and show its preview.",
+     next_element},
+    {"Previous element", "Edit", shift(Key::n), kRepeats,
+     "Choose the previous element of the palette and show its preview.", previous_element},
 
     {"Cancel", "", key(Key::escape), kInDrag,
      "Cancel a drag, close a list or the score card, end append mode, hide the preview, or clear the selection.",

@@ -15,6 +15,9 @@ std::span<const Action> edit_actions();
 std::span<const Action> view_actions();
 std::span<const Action> ride_actions();
 
+// Opens the laboratory's pages, too, where that is chosen.
+void choose_workspace(Ui& ui, world::Workspace to);
+
 constexpr platform::Chord key(platform::Key k) { return {k, {}}; }
 constexpr platform::Chord ctrl(platform::Key k) { return {k, {.ctrl = true}}; }
 constexpr platform::Chord shift(platform::Key k) { return {k, {.shift = true}}; }

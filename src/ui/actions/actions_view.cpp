@@ -1,4 +1,4 @@
-// The menu View: cameras, colours, what is shown.
+// The menus View (cameras, colours, what is shown) and Window (workspaces).
 #include <algorithm>
 
 #include "edit/commands/commands_lab.h"
@@ -18,6 +18,7 @@ using world::Layer;
 using world::Look;
 using world::Style;
 using world::Theme;
+using world::Workspace;
 
 constexpr auto kCamera = &world::Settings::camera_mode;
 
@@ -88,7 +89,61 @@ void look(Act& act) {
 }
 void next_camera(Act& act) { choose_camera(act.ui, base::next_of(act.ui.session().settings.camera_mode)); }
 
+template <Workspace workspace>
+void go_to(Act& act) {
+  choose_workspace(act.ui, workspace);
+}
+constexpr auto kWorkspace = &Look::workspace;
+
+constexpr Condition kBuilding{[](const Act& act) { return is<kWorkspace, Workspace::build>(act); },
+                              "Go to the workspace Build first."};
+template <Drawer Drawers::*drawer>
+void fold(Act& act) {
+  (act.ui.drawers.*drawer).toggle();
+}
+template <Drawer Drawers::*drawer>
+bool unfolded(const Act& act) {
+  return (act.ui.drawers.*drawer).open;
+}
+
+// The next one that can run here.
+void next_evaluator(Act& act) {
+  const auto count = curve::evaluators().size();
+  const auto now = static_cast<std::size_t>(act.ui.session().settings.evaluation->evaluator);
+  for (std::size_t i = 1; i < count; ++i) {
+    const std::size_t next = (now + i) % count;
+    const auto stage = static_cast<std::size_t>(curve::evaluators()[next].evaluated_by);
+    if (!act.ui.state.stats.stage_refusals[stage].empty()) continue;
+    return act.ui.emit(edit::Set<&world::Evaluation::evaluator>{static_cast<curve::EvaluatorId>(next)});
+  }
+}
+void set_steps(Act& act, int steps) {
+  act.ui.emit(edit::Set<&world::Evaluation::steps>{std::clamp(steps, curve::kMinSteps, curve::kMaxSteps)});
+}
+void more_steps(Act& act) { set_steps(act, 2 * act.ui.session().settings.evaluation->steps); }
+void fewer_steps(Act& act) { set_steps(act, act.ui.session().settings.evaluation->steps / 2); }
+
+// Opens or closes the pages where they can be, else goes to where they are.
+void laboratory(Act& act) {
+  const Workspace now = act.ui.session().settings.look->workspace;
+  if (now == Workspace::build || now == Workspace::ride) choose_workspace(act.ui, Workspace::laboratory);
+  else toggle<&Look::show_laboratory>(act);
+}
+
 constexpr Action kViewActions[] = {
+    {"Build workspace", "Window", key(Key::f8), kInDrag, "Show what builds: palette, parameters and force graph.",
+     go_to<Workspace::build>, kAlways, is<kWorkspace, Workspace::build>},
+    {"Ride workspace", "Window", key(Key::f9), kInDrag, "Show the view and a slim bar to ride with.",
+     go_to<Workspace::ride>, kAlways, is<kWorkspace, Workspace::ride>},
+    {"Laboratory workspace", "Window", key(Key::f10), kInDrag,
+     "Show evaluators, resolution and the pages about curves.", go_to<Workspace::laboratory>, kAlways,
+     is<kWorkspace, Workspace::laboratory>},
+    {"Parameters", "Window", key(Key::f5), kInDrag, "Open or fold the parameters of Build.", fold<&Drawers::parameters>,
+     kBuilding, unfolded<&Drawers::parameters>},
+    {"Force graph", "Window", key(Key::f6), kInDrag, "Open or fold the force graph of Build.", fold<&Drawers::graph>,
+     kBuilding, unfolded<&Drawers::graph>},
+    {"All panels", "Window", kNoKey, kInDrag, "Show the panels of every workspace.", go_to<Workspace::all>, kAlways,
+     is<kWorkspace, Workspace::all>},
     {"Frame all", "View", key(Key::f), kInDrag, "Show the whole track.", frame_all},
     {"Frame selection", "View", shift(Key::f), kInDrag, "Show the selection.", frame_selection, kAnySelected},
     {"Command palette", "View", ctrl(Key::p), 0, "Find an action or a command.", open_palette},
@@ -139,8 +194,11 @@ constexpr Action kViewActions[] = {
      is<&Look::style, Style::dusk>},
     {"Blueprint", "View", kNoKey, kInDrag, "Lines on blue, for the laboratory and for print.",
      set<&Look::style, Style::blueprint>, kAlways, is<&Look::style, Style::blueprint>},
-    {"Laboratory", "View", key(Key::l), kInDrag, "Open or close the laboratory.", toggle<&Look::show_laboratory>,
-     kAlways, on<&Look::show_laboratory>},
+    {"Laboratory", "View", key(Key::l), kInDrag, "Open or close the laboratory.", laboratory, kAlways,
+     on<&Look::show_laboratory>},
+    {"Next evaluator", "", key(Key::e), kInDrag, "Evaluate curves by the next method.", next_evaluator},
+    {"More steps", "", key(Key::equal), kInDrag, "Twice as many steps per segment.", more_steps},
+    {"Fewer steps", "", key(Key::minus), kInDrag, "Half as many steps per segment.", fewer_steps},
     {"Probe back", "View", key(Key::left_bracket), kRepeats,
      "Move the selected position backward along the track by 1/64 of a segment.", probe_back, kProbing},
     {"Probe on", "View", key(Key::right_bracket), kRepeats,
@@ -148,6 +206,12 @@ constexpr Action kViewActions[] = {
 };
 
 }  // namespace
+
+void choose_workspace(Ui& ui, Workspace to) {
+  ui.emit(edit::Set<&Look::workspace>{to});
+  if (to == Workspace::laboratory && !ui.session().settings.look->show_laboratory)
+    ui.emit(edit::Set<&Look::show_laboratory>{true});
+}
 
 std::span<const Action> view_actions() { return kViewActions; }
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "ui/actions/actions.h"
+#include "ui/actions/actions_parts.h"
 #include "ui/context/rows.h"
 #include "ui/widgets/theme.h"
 
@@ -49,6 +49,40 @@ void build_items(Act& act, std::string_view menu) {
   }
 }
 
+struct Tab {
+  world::Workspace workspace;
+  std::string_view action;
+};
+constexpr Tab kTabs[] = {{world::Workspace::build, "Build workspace"},
+                         {world::Workspace::ride, "Ride workspace"},
+                         {world::Workspace::laboratory, "Laboratory workspace"}};
+
+// A tab for each workspace but `all`, which the menu Window has; the chosen one is underlined.
+void build_tabs(Ui& ui) {
+  const world::Workspace now = ui.session().settings.look->workspace;
+  const float pad = std::floor(10 * ui.scale), height = ImGui::GetWindowHeight(), y = ImGui::GetCursorPosY();
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + pad);
+  for (const auto& [workspace, action] : kTabs) {
+    const base::NameRow& row = base::row_of(workspace);
+    const std::string label(row.label);
+    const ImVec2 words = text_size(label), low(ImGui::GetCursorScreenPos().x, ImGui::GetWindowPos().y);
+    const ImVec2 size(std::floor(words.x + 2 * pad), height), high(low.x + size.x, low.y + height);
+    ImGui::SetCursorScreenPos(low);
+    const bool pressed = ImGui::InvisibleButton(hidden(label).c_str(), size);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool on = workspace == now;
+    if (on || ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field, on ? 1.0f : 0.7f));
+    const float thick = std::max(2.0f, std::floor(2 * ui.scale));
+    if (on) list.AddRectFilled({low.x, high.y - thick}, high, packed(palette().accent));
+    draw_text(list, {low.x + pad, std::floor(low.y + (height - words.y) * 0.5f)}, on ? palette().text : palette().dim,
+              label);
+    note(ui, "Workspace/" + label, "radio", with_keys(ui.keys, row.help, action), true, on ? "on" : "off", low, high);
+    ImGui::SameLine(0, 0);
+    if (pressed && !on) choose_workspace(ui, workspace);
+  }
+  ImGui::SetCursorPosY(y);
+}
+
 // At the right end: the file and the mark of unsaved changes.
 void build_file_mark(Ui& ui) {
   const edit::Session& session = ui.session();
@@ -73,7 +107,7 @@ void build_file_mark(Ui& ui) {
 void build_menu(Act& act) {
   if (!ImGui::BeginMainMenuBar()) return;
   act.ui.panel = "Menu";
-  for (const std::string_view menu : {"File", "Edit", "View", "Ride"}) {
+  for (const std::string_view menu : {"File", "Edit", "View", "Ride", "Window"}) {
     // Once the menu is open, ImGui's last item is not its title: the title's place has to be known before.
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high(low.x + text_size(menu).x + ImGui::GetStyle().ItemSpacing.x, low.y + ImGui::GetFrameHeight());
@@ -84,6 +118,7 @@ void build_menu(Act& act) {
     }
     note(act.ui, menu, "menu", open ? "" : "Open the menu.", true, open ? "open" : "closed", low, high);
   }
+  build_tabs(act.ui);
   build_file_mark(act.ui);
   act.ui.panel.clear();
   ImGui::EndMainMenuBar();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,6 +43,16 @@ struct Inputs {
   std::array<world::Element, world::elements().size()> elements = world::usual_elements();  // the palette's, by kind
 };
 
+// A part of Build that folds where there is little room, unless the user opened or closed it.
+struct Drawer {
+  std::optional<bool> wanted;  // by the user
+  bool open = true;            // in this frame
+  void toggle() { wanted = !open; }
+};
+struct Drawers {
+  Drawer parameters, graph;
+};
+
 // Is a WidgetFrame, so that panels hand it to widgets as it is.
 struct Ui : WidgetFrame {
   const State& state;
@@ -51,8 +62,9 @@ struct Ui : WidgetFrame {
   const KeyMap& keys;
   std::string_view renderer;  // GL_RENDERER
   const view::Pick& hovered;  // what the mouse pointed at in the frame before, in the viewport or a plot
-  Want want = {};             // taken by the host in the same frame
-  view::Pick pointed = {};    // a place on the track that a plot under the mouse shows
+  Drawers& drawers;
+  Want want = {};           // taken by the host in the same frame
+  view::Pick pointed = {};  // a place on the track that a plot under the mouse shows
 
   const edit::Session& session() const { return state.session; }
   const edit::Findings& find(edit::Want wanted) const { return state.find(wanted); }

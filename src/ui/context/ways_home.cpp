@@ -20,6 +20,11 @@ void show_ways_home(Ui& ui) {
   ui.emit(edit::Set<&world::Aids::circuit>{1});
 }
 
+void toggle_ways_home(Ui& ui) {
+  if (ui.session().settings.aids->circuit > 0) ui.emit(edit::Set<&world::Aids::circuit>{0});
+  else show_ways_home(ui);
+}
+
 void next_way_home(Ui& ui) {
   const sim::CircuitProposals& found = *ui.find(edit::Want::circuit).circuit;
   if (found.list.empty()) return;

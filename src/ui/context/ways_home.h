@@ -11,6 +11,9 @@ bool completable(const world::Document& document);
 std::size_t shown_way_home(const world::Aids& aids, const sim::CircuitProposals& found);
 // Shows the first way and hides the palette's element.
 void show_ways_home(Ui& ui);
+void toggle_ways_home(Ui& ui);
+inline constexpr std::string_view kCircuitHelp =
+    "Show up to three ways from the open end of the track to its first knot.";
 void next_way_home(Ui& ui);
 // Closes the track by the way that shows, if there is one, and ends the preview.
 void place_way_home(Ui& ui);

@@ -15,12 +15,10 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/command_palette.h"
 #include "ui/actions/gamepad.h"
+#include "ui/host/areas.h"
 #include "ui/host/imgui_input.h"
 #include "ui/host/imgui_renderer.h"
-#include "ui/host/layout.h"
 #include "ui/lab/cache.h"
-#include "ui/lab/laboratory.h"
-#include "ui/panels/panels.h"
 #include "ui/screens/dialogs.h"
 #include "ui/screens/overlays.h"
 #include "ui/screens/start_screen.h"
@@ -30,7 +28,6 @@
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
 #include "world/aids.h"
-#include "world/lab_view.h"
 #include "world/look.h"
 
 namespace coaster::ui {
@@ -46,13 +43,6 @@ view::View make_view(const State& state, const view::Viewport& scene) {
   view::CameraRig rig;
   view::follow(rig, {state.session.document, state.session.derived, state.session.motion, state.session.settings}, 0);
   return view::view_of(rig.eye, scene);
-}
-
-// The page of the riders is as high as fits, because it is read from top to bottom.
-Strip strip_of(const world::Settings& settings) {
-  const float chosen = settings.look->laboratory_height;
-  const bool tall = settings.lab->page == world::LabPage::riders;
-  return {settings.look->show_laboratory, chosen > 0 ? chosen : tall ? 0.5f : 0.0f};
 }
 
 }  // namespace
@@ -73,6 +63,7 @@ struct Host::Parts {
   LabCache lab;
   Dialogs dialogs;
   StartScreen start;
+  Drawers drawers;
   std::optional<Widget> lessons_widget;  // the widget that the lesson is about, as last drawn
   KeyMap keys;
   Inputs inputs;
@@ -148,8 +139,9 @@ void Host::Parts::take_want(Ui& ui) {
 
 void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int height) {
   const edit::Session& session = ui.session();
-  const Layout layout = make_layout(width, height, ui.scale, ImGui::GetFrameHeight(),
-                                    session.settings.look->show_panels, strip_of(session.settings));
+  const Layout layout = make_layout(width, height, ui.scale, ImGui::GetFrameHeight(), wish_of(ui));
+  drawers.parameters.open = layout.parameters.height > 0;
+  drawers.graph.open = layout.graph.height > ImGui::GetFrameHeight() + 1;
   view = ui.out.view = make_view(ui.state, layout.scene);
   if (std::exchange(frame_next, false))
     ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
@@ -163,10 +155,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   gamepad.work(act, events, asking || dialogs.open());
   if (session.settings.look->show_panels) {
     build_menu(act);
-    build_column(ui, Column::left, layout.left);
-    build_column(ui, Column::right, layout.right);
-    build_laboratory(ui, layout.strip);
-    build_status_bar(ui, layout.status);
+    build_areas(ui, layout);
   }
   if (ui.state.lesson == nullptr && !card_shows(session)) draw_hints(ui, layout.scene);
   draw_lesson(ui, layout.scene, lessons_widget ? &*lessons_widget : nullptr);
@@ -241,7 +230,8 @@ Output Host::build(const platform::Events& events, const State& state, int width
         p.inputs,
         p.keys,
         p.gl.renderer,
-        p.hovered};
+        p.hovered,
+        p.drawers};
   p.lay_out(ui, events, width, height);
   p.rest.seconds = p.rest.next == p.rest.path ? p.rest.seconds + ImGui::GetIO().DeltaTime : 0;
   p.rest.path = std::exchange(p.rest.next, {});
@@ -273,6 +263,7 @@ void Host::show_start() { parts_->start.show(); }
 // ImGui keeps which headers are open and how far columns are scrolled with each window.
 void Host::reset_layout() {
   ImGui::SetCurrentContext(parts_->context);
+  parts_->drawers = {};
   for (ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows) {
     window->StateStorage.Clear();
     window->Scroll = {0, 0};

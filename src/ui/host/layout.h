@@ -1,30 +1,55 @@
-// Layout of menu, columns, laboratory, status bar and viewport in a window. Nothing overlaps; the viewport gets the
-// rest.
+// Where menu, panels, status bar and viewport lie in a window, for each workspace. Nothing overlaps; the viewport gets
+// the rest.
 #pragma once
 
+#include <optional>
+
+#include "ui/panels/palette.h"
 #include "view/camera.h"
+#include "world/look.h"
 
 namespace coaster::ui {
 
+inline constexpr view::Viewport kNothing{0, 0, 0, 0};
+
 struct Layout {
-  view::Viewport menu, left, right, strip, status;  // without area while the panels are hidden
-  view::Viewport scene;
+  // kNothing where the workspace does not show them.
+  view::Viewport menu = kNothing, status = kNothing;
+  view::Viewport left = kNothing, right = kNothing, strip = kNothing;  // columns, and the laboratory's strip
+  // Of Build; the drawer is the button that opens and closes the parameters where there is little room.
+  view::Viewport palette = kNothing, drawer = kNothing, parameters = kNothing, graph = kNothing;
+  view::Viewport ride = kNothing;  // the bar of Ride
+  view::Viewport scene = kNothing;
+  PaletteGrid grid;  // of the palette
 };
 
 // Pixels per design pixel: the user's scale times the screen's, somewhat smaller in windows below 1000 x 560.
 float fitted_scale(int width, int height, float ui_scale, float content_scale);
 
-// The laboratory's strip: whether it is open, and its share of the height between menu and status bar (0: chosen by the
-// layout).
+// A part that folds to a bar, and its share of the height between menu and status bar (0: chosen by the layout).
 struct Strip {
   bool open = false;
   float share = 0;
 };
 
-// `bar` is the height of menu bar and status bar, px. Columns get 300 and 320 design pixels, together at most 60 % of
-// the width. The laboratory's strip lies between them: a bar while folded; open, its share, else the larger of 190
-// design pixels and a quarter of the window, but at most half the height between menu and status bar. It stays folded
-// where that is too low.
-Layout make_layout(int width, int height, float scale, float bar, bool show_panels, Strip strip);
+struct LayoutWish {
+  bool panels = true;
+  world::Workspace workspace = world::Workspace::all;
+  Strip strip = {};
+  std::optional<bool> parameters = {}, graph = {};  // of Build, whether they are open; none: by the room
+  float graph_share = 0;                            // 0: chosen by the layout
+  int elements = 0;                                 // buttons of the palette
+  float label_width = 0;                            // px, of the widest of them with a label
+};
+
+// `bar` is the height of menu bar and status bar, px.
+// - All: columns of 300 and 320 design pixels, together at most 60 % of the width. The laboratory's strip lies between
+//   them: a bar while folded; open, its share, else the larger of 190 design pixels and a quarter of the window, but at
+//   most half the height between menu and status bar. It stays folded where that is too low.
+// - Build: palette and, below it, parameters in a column of 228 design pixels; the graph over the whole width.
+//   Parameters fold below 1000 design pixels of width, the graph below 600 of height.
+// - Ride: a bar over the whole width, of two rows below 1240 design pixels.
+// - Laboratory: the right column and the strip, which begins at the left edge.
+Layout make_layout(int width, int height, float scale, float bar, const LayoutWish& wish);
 
 }  // namespace coaster::ui

@@ -83,6 +83,7 @@ struct LabCache {
   base::Kept<std::tuple<std::uint64_t, std::uint64_t, int, int, bool>, SeatStudy> seat;
   std::array<sim::RideValue, 2> force_plots{sim::RideValue::vertical, sim::RideValue::speed};
   bool forces_over_time = false;
+  std::array<bool, 4> graph_hidden{};  // curves of the force graph
   int red_chosen = -1;
   std::string advice;
 };

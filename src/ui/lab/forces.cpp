@@ -98,7 +98,7 @@ void red_table(Ui& ui, std::span<const sim::RedSpan> red, float height, bool bri
 
 void forces_page(Ui& ui) {
   if (!need_probe(ui)) return;
-  const auto plots = RidePlots::make(ui);
+  const auto plots = RidePlots::make(ui, ui.lab.forces_over_time);
   if (!plots) return small_note("No cart: add one in the Track panel.");
   const edit::Findings& found = ui.find(edit::Want::ratings | edit::Want::overloads);
   const std::span<const sim::RedSpan> red = found.overloads;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "edit/commands/commands_settings.h"
+#include "ui/lab/page_parts.h"
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
 #include "world/lab_view.h"
@@ -34,13 +35,6 @@ constexpr auto kTallest = static_cast<float>(world::setting_row<&world::Look::la
 bool is_open(const Ui& ui) { return ui.session().settings.look->show_laboratory; }
 world::LabPage chosen_page(const Ui& ui) { return ui.session().settings.lab->page; }
 void show(Ui& ui, bool on) { ui.emit(edit::Set<&world::Look::show_laboratory>{on}); }
-void draw_triangle(const Ui& ui, ImVec2 low, float size, bool open) {
-  const ImVec2 c(std::floor(low.x + size * 0.5f), std::floor(low.y + size * 0.5f));
-  const float r = std::floor(4 * ui.scale);
-  const float down = open ? r : -r;
-  const ImVec2 left(c.x - r, c.y - down * 0.5f), right(c.x + r, left.y), tip(c.x, c.y + down * 0.7f);
-  ImGui::GetWindowDrawList()->AddTriangleFilled(left, open ? right : tip, open ? tip : right, packed(palette().text));
-}
 
 // The fold button, with the strip's name where there is room for it.
 void fold_button(Ui& ui, float bar, bool named, ImFont* font) {
@@ -51,7 +45,7 @@ void fold_button(Ui& ui, float bar, bool named, ImFont* font) {
   const bool pressed = ImGui::InvisibleButton("##fold", {width, bar});
   if (ImGui::IsItemHovered())
     ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + bar}, packed(palette().field));
-  draw_triangle(ui, low, bar, is_open(ui));
+  draw_fold_mark(*ImGui::GetWindowDrawList(), {low.x + bar * 0.5f, low.y + bar * 0.5f}, ui.scale, is_open(ui));
   if (named)
     draw_text(*ImGui::GetWindowDrawList(), {low.x + bar, low.y + (bar - ImGui::GetTextLineHeight()) * 0.5f},
               palette().text, "Laboratory");
@@ -82,27 +76,6 @@ void tab(Ui& ui, world::LabPage index, float bar, float pad, ImFont* font) {
   ImGui::PopFont();
   note(ui, page.label, "radio", page.help, true, on ? "on" : "off", low, high);
   if (pressed && !on) open_page(ui, index);
-}
-
-// The upper edge of the strip, which sets its height: drag it, or double-click it for the height that the page chooses.
-void height_edge(Ui& ui, const view::Viewport& area, float bar) {
-  const ImVec2 low = ImGui::GetCursorScreenPos(), size(area.width, std::floor(5 * ui.scale));
-  ImGui::InvisibleButton("##edge", size);
-  const bool held = ImGui::IsItemActive(), hot = held || ImGui::IsItemHovered();
-  if (hot) {
-    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
-    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + std::floor(2 * ui.scale)},
-                                              packed(palette().accent));
-  }
-  note_item(ui, "Edge", "edge", "Height of the laboratory. Drag, or double-click for the usual height.", true);
-  ImGui::SetCursorScreenPos(low);
-  const float bottom = area.y + area.height, middle = bottom - bar;  // the menu is as high as the bar
-  const ImGuiIO& io = ImGui::GetIO();
-  const bool reset = hot && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-  if (!reset && !(held && io.MouseDelta.y != 0)) return;
-  constexpr float kLeast = 0.05f, kSteps = 1000;
-  const float share = std::round(kSteps * (bottom - io.MousePos.y) / std::max(1.0f, middle)) / kSteps;
-  ui.emit(edit::Set<&world::Look::laboratory_height>{reset ? 0 : std::clamp(share, kLeast, kTallest)});
 }
 
 float width_in(ImFont* font, std::string_view text) {
@@ -150,7 +123,9 @@ void build_laboratory(Ui& ui, const view::Viewport& area) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
   if (begin_area("##laboratory", {area.x, area.y}, {area.width, bar})) {
-    if (area.height > bar + 1) height_edge(ui, area, bar);
+    if (area.height > bar + 1)
+      if (const auto share = height_edge(ui, area, bar, kTallest, "Height of the laboratory."))
+        ui.emit(edit::Set<&world::Look::laboratory_height>{*share});
     build_bar(ui, area.width, bar);
   }
   ImGui::End();

@@ -178,6 +178,27 @@ void two_pictures(Ui& ui, Page& page, const Picture& first, const Picture& secon
   second(width, height);
 }
 
+std::optional<float> height_edge(Ui& ui, const view::Viewport& area, float bar, float tallest,
+                                 std::string_view tooltip) {
+  const ImVec2 low = ImGui::GetCursorScreenPos(), size(area.width, std::floor(5 * ui.scale));
+  ImGui::InvisibleButton("##edge", size);
+  const bool held = ImGui::IsItemActive(), hot = held || ImGui::IsItemHovered();
+  if (hot) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + std::floor(2 * ui.scale)},
+                                              packed(palette().accent));
+  }
+  note_item(ui, "Edge", "edge", fmt::format("{} Drag, or double-click for the usual height.", tooltip), true);
+  ImGui::SetCursorScreenPos(low);
+  const float bottom = area.y + area.height, middle = bottom - bar;  // the menu is as high as the bar
+  const ImGuiIO& io = ImGui::GetIO();
+  if (hot && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return 0.0f;
+  if (!held || io.MouseDelta.y == 0) return std::nullopt;
+  constexpr float kLeast = 0.05f, kSteps = 1000;
+  const float share = std::round(kSteps * (bottom - io.MousePos.y) / std::max(1.0f, middle)) / kSteps;
+  return std::clamp(share, kLeast, tallest);
+}
+
 std::uint32_t row_colour(std::size_t row) {
   static constexpr std::array<std::uint32_t, 10> kColours{0x4C9AFF, 0xF2B84B, 0x7FD1B9, 0xE5736B, 0xB39DDB,
                                                           0xD8DEE9, 0x9CCC65, 0xFF9EC4, 0x8D9DB6, 0xD4A373};

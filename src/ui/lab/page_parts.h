@@ -49,6 +49,12 @@ class Page {
   bool stacked_, compact_, in_side_ = true;
 };
 
+// The upper edge of an area at the foot of the window, "Panel/Edge", over the area's first pixels; draw it before the
+// content. Returns the area's new share of the height between menu and status bar, at most `tallest`, while it is
+// dragged; 0 on a double click. `bar` is the height of those two, px.
+std::optional<float> height_edge(Ui& ui, const view::Viewport& area, float bar, float tallest,
+                                 std::string_view tooltip);
+
 // A value with the colour of its curve, in the small font.
 void colour_value(Ui& ui, std::uint32_t colour, std::string_view path, std::string_view shown, std::string_view value,
                   std::string_view tooltip);

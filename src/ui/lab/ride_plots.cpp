@@ -35,12 +35,6 @@ Limited limited_by(sim::ForceAxis axis) {
   return {};
 }
 
-// The colour of a value's curve; an axis of the jerk has that of its g.
-std::uint32_t colour_of(RideValue value) {
-  constexpr std::size_t kRows[sim::kRideValueCount] = {0, 1, 2, 3, 0, 1, 2, 4, 7, 6, 5};
-  return row_colour(kRows[static_cast<std::size_t>(value)]);
-}
-
 void mark_overload(const sim::Rider& rider, const sim::RedSpan& span, bool over_time, SeatStudy& study) {
   const sim::SeatCurves& curves = study.curves;
   const Limited limited = limited_by(span.axis);
@@ -93,7 +87,13 @@ view::Pick pick_at(const sim::Derived& derived, double distance) {
 
 }  // namespace
 
-std::optional<RidePlots> RidePlots::make(Ui& ui) {
+// An axis of the jerk has the colour of its g.
+std::uint32_t RidePlots::colour_of(RideValue value) {
+  constexpr std::size_t kRows[sim::kRideValueCount] = {0, 1, 2, 3, 0, 1, 2, 4, 7, 6, 5};
+  return row_colour(kRows[static_cast<std::size_t>(value)]);
+}
+
+std::optional<RidePlots> RidePlots::make(Ui& ui, bool over_time) {
   const edit::Session& session = ui.session();
   const edit::Findings& found = ui.find(edit::Want::seat | edit::Want::overloads);
   if (found.ride == nullptr) return std::nullopt;
@@ -101,7 +101,7 @@ std::optional<RidePlots> RidePlots::make(Ui& ui) {
   const sim::CarRange cars = sim::cars_of(lab.seat, lab.seat_car, found.ride->start.cars);
   RidePlots plots;
   plots.ride_ = found.ride;
-  plots.over_time_ = ui.lab.forces_over_time;
+  plots.over_time_ = over_time;
   plots.study_ = &ui.lab.seat.get({found.ride->serial, session.limits.serial, cars.first, cars.last, plots.over_time_},
                                   [&] { return study_of(found, cars, plots.over_time_); });
   plots.behind_ = cars.middle() * found.ride->start.spacing;
@@ -142,39 +142,85 @@ std::string RidePlots::shown_at(const Ui& ui, RideValue value, double x) const {
   return most.empty() ? words(least[i]) : fmt::format("{} .. {}", words(least[i]), words(most[i]));
 }
 
-void RidePlots::plot(Ui& ui, RideValue value, std::string_view label, float width, float height) const {
+std::string RidePlots::shown(const Ui& ui, RideValue value) const {
+  const std::optional<double> x = mark_ ? mark_ : train_;
+  return x ? shown_at(ui, value, *x) : "--";
+}
+
+Series RidePlots::curve(RideValue value, std::string label) const {
   const auto v = static_cast<std::size_t>(value);
-  const sim::RideValueRow& row = base::row_of(value);
-  const std::vector<double>&least = study_->curves.least[v], &most = study_->curves.most[v];
-  const std::optional<double> shown = mark_ ? mark_ : train_;
-  std::vector<Series> series{
-      {shown ? shown_at(ui, value, *shown) : "", axis(), least, colour_of(value), SeriesKind::line, 1.8f, most}};
-  if (value == RideValue::jerk && most.empty())
-    for (const auto& [part, name] : {std::pair{RideValue::jerk_up, "vertical"},
-                                     {RideValue::jerk_side, "lateral"},
-                                     {RideValue::jerk_forward, "longitudinal"}})
-      series.push_back({name, axis(), study_->curves.least[static_cast<std::size_t>(part)], colour_of(part),
-                        SeriesKind::line, 1.0f});
+  return {std::move(label), axis(), study_->curves.least[v], colour_of(value),
+          SeriesKind::line, 1.8f,   study_->curves.most[v]};
+}
+
+void RidePlots::add_overloads(RideValue value, std::vector<Series>& series) const {
+  const auto v = static_cast<std::size_t>(value);
   if (v < study_->beyond.size())
     series.push_back({"over the limit", axis(), study_->beyond[v], kBadColour, SeriesKind::line, 3.0f});
+}
+
+void RidePlots::show(Ui& ui, std::string_view label, Plot& picture, std::string_view tooltip) const {
   std::optional<double> pointed;
+  picture.cursor = train_;
+  picture.mark = mark_;
+  picture.pointed = &pointed;
+  picture.drags_point = !train_.has_value();
+  picture.empty = "no ride";
+  const auto drag = ui::plot(ui, label, picture,
+                             fmt::format("{} The whole ride over the current track. Drag to move the train.", tooltip));
+  if (pointed) ui.pointed = pick_at(ui.session().derived, place_at(*pointed));
+  if (drag) ui.emit(edit::RideSeek{place_at(drag->x) + behind_});
+}
+
+void RidePlots::plot(Ui& ui, RideValue value, std::string_view label, float width, float height) const {
+  const sim::RideValueRow& row = base::row_of(value);
+  const std::optional<double> at = mark_ ? mark_ : train_;
+  std::vector<Series> series{curve(value, at ? shown_at(ui, value, *at) : "")};
+  if (value == RideValue::jerk && series.front().high.empty())
+    for (const auto& [part, name] : {std::pair{RideValue::jerk_up, "vertical"},
+                                     {RideValue::jerk_side, "lateral"},
+                                     {RideValue::jerk_forward, "longitudinal"}}) {
+      series.push_back(curve(part, name));
+      series.back().width = 1.0f;
+    }
+  add_overloads(value, series);
   Plot picture{.x = {over_time_ ? "time" : "distance", over_time_ ? "s" : "m"},
                .y = {std::string(row.label), std::string(row.unit)},
                .series = series,
-               .cursor = train_,
-               .mark = mark_,
-               .pointed = &pointed,
-               .drags_point = !train_.has_value(),
-               .empty = "no ride",
                .width = width,
                .height = height,
                .labels = small_size("-00.00").x};
-  const auto drag = ui::plot(
-      ui, label, picture, fmt::format("{} The whole ride over the current track. Drag to move the train.", row.help));
+  show(ui, label, picture, row.help);
   const ImVec2 low = ImGui::GetItemRectMin(), high(ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight());
-  if (shown) note(ui, fmt::format("{}/value", label), "label", "", true, shown_at(ui, value, *shown), low, high);
-  if (pointed) ui.pointed = pick_at(ui.session().derived, place_at(*pointed));
-  if (drag) ui.emit(edit::RideSeek{place_at(drag->x) + behind_});
+  if (at) note(ui, fmt::format("{}/value", label), "label", "", true, shown_at(ui, value, *at), low, high);
+}
+
+void RidePlots::plot_all(Ui& ui, std::span<const RideValue> left, std::span<const RideValue> right,
+                         std::string_view label) const {
+  std::vector<Series> at_left, at_right;
+  for (const RideValue value : left) at_left.push_back(curve(value, ""));
+  for (const RideValue value : left) add_overloads(value, at_left);
+  for (Series& series : at_left) series.label.clear();
+  // The right axis has several units, so its curves are drawn in the user's.
+  std::vector<std::vector<double>> in_user_units;
+  in_user_units.reserve(right.size());
+  std::string units;
+  for (const RideValue value : right) {
+    const base::ShownUnit unit = base::shown_in(ui.units, base::row_of(value).unit);
+    Series series = curve(value, "");
+    std::vector<double>& scaled = in_user_units.emplace_back(series.y.begin(), series.y.end());
+    for (double& one : scaled) one *= unit.factor;
+    series.y = scaled, series.high = {};
+    at_right.push_back(series);
+    units += fmt::format("{}{}", units.empty() ? "" : ", ", unit.name);
+  }
+  Plot picture{.x = {.unit = "m"},
+               .y = {.unit = left.empty() ? "" : std::string(base::row_of(left.front()).unit)},
+               .series = at_left,
+               .right = {.title = units},
+               .right_series = at_right,
+               .labels = small_size("-0.0").x};
+  show(ui, label, picture, "Forces, speed and height along the track.");
 }
 
 void choose_seat(Ui& ui, int cars) {

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "sim/study/seat.h"
 #include "ui/context/ui.h"
+#include "ui/plots/plot.h"
 
 namespace coaster::ui {
 
@@ -21,11 +24,19 @@ struct SeatStudy {
 class RidePlots {
  public:
   // Nothing without a train.
-  static std::optional<RidePlots> make(Ui& ui);
+  static std::optional<RidePlots> make(Ui& ui, bool over_time);
 
   // Draws a plot of a value and registers it as "Panel/label". Dragging in it moves the train; the mouse over it marks
   // the place in the view and in every plot.
   void plot(Ui& ui, sim::RideValue value, std::string_view label, float width, float height) const;
+  // The same for several values in one plot: those of `left`, of one unit, on the axis at the left, those of `right` on
+  // one at the right.
+  void plot_all(Ui& ui, std::span<const sim::RideValue> left, std::span<const sim::RideValue> right,
+                std::string_view label) const;
+  // The value where the mouse points, else at the train; "--" where neither is.
+  std::string shown(const Ui& ui, sim::RideValue value) const;
+  // The colour of a value's curve.
+  static std::uint32_t colour_of(sim::RideValue value);
   const sim::Ghost& ride() const { return *ride_; }
   const SeatStudy& study() const { return *study_; }
 
@@ -34,6 +45,10 @@ class RidePlots {
   std::optional<double> at_place(double distance) const;
   double place_at(double x) const;
   std::string shown_at(const Ui& ui, sim::RideValue value, double x) const;
+  Series curve(sim::RideValue value, std::string label) const;
+  void add_overloads(sim::RideValue value, std::vector<Series>& series) const;
+  // Draws `picture` with the cursor, and hands on what the mouse does there.
+  void show(Ui& ui, std::string_view label, Plot& picture, std::string_view tooltip) const;
 
   const sim::Ghost* ride_ = nullptr;
   const SeatStudy* study_ = nullptr;

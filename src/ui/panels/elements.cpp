@@ -1,4 +1,4 @@
-// Elements: the palette, the parameters of the selected element, its preview at the track's open end, and placing it.
+// Elements: the parameters of the selected element, its preview at the track's open end, and placing it.
 #include <imgui.h>
 
 #include <algorithm>
@@ -11,45 +11,16 @@
 #include "edit/commands/commands_settings.h"
 #include "ui/context/rows.h"
 #include "ui/context/ways_home.h"
-#include "ui/widgets/icons.h"
+#include "ui/panels/palette.h"
 #include "ui/widgets/theme.h"
 #include "world/aids.h"
+#include "world/look.h"
 
 namespace coaster::ui {
 namespace {
 
 using world::Element;
 using world::ElementKind;
-
-// One button a row of the table, as many beside each other as find room; the chosen one is lit.
-void choices(Ui& ui) {
-  const world::Settings& settings = ui.session().settings;
-  const std::span<const world::ElementRow> rows = world::elements();
-  const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  float widest = 0;
-  ImGui::PushFont(small_font());
-  for (const world::ElementRow& row : rows)
-    widest = std::max(widest, text_size(row.label).x + std::floor(4 * ui.scale));
-  ImGui::PopFont();
-  const int columns = std::clamp(static_cast<int>((room + gap) / (widest + gap)), 1, 4);
-  const float width = std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
-    const auto kind = static_cast<ElementKind>(i);
-    const bool chosen = settings.aids->show_element && settings.element.kind == kind;
-    if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    // Scripts may say "Curve" for "Banked curve".
-    const std::string label =
-        kind == ElementKind::curve ? fmt::format("{}###Curve", rows[i].label) : std::string(rows[i].label);
-    const bool pressed = icon_button(ui, icon_of(kind), label, rows[i].help, true, width, true);
-    if (chosen) ImGui::PopStyleColor();
-    if (!pressed) continue;
-    if (settings.aids->circuit > 0) ui.emit(edit::Set<&world::Aids::circuit>{0});
-    if (chosen) ui.emit(edit::Set<&world::Aids::show_element>{false});
-    else if (settings.element.kind == kind) ui.emit(edit::Set<&world::Aids::show_element>{true});
-    else ui.emit(edit::ChooseElement{ui.inputs.elements[i]});
-  }
-}
 
 void parameters(Ui& ui) {
   Element element = ui.session().settings.element;
@@ -98,19 +69,17 @@ void outcome(Ui& ui, const sim::ElementPlan& plan) {
   for (const std::string& line : plan.lines) tinted(in_units(ui, line), palette().warning);
 }
 
-// The button that completes the circuit and, while they show, the ways home.
-void circuit(Ui& ui) {
+void circuit_button(Ui& ui) {
+  if (button(ui, "Complete circuit", with_keys(ui.keys, kCircuitHelp, "Complete circuit"),
+             completable(ui.session().document), ImGui::GetContentRegionAvail().x))
+    toggle_ways_home(ui);
+}
+
+// The ways home, while they show.
+void ways_home(Ui& ui) {
   const world::Aids& aids = *ui.session().settings.aids;
+  if (aids.circuit <= 0 || !completable(ui.session().document)) return;
   const float width = ImGui::GetContentRegionAvail().x;
-  const bool shown = aids.circuit > 0, open = completable(ui.session().document);
-  if (button(ui, "Complete circuit",
-             with_keys(ui.keys, "Show up to three ways from the open end of the track to its first knot.",
-                       "Complete circuit"),
-             open, width)) {
-    if (shown) ui.emit(edit::Set<&world::Aids::circuit>{0});
-    else show_ways_home(ui);
-  }
-  if (!shown || !open) return;
   const sim::CircuitProposals& found = *ui.find(edit::Want::circuit).circuit;
   if (!found.refusal.empty()) return tinted(in_units(ui, base::sentence(found.refusal)), palette().warning);
   const std::size_t at = shown_way_home(aids, found);
@@ -131,10 +100,11 @@ void circuit(Ui& ui) {
 
 void elements_panel(Ui& ui) {
   const edit::Session& session = ui.session();
-  if (const Element& now = session.settings.element; session.settings.aids->show_element)
-    ui.inputs.elements[static_cast<std::size_t>(now.kind)] = now;
-  choices(ui);
-  circuit(ui);
+  if (session.settings.look->workspace == world::Workspace::all) {  // else they are in the palette
+    all_element_buttons(ui);
+    circuit_button(ui);
+  }
+  ways_home(ui);
   if (!session.settings.aids->show_element) return;
   parameters(ui);
   const sim::ElementPlan& plan = *ui.find(edit::Want::element).element;

@@ -5,6 +5,7 @@
 
 #include "ui/context/rows.h"
 #include "ui/context/setting_rows.h"
+#include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {
@@ -43,18 +44,27 @@ void methods_of(Ui& ui, Group group, std::string_view title, std::string_view to
   ImGui::PopFont();
 }
 
-void methods(Ui& ui) {
+}  // namespace
+
+void evaluator_choice(Ui& ui) {
   methods_of(ui, Group::paper, "The paper's four", "Barrett 2012, section 3, in textbook form.");
   methods_of(ui, Group::fast, "Fast", "The same polynomial, arranged for modern processors.");
   methods_of(ui, Group::gpu, "On the GPU",
              "Computed from the control points: each segment uploads 48 bytes instead of its polyline.");
 }
 
+void steps_slider(Ui& ui) {
+  const auto steps =
+      slider(ui, "Steps per segment", ui.session().settings.evaluation->steps, curve::kMinSteps, curve::kMaxSteps, true,
+             "Straight pieces per segment, 1 to 4096. Ctrl+click or double-click to type.");
+  if (steps) ui.emit(edit::Set<&world::Evaluation::steps>{*steps});
+}
+
+namespace {
+
 void resolution(Ui& ui) {
   const world::Settings& settings = ui.session().settings;
-  const auto steps = slider(ui, "Steps per segment", settings.evaluation->steps, curve::kMinSteps, curve::kMaxSteps,
-                            true, "Straight pieces per segment, 1 to 4096. Ctrl+click or double-click to type.");
-  if (steps) ui.emit(edit::Set<&world::Evaluation::steps>{*steps});
+  steps_slider(ui);
   const Number budget{.value = static_cast<double>(settings.evaluation->vertex_budget),
                       .decimals = 0,
                       .step = 10'000,
@@ -70,7 +80,7 @@ void resolution(Ui& ui) {
 }  // namespace
 
 void evaluation_panel(Ui& ui) {
-  methods(ui);
+  evaluator_choice(ui);
   resolution(ui);
   setting_list<&world::Evaluation::arc_length>(
       ui, "Arc length", "Method of the displayed length. The ride always uses adaptive Gauss-Legendre.");

@@ -5,6 +5,9 @@
 
 #include <array>
 
+#include "world/aids.h"
+#include "world/look.h"
+
 namespace coaster::ui {
 
 void challenge_panel(Ui& ui);
@@ -22,35 +25,60 @@ void history_panel(Ui& ui);
 
 std::span<const Panel> panels() {
   static constexpr std::array kPanels{
-      Panel{"Track", Column::left, "The whole track: name, file, size, and what you can add.", track_panel},
-      Panel{"Inspector", Column::left, "The selected knot, segment or cart.", inspector_panel},
-      Panel{"Shape", Column::left, "Operations on the selected knots or on all knots, and snapping.", shape_panel,
-            false},
-      Panel{"Elements", Column::left,
+      Panel{"Track", Column::left, kTrack, "The whole track: name, file, size, and what you can add.", track_panel},
+      Panel{"Inspector", Column::left, kSelection, "The selected knot, segment or cart.", inspector_panel},
+      Panel{"Shape", Column::left, kSelection | kTrack,
+            "Operations on the selected knots or on all knots, and snapping.", shape_panel, false},
+      Panel{"Elements", Column::left, kElement,
             "Straights, curves, helices, hills and inversions to place at the open end of the track.", elements_panel},
-      Panel{"Operation", Column::left, "Equipment, train and losses.", operation_panel},
-      Panel{"Challenge", Column::right, "The current challenge: goals, limits and medals.", challenge_panel, true,
-            challenge_shown},
-      Panel{"Evaluation", Column::right, "How curves become polylines: method, resolution, accuracy and speed.",
-            evaluation_panel},
-      Panel{"Ride", Column::right, "Run the carts and read their speed, height and g.", ride_panel},
-      Panel{"Camera", Column::right, "Camera modes and camera feel.", camera_panel},
-      Panel{"Statistics", Column::right, "Cost of the last frame.", statistics_panel},
-      Panel{"History", Column::right, "Undo and redo steps. Click a step to go to it.", history_panel, false},
+      Panel{"Operation", Column::left, kSelection | kTrack, "Equipment, train and losses.", operation_panel},
+      Panel{"Challenge", Column::right, kWhileBuilding, "The current challenge: goals, limits and medals.",
+            challenge_panel, true, challenge_shown},
+      Panel{"Evaluation", Column::right, kLaboratory,
+            "How curves become polylines: method, resolution, accuracy and speed.", evaluation_panel},
+      Panel{"Ride", Column::right, kLaboratory, "Run the carts and read their speed, height and g.", ride_panel},
+      Panel{"Camera", Column::right, kLaboratory, "Camera modes and camera feel.", camera_panel},
+      Panel{"Statistics", Column::right, kLaboratory, "Cost of the last frame.", statistics_panel},
+      Panel{"History", Column::right, kTrack, "Undo and redo steps. Click a step to go to it.", history_panel, false},
   };
   return kPanels;
 }
 
+namespace {
+
+unsigned occasions(const edit::Session& session) {
+  if (session.settings.look->workspace != world::Workspace::build) return kLaboratory;
+  const bool selected = session.settings.selected != world::kNone,
+             chosen = session.settings.aids->show_element || session.settings.aids->circuit > 0;
+  if (!selected && !chosen) return kTrack;
+  return (selected ? kSelection : 0u) | (chosen ? kElement : 0u);
+}
+
+bool belongs(const Ui& ui, const Panel& panel, Column column) {
+  if (panel.shown != nullptr && !panel.shown(ui)) return false;
+  if (ui.session().settings.look->workspace == world::Workspace::all) return panel.column == column;
+  return (panel.shows & occasions(ui.session())) != 0;
+}
+
+}  // namespace
+
 void build_column(Ui& ui, Column column, const view::Viewport& area) {
   if (area.width < 1 || area.height < 1) return;
   if (begin_area(column == Column::left ? "##left" : "##right", {area.x, area.y}, {area.width, area.height}, 0)) {
-    for (const Panel& panel : panels()) {
-      if (panel.column != column || (panel.shown != nullptr && !panel.shown(ui))) continue;
+    const auto build = [&](const Panel& panel) {
+      if (!belongs(ui, panel, column)) return;
       ui.panel = panel.name;
       ImGui::PushID(panel.name.data(), panel.name.data() + panel.name.size());
       if (header(ui, panel.name, panel.help, panel.open)) panel.build(ui);
       ImGui::PopID();
-    }
+    };
+    // In Build a chosen element comes before what else is selected.
+    const bool element_first = ui.session().settings.look->workspace == world::Workspace::build;
+    const auto is_first = [&](const Panel& panel) { return element_first && panel.shows == kElement; };
+    for (const Panel& panel : panels())
+      if (is_first(panel)) build(panel);
+    for (const Panel& panel : panels())
+      if (!is_first(panel)) build(panel);
   }
   ImGui::End();
   ui.panel.clear();

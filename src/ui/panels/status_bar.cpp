@@ -1,5 +1,5 @@
-// The status bar: selection, length, speed, g, fps, unsaved changes, and the last message. Parts that do not fit are
-// left out, the least important first.
+// The status bar: unsaved changes, evaluator and steps, length, speed, g, selection, fps, and the last message. Parts
+// that do not fit are left out, the least important first.
 #include <imgui.h>
 
 #include <cmath>
@@ -29,10 +29,10 @@ std::vector<Part> parts(const Ui& ui) {
   const edit::Session& session = ui.session();
   const double fps = ui.state.stats.fps;
   const bool timed = !ui.state.scripted && fps > 0;
-  return {{"Selection", world::label_of(session.document, session.settings.selected), "The selection.", 36},
-          {"Length", real(ui, "length", 1, "m"), "Length of the track.", 76},
+  return {{"Length", real(ui, "length", 1, "m"), "Length of the track, by the method selected in Evaluation.", 76},
           {"Speed", real(ui, "ride.speed", 1, "m/s"), "Speed of the first cart.", 68},
           {"g", real(ui, "ride.g_up", 1, "g"), "Felt acceleration towards the rider's head.", 40},
+          {"Selection", world::label_of(session.document, session.settings.selected), "The selection.", 36},
           {"fps", timed ? fixed(fps, 0) : "--", "Frames per second.", 28}};
 }
 
@@ -43,6 +43,94 @@ std::string shortened(std::string words, float room) {
   return words + "\u2026";
 }
 
+// Where the next part of the bar goes.
+struct Bar {
+  Ui& ui;
+  ImDrawList& list;
+  float top, bottom, text_top;  // px
+  float x, right;
+  float between;
+
+  void draw(std::string_view words, std::uint32_t tint, float at) const {
+    draw_text(list, {at, text_top}, tint, words);
+  }
+  void place(std::string_view label, std::string_view tooltip, std::string value, float from, float to) const {
+    note(ui, label, "label", tooltip, true, std::move(value), {from, top}, {to, bottom});
+  }
+};
+
+void unsaved_mark(Bar& bar) {
+  const bool unsaved = edit::dirty(bar.ui.state.find);
+  const std::string mark = unsaved ? "\u25CF unsaved" : "saved";
+  bar.draw(mark, unsaved ? palette().warning : palette().dim, bar.x);
+  const float end = bar.x + std::max(text_size(mark).x, text_size("\u25CF unsaved").x);
+  bar.place("Unsaved", "Whether the track has unsaved changes.", unsaved ? "on" : "off", bar.x, end);
+  bar.x = end + bar.between;
+}
+
+// The evaluator and its steps. A click opens the list of all evaluators.
+void evaluator(Bar& bar) {
+  Ui& ui = bar.ui;
+  constexpr const char* kList = "##evaluators";
+  const world::Evaluation& now = *ui.session().settings.evaluation;
+  const std::string_view label = curve::evaluators()[static_cast<std::size_t>(now.evaluator)].label;
+  const std::string words = fmt::format("{}, {} steps", label, now.steps);
+  const float arrow = std::floor(16 * ui.scale);
+  const ImVec2 low(bar.x, bar.top), high(bar.x + text_size(words).x + arrow, bar.bottom);
+  if (high.x > bar.right) return;
+  ImGui::SetCursorScreenPos(low);
+  if (ImGui::InvisibleButton("##evaluator", {high.x - low.x, high.y - low.y})) ImGui::OpenPopup(kList);
+  const bool open = ImGui::IsPopupOpen(kList);
+  const float pad = std::floor(4 * ui.scale);
+  if (open || ImGui::IsItemHovered())
+    bar.list.AddRectFilled({low.x - pad, low.y}, {high.x + pad, high.y}, packed(palette().field));
+  bar.draw(words, palette().text, low.x);
+  draw_fold_mark(bar.list, {high.x - arrow * 0.5f, (low.y + high.y) * 0.5f}, ui.scale, open);
+  const std::string help = with_keys(ui.keys, "Evaluator and steps per segment. Click to choose.", "Next evaluator");
+  note(ui, "Evaluator", "combo", open ? "" : help, true, words, low, high);
+  bar.x = high.x + bar.between;
+  if (!open) return;
+  const ImVec2 padding(std::floor(10 * ui.scale), std::floor(8 * ui.scale));
+  ImGui::SetNextWindowPos({low.x - pad, low.y}, ImGuiCond_Always, {0, 1});
+  ImGui::SetNextWindowSize({std::floor(320 * ui.scale), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+  if (ImGui::BeginPopup(kList)) {
+    ui.panel = "Status/Evaluator";
+    evaluator_choice(ui);
+    steps_slider(ui);
+    ui.panel = "Status";
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
+}
+
+void values(Bar& bar) {
+  const float gap = std::floor(6 * bar.ui.scale);
+  for (const Part& part : parts(bar.ui)) {
+    const float value_width = std::max(text_size(part.value).x, std::floor(part.cell * bar.ui.scale));
+    const float end = bar.x + text_size(part.label).x + gap + value_width;
+    if (end > bar.right) return;
+    bar.draw(part.label, palette().dim, bar.x);
+    bar.draw(part.value, palette().text, end - text_size(part.value).x);
+    bar.place(part.label, part.tooltip, part.value, bar.x, end);
+    bar.x = end + bar.between;
+  }
+}
+
+// The last message stays here after its toast is gone, shortened to fit.
+void message(const Bar& bar) {
+  const auto& notices = bar.ui.session().notices.list;
+  if (notices.empty() || bar.right - bar.x <= 60 * bar.ui.scale) return;
+  const edit::Notice& last = notices.back();
+  const std::uint32_t tint = last.kind == edit::NoticeKind::error     ? palette().error
+                             : last.kind == edit::NoticeKind::warning ? palette().warning
+                                                                      : palette().dim;
+  const std::string text = in_units(bar.ui, last.text), words = shortened(text, bar.right - bar.x);
+  const float left = bar.right - text_size(words).x;
+  bar.draw(words, tint, left);
+  bar.place("Message", text, text, left, bar.right);
+}
+
 }  // namespace
 
 void build_status_bar(Ui& ui, const view::Viewport& area) {
@@ -51,44 +139,19 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
   if (begin_area("##status", {area.x, area.y}, {area.width, area.height})) {
     ui.panel = "Status";
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float pad = std::floor(10 * ui.scale), gap = std::floor(6 * ui.scale), between = std::floor(18 * ui.scale);
-    const float top = std::floor(area.y + (area.height - ImGui::GetTextLineHeight()) * 0.5f),
-                right = area.x + area.width - pad;
-    float x = area.x + pad;
-    const bool unsaved = edit::dirty(ui.state.find);
-    const auto draw = [&](const std::string& words, std::uint32_t tint, float at) {
-      draw_text(list, {at, top}, tint, words);
-    };
-    const auto place = [&](std::string_view label, std::string_view kind_tooltip, std::string value, float from,
-                           float to) {
-      note(ui, label, "label", kind_tooltip, true, std::move(value), {from, area.y}, {to, area.y + area.height});
-    };
-    const std::string mark = unsaved ? "\u25CF unsaved" : "saved";
-    draw(mark, unsaved ? palette().warning : palette().dim, x);
-    const float mark_end = x + std::max(text_size(mark).x, text_size("\u25CF unsaved").x);
-    place("Unsaved", "Whether the track has unsaved changes.", unsaved ? "on" : "off", x, mark_end);
-    x = mark_end + between;
-    for (const Part& part : parts(ui)) {
-      const float value_width = std::max(text_size(part.value).x, std::floor(part.cell * ui.scale));
-      const float end = x + text_size(part.label).x + gap + value_width;
-      if (end > right) break;
-      draw(part.label, palette().dim, x);
-      draw(part.value, palette().text, end - text_size(part.value).x);
-      place(part.label, part.tooltip, part.value, x, end);
-      x = end + between;
-    }
-    // The last message stays here after its toast is gone, shortened to fit.
-    const auto& notices = ui.session().notices.list;
-    if (!notices.empty() && right - x > 60 * ui.scale) {
-      const edit::Notice& last = notices.back();
-      const std::uint32_t tint = last.kind == edit::NoticeKind::error     ? palette().error
-                                 : last.kind == edit::NoticeKind::warning ? palette().warning
-                                                                          : palette().dim;
-      const std::string message = in_units(ui, last.text), words = shortened(message, right - x);
-      draw(words, tint, right - text_size(words).x);
-      place("Message", message, message, right - text_size(words).x, right);
-    }
+    const float pad = std::floor(10 * ui.scale);
+    Bar bar{ui,
+            *ImGui::GetWindowDrawList(),
+            area.y,
+            area.y + area.height,
+            std::floor(area.y + (area.height - ImGui::GetTextLineHeight()) * 0.5f),
+            area.x + pad,
+            area.x + area.width - pad,
+            std::floor(18 * ui.scale)};
+    unsaved_mark(bar);
+    evaluator(bar);
+    values(bar);
+    message(bar);
   }
   ImGui::End();
   ImGui::PopStyleColor();

@@ -41,7 +41,8 @@ struct Spot {
 };
 
 struct PlotAxis {
-  std::string title = {}, unit = {};  // drawn as "title (unit)", in the user's unit; all values are metric
+  // Drawn as "title (unit)", or the one that is there, in the user's unit; all values are metric.
+  std::string title = {}, unit = {};
   AxisScale scale = AxisScale::linear;
   std::optional<double> low = {}, high = {};  // else from the data
 };

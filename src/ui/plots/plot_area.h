@@ -22,7 +22,7 @@ struct PlotArea {
   ImVec2 at(double x_value, double y_value) const;
 };
 
-std::string axis_title(const PlotAxis& axis, const base::ShownUnit& unit);  // "title (unit)"
+std::string axis_title(const PlotAxis& axis, const base::ShownUnit& unit);  // "title (unit)", or one
 AxisRange scaled(const AxisRange& axis, double factor);
 void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 outer_low);
 void draw_series(ImDrawList& list, const PlotArea& area, const Series& series);

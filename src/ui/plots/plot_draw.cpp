@@ -19,6 +19,7 @@ ImVec2 PlotArea::at(double x_value, double y_value) const {
 }
 
 std::string axis_title(const PlotAxis& axis, const base::ShownUnit& unit) {
+  if (axis.title.empty()) return std::string(unit.name);
   return axis.unit.empty() ? axis.title : fmt::format("{} ({})", axis.title, unit.name);
 }
 

@@ -68,10 +68,27 @@ constexpr std::array kReset{Stroke{{0.26f, 0.24f}, {0.6f, -0.02f}, {0.98f, 0.26f
                             Stroke{{0.9f, 0.62f}, {0.78f, 1.02f}, {0.2f, 1.02f}, {0.1f, 0.6f}},
                             line({0.26f, 0.24f}, {0.24f, 0.0f}), line({0.26f, 0.24f}, {0.5f, 0.3f})};
 
+// Knots joined by hand, and a ring with a dot.
+constexpr std::array kPencil{Stroke{{0.08f, 0.86f}, {0.3f, 0.2f}, {0.5f, 1.0f}, {0.7f, 0.5f}},
+                             line({0.7f, 0.5f}, {0.92f, 0.12f}),
+                             line({0.0f, 0.86f}, {0.16f, 0.86f}),
+                             line({0.08f, 0.78f}, {0.08f, 0.94f}),
+                             line({0.62f, 0.5f}, {0.78f, 0.5f}),
+                             line({0.7f, 0.42f}, {0.7f, 0.58f})};
+// A ring whose last part is dashed.
+constexpr std::array kCircuit{Stroke{{0.5f, 0.9f}, {-0.05f, 0.9f}, {-0.05f, 0.1f}, {0.5f, 0.1f}},
+                              Stroke{{0.62f, 0.11f}, {0.7f, 0.13f}, {0.77f, 0.17f}, {0.82f, 0.24f}},
+                              Stroke{{0.89f, 0.36f}, {0.92f, 0.46f}, {0.92f, 0.54f}, {0.89f, 0.64f}},
+                              Stroke{{0.82f, 0.76f}, {0.77f, 0.83f}, {0.7f, 0.87f}, {0.62f, 0.89f}}};
+constexpr std::array kRing{Stroke{{0.06f, 0.5f}, {0.06f, -0.09f}, {0.94f, -0.09f}, {0.94f, 0.5f}},
+                           Stroke{{0.94f, 0.5f}, {0.94f, 1.09f}, {0.06f, 1.09f}, {0.06f, 0.5f}}};
+
 constexpr Place kPlayArrow[] = {{0.14f, 0.06f}, {0.14f, 0.94f}, {0.94f, 0.5f}},
                 kStepArrow[] = {{0.14f, 0.06f}, {0.14f, 0.94f}, {0.7f, 0.5f}};
+constexpr Icon::Bar kDot[] = {{{0.36f, 0.36f}, {0.64f, 0.64f}}};
 constexpr Icon::Bar kStepBar[] = {{{0.74f, 0.06f}, {0.92f, 0.94f}}},
-                    kPauseBars[] = {{{0.14f, 0.06f}, {0.4f, 0.94f}}, {{0.6f, 0.06f}, {0.86f, 0.94f}}};
+                    kPauseBars[] = {{{0.14f, 0.06f}, {0.4f, 0.94f}}, {{0.6f, 0.06f}, {0.86f, 0.94f}}},
+                    kStopBar[] = {{{0.12f, 0.12f}, {0.88f, 0.88f}}};
 
 // Rows of world::elements(), in its order.
 constexpr Icon kElementIcons[] = {
@@ -91,18 +108,23 @@ void draw_icon(ImDrawList& list, const Icon& icon, ImVec2 low, float size, ImU32
 }  // namespace
 
 const Icon kPlayIcon{{}, kPlayArrow}, kPauseIcon{{}, {}, kPauseBars}, kStepIcon{{}, kStepArrow, kStepBar},
-    kResetIcon{kReset};
+    kResetIcon{kReset}, kPencilIcon{kPencil}, kCircuitIcon{kCircuit}, kRecordIcon{kRing, {}, kDot},
+    kStopIcon{{}, {}, kStopBar};
 
 const Icon& icon_of(world::ElementKind kind) { return kElementIcons[static_cast<std::size_t>(kind)]; }
 
 bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std::string_view tooltip, bool enabled,
-                 float width, bool above) {
+                 float width, IconPlace place) {
+  const bool above = place == IconPlace::above, alone = place == IconPlace::alone;
   const std::string_view name = shown(label);
   if (above) ImGui::PushFont(small_font());
-  const ImVec2 padding = ImGui::GetStyle().FramePadding, words = text_size(name);
-  const float small = std::floor(words.y * 0.62f), size = above ? std::floor(words.y * 1.3f) : small,
-              gap = std::floor(words.y * (above ? 0.15f : 0.35f));
-  const float height = words.y + 2 * padding.y + (above ? size + gap : 0);
+  const ImVec2 padding = ImGui::GetStyle().FramePadding, words = alone ? ImVec2(0, 0) : text_size(name);
+  const float line = ImGui::GetTextLineHeight(), small = std::floor(line * 0.62f),
+              size = alone   ? std::floor(20 * ui.scale)
+                     : above ? std::floor(line * 1.3f)
+                             : small,
+              gap = alone ? 0 : std::floor(line * (above ? 0.15f : 0.35f));
+  const float height = alone ? std::floor(34 * ui.scale) : line + 2 * padding.y + (above ? size + gap : 0);
   ImGui::BeginDisabled(!enabled);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::Button(hidden(label).c_str(), {width, height});
@@ -115,7 +137,7 @@ bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std:
   const ImVec2 words_at =
       above ? ImVec2(left, low.y + padding.y + size + gap) : ImVec2(std::floor(left) + size + gap, low.y + padding.y);
   draw_icon(list, icon, {std::floor(icon_at.x), std::floor(icon_at.y)}, size, colour);
-  list.AddText(words_at, colour, name.data(), name.data() + name.size());
+  if (!alone) list.AddText(words_at, colour, name.data(), name.data() + name.size());
   list.PopClipRect();
   ImGui::EndDisabled();
   if (above) ImGui::PopFont();

@@ -25,11 +25,13 @@ struct Icon {
   std::span<const Place> arrow = {};  // three corners, or none
   std::span<const Bar> bars = {};
 };
-extern const Icon kPlayIcon, kPauseIcon, kStepIcon, kResetIcon;
+extern const Icon kPlayIcon, kPauseIcon, kStepIcon, kResetIcon, kPencilIcon, kCircuitIcon, kRecordIcon, kStopIcon;
 const Icon& icon_of(world::ElementKind kind);
 
-// A button as in widgets.h with an icon before its label, or above it, in the small font. width: px.
+// Where a button's icon is: before its label, above it with the label in the small font, or without a drawn label.
+enum class IconPlace { before, above, alone };
+// A button as in widgets.h with an icon. width: px; alone 34 design px high.
 bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std::string_view tooltip, bool enabled,
-                 float width, bool above = false);
+                 float width, IconPlace place = IconPlace::before);
 
 }  // namespace coaster::ui

@@ -86,6 +86,13 @@ ImVec2 small_size(std::string_view text) {
   return small_font()->CalcTextSizeA(small_pixels(), 1e9f, 0, text.data(), text.data() + text.size());
 }
 
+void draw_fold_mark(ImDrawList& list, ImVec2 middle, float scale, bool down) {
+  const ImVec2 c(std::floor(middle.x), std::floor(middle.y));
+  const float r = std::floor(4 * scale), deep = down ? r : -r;
+  const ImVec2 left(c.x - r, c.y - deep * 0.5f), right(c.x + r, left.y), tip(c.x, c.y + deep * 0.7f);
+  list.AddTriangleFilled(left, down ? right : tip, down ? tip : right, packed(palette().text));
+}
+
 bool begin_area(const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags more) {
   ImGui::SetNextWindowPos(at);
   ImGui::SetNextWindowSize(size);

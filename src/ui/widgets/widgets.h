@@ -65,6 +65,8 @@ ImVec2 text_size(std::string_view text);
 void draw_text(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text);
 void draw_small(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text);
 ImVec2 small_size(std::string_view text);
+// The mark of what opens and folds: a triangle about `middle` that points down or up.
+void draw_fold_mark(ImDrawList& list, ImVec2 middle, float scale, bool down);
 
 // Registers a rectangle of the current window as a widget and shows its tooltip while the mouse rests on it; the second
 // one registers ImGui's last item.

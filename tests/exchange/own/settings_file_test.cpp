@@ -66,6 +66,8 @@ TEST(settings_file, the_file_of_a_new_user_is_this) {
   "panels": true,
   "laboratory": false,
   "laboratory_height": 0,
+  "workspace": "all",
+  "graph_height": 0,
   "reduced_motion": false,
   "head_bob": false,
   "autosave_seconds": 30,

@@ -1,0 +1,45 @@
+#include "ui/host/areas.h"
+
+#include "ui/lab/force_graph.h"
+#include "ui/lab/laboratory.h"
+#include "ui/panels/panels.h"
+#include "ui/screens/ride_bar.h"
+#include "world/lab_view.h"
+
+namespace coaster::ui {
+namespace {
+
+// The page of the riders is as high as fits, because it is read from top to bottom.
+Strip strip_of(const world::Settings& settings) {
+  const float chosen = settings.look->laboratory_height;
+  const bool tall = settings.lab->page == world::LabPage::riders;
+  return {settings.look->show_laboratory, chosen > 0 ? chosen : tall ? 0.5f : 0.0f};
+}
+
+}  // namespace
+
+LayoutWish wish_of(const Ui& ui) {
+  const world::Look& look = *ui.session().settings.look;
+  return {.panels = look.show_panels,
+          .workspace = look.workspace,
+          .strip = strip_of(ui.session().settings),
+          .parameters = ui.drawers.parameters.wanted,
+          .graph = ui.drawers.graph.wanted,
+          .graph_share = look.graph_height,
+          .elements = palette_size(),
+          .label_width = palette_label_width(ui.scale)};
+}
+
+void build_areas(Ui& ui, const Layout& layout) {
+  build_column(ui, Column::left, layout.left);
+  build_column(ui, Column::right, layout.right);
+  build_laboratory(ui, layout.strip);
+  build_column(ui, Column::left, layout.parameters);
+  build_palette_of_elements(ui, layout.palette, layout.grid);
+  build_drawer(ui, layout.drawer);
+  build_force_graph(ui, layout.graph);
+  build_ride_bar(ui, layout.ride);
+  build_status_bar(ui, layout.status);
+}
+
+}  // namespace coaster::ui

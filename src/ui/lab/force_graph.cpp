@@ -1,0 +1,109 @@
+#include "ui/lab/force_graph.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "edit/commands/commands_settings.h"
+#include "ui/lab/cache.h"
+#include "ui/lab/ride_plots.h"
+#include "ui/widgets/theme.h"
+#include "world/look.h"
+
+namespace coaster::ui {
+namespace {
+
+using sim::RideValue;
+
+constexpr auto kTallestGraph = static_cast<float>(world::setting_row<&world::Look::graph_height>().high);
+// Those of g are on the left axis.
+constexpr std::array kValues{RideValue::vertical, RideValue::lateral, RideValue::speed, RideValue::height};
+constexpr std::size_t kAtLeft = 2;
+static_assert(kValues.size() == std::tuple_size_v<decltype(LabCache::graph_hidden)>);
+
+void fold_button(Ui& ui, float bar, bool open) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const std::string_view name = "Forces";
+  const ImVec2 high(low.x + bar + text_size(name).x + std::floor(12 * ui.scale), low.y + bar);
+  const bool pressed = ImGui::InvisibleButton("##fold", {high.x - low.x, bar});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field));
+  draw_fold_mark(list, {low.x + bar * 0.5f, low.y + bar * 0.5f}, ui.scale, open);
+  draw_text(list, {low.x + bar, std::floor(low.y + (bar - text_size(name).y) * 0.5f)}, palette().text, name);
+  note(ui, "", "header", with_keys(ui.keys, "The force graph: the whole ride along the track.", "Force graph"), true,
+       open ? "open" : "closed", low, high);
+  if (pressed) ui.drawers.graph.toggle();
+}
+
+// The value of a curve and whether it is drawn: a square in the curve's colour, empty while it is hidden.
+void legend_item(Ui& ui, RideValue value, std::string shown, bool& hidden, float bar) {
+  const sim::RideValueRow& row = base::row_of(value);
+  const std::string_view unit = base::shown_in(ui.units, row.unit).name;
+  const std::string words = fmt::format("{} {} {}", row.label, shown, unit);
+  const float square = std::floor(9 * ui.scale), gap = std::floor(6 * ui.scale);
+  const float room = std::max(small_size(words).x, small_size(fmt::format("{} -00.00 {}", row.label, unit)).x);
+  const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + square + gap + room, low.y + bar);
+  if (high.x > ImGui::GetWindowPos().x + ImGui::GetWindowWidth()) return;
+  ImGui::PushID(row.label.data(), row.label.data() + row.label.size());
+  if (ImGui::InvisibleButton("##shown", {high.x - low.x, bar})) hidden = !hidden;
+  ImGui::PopID();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (ImGui::IsItemHovered()) list.AddRectFilled({low.x - gap, low.y}, high, packed(palette().field));
+  const float top = std::floor(low.y + (bar - square) * 0.5f);
+  const ImU32 tint = packed(ink(RidePlots::colour_of(value)));
+  if (hidden) list.AddRect({low.x, top}, {low.x + square, top + square}, tint);
+  else list.AddRectFilled({low.x, top}, {low.x + square, top + square}, tint);
+  draw_small(list, {low.x + square + gap, std::floor(low.y + (bar - small_pixels()) * 0.5f)},
+             hidden ? palette().dim : palette().text, words);
+  note(ui, row.label, "checkbox", fmt::format("{} Click to show or hide its curve.", row.help), true,
+       hidden ? "off" : "on", low, high);
+  note(ui, fmt::format("{}/value", row.label), "label", "", true, fmt::format("{} {}", shown, unit), low, high);
+  ImGui::SameLine(0, std::floor(16 * ui.scale));
+}
+
+void curves(Ui& ui, const RidePlots& plots) {
+  std::vector<RideValue> left, right;
+  for (std::size_t i = 0; i < kValues.size(); ++i)
+    if (!ui.lab.graph_hidden[i]) (i < kAtLeft ? left : right).push_back(kValues[i]);
+  plots.plot_all(ui, left, right, "Plot");
+}
+
+}  // namespace
+
+void build_force_graph(Ui& ui, const view::Viewport& area) {
+  if (area.width < 1 || area.height < 1) return;
+  const float bar = std::min(ImGui::GetFrameHeight(), area.height);
+  const bool open = area.height > bar + 1;
+  const auto plots = RidePlots::make(ui, false);
+  ui.panel = "Forces";
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
+  if (begin_area("##graph", {area.x, area.y}, {area.width, bar})) {
+    if (open)
+      if (const auto share = height_edge(ui, area, bar, kTallestGraph, "Height of the force graph."))
+        ui.emit(edit::Set<&world::Look::graph_height>{*share});
+    fold_button(ui, bar, open);
+    ImGui::SameLine(0, std::floor(16 * ui.scale));
+    for (std::size_t i = 0; i < kValues.size(); ++i)
+      legend_item(ui, kValues[i], plots ? plots->shown(ui, kValues[i]) : "--", ui.lab.graph_hidden[i], bar);
+  }
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  if (open) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(std::floor(6 * ui.scale), 0));
+    if (begin_area("##curves", {area.x, area.y + bar}, {area.width, area.height - bar})) {
+      if (plots) curves(ui, *plots);
+      else small_note("No ride: it needs a track and a cart. Add a cart in the Track panel.");
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+  }
+  ui.panel.clear();
+}
+
+}  // namespace coaster::ui

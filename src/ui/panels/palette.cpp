@@ -1,0 +1,162 @@
+// The buttons of the elements: one for each row of the table, the chosen one lit and ticked.
+#include "ui/panels/palette.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_settings.h"
+#include "ui/context/ways_home.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/theme.h"
+#include "world/aids.h"
+
+namespace coaster::ui {
+namespace {
+
+using world::Aids;
+using world::ElementKind;
+
+void choose(Ui& ui, ElementKind kind, bool chosen) {
+  const world::Settings& settings = ui.session().settings;
+  if (settings.aids->circuit > 0) ui.emit(edit::Set<&Aids::circuit>{0});
+  if (chosen) ui.emit(edit::Set<&Aids::show_element>{false});
+  else if (settings.element.kind == kind) ui.emit(edit::Set<&Aids::show_element>{true});
+  else ui.emit(edit::ChooseElement{ui.inputs.elements[static_cast<std::size_t>(kind)]});
+}
+
+struct Face {
+  const Icon& icon;
+  std::string label, help;
+  bool on, enabled = true;
+};
+
+// A button of the grid. The one that is on has a frame, too: colour alone would not tell it from the others.
+bool face_button(Ui& ui, const Face& face, const PaletteGrid& grid) {
+  if (face.on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+  const IconPlace place = grid.labels ? IconPlace::above : IconPlace::alone;
+  const bool pressed = icon_button(ui, face.icon, face.label, face.help, face.enabled, grid.cell_width, place);
+  if (!face.on) return pressed;
+  ImGui::PopStyleColor();
+  ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), packed(palette().text),
+                                      ImGui::GetStyle().FrameRounding, 0, std::max(1.0f, std::floor(1.5f * ui.scale)));
+  return pressed;
+}
+
+void next_cell(int& cell, const PaletteGrid& grid) {
+  if (cell++ % grid.columns != 0) ImGui::SameLine();
+}
+
+// Returns the number of cells used.
+int element_buttons(Ui& ui, const PaletteGrid& grid) {
+  const world::Settings& settings = ui.session().settings;
+  if (settings.aids->show_element)
+    ui.inputs.elements[static_cast<std::size_t>(settings.element.kind)] = settings.element;
+  const std::span<const world::ElementRow> rows = world::elements();
+  int cell = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    next_cell(cell, grid);
+    const auto kind = static_cast<ElementKind>(i);
+    const bool chosen = settings.aids->show_element && settings.element.kind == kind;
+    const std::string help =
+        grid.labels ? std::string(rows[i].help) : fmt::format("{}. {}", rows[i].label, rows[i].help);
+    // Scripts may say "Curve" for "Banked curve".
+    const std::string label =
+        kind == ElementKind::curve ? fmt::format("{}###Curve", rows[i].label) : std::string(rows[i].label);
+    if (face_button(ui, {icon_of(kind), label, help, chosen}, grid)) choose(ui, kind, chosen);
+  }
+  return cell;
+}
+
+constexpr std::string_view kByHand = "Draw knots";
+
+void by_hand_button(Ui& ui, const PaletteGrid& grid, int cell) {
+  next_cell(cell, grid);
+  const bool on = ui.session().settings.aids->append_mode;
+  const std::string help = fmt::format(
+      "Draw track by hand: click on the ground to append knots to an open track. {} "
+      "ends it.",
+      ui.keys.shown("Cancel"));
+  if (face_button(ui, {kPencilIcon, std::string(kByHand), with_keys(ui.keys, help, "Append points"), on}, grid))
+    ui.emit(edit::Set<&Aids::append_mode>{!on});
+}
+
+constexpr std::string_view kCompleteCircuit = "Complete circuit";
+
+void circuit_cell(Ui& ui, const PaletteGrid& grid, int cell) {
+  next_cell(cell, grid);
+  const bool open = completable(ui.session().document), on = open && ui.session().settings.aids->circuit > 0;
+  const std::string help = with_keys(ui.keys, fmt::format("{}. {}", kCompleteCircuit, kCircuitHelp), kCompleteCircuit);
+  if (face_button(ui, {kCircuitIcon, std::string(kCompleteCircuit), help, on, open}, grid)) toggle_ways_home(ui);
+}
+
+}  // namespace
+
+int palette_size() { return static_cast<int>(world::elements().size()) + 2; }
+
+float palette_label_width(float scale) {
+  float widest = std::max(small_size(kByHand).x, small_size(kCompleteCircuit).x);
+  for (const world::ElementRow& row : world::elements()) widest = std::max(widest, small_size(row.label).x);
+  return widest + std::floor(4 * scale);
+}
+
+void build_palette_of_elements(Ui& ui, const view::Viewport& area, const PaletteGrid& grid) {
+  if (area.width < 1 || area.height < 1) return;
+  const float pad = std::floor(8 * ui.scale), gap = std::floor(4 * ui.scale);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
+  if (begin_area("##palette", {area.x, area.y}, {area.width, area.height},
+                 ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+    ui.panel = "Elements";
+    const int used = element_buttons(ui, grid);
+    by_hand_button(ui, grid, used);
+    circuit_cell(ui, grid, used + 1);
+    ui.panel.clear();
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+void build_drawer(Ui& ui, const view::Viewport& area) {
+  if (area.width < 1 || area.height < 1) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
+  if (begin_area("##drawer", {area.x, area.y}, {area.width, area.height})) {
+    ui.panel = "Parameters";
+    const bool open = ui.drawers.parameters.open;
+    const ImVec2 low(area.x, area.y), high(area.x + area.width, area.y + area.height);
+    const bool pressed = ImGui::InvisibleButton("##fold", {area.width, area.height});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field));
+    draw_fold_mark(list, {low.x + area.height * 0.5f, low.y + area.height * 0.5f}, ui.scale, open);
+    const float left = low.x + area.height, top = std::floor(low.y + (area.height - ImGui::GetTextLineHeight()) * 0.5f);
+    const std::string_view name = left + text_size("Parameters").x <= high.x ? "Parameters" : "Values";
+    draw_text(list, {left, top}, palette().text, name);
+    note(ui, "", "header",
+         with_keys(ui.keys, "Parameters of the chosen element, of the selection, or of the track.", "Parameters"), true,
+         open ? "open" : "closed", low, high);
+    if (pressed) ui.drawers.parameters.toggle();
+    ui.panel.clear();
+  }
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+}
+
+void all_element_buttons(Ui& ui) {
+  const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
+  PaletteGrid grid{.labels = true};
+  float widest = 0;
+  for (const world::ElementRow& row : world::elements())
+    widest = std::max(widest, small_size(row.label).x + std::floor(4 * ui.scale));
+  grid.columns = std::clamp(static_cast<int>((room + gap) / (widest + gap)), 1, 4);
+  grid.cell_width = std::floor((room - gap * static_cast<float>(grid.columns - 1)) / static_cast<float>(grid.columns));
+  element_buttons(ui, grid);
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,193 @@
+#include "ui/screens/ride_bar.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_settings.h"
+#include "ui/context/rows.h"
+#include "ui/tools/fly_keys.h"
+#include "ui/tools/places.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/theme.h"
+#include "world/lab_view.h"
+
+namespace coaster::ui {
+namespace {
+
+// Parts of the bar go from left to right, all as high as a frame.
+struct RideRow {
+  Ui& ui;
+  float x, y, right, gap;  // px
+
+  // Places the next part, `width` px wide, and returns its width.
+  float place(float width) {
+    ImGui::SetCursorScreenPos({x, y});
+    x += width + gap;
+    return width;
+  }
+  float scaled(float design) const { return std::floor(design * ui.scale); }
+};
+
+void buttons(RideRow& row) {
+  Ui& ui = row.ui;
+  const bool any = rideable(ui.session()), running = ui.session().motion.state == world::RideState::running;
+  const auto control = [&](const Icon& icon, std::string_view label, std::string_view help, std::string_view action) {
+    const float width = row.place(row.scaled(78));
+    return icon_button(ui, icon, label, with_keys(ui.keys, help, action), any, width);
+  };
+  if (running) {
+    if (control(kPauseIcon, "Pause", "Pause the ride.", "Play or pause")) ui.emit(edit::RidePause{});
+  } else if (control(kPlayIcon, "Play", "Start or resume the ride.", "Play or pause")) {
+    ui.emit(edit::RideStart{});
+  }
+  if (control(kResetIcon, "Reset", "Return the carts to their start.", "Reset")) ui.emit(edit::RideStop{});
+}
+
+// A value that keeps its place when its digits change.
+void value(RideRow& row, std::string_view label, std::string_view shown, float cell, std::string_view tooltip) {
+  const float gap = row.scaled(6), words = text_size(label).x, width = words + gap + row.scaled(cell);
+  const float left = row.x, text = std::floor(row.y + (ImGui::GetFrameHeight() - ImGui::GetTextLineHeight()) * 0.5f);
+  row.place(width);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, {left, text}, palette().dim, label);
+  draw_text(list, {left + width - text_size(shown).x, text}, palette().text, shown);
+  note(row.ui, label, "label", tooltip, true, std::string(shown), {left, row.y},
+       {left + width, row.y + ImGui::GetFrameHeight()});
+}
+
+// Seconds from the start of the simulated ride to the train's place in it, and of the whole ride.
+std::string ride_time(const Ui& ui) {
+  const edit::Session& session = ui.session();
+  const world::CartMotion* const train = session.motion.carts.find(edit::chosen_cart(session));
+  const sim::Ghost* const ride = ui.find(edit::Want::ride).ride;
+  if (train == nullptr || ride == nullptr) return "--";
+  const double way = sim::within_lap(train->track_distance - ride->start.front, ride->track_length, ride->closed);
+  const auto at = std::find_if(ride->samples.begin(), ride->samples.end(),
+                               [&](const sim::GhostSample& sample) { return sample.travelled >= way; });
+  const double seconds = static_cast<double>(at - ride->samples.begin()) * world::kTick;
+  return fmt::format("{} / {} s", fixed(std::min(seconds, ride->seconds()), 1), fixed(ride->seconds(), 1));
+}
+
+void values(RideRow& row) {
+  const auto shown = [&](std::string_view query, int decimals, std::string_view unit) {
+    const auto number = number_of(row.ui, query);
+    return number ? measured(row.ui, *number, decimals, unit) : "--";
+  };
+  value(row, "Speed", shown("ride.speed", 1, "m/s"), 64, "Speed of the first cart along the track.");
+  value(row, "g up", shown("ride.g_up", 2, "g"), 48, "Felt acceleration towards the rider's head.");
+  value(row, "Height", shown("ride.height", 1, "m"), 56, "Height of the first cart above the ground.");
+  value(row, "Time", ride_time(row.ui), 96, "Time since the start of the ride, and of the whole ride.");
+}
+
+// Along the track, as long as the track.
+void scrub(RideRow& row, float width) {
+  Ui& ui = row.ui;
+  const edit::Session& session = ui.session();
+  const world::CartMotion* const train = session.motion.carts.find(edit::chosen_cart(session));
+  float at = train != nullptr ? static_cast<float>(train->track_distance) : 0;
+  const bool any = train != nullptr && rideable(session);
+  const float length = std::max(0.1f, static_cast<float>(session.derived.length));
+  ImGui::SetNextItemWidth(row.place(width));
+  ImGui::BeginDisabled(!any);
+  const std::string shown = measured(ui, at, 1, "m");
+  const bool moved = ImGui::SliderFloat("##scrub", &at, 0, length, shown.c_str(),
+                                        ImGuiSliderFlags_NoInput | ImGuiSliderFlags_AlwaysClamp);
+  ImGui::EndDisabled();
+  note_item(ui, "Place", "slider", "Place of the train along the track. Drag to move it there.", any, shown);
+  if (moved && any) ui.emit(edit::RideSeek{at});
+}
+
+// A list in its own part of the bar: its row begins there.
+template <class Build>
+void list_in(RideRow& row, const char* id, float width, Build build) {
+  row.place(width);
+  if (ImGui::BeginChild(id, {width, ImGui::GetFrameHeight()}, false, ImGuiWindowFlags_NoScrollbar)) build();
+  ImGui::EndChild();
+}
+
+void camera_list(Ui& ui) {
+  std::vector<Choice> choices;
+  for (const base::NameRow& row : rows_of(world::CameraMode{})) {
+    std::string label(row.name);
+    label.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(label.front())));
+    choices.push_back({label, std::string(row.help)});
+  }
+  const auto now = static_cast<int>(ui.session().settings.camera_mode);
+  if (const auto to = combo(ui, "Camera", choices, now, with_keys(ui.keys, "The camera.", "Next camera"), true))
+    choose_camera(ui, static_cast<world::CameraMode>(*to));
+}
+
+// At most as wide as the row has room for both.
+void lists(RideRow& row) {
+  Ui& ui = row.ui;
+  const float room = row.right - row.x - row.gap, seat = std::min(row.scaled(170), std::floor(0.54f * room));
+  const float camera = std::min(row.scaled(136), std::floor(room - seat));
+  list_in(row, "##seat", seat, [&] {
+    const world::Seat now = ui.session().settings.lab->seat;
+    if (const auto to = combo_of(ui, "Seat", now, "Seat whose ride the force graph and the laboratory show.", true))
+      ui.emit(edit::Set<&world::LabView::seat>{*to});
+  });
+  list_in(row, "##camera", camera, [&] { camera_list(ui); });
+}
+
+void record(RideRow& row) {
+  Ui& ui = row.ui;
+  const bool filming = ui.state.movie != nullptr;
+  const std::string help =
+      with_keys(ui.keys, filming ? "Stop recording." : "Record one lap as a movie.", "Record movie");
+  const float width = row.place(row.scaled(86));
+  if (icon_button(ui, filming ? kStopIcon : kRecordIcon, filming ? "Stop" : "Record", help,
+                  filming || rideable(ui.session()), width))
+    ui.out.movie = filming ? MovieWish::stop : MovieWish::start;
+}
+
+// The parts beside the scrub slider have this width together.
+float fixed_width(const RideRow& row, bool two_rows) {
+  const float first = 2 * (row.scaled(78) + row.gap) + row.scaled(86) + row.gap;
+  if (two_rows) return first;
+  float labels = 0;
+  for (const char* const label : {"Speed", "g up", "Height", "Time"})
+    labels += text_size(label).x + row.scaled(6) + row.gap;
+  return first + labels + row.scaled(64 + 48 + 56 + 96) + row.scaled(170) + row.scaled(136) + 2 * row.gap;
+}
+
+}  // namespace
+
+void build_ride_bar(Ui& ui, const view::Viewport& area) {
+  if (area.width < 1 || area.height < 1) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
+  if (begin_area("##ride", {area.x, area.y}, {area.width, area.height})) {
+    ui.panel = "Ride";
+    const float pad = std::floor(10 * ui.scale), bar = ImGui::GetFrameHeight();
+    const bool two_rows = area.height > 2 * bar;
+    const float above = std::floor((area.height - (two_rows ? 2 : 1) * bar) / (two_rows ? 3 : 2));
+    RideRow row{ui, area.x + pad, area.y + above, area.x + area.width - pad, std::floor(12 * ui.scale)};
+    const float room = row.right - row.x - fixed_width(row, two_rows);
+    buttons(row);
+    if (!two_rows) values(row);
+    scrub(row, std::max(room, row.scaled(40)));
+    if (two_rows) {
+      record(row);
+      row.x = area.x + pad, row.y += bar + above;
+      values(row);
+      lists(row);
+    } else {
+      lists(row);
+      record(row);
+    }
+  }
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  ui.panel.clear();
+}
+
+}  // namespace coaster::ui
