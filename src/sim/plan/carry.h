@@ -19,8 +19,8 @@ struct Carry {
 // one of them has none, there is no rotation.
 Carry carry_between(glm::dvec3 from, glm::dvec3 from_heading, glm::dvec3 to, glm::dvec3 to_heading);
 
-// Returns the carry that takes one knot to another. Refused, with what differs at the joint, where their slopes or rolls
-// differ by more than float rounding.
+// Returns the carry that takes one knot to another. Refused, with what differs at the joint, where their slopes or
+// rolls differ by more than float rounding.
 base::Result<Carry> carry_between(const world::Knot& from, const world::Knot& to);
 
 }  // namespace coaster::sim

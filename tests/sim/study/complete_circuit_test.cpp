@@ -1,0 +1,58 @@
+// Ways home from the end of a straight: the paths of Dubins tell how short they can be. Whole circuits are tested on
+// documents (tests/edit/perform/complete_circuit_test.cpp).
+#include "sim/study/complete_circuit.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "sim/tracks.h"
+
+namespace coaster::sim {
+namespace complete_circuit_test {
+
+constexpr float kLength = 60;  // m
+constexpr double kLeastRadius = 8;
+
+world::Document straight() {
+  world::Document d;
+  for (const float x : {0.0f, kLength}) world::append_knot(d, test::skew_knot({x, 5, 0}, {1, 0, 0}, 20, 20));
+  return d;
+}
+
+CircuitProposals ways_home(const world::Document& document) {
+  const Derived derived = test::derived_of(document);
+  Conflicts conflicts;
+  conflicts.update(derived);
+  CircuitMemo memo;
+  return memo.update(document, derived, conflicts, nullptr);
+}
+
+// The shortest path back to the start of a straight, in its direction, is two half circles and a straight.
+TEST(complete_circuit, no_way_home_is_shorter_than_the_path_of_dubins) {
+  const CircuitProposals found = ways_home(straight());
+  ASSERT_FALSE(found.list.empty()) << found.refusal;
+  for (const CircuitProposal& way : found.list) {
+    EXPECT_GT(way.plan.length, 2 * std::numbers::pi * kLeastRadius + kLength);
+    EXPECT_EQ(way.plan.fit.knots.back().position, glm::vec3(0, 5, 0));
+    EXPECT_LT(glm::distance(way.plan.fit.knots.back().tangent, {1, 0, 0}), 1e-6f);
+  }
+}
+
+TEST(complete_circuit, assumes_a_speed_where_no_train_reaches_the_end) {
+  const CircuitProposals found = ways_home(straight());
+  EXPECT_TRUE(found.assumed);
+  EXPECT_EQ(found.speed, kAssumedSpeed);
+}
+
+TEST(complete_circuit, is_refused_without_a_segment_and_for_a_closed_track) {
+  EXPECT_FALSE(circuit_task(world::Document{}, nullptr));
+  EXPECT_FALSE(ways_home(world::Document{}).refusal.empty());
+  world::Document closed = straight();
+  world::set_closed(closed, true);
+  EXPECT_FALSE(circuit_task(closed, nullptr));
+  EXPECT_TRUE(ways_home(closed).list.empty());
+}
+
+}  // namespace complete_circuit_test
+}  // namespace coaster::sim
