@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "ui/lab/cache.h"
 #include "ui/lab/page_parts.h"
 #include "ui/lab/ride_plots.h"
 
