@@ -94,7 +94,9 @@ TEST_F(ImGuiInputTest, two_clicks_within_0_3_s_are_a_double_click_at_any_frame_r
       }
       EXPECT_EQ(clicks, 2) << frame_time << " " << between;
       EXPECT_EQ(double_clicks, presses[1] - presses[0] < 0.3 ? 1 : 0) << frame_time << " " << between;
-      if (frame_time < 0.01) EXPECT_EQ(double_clicks, between < 0.3 ? 1 : 0);
+      if (frame_time < 0.01) {
+        EXPECT_EQ(double_clicks, between < 0.3 ? 1 : 0);
+      }
     }
 }
 
