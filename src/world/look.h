@@ -68,7 +68,7 @@ struct Look {
       setting(&Look::graph_height, "graph_height",
               "Height of the force graph in Build as a share of the height between menu and status bar. 0: by the "
               "window's size.",
-              {.low = 0, .high = 0.6, .kept_as = "graph_height"})};
+              {.low = 0, .high = 0.5, .kept_as = "graph_height"})};
 };
 
 }  // namespace coaster::world

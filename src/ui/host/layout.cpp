@@ -65,7 +65,7 @@ PaletteGrid grid_in(float width, float height, float scale, const LayoutWish& wi
 }
 
 void lay_out_graph(Layout& layout, float width, float height, float scale, float bar, const LayoutWish& wish) {
-  constexpr float kDesign = 130, kPart = 0.17f, kMost = 0.6f, kLeast = 4, kRoomy = 600;  // kLeast: bars
+  constexpr float kDesign = 130, kPart = 0.17f, kMost = 0.5f, kLeast = 4, kRoomy = 600;  // kLeast: bars
   Viewport& scene = layout.scene;
   if (scene.height < kLeast * bar) return;
   const bool roomy = height >= kRoomy * scale && kMost * scene.height >= kLeast * bar;
