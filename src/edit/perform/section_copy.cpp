@@ -74,7 +74,8 @@ Status paste(Change& change, const Document& from, const SectionRun& run, Docume
     return appended;
   }
   for (std::size_t i = before; i < document.track.segments.size(); ++i)
-    world::copy_fittings(from, from.track.segments[run.first + std::min(i - before, run.count - 1)], document, document.track.segments[i]);
+    world::copy_fittings(from, from.track.segments[run.first + std::min(i - before, run.count - 1)], document,
+                         document.track.segments[i]);
   return {};
 }
 
