@@ -84,9 +84,11 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
 }
 
 Status perform(Session& session, Change& change, const CompleteCircuit& command) {
+  if (command.proposal < 1 || command.proposal > static_cast<int>(sim::kMostProposals))
+    return refused(fmt::format("expected a proposal from 1 to {}", sim::kMostProposals));
   const sim::CircuitProposals& found = *find(session, Want::circuit).circuit;
   if (!found.refusal.empty()) return refused(found.refusal);
-  if (command.proposal < 1 || static_cast<std::size_t>(command.proposal) > found.list.size())
+  if (static_cast<std::size_t>(command.proposal) > found.list.size())
     return refused(fmt::format("there {} {} proposal{}", found.list.size() == 1 ? "is" : "are", found.list.size(),
                                found.list.size() == 1 ? "" : "s"));
   const sim::CircuitProposal& proposal = found.list[static_cast<std::size_t>(command.proposal) - 1];

@@ -214,8 +214,8 @@ TEST_F(CompleteCircuitTest, proposals_differ_and_the_better_comes_first) {
 TEST_F(CompleteCircuitTest, says_what_is_in_the_way) {
   refused("complete 1", "the track has no segment yet");
   good("append at 0 3 0"), good("append at 20 3 0");
-  refused("complete 4", "there are 3 proposals");
-  refused("complete 0", "there are 3 proposals");
+  refused("complete 4", "expected a proposal from 1 to 3");
+  refused("complete 0", "expected a proposal from 1 to 3");
   good("start_speed 0");
   // Without a speed no train reaches the open end; from 1 m/s it would come home with 1 m/s again.
   good("move @k1 to 0 33 0"), good("move @k2 to 20 33 0"), good("direct @k1,@k2 to 1 0 0"),
