@@ -30,9 +30,15 @@ vec4 polyline_corner(mat4 view_projection, vec3 eye, vec2 viewport, float widest
                      out float width) {
   // Half a percent nearer to the eye, on the same pixel: in front of the rails and ties that it touches.
   vec4 a = view_projection * vec4(mix(eye, from, 0.995), 1.0), b = view_projection * vec4(mix(eye, to, 0.995), 1.0);
+  vec3 height = vec3(view_projection[0][1], view_projection[1][1], view_projection[2][1]);
+  if (view_projection[0][3] == 0.0 && view_projection[1][3] == 0.0 && view_projection[2][3] == 0.0) {  // orthographic: by as much at the subject
+    float nearer = 0.012 * length(vec3(view_projection[0][2], view_projection[1][2], view_projection[2][2])) / length(height);
+    a = view_projection * vec4(from, 1.0) - vec4(0.0, 0.0, nearer, 0.0);
+    b = view_projection * vec4(to, 1.0) - vec4(0.0, 0.0, nearer, 0.0);
+  }
   // Thins out at a distance, so that it does not cover the track: at most kWidest metres wide.
   const float kWidest = 0.2;
-  float px_per_metre = 0.5 * viewport.y * length(vec3(view_projection[0][1], view_projection[1][1], view_projection[2][1])) / max(b.w, 0.01);
+  float px_per_metre = 0.5 * viewport.y * length(height) / max(b.w, 0.01);
   width = clamp(kWidest * px_per_metre, 0.6, widest_px);
   return expand(a, b, corner, width, viewport, across);
 }

@@ -1,5 +1,5 @@
 // The sky with the sun and distant hills by the ray of each pixel; for an eye below the ground, the inside of the
-// earth.
+// earth, which a blueprint draws in its own colour.
 uniform vec3 eye;
 uniform float pixel;  // its side at distance 1
 in vec3 direction;
@@ -36,6 +36,7 @@ vec3 heavens(vec3 sight) {
 
 void main() {
   vec3 sight = normalize(direction);
-  vec3 light = eye.y < 0.0 ? mix(linear_of(vec3(0.36, 0.33, 0.29)), linear_of(vec3(0.52, 0.49, 0.43)), 0.5 + 0.5 * sight.y) : heavens(sight);
+  vec3 earth = mix(linear_of(vec3(0.36, 0.33, 0.29)), linear_of(vec3(0.52, 0.49, 0.43)), 0.5 + 0.5 * sight.y);
+  vec3 light = eye.y < 0.0 ? mix(earth, 0.75 * air.ground.rgb, air.sun.w) : heavens(sight);
   colour = vec4(encode(light), 1.0);
 }

@@ -32,14 +32,17 @@ Part part_of_viewport(float a, float b, float c) {
 }
 
 struct Rays {
-  glm::vec3 forward, right, up;  // right and up: to the viewport's edges at distance 1
+  glm::vec3 forward, right, up;            // right and up: to the viewport's edges at distance 1
+  glm::vec3 eye, eye_right{0}, eye_up{0};  // m; where rays begin, and how far this moves to the edges
 };
 
 void draw_part(const Pass& pass, const Program& program, const Rays& rays, const Part& part) {
   program.set("forward", rays.forward);
   program.set("right", rays.right);
   program.set("up", rays.up);
-  program.set("eye", pass.scene.view.eye);
+  program.set("eye", rays.eye);
+  program.set("eye_right", rays.eye_right);
+  program.set("eye_up", rays.eye_up);
   for (std::size_t i = 0; i < part.corners.size(); ++i)
     program.set(fmt::format("corners[{}]", i).c_str(), part.corners[i]);
   if (!pass.scene.unseen) pass.gl.DrawArrays(GL_TRIANGLE_FAN, 0, part.count);
@@ -71,25 +74,48 @@ void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, 
   gl.Clear(GL_DEPTH_BUFFER_BIT);
 }
 
+void draw_sky(const Pass& pass, const Rays& rays, const Part& part) {
+  if (part.count < 3) return;
+  const view::View& view = pass.scene.view;
+  const float by_distance = view.parallel > 0 ? view.parallel : 1;
+  pass.programs.sky.use();
+  pass.programs.sky.set("pixel", view::metres_per_pixel(view, 1) / by_distance);
+  draw_part(pass, pass.programs.sky, rays, part);
+}
+
+// An orthographic view from above shows the ground all over. One along the ground shows it as a line: earth below it,
+// and above it the sky of a perspective view whose horizon is there.
+void draw_parallel_backdrop(const Pass& pass, const SunShadows& shadows) {
+  const view::View& view = pass.scene.view;
+  const glm::mat3 axes = glm::transpose(glm::mat3(view.view));
+  const glm::vec3 right = axes[0] / view.projection[0][0], up = axes[1] / view.projection[1][1];
+  if (axes[2].y > 0.5f) {
+    const Rays down{-axes[2], glm::vec3(0), glm::vec3(0), view.eye, right, up};
+    return draw_ground(pass, shadows, down, part_of_viewport(1, 0, 0));
+  }
+  const float middle = view.eye.y / up.y;  // height of the picture's middle over the ground, in halves of the picture
+  const glm::vec3 right_at_1 = right / view.parallel, up_at_1 = up / view.parallel;
+  const Rays over{-axes[2] + middle * up_at_1, right_at_1, up_at_1, {0, 1, 0}},
+      under{over.forward, over.right, over.up, {0, -1, 0}};
+  draw_sky(pass, over, part_of_viewport(middle, 0, 1));
+  draw_sky(pass, under, part_of_viewport(-middle, 0, -1));
+}
+
 }  // namespace
 
 void draw_backdrop(const Pass& pass, const SunShadows& shadows) {
   const view::View& view = pass.scene.view;
-  // Rows of the view matrix are the camera's axes in the world; the projection is symmetric.
-  const glm::mat3 axes = glm::transpose(glm::mat3(view.view));
-  const Rays rays{-axes[2], axes[0] / view.projection[0][0], axes[1] / view.projection[1][1]};
-  const bool buried = view.eye.y <= 0;  // below the ground: earth all around
-  const Part above = buried ? part_of_viewport(1, 0, 0) : part_of_viewport(rays.forward.y, rays.right.y, rays.up.y);
-  const Part below = buried ? Part{} : part_of_viewport(-rays.forward.y, -rays.right.y, -rays.up.y);
   blend(pass.gl, false);
   pass.gl.Disable(GL_DEPTH_TEST);
   pass.gl.BindVertexArray(pass.no_attributes);
-  if (above.count > 2) {
-    const Program& sky = pass.programs.sky;
-    sky.use();
-    sky.set("pixel", 2.0f / (view.projection[1][1] * std::max(view.viewport.height, 1.0f)));
-    draw_part(pass, sky, rays, above);
-  }
+  if (view.parallel > 0) return draw_parallel_backdrop(pass, shadows);
+  // Rows of the view matrix are the camera's axes in the world; the projection is symmetric.
+  const glm::mat3 axes = glm::transpose(glm::mat3(view.view));
+  const Rays rays{-axes[2], axes[0] / view.projection[0][0], axes[1] / view.projection[1][1], view.eye};
+  const bool buried = view.eye.y <= 0;  // below the ground: earth all around
+  const Part above = buried ? part_of_viewport(1, 0, 0) : part_of_viewport(rays.forward.y, rays.right.y, rays.up.y);
+  const Part below = buried ? Part{} : part_of_viewport(-rays.forward.y, -rays.right.y, -rays.up.y);
+  draw_sky(pass, rays, above);
   if (below.count > 2) draw_ground(pass, shadows, rays, below);
 }
 

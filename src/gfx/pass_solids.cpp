@@ -15,9 +15,14 @@ constexpr float kOutline = 0.9f;    // px, outline of solids in the blueprint st
 constexpr float kLeastTube = 1.6f;  // px, smallest half width of distant coloured rails
 
 // Returns the radius in metres per metre of distance that appears `pixels` wide: the projection scales a metre at
-// distance one to half the viewport's height times its entry.
+// distance one to half the viewport's height times its entry. Right for the subject of an orthographic view.
 float metres_of_pixels(const view::View& view, float pixels) {
-  return 2 * pixels / (view.projection[1][1] * std::max(view.viewport.height, 1.0f));
+  return pixels * view::metres_per_pixel(view, 1) / (view.parallel > 0 ? view.parallel : 1);
+}
+
+// Returns the eye for which solids are lit: above the ground, so that an orthographic view shows what is there.
+glm::vec3 lit_from(const view::View& view) {
+  return view.parallel > 0 ? glm::vec3(view.eye.x, std::max(view.eye.y, view::kLowestEye), view.eye.z) : view.eye;
 }
 
 // Returns how far a rail is more than two pixels wide, and ties are a pixel apart.
@@ -64,7 +69,7 @@ void draw_all(const Pass& pass, const Program& program, GLenum hidden, const Tra
   pass.gl.CullFace(hidden);
   program.use();
   program.set("view_projection", pass.view_projection);
-  program.set("eye", pass.scene.view.eye);
+  program.set("eye", lit_from(pass.scene.view));
   program.set("outline", metres_of_pixels(pass.scene.view, kOutline));
   set_colouring(pass, program);
   shadows.bind(program);

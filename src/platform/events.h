@@ -27,6 +27,7 @@ namespace coaster::platform {
   X(up, 265, "Up") X(page_up, 266, "PageUp") X(page_down, 267, "PageDown") X(home, 268, "Home") X(end, 269, "End") \
   X(f1, 290, "F1") X(f2, 291, "F2") X(f3, 292, "F3") X(f4, 293, "F4") X(f5, 294, "F5") X(f6, 295, "F6") \
   X(f7, 296, "F7") X(f8, 297, "F8") X(f9, 298, "F9") X(f10, 299, "F10") X(f11, 300, "F11") X(f12, 301, "F12") \
+  X(keypad_1, 321, "Keypad1") X(keypad_3, 323, "Keypad3") X(keypad_5, 325, "Keypad5") X(keypad_7, 327, "Keypad7") \
   X(keypad_enter, 335, "KeypadEnter")
 // clang-format on
 enum class Key : int {

@@ -39,6 +39,13 @@ Beam::Beam(const View& view, dvec2 pixel) {
   const Viewport& port = view.viewport;
   const double half_width = 0.5 * port.width, half_height = 0.5 * port.height;
   w_ = clip(3);
+  if (view.parallel > 0) {
+    z_ = clip(2);
+    u_ = half_width * clip(0) + (port.x + half_width - pixel.x) * w_;
+    v_ = -half_height * clip(1) + (port.y + half_height - pixel.y) * w_;
+    set_parallel(view);
+    return;
+  }
   const double metre = glm::length(dvec3(w_));
   if (!(metre > 0) || !std::isfinite(metre)) return;
   const double scale = 1 / metre;
@@ -47,6 +54,29 @@ Beam::Beam(const View& view, dvec2 pixel) {
   u_ = (half_width * scale) * clip(0) + (port.x + half_width - pixel.x) * w_;
   v_ = (-half_height * scale) * clip(1) + (port.y + half_height - pixel.y) * w_;
   set_coarse();
+}
+
+// The cylinder about the line of sight is within a cone from a far point of that line, whose radius is right where the
+// view begins and at most twice as large where it ends.
+void Beam::set_parallel(const View& view) {
+  constexpr double kSameDepth = 1e-3;  // of the distance of the subject
+  const dvec3 u(u_), v(v_), forward(line_of_sight(view));
+  const double pixels = glm::length(u), depth = 1 / glm::length(dvec3(z_));  // a metre in px; m from the eye to a plane
+  if (!(pixels > 0) || !std::isfinite(depth)) return;
+  // Where u = v = 0, in the plane of the eye, then four depths behind it.
+  const dvec3 at(view.eye), off = dvec3(glm::dot(u, at) + u_.w, glm::dot(v, at) + v_.w, 0) / (pixels * pixels);
+  const dvec3 eye = at - off.x * u - off.y * v - 3 * depth * forward;
+  const double least_depth = 2 * depth;
+  Coarse& c = coarse_;
+  c.eye = glm::vec3(eye);
+  c.eye_depth = static_cast<float>(glm::dot(forward, eye));
+  c.inverse = {inverse_of(forward.x), inverse_of(forward.y), inverse_of(forward.z)};
+  c.pixels = c.least_pixels = pixels * least_depth;
+  c.stretch = 1 + 1e-6f;
+  c.u = glm::vec3(u / pixels), c.v = glm::vec3(v / pixels), c.w = glm::vec3(forward);
+  c.rounding = static_cast<float>(1e-6 * (std::abs(eye.x) + std::abs(eye.y) + std::abs(eye.z)));
+  same_depth_ = kSameDepth * static_cast<double>(view.parallel);
+  has_eye_ = true;
 }
 
 void Beam::set_coarse() {

@@ -10,9 +10,9 @@
 
 namespace coaster::view {
 
-// A point relative to a pixel, in homogeneous form: it appears (u/w, v/w) pixels from the pixel at depth w, and lies
-// between the near and the far plane if |z| <= w. All four are affine in the point, so the values of a curve's control
-// points are control values of the curve.
+// A point relative to a pixel, in homogeneous form: it appears (u/w, v/w) pixels from the pixel at depth w (1 in an
+// orthographic view), and lies between the near and the far plane if |z| <= w. All four are affine in the point, so the
+// values of a curve's control points are control values of the curve.
 struct Sighted {
   double u = 0, v = 0, w = 0, z = 0;
 };
@@ -22,9 +22,16 @@ inline bool is_visible(const Sighted& s) { return s.w > kLeastDepth && s.z <= s.
 
 class Beam {
  public:
-  // `view` must be a perspective view. Any other has no eye, and nothing is seen.
+  // `view` must be a perspective or an orthographic view. Any other has no eye, and nothing is seen.
   Beam(const View& view, glm::dvec2 pixel);
   bool has_eye() const { return has_eye_; }
+
+  // Metres by which depths of an orthographic view must differ for one to be in front; 0 for a perspective view.
+  double same_depth() const { return same_depth_; }
+  // Depth of a place of a curve, m: from the eye, or along an orthographic view.
+  double depth(double w, glm::dvec3 place) const {
+    return same_depth_ > 0 ? glm::dot(glm::dvec3(coarse_.w), place) : w;
+  }
 
   Sighted operator()(glm::vec3 p) const {
     const auto row = [p](const glm::dvec4& r) { return r.x * p.x + r.y * p.y + r.z * p.z + r.w; };
@@ -46,8 +53,10 @@ class Beam {
 
  private:
   void set_coarse();
+  void set_parallel(const View& view);
   glm::dvec4 u_{0}, v_{0}, w_{0}, z_{0};
   Coarse coarse_;
+  double same_depth_ = 0;
   bool has_eye_ = false;
 };
 

@@ -34,12 +34,27 @@ glm::vec3 towards_eye(float yaw_deg, float pitch_deg) {
   return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
 }
 
+// The axes of a camera: to the right, to the top and back of its picture.
+glm::mat3 axes_of(const world::Camera& camera) {
+  switch (camera.projection) {
+    case world::Projection::front: return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    case world::Projection::side: return {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
+    case world::Projection::top: return {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
+    case world::Projection::perspective: break;
+  }
+  const glm::vec3 back = towards_eye(camera.yaw_deg, camera.pitch_deg);
+  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back));
+  return {right, glm::cross(back, right), back};
+}
+
 // Returns the nearest camera with the same yaw and pitch that shows all points.
 world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3> points, Viewport viewport) {
   viewport = with_area(viewport);
   world::Camera out = from;
-  const glm::vec3 back = towards_eye(from.yaw_deg, from.pitch_deg);
-  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back)), up = glm::cross(back, right);
+  const glm::mat3 axes = axes_of(from);
+  const glm::vec3 right = axes[0], up = axes[1], back = axes[2];
+  // Depth does not move what an orthographic view shows.
+  const float by_depth = from.projection == world::Projection::perspective ? 1.0f : 0.0f;
   const float tan_y = std::tan(glm::radians(from.field_of_view_deg) * 0.5f) / kMargin,
               tan_x = tan_y * viewport.width / viewport.height;
   // A point at x across and b towards the eye is visible from an eye at x0, d if |x - x0| <= (d - b) tan. The largest x
@@ -49,14 +64,15 @@ world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3>
         furthest = kLowest;
   for (const glm::vec3 p : points) {
     const float x = glm::dot(p, right), y = glm::dot(p, up), b = glm::dot(p, back);
-    right_most = std::max(right_most, x + b * tan_x), left_most = std::max(left_most, -x + b * tan_x);
-    top = std::max(top, y + b * tan_y), bottom = std::max(bottom, -y + b * tan_y);
+    const float in_x = by_depth * b * tan_x, in_y = by_depth * b * tan_y;
+    right_most = std::max(right_most, x + in_x), left_most = std::max(left_most, -x + in_x);
+    top = std::max(top, y + in_y), bottom = std::max(bottom, -y + in_y);
     nearest = std::max(nearest, b), furthest = std::max(furthest, -b);
   }
   const float eye = std::max((right_most + left_most) / (2 * tan_x), (top + bottom) / (2 * tan_y));
   const float middle = 0.5f * (nearest - furthest);
   out.target = 0.5f * (right_most - left_most) * right + 0.5f * (top - bottom) * up + middle * back;
-  out.distance = std::max(kNearest, eye - middle);
+  out.distance = std::max(kNearest, eye - by_depth * middle);
   return out;
 }
 
@@ -75,17 +91,29 @@ View view_of(const Eye& eye, Viewport viewport) {
   const glm::dmat3 to_eye = glm::transpose(axes_of(eye));
   out.view = glm::mat4(glm::dmat4(to_eye));
   out.view[3] = glm::vec4(glm::vec3(-(to_eye * glm::dvec3(out.eye))), 1);
+  const float fov = glm::radians(
+      std::clamp(static_cast<float>(eye.field_of_view_deg), world::kMinFieldOfView, world::kMaxFieldOfView));
+  if (eye.parallel) {
+    // The eye's own plane is no limit: everything before and behind it shows.
+    out.parallel = std::max(static_cast<float>(eye.far_off), 0.1f);
+    const float half = out.parallel * std::tan(0.5f * fov), wide = half * out.viewport.width / out.viewport.height;
+    out.projection = glm::orthoRH_NO(-wide, wide, -half, half, -kFarPlane, kFarPlane);
+    return out;
+  }
   // The near plane moves out with the viewing distance, so that depth stays precise over a large track.
   const float far_off = static_cast<float>(eye.far_off), near_plane = std::max(kNearPlane, far_off * 2e-3f),
               far_plane = std::max(kFarPlane, far_off * 4.0f);
-  const float fov = glm::radians(
-      std::clamp(static_cast<float>(eye.field_of_view_deg), world::kMinFieldOfView, world::kMaxFieldOfView));
   out.projection = glm::perspectiveRH_NO(fov, out.viewport.width / out.viewport.height, near_plane, far_plane);
   return out;
 }
 
 Eye orbit_eye(const world::Camera& camera) {
   const float distance = std::max(camera.distance, 0.1f);
+  if (camera.projection != world::Projection::perspective) {
+    const glm::dmat3 axes(axes_of(camera));
+    const double far_off = distance;
+    return {glm::dvec3(camera.target) + far_off * axes[2], -axes[2], axes[1], camera.field_of_view_deg, far_off, true};
+  }
   const glm::vec3 back = towards_eye(camera.yaw_deg, camera.pitch_deg);
   glm::vec3 eye = camera.target + back * distance;
   eye.y = std::max(eye.y, kLowestEye);
@@ -123,6 +151,19 @@ world::FlyCamera fly_from(const View& view) {
   return fly;
 }
 
+float metres_per_pixel(const View& view, float depth) {
+  return 2 * (view.parallel > 0 ? 1 : depth) / (view.projection[1][1] * std::max(1.0f, view.viewport.height));
+}
+
+world::Camera in_perspective(world::Camera camera) {
+  if (camera.projection == world::Projection::perspective) return camera;
+  const glm::vec3 back = axes_of(camera)[2];
+  camera.yaw_deg = glm::degrees(std::atan2(back.x, back.z));
+  camera.pitch_deg = back.y > 0 ? world::kMaxPitch : 0;
+  camera.projection = world::Projection::perspective;
+  return camera;
+}
+
 std::optional<glm::vec3> project(const View& view, glm::vec3 world) {
   const glm::vec4 clip = view.projection * (view.view * glm::vec4(world, 1));
   if (!(clip.w > 1e-4f)) return std::nullopt;
@@ -135,6 +176,7 @@ Ray ray_through(const View& view, glm::vec2 pixel) {
   const Viewport& v = view.viewport;
   const float x = ((pixel.x - v.x) / v.width * 2 - 1) / view.projection[0][0];
   const float y = (1 - (pixel.y - v.y) / v.height * 2) / view.projection[1][1];
+  if (view.parallel > 0) return {view.eye + x * right_of(view) + y * top_of(view), line_of_sight(view), true};
   // The view matrix is a rotation and a translation: its transpose inverts the rotation.
   return {view.eye, glm::normalize(glm::transpose(glm::mat3(view.view)) * glm::vec3(x, y, -1))};
 }
@@ -143,7 +185,7 @@ std::optional<glm::vec3> meet_plane(const Ray& ray, glm::vec3 point, glm::vec3 n
   const float towards = glm::dot(ray.direction, normal);
   if (!(std::abs(towards) > 1e-6f * glm::length(normal))) return std::nullopt;
   const float distance = glm::dot(point - ray.origin, normal) / towards;
-  if (!(distance >= 0) || distance > kFurthest) return std::nullopt;
+  if (!(distance >= 0 || ray.endless) || !(std::abs(distance) <= kFurthest)) return std::nullopt;
   return ray.origin + distance * ray.direction;
 }
 
@@ -154,7 +196,7 @@ std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point) {
   const double flat = 1.0 - d.y * d.y;
   if (!(flat > 1e-8)) return std::nullopt;
   const double along = -(w.x * d.x + w.z * d.z) / flat;
-  if (!(along >= 0) || along > kFurthest) return std::nullopt;
+  if (!(along >= 0 || ray.endless) || !(std::abs(along) <= kFurthest)) return std::nullopt;
   return static_cast<float>(ray.origin.y + along * d.y);
 }
 

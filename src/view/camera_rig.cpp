@@ -118,7 +118,8 @@ void follow(CameraRig& rig, const Watched& w, int ticks) {
   rig.with_train = rig.with_train && goes_along(mode);
   rig.mode = mode, rig.reduced = reduced;
   const Eye to = target_eye(rig, w, ticks, switched);
-  if (reduced || !rig.begun || (changed && !w.eased)) rig.ticks_left = 0;
+  const bool cut = before.parallel || to.parallel;  // nothing lies between the two projections
+  if (reduced || !rig.begun || cut || (changed && !w.eased)) rig.ticks_left = 0;
   else if (changed) begin_transition(rig, before, to);
   else rig.ticks_left = std::max(0, rig.ticks_left - ticks);
   rig.begun = true;

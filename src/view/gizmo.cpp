@@ -97,7 +97,8 @@ PickKind pick_gizmo(const Gizmo& gizmo, const View& view, float scale, glm::vec2
       if (at) corners[k] = *at;
     }
     if (!seen || area(corners) <= kFewest * scale * scale || !inside(corners, dvec2(pixel))) continue;
-    const double distance = glm::length(glm::dvec3(world[0]) + glm::dvec3(world[2]) - 2.0 * glm::dvec3(view.eye));
+    const glm::dvec3 away = glm::dvec3(world[0]) + glm::dvec3(world[2]) - 2.0 * glm::dvec3(view.eye);
+    const double distance = view.parallel > 0 ? glm::dot(away, glm::dvec3(line_of_sight(view))) : glm::length(away);
     if (best == PickKind::none || distance < nearest) nearest = distance, best = plane_kind(i);
   }
   return best;

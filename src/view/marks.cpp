@@ -40,7 +40,8 @@ std::optional<PlacedMark> placed_mark(const Projector& projector, const View& vi
   const glm::dvec2 off = glm::max(first - *pixel, *pixel - first - size);
   if (std::max(off.x, off.y) > kLargest) return std::nullopt;
   const glm::dvec3 away = glm::dvec3(position) - glm::dvec3(view.eye);
-  return PlacedMark{kind, knot, position, *pixel, glm::dot(away, away), 0};
+  const double distance = view.parallel > 0 ? glm::dot(away, glm::dvec3(line_of_sight(view))) : glm::dot(away, away);
+  return PlacedMark{kind, knot, position, *pixel, distance, 0};
 }
 
 std::vector<PlacedMark> marks_on_screen(const world::Document& document, const world::Settings& settings,

@@ -10,9 +10,11 @@ namespace coaster::view {
 PixelScale::PixelScale(const View& view)
     : eye_(view.eye),
       forward_(line_of_sight(view)),
-      focal_px_(0.5 * static_cast<double>(view.viewport.height) * static_cast<double>(view.projection[1][1])) {}
+      focal_px_(0.5 * static_cast<double>(view.viewport.height) * static_cast<double>(view.projection[1][1])),
+      parallel_(view.parallel > 0) {}
 
 double PixelScale::operator()(glm::dvec3 at) const {
+  if (parallel_) return focal_px_;
   const double depth = glm::dot(at - eye_, forward_);
   return depth > 0 ? focal_px_ / depth : 0;
 }
@@ -38,9 +40,10 @@ void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View&
                    kAlong = 0.05;  // of the length; sine of the smallest angle to the line of sight
   const glm::dvec3 tip = from + length * direction;
   overlay.lines.push_back({glm::vec3(from), glm::vec3(tip), width_px, rgba});
-  const glm::dvec3 side = glm::cross(direction, glm::dvec3(view.eye) - from);
+  const glm::dvec3 to_eye = view.parallel > 0 ? -glm::dvec3(line_of_sight(view)) : glm::dvec3(view.eye) - from;
+  const glm::dvec3 side = glm::cross(direction, to_eye);
   const double across = glm::length(side);
-  if (!(across > kAlong * glm::length(glm::dvec3(view.eye) - from))) return;
+  if (!(across > kAlong * glm::length(to_eye))) return;
   const glm::dvec3 back = tip - kBarb * length * direction, out = side * (kHalfWidth * length / across);
   overlay.lines.push_back({glm::vec3(tip), glm::vec3(back + out), width_px, rgba});
   overlay.lines.push_back({glm::vec3(tip), glm::vec3(back - out), width_px, rgba});
@@ -83,6 +86,12 @@ std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& 
     const auto [low, high] = curve::control_box(shape.key.cubic);
     const float radius = 0.5f * glm::length(high - low);
     const glm::vec3 off = 0.5f * (low + high) - view.eye;
+    if (view.parallel > 0) {
+      if (std::abs(glm::dot(off, right)) * fx > 1 + radius * fx || std::abs(glm::dot(off, up)) * fy > 1 + radius * fy)
+        continue;
+      seen.push_back({i, focal_px, static_cast<double>(focal_px) * shape.arc.length()});
+      continue;
+    }
     const float depth = glm::dot(off, forward);
     if (depth < -radius || std::abs(glm::dot(off, right)) * fx - depth > radius * side_x ||
         std::abs(glm::dot(off, up)) * fy - depth > radius * side_y)

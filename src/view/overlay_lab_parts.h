@@ -17,6 +17,7 @@ class PixelScale {
  private:
   glm::dvec3 eye_, forward_;
   double focal_px_;
+  bool parallel_;
 };
 
 inline std::uint32_t faded(std::uint32_t rgba, std::uint32_t alpha) { return (rgba & 0xffffff00u) | alpha; }

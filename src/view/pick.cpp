@@ -100,8 +100,8 @@ double distance_to_car(const Ray& ray, const sim::Pose& pose) {
   double nearest = kNowhere;
   for (const CarBox& box : kCarBoxes) {
     const auto [enter, leave] = through_box(box, origin, direction);
-    if (enter > leave || leave < 0) continue;
-    if (enter <= kInside) return kNowhere;
+    if (enter > leave || (leave < 0 && !ray.endless)) continue;
+    if (enter <= kInside && !ray.endless) return kNowhere;
     nearest = std::min(nearest, enter);
   }
   return nearest;
@@ -109,7 +109,7 @@ double distance_to_car(const Ray& ray, const sim::Pose& pose) {
 
 // A car under a pixel.
 struct Hit {
-  double distance;  // m from the eye
+  double distance;  // m from the eye; negative: behind it, in an orthographic view
   glm::vec3 position;
 };
 
@@ -147,10 +147,11 @@ std::optional<Pick> pick_cart(const world::Document& document, const sim::Derive
   const auto by_middle = [&](const sim::Pose& car) -> std::optional<Hit> {
     const glm::vec3 middle = cart_middle(car);
     const auto seen = project(view, middle);
-    if (!seen || std::abs(seen->z) > 1 || glm::distance(glm::dvec3(view.eye), car.position) < kNotTheRiders ||
-        glm::distance(glm::vec2(seen->x, seen->y), pixel) > reach)
+    const bool ridden = !ray.endless && glm::distance(glm::dvec3(view.eye), car.position) < kNotTheRiders;
+    if (!seen || std::abs(seen->z) > 1 || ridden || glm::distance(glm::vec2(seen->x, seen->y), pixel) > reach)
       return std::nullopt;
-    return Hit{glm::distance(glm::dvec3(view.eye), glm::dvec3(middle)), middle};
+    const dvec3 away = dvec3(middle) - dvec3(view.eye);
+    return Hit{ray.endless ? glm::dot(away, dvec3(ray.direction)) : glm::length(away), middle};
   };
   if (const auto cart = nearest_cart(document, derived, motion, settings, by_box)) return cart;
   return nearest_cart(document, derived, motion, settings, by_middle);

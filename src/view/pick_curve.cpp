@@ -53,7 +53,8 @@ class Search {
       const double distance = std::sqrt(place.square);
       if (!(distance <= limit())) continue;
       least_ = std::min(least_, distance);
-      candidates_.push_back({index, place.t, distance, place.depth});
+      candidates_.push_back(
+          {index, place.t, distance, beam_.depth(place.depth, curve::point(derived_.tree.cubics[index], place.t))});
     }
   }
 
@@ -63,7 +64,8 @@ class Search {
                   [&](const Candidate& c) { return c.distance > limit() || !is_nearest_at_joint(derived_, beam_, c); });
     double front = kNowhere, nearest = kNowhere;
     for (const Candidate& c : candidates_) front = std::min(front, c.depth);
-    const auto in_front = [&](const Candidate& c) { return c.depth <= front * (1 + kSameDepth); };
+    const double farthest = beam_.same_depth() > 0 ? front + beam_.same_depth() : front * (1 + kSameDepth);
+    const auto in_front = [&](const Candidate& c) { return c.depth <= farthest; };
     for (const Candidate& c : candidates_)
       if (in_front(c)) nearest = std::min(nearest, c.distance);
     const Candidate* best = nullptr;

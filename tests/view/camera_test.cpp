@@ -101,6 +101,71 @@ TEST(camera, planes_and_verticals_are_met) {
   EXPECT_FALSE(meet_vertical(ray, {-5, 0, -5}));
 }
 
+world::Camera flat(world::Projection projection, float distance) {
+  world::Camera c = camera({33.3f, 27.1f, -12.9f}, 77, 13, distance);  // yaw and pitch do not matter
+  c.projection = projection;
+  return c;
+}
+constexpr world::Projection kFlat[] = {world::Projection::front, world::Projection::side, world::Projection::top};
+
+// By hand: front shows (x, y), side (-z, y), top (x, -z), in metres to the right and to the top.
+glm::vec2 across(world::Projection projection, glm::vec3 p) {
+  if (projection == world::Projection::front) return {p.x, p.y};
+  if (projection == world::Projection::side) return {-p.z, p.y};
+  return {p.x, -p.z};
+}
+
+TEST(camera, an_orthographic_view_shows_two_coordinates_at_the_scale_of_the_target) {
+  for (const world::Projection projection : kFlat)
+    for (const float distance : {3.0f, 47.0f, 900.0f}) {
+      const View v = orbit_view(flat(projection, distance), kViewport);
+      const float metre = 617 / (2 * distance * std::tan(static_cast<float>(M_PI) / 8));  // as in perspective, px
+      for (const glm::vec3 off : {glm::vec3(0), glm::vec3(1.3f, -0.7f, 0.9f), glm::vec3(-400, 300, 5000),
+                                  glm::vec3(700, -90, -6000)}) {  // before and behind the eye
+        const glm::vec3 p = glm::vec3(33.3f, 27.1f, -12.9f) + off;
+        const auto at = project(v, p);
+        ASSERT_TRUE(at);
+        const glm::vec2 by = across(projection, off) * metre;
+        EXPECT_NEAR(at->x, 137 + 913 / 2.0 + by.x, 1e-2 + 1e-4 * std::abs(by.x));
+        EXPECT_NEAR(at->y, 41 + 617 / 2.0 - by.y, 1e-2 + 1e-4 * std::abs(by.y));
+        EXPECT_LE(std::abs(at->z), 1);
+        // The line of sight through that pixel goes through the point, on either side of the eye.
+        const Ray ray = ray_through(v, glm::vec2(*at));
+        EXPECT_LT(glm::length(glm::cross(ray.direction, p - ray.origin)), 1e-3f * distance + 1e-5f * glm::length(off));
+        const auto hit = meet_plane(ray, p, line_of_sight(v));
+        ASSERT_TRUE(hit);
+        EXPECT_LT(glm::distance(*hit, p), 1e-3f * distance + 1e-5f * glm::length(off));
+      }
+      EXPECT_FLOAT_EQ(metres_per_pixel(v, 1), 1 / metre);
+      EXPECT_FLOAT_EQ(metres_per_pixel(v, 1000), 1 / metre);
+    }
+}
+
+TEST(camera, leaving_an_orthographic_view_keeps_what_it_looks_at) {
+  for (const world::Projection projection : kFlat) {
+    const world::Camera from = flat(projection, 47), to = in_perspective(from);
+    EXPECT_EQ(to.projection, world::Projection::perspective);
+    const View a = orbit_view(from, kViewport), b = orbit_view(to, kViewport);
+    EXPECT_GT(glm::dot(line_of_sight(a), line_of_sight(b)), std::cos(0.02f));
+    EXPECT_GT(glm::dot(top_of(a), top_of(b)), std::cos(0.02f));
+    EXPECT_LT(glm::distance(a.eye, b.eye), 1.0f);
+  }
+}
+
+TEST(camera, framing_fills_an_orthographic_view_with_a_margin) {
+  const glm::vec3 low(13.1f, 42.3f, -77.7f), high(91.9f, 61.1f, 7.3f);
+  for (const world::Projection projection : kFlat) {
+    const world::Camera c = frame_box(flat(projection, 1), low, high, kViewport);
+    const View v = orbit_view(c, kViewport);
+    const auto a = project(v, low), b = project(v, high);
+    ASSERT_TRUE(a && b);
+    const float wide = std::abs(a->x - b->x) / 913, tall = std::abs(a->y - b->y) / 617;
+    EXPECT_NEAR(std::max(wide, tall), 1 / 1.1, 1e-3);
+    EXPECT_NEAR((a->x + b->x) / 2, 137 + 913 / 2.0, 0.1);
+    EXPECT_NEAR((a->y + b->y) / 2, 41 + 617 / 2.0, 0.1);
+  }
+}
+
 // Every corner inside; in the fuller direction the margins on both sides are the same tenth: nothing is cut, no camera
 // is nearer.
 TEST(camera, framing_fills_the_viewport_with_a_margin) {

@@ -192,6 +192,56 @@ TEST(pick_curve, of_the_places_within_a_pixel_of_the_nearest_the_front_one_is_fo
   EXPECT_GT(front_ones, 5);
 }
 
+// The same in orthographic views, where depth is the distance along the line of sight, before and behind the eye.
+TEST(pick_curve, orthographic_views_find_the_front_one_as_by_hand) {
+  Random random(29);
+  int found_some = 0, front_ones = 0;
+  for (int trial = 0; trial < 240; ++trial) {
+    const world::Document d = knotted_document(random, 9, trial % 2 == 0);
+    const sim::Derived derived = test::derived_of(d);
+    world::Camera camera{{random(-5, 5), random(5, 20), random(-5, 5)}, 0, 0, static_cast<float>(random(5, 120))};
+    camera.projection = static_cast<world::Projection>(1 + trial % 3);
+    const View view = orbit_view(camera, kViewport);
+    const std::size_t aimed = random.below(derived.order.size());
+    const auto seen = project(view, glm::vec3(curve::point(derived.tree.cubics[aimed], random(0, 1))));
+    ASSERT_TRUE(seen);
+    const glm::vec2 pixel = glm::vec2(*seen) + glm::vec2(random(-6, 6), random(-6, 6));
+    const dvec3 forward(line_of_sight(view));
+    const auto depth_of = [&](const ByHand& p) {
+      return glm::dot(forward, curve::point(world::cubic_of(d, d.track.segments[p.segment]), p.t));
+    };
+    constexpr double kReach = 40;
+    double least = INFINITY, front = INFINITY;
+    const std::vector<ByHand> places = places_by_hand(d, Eye(view, pixel));
+    for (const ByHand& p : places) least = std::min(least, p.distance);
+    const auto found = pick_curve(derived, view, pixel, kReach),
+               of_all = pick_curve_of_all(derived, view, pixel, kReach);
+    ASSERT_EQ(found.has_value(), of_all.has_value());
+    if (std::abs(least - kReach) < 0.01) continue;
+    ASSERT_EQ(found.has_value(), least < kReach) << trial;
+    if (!found) continue;
+    ++found_some;
+    EXPECT_EQ(found->entity, of_all->entity);
+    EXPECT_EQ(found->t, of_all->t);
+    const ByHand* meant = nullptr;
+    bool clear = true;
+    for (const ByHand& p : places) {
+      clear = clear && std::abs(p.distance - least - kOneBehindAnother) > 0.01;
+      if (p.distance <= least + kOneBehindAnother && depth_of(p) < front) front = depth_of(p), meant = &p;
+    }
+    for (const ByHand& p : places)
+      clear = clear && (&p == meant || p.distance > least + 1 || depth_of(p) > front + 0.002 * camera.distance);
+    if (!clear) continue;
+    front_ones += meant->distance > least + 0.02;
+    if (meant->t > 1e-3 && meant->t < 1 - 1e-3) {
+      EXPECT_EQ(found->entity, d.track.segments[meant->segment]) << trial;
+      EXPECT_NEAR(found->t, meant->t, 2e-5) << trial;
+    }
+  }
+  EXPECT_GT(found_some, 150);
+  EXPECT_GT(front_ones, 3);
+}
+
 // t is as good as double has it: at a place aimed at exactly, from any distance with any lens.
 TEST(pick_curve, the_parameter_is_good_to_a_millionth) {
   Random random(5);

@@ -32,7 +32,8 @@ Status perform(Session& session, Change& change, const SetCamera& command) {
   camera.yaw_deg = std::remainder(camera.yaw_deg, 360.0f);
   camera.pitch_deg = change.clamp("pitch", camera.pitch_deg, -world::kMaxPitch, world::kMaxPitch, "degrees");
   camera.distance = change.clamp("distance", camera.distance, kMinDistance, kMaxDistance, "m");
-  camera.field_of_view_deg = session.settings.camera.field_of_view_deg;  // has its own command
+  camera.field_of_view_deg = session.settings.camera.field_of_view_deg;  // these have their own commands
+  camera.projection = session.settings.camera.projection;
   session.settings.camera = camera;
   return {};
 }

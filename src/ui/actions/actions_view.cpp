@@ -16,6 +16,7 @@ using world::CameraFeel;
 using world::CameraMode;
 using world::Layer;
 using world::Look;
+using world::Projection;
 using world::Style;
 using world::Theme;
 using world::Workspace;
@@ -86,6 +87,16 @@ void next_colouring(Act& act) {
 template <CameraMode mode>
 void look(Act& act) {
   choose_camera(act.ui, mode);
+}
+// A projection is one of the orbit camera.
+template <world::Projection projection>
+void project(Act& act) {
+  act.ui.emit(edit::Set<&world::Camera::projection>{projection});
+  if (!is<kCamera, CameraMode::orbit>(act)) set<kCamera, CameraMode::orbit>(act);
+}
+template <world::Projection projection>
+bool projected(const Act& act) {
+  return is<&world::Camera::projection, projection>(act) && is<kCamera, CameraMode::orbit>(act);
 }
 void next_camera(Act& act) { choose_camera(act.ui, base::next_of(act.ui.session().settings.camera_mode)); }
 
@@ -178,6 +189,14 @@ constexpr Action kViewActions[] = {
      look<CameraMode::chase>, kRideable, is<kCamera, CameraMode::chase>},
     {"Fly camera", "View", key(Key::d4), kInDrag, "Fly with W A S D, Q down, E up, Shift faster. Drag to look around.",
      look<CameraMode::fly>, kAlways, is<kCamera, CameraMode::fly>},
+    {"Front view", "View", key(Key::keypad_1), kInDrag, "Look along -Z without perspective. Orbiting leaves the view.",
+     project<Projection::front>, kAlways, projected<Projection::front>, ctrl(Key::d1)},
+    {"Side view", "View", key(Key::keypad_3), kInDrag, "Look along -X without perspective. Orbiting leaves the view.",
+     project<Projection::side>, kAlways, projected<Projection::side>, ctrl(Key::d3)},
+    {"Top view", "View", key(Key::keypad_7), kInDrag, "Look down without perspective. Orbiting leaves the view.",
+     project<Projection::top>, kAlways, projected<Projection::top>, ctrl(Key::d7)},
+    {"Perspective", "View", key(Key::keypad_5), kInDrag, "Show what is farther away smaller.",
+     project<Projection::perspective>, kAlways, projected<Projection::perspective>, ctrl(Key::d5)},
     {"Head-bob", "View", kNoKey, kInDrag, "Move the rider's head with g.", toggle<&CameraFeel::head_bob>, kAlways,
      on<&CameraFeel::head_bob>},
     {"Reduced motion", "View", kNoKey, kInDrag, "Level horizon, cuts between cameras, no head-bob, no widening.",

@@ -54,16 +54,18 @@ void Gamepad::move(Ui& ui, const view::Viewport& scene, double seconds) const {
                   right = time * shaped_stick({held_.right_x, held_.right_y});
   const float pull = time * (shaped_trigger(held_.right_trigger) - shaped_trigger(held_.left_trigger));
   if (left == glm::vec2(0) && right == glm::vec2(0) && pull == 0) return;
+  const glm::vec2 middle(scene.x + 0.5f * scene.width, scene.y + 0.5f * scene.height);
   const world::Settings& settings = ui.session().settings;
   const world::CameraMode shown = ui.state.rig ? ui.state.rig->mode : settings.camera_mode;
   switch (shown) {
     case world::CameraMode::orbit: {
       world::Camera camera = camera_now(ui);
+      if (right != glm::vec2(0)) camera = view::in_perspective(camera);
       camera.yaw_deg = std::remainder(camera.yaw_deg - kTurn * right.x, 360.0f);
       camera.pitch_deg = std::clamp(camera.pitch_deg - kTilt * right.y, -89.0f, 89.0f);
       if (left != glm::vec2(0)) camera = panned(camera, ui.out.view, -kPan * scene.height * left);
-      if (pull != 0) camera = zoomed(camera, kNotches * pull);
-      return ui.emit(edit::SetCamera{camera});
+      if (pull != 0) camera = zoomed(camera, ui.out.view, middle, kNotches * pull);
+      return set_camera(ui, camera);
     }
     case world::CameraMode::fly: {
       world::FlyCamera fly = fly_now(ui);

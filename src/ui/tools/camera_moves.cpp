@@ -12,6 +12,7 @@ constexpr float kPerNotch = 1.12f;  // of the wheel, for distances
 
 world::Camera orbited(world::Camera camera, glm::vec2 pixels, float scale) {
   constexpr float kDegreesPerPixel = 0.3f;
+  camera = view::in_perspective(camera);
   camera.yaw_deg -= pixels.x * kDegreesPerPixel / scale;
   camera.pitch_deg = std::clamp(camera.pitch_deg + pixels.y * kDegreesPerPixel / scale, -89.0f, 89.0f);
   return camera;
@@ -19,8 +20,7 @@ world::Camera orbited(world::Camera camera, glm::vec2 pixels, float scale) {
 
 world::Camera panned(world::Camera camera, const view::View& view, glm::vec2 pixels) {
   // Metres that a pixel covers at the target: what is there stays under the cursor.
-  const float tangent = 1 / view.projection[1][1];
-  const float metres = 2 * camera.distance * tangent / std::max(1.0f, view.viewport.height);
+  const float metres = view::metres_per_pixel(view, camera.distance);
   const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]),
       up(view.view[0][1], view.view[1][1], view.view[2][1]);
   const glm::vec3 limit(world::kMaxCoordinate);
@@ -28,10 +28,20 @@ world::Camera panned(world::Camera camera, const view::View& view, glm::vec2 pix
   return camera;
 }
 
-world::Camera zoomed(world::Camera camera, float notches) {
+world::Camera zoomed(world::Camera camera, const view::View& view, glm::vec2 cursor, float notches) {
   constexpr float kNearest = 0.5f, kFarthest = 20'000.0f;
-  camera.distance = std::clamp(camera.distance * std::pow(kPerNotch, -notches), kNearest, kFarthest);
-  return camera;
+  const float before = camera.distance;
+  camera.distance = std::clamp(before * std::pow(kPerNotch, -notches), kNearest, kFarthest);
+  if (view.parallel <= 0) return camera;
+  const view::Viewport& port = view.viewport;
+  const glm::vec2 middle(port.x + 0.5f * port.width, port.y + 0.5f * port.height);
+  return panned(camera, view, (cursor - middle) * (camera.distance / before - 1));
+}
+
+void set_camera(Ui& ui, const world::Camera& camera) {
+  if (camera.projection != ui.session().settings.camera.projection)
+    ui.emit(edit::Set<&world::Camera::projection>{camera.projection});
+  ui.emit(edit::SetCamera{camera});
 }
 
 void zoom_chase(Ui& ui, float notches) {

@@ -12,6 +12,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
+#include "ui/tools/append_place.h"
 #include "ui/tools/fly_keys.h"
 #include "ui/widgets/theme.h"
 #include "view/gizmo.h"
@@ -60,7 +61,7 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
     under = view::pick(session.document, session.derived, session.motion, session.settings, view, mouse);
     press(ui, under);
   }
-  if (over && io.MouseWheel != 0) turn_wheel(ui, io.MouseWheel);
+  if (over && io.MouseWheel != 0) turn_wheel(ui, view, io.MouseWheel);
   if (!dragging()) return under;
 
   const view::Pick held = drag_.pick;
@@ -69,11 +70,13 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
   return held;
 }
 
-void ViewportTool::turn_wheel(Ui& ui, float notches) {
+void ViewportTool::turn_wheel(Ui& ui, const view::View& view, float notches) {
   constexpr float kMetres = 2;
   const world::Settings& settings = ui.session().settings;
   switch (shown_camera(ui)) {
-    case world::CameraMode::orbit: ui.emit(edit::SetCamera{zoomed(settings.camera, notches)}); break;
+    case world::CameraMode::orbit:
+      ui.emit(edit::SetCamera{zoomed(settings.camera, view, mouse_position(), notches)});
+      break;
     case world::CameraMode::fly: ui.emit(edit::SetFly{flown(fly_now(ui), {0, 0, kMetres * notches})}); break;
     case world::CameraMode::chase: zoom_chase(ui, notches); break;
     case world::CameraMode::ride: break;
@@ -162,7 +165,7 @@ void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
   const bool turns = by != glm::vec2(0) && mode == world::CameraMode::orbit;
   switch (drag_.what) {
     case What::orbit:
-      if (turns) ui.emit(edit::SetCamera{orbited(camera, by, ui.scale)});
+      if (turns) set_camera(ui, orbited(camera, by, ui.scale));
       if (by != glm::vec2(0) && mode == world::CameraMode::fly)
         ui.emit(edit::SetFly{looked(fly_now(ui), by, ui.scale)});
       break;
@@ -280,7 +283,7 @@ void ViewportTool::click_ground(Ui& ui, const view::View& view) {
   const edit::Session& session = ui.session();
   const world::Track& track = session.document.track;
   if ((session.settings.aids->append_mode && !track.closed) || track.knots.empty()) {
-    const auto at = view::meet_plane(view::ray_through(view, drag_.start), glm::vec3(0), {0, 1, 0});
+    const auto at = append_place(session.document, view, drag_.start);
     if (!at) return;
     ui.emit(edit::AppendKnot{*at});
     // Who starts a track goes on with it.

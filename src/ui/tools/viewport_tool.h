@@ -48,7 +48,7 @@ class ViewportTool {
   void move_item(Ui& ui, const view::View& view, glm::vec2 mouse);
   void turn_spin(Ui& ui, const view::View& view, glm::vec2 mouse);
   void release(Ui& ui, const view::View& view);
-  void turn_wheel(Ui& ui, float notches);
+  void turn_wheel(Ui& ui, const view::View& view, float notches);
   void click_ground(Ui& ui, const view::View& view);
   void click_knot(Ui& ui);
   void move_knots(Ui& ui, glm::vec3 to);
@@ -59,10 +59,13 @@ class ViewportTool {
 };
 
 // Return the camera after a drag by `pixels`, rotated about its target or moved with it, and after a turn of the wheel.
-// The scene follows the mouse.
+// The scene follows the mouse; a drag about the target leaves an orthographic view, whose point under the cursor stays
+// when the wheel turns.
 world::Camera orbited(world::Camera camera, glm::vec2 pixels, float scale);
 world::Camera panned(world::Camera camera, const view::View& view, glm::vec2 pixels);
-world::Camera zoomed(world::Camera camera, float notches);
+world::Camera zoomed(world::Camera camera, const view::View& view, glm::vec2 cursor, float notches);
+// Sets the orbit camera and its projection.
+void set_camera(Ui& ui, const world::Camera& camera);
 // Sets the distance of the chase camera.
 void zoom_chase(Ui& ui, float notches);
 

@@ -42,6 +42,61 @@ TEST_F(ViewportToolTest, a_drag_moves_the_knot_under_the_cursor_as_one_step) {
   EXPECT_LT(glm::length(off), 0.5f) << "the knot stays where it was grabbed, in the camera's plane";
 }
 
+TEST_F(ViewportToolTest, keys_choose_orthographic_views_and_orbiting_leaves_them) {
+  using world::Projection;
+  const std::tuple<platform::Key, platform::Key, Projection> keys[]{
+      {platform::Key::keypad_1, platform::Key::d1, Projection::front},
+      {platform::Key::keypad_3, platform::Key::d3, Projection::side},
+      {platform::Key::keypad_7, platform::Key::d7, Projection::top},
+      {platform::Key::keypad_5, platform::Key::d5, Projection::perspective}};
+  for (const auto& [pad, digit, projection] : keys) {
+    key(pad);
+    EXPECT_EQ(session_.settings.camera.projection, projection);
+    key(platform::Key::keypad_5);
+    key(digit, {.ctrl = true});
+    EXPECT_EQ(session_.settings.camera.projection, projection);
+  }
+  key(platform::Key::keypad_7);
+  frame();
+  EXPECT_GT(host_->view().parallel, 0);
+  drag(empty_ground(), {0, -30});
+  release();
+  frame();
+  EXPECT_EQ(session_.settings.camera.projection, Projection::perspective);
+  EXPECT_EQ(host_->view().parallel, 0);
+  EXPECT_NEAR(session_.settings.camera.pitch_deg, world::kMaxPitch - 30 * 0.3f, 1e-3f);
+}
+
+TEST_F(ViewportToolTest, in_an_orthographic_view_the_wheel_keeps_the_point_under_the_cursor) {
+  key(platform::Key::keypad_1);
+  frames(2);
+  const glm::vec2 at = pixel_of(3);
+  frame({platform::MouseMove{at.x, at.y}, platform::Wheel{0, 3}});
+  frames(2);
+  EXPECT_LT(session_.settings.camera.distance, 60);
+  EXPECT_LT(glm::distance(pixel_of(3), at), 0.5f);
+}
+
+TEST_F(ViewportToolTest, in_the_front_view_knots_are_moved_and_appended_in_its_plane) {
+  key(platform::Key::keypad_1);
+  frames(2);
+  const glm::vec3 start = knot(2).position, last = knot(3).position;
+  drag(pixel_of(2), {40, -30});
+  release();
+  frame();
+  EXPECT_EQ(knot(2).position.z, start.z);
+  EXPECT_GT(knot(2).position.x, start.x + 1);
+  EXPECT_GT(knot(2).position.y, start.y + 1);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::append_mode>{true}));
+  frames(2);
+  const glm::vec2 pixel = empty_ground();
+  click_at(pixel);
+  frames(2);
+  ASSERT_EQ(session_.document.track.knots.size(), 4u);
+  EXPECT_EQ(knot(4).position.z, last.z);
+  EXPECT_LT(glm::distance(pixel_of(4), pixel), 0.5f);
+}
+
 TEST_F(ViewportToolTest, a_click_selects_and_changes_nothing_else) {
   const auto before = world::hash(session_.document);
   drag(pixel_of(3), {1.5f, 1.5f});  // below 3 px
