@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <glm/glm.hpp>
 
@@ -79,7 +80,10 @@ std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point);
 // Returns the nearest camera with the same yaw and pitch that shows a box with a margin, at the viewport's aspect
 // ratio.
 world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport);
-// The same for the whole track (40 m about the origin if it is empty) or for one entity.
+// Returns the camera, moved across its line of sight, and back where that is not enough, as little as shows all points
+// with a margin, none of them nearer than a fifth of its distance. The camera itself if it does already.
+world::Camera kept_in_view(const world::Camera& camera, std::span<const glm::vec3> points, Viewport viewport);
+// As frame_box(), for the whole track (40 m about the origin if it is empty) or for one entity.
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport);
 world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity,
                            Viewport viewport);

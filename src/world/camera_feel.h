@@ -15,6 +15,7 @@ struct CameraFeel {
   float chase_distance = 9;    // m
   bool reduced_motion = false;
   bool head_bob = false;
+  bool follow = false;
   friend bool operator==(const CameraFeel&, const CameraFeel&) = default;
 
   static constexpr auto kRows = std::tuple{
@@ -30,7 +31,10 @@ struct CameraFeel {
               "Whether the rider's horizon stays level, cameras cut, and nothing bobs or widens.",
               {.query = "reduced_motion", .kept_as = "reduced_motion"}),
       setting(&CameraFeel::head_bob, "camera.head_bob", "Whether the rider's head gives way to g.",
-              {.query = "head_bob", .kept_as = "head_bob"})};
+              {.query = "head_bob", .kept_as = "head_bob"}),
+      setting(&CameraFeel::follow, "camera.follow",
+              "Whether the orbit camera follows the open end and the preview where they leave the picture.",
+              {.query = "follow", .kept_as = "follow", .on_for_user = true})};
 };
 
 }  // namespace coaster::world

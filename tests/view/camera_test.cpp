@@ -166,6 +166,43 @@ TEST(camera, framing_fills_an_orthographic_view_with_a_margin) {
   }
 }
 
+// By brute force: a camera that shows all points with the margin, and none on a grid of smaller moves does.
+TEST(camera, what_is_kept_in_view_moves_the_camera_as_little_as_possible) {
+  const auto shows = [](const world::Camera& c, std::span<const glm::vec3> points) {
+    const View v = orbit_view(c, kViewport);
+    for (const glm::vec3 p : points) {
+      const auto at = project(v, p);
+      if (!at) return false;
+      const glm::vec2 off = glm::abs(glm::vec2(*at) - glm::vec2(137 + 913 / 2.0f, 41 + 617 / 2.0f));
+      if (off.x > 913 / 2.2f + 0.5f || off.y > 617 / 2.2f + 0.5f) return false;
+    }
+    return true;
+  };
+  for (const world::Projection projection : {world::Projection::perspective, kFlat[0], kFlat[1], kFlat[2]}) {
+    world::Camera from = flat(projection, 60);
+    from.yaw_deg = 31, from.pitch_deg = 22;
+    const glm::vec3 here[] = {from.target, from.target + glm::vec3(3, 4, 5)};
+    EXPECT_EQ(kept_in_view(from, here, kViewport), from) << "all of it shows";
+    for (const glm::vec3 off : {glm::vec3(70, 3, -60), glm::vec3(-60, 40, 25), glm::vec3(39, 50, -66)}) {
+      const glm::vec3 points[] = {from.target + off, from.target + 0.9f * off + glm::vec3(1, 2, 3)};
+      const world::Camera to = kept_in_view(from, points, kViewport);
+      EXPECT_TRUE(shows(to, points));
+      EXPECT_EQ(to.yaw_deg, from.yaw_deg);
+      EXPECT_EQ(to.distance, from.distance) << "two near points need no more room";
+      const glm::vec3 moved = to.target - from.target;
+      for (const float part : {0.0f, 0.5f, 0.9f, 0.98f}) {
+        world::Camera less = from;
+        less.target += part * moved;
+        EXPECT_FALSE(shows(less, points)) << part;
+      }
+    }
+    const glm::vec3 apart[] = {from.target + glm::vec3(200, 90, 170), from.target - glm::vec3(210, 20, 190)};
+    const world::Camera back = kept_in_view(from, apart, kViewport);
+    EXPECT_TRUE(shows(back, apart));
+    EXPECT_GT(back.distance, from.distance);
+  }
+}
+
 // Every corner inside; in the fuller direction the margins on both sides are the same tenth: nothing is cut, no camera
 // is nearer.
 TEST(camera, framing_fills_the_viewport_with_a_margin) {

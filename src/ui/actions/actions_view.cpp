@@ -6,6 +6,7 @@
 #include "ui/actions/command_palette.h"
 #include "ui/context/ways_home.h"
 #include "ui/tools/fly_keys.h"
+#include "ui/tools/follow_camera.h"
 
 namespace coaster::ui {
 namespace {
@@ -45,13 +46,17 @@ void frame(Act& act, const world::Camera& camera) {
   act.ui.emit(edit::SetCamera{camera});
   if (!is<kCamera, CameraMode::orbit>(act)) set<kCamera, CameraMode::orbit>(act);
 }
+// With the palette's preview, where it shows.
 void frame_all(Act& act) {
   const edit::Session& session = act.ui.session();
-  frame(act, view::frame_all(session.settings.camera, session.document, act.scene));
+  const world::Camera all = view::frame_all(session.settings.camera, session.document, act.scene);
+  frame(act, view::kept_in_view(all, preview_points(act.ui), act.scene));
 }
 void frame_selection(Act& act) {
   const edit::Session& session = act.ui.session();
-  frame(act, view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene));
+  const world::Camera selection =
+      view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene);
+  frame(act, view::kept_in_view(selection, preview_points(act.ui), act.scene));
 }
 
 constexpr Condition kProbing{[](const Act& act) { return selected_is(act, world::Kind::segment); },

@@ -24,6 +24,7 @@
 #include "ui/screens/start_screen.h"
 #include "ui/screens/toasts.h"
 #include "ui/tools/fly_keys.h"
+#include "ui/tools/follow_camera.h"
 #include "ui/tools/places.h"
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
@@ -69,6 +70,7 @@ struct Host::Parts {
   Inputs inputs;
   std::filesystem::path file_of;  // the session's path it was taken from
   ViewportTool tool;
+  FollowCamera follow_camera;
   FlyKeys fly_keys;
   Gamepad gamepad;
   CommandPalette palette;
@@ -143,8 +145,8 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   drawers.parameters.open = layout.parameters.height > 0;
   drawers.graph.open = layout.graph.height > ImGui::GetFrameHeight() + 1;
   view = ui.out.view = make_view(ui.state, layout.scene);
-  if (std::exchange(frame_next, false))
-    ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
+  const bool framed = std::exchange(frame_next, false);
+  if (framed) ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
 
   const bool typing = text_has_keyboard(), asking = dialogs.open() || start.open();
   take_files(ui, events);
@@ -170,6 +172,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   settle_gesture(ui);
   hovered = tool.update(ui, view);
   if (hovered.kind == view::PickKind::none) hovered = ui.pointed;
+  follow_camera.update(ui, view, tool.dragging() || gesture.open || framed);
   if (ui.state.lesson == nullptr || tool.transform().active())
     draw_foot_line(ui, tool, layout.scene);  // a lesson has its own hint
   draw_legend(ui, layout.scene);

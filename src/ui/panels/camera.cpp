@@ -42,6 +42,8 @@ void camera_panel(Ui& ui) {
   setting_slider<&CameraFeel::chase_distance>(
       ui, "Chase distance", 0, "Distance of the chase camera from a single car, 5 to 60 m. Longer trains add to it.");
   setting_box<&CameraFeel::head_bob>(ui, "Head-bob", "The rider's head moves with g and vibrates slightly.");
+  setting_box<&CameraFeel::follow>(ui, "Follow the open end",
+                                   "Move the orbit camera where the open end or the preview leaves the view.");
   setting_box<&CameraFeel::reduced_motion>(ui, "Reduced motion",
                                            "Level horizon, cuts between cameras, no head-bob, no widening.");
 }

@@ -70,6 +70,7 @@ TEST(settings_file, the_file_of_a_new_user_is_this) {
   "graph_height": 0,
   "reduced_motion": false,
   "head_bob": false,
+  "follow": true,
   "autosave_seconds": 30,
   "window": null,
   "recent": [],

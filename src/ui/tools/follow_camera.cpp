@@ -1,0 +1,74 @@
+#include "ui/tools/follow_camera.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "edit/commands/commands_settings.h"
+#include "ui/tools/viewport_tool.h"
+#include "world/aids.h"
+#include "world/camera_feel.h"
+
+namespace coaster::ui {
+namespace {
+
+constexpr float kLag = 0.15f;  // s
+
+world::Camera between(const world::Camera& from, const world::Camera& to, float part) {
+  world::Camera camera = from;
+  camera.target = glm::mix(from.target, to.target, part);
+  camera.distance = from.distance * std::pow(to.distance / from.distance, part);
+  return camera;
+}
+
+bool near(const world::Camera& a, const world::Camera& b) {
+  const float least = 2e-3f * b.distance;
+  return glm::distance(a.target, b.target) < least && std::abs(a.distance - b.distance) < least;
+}
+
+}  // namespace
+
+std::vector<glm::vec3> preview_points(const Ui& ui) {
+  std::vector<glm::vec3> points;
+  if (!ui.session().settings.aids->show_element) return points;
+  const sim::ElementPlan& plan = *ui.find(edit::Want::element).element;
+  if (!plan.refusal.empty()) return points;
+  for (const world::Knot& knot : plan.fit.knots) points.emplace_back(knot.position);
+  return points;
+}
+
+void FollowCamera::update(Ui& ui, const view::View& view, bool busy) {
+  const edit::Session& session = ui.session();
+  const world::Settings& settings = session.settings;
+  const std::vector<world::Entity>& knots = session.document.track.knots;
+  std::vector<glm::vec3> points = preview_points(ui);
+  Seen now{knots.size(), glm::vec3(0), points.empty() ? 0 : ui.find(edit::Want::element).element->serial};
+  if (!session.document.track.closed && !knots.empty()) {
+    now.end = world::knot(session.document, knots.back()).position;
+    points.push_back(now.end);
+  }
+  const bool may = settings.feel->follow && settings.camera_mode == world::CameraMode::orbit && !busy;
+  // What changes while the user drags is followed when it is let go.
+  if (!busy) {
+    const std::optional<Seen> before = std::exchange(seen_, now);
+    if (before && *before != now) to_.reset();
+    if (may && before && *before != now && !points.empty()) {
+      const world::Camera there = view::kept_in_view(settings.camera, points, view.viewport);
+      if (!near(settings.camera, there)) to_ = there, sent_ = settings.camera;
+    }
+  }
+  if (!to_) return;
+  const bool moved =
+      std::ranges::any_of(ui.out.commands, [](const edit::Command& one) { return one.is<edit::SetCamera>(); });
+  if (moved || !may || !(settings.camera == sent_)) return to_.reset();  // the user moves the camera
+  const float part = settings.feel->reduced_motion ? 1.0f : 1 - std::exp(-ImGui::GetIO().DeltaTime / kLag);
+  world::Camera next = between(settings.camera, *to_, part);
+  if (near(next, *to_)) next = *to_, to_.reset();
+  sent_ = next;
+  ui.emit(edit::SetCamera{next});
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,72 @@
+#include "ui/tools/follow_camera.h"
+
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_settings.h"
+#include "ui/stage.h"
+#include "world/aids.h"
+#include "world/camera_feel.h"
+
+namespace coaster::ui {
+namespace follow_camera_test {
+
+struct FollowCameraTest : Stage {
+  void SetUp() override {
+    Stage::SetUp();
+    ASSERT_TRUE(edit::apply(session_, files_, edit::SetCamera{{.target = {0, 6, 3}, .distance = 60}}));
+    frames(3);
+    commands_.clear();
+  }
+  void follow(bool on) { ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::CameraFeel::follow>{on})); }
+  void append(glm::vec3 at) { ASSERT_TRUE(edit::apply(session_, files_, edit::AppendKnot{at})); }
+  bool shows(glm::vec3 at) const {
+    const auto pixel = view::project(host_->view(), at);
+    return pixel && host_->view().viewport.contains(glm::vec2(*pixel));
+  }
+};
+
+TEST_F(FollowCameraTest, is_off_unless_asked_for) {
+  append({150, 6, 3});
+  frames(60);
+  EXPECT_FALSE(shows({150, 6, 3}));
+  EXPECT_TRUE(all<edit::SetCamera>().empty());
+}
+
+TEST_F(FollowCameraTest, goes_to_an_open_end_out_of_view_in_small_steps_and_rests) {
+  follow(true);
+  append({22, 8, 9});
+  frames(30);
+  EXPECT_TRUE(all<edit::SetCamera>().empty()) << "what shows moves nothing";
+  append({150, 6, 3});
+  frames(120);
+  EXPECT_TRUE(shows({150, 6, 3}));
+  const std::vector<edit::SetCamera> steps = all<edit::SetCamera>();
+  ASSERT_GT(steps.size(), 10u);
+  EXPECT_LT(glm::distance(steps[0].to.target, glm::vec3(0, 6, 3)), 30.0f);
+  commands_.clear();
+  frames(30);
+  EXPECT_TRUE(all<edit::SetCamera>().empty());
+}
+
+TEST_F(FollowCameraTest, shows_a_preview_and_leaves_the_camera_to_the_user) {
+  follow(true);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::ChooseElement{world::usual_element(world::ElementKind::straight)}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::show_element>{true}));
+  frames(120);
+  commands_.clear();
+  append({200, 6, 3});
+  frames(4);
+  EXPECT_FALSE(all<edit::SetCamera>().empty());
+  const glm::vec2 at = empty_ground();
+  hover(at);
+  press();
+  hover(at + glm::vec2(20, 0));
+  release();
+  frame();
+  commands_.clear();
+  frames(30);
+  EXPECT_TRUE(all<edit::SetCamera>().empty()) << "the user has turned the camera";
+}
+
+}  // namespace follow_camera_test
+}  // namespace coaster::ui
