@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_operation.h"
-#include "ui/context/ui.h"
+#include "ui/panels/equipment_rows.h"
 
 namespace coaster::ui {
 namespace {
@@ -17,26 +17,6 @@ world::Entity chosen_segment(const edit::Session& session) {
 
 edit::SetEquipment equipping(world::Name segment, world::EquipmentKind kind, const world::Equipment& e) {
   return {{segment}, kind, e.speed, e.acceleration, e.hysteresis, e.seconds};
-}
-
-void equipment_values(Ui& ui, world::Name name, const world::Equipment& now) {
-  edit::SetEquipment set = equipping(name, now.kind, now);
-  const auto field = [&](const char* label, float& value, const char* unit, double low, double high,
-                         const char* tooltip) {
-    const auto to = number(ui, label, {.value = value, .unit = unit, .low = low, .high = high}, tooltip);
-    if (!to) return;
-    value = static_cast<float>(*to);
-    ui.emit(set);
-  };
-  field("Speed", set.speed, "m/s", 0, world::kMaxSpeed,
-        "Target speed of a lift, launch or brake, and exit speed of a station.");
-  field("Acceleration", set.acceleration, "m/s\u00B2", world::kMinAcceleration, world::kMaxAcceleration,
-        "Largest acceleration or deceleration.");
-  if (now.kind == world::EquipmentKind::brake || now.kind == world::EquipmentKind::block)
-    field("Hysteresis", set.hysteresis, "m/s", 0, world::kMaxSpeed,
-          "The brake switches on above speed + hysteresis and off below speed - hysteresis.");
-  if (now.kind == world::EquipmentKind::station)
-    field("Wait", set.seconds, "s", 0, world::kMaxDwell, "Time that a train waits in the station.");
 }
 
 void equipment(Ui& ui) {
@@ -56,7 +36,7 @@ void equipment(Ui& ui) {
     if (*to == 0 && now) ui.emit(edit::RemoveEquipment{{name}});
     if (*to > 0) ui.emit(equipping(name, static_cast<world::EquipmentKind>(*to - 1), now ? *now : world::Equipment{}));
   }
-  if (now) equipment_values(ui, name, *now);
+  if (now) equipment_rows(ui, equipping(name, now->kind, *now));
 }
 
 void train(Ui& ui) {

@@ -14,6 +14,8 @@ void challenge_panel(Ui& ui);
 bool challenge_shown(const Ui& ui);
 void track_panel(Ui& ui);
 void inspector_panel(Ui& ui);
+void section_panel(Ui& ui);
+bool section_shown(const Ui& ui);
 void shape_panel(Ui& ui);
 void evaluation_panel(Ui& ui);
 void ride_panel(Ui& ui);
@@ -26,7 +28,9 @@ void history_panel(Ui& ui);
 std::span<const Panel> panels() {
   static constexpr std::array kPanels{
       Panel{"Track", Column::left, kTrack, "The whole track: name, file, size, and what you can add.", track_panel},
-      Panel{"Inspector", Column::left, kSelection, "The selected knot, segment or cart.", inspector_panel},
+      Panel{"Inspector", Column::left, kSelection, "The selected knot, segment, section or cart.", inspector_panel},
+      Panel{"Section", Column::left, kSection, "The selected sections: name, parameters and equipment.", section_panel,
+            true, section_shown},
       Panel{"Shape", Column::left, kSelection | kTrack,
             "Operations on the selected knots or on all knots, and snapping.", shape_panel, false},
       Panel{"Elements", Column::left, kElement,
@@ -46,18 +50,19 @@ std::span<const Panel> panels() {
 
 namespace {
 
-unsigned occasions(const edit::Session& session) {
+unsigned occasions(const Ui& ui) {
+  const edit::Session& session = ui.session();
   if (session.settings.look->workspace != world::Workspace::build) return kLaboratory;
   const bool selected = session.settings.selected != world::kNone,
              chosen = session.settings.aids->show_element || session.settings.aids->circuit > 0;
   if (!selected && !chosen) return kTrack;
-  return (selected ? kSelection : 0u) | (chosen ? kElement : 0u);
+  return (!selected ? 0u : section_shown(ui) ? kSection : kSelection) | (chosen ? kElement : 0u);
 }
 
 bool belongs(const Ui& ui, const Panel& panel, Column column) {
   if (panel.shown != nullptr && !panel.shown(ui)) return false;
   if (ui.session().settings.look->workspace == world::Workspace::all) return panel.column == column;
-  return (panel.shows & occasions(ui.session())) != 0;
+  return (panel.shows & occasions(ui)) != 0;
 }
 
 }  // namespace

@@ -10,9 +10,9 @@ namespace coaster::ui {
 
 enum class Column { left, right };
 
-// When a panel shows in a workspace other than `all`, which shows every panel: in Build while an element is chosen,
-// something is selected, or neither; in the laboratory.
-enum Occasion : unsigned { kElement = 1, kSelection = 2, kTrack = 4, kWhileBuilding = 7, kLaboratory = 8 };
+// When a panel shows in a workspace other than `all`, which shows every panel: in Build while an element is chosen, a
+// section or something else is selected, or neither; in the laboratory.
+enum Occasion : unsigned { kElement = 1, kSelection = 2, kTrack = 4, kSection = 8, kWhileBuilding = 15, kLaboratory = 16 };
 
 struct Panel {
   std::string_view name;  // first part of its widgets' paths

@@ -45,8 +45,10 @@ struct UnitsTest : Stage {
       const Widget* const header = find(std::string(panel.name));
       if (header != nullptr && header->value == "closed") click(std::string(panel.name));
     }
-    for (const auto& [kind, number] :
-         {std::pair{world::Kind::knot, 2u}, {world::Kind::segment, 1u}, {world::Kind::cart, 1u}}) {
+    for (const auto& [kind, number] : {std::pair{world::Kind::knot, 2u},
+                                       {world::Kind::segment, 1u},
+                                       {world::Kind::cart, 1u},
+                                       {world::Kind::section, 1u}}) {
       select(kind, number);
       add_metric(found);
     }
