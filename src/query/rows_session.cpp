@@ -16,8 +16,9 @@ Answer selected(const Context& c, View) {
 }
 Answer selected_t(const Context& c, View) { return number(c.session.settings.selected_t); }
 Answer selected_count(const Context& c, View) {
-  const std::size_t knots = world::selected_knots(c.session.document, c.session.settings).size();
-  return number(knots > 0 ? knots : c.session.settings.selected.valid() ? 1 : 0);
+  const std::size_t several = world::selected_knots(c.session.document, c.session.settings).size() +
+                              world::selected_sections(c.session.document, c.session.settings).size();
+  return number(several > 0 ? several : c.session.settings.selected.valid() ? 1 : 0);
 }
 Answer undo_label(const Context& c, View) {
   return text(c.session.history.undo.empty() ? "" : c.session.history.undo.back().label);
@@ -51,7 +52,8 @@ Answer entities(const Context& c, View) {
 constexpr std::array kSessionRows{
     Query{"selected", "", "", "The selection, such as k4; none if nothing is selected.", selected},
     Query{"selected_t", "", "", "Picked position on the selected segment, a parameter from 0 to 1.", selected_t},
-    Query{"selected_count", "", "", "Number of selected knots; 1 for a segment or a train.", selected_count},
+    Query{"selected_count", "", "", "Number of selected knots or sections; 1 for a segment or a train.",
+          selected_count},
     Query{"snapping", "", "", "Dragged knots snap to: off, grid, knots or ground.", snapping},
     Query{"undo_label", "", "", "Name of the next undo step; empty if there is none.", undo_label},
     Query{"undo_depth", "", "", "Number of undo steps.", undo_depth},

@@ -34,12 +34,15 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
   }
   if (s.selected.valid() && session.document.entities.alive(s.selected))
     commands.push_back(edit::Select{{world::name_of(session.document, s.selected)}, s.selected_t});
-  if (!s.also.empty()) {
-    edit::Knots knots;
-    for (const world::Entity e : world::selected_knots(session.document, s))
-      knots.names.push_back(world::name_of(session.document, e));
-    commands.push_back(edit::SelectKnots{std::move(knots)});
-  }
+  const auto names = [&](const std::vector<world::Entity>& several) {
+    std::vector<world::Name> all;
+    for (const world::Entity e : several) all.push_back(world::name_of(session.document, e));
+    return all;
+  };
+  if (const auto knots = world::selected_knots(session.document, s); knots.size() > 1)
+    commands.push_back(edit::SelectKnots{edit::Knots(names(knots))});
+  if (const auto sections = world::selected_sections(session.document, s); sections.size() > 1)
+    commands.push_back(edit::SelectSections{edit::Sections(names(sections))});
   return commands;
 }
 

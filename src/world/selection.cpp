@@ -5,14 +5,26 @@
 
 namespace coaster::world {
 
-std::vector<Entity> selected_knots(const Document& document, const Settings& settings) {
-  std::vector<Entity> knots;
-  if (!document.entities.find<Knot>(settings.selected)) return knots;
-  knots.reserve(settings.also.size() + 1);
+namespace {
+
+template <class Component>
+std::vector<Entity> selected_with(const Document& document, const Settings& settings) {
+  std::vector<Entity> selected;
+  if (!document.entities.find<Component>(settings.selected)) return selected;
+  selected.reserve(settings.also.size() + 1);
   for (const Entity e : settings.also)
-    if (document.entities.find<Knot>(e)) knots.push_back(e);
-  knots.push_back(settings.selected);
-  return knots;
+    if (document.entities.find<Component>(e)) selected.push_back(e);
+  selected.push_back(settings.selected);
+  return selected;
+}
+
+}  // namespace
+
+std::vector<Entity> selected_knots(const Document& document, const Settings& settings) {
+  return selected_with<Knot>(document, settings);
+}
+std::vector<Entity> selected_sections(const Document& document, const Settings& settings) {
+  return selected_with<Section>(document, settings);
 }
 
 bool is_selected(const Settings& settings, Entity e) {

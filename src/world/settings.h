@@ -67,8 +67,9 @@ struct Settings {
   CameraMode camera_mode = CameraMode::orbit;
   Camera camera;
   FlyCamera fly;
-  Entity selected = kNone;   // a knot, segment or cart: the active one
-  std::vector<Entity> also;  // further selected knots while `selected` is one: unique, in the order of selection
+  Entity selected = kNone;   // a knot, segment, section or cart: the active one
+  std::vector<Entity> also;  // further selected knots or sections, of the kind of `selected`: unique, in the order of
+                             // selection
   double selected_t = 0.5;   // the picked position on a selected segment, parameter in [0,1]
   Snapping snapping;
   Element element = usual_element(ElementKind::curve);  // the palette's element

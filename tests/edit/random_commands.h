@@ -41,6 +41,11 @@ class RandomCommands {
     else
       for (std::uint32_t i = below(4); i > 0; --i) v.names.push_back({world::Kind::knot, 1 + below(9)});
   }
+  void fill(edit::Sections& v) {
+    if (below(6) == 0) v.which = edit::Knots::Which::all;
+    else
+      for (std::uint32_t i = below(4); i > 0; --i) v.names.push_back({world::Kind::section, 1 + below(9)});
+  }
   void fill(glm::vec3& v) { v = {number(), number(), number()}; }
   void fill(float& v) { v = static_cast<float>(number()); }
   void fill(double& v) { v = number(); }

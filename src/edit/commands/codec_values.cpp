@@ -38,7 +38,11 @@ std::string print_value(glm::vec3 v) {
 std::string print_value(bool value) { return value ? "on" : "off"; }
 std::string print_value(const std::string& value) { return base::quoted(value); }
 
-std::string print_value(const Knots& value) {
+namespace {
+
+// Knots or sections.
+template <class Several>
+std::string print_several(const Several& value) {
   if (value.which == Knots::Which::all) return "all";
   if (value.which == Knots::Which::selected) return "selected";
   std::string text;
@@ -46,9 +50,9 @@ std::string print_value(const Knots& value) {
   return text.empty() ? "none" : text;
 }
 
-bool read_value(base::Words& words, Knots& value) {
-  constexpr std::string_view kExpected = "knots such as @k3 or @k1,@k2, or all, or selected";
-  const base::Token* const word = words.take(kExpected);
+template <class Several>
+bool read_several(base::Words& words, std::string_view expected, Several& value) {
+  const base::Token* const word = words.take(expected);
   if (!word) return false;
   value = {};
   if (word->text == "none") return true;
@@ -59,11 +63,22 @@ bool read_value(base::Words& words, Knots& value) {
     const std::size_t comma = std::min(rest.find(','), rest.size());
     const std::string_view one = rest.substr(0, comma);
     const auto name = one.starts_with('@') ? world::parse_name(one.substr(1)) : std::nullopt;
-    if (!name) return words.reject(kExpected);
+    if (!name) return words.reject(expected);
     value.names.push_back(*name);
     if (comma == rest.size()) return true;
     rest.remove_prefix(comma + 1);
   }
+}
+
+}  // namespace
+
+std::string print_value(const Knots& value) { return print_several(value); }
+std::string print_value(const Sections& value) { return print_several(value); }
+bool read_value(base::Words& words, Knots& value) {
+  return read_several(words, "knots such as @k3 or @k1,@k2, or all, or selected", value);
+}
+bool read_value(base::Words& words, Sections& value) {
+  return read_several(words, "sections such as @q3 or @q1,@q2, or all, or selected", value);
 }
 
 bool read_value(base::Words& words, Target& value) {

@@ -22,6 +22,7 @@ std::string joined(const Names& names);  // "a|b|c"
 std::string print_value(const Target& value);  // "@k3", "none"
 std::string print_value(const HandleTarget& value);
 std::string print_value(const Knots& value);  // "@k1,@k2", "all", "selected"
+std::string print_value(const Sections& value);
 std::string print_value(glm::vec3 value);
 std::string print_value(bool value);
 std::string print_value(const std::string& value);
@@ -34,6 +35,7 @@ inline std::string print_value(const Flag&) { return {}; }  // its keyword says 
 bool read_value(base::Words& words, Target& value);
 bool read_value(base::Words& words, HandleTarget& value);
 bool read_value(base::Words& words, Knots& value);
+bool read_value(base::Words& words, Sections& value);
 bool read_value(base::Words& words, glm::vec3& value);
 bool read_value(base::Words& words, float& value);
 bool read_value(base::Words& words, double& value);
@@ -47,6 +49,7 @@ inline bool read_value(base::Words&, Flag& value) { return value.set = true; }  
 
 inline std::string usage_of(const HandleTarget&) { return "@knot.in|@knot.out"; }
 inline std::string usage_of(const Knots&) { return "@knot,...|all|selected"; }
+inline std::string usage_of(const Sections&) { return "@section,...|all|selected"; }
 inline std::string usage_of(glm::vec3) { return "X Y Z"; }
 inline std::string usage_of(bool) { return "on|off"; }
 inline std::string usage_of(const Flag&) { return {}; }

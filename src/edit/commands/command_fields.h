@@ -33,6 +33,16 @@ struct Knots {
 };
 inline Target::operator Knots() const { return Knots(name); }
 
+// Several sections, written as knots are: "@q1,@q3", "all" or "selected". Order does not matter.
+struct Sections {
+  Knots::Which which = Knots::Which::named;
+  std::vector<world::Name> names;
+  Sections() = default;
+  Sections(world::Name one) : names{one} {}
+  explicit Sections(std::vector<world::Name> several) : names(std::move(several)) {}
+  friend bool operator==(const Sections&, const Sections&) = default;
+};
+
 // A word that a line may end with or leave out: "save FILE overwrite".
 struct Flag {
   bool set = false;

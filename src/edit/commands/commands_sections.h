@@ -87,9 +87,10 @@ struct MoveSection {
   COASTER_FIELDS(visit("", self.section), visit("", self.to))
 };
 struct CopySection {
-  Target section;
-  COASTER_COMMAND(CopySection, "section.copy", "Copy a section, for section.paste.", Effect::settings);
-  COASTER_FIELDS(visit("", self.section))
+  Sections sections;
+  COASTER_COMMAND(CopySection, "section.copy", "Copy sections, in the track's order, for section.paste.",
+                  Effect::settings);
+  COASTER_FIELDS(visit("", self.sections))
 };
 struct PasteSections {
   std::string text;  // a track; empty: what was copied

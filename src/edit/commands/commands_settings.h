@@ -45,6 +45,12 @@ struct SelectKnots {
                   Effect::settings);
   COASTER_FIELDS(visit("", self.knots))
 };
+struct SelectSections {
+  Sections sections;
+  COASTER_COMMAND(SelectSections, "select_sections", "Select several sections; the last one named is the active one.",
+                  Effect::settings);
+  COASTER_FIELDS(visit("", self.sections))
+};
 struct SetSnapping {
   world::SnapTo to{};
   double step = world::Snapping{}.step, angle = world::Snapping{}.angle;
@@ -62,6 +68,6 @@ struct SetPolyline {
   COASTER_FIELDS(visit("", self.to))
 };
 
-using SettingsCommands = CommandList<SetCamera, SetFly, Select, SelectKnots, SetSnapping, SetPolyline>;
+using SettingsCommands = CommandList<SetCamera, SetFly, Select, SelectKnots, SelectSections, SetSnapping, SetPolyline>;
 
 }  // namespace coaster::edit

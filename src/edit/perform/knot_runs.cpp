@@ -1,9 +1,10 @@
-// Resolves names in a command to knots of the track.
+// Resolves names in a command to knots and sections of the track.
 #include "edit/perform/knot_runs.h"
 
 #include <algorithm>
 #include <map>
 
+#include "world/sections.h"
 #include "world/selection.h"
 
 namespace coaster::edit {
@@ -48,6 +49,23 @@ base::Result<std::vector<world::Entity>> knots_of(const Session& session, const 
   return refused(knots.which == Knots::Which::selected ? "no knot is selected"
                  : knots.which == Knots::Which::all    ? "the track has no knots"
                                                        : "expected a knot, found none");
+}
+
+base::Result<std::vector<world::Entity>> chosen_sections(const Session& session, const Sections& sections) {
+  std::vector<world::Entity> chosen, ordered;
+  if (sections.which == Knots::Which::selected) chosen = world::selected_sections(session.document, session.settings);
+  for (const world::Name name : sections.names) {
+    const auto e = require(session, {name}, world::Kind::section);
+    if (!e) return e.status();
+    chosen.push_back(*e);
+  }
+  for (const world::SectionRun& run : world::sections_of(session.document))
+    if (sections.which == Knots::Which::all || std::find(chosen.begin(), chosen.end(), run.section) != chosen.end())
+      ordered.push_back(run.section);
+  if (!ordered.empty()) return ordered;
+  return refused(sections.which == Knots::Which::selected ? "no section is selected"
+                 : sections.which == Knots::Which::all    ? "the track has no sections"
+                                                          : "expected a section, found none");
 }
 
 std::vector<world::Entity> with_neighbours(const world::Document& document,

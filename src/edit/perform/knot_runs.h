@@ -1,4 +1,4 @@
-// The knots of a command, and runs of neighbours among them. Private to this room.
+// The knots or sections of a command, and runs of neighbours among knots. Private to this room.
 #pragma once
 
 #include <vector>
@@ -9,6 +9,8 @@ namespace coaster::edit {
 
 // Returns the living knots that a command names, each once, in track order; refused if there is none.
 base::Result<std::vector<world::Entity>> knots_of(const Session& session, const Knots& knots);
+// The same for sections.
+base::Result<std::vector<world::Entity>> chosen_sections(const Session& session, const Sections& sections);
 
 // Returns knots (in track order) and those beside them on the track.
 std::vector<world::Entity> with_neighbours(const world::Document& document,

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_sections.h"
+#include "edit/perform/knot_runs.h"
 #include "edit/perform/placing.h"
 #include "edit/perform/replan.h"
 #include "exchange/own/track_file.h"
@@ -82,10 +83,17 @@ Status paste(Change& change, const Document& from, const SectionRun& run, Docume
 }  // namespace
 
 Status perform(Session& session, Change& change, const CopySection& command) {
-  const auto section = require(session, command.section, world::Kind::section);
-  if (!section) return section.status();
-  session.copied = exchange::print_track(track_of(session.document, world::run_of(session.document, *section)));
-  change.note = fmt::format("Copied {}.", world::title_of(world::section(session.document, *section)));
+  const auto sections = chosen_sections(session, command.sections);
+  if (!sections) return sections.status();
+  const world::Document& document = session.document;
+  const auto run = [&](std::size_t i) { return world::run_of(document, (*sections)[i]); };
+  Document alone = track_of(document, run(0));
+  for (std::size_t i = 1; i < sections->size(); ++i)
+    if (const Status joined = paste(change, document, run(i), alone); !joined) return joined;
+  session.copied = exchange::print_track(alone);
+  change.note = sections->size() == 1
+                    ? fmt::format("Copied {}.", world::title_of(world::section(document, sections->front())))
+                    : fmt::format("Copied {} sections.", sections->size());
   return {};
 }
 

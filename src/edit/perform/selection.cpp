@@ -25,18 +25,29 @@ Status perform(Session& session, Change& change, const Select& command) {
   return {};
 }
 
-Status perform(Session& session, Change&, const SelectKnots& command) {
-  auto knots = knots_of(session, command.knots);
-  if (!knots) return knots.status();
+namespace {
+
+// Selects what a command names. The one named last becomes active; for all or selected, the active one stays if it is
+// among them.
+template <class Several>
+Status select_several(Session& session, base::Result<std::vector<world::Entity>> chosen, const Several& named) {
+  if (!chosen) return chosen.status();
   world::Settings& settings = session.settings;
-  // The knot named last becomes active; for all or selected, the active one stays if it is among them.
-  world::Entity active = command.knots.which == Knots::Which::named
-                             ? world::find(session.document, command.knots.names.back())
-                             : settings.selected;
-  if (std::find(knots->begin(), knots->end(), active) == knots->end()) active = knots->back();
-  std::erase(*knots, active);
-  settings.selected = active, settings.also = std::move(*knots);
+  world::Entity active =
+      named.which == Knots::Which::named ? world::find(session.document, named.names.back()) : settings.selected;
+  if (std::find(chosen->begin(), chosen->end(), active) == chosen->end()) active = chosen->back();
+  std::erase(*chosen, active);
+  settings.selected = active, settings.also = std::move(*chosen);
   return {};
+}
+
+}  // namespace
+
+Status perform(Session& session, Change&, const SelectKnots& command) {
+  return select_several(session, knots_of(session, command.knots), command.knots);
+}
+Status perform(Session& session, Change&, const SelectSections& command) {
+  return select_several(session, chosen_sections(session, command.sections), command.sections);
 }
 
 Status perform(Session& session, Change& change, const SetSnapping& command) {

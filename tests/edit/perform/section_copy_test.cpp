@@ -79,6 +79,24 @@ TEST_F(SectionCopy, text_comes_from_anywhere) {
   refused("section.paste", "the track is closed");
 }
 
+TEST_F(SectionCopy, several_go_on_from_one_another_in_the_order_of_the_track) {
+  good("element climb height 12 angle 30");
+  good("section.copy @q4,@q2,@q1");
+  EXPECT_EQ(session.notices.list.back().text, "Copied 3 sections.");
+  good("new");
+  good("section.paste");
+  const std::vector<world::SectionRun> runs = world::sections_of(session.document);
+  ASSERT_EQ(runs.size(), 3u);
+  const char* const kinds[] = {"straight", "curve", "climb"};
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(world::kind_name(world::section(session.document, runs[i].section)), kinds[i]);
+  EXPECT_TRUE(session.document.entities.find<world::Equipment>(session.document.track.segments[runs[1].first]));
+  EXPECT_FALSE(session.document.entities.find<world::Equipment>(session.document.track.segments[runs[2].first]));
+  good("select_sections all");
+  good("section.copy selected");
+  refused("section.copy none", "expected a section");
+}
+
 TEST_F(SectionCopy, without_a_copy_there_is_nothing_to_paste) { refused("section.paste", "nothing was copied"); }
 
 }  // namespace section_copy_test

@@ -4,6 +4,7 @@
 #include "edit/session_fixture.h"
 #include "sim/ride/equipment.h"
 #include "world/sections.h"
+#include "world/selection.h"
 
 namespace coaster::edit {
 namespace perform_sections_test {
@@ -103,6 +104,22 @@ TEST_F(PerformSections, are_equipped_in_one_step) {
   refused("section.unequip @q1", "there is no equipment on @q1");
   refused("section.equip @q9 as lift", "there is no section @q9");
   clamped("section.equip @q1 as lift speed 999", "speed");
+}
+
+TEST_F(PerformSections, are_selected_together_and_the_last_one_named_is_active) {
+  good("section.split @k4");
+  good("select_sections @q2,@q1");
+  EXPECT_EQ(session.settings.selected, entity("q1"));
+  EXPECT_EQ(session.settings.also, std::vector{entity("q2")});
+  EXPECT_TRUE(world::selected_knots(session.document, session.settings).empty());
+  good("select_sections selected");
+  EXPECT_EQ(session.settings.selected, entity("q1"));
+  good("section.join @q1");
+  EXPECT_EQ(session.settings.selected, entity("q1"));
+  EXPECT_TRUE(session.settings.also.empty()) << "what is gone is not selected";
+  refused("select_sections @k2", "@k2");
+  good("select none");
+  refused("select_sections selected", "no section is selected");
 }
 
 TEST_F(PerformSections, are_selected) {
