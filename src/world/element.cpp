@@ -57,6 +57,12 @@ std::optional<double> found_value(const Element& element, std::string_view param
   return std::nullopt;
 }
 
+void set_value(Element& element, std::string_view parameter, double value) {
+  const std::span<const ElementParameter> parameters = base::row_of(element.kind).parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (parameters[i].name == parameter) element.values[i] = std::clamp(value, parameters[i].low, parameters[i].high);
+}
+
 double value_of(const Element& element, std::string_view parameter) {
   const std::optional<double> found = found_value(element, parameter);
   COASTER_CHECK(found, "the element has this parameter");

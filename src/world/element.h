@@ -246,5 +246,7 @@ const base::NameRow& choice_of(const ElementParameter& parameter, double value);
 std::optional<double> found_value(const Element& element, std::string_view parameter);
 // The same of a parameter that the row has (COASTER_CHECK).
 double value_of(const Element& element, std::string_view parameter);
+// Sets a parameter, brought within its limits; nothing if the element's row does not have it.
+void set_value(Element& element, std::string_view parameter, double value);
 
 }  // namespace coaster::world

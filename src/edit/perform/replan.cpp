@@ -1,6 +1,8 @@
 #include "edit/perform/replan.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -87,6 +89,26 @@ void shape_knots(const sim::ElementFit& fit, const SectionRun& run, bool follows
     document.entities.get<world::Segment>(document.track.segments[i]).turns = 0;
 }
 
+// True if both name the same equipment, or none, among their parameters.
+bool same_equipment(const world::Element& a, const world::Element& b) {
+  constexpr std::string_view kNames[] = {"equipment", "speed", "acceleration"};
+  return a.kind == b.kind && world::found_value(a, kNames[0]) &&
+         std::all_of(std::begin(kNames), std::end(kNames),
+                     [&](std::string_view name) { return world::found_value(a, name) == world::found_value(b, name); });
+}
+
+// Puts on what the plan brings; where that is as before, what stands there stays.
+void equip_again(Document& document, const sim::ElementPlan& plan, const SectionRun& run) {
+  const world::Section& before = world::section(document, run.section);
+  const world::Element now = world::limited(plan.element);
+  const bool planned = before.kind == world::SectionKind::element;
+  if (planned && same_equipment(before.element, now)) return;
+  if (planned && before.element.kind == now.kind && world::found_value(now, "equipment") == 0.0)
+    for (std::size_t i = run.first; i < run.end(); ++i)
+      document.entities.pool<world::Equipment>().erase(document.track.segments[i]);
+  equip(document, plan, run.first);
+}
+
 Status placeable(const Session& session, const world::Track& track, const sim::ElementPlan& plan,
                  const SectionRun& run) {
   if (!plan.refusal.empty()) return refused(plan.refusal);
@@ -138,7 +160,7 @@ Status replan(const Session& session, Change& change, Document& document, Entity
   world::resize_section(document, section, plan.spans());
   run.count = plan.spans();
   shape_knots(plan.fit, run, follows, document);
-  equip(document, plan, run.first);
+  equip_again(document, plan, run);
   if (held) {
     Knot& last = document.entities.get<Knot>(document.track.knots[run.end() % document.track.knots.size()]);
     held->in_length = last.in_length, held->joint = last.joint;

@@ -51,8 +51,7 @@ base::Result<Entity> on_open_track(const Session& session, Target target) {
 world::Element mirrored(world::Element element) {
   const world::ElementRow& row = base::row_of(element.kind);
   if (row.sided) element.right = !element.right;
-  for (std::size_t i = 0; i < row.parameters.size(); ++i)
-    if (row.parameters[i].name == "roll") element.values[i] = 0.0 - element.values[i];
+  world::set_value(element, "roll", 0.0 - world::found_value(element, "roll").value_or(0));
   return element;
 }
 

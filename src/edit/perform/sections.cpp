@@ -15,6 +15,20 @@ using world::Entity;
 using world::Kind;
 using world::SectionRun;
 
+namespace {
+
+// Lets the parameters of a planned section name the equipment that it has now, so that it keeps it when it is planned
+// again.
+void name_equipment(world::Section& section, const world::Equipment* equipment) {
+  if (section.kind != world::SectionKind::element || !world::found_value(section.element, "equipment")) return;
+  world::set_value(section.element, "equipment", equipment ? 1 + static_cast<double>(equipment->kind) : 0);
+  if (!equipment) return;
+  world::set_value(section.element, "speed", equipment->speed);
+  world::set_value(section.element, "acceleration", equipment->acceleration);
+}
+
+}  // namespace
+
 Status perform(Session& session, Change& change, const MakeSection& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
@@ -78,6 +92,7 @@ Status perform(Session& session, Change& change, const EquipSection& command) {
   const SectionRun run = world::run_of(session.document, *section);
   for (std::size_t i = run.first; i < run.end(); ++i)
     session.document.entities.put(session.document.track.segments[i], *equipment);
+  name_equipment(session.document.entities.get<world::Section>(*section), &*equipment);
   return {};
 }
 
@@ -90,6 +105,7 @@ Status perform(Session& session, Change&, const UnequipSection& command) {
   for (std::size_t i = run.first; i < run.end(); ++i) equipment.erase(session.document.track.segments[i]);
   if (equipment.size() == before)
     return refused("there is no equipment on @" + world::label_of(session.document, *section));
+  name_equipment(session.document.entities.get<world::Section>(*section), nullptr);
   return {};
 }
 

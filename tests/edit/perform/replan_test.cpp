@@ -4,6 +4,7 @@
 
 #include "curve/arc_length.h"
 #include "curve/continuity.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/session_fixture.h"
 #include "world/sections.h"
 
@@ -198,6 +199,33 @@ TEST_F(Replan, what_cannot_be_planned_is_refused) {
   good("section.change @q2 to climb height 1000");
   EXPECT_NE(session.notices.list.back().text.find("limit"), std::string::npos);
   EXPECT_EQ(section("q2").element.values[0], 300);
+}
+
+TEST_F(Replan, equipment_stays_that_was_put_on_or_taken_off_since) {
+  const auto kind = [&](const char* name) {
+    std::string all;
+    for (std::size_t i = run(name).first; i < run(name).end(); ++i) {
+      const auto* const e = session.document.entities.find<world::Equipment>(session.document.track.segments[i]);
+      all += e ? std::string(base::name_of(e->kind)) + " " + base::to_text(e->acceleration) + " " : "- ";
+    }
+    return all;
+  };
+  good("section.equip @q2 as lift speed 5 acceleration 2");
+  world::Element element = section("q2").element;
+  EXPECT_EQ(world::value_of(element, "speed"), 5);
+  world::set_value(element, "height", 31);
+  ASSERT_TRUE(apply(ChangeSection{{{world::Kind::section, 2}}, false, element}));
+  for (std::size_t i = run("q2").first; i < run("q2").end(); ++i)
+    ASSERT_TRUE(session.document.entities.find<world::Equipment>(session.document.track.segments[i])) << i;
+  EXPECT_EQ(kind("q2").substr(0, 7), "lift 2 ") << "also what the parameters do not name";
+  good("section.unequip @q2");
+  world::set_value(element = section("q2").element, "height", 24);
+  ASSERT_TRUE(apply(ChangeSection{{{world::Kind::section, 2}}, false, element}));
+  EXPECT_EQ(kind("q2").find("lift"), std::string::npos);
+  good("section.change @q2 to climb height 24 equipment lift speed 6");
+  EXPECT_NE(kind("q2").find("lift"), std::string::npos);
+  good("section.change @q2 to climb height 25");
+  EXPECT_EQ(kind("q2").find("lift"), std::string::npos);
 }
 
 }  // namespace replan_test
