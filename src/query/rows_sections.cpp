@@ -50,6 +50,15 @@ Answer section_of(const Context& c, View argument) {
     return world::label_of(c.session.document, world::segment(c.session.document, e).section);
   });
 }
+// A figure of the section; "none" where the ride does not get.
+template <auto Member>
+Answer section_figure(const Context& c, View argument) {
+  return of_run(c, argument, [&](const world::SectionRun& run) -> Value {
+    const auto value = c.find(edit::Want::sections).sections->of(run).*Member;
+    if constexpr (std::is_same_v<decltype(value), const double>) return number(value);
+    else return value ? number(*value) : text("none");
+  });
+}
 // The argument is "@q1.height".
 Answer section_value(const Context& c, View argument) {
   const std::size_t dot = std::min(argument.find('.'), argument.size());
@@ -83,6 +92,17 @@ constexpr std::array kSectionRows{
           "A parameter that a section was planned with, such as @q2.height; none if it has no such parameter.",
           section_value},
     Query{"section.length", "@section", "m", "A section's length.", section_length},
+    Query{"section.top", "@section", "m", "A section's largest height.", section_figure<&sim::SectionFigures::top>},
+    Query{"section.speed_in", "@section", "m/s",
+          "Speed of the chosen seat where a section begins; none where the ride does not get there.",
+          section_figure<&sim::SectionFigures::speed_in>},
+    Query{"section.speed_out", "@section", "m/s", "The same where it ends.",
+          section_figure<&sim::SectionFigures::speed_out>},
+    Query{"section.g_most", "@section", "g", "Largest vertical g of the chosen seat on a section.",
+          section_figure<&sim::SectionFigures::g_most>},
+    Query{"section.g_least", "@section", "g", "Least vertical g on it.", section_figure<&sim::SectionFigures::g_least>},
+    Query{"section.g_side", "@section", "g", "Largest lateral g on it, to either side.",
+          section_figure<&sim::SectionFigures::g_side>},
     Query{"section.segments", "@section", "", "Number of a section's segments.", section_segments},
     Query{"section.first", "@section", "", "The knot where a section begins.", section_first},
     Query{"section.last", "@section", "", "The knot where a section ends.", section_last},

@@ -44,6 +44,21 @@ TEST_F(SectionRows, tell_of_each_section) {
   EXPECT_NEAR(sum, session.derived.length, 1e-9);
 }
 
+TEST_F(SectionRows, tell_what_the_ride_is_like_there) {
+  const auto of = [&](std::string_view name, std::string_view section) {
+    return *base::parse_double(ask(name, section));
+  };
+  EXPECT_NEAR(of("section.top", "@q2"), of("section.top", "@q1") + 18, 0.02);
+  EXPECT_NEAR(of("section.speed_out", "@q1"), of("section.speed_in", "@q2"), 1e-9);
+  EXPECT_EQ(ask("section.speed_out", "@q2"), "none") << "too slow for the loop";
+  good("start_speed 25");
+  const double in = of("section.speed_in", "@q2");
+  EXPECT_NEAR(in, 25, 1e-2);
+  EXPECT_GT(of("section.g_most", "@q2"), 3);
+  EXPECT_LT(of("section.g_least", "@q2"), of("section.g_most", "@q2"));
+  EXPECT_GE(of("section.g_side", "@q2"), 0);
+}
+
 TEST_F(SectionRows, name_what_is_not_there) {
   EXPECT_EQ(ask("section.kind", "@q9").rfind("no section @q9", 0), 0u) << ask("section.kind", "@q9");
   EXPECT_EQ(ask("section.kind", "@s1").rfind("no section @s1", 0), 0u);

@@ -78,6 +78,23 @@ void find_jolts(Session& session) {
     });
 }
 
+// Needs the riders.
+void find_sections(Session& session) {
+  Findings& found = session.findings;
+  const world::LabView& lab = *session.settings.lab;
+  const sim::CarRange cars =
+      found.ride != nullptr ? sim::cars_of(lab.seat, lab.seat_car, found.ride->start.cars) : sim::CarRange{};
+  sim::SectionTable& kept = found.memory.sections.value;
+  const std::uint64_t serial = kept.serial + 1, ride = found.ride != nullptr ? found.ride->serial : 0;
+  found.sections =
+      &found.memory.sections.get({session.edits, session.derived.last_build, ride, cars.first, cars.last}, [&] {
+        std::optional<sim::SeatCurves> curves;
+        if (found.ride != nullptr) curves = sim::curves_by_place(found.riders->cars(cars));
+        return sim::SectionTable{sim::section_figures(session.document, session.derived, curves ? &*curves : nullptr),
+                                 serial};
+      });
+}
+
 void find_deviation(Session& session) {
   Findings& found = session.findings;
   found.deviation = 0;
@@ -97,11 +114,11 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
   const bool by_ride = base::row_of(session.settings.lab->colouring).of_ride;
   if (has(wanted, Want::document_hash))
     found.document_hash = memory.document_hash.get(session.edits, [&] { return world::hash(session.document); });
-  if (has(wanted,
-          Want::ride | Want::ratings | Want::overloads | Want::seat | Want::riders | Want::jolts | Want::circuit) ||
+  if (has(wanted, Want::ride | Want::ratings | Want::overloads | Want::seat | Want::riders | Want::jolts |
+                      Want::circuit | Want::sections) ||
       (has(wanted, Want::values) && by_ride))
     find_ride(session);
-  if (has(wanted, Want::seat | Want::riders)) find_riders(session, has(wanted, Want::riders));
+  if (has(wanted, Want::seat | Want::riders | Want::sections)) find_riders(session, has(wanted, Want::riders));
   if (has(wanted, Want::overloads | Want::ratings)) find_overloads(session);
   if (has(wanted, Want::ratings)) find_ratings(session);
   if (has(wanted, Want::jolts)) find_jolts(session);
@@ -114,6 +131,7 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
         memory.room.update(*found.element, memory.conflicts, session.derived, world::rails_height(session.document));
   if (has(wanted, Want::circuit))
     found.circuit = &memory.circuit.update(session.document, session.derived, memory.conflicts, found.ride);
+  if (has(wanted, Want::sections)) find_sections(session);
   if (has(wanted, Want::breaks)) found.breaks = memory.breaks.update(session.derived);
   if (has(wanted, Want::values)) find_values(session);
   if (has(wanted, Want::supports)) {

@@ -21,6 +21,7 @@
 #include "sim/study/jolt.h"
 #include "sim/study/ratings.h"
 #include "sim/study/riders.h"
+#include "sim/study/section_figures.h"
 #include "sim/study/track_values.h"
 
 namespace coaster::edit {
@@ -45,7 +46,8 @@ enum class Want : std::uint32_t {
   riders = 4096,     // the same of all cars
   folds = 8192,      // of the rails
   jolts = 16384,     // of that ride, at the joints
-  circuit = 32768    // ways from the open end to the first knot
+  circuit = 32768,   // ways from the open end to the first knot
+  sections = 65536   // their lengths, heights, and what the riders of the chosen seat feel on them
 };
 constexpr Want operator|(Want a, Want b) {
   return static_cast<Want>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -69,6 +71,7 @@ struct Findings {
   const sim::ElementPlan* element = nullptr;
   std::span<const sim::Narrow> room;               // parts of the element that lack it
   const sim::CircuitProposals* circuit = nullptr;  // never null after Want::circuit
+  const sim::SectionTable* sections = nullptr;     // never null after Want::sections
   std::span<const sim::FrenetBreak> breaks;
   const sim::TrackValues* values = nullptr;
   const sim::Supports* supports = nullptr;
@@ -88,6 +91,8 @@ struct Findings {
     sim::ElementMemo elements;
     sim::ElementRoom room;
     sim::CircuitMemo circuit;
+    // By Session::edits, the last build, the ride's serial and the first and the last car.
+    base::Kept<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, int, int>, sim::SectionTable> sections;
     sim::FrenetBreaks breaks;
     sim::TrackValueMemo values;
     sim::Supports supports, passed;  // shown, and passed by a ride: each counts what it rebuilds
