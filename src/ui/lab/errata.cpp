@@ -9,7 +9,7 @@
 #include "sim/study/live_errata.h"
 #include "ui/context/rows.h"
 #include "ui/lab/cache.h"
-#include "ui/lab/table.h"
+#include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
 #include "world/evaluation.h"
 

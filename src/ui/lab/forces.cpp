@@ -14,7 +14,7 @@
 #include "sim/study/ratings.h"
 #include "ui/lab/cache.h"
 #include "ui/lab/ride_plots.h"
-#include "ui/lab/table.h"
+#include "ui/widgets/table.h"
 #include "world/layers.h"
 
 namespace coaster::ui {

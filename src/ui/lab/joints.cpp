@@ -14,7 +14,7 @@
 #include "sim/study/live_errata.h"
 #include "ui/context/rows.h"
 #include "ui/lab/cache.h"
-#include "ui/lab/table.h"
+#include "ui/widgets/table.h"
 
 namespace coaster::ui {
 namespace {

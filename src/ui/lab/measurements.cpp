@@ -7,7 +7,7 @@
 
 #include "edit/commands/commands_lab.h"
 #include "ui/lab/cache.h"
-#include "ui/lab/table.h"
+#include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
 #include "world/evaluation.h"
 

@@ -11,7 +11,7 @@
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_settings.h"
 #include "ui/lab/cache.h"
-#include "ui/lab/table.h"
+#include "ui/widgets/table.h"
 #include "world/lab_view.h"
 
 namespace coaster::ui {

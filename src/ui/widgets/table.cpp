@@ -1,5 +1,5 @@
 // Tables over Dear ImGui's.
-#include "ui/lab/table.h"
+#include "ui/widgets/table.h"
 
 #include <imgui.h>
 
@@ -13,7 +13,7 @@
 namespace coaster::ui {
 namespace {
 
-void draw_cell(const Ui& ui, const Cell& cell) {
+void draw_cell(const WidgetFrame& ui, const Cell& cell) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), size = text_size(cell.text);
   const float room = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -30,7 +30,7 @@ void draw_cell(const Ui& ui, const Cell& cell) {
 
 }  // namespace
 
-void push_table_style(const Ui& ui, float gap) {
+void push_table_style(const WidgetFrame& ui, float gap) {
   ImGui::PushFont(small_font());
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(std::floor(6 * ui.scale), std::floor(gap * ui.scale)));
   ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, colour(palette().raised));
@@ -43,7 +43,39 @@ void pop_table_style() {
   ImGui::PopFont();
 }
 
-bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> columns, float height) {
+namespace {
+
+// A heading: its words, its unit where there is room, and the triangle of the column that sorts.
+void heading_cell(WidgetFrame& ui, std::string_view label, const TableColumn& column, int index, Sorting* sorting) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool sorts = sorting && sorting->column == index;
+  const float mark = sorts ? std::floor(14 * ui.scale) : 0, height = ImGui::GetTextLineHeight();
+  const float room = ImGui::GetContentRegionAvail().x;
+  std::string words = in_units(ui, shown(column.title)), tooltip(column.tooltip);
+  const std::string name =
+      words == shown(column.title) ? std::string(column.title) : fmt::format("{}###{}", words, id_of(column.title));
+  if (!column.unit.empty()) {
+    const std::string_view unit = base::shown_in(ui.units, column.unit).name;
+    const std::string whole = fmt::format("{} ({})", words, unit);
+    if (text_size(whole).x + mark <= room) words = whole;
+    else tooltip += fmt::format(" Unit: {}.", unit);
+  }
+  if (sorts)
+    draw_fold_mark(*ImGui::GetWindowDrawList(), {at.x + std::floor(6 * ui.scale), at.y + height * 0.5f}, ui.scale,
+                   sorting->descending);
+  if (sorts) ImGui::SetCursorScreenPos({at.x + mark, at.y});
+  draw_cell(ui, {words, sorts ? palette().text : palette().dim, index == 0 || column.words});
+  ImGui::SetCursorScreenPos(at);
+  if (!sorting) ImGui::Dummy({room, height});
+  else if (ImGui::InvisibleButton(name.c_str(), {std::max(1.0f, room), height})) sorting->clicked = index;
+  note(ui, fmt::format("{}/{}", label, name), sorting ? "button" : "label", tooltip, true,
+       sorts ? (sorting->descending ? "descending" : "ascending") : words, at, {at.x + room, at.y + height});
+}
+
+}  // namespace
+
+bool begin_table(WidgetFrame& ui, std::string_view label, std::span<const TableColumn> columns, float height,
+                 Sorting* sorting) {
   push_table_style(ui, 1.5f);
   if (!ImGui::BeginTable(hidden(label).c_str(), static_cast<int>(columns.size()), kTableFlags, {0, height})) {
     pop_table_style();
@@ -53,29 +85,14 @@ bool begin_table(Ui& ui, std::string_view label, std::span<const TableColumn> co
     ImGui::TableSetupColumn(std::string(column.title).c_str(), ImGuiTableColumnFlags_WidthStretch, column.weight);
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    ImGui::TableSetColumnIndex(static_cast<int>(i));
-    const TableColumn& column = columns[i];
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float room = ImGui::GetContentRegionAvail().x;
-    std::string words = in_units(ui, shown(column.title)), tooltip(column.tooltip);
-    const std::string name =
-        words == shown(column.title) ? std::string(column.title) : fmt::format("{}###{}", words, id_of(column.title));
-    if (!column.unit.empty()) {
-      const std::string_view unit = base::shown_in(ui.units, column.unit).name;
-      const std::string whole = fmt::format("{} ({})", words, unit);
-      if (text_size(whole).x <= room) words = whole;
-      else tooltip += fmt::format(" Unit: {}.", unit);
-    }
-    draw_cell(ui, {words, palette().dim, i == 0});
-    ImGui::Dummy({room, ImGui::GetTextLineHeight()});
-    note(ui, fmt::format("{}/{}", label, name), "label", tooltip, true, words, at,
-         {at.x + room, at.y + ImGui::GetTextLineHeight()});
+  for (int i = 0; i < static_cast<int>(columns.size()); ++i) {
+    ImGui::TableSetColumnIndex(i);
+    heading_cell(ui, label, columns[static_cast<std::size_t>(i)], i, sorting);
   }
   return true;
 }
 
-bool table_row(Ui& ui, std::string_view label, std::span<const Cell> cells, bool selected, std::string value,
+bool table_row(WidgetFrame& ui, std::string_view label, std::span<const Cell> cells, bool selected, std::string value,
                std::string_view tooltip) {
   ImGui::TableNextRow();
   ImGui::TableSetColumnIndex(0);
