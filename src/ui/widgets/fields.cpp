@@ -19,7 +19,8 @@ namespace {
 enum class Typing { no, open, complete };
 
 // An InputText whose text is in ui.entry while it is typed. With `begin` it takes the keyboard at once, as if clicked.
-// Complete on Enter, or when it loses focus with the text changed; Escape discards the text.
+// Complete on Enter, or when it loses focus with the text changed; Tab goes on to the panel's next number. Escape
+// discards the text.
 Typing typed(WidgetFrame& ui, const char* key, const std::string& initial, bool begin) {
   const ImGuiID id = ImGui::GetID(key);
   Entry& entry = ui.entry;
@@ -42,8 +43,10 @@ Typing typed(WidgetFrame& ui, const char* key, const std::string& initial, bool 
     return Typing::open;
   }
   const bool elsewhere = active && !ImGui::IsItemHovered() && (clicked || io.MouseClicked[1] || io.MouseClicked[2]);
-  if (active && !enter && !elsewhere) return Typing::open;
-  if (elsewhere) ImGui::ClearActiveID();
+  const bool tab = active && ImGui::IsKeyPressed(ImGuiKey_Tab);
+  if (active && !enter && !elsewhere && !tab) return Typing::open;
+  if (elsewhere || tab) ImGui::ClearActiveID();
+  if (tab && ui.wish) ui.wish->panel = ui.panel;
   entry.id = 0;
   const bool escaped = ImGui::IsKeyPressed(ImGuiKey_Escape);
   return !escaped && entry.text != entry.initial ? Typing::complete : Typing::no;
@@ -137,6 +140,23 @@ std::optional<double> drag(WidgetFrame& ui, const Number& n, ImGuiID id) {
   return value;
 }
 
+// Returns whether a wish shows the field to be typed in: it has the keyboard, or gets it with the next frame.
+bool is_wished(WidgetFrame& ui, ImGuiID id, bool enabled) {
+  constexpr int kFrames = 3;
+  if (!ui.wish || !enabled) return false;
+  FieldWish& wish = *ui.wish;
+  if (!wish.panel.empty() && wish.panel == ui.panel) {
+    wish = {"", id, kFrames};
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    g.NavNextActivateId = id;  // takes effect with the next frame
+    g.NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
+    ImGui::SetScrollHereY(0.5f);
+  }
+  if (wish.id != id) return false;
+  if (ui.entry.id == id || --wish.frames < 0) wish.id = 0;
+  return wish.id == id;
+}
+
 // One field at the cursor, `width` wide.
 std::optional<double> field(WidgetFrame& ui, std::string_view label, const Number& metric, std::string_view name,
                             std::uint32_t name_colour, float width, std::string_view tooltip, bool enabled) {
@@ -149,7 +169,8 @@ std::optional<double> field(WidgetFrame& ui, std::string_view label, const Numbe
   std::optional<double> result;
   if (begin) ImGui::ClearActiveID();
   ImGui::SetNextItemWidth(width);
-  if (begin || ui.entry.id == ImGui::GetID("##type")) {
+  const bool wished = is_wished(ui, ImGui::GetID("##type"), enabled);
+  if (begin || wished || ui.entry.id == ImGui::GetID("##type")) {
     const std::string initial = unit.factor == 1 ? base::to_text(n.value) : fmt::format("{:.9g}", n.value);
     if (typed(ui, "##type", initial, begin) == Typing::complete) result = parse(ui, label, n);
   } else {

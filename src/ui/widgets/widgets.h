@@ -37,6 +37,13 @@ struct Rest {
   float seconds = 0;
 };
 
+// A number field that is to take the keyboard without the mouse.
+struct FieldWish {
+  std::string panel;  // the next field that is drawn in it; empty: none
+  unsigned id = 0;    // the field that was found
+  int frames = 0;     // that it has left to take the keyboard
+};
+
 // What widgets work with during one build.
 struct WidgetFrame {
   WidgetList& list;
@@ -48,6 +55,7 @@ struct WidgetFrame {
   float scale = 1;                                           // px a design px
   std::string panel;                                         // first part of the paths
   base::Units units = base::Units::m_s;                      // that values and words are shown in
+  FieldWish* wish = nullptr;                                 // null: fields take the mouse alone
 };
 
 // Widgets get metric values and words, and show them in the user's units (base/units.h): the numbers and units of
