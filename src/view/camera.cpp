@@ -12,6 +12,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "curve/cubic.h"
+#include "world/sections.h"
 
 namespace coaster::view {
 namespace {
@@ -262,6 +263,15 @@ world::Camera frame_entity(const world::Camera& from, const world::Document& doc
                      viewport);
   }
   if (const world::Cart* const cart = document.entities.find<world::Cart>(entity)) entity = cart->segment;
+  if (document.entities.find<world::Section>(entity)) {
+    const world::SectionRun run = world::run_of(document, entity);
+    curve::Box box = curve::control_box(world::cubic_of(document, document.track.segments[run.first]));
+    for (std::size_t i = run.first + 1; i < run.end(); ++i) {
+      const curve::Box next = curve::control_box(world::cubic_of(document, document.track.segments[i]));
+      box = {glm::min(box.low, next.low), glm::max(box.high, next.high)};
+    }
+    return frame_box(from, box.low - glm::vec3(1), box.high + glm::vec3(1), viewport);
+  }
   if (!document.entities.find<world::Segment>(entity)) return frame_all(from, document, viewport);
   const curve::Box box = curve::control_box(world::cubic_of(document, entity));
   return frame_box(from, box.low - glm::vec3(1), box.high + glm::vec3(1), viewport);

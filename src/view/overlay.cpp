@@ -123,7 +123,7 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   const float scale = settings.look->ui_scale;
   const double rails = world::rails_height(document);
   if (findings.element) add_element(*findings.element, findings.narrow, rails, view, scale, overlay);
-  add_selected_section(document, derived, settings.selected, scale, overlay);
+  add_sections(document, derived, settings, hovered, overlay);
   add_polygons(document, settings, overlay);
   // The picked position is no pickable mark, so it lies under all that are.
   if (const sim::SegmentShape* const shape = derived.segments.find(settings.selected))

@@ -60,6 +60,7 @@ struct Host::Parts {
   Entry entry;
   Gesture gesture;
   Rest rest;
+  FieldWish wish;
   Toasts toasts;
   LabCache lab;
   Dialogs dialogs;
@@ -175,6 +176,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   follow_camera.update(ui, view, tool.dragging() || gesture.open || framed);
   if (ui.state.lesson == nullptr || tool.transform().active())
     draw_foot_line(ui, tool, layout.scene);  // a lesson has its own hint
+  draw_section_name(ui, layout.scene);
   draw_legend(ui, layout.scene);
   toasts.draw(ui, layout.scene);
   for (const edit::Command& command : ui.out.commands)
@@ -226,15 +228,16 @@ Output Host::build(const platform::Events& events, const State& state, int width
   const std::function<void(const std::string&)> warn = [&](const std::string& text) {
     p.toasts.show(edit::NoticeKind::warning, text, state.seconds);
   };
-  Ui ui{{p.list, p.entry, p.gesture, p.rest, begin_gesture, warn, scale, {}, state.session.settings.look->units},
-        state,
-        out,
-        p.lab,
-        p.inputs,
-        p.keys,
-        p.gl.renderer,
-        p.hovered,
-        p.drawers};
+  Ui ui{
+      {p.list, p.entry, p.gesture, p.rest, begin_gesture, warn, scale, {}, state.session.settings.look->units, &p.wish},
+      state,
+      out,
+      p.lab,
+      p.inputs,
+      p.keys,
+      p.gl.renderer,
+      p.hovered,
+      p.drawers};
   p.lay_out(ui, events, width, height);
   p.rest.seconds = p.rest.next == p.rest.path ? p.rest.seconds + ImGui::GetIO().DeltaTime : 0;
   p.rest.path = std::exchange(p.rest.next, {});

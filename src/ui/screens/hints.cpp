@@ -11,8 +11,11 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_settings.h"
+#include "ui/tools/section_clicks.h"
 #include "ui/widgets/theme.h"
 #include "world/aids.h"
+#include "world/look.h"
+#include "world/sections.h"
 
 namespace coaster::ui {
 namespace {
@@ -64,6 +67,31 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
     if (button(ui, "Got it", "Hide the first steps. View/First steps shows them again."))
       ui.emit(edit::Set<&world::Aids::show_hints>{false});
   });
+}
+
+void draw_section_name(Ui& ui, const view::Viewport& scene) {
+  const edit::Session& session = ui.session();
+  const glm::vec2 mouse = mouse_position();
+  if (session.settings.look->workspace != world::Workspace::build || !scene.contains(mouse)) return;
+  if (ImGui::IsAnyMouseDown() || ImGui::GetIO().WantCaptureMouse) return;
+  const world::Entity section = section_under(session, ui.hovered);
+  if (!section.valid()) return;
+  const std::string title = world::title_of(world::section(session.document, section));
+  const float pad = std::floor(8 * ui.scale), aside = std::floor(16 * ui.scale), width = text_size(title).x + 2 * pad;
+  const bool left = mouse.x + aside + width > scene.x + scene.width, above = mouse.y > scene.y + 0.5f * scene.height;
+  build_card(ui,
+             {.id = "##section",
+              .panel = "View",
+              .at = {std::floor(mouse.x + (left ? -aside : aside)), std::floor(mouse.y + (above ? -aside : aside))},
+              .pivot = {left ? 1.0f : 0.0f, above ? 1.0f : 0.0f},
+              .width = width,
+              .padding = {8, 5},
+              .alpha = 0.88f,
+              .flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing},
+             [&] {
+               tinted_line(title, palette().text);
+               note_item(ui, "Section", "label", "", true, title);
+             });
 }
 
 void draw_foot_line(const Ui& ui, const ViewportTool& tool, const view::Viewport& scene) {

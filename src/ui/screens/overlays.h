@@ -6,6 +6,8 @@
 
 namespace coaster::ui {
 
+// The title of the section under the mouse, beside it; in Build.
+void draw_section_name(Ui& ui, const view::Viewport& scene);
 // The hint at the bottom: the current transform, or what to click next. Drawn behind all windows.
 void draw_foot_line(const Ui& ui, const ViewportTool& tool, const view::Viewport& scene);
 // The first steps, in the lower left corner while Aids::show_hints.

@@ -1,5 +1,6 @@
 #include "ui/tools/selecting.h"
 
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_settings.h"
 #include "world/selection.h"
 
@@ -7,10 +8,18 @@ namespace coaster::ui {
 
 using world::Entity;
 
+namespace {
+
+std::vector<world::Name> names_of(const world::Document& document, const std::vector<Entity>& entities) {
+  std::vector<world::Name> names;
+  for (const Entity e : entities) names.push_back(world::name_of(document, e));
+  return names;
+}
+
+}  // namespace
+
 edit::Knots named_knots(const world::Document& document, const std::vector<Entity>& knots) {
-  edit::Knots named;
-  for (const Entity e : knots) named.names.push_back(world::name_of(document, e));
-  return named;
+  return edit::Knots(names_of(document, knots));
 }
 
 edit::Command selection_of(const world::Document& document, const std::vector<Entity>& knots) {
@@ -23,6 +32,23 @@ edit::Command toggled(const edit::Session& session, Entity knot) {
   std::vector<Entity> knots = world::selected_knots(session.document, session.settings);
   if (std::erase(knots, knot) == 0) knots.push_back(knot);
   return selection_of(session.document, knots);
+}
+
+edit::Command selection_of_sections(const world::Document& document, const std::vector<Entity>& sections) {
+  if (sections.empty()) return edit::Select{};
+  if (sections.size() == 1) return edit::Select{{world::name_of(document, sections[0])}};
+  return edit::SelectSections{edit::Sections(names_of(document, sections))};
+}
+
+edit::Command toggled_section(const edit::Session& session, Entity section) {
+  std::vector<Entity> sections = world::selected_sections(session.document, session.settings);
+  if (std::erase(sections, section) == 0) sections.push_back(section);
+  return selection_of_sections(session.document, sections);
+}
+
+edit::Command copying(const edit::Session& session) {
+  return edit::CopySection{
+      edit::Sections(names_of(session.document, world::selected_sections(session.document, session.settings)))};
 }
 
 edit::Command up_to(const edit::Session& session, Entity knot) {

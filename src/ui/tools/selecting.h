@@ -19,6 +19,12 @@ edit::Command selection_of(const world::Document& document, const std::vector<wo
 
 // A Shift+click: the knot joins the selection as its active knot, or leaves it.
 edit::Command toggled(const edit::Session& session, world::Entity knot);
+// The same for sections.
+edit::Command selection_of_sections(const world::Document& document, const std::vector<world::Entity>& sections);
+edit::Command toggled_section(const edit::Session& session, world::Entity section);
+// The command that copies the selected sections.
+edit::Command copying(const edit::Session& session);
+
 // A Ctrl+click: all knots along the track from the active one to this one, the shorter way round where the track is
 // closed.
 edit::Command up_to(const edit::Session& session, world::Entity knot);

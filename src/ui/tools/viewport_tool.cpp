@@ -14,6 +14,7 @@
 #include "edit/commands/commands_shape.h"
 #include "ui/tools/append_place.h"
 #include "ui/tools/fly_keys.h"
+#include "ui/tools/section_clicks.h"
 #include "ui/widgets/theme.h"
 #include "view/gizmo.h"
 #include "view/spin_ring.h"
@@ -124,8 +125,13 @@ void ViewportTool::press(Ui& ui, const view::Pick& under) {
 
 void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
   const edit::Session& session = ui.session();
-  const bool twice = ImGui::GetIO().MouseDoubleClicked[ImGuiMouseButton_Left];
+  const bool chose = std::exchange(chose_section_, false);  // then a second click is no double click
+  const bool twice = ImGui::GetIO().MouseDoubleClicked[ImGuiMouseButton_Left] && !chose;
   drag_.pick = under;
+  if (auto section = section_click(session, under, drag_.shift)) {
+    chose_section_ = true;
+    return ui.out.commands.push_back(std::move(*section));
+  }
   if (under.kind == PickKind::none) {
     drag_.click_acts = !twice;
     return;

@@ -55,7 +55,7 @@ class ViewportTool {
 
   Drag drag_;
   TransformTool transform_;
-  bool box_waits_ = false;
+  bool box_waits_ = false, chose_section_ = false;  // the last press chose a section
 };
 
 // Return the camera after a drag by `pixels`, rotated about its target or moved with it, and after a turn of the wheel.

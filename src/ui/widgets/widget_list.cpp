@@ -88,7 +88,9 @@ void WidgetList::finish() {
     Widget& w = widgets_[i];
     const ImGuiWindow* top = window_at({w.x + w.width * 0.5f, w.y + w.height * 0.5f});
     const ImGuiWindow* own = windows_[i];
-    w.covered = behind_popup(own) || (w.visible && (top == nullptr || top->RootWindow != own->RootWindow));
+    const bool mouse = (own->Flags & ImGuiWindowFlags_NoMouseInputs) == 0;  // else it lies over the view alone
+    const bool other = mouse ? top == nullptr || top->RootWindow != own->RootWindow : top != nullptr;
+    w.covered = behind_popup(own) || (w.visible && other);
   }
 }
 

@@ -1,0 +1,114 @@
+#include "ui/tools/section_clicks.h"
+
+#include "ui/sections_stage.h"
+#include "world/selection.h"
+
+namespace coaster::ui {
+namespace section_clicks_test {
+
+using world::Kind;
+
+struct SectionClicks : SectionsStage {
+  bool is(Kind kind) const {
+    const world::Name* const name = session_.document.entities.find<world::Name>(session_.settings.selected);
+    return name && name->kind == kind;
+  }
+  std::size_t inner_knot(std::uint32_t number) const { return run(number).first + 1; }
+};
+
+TEST_F(SectionClicks, the_first_click_selects_a_section_the_second_a_place_or_a_knot) {
+  click_at(pixel_on(3));
+  EXPECT_EQ(session_.settings.selected, section(3));
+  rest();
+  click_at(pixel_on(3));
+  EXPECT_TRUE(is(Kind::segment));
+  EXPECT_EQ(world::segment(session_.document, session_.settings.selected).section, section(3));
+  rest();
+  click_at(pixel_of_knot(inner_knot(3)));
+  EXPECT_EQ(session_.settings.selected, session_.document.track.knots[inner_knot(3)]) << "it is open";
+  rest();
+  click_at(pixel_of_knot(inner_knot(4)));
+  EXPECT_EQ(session_.settings.selected, section(4)) << "of another section the section first";
+  rest();
+  click_at(pixel_of_knot(inner_knot(4)));
+  EXPECT_EQ(session_.settings.selected, session_.document.track.knots[inner_knot(4)]);
+}
+
+TEST_F(SectionClicks, a_knot_between_two_belongs_to_the_selected_one) {
+  const std::size_t joint = run(3).first;
+  click_at(pixel_of_knot(joint));
+  EXPECT_EQ(session_.settings.selected, section(2)) << "without one to the earlier";
+  good(edit::Select{{{Kind::section, 3}}});
+  frames(2);
+  rest();
+  click_at(pixel_of_knot(joint));
+  EXPECT_EQ(session_.settings.selected, session_.document.track.knots[joint]);
+}
+
+TEST_F(SectionClicks, a_quick_second_click_inserts_no_knot_and_a_drag_moves_none) {
+  const std::size_t knots = session_.document.track.knots.size();
+  click_at(pixel_on(2));
+  click_at(pixel_on(2));
+  EXPECT_TRUE(is(Kind::segment));
+  EXPECT_EQ(session_.document.track.knots.size(), knots);
+  good(edit::Select{});
+  rest();
+  const world::Document before = session_.document;
+  hover(pixel_of_knot(inner_knot(2)));
+  press();
+  for (int i = 1; i < 5; ++i) hover(pixel_of_knot(inner_knot(2)) + glm::vec2(9 * i, 4 * i));
+  release();
+  frame();
+  EXPECT_TRUE(session_.document == before);
+}
+
+TEST_F(SectionClicks, shift_adds_a_section_and_takes_it_out_again) {
+  click_at(pixel_on(2));
+  rest();
+  click_at(pixel_on(4), {.shift = true});
+  EXPECT_EQ(world::selected_sections(session_.document, session_.settings), (std::vector{section(2), section(4)}));
+  rest();
+  click_at(pixel_on(2), {.shift = true});
+  EXPECT_EQ(world::selected_sections(session_.document, session_.settings), std::vector{section(4)});
+  rest();
+  click_at(pixel_on(2), {.shift = true});
+  rest();
+  click_at(pixel_on(4));
+  EXPECT_EQ(world::selected_sections(session_.document, session_.settings), std::vector{section(4)})
+      << "of several that one alone";
+}
+
+TEST_F(SectionClicks, the_mouse_names_the_section_under_it) {
+  good(edit::SetSectionTitle{{{Kind::section, 3}}, "First drop"});
+  hover(pixel_on(3));
+  frames(2);
+  ASSERT_NE(find("View/Section"), nullptr);
+  EXPECT_EQ(find("View/Section")->value, "First drop");
+  hover(pixel_on(4));
+  frames(2);
+  ASSERT_NE(find("View/Section"), nullptr);
+  EXPECT_EQ(find("View/Section")->value, "Loop");
+  hover(empty_ground());
+  frames(2);
+  EXPECT_EQ(find("View/Section"), nullptr);
+}
+
+TEST_F(SectionClicks, other_workspaces_and_tracks_without_plans_select_at_once) {
+  good(edit::Set<&world::Look::workspace>{world::Workspace::all});
+  frames(3);
+  look_at_all();
+  click_at(pixel_of_knot(inner_knot(3)));
+  EXPECT_TRUE(is(Kind::knot));
+  good(edit::Set<&world::Look::workspace>{world::Workspace::build});
+  good(edit::NewTrack{});
+  build_track(session_, files_);
+  frames(3);
+  look_at_all();
+  rest();
+  click_at(pixel_of_knot(1));
+  EXPECT_TRUE(is(Kind::knot));
+  EXPECT_FALSE(picks_sections(session_));
+}
+
+}  // namespace section_clicks_test
+}  // namespace coaster::ui
