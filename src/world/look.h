@@ -6,6 +6,7 @@
 
 #include "base/names.h"
 #include "base/units.h"
+#include "world/section_columns.h"
 #include "world/setting_row.h"
 
 namespace coaster::world {
@@ -46,6 +47,8 @@ struct Look {
   float laboratory_height = 0;
   Workspace workspace = Workspace::all;
   float graph_height = 0;
+  SectionColumn sections_by = SectionColumn::track;
+  bool sections_descending = false;
   friend bool operator==(const Look&, const Look&) = default;
 
   static constexpr auto kRows = std::tuple{
@@ -68,7 +71,9 @@ struct Look {
       setting(&Look::graph_height, "graph_height",
               "Height of the force graph in Build as a share of the height between menu and status bar. 0: by the "
               "window's size.",
-              {.low = 0, .high = 0.5, .kept_as = "graph_height"})};
+              {.low = 0, .high = 0.5, .kept_as = "graph_height"}),
+      setting(&Look::sections_by, "sections_by", "Column that the table of sections is sorted by."),
+      setting(&Look::sections_descending, "sections_descending", "Whether its largest values come first.")};
 };
 
 }  // namespace coaster::world

@@ -27,7 +27,7 @@ bool selected_is(const Act& act, world::Kind kind) {
 std::span<const Action> actions() {
   static const std::vector<Action> kAll = [] {
     std::vector<Action> all;
-    for (const auto rows : {file_actions(), edit_actions(), view_actions(), ride_actions()})
+    for (const auto rows : {file_actions(), edit_actions(), section_actions(), view_actions(), ride_actions()})
       all.insert(all.end(), rows.begin(), rows.end());
     return all;
   }();

@@ -5,11 +5,9 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"
-#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "ui/actions/actions_parts.h"
 #include "ui/context/ways_home.h"
-#include "world/sections.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -51,7 +49,7 @@ void undo(Act& act) {
 void remove(Act& act) {
   const edit::Session& session = act.ui.session();
   const std::vector<world::Entity> knots = world::selected_knots(session.document, session.settings);
-  if (selected_is(act, Kind::section)) return act.ui.emit(edit::DeleteSection{{*selected(act)}});
+  if (selected_is(act, Kind::section)) return delete_sections(act);
   if (knots.size() < 2) return act.ui.emit(edit::RemoveKnot{{*selected(act)}});
   act.ui.emit(edit::BeginGesture{});
   for (const world::Entity e : knots) act.ui.emit(edit::RemoveKnot{{world::name_of(session.document, e)}});
@@ -88,26 +86,6 @@ void insert_point(Act& act) {
     act.ui.emit(edit::SplitSegment{{*selected(act)}, session.settings.selected_t});
 }
 
-// The section under the cursor, else that of the selected knot or segment; kNone without one.
-world::Entity section_here(const Act& act) {
-  const edit::Session& session = act.ui.session();
-  const world::Entity selected = session.settings.selected;
-  const bool over = act.hovered.kind == view::PickKind::curve;
-  if (const auto* const segment = session.document.entities.find<world::Segment>(over ? act.hovered.entity : selected))
-    return segment->section;
-  const bool knot = session.document.entities.find<world::Knot>(selected) != nullptr;
-  return knot ? world::section_of_knot(session.document, selected) : world::kNone;
-}
-constexpr Condition kInSection{[](const Act& act) { return section_here(act).valid(); },
-                               "Point at the track, or select a knot or a segment first."};
-void select_section(Act& act) {
-  act.ui.emit(edit::Select{{world::name_of(act.ui.session().document, section_here(act))}});
-}
-constexpr Condition kSectionSelected{[](const Act& act) { return selected_is(act, Kind::section); },
-                                     "Select a section first."};
-void copy_section(Act& act) { act.ui.emit(edit::CopySection{{*selected(act)}}); }
-constexpr Condition kCopied{[](const Act& act) { return !act.ui.session().copied.empty(); }, "Copy a section first."};
-
 // The palette's element or a way home, where its preview shows.
 bool fits(const Act& act) {
   if (act.ui.session().settings.aids->circuit > 0) return act.ui.find(edit::Want::circuit).circuit->refusal.empty();
@@ -142,11 +120,6 @@ constexpr Action kEditActions[] = {
     {"Delete", "Edit", key(Key::del), 0, "Delete the selected knot, section or cart.", remove, kRemovable, nullptr,
      key(Key::x)},
     {"Select all", "Edit", ctrl(Key::a), 0, "Select every knot.", select_all, kAnyKnots},
-    {"Select section", "Edit", ctrl_shift(Key::a), 0, "Select the section of the track under the cursor.",
-     select_section, kInSection},
-    {"Copy section", "Edit", ctrl(Key::c), 0, "Copy the selected section.", copy_section, kSectionSelected},
-    {"Paste section", "Edit", ctrl(Key::v), 0, "Add the copied section at the open end of the track.",
-     emit<edit::PasteSections>, kCopied},
     {"Box select", "Edit", key(Key::b), 0, "Drag a box around knots. Shift+drag adds, Ctrl+drag removes.", box_select,
      kAnyKnots},
     {"Move", "Edit", key(Key::g), 0,

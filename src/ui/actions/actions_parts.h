@@ -12,6 +12,7 @@ namespace coaster::ui {
 
 std::span<const Action> file_actions();
 std::span<const Action> edit_actions();
+std::span<const Action> section_actions();
 std::span<const Action> view_actions();
 std::span<const Action> ride_actions();
 
@@ -24,11 +25,12 @@ constexpr platform::Chord shift(platform::Key k) { return {k, {.shift = true}}; 
 constexpr platform::Chord ctrl_shift(platform::Key k) { return {k, {.shift = true, .ctrl = true}}; }
 inline constexpr platform::Chord kNoKey{};
 
-// The name of the active knot, segment or cart; null without one.
+// The name of the active knot, segment, section or cart; null without one.
 const world::Name* selected(const Act& act);
 inline constexpr Condition kAnySelected{[](const Act& act) { return selected(act) != nullptr; },
                                         "Select something first."};
 bool selected_is(const Act& act, world::Kind kind);
+void delete_sections(Act& act);  // the selected ones
 inline constexpr Condition kRideable{[](const Act& act) { return rideable(act.ui.session()); },
                                      "A ride needs a track and a cart."};
 

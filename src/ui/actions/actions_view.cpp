@@ -113,13 +113,16 @@ constexpr auto kWorkspace = &Look::workspace;
 
 constexpr Condition kBuilding{[](const Act& act) { return is<kWorkspace, Workspace::build>(act); },
                               "Go to the workspace Build first."};
-template <Drawer Drawers::*drawer>
-void fold(Act& act) {
-  (act.ui.drawers.*drawer).toggle();
+void fold_parameters(Act& act) { act.ui.drawers.parameters.toggle(); }
+bool parameters_show(const Act& act) { return act.ui.drawers.parameters.open; }
+// The graph's area, with the force graph or the table of sections.
+template <bool table>
+void press_graph(Act& act) {
+  act.ui.drawers.press(table);
 }
-template <Drawer Drawers::*drawer>
-bool unfolded(const Act& act) {
-  return (act.ui.drawers.*drawer).open;
+template <bool table>
+bool graph_shows(const Act& act) {
+  return act.ui.drawers.graph.open && act.ui.drawers.table == table;
 }
 
 // The next one that can run here.
@@ -154,10 +157,12 @@ constexpr Action kViewActions[] = {
     {"Laboratory workspace", "Window", key(Key::f10), kInDrag,
      "Show evaluators, resolution and the pages about curves.", go_to<Workspace::laboratory>, kAlways,
      is<kWorkspace, Workspace::laboratory>},
-    {"Parameters", "Window", key(Key::f5), kInDrag, "Open or fold the parameters of Build.", fold<&Drawers::parameters>,
-     kBuilding, unfolded<&Drawers::parameters>},
-    {"Force graph", "Window", key(Key::f6), kInDrag, "Open or fold the force graph of Build.", fold<&Drawers::graph>,
-     kBuilding, unfolded<&Drawers::graph>},
+    {"Parameters", "Window", key(Key::f5), kInDrag, "Open or fold the parameters of Build.", fold_parameters, kBuilding,
+     parameters_show},
+    {"Force graph", "Window", key(Key::f6), kInDrag, "Open or fold the force graph of Build.", press_graph<false>,
+     kBuilding, graph_shows<false>},
+    {"Table of sections", "Window", key(Key::t), kInDrag, "Open or fold the table of sections of Build.",
+     press_graph<true>, kBuilding, graph_shows<true>},
     {"All panels", "Window", kNoKey, kInDrag, "Show the panels of every workspace.", go_to<Workspace::all>, kAlways,
      is<kWorkspace, Workspace::all>},
     {"Frame all", "View", key(Key::f), kInDrag, "Show the whole track.", frame_all},

@@ -26,6 +26,7 @@ struct Output {
   view::Pick hovered;
   bool quit = false;
   bool wants_screenshot = false;
+  bool wants_paste = false;  // of sections: of the clipboard, or those that were copied here
   bool cancel_import = false;
   MovieWish movie = MovieWish::none;
   std::optional<exchange::UserSettings> settings;  // to keep instead of the present ones

@@ -5,13 +5,18 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
+#include <vector>
 
+#include "base/kept.h"
+#include "edit/commands/commands_session.h"
 #include "ui/context/key_map.h"
 #include "ui/context/output.h"
 #include "ui/context/state.h"
 #include "ui/widgets/widgets.h"
 #include "world/element.h"
+#include "world/section_columns.h"
 
 namespace coaster::ui {
 
@@ -36,11 +41,23 @@ struct Want {
   std::string path;  // of load and challenge
 };
 
+// The last change of a section that was asked for, to show below its field why it was refused.
+struct AskedChange {
+  world::Name section;
+  std::string parameter;
+  std::uint64_t after = 0;  // number of the newest notice before it
+  bool answered = true;
+  std::string refusal;
+};
+
 // What panels keep between frames.
 struct Inputs {
   std::string file;    // the path in Track/File
   double radius = 20;  // m, the number in Shape/Radius
   std::array<world::Element, world::elements().size()> elements = world::usual_elements();  // the palette's, by kind
+  AskedChange asked;
+  // Rows of the table of sections as they are shown, by the table's serial and the sorting.
+  base::Kept<std::tuple<std::uint64_t, world::SectionColumn, bool>, std::vector<std::size_t>> section_order;
 };
 
 // A part of Build that folds where there is little room, unless the user opened or closed it.
@@ -51,6 +68,12 @@ struct Drawer {
 };
 struct Drawers {
   Drawer parameters, graph;
+  bool table = false;  // the graph's area shows the table of sections
+  // Opens graph or table, or folds the one that shows.
+  void press(bool of_table) {
+    if (!graph.open || table == of_table) graph.toggle();
+    table = of_table;
+  }
 };
 
 // Is a WidgetFrame, so that panels hand it to widgets as it is.
@@ -71,6 +94,14 @@ struct Ui : WidgetFrame {
   template <class C>
   void emit(C command) {
     out.commands.push_back(edit::Command(std::move(command)));
+  }
+  // Calls emit_one for each, as one step of undo; a drag is one already.
+  template <class List, class EmitOne>
+  void emit_each(const List& all, const EmitOne& emit_one) {
+    const bool step = all.size() > 1 && !gesture.open;
+    if (step) emit(edit::BeginGesture{});
+    for (const auto& one : all) emit_one(one);
+    if (step) emit(edit::EndGesture{});
   }
 };
 

@@ -3,6 +3,7 @@
 #include "ui/lab/force_graph.h"
 #include "ui/lab/laboratory.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sections_table.h"
 #include "ui/screens/ride_bar.h"
 #include "world/lab_view.h"
 
@@ -38,6 +39,8 @@ void build_areas(Ui& ui, const Layout& layout) {
   build_palette_of_elements(ui, layout.palette, layout.grid);
   build_drawer(ui, layout.drawer);
   build_force_graph(ui, layout.graph);
+  if (const float bar = ImGui::GetFrameHeight(); ui.drawers.table && layout.graph.height > bar + 1)
+    build_sections_table(ui, {layout.graph.x, layout.graph.y + bar, layout.graph.width, layout.graph.height - bar});
   build_ride_bar(ui, layout.ride);
   build_status_bar(ui, layout.status);
 }

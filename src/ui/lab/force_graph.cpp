@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,18 +26,21 @@ constexpr std::array kValues{RideValue::vertical, RideValue::lateral, RideValue:
 constexpr std::size_t kAtLeft = 2;
 static_assert(kValues.size() == std::tuple_size_v<decltype(LabCache::graph_hidden)>);
 
-void fold_button(Ui& ui, float bar, bool open) {
+// A tab of the area: it opens the graph or the table of sections, or folds the one that shows.
+void fold_button(Ui& ui, std::string_view name, std::string_view help, std::string_view action, float bar,
+                 bool of_table) {
+  const bool open = ui.drawers.graph.open && ui.drawers.table == of_table;
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  const std::string_view name = "Forces";
   const ImVec2 high(low.x + bar + text_size(name).x + std::floor(12 * ui.scale), low.y + bar);
-  const bool pressed = ImGui::InvisibleButton("##fold", {high.x - low.x, bar});
+  const bool pressed = ImGui::InvisibleButton(hidden(name).c_str(), {high.x - low.x, bar});
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field));
+  if (open || ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field, open ? 1.0f : 0.7f));
   draw_fold_mark(list, {low.x + bar * 0.5f, low.y + bar * 0.5f}, ui.scale, open);
   draw_text(list, {low.x + bar, std::floor(low.y + (bar - text_size(name).y) * 0.5f)}, palette().text, name);
-  note(ui, "", "header", with_keys(ui.keys, "The force graph: the whole ride along the track.", "Force graph"), true,
-       open ? "open" : "closed", low, high);
-  if (pressed) ui.drawers.graph.toggle();
+  const std::string panel = std::exchange(ui.panel, std::string(name));
+  note(ui, "", "header", with_keys(ui.keys, help, action), true, open ? "open" : "closed", low, high);
+  ui.panel = panel;
+  if (pressed) ui.drawers.press(of_table);
 }
 
 // The value of a curve and whether it is drawn: a square in the curve's colour, empty while it is hidden.
@@ -86,7 +90,9 @@ void build_force_graph(Ui& ui, const view::Viewport& area) {
     if (open)
       if (const auto share = height_edge(ui, area, bar, kTallestGraph, "Height of the force graph."))
         ui.emit(edit::Set<&world::Look::graph_height>{*share});
-    fold_button(ui, bar, open);
+    fold_button(ui, "Forces", "The force graph: the whole ride along the track.", "Force graph", bar, false);
+    ImGui::SameLine(0, 0);
+    fold_button(ui, "Sections", "The table of sections.", "Table of sections", bar, true);
     ImGui::SameLine(0, std::floor(16 * ui.scale));
     for (std::size_t i = 0; i < kValues.size(); ++i)
       legend_item(ui, kValues[i], plots ? plots->shown(ui, kValues[i]) : "--", ui.lab.graph_hidden[i], bar);
@@ -94,7 +100,7 @@ void build_force_graph(Ui& ui, const view::Viewport& area) {
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
-  if (open) {
+  if (open && !ui.drawers.table) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(std::floor(6 * ui.scale), 0));
     if (begin_area("##curves", {area.x, area.y + bar}, {area.width, area.height - bar})) {
       if (plots) curves(ui, *plots);

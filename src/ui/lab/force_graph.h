@@ -6,8 +6,8 @@
 
 namespace coaster::ui {
 
-// A bar with the values where the mouse points, else at the train, and below it the plot; the bar alone where the area
-// is no higher.
+// A bar with tabs for the graph and the table of sections, and the values where the mouse points, else at the train.
+// Below it the plot, unless the table is chosen; the bar alone where the area is no higher.
 void build_force_graph(Ui& ui, const view::Viewport& area);
 
 }  // namespace coaster::ui

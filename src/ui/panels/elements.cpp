@@ -1,9 +1,6 @@
 // Elements: the parameters of the selected element, its preview at the track's open end, and placing it.
 #include <imgui.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "base/text.h"
@@ -11,6 +8,7 @@
 #include "edit/commands/commands_settings.h"
 #include "ui/context/rows.h"
 #include "ui/context/ways_home.h"
+#include "ui/panels/element_fields.h"
 #include "ui/panels/palette.h"
 #include "ui/widgets/theme.h"
 #include "world/aids.h"
@@ -20,37 +18,10 @@ namespace coaster::ui {
 namespace {
 
 using world::Element;
-using world::ElementKind;
 
 void parameters(Ui& ui) {
   Element element = ui.session().settings.element;
-  const world::ElementRow& row = base::row_of(element.kind);
-  bool changed = false;
-  if (row.sided) {
-    if (radio(ui, "Left", !element.right, "Turn left.")) element.right = false, changed = true;
-    (void)beside_last(ui, "Right");
-    if (radio(ui, "Right", element.right, "Turn right.")) element.right = true, changed = true;
-  }
-  for (std::size_t i = 0; i < row.parameters.size(); ++i) {
-    const world::ElementParameter& p = row.parameters[i];
-    if (!p.names.empty()) {
-      std::vector<Choice> choices;
-      for (const base::NameRow& choice : p.names)
-        choices.push_back({std::string(choice.label), std::string(choice.help)});
-      if (const auto to = combo(ui, p.label, choices, static_cast<int>(element.values[i]), p.help))
-        element.values[i] = *to, changed = true;
-      continue;
-    }
-    const double range = p.high - p.low, step = range > 100 ? 0.1 : range > 20 ? 0.05 : 0.01;
-    const Number now{.value = element.values[i],
-                     .unit = p.unit.data(),
-                     .step = step,
-                     .low = p.low,
-                     .high = p.high,
-                     .largest = 1e300};
-    if (const auto to = number(ui, p.label, now, p.help)) element.values[i] = *to, changed = true;
-  }
-  if (changed) ui.emit(edit::ChooseElement{element});
+  if (element_fields(ui, element)) ui.emit(edit::ChooseElement{element});
 }
 
 void outcome(Ui& ui, const sim::ElementPlan& plan) {

@@ -3,16 +3,32 @@
 
 #include "edit/commands/commands_operation.h"
 #include "ui/panels/equipment_rows.h"
+#include "world/selection.h"
 
 namespace coaster::ui {
 namespace {
 
-// The selected segment, or the one that a selected knot starts.
-world::Entity chosen_segment(const edit::Session& session) {
+// The selected segment, those between neighbouring selected knots, or else the one that the active knot starts.
+std::vector<world::Entity> chosen_segments(const edit::Session& session) {
   const world::Document& document = session.document;
   const world::Entity selected = session.settings.selected;
-  if (document.entities.find<world::Segment>(selected)) return selected;
-  return document.entities.find<world::Knot>(selected) ? world::neighbours(document, selected).after : world::kNone;
+  if (document.entities.find<world::Segment>(selected)) return {selected};
+  if (!document.entities.find<world::Knot>(selected)) return {};
+  std::vector<world::Entity> between;
+  if (!session.settings.also.empty()) {
+    std::vector<bool> chosen;  // by index
+    for (const world::Entity e : world::selected_knots(document, session.settings)) {
+      if (e.index >= chosen.size()) chosen.resize(e.index + std::size_t{1});
+      chosen[e.index] = true;
+    }
+    const auto is_chosen = [&](world::Entity knot) { return knot.index < chosen.size() && chosen[knot.index]; };
+    for (const world::Entity e : document.track.segments)
+      if (const world::Segment& s = world::segment(document, e); is_chosen(s.from) && is_chosen(s.to))
+        between.push_back(e);
+  }
+  if (!between.empty()) return between;
+  const world::Entity after = world::neighbours(document, selected).after;
+  return after.valid() ? std::vector{after} : between;
 }
 
 edit::SetEquipment equipping(world::Name segment, world::EquipmentKind kind, const world::Equipment& e) {
@@ -20,23 +36,26 @@ edit::SetEquipment equipping(world::Name segment, world::EquipmentKind kind, con
 }
 
 void equipment(Ui& ui) {
-  const edit::Session& session = ui.session();
-  const world::Entity segment = chosen_segment(session);
-  std::vector<Choice> kinds = choices_of<world::EquipmentKind>();
-  kinds.insert(kinds.begin(), {"Plain track", "No equipment."});
-  if (!segment.valid()) {
-    combo(ui, "Equipment", std::span(kinds).first(1), 0,
-          "Select a segment to place a station, lift, launch, brake or block.");
-    return;
-  }
-  const world::Name name = world::name_of(session.document, segment);
-  const world::Equipment* const now = session.document.entities.find<world::Equipment>(segment);
-  if (const auto to = combo(ui, "Equipment", kinds, now ? static_cast<int>(now->kind) + 1 : 0,
-                            "Equipment on the selected segment.")) {
-    if (*to == 0 && now) ui.emit(edit::RemoveEquipment{{name}});
-    if (*to > 0) ui.emit(equipping(name, static_cast<world::EquipmentKind>(*to - 1), now ? *now : world::Equipment{}));
-  }
-  if (now) equipment_rows(ui, equipping(name, now->kind, *now));
+  const world::Document& document = ui.session().document;
+  const std::vector<world::Entity> segments = chosen_segments(ui.session());
+  heading(ui, "Equipment",
+          segments.empty() ? "Select a segment to place a station, lift, launch, brake or block."
+                           : "Equipment on the selected segments.");
+  const Equipped now = equipped(document, segments);
+  const world::Equipment values = now.equipment ? *now.equipment : world::Equipment{};
+  if (const auto chosen = equipment_buttons(ui, now, !segments.empty()))
+    ui.emit_each(segments, [&](world::Entity e) {
+      const world::Name name = world::name_of(document, e);
+      if (chosen->kind) ui.emit(equipping(name, *chosen->kind, values));
+      else if (document.entities.find<world::Equipment>(e)) ui.emit(edit::RemoveEquipment{{name}});
+    });
+  if (!now.equipment) return;
+  equipment_rows(ui, equipping({}, values.kind, values), [&](edit::SetEquipment set) {
+    ui.emit_each(segments, [&](world::Entity e) {
+      set.segment = {world::name_of(document, e)};
+      ui.emit(set);
+    });
+  });
 }
 
 void train(Ui& ui) {

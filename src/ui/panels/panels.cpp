@@ -15,6 +15,7 @@ bool challenge_shown(const Ui& ui);
 void track_panel(Ui& ui);
 void inspector_panel(Ui& ui);
 void section_panel(Ui& ui);
+void sections_panel(Ui& ui);
 bool section_shown(const Ui& ui);
 void shape_panel(Ui& ui);
 void evaluation_panel(Ui& ui);
@@ -38,6 +39,7 @@ std::span<const Panel> panels() {
       Panel{"Operation", Column::left, kSelection | kTrack, "Equipment, train and losses.", operation_panel},
       Panel{"Challenge", Column::right, kWhileBuilding, "The current challenge: goals, limits and medals.",
             challenge_panel, true, challenge_shown},
+      Panel{"Sections", Column::right, 0, "Every section: length, heights, speeds and g.", sections_panel, false},
       Panel{"Evaluation", Column::right, kLaboratory,
             "How curves become polylines: method, resolution, accuracy and speed.", evaluation_panel},
       Panel{"Ride", Column::right, kLaboratory, "Run the carts and read their speed, height and g.", ride_panel},

@@ -1,24 +1,83 @@
-// Section: the name, the parameters and the equipment of the selected section.
+// Section: the name, the parameters and the equipment of the selected sections.
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "edit/commands/commands_sections.h"
 #include "ui/context/rows.h"
+#include "ui/panels/element_fields.h"
 #include "ui/panels/equipment_rows.h"
+#include "ui/tools/selecting.h"
 #include "ui/widgets/theme.h"
 #include "world/sections.h"
+#include "world/selection.h"
 
 namespace coaster::ui {
 namespace {
 
 using world::Element;
+using world::Entity;
 using world::Section;
 
-// Everything is planned from the drag's start, so that a drag adds no rounding.
-void change(Ui& ui, world::Name name, const Element& to) { ui.emit(edit::ChangeSection{{name}, true, to}); }
+// The selected sections.
+struct Chosen {
+  const world::Document& document;
+  Entity active;
+  std::vector<world::SectionRun> runs;  // in the track's order
+  bool single() const { return runs.size() == 1; }
+  const Section& section() const { return world::section(document, active); }
+  world::Name name() const { return world::name_of(document, active); }
+  world::Name name(const world::SectionRun& run) const { return world::name_of(document, run.section); }
+};
 
-void kind_box(Ui& ui, world::Name name, const Section& section) {
+Chosen chosen_sections(const edit::Session& session) {
+  std::vector<Entity> selected = world::selected_sections(session.document, session.settings);
+  std::sort(selected.begin(), selected.end(), [](Entity a, Entity b) { return a.index < b.index; });
+  Chosen chosen{session.document, session.settings.selected, {}};
+  for (const world::SectionRun& run : world::sections_of(session.document))
+    if (std::binary_search(selected.begin(), selected.end(), run.section,
+                           [](Entity a, Entity b) { return a.index < b.index; }))
+      chosen.runs.push_back(run);
+  return chosen;
+}
+
+// Remembers which field asks for a change, for refusal_below().
+void ask_change(Ui& ui, const Chosen& chosen, std::string_view parameter) {
+  ui.inputs.asked = {chosen.name(), std::string(parameter), ui.session().notices.serial, false, {}};
+}
+
+// Takes the answer to the last change that was asked for: the notice that came with it.
+void take_answer(Ui& ui) {
+  AskedChange& asked = ui.inputs.asked;
+  if (std::exchange(asked.answered, true)) return;
+  for (const edit::Notice& notice : ui.session().notices.list)
+    if (notice.serial > asked.after && notice.kind != edit::NoticeKind::info && asked.refusal.empty())
+      asked.refusal = notice.text;
+}
+
+void refusal_below(Ui& ui, const Chosen& chosen, std::string_view parameter) {
+  const AskedChange& asked = ui.inputs.asked;
+  if (asked.refusal.empty() || asked.section != chosen.name() || asked.parameter != parameter) return;
+  paragraph(ui, "Refusal", asked.refusal, palette().warning);
+}
+
+// The first one is planned from the drag's start, so that a drag adds no rounding; the others on what it made.
+void change_sections(Ui& ui, const Chosen& chosen, std::string_view parameter, const Element& to) {
+  ask_change(ui, chosen, parameter);
+  bool first = true;
+  ui.emit_each(chosen.runs, [&](const world::SectionRun& run) {
+    Element one = run.section == chosen.active ? to : world::section(chosen.document, run.section).element;
+    if (run.section != chosen.active && parameter == "side") one.right = to.right;
+    else if (run.section != chosen.active) world::set_value(one, parameter, world::value_of(to, parameter));
+    ui.emit(edit::ChangeSection{{chosen.name(run)}, std::exchange(first, false), one});
+  });
+}
+
+void kind_box(Ui& ui, const Chosen& chosen) {
+  const Section& section = chosen.section();
   std::vector<Choice> kinds = choices_of<world::ElementKind>();
   const bool planned = section.kind == world::SectionKind::element;
   if (!planned) {
@@ -26,113 +85,109 @@ void kind_box(Ui& ui, world::Name name, const Section& section) {
     kinds.push_back({std::string(row.label), std::string(row.help)});
   }
   const int now = planned ? static_cast<int>(section.element.kind) : static_cast<int>(kinds.size()) - 1;
-  const auto to = combo(ui, "Kind", kinds, now, "Plan the section as another element. What follows moves along.");
-  if (to && *to != now && *to < static_cast<int>(base::count_of<world::ElementKind>()))
-    change(ui, name, world::usual_element(static_cast<world::ElementKind>(*to)));
+  const auto to = combo(ui, "Kind", kinds, now, "Plan the section as another element. What follows moves along.", true);
+  if (to && *to != now && *to < static_cast<int>(base::count_of<world::ElementKind>())) {
+    ask_change(ui, chosen, "kind");
+    ui.emit(edit::ChangeSection{{chosen.name()}, false, world::usual_element(static_cast<world::ElementKind>(*to))});
+  }
+  refusal_below(ui, chosen, "kind");
 }
 
-void section_parameters(Ui& ui, world::Name name, Element element) {
-  const world::ElementRow& row = base::row_of(element.kind);
-  if (row.sided) {
-    const bool right = element.right;
-    if (radio(ui, "Left", !right, "Turn left.")) element.right = false;
-    (void)beside_last(ui, "Right");
-    if (radio(ui, "Right", right, "Turn right.")) element.right = true;
-    if (element.right != right) change(ui, name, element);
-  }
-  for (std::size_t i = 0; i < row.parameters.size(); ++i) {
-    const world::ElementParameter& p = row.parameters[i];
-    const double range = p.high - p.low, step = range > 100 ? 0.1 : range > 20 ? 0.05 : 0.01;
-    const Number now{.value = element.values[i],
-                     .unit = p.unit.data(),
-                     .step = step,
-                     .low = p.low,
-                     .high = p.high,
-                     .largest = 1e300};
-    if (const auto to = number(ui, p.label, now, p.help)) {
-      element.values[i] = *to;
-      change(ui, name, element);
-    }
-  }
+// True for a parameter that every selected section has. Those of equipment have their buttons.
+bool is_shared(const Chosen& chosen, std::string_view parameter) {
+  const bool equips = world::found_value(chosen.section().element, "equipment").has_value();
+  if (parameter == "equipment" || (equips && (parameter == "speed" || parameter == "acceleration"))) return false;
+  return std::all_of(chosen.runs.begin(), chosen.runs.end(), [&](const world::SectionRun& run) {
+    const Section& section = world::section(chosen.document, run.section);
+    if (section.kind != world::SectionKind::element) return false;
+    return parameter == "side" ? base::row_of(section.element.kind).sided
+                               : world::found_value(section.element, parameter).has_value();
+  });
 }
 
-// The equipment of the whole section; nothing if its segments differ.
-struct Equipped {
-  bool mixed = false;
-  const world::Equipment* equipment = nullptr;  // null: plain track
-};
-Equipped equipped(const world::Document& document, const world::SectionRun& run) {
-  const auto at = [&](std::size_t i) { return document.entities.find<world::Equipment>(document.track.segments[i]); };
-  Equipped found{false, at(run.first)};
-  for (std::size_t i = run.first + 1; i < run.end(); ++i) {
-    const world::Equipment* const other = at(i);
-    if ((other == nullptr) != (found.equipment == nullptr) || (other && !(*other == *found.equipment)))
-      return {true, nullptr};
-  }
-  return found;
+void section_parameters(Ui& ui, const Chosen& chosen) {
+  if (chosen.section().kind != world::SectionKind::element) return;
+  Element element = chosen.section().element;
+  const ElementRows rows{.shown = [&](std::string_view name) { return is_shared(chosen, name); },
+                         .below = [&](std::string_view name) { refusal_below(ui, chosen, name); }};
+  if (const auto changed = element_fields(ui, element, rows)) change_sections(ui, chosen, *changed, element);
 }
 
-// One button a kind of equipment and one for none, three beside each other; the present one is lit.
-void section_equipment(Ui& ui, world::Name name, const Equipped& now) {
-  constexpr int kColumns = 3;
-  const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
-  const float width = std::floor((room - gap * (kColumns - 1)) / kColumns);
-  const auto choice = [&](std::string_view label, std::string_view help, int place, bool lit) {
-    if (place % kColumns != 0) ImGui::SameLine();
-    if (lit) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    const bool pressed = button(ui, label, help, true, width);
-    if (lit) ImGui::PopStyleColor();
-    return pressed && !lit;
+void section_equipment(Ui& ui, const Chosen& chosen) {
+  std::vector<Entity> segments;
+  const auto& all = chosen.document.track.segments;
+  for (const world::SectionRun& run : chosen.runs)
+    for (std::size_t i = run.first; i < run.end(); ++i) segments.push_back(all[i]);
+  heading(ui, "Equipment", "Equipment of all of the section.");
+  const Equipped now = equipped(chosen.document, segments);
+  const world::Equipment values = now.equipment ? *now.equipment : world::Equipment{};
+  const auto equip = [&](edit::EquipSection set) {
+    ui.emit_each(chosen.runs, [&](const world::SectionRun& run) {
+      set.section = {chosen.name(run)};
+      ui.emit(set);
+    });
   };
-  const world::Equipment usual, &values = now.equipment ? *now.equipment : usual;
-  const auto equip = [&](world::EquipmentKind kind) {
-    return edit::EquipSection{{name}, kind, values.speed, values.acceleration, values.hysteresis, values.seconds};
+  const auto set_of = [&](world::EquipmentKind kind) {
+    return edit::EquipSection{{}, kind, values.speed, values.acceleration, values.hysteresis, values.seconds};
   };
-  int place = 0;
-  for (const auto& row : rows_of(world::EquipmentKind{})) {
-    const auto kind = static_cast<world::EquipmentKind>(place);
-    if (choice(row.label, row.help, place++, now.equipment && now.equipment->kind == kind)) ui.emit(equip(kind));
+  if (const auto to = equipment_buttons(ui, now, true)) {
+    if (to->kind) equip(set_of(*to->kind));
+    else
+      ui.emit_each(chosen.runs,
+                   [&](const world::SectionRun& run) { ui.emit(edit::UnequipSection{{chosen.name(run)}}); });
   }
-  if (choice("None", "Make the whole section plain track.", place, !now.mixed && !now.equipment))
-    ui.emit(edit::UnequipSection{{name}});
-  if (now.equipment) equipment_rows(ui, equip(now.equipment->kind));
+  if (now.equipment) equipment_rows(ui, set_of(now.equipment->kind), equip);
 }
 
-void figures(Ui& ui, const world::SectionRun& run) {
+// Buttons in pairs: what is done with whole sections.
+void section_buttons(Ui& ui, const Chosen& chosen) {
   const edit::Session& session = ui.session();
-  const auto& knots = session.document.track.knots;
-  const auto knot = [&](std::size_t i) -> const world::Knot& {
-    return world::knot(session.document, knots[i % knots.size()]);
-  };
-  read_out(ui, "Length", session.derived.starts[run.end()] - session.derived.starts[run.first], 1, "m",
-           "Length of the section.");
-  read_out(ui, "Height at start", knot(run.first).position.y, 1, "m", "Height of the track where the section begins.");
-  read_out(ui, "Height at end", knot(run.end()).position.y, 1, "m", "Height of the track where the section ends.");
-}
-
-// Buttons in pairs: what is done with the whole section.
-void whole(Ui& ui, world::Name name, const world::SectionRun& run) {
-  const edit::Session& session = ui.session();
-  const bool open = !session.document.track.closed, last = run.end() == session.document.track.segments.size();
+  const bool open = !chosen.document.track.closed;
+  const bool first = chosen.runs.front().first == 0,
+             last = chosen.runs.back().end() == chosen.document.track.segments.size();
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
   bool left = true;
-  const auto act = [&](std::string_view label, std::string_view help, bool enabled, auto command) {
+  const auto pressed = [&](std::string_view label, std::string_view help, std::string_view action, bool enabled) {
     if (!left) ImGui::SameLine();
     left = !left;
-    if (button(ui, label, help, enabled, width)) ui.emit(std::move(command));
+    return button(ui, label, with_keys(ui.keys, std::string(help), action), enabled, width);
   };
-  act("Mirror", "Swap left and right. What follows moves along.", true, edit::MirrorSection{{name}});
-  act("Join with next", "Join the section with the next one. The result is hand-shaped.", !last,
-      edit::JoinSections{{name}});
-  act("Move before", "Swap the section with the one before it.", open && run.first > 0,
-      edit::MoveSection{{name}, edit::Neighbour::before});
-  act("Move after", "Swap the section with the one after it.", open && !last,
-      edit::MoveSection{{name}, edit::Neighbour::after});
-  act("Copy", "Copy the section.", true, edit::CopySection{{name}});
-  act("Paste", "Add the copied section at the open end of the track.", open && !session.copied.empty(),
-      edit::PasteSections{});
-  act("Delete section", "Delete the section. What follows moves to where it began.", open, edit::DeleteSection{{name}});
+  const auto each = [&](const auto& make) {
+    ui.emit_each(chosen.runs, [&](const world::SectionRun& run) { ui.emit(make(chosen.name(run))); });
+  };
+  if (pressed("Mirror", "Swap left and right. What follows moves along.", "Mirror section", true))
+    each([](world::Name name) { return edit::MirrorSection{{name}}; });
+  if (pressed("Join next", "Join the section with the next one. The result is hand-shaped.", "Join with next",
+              chosen.single() && !last))
+    ui.emit(edit::JoinSections{{chosen.name()}});
+  if (pressed("Move before", "Swap the section with the one before it.", "Move section before",
+              open && chosen.single() && !first))
+    ui.emit(edit::MoveSection{{chosen.name()}, edit::Neighbour::before});
+  if (pressed("Move after", "Swap the section with the one after it.", "Move section after",
+              open && chosen.single() && !last))
+    ui.emit(edit::MoveSection{{chosen.name()}, edit::Neighbour::after});
+  if (pressed("Copy", "Copy the sections.", "Copy section", true)) ui.out.commands.push_back(copying(session));
+  if (pressed("Paste", "Add the copied sections at the open end of the track.", "Paste section", open))
+    ui.out.wants_paste = true;
+  if (pressed("Delete", "Delete the sections. What follows moves to where they began.", "Delete", open))
+    each([](world::Name name) { return edit::DeleteSection{{name}}; });
+}
+
+void section_figures_rows(Ui& ui, const Chosen& chosen) {
+  const sim::SectionFigures& of = ui.find(edit::Want::sections).sections->of(chosen.runs.front());
+  read_out(ui, "Length", of.length, 1, "m", "Length of the section.");
+  read_out(ui, "Height at start", of.start, 1, "m", "Height of the track where the section begins.");
+  read_out(ui, "Height at end", of.end, 1, "m", "Height of the track where the section ends.");
+  const auto of_ride = [&](std::string_view label, std::optional<double> value, int decimals, std::string_view unit,
+                           std::string_view help) {
+    if (value) read_out(ui, label, *value, decimals, unit, help);
+    else read_out(ui, label, "--", "", "The ride does not get here.");
+  };
+  of_ride("Speed in", of.speed_in, 1, "m/s", "Speed where the section begins, of the chosen seat.");
+  of_ride("Speed out", of.speed_out, 1, "m/s", "Speed where it ends.");
+  of_ride("Most g", of.g_most, 2, "g", "Largest vertical g on it, of the chosen seat.");
+  of_ride("Least g", of.g_least, 2, "g", "Least vertical g on it.");
 }
 
 }  // namespace
@@ -143,20 +198,23 @@ bool section_shown(const Ui& ui) {
 }
 
 void section_panel(Ui& ui) {
-  const world::Document& document = ui.session().document;
-  const world::Entity e = ui.session().settings.selected;
-  const Section& section = world::section(document, e);
-  const world::Name name = world::name_of(document, e);
-  const world::SectionRun run = world::run_of(document, e);
+  const Chosen chosen = chosen_sections(ui.session());
+  take_answer(ui);
   // Fields of another section are other fields: what is typed in one never lands in the next.
-  ImGui::PushID(static_cast<int>(name.number));
-  if (const auto title = text(ui, "Title", section.title, "Name of the section. Without one it is shown by its kind."))
-    ui.emit(edit::SetSectionTitle{{name}, *title});
-  kind_box(ui, name, section);
-  if (section.kind == world::SectionKind::element) section_parameters(ui, name, section.element);
-  figures(ui, run);
-  section_equipment(ui, name, equipped(document, run));
-  whole(ui, name, run);
+  ImGui::PushID(static_cast<int>(chosen.name().number));
+  if (chosen.single()) {
+    const std::string& title = chosen.section().title;
+    if (const auto to = text(ui, "Title", title, "Name of the section. Without one it is shown by its kind."))
+      ui.emit(edit::SetSectionTitle{{chosen.name()}, *to});
+    kind_box(ui, chosen);
+  } else {
+    read_out(ui, "Selected", fmt::format("{} sections", chosen.runs.size()), "",
+             "A change applies to all of them. The values are those of the one selected last.");
+  }
+  section_parameters(ui, chosen);
+  section_equipment(ui, chosen);
+  section_buttons(ui, chosen);
+  if (chosen.single()) section_figures_rows(ui, chosen);
   ImGui::PopID();
 }
 

@@ -89,6 +89,8 @@ TEST_F(AreasTest, widgets_of_every_workspace_keep_apart_and_off_the_view_at_ever
       expect_orderly(where);
       select(world::Kind::knot, 2);
       expect_orderly(where + " with a knot");
+      select(world::Kind::section, 1);
+      expect_orderly(where + " with a section");
       set<&world::Aids::show_element>(true);
       expect_orderly(where + " with an element");
       set<&world::Aids::show_element>(false);

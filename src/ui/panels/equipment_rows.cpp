@@ -1,0 +1,54 @@
+#include "ui/panels/equipment_rows.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ui/widgets/theme.h"
+
+namespace coaster::ui {
+
+Equipped equipped(const world::Document& document, const std::vector<world::Entity>& segments) {
+  Equipped found;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const auto* const one = document.entities.find<world::Equipment>(segments[i]);
+    if (i == 0) found.equipment = one;
+    const bool same = (one == nullptr) == (found.equipment == nullptr) && (!one || *one == *found.equipment);
+    if (!same) return {true, nullptr};
+  }
+  return found;
+}
+
+std::optional<EquipmentChoice> equipment_buttons(Ui& ui, const Equipped& now, bool enabled) {
+  constexpr int kColumns = 3;
+  const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
+  const float width = std::floor((room - gap * (kColumns - 1)) / kColumns);
+  int place = 0;
+  const auto choice = [&](std::string_view label, std::string_view help, bool lit) {
+    if (place++ % kColumns != 0) ImGui::SameLine();
+    ImGui::BeginDisabled(!enabled);
+    if (lit) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    const bool pressed = ImGui::Button(std::string(label).c_str(), {width, 0});
+    if (lit) ImGui::PopStyleColor();
+    ImGui::EndDisabled();
+    if (lit)
+      ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), packed(palette().text),
+                                          ImGui::GetStyle().FrameRounding, 0,
+                                          std::max(1.0f, std::floor(1.5f * ui.scale)));
+    note_item(ui, fmt::format("Equipment/{}", label), "radio", help, enabled, lit ? "on" : "off");
+    return pressed && enabled && !lit;
+  };
+  std::optional<EquipmentChoice> chosen;
+  for (const base::NameRow& row : world::kEquipmentKinds) {
+    const auto kind = static_cast<world::EquipmentKind>(place);
+    if (choice(row.label, row.help, now.equipment && now.equipment->kind == kind)) chosen = EquipmentChoice{kind};
+  }
+  const bool none = enabled && !now.mixed && !now.equipment;
+  if (choice("None###Plain track", "Plain track.", none)) chosen = EquipmentChoice{};
+  return chosen;
+}
+
+}  // namespace coaster::ui

@@ -1,0 +1,212 @@
+#include "ui/panels/sections_table.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "edit/commands/commands_settings.h"
+#include "ui/panels/equipment_rows.h"
+#include "ui/tools/selecting.h"
+#include "ui/widgets/table.h"
+#include "ui/widgets/theme.h"
+#include "world/look.h"
+#include "world/selection.h"
+
+namespace coaster::ui {
+namespace {
+
+using sim::SectionFigures;
+using world::Document;
+using world::SectionColumn;
+
+constexpr std::size_t kSectionColumnCount = base::count_of<SectionColumn>();
+
+// A column's unit, its decimals, its width in design px, and its rank among those that show where not all find room.
+struct ColumnLook {
+  std::string_view unit;
+  int decimals;
+  float width;
+  int rank;
+};
+constexpr std::array<ColumnLook, kSectionColumnCount> kLooks{{{"", 0, 30, 12},
+                                                              {"", 0, 104, 0},
+                                                              {"", 0, 90, 6},
+                                                              {"m", 1, 62, 1},
+                                                              {"m", 1, 60, 8},
+                                                              {"m", 1, 60, 9},
+                                                              {"m", 1, 60, 7},
+                                                              {"m/s", 1, 60, 2},
+                                                              {"m/s", 1, 64, 5},
+                                                              {"g", 2, 60, 3},
+                                                              {"g", 2, 60, 10},
+                                                              {"g", 2, 60, 11},
+                                                              {"", 0, 80, 4}}};
+const ColumnLook& column_look(SectionColumn column) { return kLooks[static_cast<std::size_t>(column)]; }
+
+std::string equipment_words(const Document& document, const world::SectionRun& run) {
+  const auto& all = document.track.segments;
+  const auto first = all.begin() + static_cast<std::ptrdiff_t>(run.first);
+  const Equipped found = equipped(document, {first, first + static_cast<std::ptrdiff_t>(run.count)});
+  if (found.mixed) return "several";
+  return found.equipment ? std::string(base::row_of(found.equipment->kind).label) : "";
+}
+
+// Words, a number, or nothing.
+using TableValue = std::variant<std::monostate, std::string, double>;
+
+TableValue table_value(const Document& document, const SectionFigures& of, std::size_t place, SectionColumn column) {
+  const auto given = [](std::optional<double> value) { return value ? TableValue(*value) : TableValue(); };
+  const world::Section& section = world::section(document, of.run.section);
+  switch (column) {
+    case SectionColumn::track: return static_cast<double>(place + 1);
+    case SectionColumn::title: return world::title_of(section);
+    case SectionColumn::kind:
+      return std::string(section.kind == world::SectionKind::element ? base::row_of(section.element.kind).label
+                                                                     : base::row_of(section.kind).label);
+    case SectionColumn::length: return of.length;
+    case SectionColumn::start: return of.start;
+    case SectionColumn::end: return of.end;
+    case SectionColumn::top: return of.top;
+    case SectionColumn::speed_in: return given(of.speed_in);
+    case SectionColumn::speed_out: return given(of.speed_out);
+    case SectionColumn::g_most: return given(of.g_most);
+    case SectionColumn::g_least: return given(of.g_least);
+    case SectionColumn::g_side: return given(of.g_side);
+    case SectionColumn::equipment: return equipment_words(document, of.run);
+  }
+  return {};
+}
+
+// The rows in the order that is chosen; what has no value comes last.
+const std::vector<std::size_t>& sorted_rows(Ui& ui, const sim::SectionTable& table) {
+  const world::Look& look = *ui.session().settings.look;
+  return ui.inputs.section_order.get({table.serial, look.sections_by, look.sections_descending}, [&] {
+    std::vector<TableValue> entries;
+    for (std::size_t i = 0; i < table.rows.size(); ++i)
+      entries.push_back(table_value(ui.session().document, table.rows[i], i, look.sections_by));
+    std::vector<std::size_t> order(table.rows.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto missing = [&](std::size_t i) { return std::holds_alternative<std::monostate>(entries[i]); };
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      if (missing(a) || missing(b)) return !missing(a) && missing(b);
+      return look.sections_descending ? entries[b] < entries[a] : entries[a] < entries[b];
+    });
+    return order;
+  });
+}
+
+// The columns that find room, in their order.
+std::vector<SectionColumn> columns_in(float room, float scale) {
+  std::vector<SectionColumn> by_rank(kSectionColumnCount), fitting;
+  for (std::size_t i = 0; i < kSectionColumnCount; ++i)
+    by_rank[static_cast<std::size_t>(kLooks[i].rank)] = static_cast<SectionColumn>(i);
+  for (const SectionColumn column : by_rank) {
+    room -= column_look(column).width * scale;
+    if (room < 0) break;
+    fitting.push_back(column);
+  }
+  std::sort(fitting.begin(), fitting.end());
+  return fitting;
+}
+
+Cell section_cell(const Ui& ui, const TableValue& entry, SectionColumn column) {
+  if (const auto* const words = std::get_if<std::string>(&entry)) return {*words, palette().text, true};
+  if (const auto* const value = std::get_if<double>(&entry))
+    return {digits(ui, *value, column_look(column).decimals, column_look(column).unit), palette().text};
+  return {"--", palette().dim};
+}
+
+// A click selects one, Shift adds or removes it, Ctrl adds all between it and the active one as they are shown.
+void select_section_row(Ui& ui, const sim::SectionTable& table, std::span<const std::size_t> order, std::size_t at) {
+  const edit::Session& session = ui.session();
+  const auto section = [&](std::size_t i) { return table.rows[order[i]].run.section; };
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.KeyShift) return ui.out.commands.push_back(toggled_section(session, section(at)));
+  std::size_t from = at;
+  if (io.KeyCtrl)
+    for (std::size_t i = 0; i < order.size(); ++i)
+      if (section(i) == session.settings.selected) from = i;
+  std::vector<world::Entity> sections;
+  if (io.KeyCtrl) sections = world::selected_sections(session.document, session.settings);
+  for (std::size_t i = std::min(from, at); i <= std::max(from, at); ++i)
+    if (std::find(sections.begin(), sections.end(), section(i)) == sections.end()) sections.push_back(section(i));
+  std::erase(sections, section(at));
+  sections.push_back(section(at));
+  ui.out.commands.push_back(selection_of_sections(session.document, sections));
+}
+
+// Marks the section's middle in the view while the mouse is over its row.
+void point_at_section(Ui& ui, const world::SectionRun& run) {
+  const sim::Derived& derived = ui.session().derived;
+  const std::size_t middle = run.first + run.count / 2;
+  ui.pointed = {view::PickKind::curve, derived.order[middle], 0.5,
+                glm::vec3(curve::point(derived.shape_at(middle).key.cubic, 0.5))};
+}
+
+void table_of_sections(Ui& ui, float height) {
+  const sim::SectionTable& table = *ui.find(edit::Want::sections).sections;
+  if (table.rows.empty()) return tinted("No sections yet. Place an element from the palette.", palette().dim);
+  const Document& document = ui.session().document;
+  const world::Look& look = *ui.session().settings.look;
+  const std::vector<SectionColumn> columns = columns_in(ImGui::GetContentRegionAvail().x, ui.scale);
+  std::vector<TableColumn> heads;
+  Sorting sorting{-1, look.sections_descending, {}};
+  for (const SectionColumn column : columns) {
+    const base::NameRow& row = base::row_of(column);
+    if (column == look.sections_by) sorting.column = static_cast<int>(heads.size());
+    const bool words =
+        column == SectionColumn::title || column == SectionColumn::kind || column == SectionColumn::equipment;
+    heads.push_back({row.label, column_look(column).unit, column_look(column).width, row.help, words});
+  }
+  if (!begin_table(ui, "Table", heads, height, &sorting)) return;
+  const std::vector<std::size_t>& order = sorted_rows(ui, table);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(order.size()));
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const std::size_t at = static_cast<std::size_t>(i), row = order[at];
+      const SectionFigures& of = table.rows[row];
+      std::vector<Cell> cells;
+      for (const SectionColumn column : columns)
+        cells.push_back(section_cell(ui, table_value(document, of, row, column), column));
+      const bool selected = world::is_selected(ui.session().settings, of.run.section);
+      // A mark beside the colour of the row.
+      if (selected) cells[0].swatch = palette().text;
+      const std::string name = world::label_of(document, of.run.section);
+      if (table_row(ui, name, cells, selected, selected ? "on" : "off", "")) select_section_row(ui, table, order, at);
+      if (ImGui::IsItemHovered()) point_at_section(ui, of.run);
+    }
+  end_table();
+  if (!sorting.clicked) return;
+  const SectionColumn by = columns[static_cast<std::size_t>(*sorting.clicked)];
+  if (by != look.sections_by) ui.emit(edit::Set<&world::Look::sections_by>{by});
+  ui.emit(edit::Set<&world::Look::sections_descending>{by == look.sections_by && !look.sections_descending});
+}
+
+}  // namespace
+
+void build_sections_table(Ui& ui, const view::Viewport& area) {
+  if (area.width < 1 || area.height < 1) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(std::floor(6 * ui.scale), 0));
+  if (begin_area("##sections", {area.x, area.y}, {area.width, area.height})) {
+    ui.panel = "Sections";
+    table_of_sections(ui, ImGui::GetContentRegionAvail().y);
+    ui.panel.clear();
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+// In the workspace `all`.
+void sections_panel(Ui& ui) {
+  constexpr float kRows = 9;
+  table_of_sections(ui, std::floor(kRows * small_pixels() * 1.35f));
+}
+
+}  // namespace coaster::ui

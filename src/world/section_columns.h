@@ -1,0 +1,42 @@
+// The columns of the table of sections, by name in scripts.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/names.h"
+
+namespace coaster::world {
+
+enum class SectionColumn : std::uint8_t {
+  track,
+  title,
+  kind,
+  length,
+  start,
+  end,
+  top,
+  speed_in,
+  speed_out,
+  g_most,
+  g_least,
+  g_side,
+  equipment
+};
+inline constexpr base::NameRow kSectionColumns[] = {
+    {"track", "#", "Place in the track's order."},
+    {"title", "Section", "Title; without one its kind. A click selects it, Shift adds it, Ctrl adds all between."},
+    {"kind", "Kind", "What it was planned as, or shaped by hand."},
+    {"length", "Length", "Length."},
+    {"start", "Start", "Height where it begins."},
+    {"end", "End", "Height where it ends."},
+    {"top", "Top", "Largest height."},
+    {"speed_in", "In", "Speed of the chosen seat where it begins."},
+    {"speed_out", "Out", "Speed of the chosen seat where it ends."},
+    {"g_most", "g max", "Largest vertical g of the chosen seat."},
+    {"g_least", "g min", "Least vertical g of the chosen seat."},
+    {"g_side", "Side g", "Largest lateral g of the chosen seat, to either side."},
+    {"equipment", "Equipment", "Equipment of its segments."}};
+constexpr std::span<const base::NameRow> rows_of(SectionColumn) { return kSectionColumns; }
+
+}  // namespace coaster::world

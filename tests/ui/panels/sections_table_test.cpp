@@ -1,0 +1,154 @@
+#include "ui/panels/sections_table.h"
+
+#include "ui/sections_stage.h"
+#include "world/selection.h"
+
+namespace coaster::ui {
+namespace sections_table_test {
+
+using platform::Key;
+
+struct SectionsTable : SectionsStage {
+  void SetUp() override {
+    SectionsStage::SetUp();
+    key(Key::t);
+    frames(2);
+  }
+  // The rows from top to bottom.
+  std::vector<std::string> rows() const {
+    std::vector<std::pair<float, std::string>> found;
+    for (const Widget& widget : host_->widgets())
+      if (widget.path.starts_with("Sections/q")) found.emplace_back(widget.y, widget.path.substr(9));
+    std::sort(found.begin(), found.end());
+    std::vector<std::string> names;
+    for (const auto& [y, name] : found) names.push_back(name);
+    return names;
+  }
+  std::vector<world::Entity> selected() const { return world::selected_sections(session_.document, session_.settings); }
+  float scene_share() const {
+    const view::Viewport& scene = host_->view().viewport;
+    return scene.width * scene.height / static_cast<float>(width_ * height_);
+  }
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(SectionsTable, a_key_and_a_tab_open_it_beside_the_force_graph) {
+  EXPECT_EQ(find("Sections")->value, "open");
+  EXPECT_EQ(find("Forces")->value, "closed");
+  EXPECT_EQ(find("Forces/Plot"), nullptr);
+  EXPECT_EQ(rows(), (Names{"q1", "q2", "q3", "q4"}));
+  EXPECT_GE(scene_share(), 0.62f);
+  click("Forces");
+  frames(2);
+  EXPECT_NE(find("Forces/Plot"), nullptr);
+  EXPECT_TRUE(rows().empty());
+  click("Sections");
+  frames(2);
+  EXPECT_EQ(rows().size(), 4u);
+  key(Key::t);
+  frames(2);
+  EXPECT_TRUE(rows().empty());
+  EXPECT_EQ(find("Sections")->value, "closed");
+}
+
+TEST_F(SectionsTable, a_heading_sorts_and_a_second_click_turns_the_order) {
+  click("Sections/Table/Length");
+  frames(2);
+  const auto length = [&](const std::string& name) {
+    const world::SectionRun of = run(static_cast<std::uint32_t>(std::stoul(name.substr(1))));
+    return session_.derived.starts[of.end()] - session_.derived.starts[of.first];
+  };
+  Names shown = rows();
+  ASSERT_EQ(shown.size(), 4u);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_LE(length(shown[i - 1]), length(shown[i])) << shown[i];
+  EXPECT_EQ(find("Sections/Table/Length")->value, "ascending");
+  click("Sections/Table/Length");
+  frames(2);
+  Names turned = rows();
+  std::reverse(turned.begin(), turned.end());
+  EXPECT_EQ(turned, shown);
+  EXPECT_EQ(find("Sections/Table/Length")->value, "descending");
+  // It follows a change of what it shows.
+  good(edit::ChangeSection{
+      {{world::Kind::section, 1}}, false, {world::ElementKind::straight, false, {500, 0, 0, 4, 3}}});
+  frames(2);
+  EXPECT_EQ(rows().front(), "q1");
+  click("Sections/Table/Kind");
+  frames(2);
+  EXPECT_EQ(rows(), (Names{"q2", "q3", "q4", "q1"})) << "climb, dive, loop, straight";
+  good(edit::Set<&world::Look::sections_by>{world::SectionColumn::track});
+  frames(2);
+  EXPECT_EQ(rows(), (Names{"q1", "q2", "q3", "q4"}));
+}
+
+TEST_F(SectionsTable, what_the_ride_does_not_reach_comes_last_both_ways) {
+  good(edit::Set<&world::Look::sections_by>{world::SectionColumn::speed_out});
+  frames(2);
+  EXPECT_NE(rows().front(), "q4") << "the train starts at 1 m/s and rolls back on the climb";
+  const Names up = rows();
+  good(edit::Set<&world::Look::sections_descending>{true});
+  frames(2);
+  EXPECT_EQ(rows().back(), up.back());
+}
+
+TEST_F(SectionsTable, rows_are_selected_one_by_one_with_shift_and_as_a_range_with_ctrl) {
+  click("Sections/q2");
+  EXPECT_EQ(selected(), std::vector{section(2)});
+  frames(2);
+  EXPECT_EQ(find("Sections/q2")->value, "on");
+  click("Sections/q4", {.shift = true});
+  EXPECT_EQ(selected(), (std::vector{section(2), section(4)}));
+  click("Sections/q2", {.shift = true});
+  EXPECT_EQ(selected(), std::vector{section(4)});
+  click("Sections/q1", {.ctrl = true});
+  EXPECT_EQ(session_.settings.selected, section(1));
+  EXPECT_EQ(selected().size(), 4u);
+  click("Sections/q3");
+  EXPECT_EQ(selected(), std::vector{section(3)});
+}
+
+TEST_F(SectionsTable, equipment_goes_to_all_selected_rows) {
+  click("Sections/q2");
+  click("Sections/q3", {.shift = true});
+  click("Section/Equipment/Brake");
+  EXPECT_TRUE(all_equipped(2, "brake") && all_equipped(3, "brake") && all_equipped(4, "-"));
+}
+
+TEST_F(SectionsTable, the_mouse_over_a_row_marks_its_section_in_the_view) {
+  hover(middle(*find("Sections/q3")));
+  frames(2);
+  ASSERT_EQ(last_.hovered.kind, view::PickKind::curve);
+  EXPECT_EQ(world::segment(session_.document, last_.hovered.entity).section, section(3));
+}
+
+TEST_F(SectionsTable, it_fits_at_every_size_and_scale) {
+  for (const auto& [width, height, scale] :
+       {std::tuple{1280, 720, 1.0f}, {1280, 720, 1.5f}, {1920, 1080, 1.0f}, {1920, 1080, 2.0f}}) {
+    good(edit::Set<&world::Look::ui_scale>{scale});
+    resize(width, height);
+    if (find("Sections")->value == "closed") key(Key::t);
+    frames(3);
+    ASSERT_FALSE(rows().empty()) << width << " at " << scale;
+    for (const Widget& widget : host_->widgets()) {
+      if (!widget.path.starts_with("Sections/")) continue;
+      EXPECT_LE(widget.x + widget.width, static_cast<float>(width) + 0.5f) << widget.path;
+    }
+  }
+}
+
+TEST_F(SectionsTable, the_workspace_all_has_it_as_a_panel_with_the_columns_that_find_room) {
+  good(edit::Set<&world::Look::workspace>{world::Workspace::all});
+  frames(2);
+  ASSERT_NE(find("Sections"), nullptr);
+  EXPECT_EQ(find("Sections")->value, "closed");
+  click("Sections");
+  ASSERT_TRUE(reach("Sections/q2"));
+  EXPECT_NE(find("Sections/Table/Length"), nullptr);
+  EXPECT_EQ(find("Sections/Table/Side g"), nullptr);
+  click("Sections/q2");
+  EXPECT_EQ(selected(), std::vector{section(2)});
+}
+
+}  // namespace sections_table_test
+}  // namespace coaster::ui
