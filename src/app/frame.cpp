@@ -8,6 +8,8 @@
 #include "app/idle.h"
 #include "app/pictures.h"
 #include "app/scene.h"
+#include "edit/commands/commands_sections.h"
+#include "exchange/own/track_file.h"
 #include "world/look.h"
 
 namespace coaster::app {
@@ -55,6 +57,13 @@ void apply_commands(Program& program, const std::vector<edit::Command>& commands
   program.by_hand = false;
 }
 
+// What another window put on the clipboard wins over what was copied here.
+void paste_sections(Program& program) {
+  std::string text = program.surface->clipboard();
+  if (text == program.session.copied || !exchange::parse_track(text, "clipboard")) text.clear();
+  apply_commands(program, {edit::PasteSections{std::move(text)}});
+}
+
 // All that the panels decided.
 void apply_output(Program& program, const ui::Output& output) {
   if (output.cancel_import && program.import) program.import->progress.cancelled = true;
@@ -63,6 +72,7 @@ void apply_output(Program& program, const ui::Output& output) {
   program.pictures.update(program.gl, *program.renderer, output.wanted_pictures, program.session.settings.look->style);
   program.picture.toast = program.ui->toast();
   apply_commands(program, output.commands);
+  if (output.wants_paste) paste_sections(program);
   program.picture.hovered = output.hovered;
   program.quit = program.quit || output.quit;
   answer_keeping(program, output);

@@ -19,6 +19,7 @@ class FakeSurface final : public platform::Surface {
   explicit FakeSurface(std::unique_ptr<platform::Surface> memory) : memory_(std::move(memory)) {}
   double now = 0;
   bool window = false;
+  std::string copied;  // the clipboard
   std::optional<platform::Placement> at;
 
   platform::Events next;  // of the next poll
@@ -35,8 +36,8 @@ class FakeSurface final : public platform::Surface {
   double clock() const override { return now; }
   void set_title(const std::string&) override {}
   void resize(platform::Size size) override { memory_->resize(size); }
-  std::string clipboard() override { return {}; }
-  void set_clipboard(const std::string&) override {}
+  std::string clipboard() override { return copied; }
+  void set_clipboard(const std::string& text) override { copied = text; }
   bool is_window() const override { return window; }
   std::string library() const override { return memory_->library(); }
   std::optional<platform::Placement> placement() const override { return at; }

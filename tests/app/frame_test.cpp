@@ -1,0 +1,61 @@
+#include "app/frame.h"
+
+#include "app/program_fixture.h"
+#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_sections.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
+#include "world/sections.h"
+
+namespace coaster::app {
+namespace frame_test {
+
+class Frame : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    restart_drawing();
+  }
+  static void place(Program& program, world::ElementKind kind) {
+    ASSERT_TRUE(apply(program, edit::PlaceElement{world::usual_element(kind)}).ok());
+  }
+  static void press(Program& program, platform::Key key) {
+    constexpr platform::Modifiers kCtrl{.ctrl = true};
+    run_frame(program, {platform::KeyPress{key, true, false, kCtrl}, platform::Tick{1.0 / 60}}, 0);
+    run_frame(program, {platform::KeyPress{key, false, false, {}}, platform::Tick{1.0 / 60}}, 0);
+  }
+  static std::string last_kind(const Program& program) {
+    const world::Document& document = program.session.document;
+    return std::string(world::kind_name(world::section(document, world::sections_of(document).back().section)));
+  }
+  static std::size_t sections(const Program& program) { return world::sections_of(program.session.document).size(); }
+};
+
+TEST_F(Frame, sections_are_copied_from_one_program_to_another_as_text) {
+  place(*program_, world::ElementKind::straight);
+  place(*program_, world::ElementKind::loop);
+  ASSERT_TRUE(apply(*program_, edit::Select{{{world::Kind::section, 2}}}).ok());
+  press(*program_, platform::Key::c);
+  const std::string text = surface(*program_).copied;
+  EXPECT_NE(text.find("loop"), std::string::npos);
+  restart_drawing();
+  place(*program_, world::ElementKind::straight);
+  surface(*program_).copied = text;
+  press(*program_, platform::Key::v);
+  EXPECT_EQ(sections(*program_), 2u);
+  EXPECT_EQ(last_kind(*program_), "loop");
+}
+
+TEST_F(Frame, what_was_copied_here_is_pasted_where_the_clipboard_holds_something_else) {
+  press(*program_, platform::Key::v);
+  EXPECT_EQ(last_notice(*program_), "Nothing was copied.");
+  place(*program_, world::ElementKind::straight);
+  ASSERT_TRUE(apply(*program_, edit::Select{{{world::Kind::section, 1}}}).ok());
+  press(*program_, platform::Key::c);
+  surface(*program_).copied = "an address, perhaps";
+  press(*program_, platform::Key::v);
+  EXPECT_EQ(sections(*program_), 2u);
+}
+
+}  // namespace frame_test
+}  // namespace coaster::app
