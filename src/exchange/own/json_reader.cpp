@@ -38,7 +38,8 @@ std::string at_byte(std::string_view text, std::size_t offset, std::string_view 
 // Receives the parser's events and builds the tree. Every function returns whether to continue.
 class Builder {
  public:
-  Builder(std::string_view text, std::string_view name) : text_(text), name_(name) {}
+  Builder(std::string_view text, std::string_view name, const TakeElement& take)
+      : text_(text), name_(name), take_(take) {}
 
   Json root;
   std::string error;
@@ -52,7 +53,10 @@ class Builder {
   bool binary(Json::binary_t&) { return false; }  // does not occur in text
   bool start_object(std::size_t) { return open(Json::object()); }
   bool start_array(std::size_t) { return open(Json::array()); }
-  bool end_object() { return close(); }
+  bool end_object() {
+    if (take_ && open_.size() == 3 && root.is_object() && open_[1].node->is_array()) offer();
+    return close();
+  }
   bool end_array() { return close(); }
   bool key(std::string& key) {
     const Members& members = members_of(*open_.back().node);
@@ -97,7 +101,11 @@ class Builder {
   Json* append(Json value) {
     if (open_.empty()) return root = std::move(value), &root;
     Json& parent = *open_.back().node;
-    if (parent.is_array()) return parent.push_back(std::move(value)), &parent.back();
+    if (parent.is_array()) {
+      Json::array_t& items = parent.get_ref<Json::array_t&>();
+      if (items.empty()) items.reserve(kUsualItems);
+      return items.push_back(std::move(value)), &items.back();
+    }
     Members& members = members_of(parent);
     if (members.empty()) members.reserve(kUsualMembers);
     members.emplace_back(std::move(open_.back().key), std::move(value));
@@ -116,6 +124,11 @@ class Builder {
     return true;
   }
   bool close() { return open_.pop_back(), true; }
+  void offer() {
+    const std::size_t index = open_[1].node->size() - 1;
+    Json& element = *open_[2].node;
+    if (take_(root, members_of(root).back().first, index, element)) element = nullptr;
+  }
 
   // Returns "knots[3].tangent" from the open objects and arrays.
   std::string place() const {
@@ -137,19 +150,21 @@ class Builder {
     return false;
   }
 
+  static constexpr std::size_t kUsualItems = 3;    // of a vector
   static constexpr std::size_t kUsualMembers = 8;  // a larger object copies its members, as their keys are constant
   std::string_view text_, name_;
+  const TakeElement& take_;
   std::vector<Open> open_;
   std::size_t values_ = 0;
 };
 
 }  // namespace
 
-base::Result<Json> read_json(std::string_view text, std::string_view name) {
+base::Result<Json> read_json(std::string_view text, std::string_view name, const TakeElement& take) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     return base::Status{base::Code::bad_file,
                         at_byte(text, text.size(), name, "the file is empty; expected a JSON object")};
-  Builder builder(text, name);
+  Builder builder(text, name, take);
   if (!Json::sax_parse(text.begin(), text.end(), &builder))
     return base::Status{base::Code::bad_file, std::move(builder.error)};
   return std::move(builder.root);

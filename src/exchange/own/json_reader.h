@@ -2,6 +2,8 @@
 // numbers out of range. Private to this room.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string_view>
 
 #include "base/status.h"
@@ -14,10 +16,16 @@ inline constexpr std::size_t kMaxNesting = 32;
 inline constexpr std::size_t kMaxValues = 8'000'000;
 inline constexpr std::size_t kMaxMembers = 200'000;  // of one object
 
+// Receives each object in an array of the root as soon as it is complete: element `index` of the root's member `list`.
+// Returns true if it has read the object: the tree then holds null in its place, so the tree of a large file stays
+// small.
+using TakeElement =
+    std::function<bool(const Json& root, std::string_view list, std::size_t index, const Json& element)>;
+
 // Returns the tree of a whole text. Code::bad_file with "NAME:LINE:COLUMN: error: ..." if the text is not JSON (columns
 // count bytes from 1; for a word, its last byte), "NAME: error: PLACE: ..." for duplicate members, nesting and more
 // than kMaxValues or kMaxMembers. Skips a leading byte-order mark.
-base::Result<Json> read_json(std::string_view text, std::string_view name);
+base::Result<Json> read_json(std::string_view text, std::string_view name, const TakeElement& take = {});
 
 // Describes a value for messages: null, true, 1.5, "text", an array of 2, an object.
 std::string describe(const Json& value);

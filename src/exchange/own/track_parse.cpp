@@ -1,8 +1,6 @@
 // Builds a document from a track file's tree. Checks everything that docs/track-format.md promises.
 #include <algorithm>
-#include <cmath>
-#include <type_traits>
-#include <unordered_map>
+#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +10,7 @@
 #include "exchange/own/json_fields.h"
 #include "exchange/own/section_text.h"
 #include "exchange/own/track_file.h"
+#include "exchange/own/track_values.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"
 
@@ -22,33 +21,7 @@ using world::Document;
 using world::Entity;
 using world::Kind;
 
-constexpr std::uint32_t kMaxIdNumber = 1'000'000'000;  // leaves room for the numbers of new entities
-constexpr double kShortVector = 1e-9;
 constexpr double kParallel = 1e-6;  // sine of the angle between tangent and up
-
-// The state of a parse. `error` is the first error, without the file's name.
-struct TrackParse {
-  Document document;
-  std::vector<std::string> warnings;
-  std::string error;
-  int version = kTrackVersion;
-  std::array<std::unordered_map<std::uint32_t, Entity>, base::count_of<Kind>()> by_number;  // by Kind
-};
-
-std::string quoted_id(Kind kind, std::uint32_t number) {
-  return fmt::format("\"{}\"", world::to_text(world::Name{kind, number}));
-}
-
-// Reads a member that names an entity: "k3".
-bool read_id(Fields& fields, std::string_view member, Kind kind, std::uint32_t& number) {
-  std::string text;
-  if (!fields.text(member, text)) return false;
-  const auto name = world::parse_name(text);
-  if (!name || name->kind != kind || name->number > kMaxIdNumber)
-    return fields.reject(member, "an id such as " + quoted_id(kind, 3));
-  number = name->number;
-  return true;
-}
 
 // Creates the entity of an "id" member, with its name.
 bool create(TrackParse& parse, Fields& fields, Kind kind, Entity& e) {
@@ -67,78 +40,6 @@ bool create(TrackParse& parse, Fields& fields, Kind kind, Entity& e) {
 void keep_unknown(TrackParse& parse, const Fields& fields, Entity e) {
   std::string extra = fields.unknown(parse.warnings);
   if (!extra.empty()) parse.document.entities.put(e, world::Extra{std::move(extra)});
-}
-
-// Unit vectors keep their bits; others are normalised before they are rounded to float.
-glm::vec3 direction(glm::dvec3 v) {
-  const double square = glm::dot(v, v);
-  return glm::vec3(std::abs(square - 1.0) <= 1e-6 ? v : v / std::sqrt(square));
-}
-
-// A unit vector: any with a direction is turned into one before it is rounded.
-bool read_direction(Fields& fields, std::string_view member, glm::vec3& value) {
-  constexpr double kAny = 1e30;  // squares stay finite
-  glm::dvec3 v;
-  if (!fields.vector(member, v, kAny)) return false;
-  if (!(glm::length(v) >= kShortVector)) return fields.reject(member, "a vector with a direction");
-  value = direction(v);
-  return true;
-}
-
-// The value of one field, within its limits.
-template <class T>
-bool read_value(TrackParse& parse, Fields& fields, const world::Field& field, T& value) {
-  if constexpr (std::is_same_v<T, bool>) {
-    return fields.flag(field.name, value);
-  } else if constexpr (std::is_same_v<T, double>) {
-    return fields.number(field.name, value, field.low, field.high);
-  } else if constexpr (std::is_same_v<T, float>) {
-    return fields.length(field.name, value, static_cast<float>(field.low), static_cast<float>(field.high));
-  } else if constexpr (std::is_same_v<T, std::int32_t>) {
-    std::int64_t whole = 0;
-    if (!fields.whole(field.name, whole, static_cast<std::int64_t>(field.low), static_cast<std::int64_t>(field.high)))
-      return false;
-    value = static_cast<std::int32_t>(whole);
-    return true;
-  } else if constexpr (std::is_same_v<T, glm::vec3>) {
-    if (field.high == 0) return read_direction(fields, field.name, value);
-    glm::dvec3 v;
-    if (!fields.vector(field.name, v, field.high)) return false;
-    value = glm::vec3(v);
-    return true;
-  } else if constexpr (base::Named<T>) {
-    std::string word;
-    if (!fields.text(field.name, word)) return false;
-    const auto named = base::value_named<T>(word);
-    if (!named) return fields.reject(field.name, base::alternatives_of<T>("\""));
-    value = *named;
-    return true;
-  } else {
-    static_assert(std::is_same_v<T, Entity>);
-    std::uint32_t number = 0;
-    if (!read_id(fields, field.name, Kind::segment, number)) return false;
-    const auto& segments = parse.by_number[static_cast<std::size_t>(Kind::segment)];
-    const auto found = segments.find(number);
-    if (found == segments.end())
-      return fields.fail(field.name, "there is no segment " + quoted_id(Kind::segment, number));
-    value = found->second;
-    return true;
-  }
-}
-
-// The fields of a component, in order. Those that may be missing keep their usual values.
-template <class T>
-bool read_component(TrackParse& parse, Fields& fields, T& component) {
-  bool good = true;
-  T::fields([&](const world::Field& field, auto member) {
-    auto& value = component.*member;
-    if constexpr (world::HasFields<std::remove_cvref_t<decltype(value)>>) {
-      good = good && read_component(parse, fields, value);
-    } else if (good && (field.in_file == world::InFile::required || fields.has(field.name))) {
-      good = read_value(parse, fields, field, value);
-    }
-  });
-  return good;
 }
 
 bool read_knot(TrackParse& parse, const Json& value, std::size_t index) {
@@ -241,6 +142,33 @@ bool read_track_head(TrackParse& parse, Fields& fields) {
          read_component(parse, fields, document);
 }
 
+using ReadElement = bool (*)(TrackParse& parse, const Json& value, std::size_t index);
+
+// Reads an element while the file is parsed. Its error is kept until everything before it is known.
+bool take(TrackParse& parse, TrackParse::Taken& taken, ReadElement read, const Json& element, std::size_t index) {
+  if (index != taken.count || !taken.error.empty()) return false;
+  if (read(parse, element, index)) return ++taken.count, true;
+  taken.error = std::exchange(parse.error, {});
+  return false;
+}
+
+// Takes knots, and segments if they come after all knots.
+bool take_element(TrackParse& parse, const Json& root, std::string_view list, std::size_t index, const Json& element) {
+  if (list == "knots" && index < world::kMaxKnots) return take(parse, parse.knots, read_knot, element, index);
+  if (list != "segments" || index >= parse.knots.count) return false;
+  const auto knots = root.find("knots");
+  return knots != root.end() && knots->is_array() && knots->size() == parse.knots.count &&
+         take(parse, parse.segments, read_segment, element, index);
+}
+
+// Reads the elements that were not taken while the file was parsed.
+bool read_rest(TrackParse& parse, const Json& list, const TrackParse::Taken& taken, ReadElement read) {
+  if (parse.error = taken.error; !parse.error.empty()) return false;
+  for (std::size_t i = taken.count; i < list.size(); ++i)
+    if (!read(parse, list[i], i)) return false;
+  return true;
+}
+
 bool read_lists(TrackParse& parse, Fields& fields) {
   const Json *const knots = fields.list("knots", world::kMaxKnots), *const segments = fields.list("segments"),
                     *const carts = fields.list("carts", world::kMaxCarts);
@@ -248,13 +176,11 @@ bool read_lists(TrackParse& parse, Fields& fields) {
   const bool closed = parse.document.track.closed;
   if (closed && knots->size() < 2) return fields.fail("closed", "a closed track has at least 2 knots");
   const std::size_t expected = closed ? knots->size() : knots->empty() ? 0 : knots->size() - 1;
-  for (std::size_t i = 0; i < knots->size(); ++i)
-    if (!read_knot(parse, (*knots)[i], i)) return false;
+  if (!read_rest(parse, *knots, parse.knots, read_knot)) return false;
   if (segments->size() != expected)
     return fields.reject("segments", fmt::format("{} for {}{}", expected, knots->size(),
                                                  closed ? " knots of a closed track" : " knots of an open track"));
-  for (std::size_t i = 0; i < segments->size(); ++i)
-    if (!read_segment(parse, (*segments)[i], i)) return false;
+  if (!read_rest(parse, *segments, parse.segments, read_segment)) return false;
   if (!read_sections(parse, fields)) return false;
   for (std::size_t i = 0; i < carts->size(); ++i)
     if (!read_cart(parse, (*carts)[i], i)) return false;
@@ -274,9 +200,9 @@ void shorten(std::vector<std::string>& warnings) {
 }  // namespace
 
 base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view name) {
-  const base::Result<Json> tree = read_json(text, name);
-  if (!tree) return tree.status();
   TrackParse parse;
+  const base::Result<Json> tree = read_json(text, name, std::bind_front(take_element, std::ref(parse)));
+  if (!tree) return tree.status();
   Fields fields(*tree, {}, parse.error);
   if (parse.error.empty() && read_track_head(parse, fields) && read_lists(parse, fields)) {
     world::settle_joints(parse.document);

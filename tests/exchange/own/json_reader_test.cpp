@@ -17,6 +17,21 @@ TEST(json_reader, good_text_becomes_a_tree_in_the_order_of_its_members) {
   EXPECT_EQ(tree->dump(), R"({"z":[1,-2.5,"äé",null],"a":{"b":true}})");
 }
 
+TEST(json_reader, objects_in_lists_of_the_root_are_offered_once_and_leave_null_where_they_are_taken) {
+  constexpr const char* kText = R"({"a": [{"x": [{"y": 1}]}, 7, {"x": 2}], "b": {"c": [{"z": 1}]}, "d": [[{"z": 2}]]})";
+  std::string offered;
+  const auto tree =
+      read_json(kText, "f.json", [&](const Json& root, std::string_view list, std::size_t index, const Json& element) {
+        EXPECT_EQ(&root.at(std::string(list)).at(index), &element);
+        offered += std::string(list) + std::to_string(index) + element.dump();
+        return index == 0;
+      });
+  ASSERT_TRUE(tree);
+  EXPECT_EQ(offered, R"(a0{"x":[{"y":1}]}a2{"x":2})");
+  EXPECT_EQ(tree->dump(), R"({"a":[null,7,{"x":2}],"b":{"c":[{"z":1}]},"d":[[{"z":2}]]})");
+  EXPECT_EQ(read_json(R"([[{"a": 1}]])", "f.json", [](auto&&...) { return true; })->dump(), R"([[{"a":1}]])");
+}
+
 TEST(json_reader, a_byte_order_mark_is_skipped) { ASSERT_TRUE(read_json("\xef\xbb\xbf{\"a\":1}", "f.json")); }
 
 TEST(json_reader, errors_tell_line_and_column) {
