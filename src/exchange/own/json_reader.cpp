@@ -1,5 +1,5 @@
-// Parses JSON text into a tree by the library's event interface, which does not recurse: a million brackets are
-// rejected at the 33rd.
+// Parses JSON text into a tree by events: of a scan of plain JSON or, where that stops, of the library's parser, which
+// does not recurse. A million brackets are rejected at the 33rd.
 #include "exchange/own/json_reader.h"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "exchange/own/json_scan.h"
 
 namespace coaster::exchange {
 namespace {
@@ -164,6 +165,7 @@ base::Result<Json> read_json(std::string_view text, std::string_view name, const
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     return base::Status{base::Code::bad_file,
                         at_byte(text, text.size(), name, "the file is empty; expected a JSON object")};
+  if (Builder plain(text, name, take); scan_json(text, plain)) return std::move(plain.root);
   Builder builder(text, name, take);
   if (!Json::sax_parse(text.begin(), text.end(), &builder))
     return base::Status{base::Code::bad_file, std::move(builder.error)};

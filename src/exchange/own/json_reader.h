@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaxMembers = 200'000;  // of one object
 
 // Receives each object in an array of the root as soon as it is complete: element `index` of the root's member `list`.
 // Returns true if it has read the object: the tree then holds null in its place, so the tree of a large file stays
-// small.
+// small. If the text turns out not to be plain JSON (json_scan.h), it is offered again from the first one on.
 using TakeElement =
     std::function<bool(const Json& root, std::string_view list, std::size_t index, const Json& element)>;
 
