@@ -1,10 +1,12 @@
 #include "world/difference.h"
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
+#include <span>
 #include <type_traits>
 #include <utility>
+
+#include "base/bits.h"
 
 namespace coaster::world {
 namespace {
@@ -14,10 +16,10 @@ void for_each_column(auto visit, auto&... documents) {
   Entities::for_each_column(visit, documents.entities...);
 }
 
-// Compares bits where there are only bits: 0 is not -0, and a NaN is itself.
+// Compares bits where there are only bits.
 template <class T>
 bool same(const T* a, const T* b, std::size_t count) {
-  if constexpr (std::is_trivially_copyable_v<T>) return count == 0 || std::memcmp(a, b, count * sizeof(T)) == 0;
+  if constexpr (std::is_trivially_copyable_v<T>) return base::same_bits(std::span(a, count), std::span(b, count));
   else return std::equal(a, a + count, b);
 }
 

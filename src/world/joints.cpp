@@ -23,16 +23,19 @@ void settle_joints(Document& document) {
   const Track& track = document.track;
   const std::size_t count = track.knots.size();
   auto& knots = document.entities.pool<Knot>();
+  bool any_automatic = false;
+  for (Knot& k : knots.items()) {
+    any_automatic = any_automatic || k.joint == JointKind::automatic;
+    if (k.joint == JointKind::smooth && k.in_length != k.out_length) k.in_length = k.out_length;
+  }
+  if (!any_automatic) return;
   const auto position = [&](std::size_t i) { return &knots.get(track.knots[i]).position; };
   for (std::size_t i = 0; i < count; ++i) {
     Knot& k = knots.get(track.knots[i]);
-    if (k.joint == JointKind::smooth) {
-      k.in_length = k.out_length;
-    } else if (k.joint == JointKind::automatic) {
-      const glm::vec3* const before = i > 0 ? position(i - 1) : track.closed ? position(count - 1) : nullptr;
-      const glm::vec3* const after = i + 1 < count ? position(i + 1) : track.closed ? position(0) : nullptr;
-      shape_between(k, before, after);
-    }
+    if (k.joint != JointKind::automatic) continue;
+    const glm::vec3* const before = i > 0 ? position(i - 1) : track.closed ? position(count - 1) : nullptr;
+    const glm::vec3* const after = i + 1 < count ? position(i + 1) : track.closed ? position(0) : nullptr;
+    shape_between(k, before, after);
   }
 }
 

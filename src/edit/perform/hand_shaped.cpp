@@ -52,7 +52,7 @@ class Comparison {
     if (before.count != now.count) return false;
     const auto& segments = session_.document.track.segments;
     for (std::size_t i = 0; i < now.count; ++i)
-      if (made().segments[before.first + i].turns != world::segment(session_.document, segments[now.first + i]).turns)
+      if (made().turns[before.first + i] != world::segment(session_.document, segments[now.first + i]).turns)
         return false;
     bool stays = true, moves = true;
     const sim::Carry carry = carry_of(before, now);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
-#include "base/check.h"
+#include "base/bits.h"
 #include "base/portable_math.h"
 #include "sim/shape/deviation.h"
 #include "world/evaluation.h"
@@ -83,53 +85,68 @@ void work_on(const world::Evaluation& evaluation, const Clock& clock, Polyline& 
 }
 
 // True if nothing of the segments can be kept without a look at each.
-bool all_anew(const world::Document& document, const world::Evaluation& evaluation, const Derived& derived) {
-  return derived.order != document.track.segments || derived.closed != document.track.closed ||
-         derived.made.knots.size() != document.track.knots.size() || !(derived.made.evaluation == evaluation) ||
-         derived.made.rails != world::rails_height(document);
+bool all_anew(const world::Document& document, const world::Evaluation& evaluation, bool moved,
+              const Derived& derived) {
+  return moved || derived.made.knots.size() != document.track.knots.size() ||
+         !(derived.made.evaluation == evaluation) || derived.made.rails != world::rails_height(document);
 }
 
-// Returns a function that finds the component of entities[i]: at once where the pool has them in that order.
-template <class T>
-auto finder(const world::Pool<T>& pool, const std::vector<world::Entity>& entities) {
-  const bool in_order = pool.entities() == entities;
-  return [&pool, &entities, in_order](std::size_t i) -> const T& {
-    return in_order ? pool.items()[i] : pool.get(entities[i]);
-  };
+// Calls visit(i) for each knot that differs from made.knots[i], and copies it there. Leaves out blocks that still have
+// the copies' bits, where the pool has the knots in the track's order, as after loading.
+void take_knots(const world::Document& document, Derived& derived, const auto& visit) {
+  constexpr std::size_t kBlock = 64;
+  const auto& pool = document.entities.pool<world::Knot>();
+  const std::vector<world::Entity>& order = document.track.knots;
+  std::vector<world::Knot>& copies = derived.made.knots;
+  copies.resize(order.size());
+  const bool in_order = base::same_bits(pool.entities(), order);
+  for (std::size_t begin = 0; begin < order.size(); begin += kBlock) {
+    const std::size_t end = std::min(begin + kBlock, order.size());
+    if (in_order && base::same_bits(std::span(pool.items()).subspan(begin, end - begin),
+                                    std::span<const world::Knot>(copies).subspan(begin, end - begin)))
+      continue;
+    derived.compared += end - begin;
+    for (std::size_t i = begin; i < end; ++i) {
+      const world::Knot& knot = in_order ? pool.items()[i] : pool.get(order[i]);
+      if (!(copies[i] == knot)) visit(i);
+      copies[i] = knot;
+    }
+  }
 }
 
 // Notes what the segments are made from. Returns the indices of those for which that is new, ascending.
 std::vector<std::size_t> take_changes(const world::Document& document, bool all, Derived& derived) {
   Derived::Made& made = derived.made;
-  const std::size_t count = derived.order.size(), knots = document.track.knots.size();
-  std::vector<bool> changed(count, all);
-  made.knots.resize(knots);
-  made.segments.resize(count);
-  const auto knot_at = finder(document.entities.pool<world::Knot>(), document.track.knots);
-  for (std::size_t i = 0; i < knots; ++i) {
-    const world::Knot& knot = knot_at(i);
-    if (made.knots[i] == knot) continue;
-    made.knots[i] = knot;
-    if (i < count) changed[i] = true;
-    if (i > 0) changed[i - 1] = true;
-    else if (document.track.closed && count > 0) changed[count - 1] = true;
-  }
-  const bool equipped = document.entities.pool<world::Equipment>().size() > 0;
-  const auto segment_at = finder(document.entities.pool<world::Segment>(), derived.order);
+  const std::size_t count = derived.order.size();
+  std::vector<std::size_t> changed;
+  take_knots(document, derived, [&](std::size_t i) {
+    if (i < count) changed.push_back(i);
+    if (i > 0) changed.push_back(i - 1);
+    else if (document.track.closed && count > 0) changed.push_back(count - 1);
+  });
+  made.turns.resize(count), made.fitted.resize(count);
+  const auto& segments = document.entities.pool<world::Segment>();
+  const bool in_order = base::same_bits(segments.entities(), derived.order);
   for (std::size_t i = 0; i < count; ++i) {
-    const world::Equipment* const equipment =
-        equipped ? document.entities.find<world::Equipment>(derived.order[i]) : nullptr;
-    const auto fitted = equipment ? std::optional(equipment->kind) : std::nullopt;
-    const std::int32_t turns = segment_at(i).turns;
-    Derived::Made::Segment& segment = made.segments[i];
-    if (segment.fitted == fitted && segment.turns == turns) continue;
-    changed[i] = true;
-    segment.fitted = fitted, segment.turns = turns;
+    const std::int32_t turns = (in_order ? segments.items()[i] : segments.get(derived.order[i])).turns;
+    if (std::exchange(made.turns[i], turns) != turns) changed.push_back(i);
   }
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < count; ++i)
-    if (changed[i]) indices.push_back(i);
-  return indices;
+  if (const auto& equipment = document.entities.pool<world::Equipment>(); all || !(made.equipment == equipment)) {
+    made.equipment = equipment;
+    for (std::size_t i = 0; i < count; ++i) {
+      const world::Equipment* const found = equipment.find(derived.order[i]);
+      const auto fitted = found ? std::optional(found->kind) : std::nullopt;
+      if (std::exchange(made.fitted[i], fitted) != fitted) changed.push_back(i);
+    }
+  }
+  if (all) {
+    changed.resize(count);
+    std::iota(changed.begin(), changed.end(), std::size_t{0});
+    return changed;
+  }
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  return changed;
 }
 
 // Returns what is to be done; the shapes stay where they are.
@@ -145,8 +162,8 @@ std::vector<Job> jobs_of(const world::Document& document, std::span<const std::s
     job.reshape = shape.shape_build == 0 || !(shape.key == job.key);
     job.measure = job.reshape || shape.measured_by != evaluation.arc_length || shape.measured_steps != evaluation.steps;
     job.evaluate = on_processor && (job.reshape || !(shape.polyline_key == polyline));
-    job.refit = shape.fitted != derived.made.segments[i].fitted;
-    shape.fitted = derived.made.segments[i].fitted;
+    job.refit = shape.fitted != derived.made.fitted[i];
+    shape.fitted = derived.made.fitted[i];
     shape.measured_by = evaluation.arc_length, shape.measured_steps = evaluation.steps;
     if (!on_processor) shape.polyline_key = {}, shape.deviation = 0;
     jobs.push_back(job);
@@ -156,11 +173,15 @@ std::vector<Job> jobs_of(const world::Document& document, std::span<const std::s
 
 // Numbers the rebuilds and adds up the segments, in the track's order, whatever the order of the work was.
 void gather(std::span<const Job> jobs, Derived& derived) {
+  const std::size_t count = derived.order.size();
+  Derived::Made& made = derived.made;
+  for (auto* const column : {&made.lengths, &made.twists, &made.measured_lengths, &made.deviations})
+    column->resize(count);
   for (const Job& job : jobs) {
     SegmentShape& shape = *job.shape;
     if (job.reshape) {
       shape.shape_build = ++derived.last_build;
-      derived.made.changes.push_back({shape.shape_build, job.index});
+      made.changes.push_back({shape.shape_build, job.index});
     }
     if (job.evaluate) {
       shape.polyline_build = ++derived.last_build;
@@ -168,20 +189,18 @@ void gather(std::span<const Job> jobs, Derived& derived) {
       derived.evaluation_seconds += job.seconds;
     }
     if (job.reshape || job.evaluate) ++derived.rebuilds;
-    Derived::Made::Segment& segment = derived.made.segments[job.index];
-    segment.length = shape.arc.length(), segment.twist = shape.roll.twist;
-    segment.measured_length = shape.measured_length, segment.deviation = shape.deviation;
+    made.lengths[job.index] = shape.arc.length(), made.twists[job.index] = shape.roll.twist;
+    made.measured_lengths[job.index] = shape.measured_length, made.deviations[job.index] = shape.deviation;
   }
-  const std::size_t count = derived.order.size();
   derived.starts.resize(count + 1), derived.twists.resize(count + 1);
-  derived.starts[0] = derived.twists[0] = derived.measured_length = derived.deviation = 0;
+  double start = 0, twist = 0, measured = 0, deviation = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const Derived::Made::Segment& segment = derived.made.segments[i];
-    derived.starts[i + 1] = derived.starts[i] + segment.length;
-    derived.twists[i + 1] = derived.twists[i] + segment.twist;
-    derived.measured_length += segment.measured_length;
-    derived.deviation = std::max(derived.deviation, segment.deviation);
+    derived.starts[i] = start, derived.twists[i] = twist;
+    start += made.lengths[i], twist += made.twists[i], measured += made.measured_lengths[i];
+    deviation = std::max(deviation, made.deviations[i]);
   }
+  derived.starts.back() = start, derived.twists.back() = twist;
+  derived.measured_length = measured, derived.deviation = deviation;
   derived.vertices = static_cast<std::int64_t>(count) * (derived.steps + 1);
   derived.length = derived.starts.back();
 }
@@ -219,9 +238,9 @@ std::optional<std::span<const ShapeChange>> Derived::changes_since(std::uint64_t
 void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived,
             unsigned workers) {
   const world::Evaluation& evaluation = *settings.evaluation;
-  const bool reordered = derived.order != document.track.segments;
+  const bool reordered = !base::same_bits(derived.order, document.track.segments);
   const bool moved = reordered || derived.closed != document.track.closed;
-  const bool all = all_anew(document, evaluation, derived);
+  const bool all = all_anew(document, evaluation, moved, derived);
   if (reordered) {
     derived.order = document.track.segments;
     derived.segments.keep_those_of(document.entities.pool<world::Segment>());
@@ -231,7 +250,7 @@ void derive(const world::Document& document, const world::Settings& settings, co
   derived.closed = document.track.closed;
   derived.evaluated_by = base::row_of(evaluation.evaluator).evaluated_by;
   derived.steps = evaluation.steps;
-  derived.rebuilds = 0, derived.evaluation_seconds = 0, derived.evaluated_vertices = 0;
+  derived.compared = 0, derived.rebuilds = 0, derived.evaluation_seconds = 0, derived.evaluated_vertices = 0;
   derived.made.evaluation = evaluation, derived.made.rails = world::rails_height(document);
 
   std::vector<Job> jobs = jobs_of(document, take_changes(document, all, derived), evaluation, derived);
@@ -256,32 +275,6 @@ Derived shapes_of(const world::Document& document) {
   Derived derived;
   derive(document, settings, {}, derived);
   return derived;
-}
-
-TrackPlace place_at(const Derived& derived, double distance) {
-  COASTER_CHECK(!derived.order.empty(), "a place needs a segment");
-  distance = within_lap(distance, derived.length, derived.closed);
-  if (derived.closed && distance >= derived.length) distance = 0;
-  distance = std::clamp(distance, 0.0, derived.length);
-  const auto above = std::upper_bound(derived.starts.begin(), derived.starts.end(), distance);
-  std::size_t index = static_cast<std::size_t>(above - derived.starts.begin());
-  index = std::min(index == 0 ? 0 : index - 1, derived.order.size() - 1);
-  return {index, distance - derived.starts[index]};
-}
-
-curve::Frame frame_at(const SegmentShape& shape, double s) { return frame_at(shape, s, shape.arc.parameter(s)); }
-
-curve::Frame frame_at(const SegmentShape& shape, double s, double t) {
-  const curve::Cubic& c = shape.key.cubic;
-  const double length = shape.arc.length();
-  if (!(s > 0)) return shape.frame(0);
-  if (s >= length) return shape.frame(kFrameIntervals);
-  const int below = std::min(static_cast<int>(t * kFrameIntervals), kFrameIntervals - 1);
-  const double t0 = static_cast<double>(below) / kFrameIntervals;
-  curve::Frame frame =
-      curve::transport(shape.frame(below), curve::point(c, t0), curve::point(c, t), curve::unit_tangent(c, t));
-  frame.up = curve::rotate(frame.up, frame.forward, shape.roll.angle(s) - shape.roll.angle(shape.arc.distance(t0)));
-  return frame;
 }
 
 }  // namespace coaster::sim

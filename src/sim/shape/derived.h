@@ -94,6 +94,7 @@ struct Derived {
   std::int64_t vertices = 0;          // of all polylines, wherever evaluated
   double deviation = 0;               // m, the largest of all segments; 0 for a GPU evaluator
   // Statistics of the last derive():
+  std::size_t compared = 0;       // knots compared one by one; the others by their bits, many at once
   int rebuilds = 0;               // segments whose shape or polyline was evaluated
   double evaluation_seconds = 0;  // time in the evaluator's polyline function alone
   std::int64_t evaluated_vertices = 0;
@@ -102,13 +103,11 @@ struct Derived {
   // What the segments were made from and the numbers of each that are summed, in the track's order: so an edit reads no
   // shape that it does not change.
   struct Made {
-    struct Segment {
-      std::int32_t turns = 0;
-      std::optional<world::EquipmentKind> fitted;
-      double length = 0, twist = 0, measured_length = 0, deviation = 0;
-    };
     std::vector<world::Knot> knots;
-    std::vector<Segment> segments;
+    std::vector<std::int32_t> turns;
+    std::vector<std::optional<world::EquipmentKind>> fitted;
+    std::vector<double> lengths, twists, measured_lengths, deviations;
+    world::Pool<world::Equipment> equipment;
     world::Evaluation evaluation;
     double rails = 0;
     std::vector<ShapeChange> changes;  // all after the build `known_since`

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/bits.h"
 #include "curve/continuity.h"
 #include "sim/shape/rails.h"
 
@@ -119,23 +120,26 @@ std::string fold_text(const Fold& fold, double height) {
 }
 
 const std::vector<Fold>& Folds::update(const Derived& derived) {
-  if (last_build_ == derived.last_build && order_ == derived.order) return all_;
-  auto changes = derived.changes_since(std::exchange(last_build_, derived.last_build));
-  if (order_ != derived.order) {
+  if (last_build_ == derived.last_build && base::same_bits(order_, derived.order)) return all_;
+  const auto changes = derived.changes_since(std::exchange(last_build_, derived.last_build));
+  if (!changes && !base::same_bits(order_, derived.order)) {
     order_ = derived.order;
     entries_.assign(order_.size(), {});
-    changes.reset();
+    folded_.clear();
   }
   const auto take = [&](std::size_t i) {
     const SegmentShape& shape = derived.shape_at(i);
-    if (entries_[i].build != shape.shape_build) entries_[i] = {shape.shape_build, folds_of(shape, shape.key.rails)};
+    if (entries_[i].build == shape.shape_build) return;
+    entries_[i] = {shape.shape_build, folds_of(shape, shape.key.rails)};
+    if (entries_[i].found.empty()) folded_.erase(i);
+    else folded_.insert(i);
   };
   if (changes)
     for (const ShapeChange& change : *changes) take(change.index);
   else
     for (std::size_t i = 0; i < order_.size(); ++i) take(i);
   all_.clear();
-  for (std::size_t i = 0; i < order_.size(); ++i) append(entries_[i].found, derived.starts[i], all_);
+  for (const std::size_t i : folded_) append(entries_[i].found, derived.starts[i], all_);
   return all_;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,8 @@ class Folds {
     std::uint64_t build = 0;
     std::vector<Fold> found;  // m along the segment
   };
-  std::vector<Entry> entries_;  // by index in the order
+  std::vector<Entry> entries_;    // by index in the order
+  std::set<std::size_t> folded_;  // indices of those with folds
   std::vector<Fold> all_;
   std::uint64_t last_build_ = 0;
   std::vector<world::Entity> order_;

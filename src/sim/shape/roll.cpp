@@ -42,6 +42,7 @@ double automatic_spin(double twist_before, double length_before, double twist_af
 }
 
 bool set_automatic_spins(const Derived& derived, std::span<const world::Entity> knots, world::Document& document) {
+  if (knots.empty()) return false;
   std::vector<world::Entity> wanted(knots.begin(), knots.end());
   std::sort(wanted.begin(), wanted.end());
   const world::Track& track = document.track;

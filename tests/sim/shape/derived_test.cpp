@@ -21,10 +21,12 @@ TEST(derived, only_what_changed_is_rebuilt) {
     EXPECT_EQ(derived.vertices, 6 * count);
     derive(d, settings, {}, derived);
     EXPECT_EQ(derived.rebuilds, 0);
+    EXPECT_EQ(derived.compared, 0u);
     const std::uint64_t last = derived.last_build;
     d.entities.get<world::Knot>(d.track.knots[3]).position.y += 0.7f;
     derive(d, settings, {}, derived);
     EXPECT_EQ(derived.rebuilds, 2);
+    EXPECT_LE(derived.compared, 64u);
     for (std::size_t i = 0; i < derived.order.size(); ++i)
       EXPECT_EQ(derived.shape(derived.order[i]).shape_build > last, i == 2 || i == 3) << i;
     settings.evaluation->steps = 7;
@@ -56,6 +58,11 @@ TEST(derived, removed_segments_leave_nothing_behind) {
   EXPECT_EQ(derived.segments.size(), 7u);
   EXPECT_EQ(derived.order, d.track.segments);
   EXPECT_EQ(derived.starts.size(), 8u);
+  EXPECT_NEAR(derived.length, world::exact_length(d), 1e-9);
+  // In memory the last knot took the place of the removed one.
+  d.entities.get<world::Knot>(d.track.knots.back()).position.y += 0.7f;
+  derive(d, {}, {}, derived);
+  EXPECT_EQ(derived.rebuilds, 2);
   EXPECT_NEAR(derived.length, world::exact_length(d), 1e-9);
 }
 

@@ -1,0 +1,23 @@
+// Comparison of plain data bit by bit.
+#pragma once
+
+#include <cstring>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace coaster::base {
+
+// True if both have the same size and the same bits, padding included: 0 is not -0, and a NaN is itself. Values that
+// are equal may differ in bits. About as fast as memory is read.
+template <class T>
+bool same_bits(std::span<const T> a, std::span<const T> b) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+}
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  return same_bits(std::span<const T>(a), std::span<const T>(b));
+}
+
+}  // namespace coaster::base
