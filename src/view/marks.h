@@ -12,6 +12,8 @@ class Projector {
  public:
   explicit Projector(const View& view);
   std::optional<glm::dvec2> operator()(glm::dvec3 world) const;
+  // False only if no point of the box is seen within `margin` pixels of the viewport.
+  bool may_show(const curve::Box& box, double margin) const;
 
  private:
   glm::dmat4 matrix_;
@@ -34,9 +36,15 @@ struct PlacedMark {
 std::optional<PlacedMark> placed_mark(const Projector& projector, const View& view, PickKind kind, world::Entity knot,
                                       glm::vec3 position);
 
-// Returns the marks of knots and of the selection's handles, in no particular order.
-std::vector<PlacedMark> marks_on_screen(const world::Document& document, const world::Settings& settings,
-                                        const View& view);
+struct MarksOnScreen {
+  std::vector<PlacedMark> marks;
+  std::size_t looked_at = 0;  // knots that were projected
+};
+
+// Returns the marks of knots and of the selection's handles, in no particular order. Finds the knots by the segment
+// tree, if `derived` is of this document.
+MarksOnScreen marks_on_screen(const world::Document& document, const sim::Derived& derived,
+                              const world::Settings& settings, const View& view);
 
 // True if `a` is drawn over `b`: handles over knots, then the nearer one, then the earlier in the track.
 bool covers(const PlacedMark& a, const PlacedMark& b);

@@ -76,10 +76,11 @@ void keep_nearest(std::vector<PlacedMark>& marks, const world::Settings& setting
 }
 
 // Returns the marks to draw, far to near.
-std::vector<PlacedMark> shown_marks(const world::Document& document, const world::Settings& settings, const View& view,
-                                    const Pick& hovered, const Selected& selected, bool riding) {
+std::vector<PlacedMark> shown_marks(const world::Document& document, const sim::Derived& derived,
+                                    const world::Settings& settings, const View& view, const Pick& hovered,
+                                    const Selected& selected, bool riding) {
   const bool all = !riding && settings.lab->layers.has(world::Layer::knots);
-  std::vector<PlacedMark> marks = marks_on_screen(document, settings, view);
+  std::vector<PlacedMark> marks = marks_on_screen(document, derived, settings, view).marks;
   std::erase_if(marks, [&](const PlacedMark& placed) {
     if (placed.kind == PickKind::spin) return riding;
     return !all && !selected(placed.knot) && hovered != Pick{placed.kind, placed.knot};
@@ -134,7 +135,7 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   if (const auto ring = spin_ring_of(document, settings, view); ring && !findings.riding)
     add_spin_ring(*ring, scale, overlay);
   const Selected selected(settings);
-  for (const PlacedMark& placed : shown_marks(document, settings, view, hovered, selected, findings.riding))
+  for (const PlacedMark& placed : shown_marks(document, derived, settings, view, hovered, selected, findings.riding))
     overlay.marks.push_back(mark_of(placed, settings, selected, hovered));
   add_failure(derived, findings.failure, view, scale, overlay);
   return overlay;

@@ -259,7 +259,7 @@ TEST(overlay, marks_of_very_many_knots_are_those_of_the_nearest_and_of_the_activ
   const auto far = [&](world::Entity e) { return glm::distance(world::knot(d, e).position, view.eye); };
   std::vector<world::Entity> by_distance = d.track.knots;
   std::sort(by_distance.begin(), by_distance.end(), [&](auto a, auto b) { return far(a) < far(b); });
-  ASSERT_EQ(marks_on_screen(d, settings, view).size(), by_distance.size()) << "all are on screen";
+  ASSERT_EQ(marks_on_screen(d, {}, settings, view).marks.size(), by_distance.size()) << "all are on screen";
   const Overlay overlay = build_overlay(d, {}, settings, view, {});
   ASSERT_EQ(overlay.marks.size(), static_cast<std::size_t>(kMostMarks));
   const float border = far(by_distance[kMostMarks]);

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/vector_relational.hpp>
+
 #include "curve/cubic.h"
 
 namespace coaster::sim {
@@ -48,10 +50,10 @@ void build_tree(std::vector<curve::Cubic> cubics, SegmentTree& tree);
 // the grouping into nodes may differ.
 void refit_tree(std::span<const std::size_t> changed, SegmentTree& tree);
 
-// Calls visit(index in the track) for the segments of all blocks whose box meets `box`, until one returns false.
-// Returns true if none did.
-template <class Visit>
-bool all_near(const SegmentTree& tree, const curve::Box& box, const Visit& visit) {
+// Calls visit(index in the track) for the segments of all blocks for whose boxes, and for all of those around them,
+// meets(box) is true, until a visit returns false. Returns true if none did.
+template <class Meets, class Visit>
+bool all_within(const SegmentTree& tree, const Meets& meets, const Visit& visit) {
   if (tree.nodes.empty()) return true;
   std::array<std::int32_t, 4 * kMaxTreeDepth> stack;
   std::size_t waiting = 0;
@@ -59,11 +61,8 @@ bool all_near(const SegmentTree& tree, const curve::Box& box, const Visit& visit
   while (waiting > 0) {
     const TreeNode& node = tree.nodes[static_cast<std::size_t>(stack[--waiting])];
     for (std::size_t lane = 0; lane < 4 && (node.lanes >> lane & 1u) != 0; ++lane) {
-      bool apart = false;
-      for (std::size_t a = 0; a < 3; ++a)
-        apart = apart || node.bounds[a][lane] > box.high[static_cast<int>(a)] ||
-                node.bounds[3 + a][lane] < box.low[static_cast<int>(a)];
-      if (apart) continue;
+      const auto row = [&](std::size_t i) { return node.bounds[i][lane]; };
+      if (!meets(curve::Box{{row(0), row(1), row(2)}, {row(3), row(4), row(5)}})) continue;
       if (node.child[lane] >= 0) {
         stack[waiting++] = node.child[lane];
         continue;
@@ -74,6 +73,17 @@ bool all_near(const SegmentTree& tree, const curve::Box& box, const Visit& visit
     }
   }
   return true;
+}
+
+// The same for the blocks whose box meets `box`.
+template <class Visit>
+bool all_near(const SegmentTree& tree, const curve::Box& box, const Visit& visit) {
+  return all_within(
+      tree,
+      [&](const curve::Box& other) {
+        return glm::all(glm::lessThanEqual(other.low, box.high)) && glm::all(glm::lessThanEqual(box.low, other.high));
+      },
+      visit);
 }
 
 // Returns the bounding box of a curve's control points after two subdivisions: it contains the curve, and is too large
