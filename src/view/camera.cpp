@@ -3,11 +3,9 @@
 #include "view/camera.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
-#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -48,8 +46,9 @@ glm::mat3 axes_of(const world::Camera& camera) {
   return {right, glm::cross(back, right), back};
 }
 
-// Returns the nearest camera with the same yaw and pitch that shows all points.
-world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3> points, Viewport viewport) {
+// Returns the nearest camera with the same yaw and pitch that shows all points p with which each_point() calls
+// visit(p): a long track has millions.
+world::Camera frame_points(const world::Camera& from, Viewport viewport, const auto& each_point) {
   viewport = with_area(viewport);
   world::Camera out = from;
   const glm::mat3 axes = axes_of(from);
@@ -63,13 +62,13 @@ world::Camera frame_points(const world::Camera& from, std::span<const glm::vec3>
   constexpr float kLowest = std::numeric_limits<float>::lowest();
   float right_most = kLowest, left_most = kLowest, top = kLowest, bottom = kLowest, nearest = kLowest,
         furthest = kLowest;
-  for (const glm::vec3 p : points) {
+  each_point([&](glm::vec3 p) {
     const float x = glm::dot(p, right), y = glm::dot(p, up), b = glm::dot(p, back);
     const float in_x = by_depth * b * tan_x, in_y = by_depth * b * tan_y;
     right_most = std::max(right_most, x + in_x), left_most = std::max(left_most, -x + in_x);
     top = std::max(top, y + in_y), bottom = std::max(bottom, -y + in_y);
     nearest = std::max(nearest, b), furthest = std::max(furthest, -b);
-  }
+  });
   const float eye = std::max((right_most + left_most) / (2 * tan_x), (top + bottom) / (2 * tan_y));
   const float middle = 0.5f * (nearest - furthest);
   out.target = 0.5f * (right_most - left_most) * right + 0.5f * (top - bottom) * up + middle * back;
@@ -231,28 +230,28 @@ world::Camera kept_in_view(const world::Camera& camera, std::span<const glm::vec
 }
 
 world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport) {
-  std::array<glm::vec3, 8> corners;
-  for (int i = 0; i < 8; ++i)
-    corners[static_cast<std::size_t>(i)] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
-  return frame_points(from, corners, viewport);
+  return frame_points(from, viewport, [&](const auto& visit) {
+    for (int i = 0; i < 8; ++i)
+      visit(glm::vec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z));
+  });
 }
 
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport) {
   if (document.track.knots.empty()) return frame_box(from, {-20, 0, -20}, {20, 10, 20}, viewport);
   // Track has a volume, and a lone knot should not fill the picture.
-  std::vector<glm::vec3> points;
   const float half = 1 + static_cast<float>(std::abs(world::rails_height(document)));
-  const auto add = [&](glm::vec3 p) {
-    for (const glm::vec3 by : {glm::vec3(1, 1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1)})
-      points.push_back(p + half * by);
-  };
-  for (const world::Entity e : document.track.knots) add(world::knot(document, e).position);
-  // Sampled, because control points can be far outside the curve.
-  for (const world::Entity e : document.track.segments) {
-    const curve::Cubic cubic = world::cubic_of(document, e);
-    for (int i = 1; i < 8; ++i) add(glm::vec3(curve::point(cubic, i / 8.0)));
-  }
-  return frame_points(from, points, viewport);
+  return frame_points(from, viewport, [&](const auto& visit) {
+    const auto around = [&](glm::vec3 p) {
+      for (const glm::vec3 by : {glm::vec3(1, 1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1)})
+        visit(p + half * by);
+    };
+    for (const world::Entity e : document.track.knots) around(world::knot(document, e).position);
+    // Sampled, because control points can be far outside the curve.
+    for (const world::Entity e : document.track.segments) {
+      const curve::Cubic cubic = world::cubic_of(document, e);
+      for (int i = 1; i < 8; ++i) around(glm::vec3(curve::point(cubic, i / 8.0)));
+    }
+  });
 }
 
 world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity,
