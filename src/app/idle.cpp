@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "app/program.h"
+#include "world/lab_view.h"
 
 namespace coaster::app {
 namespace {
@@ -13,6 +14,7 @@ bool is_busy(const Program& program) {
   const edit::Session& session = program.session;
   return session.motion.state == world::RideState::running || session.measuring.measurement.running ||
          program.picture.rig.ticks_left > 0 || program.stats.deviation_pending > 0 || program.pictures.busy() ||
+         (session.settings.lab->layers.has(world::Layer::conflicts) && !session.findings.all_conflicts) ||
          program.import || program.filming || program.tutorial.wanted || program.tutorial.card ||
          (program.keeper && program.keeper->dialog.running());
 }

@@ -22,6 +22,11 @@ bool shows_circuit(const Program& program, const Look& look) {
   return look.settings.aids->circuit > 0 && !program.session.history.in_gesture;
 }
 
+// A picture that is kept shows all conflicts. Any other may come before they are found.
+edit::Want wanted_conflicts(const Look& look, const Program& program) {
+  return look.unseen || program.surface->is_window() ? edit::Want::conflicts_so_far : edit::Want::conflicts;
+}
+
 // The palette's element or a way home, as the overlay shows it.
 void mark_plan(const Program& program, const Look& look, const edit::Findings& found, view::Findings& marked) {
   if (look.settings.aids->show_element) marked.element = found.element, marked.narrow = found.room;
@@ -49,7 +54,8 @@ edit::Want wanted_by(const Look& look, const Program& program) {
   const world::Layers& layers = look.settings.lab->layers;
   Want wanted = Want::values;
   if (layers.has(world::Layer::flips)) wanted = wanted | Want::breaks;
-  if (layers.has(world::Layer::conflicts) && !is_riding(program, look)) wanted = wanted | Want::conflicts | Want::folds;
+  if (layers.has(world::Layer::conflicts) && !is_riding(program, look))
+    wanted = wanted | wanted_conflicts(look, program) | Want::folds;
   if (layers.has(world::Layer::limits)) wanted = wanted | Want::overloads | Want::jolts;
   if (layers.has(world::Layer::supports)) wanted = wanted | Want::supports;
   if (look.settings.aids->show_element) wanted = wanted | Want::element | Want::room;

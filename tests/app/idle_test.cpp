@@ -7,6 +7,7 @@
 #include "app/program_fixture.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/session/session.h"
+#include "sim/tracks.h"
 
 namespace coaster::app {
 namespace idle_test {
@@ -84,6 +85,28 @@ TEST_F(Idle, frames_that_are_counted_are_drawn) {
   program_->options.frames.reset();
   surface(*program_).window = false;
   EXPECT_EQ(play(1), 60u);
+}
+
+// Four pictures a second find the conflicts of at most a few thousand segments before the window would be idle.
+TEST_F(Idle, a_search_for_conflicts_is_finished_first) {
+  play(10);
+  edit::Session& session = program_->session;
+  session.document = test::ring_document(20'000, 32'000);
+  sim::derive(session.document, session.settings, {}, session.derived);
+  sim::reset(session.document, session.derived, session.motion);
+  surface(*program_).next = {platform::Expose{}};
+  const auto play_slowly = [&](int pictures) {
+    for (int i = 0; i < pictures; ++i) {
+      surface(*program_).now += 0.25;
+      surface(*program_).next.push_back(platform::Tick{0.25});
+      play_frame(*program_);
+    }
+  };
+  play_slowly(2);
+  EXPECT_FALSE(session.findings.all_conflicts);
+  play_slowly(40);
+  EXPECT_TRUE(session.findings.all_conflicts);
+  EXPECT_EQ(play(5), 0u);
 }
 
 }  // namespace idle_test

@@ -124,6 +124,9 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
   if (has(wanted, Want::jolts)) find_jolts(session);
   if (has(wanted, Want::conflicts | Want::room | Want::circuit))
     found.conflicts = memory.conflicts.update(session.derived);
+  else if (has(wanted, Want::conflicts_so_far))
+    found.conflicts = memory.conflicts.update(session.derived, sim::Conflicts::kSlice);
+  found.all_conflicts = memory.conflicts.is_complete();
   if (has(wanted, Want::folds)) found.folds = memory.folds.update(session.derived);
   if (has(wanted, Want::element | Want::room)) found.element = &memory.elements.plan(element, session.document);
   if (has(wanted, Want::room))

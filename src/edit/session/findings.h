@@ -41,13 +41,14 @@ enum class Want : std::uint32_t {
   breaks = 128,    // of the Frenet frame
   values = 256,    // that the track is coloured by
   supports = 512,
-  deviation = 1024,  // from the start track of the challenge under way
-  seat = 2048,       // what the riders of the chosen seat feel during that ride
-  riders = 4096,     // the same of all cars
-  folds = 8192,      // of the rails
-  jolts = 16384,     // of that ride, at the joints
-  circuit = 32768,   // ways from the open end to the first knot
-  sections = 65536   // their lengths, heights, and what the riders of the chosen seat feel on them
+  deviation = 1024,          // from the start track of the challenge under way
+  seat = 2048,               // what the riders of the chosen seat feel during that ride
+  riders = 4096,             // the same of all cars
+  folds = 8192,              // of the rails
+  jolts = 16384,             // of that ride, at the joints
+  circuit = 32768,           // ways from the open end to the first knot
+  sections = 65536,          // their lengths, heights, and what the riders of the chosen seat feel on them
+  conflicts_so_far = 131072  // those found up to now; each time the search goes on by a slice
 };
 constexpr Want operator|(Want a, Want b) {
   return static_cast<Want>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -65,9 +66,10 @@ struct Findings {
   const sim::Ratings* ratings = nullptr;     // never null after Want::ratings; all 0 without a ride
   const sim::Riders* riders = nullptr;       // of the cars that were asked for; null without a ride
   std::span<const sim::RedSpan> overloads;   // none without a ride
-  std::span<const sim::Conflict> conflicts;  // in the track's order
-  std::span<const sim::Fold> folds;          // in the track's order
-  std::span<const sim::Jolt> jolts;          // by the knots' index in the track; none without a ride
+  std::span<const sim::Conflict> conflicts;  // in the track's order; all after Want::conflicts
+  bool all_conflicts = true;
+  std::span<const sim::Fold> folds;  // in the track's order
+  std::span<const sim::Jolt> jolts;  // by the knots' index in the track; none without a ride
   const sim::ElementPlan* element = nullptr;
   std::span<const sim::Narrow> room;               // parts of the element that lack it
   const sim::CircuitProposals* circuit = nullptr;  // never null after Want::circuit

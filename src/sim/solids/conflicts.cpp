@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/bits.h"
 #include "sim/shape/rails.h"
 #include "sim/solids/clearance.h"
 #include "sim/solids/track_mesh.h"
@@ -49,19 +50,21 @@ double missing_between(const LinePoint& p, const LinePoint& q, const LinePoint& 
   return kNeeded - std::min(distance(kTrainLift, -kTrackDrop), distance(-kTrackDrop, kTrainLift));
 }
 
-// Marks segments that may have new neighbours: those between a common start and a common end of both orders, one on
-// each side of them, and both ends of the track, which may have been joined or cut.
-void mark_rearranged(const std::vector<world::Entity>& before, const std::vector<world::Entity>& now,
-                     std::vector<bool>& stale) {
-  if (now.empty()) return;
+// Returns the segments that may have new neighbours, ascending: those between a common start and a common end of both
+// orders, one on each side of them, and both ends of the track, which may have been joined or cut.
+std::vector<std::size_t> rearranged(const std::vector<world::Entity>& before, const std::vector<world::Entity>& now) {
+  std::vector<std::size_t> indices;
+  if (now.empty()) return indices;
   const auto [was, is] = std::mismatch(before.begin(), before.end(), now.begin(), now.end());
   const auto last =
       std::mismatch(before.rbegin(), std::make_reverse_iterator(was), now.rbegin(), std::make_reverse_iterator(is))
           .second;
   const auto first = is - now.begin(), end = last.base() - now.begin();
+  indices.push_back(0);
   for (auto i = std::max<std::ptrdiff_t>(first - 1, 0); i < std::min<std::ptrdiff_t>(end + 1, std::ssize(now)); ++i)
-    stale[static_cast<std::size_t>(i)] = true;
-  stale.front() = stale.back() = true;
+    indices.push_back(static_cast<std::size_t>(i));
+  indices.push_back(now.size() - 1);
+  return indices;
 }
 
 }  // namespace
@@ -83,43 +86,70 @@ void Conflicts::Entry::take(const SegmentShape& shape) {
   for (std::size_t k = 1; k < places.size(); ++k) longest = std::max(longest, length_of(places[k - 1], places[k]));
 }
 
-void Conflicts::take_shapes(const Derived& derived, std::optional<std::uint64_t> since, std::vector<bool>& stale) {
-  const auto changes = since ? derived.changes_since(*since) : std::nullopt;
-  std::vector<std::size_t> fresh;
-  if (changes) {
-    for (const ShapeChange& change : *changes)
-      if (!stale[change.index]) fresh.push_back(change.index), stale[change.index] = true;
-  } else {
-    entries_.reserve(derived.order.size());
-    for (std::size_t i = 0; i < derived.order.size(); ++i) {
-      Entry& entry = entries_.obtain(derived.order[i]);
-      entry.index = i;
-      if (entry.build != derived.shape_at(i).shape_build) fresh.push_back(i), stale[i] = true;
-    }
+// Takes the order of the track. Returns the segments that are new or have new neighbours.
+std::vector<std::size_t> Conflicts::take_order(const Derived& derived) {
+  std::vector<std::size_t> changed = rearranged(order_, derived.order);
+  entries_.keep_those_of(derived.segments);
+  entries_.reserve(derived.order.size());
+  for (std::size_t i = 0; i < derived.order.size(); ++i) {
+    Entry& entry = entries_.obtain(derived.order[i]);
+    entry.index = i;
+    if (entry.build != derived.shape_at(i).shape_build) changed.push_back(i);
   }
-  constexpr std::size_t kPart = 64;  // segments
-  base::in_parts(fresh.size(), kPart, base::cores(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) entries_.get(derived.order[fresh[k]]).take(derived.shape_at(fresh[k]));
+  order_ = derived.order;
+  return changed;
+}
+
+// Begins a search of what changed, and of what the last one did not get to.
+void Conflicts::take_changes(const Derived& derived) {
+  std::vector<world::Entity> left;
+  for (; next_ < waiting_.size(); ++next_) left.push_back(order_[waiting_[next_]]);
+  std::vector<std::size_t> changed;
+  if (const auto changes = derived.changes_since(last_build_))
+    for (const ShapeChange& change : *changes) changed.push_back(change.index);
+  else changed = take_order(derived);
+  last_build_ = derived.last_build;
+  stale_.assign(derived.order.size(), false);
+  waiting_.clear(), next_ = 0;
+  spread(derived, changed);
+  for (const world::Entity segment : left)
+    if (const Entry* const entry = entries_.find(segment)) wait_for(entry->index);
+  std::sort(waiting_.begin(), waiting_.end());
+  std::erase_if(hits_, [&](const Hit& hit) {
+    const Entry *const a = entries_.find(hit.a), *const b = entries_.find(hit.b);
+    return !a || !b || stale_[a->index] || stale_[b->index];
   });
 }
 
+void Conflicts::wait_for(std::size_t index) {
+  if (!stale_[index]) waiting_.push_back(index);
+  stale_[index] = true;
+}
+
 // Whether two positions are one stretch depends on everything between them.
-void Conflicts::spread(const Derived& derived, std::vector<bool>& stale) const {
+void Conflicts::spread(const Derived& derived, std::span<const std::size_t> changed) {
   const std::size_t count = derived.order.size();
-  const std::vector<bool> changed = stale;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!changed[i]) continue;
+  std::vector<bool> is_changed(count);
+  for (const std::size_t i : changed) is_changed[i] = true, wait_for(i);
+  for (const std::size_t i : changed) {
     for (const std::size_t step : {std::size_t{1}, count - 1}) {
       std::size_t k = i;
       for (double away = 0; away <= kSameStretch;) {
         if (!derived.closed && (step == 1 ? k + 1 == count : k == 0)) break;
         k = (k + step) % count;
-        if (k == i || changed[k]) break;
-        stale[k] = true;
+        if (k == i || is_changed[k]) break;
+        wait_for(k);
         away += derived.starts[k + 1] - derived.starts[k];
       }
     }
   }
+}
+
+// Returns the entry of a segment, up to date.
+const Conflicts::Entry& Conflicts::entry(const Derived& derived, std::size_t index) {
+  Entry& entry = entries_.get(derived.order[index]);
+  if (const SegmentShape& shape = derived.shape_at(index); entry.build != shape.shape_build) entry.take(shape);
+  return entry;
 }
 
 // Checks two segments, a not behind b in the track; adds at most `most` hits and returns their number.
@@ -147,14 +177,14 @@ std::size_t Conflicts::look_at(const Derived& derived, world::Entity a, world::E
   return count;
 }
 
-void Conflicts::look_around(const Derived& derived, std::size_t index, const std::vector<bool>& stale) {
+void Conflicts::look_around(const Derived& derived, std::size_t index) {
   const world::Entity segment = derived.order[index];
-  const curve::Box box = widened(entries_.get(segment).box, static_cast<float>(kReach));
+  const curve::Box box = widened(entry(derived, index).box, static_cast<float>(kReach));
   const auto off_curve = static_cast<float>(std::abs(derived.shape(segment).key.rails));
-  const std::size_t most = kMostHits * entries_.get(segment).places.size();
+  const std::size_t most = kMostHits * entry(derived, index).places.size();
   std::size_t count = 0;
   all_near(derived.tree, widened(box, off_curve), [&](std::size_t other) {
-    if ((stale[other] && other < index) || !meet(entries_.get(derived.order[other]).box, box)) return true;
+    if ((stale_[other] && other < index) || !meet(entry(derived, other).box, box)) return true;
     count +=
         look_at(derived, derived.order[std::min(index, other)], derived.order[std::max(index, other)], most - count);
     return count < most;
@@ -203,27 +233,17 @@ void Conflicts::gather(const Derived& derived) {
   }
 }
 
-const std::vector<Conflict>& Conflicts::update(const Derived& derived) {
+const std::vector<Conflict>& Conflicts::update(const Derived& derived, std::size_t most) {
   looked_at_ = 0;
-  if (last_build_ == derived.last_build && closed_ == derived.closed && order_ == derived.order) return found_;
-  std::vector<bool> stale(derived.order.size());
-  std::optional<std::uint64_t> since = last_build_;
-  if (order_ != derived.order || closed_ != derived.closed) {
-    mark_rearranged(order_, derived.order, stale);
-    entries_.keep_those_of(derived.segments);
-    since.reset();
-  }
-  last_build_ = derived.last_build;
-  closed_ = derived.closed;
-  order_ = derived.order;
-  take_shapes(derived, since, stale);
-  spread(derived, stale);
-  std::erase_if(hits_, [&](const Hit& hit) {
-    const Entry *const a = entries_.find(hit.a), *const b = entries_.find(hit.b);
-    return !a || !b || stale[a->index] || stale[b->index];
+  const bool changed = last_build_ != derived.last_build || !base::same_bits(order_, derived.order);
+  if (changed) take_changes(derived);
+  if (!changed && is_complete()) return found_;
+  const std::size_t end = std::min(waiting_.size(), next_ + std::min(most, waiting_.size()));
+  constexpr std::size_t kPart = 64;  // segments
+  base::in_parts(end - next_, kPart, base::cores(), [&, first = next_](std::size_t from, std::size_t to) {
+    for (std::size_t k = from; k < to; ++k) (void)entry(derived, waiting_[first + k]);
   });
-  for (std::size_t i = 0; i < stale.size(); ++i)
-    if (stale[i]) look_around(derived, i, stale), ++looked_at_;
+  for (; next_ < end; ++next_, ++looked_at_) look_around(derived, waiting_[next_]);
   gather(derived);
   return found_;
 }

@@ -52,10 +52,17 @@ double worst(std::span<const Narrow> parts);
 
 class Conflicts {
  public:
+  // Segments that a picture checks at most; about 5 ms.
+  static constexpr std::size_t kSlice = 1000;
+
   // Updates the conflicts from the same Derived as before and returns all of them in track order. If nothing changed,
   // it costs a comparison of the orders; else a few microseconds for each changed segment and those within kSameStretch
   // of it. On tracks with very many conflicts not all are found: at most kMostHits per chord of a segment.
-  const std::vector<Conflict>& update(const Derived& derived);
+  const std::vector<Conflict>& update(const Derived& derived) { return update(derived, derived.order.size()); }
+  // The same, but checks at most `most` segments: returns the conflicts found so far, and later calls find the others.
+  const std::vector<Conflict>& update(const Derived& derived, std::size_t most);
+  // True if the last update found all.
+  bool is_complete() const { return next_ == waiting_.size(); }
   // Returns where the line of rails would conflict with the track as of the last update, or with itself, if it
   // continued the track's open end.
   std::vector<Narrow> against(const Derived& derived, std::span<const LinePoint> line,
@@ -78,10 +85,12 @@ class Conflicts {
     double missing = 0;
   };
   static constexpr std::size_t kMostHits = 16;
-  // `since`: the build as of which all entries are up to date; nothing: none may be.
-  void take_shapes(const Derived& derived, std::optional<std::uint64_t> since, std::vector<bool>& stale);
-  void spread(const Derived& derived, std::vector<bool>& stale) const;
-  void look_around(const Derived& derived, std::size_t index, const std::vector<bool>& stale);
+  void take_changes(const Derived& derived);
+  std::vector<std::size_t> take_order(const Derived& derived);
+  void wait_for(std::size_t index);
+  void spread(const Derived& derived, std::span<const std::size_t> changed);
+  const Entry& entry(const Derived& derived, std::size_t index);
+  void look_around(const Derived& derived, std::size_t index);
   std::size_t look_at(const Derived& derived, world::Entity a, world::Entity b, std::size_t most);
   void gather(const Derived& derived);
 
@@ -89,8 +98,10 @@ class Conflicts {
   std::vector<Hit> hits_;
   std::vector<Conflict> found_;
   std::vector<world::Entity> order_;
+  std::vector<bool> stale_;           // segments of this search, also those that it has checked
+  std::vector<std::size_t> waiting_;  // their indices, ascending; those from next_ on wait to be checked
+  std::size_t next_ = 0;
   std::uint64_t last_build_ = 0;
-  bool closed_ = false;
   int looked_at_ = 0;
 };
 

@@ -75,9 +75,11 @@ void deviation(Ui& ui) {
 }
 
 void conflicts(Ui& ui) {
-  if (ui.find(edit::Want::conflicts).conflicts.empty()) return;
-  read_query(ui, "Conflicts", "conflicts", "Places where the track lacks clearance from itself.",
-             {.decimals = 0, .warns = true});
+  constexpr std::string_view kTooltip = "Places where the track lacks clearance from itself.";
+  const edit::Findings& found = ui.find(edit::Want::conflicts_so_far);
+  if (found.conflicts.empty()) return;
+  if (found.all_conflicts) read_query(ui, "Conflicts", "conflicts", kTooltip, {.decimals = 0, .warns = true});
+  else read_out(ui, "Conflicts", fmt::format("{} so far", found.conflicts.size()), "", kTooltip);
   if (button(ui, "Next conflict", "Go to the next place where the track lacks clearance from itself.", true,
              ImGui::GetContentRegionAvail().x))
     show_next_conflict(ui);

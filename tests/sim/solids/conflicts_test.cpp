@@ -90,6 +90,44 @@ TEST(conflicts, track_beside_track_needs_room_for_elbows) {
   EXPECT_TRUE(conflicts_of(test::derived_of(two_tracks(static_cast<float>(enough + 0.05)))).empty());
 }
 
+// Slices of every size, with edits between them, end with what one search finds.
+TEST(conflicts, are_found_in_slices) {
+  for (const std::size_t most : {std::size_t{1}, std::size_t{5}, std::size_t{1000}}) {
+    world::Document d = criss_cross(8, 40);
+    Derived derived = test::derived_of(d);
+    Conflicts conflicts;
+    std::mt19937 bits(3);
+    const auto search = [&](int slices) {
+      for (int i = 0; i < slices; ++i) {
+        (void)conflicts.update(derived, most);
+        EXPECT_LE(conflicts.looked_at(), static_cast<int>(most));
+      }
+    };
+    const auto finish = [&] {
+      int slices = 0;
+      for (; !conflicts.is_complete(); ++slices) search(1);
+      return slices;
+    };
+    search(1);
+    EXPECT_EQ(conflicts.is_complete(), most > derived.order.size());
+    const int slices = finish();
+    EXPECT_EQ(slices + 1, static_cast<int>((derived.order.size() + most - 1) / most));
+    EXPECT_EQ(conflicts.update(derived), conflicts_of(derived));
+    for (int edit = 0; edit < 12; ++edit) {
+      const std::size_t knot = bits() % d.track.knots.size();
+      if (edit % 4 == 1) world::remove_knot(d, d.track.knots[knot]);
+      else if (edit % 4 == 3) world::set_closed(d, !d.track.closed);
+      else d.entities.get<world::Knot>(d.track.knots[knot]).position += glm::vec3(bits() % 9, bits() % 3, bits() % 9);
+      derive(d, {}, {}, derived);
+      search(1 + static_cast<int>(bits() % 7));
+      if (edit % 3 != 2) continue;
+      finish();
+      EXPECT_EQ(conflicts.update(derived), conflicts_of(derived)) << "after edit " << edit << " by " << most;
+      EXPECT_EQ(conflicts.looked_at(), 0);
+    }
+  }
+}
+
 TEST(conflicts, a_stretch_is_never_in_its_own_way) {
   EXPECT_TRUE(conflicts_of({}).empty());
   EXPECT_TRUE(conflicts_of(test::derived_of(test::straight_document({0, 5, 0}, {100, 5, 0}, 100))).empty());
